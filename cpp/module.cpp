@@ -1,0 +1,241 @@
+// Python bindings.
+#include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include <memory>
+#include <stdexcept>
+
+#include "factor.hpp"
+#include "problem.hpp"
+
+namespace nb = nanobind;
+using namespace raybundle;
+
+namespace raybundle {
+
+const Kernels& kernels() {
+#ifdef RB_X86
+  static const Kernels& best = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")
+                                   ? avx512::table
+                               : __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? avx2::table
+                                                                                                : baseline::table;
+  return best;
+#else
+  return baseline::table;
+#endif
+}
+
+}  // namespace raybundle
+
+namespace {
+
+using Doubles = nb::ndarray<double, nb::numpy, nb::c_contig, nb::device::cpu>;
+using Ints = nb::ndarray<const int32_t, nb::numpy, nb::c_contig, nb::device::cpu>;
+using Longs = nb::ndarray<const int64_t, nb::numpy, nb::c_contig, nb::device::cpu>;
+using Bytes = nb::ndarray<uint8_t, nb::numpy, nb::c_contig, nb::device::cpu>;
+using Const = nb::ndarray<const double, nb::numpy, nb::c_contig, nb::device::cpu>;
+
+template <class T, class A> std::vector<T> copy(const A& a) { return std::vector<T>(a.data(), a.data() + a.size()); }
+
+Doubles make(std::vector<size_t> shape) {
+  size_t n = 1;
+  for (size_t s : shape) n *= s;
+  double* data = new double[n]();
+  nb::capsule owner(data, [](void* p) noexcept { delete[] static_cast<double*>(p); });
+  return Doubles(data, shape.size(), shape.data(), owner);
+}
+
+struct Solver {
+  Problem q;
+  std::unique_ptr<Factor> factor;
+  std::vector<double> external;
+
+  void check(bool fine, const char* what) const {
+    if (!fine) throw std::invalid_argument(what);
+  }
+  State state(const Const& rotation, const Const& centre, const Const& interior, const Const& xyz, double huber, double damping) const {
+    check(rotation.size() == size_t(9 * q.images) && centre.size() == size_t(3 * q.images), "exterior orientations have the wrong size");
+    check(xyz.size() == size_t(3 * q.points), "object points have the wrong size");
+    check(q.interior_stride == 0 || interior.size() % q.interior_stride == 0, "interior orientations have the wrong size");
+    return {rotation.data(), centre.data(), interior.data(), xyz.data(), external.empty() ? nullptr : external.data(), huber, damping};
+  }
+};
+
+}  // namespace
+
+NB_MODULE(_native, m) {
+  m.doc() = "Compiled kernels: observations, reduced normal matrix, sparse factor, selected inverse.";
+  m.def("instruction_set", [] { return std::string(kernels().name); });
+  m.def("sensor_models", [] {
+    std::vector<std::string> names;
+    for (const char* name : model_names()) names.emplace_back(name);
+    return names;
+  });
+  m.def("set_dense", [](uint64_t potrf, uint64_t potri, uint64_t trsm, uint64_t syrk, uint64_t gemm) {
+    Dense& d = dense();
+    d.potrf = reinterpret_cast<decltype(d.potrf)>(potrf);
+    d.potri = reinterpret_cast<decltype(d.potri)>(potri);
+    d.trsm = reinterpret_cast<decltype(d.trsm)>(trsm);
+    d.syrk = reinterpret_cast<decltype(d.syrk)>(syrk);
+    d.gemm = reinterpret_cast<decltype(d.gemm)>(gemm);
+  });
+
+  nb::class_<Solver>(m, "Solver")
+      .def(nb::init<>())
+      .def("set_observations",
+           [](Solver& s, Ints image, Ints point, Const xy, Const whiten, Ints external_row) {
+             Problem& q = s.q;
+             q.observations = int(image.size());
+             s.check(point.size() == image.size() && xy.size() == 2 * image.size() && whiten.size() == 3 * image.size() &&
+                         external_row.size() == image.size(),
+                     "observation arrays differ in length");
+             q.image = copy<int32_t>(image);
+             q.point = copy<int32_t>(point);
+             q.xy = copy<double>(xy);
+             q.whiten = copy<double>(whiten);
+             q.external_row = copy<int32_t>(external_row);
+           })
+      .def("set_images",
+           [](Solver& s, Ints model, Ints corrected, Ints interior, Ints pattern, Ints own, Ints shared, Ints parameters, int stride) {
+             Problem& q = s.q;
+             q.images = int(model.size());
+             q.model = copy<int32_t>(model);
+             q.corrected = copy<int32_t>(corrected);
+             q.interior = copy<int32_t>(interior);
+             q.pattern = copy<int32_t>(pattern);
+             q.own_node = copy<int32_t>(own);
+             q.shared_node = copy<int32_t>(shared);
+             q.parameters = copy<int32_t>(parameters);
+             s.check(stride <= kMaxParameters, "a sensor model has more than 24 parameters");
+             q.interior_stride = stride;
+           })
+      .def("set_patterns",
+           [](Solver& s, const std::vector<std::pair<std::vector<int>, std::vector<int>>>& patterns) {
+             s.q.patterns.clear();
+             for (const auto& [own, shared] : patterns) s.q.patterns.push_back({own, shared});
+           })
+      .def("set_points",
+           [](Solver& s, Longs first, Ints node, Bytes held, Const weight, Const value) {
+             Problem& q = s.q;
+             q.points = int(node.size());
+             s.check(first.size() == node.size() + 1, "point arrays differ in length");
+             q.first = copy<int64_t>(first);
+             q.node_of_point = copy<int32_t>(node);
+             q.held = copy<uint8_t>(held);
+             q.prior_weight = copy<double>(weight);
+             q.prior_value = copy<double>(value);
+           })
+      .def("set_nodes",
+           [](Solver& s, Ints size, const std::vector<std::pair<int32_t, int32_t>>& extra) {
+             s.q.nodes = int(size.size());
+             s.q.size = copy<int32_t>(size);
+             nb::gil_scoped_release release;
+             s.q.build_structure(extra);
+             s.factor = std::make_unique<Factor>(s.q);
+           })
+      .def("set_point_prior",
+           [](Solver& s, Const weight, Const value) {
+             s.q.prior_weight = copy<double>(weight);
+             s.q.prior_value = copy<double>(value);
+           })
+      .def("set_external", [](Solver& s, Const rows) { s.external = copy<double>(rows); })
+      .def("block", [](const Solver& s, int a, int b) { return s.q.block(a, b); })
+      .def("block_start", [](const Solver& s, int64_t k) { return s.q.block_start.at(k); })
+      .def_prop_ro("unknowns", [](const Solver& s) { return s.q.unknowns; })
+      .def_prop_ro("values_size", [](const Solver& s) { return s.q.block_start.back(); })
+      .def_prop_ro("factor_entries", [](const Solver& s) { return s.factor->entries(); })
+      .def_prop_ro("factor_operations", [](const Solver& s) { return s.factor->operations(); })
+      .def_prop_ro("smallest_pivot", [](const Solver& s) { return s.factor->smallest_pivot(); })
+      .def_prop_ro("smallest_pivot_at", [](const Solver& s) { return s.factor->smallest_pivot_at(); })
+      .def("reduce",
+           [](Solver& s, Const R, Const C, Const I, Const X, double huber, double damping, int threads, Doubles values, Doubles right,
+              Doubles diagonal) {
+             const State state = s.state(R, C, I, X, huber, damping);
+             s.check(values.size() == size_t(s.q.block_start.back()) && right.size() == size_t(s.q.unknowns) &&
+                         diagonal.size() == size_t(s.q.unknowns), "normal matrix has the wrong size");
+             double *v = values.data(), *r = right.data(), *d = diagonal.data();
+             Totals t;
+             {
+               nb::gil_scoped_release release;
+               t = kernels().reduce(s.q, state, threads, v, r, d);
+             }
+             return nb::make_tuple(t.cost, t.behind, t.diverged, t.weak);
+           })
+      .def("back_substitute",
+           [](Solver& s, Const R, Const C, Const I, Const X, double huber, double damping, int threads, Const step, Doubles points) {
+             const State state = s.state(R, C, I, X, huber, damping);
+             s.check(step.size() == size_t(s.q.unknowns) && points.size() == size_t(3 * s.q.points), "step has the wrong size");
+             const double* d = step.data();
+             double* p = points.data();
+             nb::gil_scoped_release release;
+             return kernels().back_substitute(s.q, state, threads, d, p).cost;
+           })
+      .def("evaluate",
+           [](Solver& s, Const R, Const C, Const I, Const X, double huber, int threads, Doubles residuals, Bytes behind) {
+             const State state = s.state(R, C, I, X, huber, 0);
+             double* v = residuals.size() ? residuals.data() : nullptr;
+             uint8_t* b = behind.size() ? behind.data() : nullptr;
+             s.check((!v || residuals.size() == size_t(2 * s.q.observations)) && (!b || behind.size() == size_t(s.q.observations)),
+                     "residuals have the wrong size");
+             Totals t;
+             {
+               nb::gil_scoped_release release;
+               t = kernels().evaluate(s.q, state, threads, v, b);
+             }
+             return nb::make_tuple(t.cost, t.behind, t.diverged);
+           })
+      .def("factorise",
+           [](Solver& s, Const values, Const added) {
+             s.check(dense().potrf != nullptr, "dense kernels are not set");
+             const double *v = values.data(), *a = added.size() ? added.data() : nullptr;
+             nb::gil_scoped_release release;
+             return s.factor->factorise(v, a);
+           })
+      .def("solve",
+           [](const Solver& s, Doubles x, int columns) {
+             s.check(x.size() == size_t(s.q.unknowns) * columns, "right side has the wrong size");
+             double* d = x.data();
+             nb::gil_scoped_release release;
+             s.factor->solve(d, columns);
+           })
+      .def("selected_inverse",
+           [](const Solver& s, Doubles values) {
+             s.check(values.size() == size_t(s.q.block_start.back()), "normal matrix has the wrong size");
+             double* v = values.data();
+             nb::gil_scoped_release release;
+             s.factor->selected_inverse(v);
+           })
+      .def("multiply",
+           [](Solver& s, Const R, Const C, Const I, Const X, int threads, Const nodes, int columns) {
+             const State state = s.state(R, C, I, X, 0, 0);
+             s.check(nodes.size() == size_t(s.q.unknowns) * columns, "right side has the wrong size");
+             Doubles points = make({size_t(s.q.points), 3, size_t(columns)});
+             double* p = points.data();
+             const double* n = nodes.data();
+             {
+               nb::gil_scoped_release release;
+               kernels().multiply(s.q, state, threads, columns, n, p);
+             }
+             return points;
+           })
+      .def("statistics", [](Solver& s, Const R, Const C, Const I, Const X, int threads, Const inverse, int datum, Const gauge_nodes,
+                            Const gauge_points, Const gauge_middle, Doubles point_gauge) {
+        const State state = s.state(R, C, I, X, 0, 0);
+        s.check(inverse.size() == size_t(s.q.block_start.back()), "inverse has the wrong size");
+        s.check(gauge_nodes.size() == size_t(s.q.unknowns) * datum && gauge_points.size() == size_t(3 * s.q.points) * datum &&
+                    point_gauge.size() == size_t(3 * s.q.points) * datum && gauge_middle.size() == size_t(datum) * datum && datum <= 7,
+                "datum arrays have the wrong size");
+        Doubles cofactor = make({size_t(s.q.points), 3, 3}), hat = make({size_t(s.q.observations), 3}),
+                effect = make({size_t(s.q.observations), 3, 2});
+        double *c = cofactor.data(), *h = hat.data(), *e = effect.data(), *g = point_gauge.data();
+        const double *z = inverse.data(), *gn = gauge_nodes.data(), *gp = gauge_points.data(), *gm = gauge_middle.data();
+        {
+          nb::gil_scoped_release release;
+          kernels().statistics(s.q, state, threads, z, datum, gn, gp, gm, c, h, e, g);
+        }
+        return nb::make_tuple(cofactor, hat, effect);
+      });
+}

@@ -1,0 +1,101 @@
+// The least squares problem as flat arrays, shared by the kernels, the structure and the module.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace raybundle {
+
+constexpr int kMaxParameters = 24;   // interior parameters of one sensor model
+constexpr int kMaxNode = 6 + kMaxParameters;
+
+// One list of free columns: which of the local parameters (X0 Y0 Z0, rotation, interior) go to the
+// image's own node and which to the node of a shared interior orientation.
+struct Pattern {
+  std::vector<int> own, shared;
+};
+
+struct Problem {
+  // observations, sorted by point
+  int observations = 0;
+  std::vector<int32_t> image, point;
+  std::vector<double> xy;       // (m, 2) mm, image frame
+  std::vector<double> whiten;   // (m, 3) lower triangle of the inverse Cholesky factor of the covariance
+  std::vector<int32_t> external_row;  // (m) row in `external`, -1 where the model is compiled
+
+  // images
+  int images = 0;
+  std::vector<int32_t> model;      // (n) compiled model, -1 = external
+  std::vector<int32_t> corrected;  // (n) 1: residual of the corrected image point
+  std::vector<int32_t> interior;   // (n) row of the interior orientation
+  std::vector<int32_t> pattern, own_node, shared_node;
+  std::vector<int32_t> parameters; // (n) number of interior parameters of its model
+  std::vector<Pattern> patterns;
+  int interior_stride = 0;
+
+  // points
+  int points = 0;
+  std::vector<int64_t> first;        // (p + 1) observations of each point
+  std::vector<int32_t> node_of_point;  // node of a retained point, -1 = eliminated
+  std::vector<uint8_t> held;         // bit c: coordinate c is held
+  std::vector<double> prior_weight, prior_value;  // (p, 3)
+
+  // nodes: blocks of unknowns that stay in the reduced system
+  int nodes = 0, unknowns = 0;
+  std::vector<int32_t> size;
+  std::vector<int64_t> offset;       // (nodes + 1) first scalar unknown
+
+  // structure: nodes of each point, block of each pair of them
+  std::vector<int64_t> point_nodes_first, point_pairs_first;
+  std::vector<int32_t> point_nodes, pair_block;
+  std::vector<int32_t> slot_own, slot_shared, slot_point;  // (m) positions in the point's node list
+  std::vector<int64_t> block_start;  // (blocks + 1) offset of each block's values
+  std::vector<int32_t> block_row, block_col;  // row <= col
+  std::vector<std::vector<int32_t>> adjacency;  // (nodes) sorted later nodes, itself first
+  std::vector<int64_t> column_first;            // (nodes + 1) block index of (a, adjacency[a][0])
+  int largest_point_nodes = 0;
+
+  void build_structure(const std::vector<std::pair<int32_t, int32_t>>& extra_pairs);
+  int64_t block(int32_t row, int32_t col) const;
+};
+
+// The values at which the problem is evaluated.
+struct State {
+  const double* rotation;  // (n, 9)
+  const double* centre;    // (n, 3)
+  const double* interior;  // (q, stride)
+  const double* xyz;       // (p, 3)
+  const double* external;  // (rows, 8 + 2 stride): v, d v / d sensor point, d v / d interior; may be null
+  double huber;            // 0: least squares
+  double damping;
+};
+
+struct Totals {
+  double cost = 0;       // half the weighted square sum, robust if asked
+  int64_t behind = 0;    // observations whose point lies behind the sensor
+  int64_t diverged = 0;  // observations without a projection
+  std::vector<int32_t> weak;  // points whose normal matrix is singular
+};
+
+struct Kernels {
+  const char* name;
+  Totals (*reduce)(const Problem&, const State&, int threads, double* values, double* right, double* diagonal);
+  // linearised cost returned in totals.cost
+  Totals (*back_substitute)(const Problem&, const State&, int threads, const double* step, double* points);
+  Totals (*evaluate)(const Problem&, const State&, int threads, double* residuals, uint8_t* behind);
+  void (*statistics)(const Problem&, const State&, int threads, const double* inverse, int datum, const double* gauge_nodes,
+                     const double* gauge_points, const double* gauge_middle, double* point_cofactor, double* hat,
+                     double* effect, double* point_gauge);
+  void (*multiply)(const Problem&, const State&, int threads, int columns, const double* nodes, double* points);
+};
+
+const Kernels& kernels();
+const std::vector<const char*>& model_names();
+
+namespace baseline { extern const Kernels table; }
+#ifdef RB_X86
+namespace avx2 { extern const Kernels table; }
+namespace avx512 { extern const Kernels table; }
+#endif
+
+}  // namespace raybundle

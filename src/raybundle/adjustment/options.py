@@ -1,0 +1,37 @@
+"""The settings of an adjustment: one frozen object for Python, command line, project file and report."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+Datum = Literal["auto", "control", "minimal", "inner"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class AdjustmentOptions:
+    """How a block is adjusted.  The defaults adjust what is given: nothing rejected, nothing chosen."""
+
+    datum: Datum = "auto"
+    """auto: what control, distances and stations leave open is taken by inner constraints; control: an
+    error if anything stays open; minimal: the fewest coordinates of well-spread points held; inner: inner
+    constraints for everything but a scale that distances fix."""
+    datum_points: tuple[str, ...] = ()
+    """Points that carry the inner constraints; () = all object points."""
+    estimate: Literal["given", "auto"] = "given"
+    """given: the parameters named in the block; auto: chosen by significance, BIC and determinability."""
+    reject: Literal["none", "snooping"] = "none"
+    """snooping: blunders leave one family at a time, with reactivation."""
+    residuals: Literal["as_block", "measured", "corrected"] = "as_block"
+    """Where the residual is taken; see BLOCK_FORMAT."""
+    robust_start: bool = False
+    """Start with a Huber weight function; the end is always pure least squares."""
+    statistics: bool = True
+    """False stops after the estimate: no covariances, no redundancy numbers."""
+    max_iterations: int = 100
+    tolerance: float = 1e-6
+    """The last step's length, in standard deviations of the unknowns (root of dx' N dx / u)."""
+    significance: float = 0.05
+    """Family-wise significance level of the tests on additional parameters and of data snooping."""
+    threads: int = 0
+    """0 = all processors."""

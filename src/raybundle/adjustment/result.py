@@ -1,0 +1,241 @@
+"""What an adjustment returns: plain data, read by reports and written to result folders.
+
+Standard deviations and covariances carry the a-posteriori sigma0; test values w and smallest
+detectable blunders carry the a-priori one, as BLOCK_FORMAT says.  Arrays are parallel to the
+tables of the block.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.block import Block
+from raybundle.numerics.arrays import Array, Index, Mask
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Notice:
+    """Something the user should know: a warning of result.json, a line of the report."""
+
+    code: str
+    """Stable, snake case: "not_determinable", "control_suspect", "one_ray_control" ..."""
+    message: str
+    """What, which object, the number against its limit, and what to do."""
+    ids: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ObservationStatistics:
+    """Image observations, pixel frame, y down; one row per row of `Block.observations`."""
+
+    residuals_px: Array
+    """(m, 2) adjusted - observed."""
+    redundancy: Array
+    """(m, 2) redundancy numbers r of x and y; NaN where rejected or without statistics."""
+    w: Array
+    """(m, 2) normalised residuals v / (s sqrt r), a-priori sigma, signed; NaN where r < 1e-9."""
+    t: Array
+    """(m, 2) w / sigma0."""
+    mdb_px: Array
+    """(m, 2) smallest detectable blunder, alpha 0.001, power 0.80; NaN where r < 1e-9."""
+    external: Array
+    """(m, 2) largest effect of that blunder on its object point's coordinates, length unit of the block."""
+    rejected: tuple[str, ...]
+    """(m,) empty, or the reason; the adjustment took no notice of a rejected row."""
+
+    @property
+    def used(self) -> Mask:
+        """(m,) rows that took part."""
+        import numpy as np  # noqa: PLC0415
+
+        return np.array([not r for r in self.rejected], dtype=bool)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ObservationGroup:
+    """Residuals and tests of control coordinates, distances or projection centres."""
+
+    kind: str
+    """control | distance | station | parameter"""
+    ids: tuple[str, ...]
+    """(k,) point id, "from-to", image id, "camera:symbol"."""
+    component: tuple[str, ...]
+    """(k,) "X", "Y", "Z", "length" or the parameter's symbol."""
+    given: Array
+    sigma: Array
+    """(k,) a priori; 0 = held."""
+    adjusted: Array
+    adjusted_std: Array
+    residual: Array
+    redundancy: Array
+    w: Array
+    t: Array
+    mdb: Array
+    rejected: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Precision:
+    """Covariances of the unknowns in the result's datum, a-posteriori sigma0."""
+
+    object_points: Array
+    """(p, 3, 3); zero for held coordinates, NaN for points that took no part."""
+    images: Array
+    """(n, 6, 6) of X, Y, Z, omega, phi, kappa [length unit, rad]."""
+    interior: Mapping[str, Array]
+    """Camera id (or "camera/image" where each image has its own) -> (k, k), in the order of `parameters`."""
+    parameters: Mapping[str, tuple[str, ...]]
+    """The same keys -> symbols of the free parameters."""
+    interior_exterior: Mapping[str, Array]
+    """The same keys -> (images of the camera, k, 6) correlations between interior and exterior orientation."""
+
+    @property
+    def object_point_std(self) -> Array:
+        """(p, 3) standard deviations of the object coordinates."""
+        import numpy as np  # noqa: PLC0415
+
+        return np.sqrt(np.diagonal(self.object_points, axis1=1, axis2=2))
+
+    @property
+    def image_std(self) -> Array:
+        """(n, 6) standard deviations of X, Y, Z, omega, phi, kappa."""
+        import numpy as np  # noqa: PLC0415
+
+        return np.sqrt(np.diagonal(self.images, axis1=1, axis2=2))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ParameterResult:
+    """One parameter of an interior orientation."""
+
+    symbol: str
+    unit: str
+    meaning: str
+    value: float
+    std: float | None
+    """None where held."""
+    t: float | None
+    """|value - value without it| / std: significance of an additional parameter; None for c and held ones."""
+    determinability: float | None
+    """1 / (Q_ii (Q^-1)_ii), 1 = independent of all other unknowns, 0 = not determinable."""
+    effect_px: float | None
+    """Largest shift over the format that this parameter causes, at its value."""
+    effect_std_px: float | None
+    """The same for one standard deviation."""
+    status: str
+    """held | estimated | observed | not significant | not determinable"""
+    remark: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class InteriorResult:
+    """One interior orientation."""
+
+    camera: str
+    image: str | None
+    """Where each image has its own."""
+    parameters: Mapping[str, ParameterResult]
+    correlations: Array
+    """(k, k) between the free parameters, in the order of `free`."""
+    free: tuple[str, ...]
+    joint_tests: Mapping[str, tuple[float, float]] = field(default_factory=dict[str, tuple[float, float]])
+    """Group of parameters, as "P1 P2" -> F value, probability of a larger one by chance."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class VarianceComponent:
+    """Ratio of the a-posteriori to the a-priori sigma of a group of observations (Förstner 1979)."""
+
+    kind: str
+    """image observations | camera | image | control | distances | stations | point class"""
+    group: str
+    count: int
+    redundancy: float
+    ratio: float
+    """sigma a posteriori / sigma a priori; NaN where the group has no redundancy."""
+    significant: bool
+    """Whether the ratio differs from sigma0 (chi-square, 1 %, two-sided)."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class NetworkFigures:
+    """Geometry of the network."""
+
+    rays: Index
+    """(p,)"""
+    stations_per_point: Index
+    """(p,) rays from projection centres that differ by more than a hundredth of the distance."""
+    intersection_angle: Array
+    """(p,) largest angle between two rays [rad]."""
+    base_to_depth: Array
+    """(q,) of the image pairs with at least 6 common points."""
+    pair_images: Index
+    """(q, 2)"""
+    pair_points: Index
+    """(q,) number of common points."""
+    coverage: Array
+    """(n,) share of the format covered by the observations (cells of a 10 x 10 grid)."""
+    roll: Array
+    """(n,) rotation about the viewing axis [rad], against the most frequent one."""
+    distance: Array
+    """(n,) median distance projection centre - object points."""
+    image_scale: Array
+    """(n,) image scale number S = distance / c."""
+    q: float
+    """q of sigma_XYZ = q S sigma_xy / sqrt(k), k = mean rays per point."""
+    q_stations: float
+    """The same with k = mean stations per point."""
+    bound: float
+    """The smallest q that this number of rays allows (sqrt(3/2): isotropic directions)."""
+    relative_precision: float
+    """N of 1:N, largest extent of the object points over the mean standard deviation of a coordinate."""
+    precision_class: str
+    components: int
+    """Connected parts of the network."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Adjustment:
+    """The result of an adjustment."""
+
+    given: Block
+    """The block as it was given."""
+    adjusted: Block
+    """The same with adjusted interior and exterior orientations and object points."""
+    options: AdjustmentOptions
+    sigma0: float
+    """A posteriori, times 1 a priori: sqrt(sum (v/s)^2 / redundancy); NaN without redundancy."""
+    weighted_square_sum: float
+    redundancy: int
+    observations: int
+    unknowns: int
+    constraints: int
+    datum: str
+    """In words: "inner constraints over all object points (position, rotation, scale)"."""
+    datum_defect: tuple[str, ...]
+    """Parts of the datum that the observations leave open: "position X", "rotation Z", "scale" ..."""
+    converged: bool
+    iterations: int
+    seconds: float
+    global_test: tuple[float, float, float]
+    """Lower limit, sum of squares, upper limit of the two-sided chi-square test at 5 %."""
+    image_observations: ObservationStatistics
+    groups: tuple[ObservationGroup, ...]
+    precision: Precision | None
+    """None where `options.statistics` is off."""
+    interior: tuple[InteriorResult, ...]
+    variance_components: tuple[VarianceComponent, ...]
+    network: NetworkFigures | None
+    not_determinable: tuple[str, ...]
+    not_significant: tuple[str, ...]
+    critical_w: float
+    """Family-wise critical value of w."""
+    critical_tau: float
+    """Family-wise critical value of t = tau (Pope 1976)."""
+    suspects: tuple[tuple[str, str, float, float], ...]
+    """Image, point, largest |w|, largest correlation with another suspect's w."""
+    notices: tuple[Notice, ...]
+    condition: float
+    """Condition number of the scaled reduced normal matrix (estimate)."""

@@ -1,0 +1,204 @@
+"""The data model: cameras, images, observations, points and control, as structs of arrays.
+
+All lengths of object space are in the block's own `length_unit`, angles in radians, image
+coordinates in the pixel frame of BLOCK_FORMAT (origin at the outer corner of the first pixel,
+x right, y down).  Everything is frozen; `dataclasses.replace` makes a changed copy.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from enum import IntEnum
+from typing import Literal
+
+import numpy as np
+
+from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.rotation import angles_from_rotation
+
+Residuals = Literal["measured", "corrected"]
+LengthUnit = Literal["m", "mm"]
+
+
+class Role(IntEnum):
+    """What a point is given for."""
+
+    TIE = 0
+    CONTROL = 1
+    CHECK = 2
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Camera:
+    """One interior orientation and the image format it belongs to."""
+
+    id: str
+    model: str
+    """Name of a registered sensor model."""
+    width_px: int
+    height_px: int
+    pixel_mm: tuple[float, float]
+    """Width and height of a pixel."""
+    values: Mapping[str, float]
+    """Interior orientation by symbol, in the model's units (mm, mm^-2, ...); complete."""
+    estimate: tuple[str, ...] | Literal["auto"] = ()
+    """Symbols of the free parameters; () holds all; "auto" leaves the choice to the adjustment."""
+    sigma: Mapping[str, float] = field(default_factory=dict[str, float])
+    """Symbols that are observed (their value in `values`) with this standard deviation."""
+    interior: Literal["shared", "per_image"] = "shared"
+    """Whether the images of this camera share one interior orientation or have one each."""
+
+    @property
+    def size_mm(self) -> Array:
+        """Width and height (2,) of the image format [mm]."""
+        return np.array([self.width_px * self.pixel_mm[0], self.height_px * self.pixel_mm[1]])
+
+    def image_from_pixel(self, xy_px: Array) -> Array:
+        """Image frame (n, 2) [mm] of pixel frame (n, 2) [px]."""
+        half = np.array([self.width_px, self.height_px]) / 2
+        return (np.asarray(xy_px) - half) * (np.array(self.pixel_mm) * [1, -1])
+
+    def pixel_from_image(self, xy_mm: Array) -> Array:
+        """Pixel frame (n, 2) [px] of image frame (n, 2) [mm]."""
+        half = np.array([self.width_px, self.height_px]) / 2
+        return np.asarray(xy_mm) / (np.array(self.pixel_mm) * [1, -1]) + half
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Images:
+    """Exterior orientations; NaN where not known."""
+
+    ids: tuple[str, ...]
+    camera: Index
+    """(n,) position in `Block.cameras`."""
+    file: tuple[str, ...]
+    centre: Array
+    """(n, 3) projection centres."""
+    rotation: Array
+    """(n, 3, 3) object axes to image axes."""
+    held: Mask | None = None
+    """(n,) True where the exterior orientation is known and held; None: nowhere."""
+    interior: Mapping[int, Mapping[str, float]] = field(default_factory=dict[int, Mapping[str, float]])
+    """Interior orientation of single images, where a camera's `interior` is "per_image" and it is known."""
+
+    def __len__(self) -> int:
+        return len(self.ids)
+
+    @property
+    def oriented(self) -> Mask:
+        """(n,) whether the exterior orientation is known, if only approximately."""
+        return np.isfinite(self.centre).all(axis=1) & np.isfinite(self.rotation).all(axis=(1, 2))
+
+    @property
+    def angles(self) -> Array:
+        """(n, 3) omega, phi, kappa [rad]."""
+        return angles_from_rotation(self.rotation)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Observations:
+    """Image observations, one row per measured image point."""
+
+    image: Index
+    """(m,) position in `Block.images`."""
+    point: Index
+    """(m,) position in `Block.points`."""
+    xy_px: Array
+    """(m, 2) pixel frame."""
+    cov_px2: Array
+    """(m, 3) variances of x and y and their covariance [px^2]."""
+
+    def __len__(self) -> int:
+        return len(self.image)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Points:
+    """Object points."""
+
+    ids: tuple[str, ...]
+    role: Index
+    """(p,) `Role`."""
+    xyz: Array
+    """(p, 3) given or approximate coordinates; NaN where not known."""
+    sigma: Array
+    """(p, 3) 0 = held, > 0 = observed with this sigma, NaN = only approximate."""
+
+    def __len__(self) -> int:
+        return len(self.ids)
+
+    @property
+    def is_control(self) -> Mask:
+        """(p, 3) coordinates that are given as control, held or weighted."""
+        given = np.isfinite(self.xyz) & np.isfinite(self.sigma)
+        return given & (np.asarray(self.role) == Role.CONTROL)[:, None]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Distances:
+    """Scale bars: observed distances between two object points."""
+
+    start: Index
+    end: Index
+    length: Array
+    sigma: Array
+
+    def __len__(self) -> int:
+        return len(self.start)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Stations:
+    """Observed projection centres (GNSS)."""
+
+    image: Index
+    xyz: Array
+    """(k, 3); NaN where a coordinate was not observed."""
+    sigma: Array
+    """(k, 3)"""
+
+    def __len__(self) -> int:
+        return len(self.image)
+
+
+def no_distances() -> Distances:
+    """A table without rows."""
+    return Distances(
+        start=np.zeros(0, np.int32), end=np.zeros(0, np.int32), length=np.zeros(0), sigma=np.zeros(0)
+    )
+
+
+def no_stations() -> Stations:
+    """A table without rows."""
+    return Stations(image=np.zeros(0, np.int32), xyz=np.zeros((0, 3)), sigma=np.zeros((0, 3)))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Block:
+    """Everything that is adjusted together."""
+
+    name: str = "block"
+    about: str = ""
+    source: str = ""
+    licence: str = ""
+    length_unit: LengthUnit = "m"
+    sigma0_apriori: float = 1.0
+    residuals: Residuals = "measured"
+    cameras: tuple[Camera, ...]
+    images: Images
+    observations: Observations
+    points: Points
+    distances: Distances = field(default_factory=no_distances)
+    stations: Stations = field(default_factory=no_stations)
+
+    @property
+    def ray_count(self) -> Index:
+        """(p,) image observations of each point."""
+        return np.bincount(self.observations.point, minlength=len(self.points)).astype(np.int32)
+
+    def with_cameras(self, *cameras: Camera) -> Block:
+        """The block with these cameras in place of those with the same ids."""
+        new = {c.id: c for c in cameras}
+        return replace(self, cameras=tuple(new.get(c.id, c) for c in self.cameras))
+

@@ -1,0 +1,1 @@
+"""Rotations, transforms, sparse factor and selected inverse, statistics, derivation of sensor models."""

@@ -1,0 +1,168 @@
+"""Turn one condition equation into residuals and Jacobians: NumPy functions, NumPy source, C++ source.
+
+Needs SymPy (extra `raybundle[models]`); imported only for a user's own model and by the generator.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array
+from raybundle.numerics.maths import AngleRatio_numpy, AngleRatioSlope_numpy, Scalar
+
+try:
+    import sympy as sp
+    from sympy.printing.cxx import CXX17CodePrinter
+    from sympy.printing.numpy import NumPyPrinter
+except ModuleNotFoundError as error:
+    raise InputError(
+        "a sensor model of your own needs SymPy to be derived; install it with: pip install 'raybundle[models]'"
+    ) from error
+
+POINT = ("x", "y", "X", "Y", "Z")
+
+
+class AngleRatio(sp.Function):
+    """atan2(r, w) / r as a function of r**2 and w, smooth at r = 0."""
+
+    def fdiff(self, argindex: int = 1) -> Any:
+        """Partial derivatives, closed in these two functions."""
+        r2, w = self.args
+        return AngleRatioSlope(r2, w) if argindex == 1 else -1 / (r2 + w**2)
+
+
+class AngleRatioSlope(sp.Function):
+    """Derivative of `AngleRatio` by r**2."""
+
+
+@dataclass(frozen=True, slots=True)
+class Derived:
+    """Residuals and partial derivatives of a condition with shared subexpressions."""
+
+    names: tuple[str, ...]
+    shared: Sequence[tuple[Any, Any]]
+    outputs: Sequence[Any]
+    """g1, g2, then d g1 / d each name, then d g2 / d each name."""
+
+
+def differentiate(condition: Callable[..., tuple[Scalar, Scalar]], symbols: Sequence[str]) -> Derived:
+    """Residuals and Jacobian of a condition as expressions."""
+    names = (*POINT, *symbols)
+    variables = sp.symbols(names)
+    residuals = condition(*variables)
+    jacobian = [sp.diff(g, v) for g in residuals for v in variables]
+    shared, outputs = sp.cse([*residuals, *jacobian], sp.numbered_symbols("t"), order="none")
+    return Derived(names, shared, outputs)
+
+
+def derive(
+    condition: Callable[..., tuple[Scalar, Scalar]], symbols: Sequence[str]
+) -> Callable[..., tuple[Array, Array]]:
+    """The condition's g (2, n) and Jacobian (2, 5 + k, n) as one vectorised function."""
+    namespace: dict[str, Any] = {}
+    exec(numpy_source(differentiate(condition, symbols)), _numpy_names(), namespace)  # noqa: S102  (own text)
+    return namespace["condition_and_jacobian"]
+
+
+def _numpy_names() -> dict[str, Any]:
+    return {"np": np, "numpy": np, "AngleRatio_numpy": AngleRatio_numpy, "AngleRatioSlope_numpy": AngleRatioSlope_numpy}
+
+
+class _Powers:
+    """Integer powers as products."""
+
+    def _print_Pow(self, expression: Any, **_: Any) -> str:
+        base, exponent = expression.as_base_exp()
+        if exponent.is_Integer and 1 < abs(int(exponent)) <= 8:
+            text = f"({self.doprint(base)})"  # type: ignore[attr-defined]
+            product = "*".join([text] * abs(int(exponent)))
+            return f"({product})" if exponent > 0 else f"(1.0/({product}))"
+        if exponent == -1:
+            return f"(1.0/({self.doprint(base)}))"  # type: ignore[attr-defined]
+        return super()._print_Pow(expression)  # type: ignore[misc]
+
+
+class _NumPy(_Powers, NumPyPrinter):
+    def _print_Function(self, expression: Any) -> str:
+        name = type(expression).__name__
+        if name in {"AngleRatio", "AngleRatioSlope"}:
+            return f"{name}_numpy({', '.join(self._print(a) for a in expression.args)})"
+        return super()._print_Function(expression)
+
+
+class _Cxx(_Powers, CXX17CodePrinter):
+    pass
+
+
+def numpy_source(derived: Derived) -> str:
+    """Python text of `condition_and_jacobian(x, y, X, Y, Z, *parameters)`."""
+    show = _NumPy({"fully_qualified_modules": False}).doprint
+    k = len(derived.names)
+    lines = [f"def condition_and_jacobian({', '.join(derived.names)}):"]
+    lines += [f"    {name} = {_np(show(e))}" for name, e in derived.shared]
+    lines.append(f"    shape = np.broadcast_shapes({', '.join(f'np.shape({n})' for n in derived.names)})")
+    lines += ["    g = np.empty((2, *shape))", f"    J = np.zeros((2, {k}, *shape))"]
+    lines += [f"    g[{i}] = {_np(show(e))}" for i, e in enumerate(derived.outputs[:2])]
+    for i, e in enumerate(derived.outputs[2:]):
+        if e != 0:
+            lines.append(f"    J[{i // k}, {i % k}] = {_np(show(e))}")
+    lines.append("    return g, J")
+    return "\n".join(lines) + "\n"
+
+
+def _np(text: str) -> str:
+    for name in ("sin", "cos", "sqrt", "tan", "exp", "log"):
+        text = text.replace(f"numpy.{name}(", f"np.{name}(")
+        text = text.replace(f" {name}(", f" np.{name}(") if not text.startswith(f"{name}(") else f"np.{text}"
+        text = text.replace(f"*{name}(", f"*np.{name}(").replace(f"({name}(", f"(np.{name}(")
+        text = text.replace(f"-{name}(", f"-np.{name}(")
+    return text
+
+
+def cxx_source(name: str, derived: Derived) -> str:
+    """C++ text of `struct <name>`: all partial derivatives for a chunk of V observations, in lanes."""
+    show = _Cxx({"user_functions": {"AngleRatio": "angle_ratio", "AngleRatioSlope": "angle_ratio_slope"}}).doprint
+    k = len(derived.names)
+    outputs = [(i, e) for i, e in enumerate(derived.outputs) if e != 0]
+    full = _lanes(derived, show, derived.shared, outputs)
+    image = [0, 1, 2, 3, 2 + k, 3 + k]  # g1, g2, dg1/dx, dg1/dy, dg2/dx, dg2/dy
+    short = [(to, derived.outputs[i]) for to, i in enumerate(image)]
+    reduced = _lanes(derived, show, _needed(derived.shared, [e for _, e in short]), short)
+    explicit = [derived.outputs[i] for i in image[2:]] == [1, 0, 0, 1]
+    return (
+        f"struct {name} {{\n"
+        f'  static constexpr const char* label = "{name}";\n'
+        f"  static constexpr int parameters = {k - 5};\n"
+        f"  static constexpr bool explicit_image = {'true' if explicit else 'false'};\n"
+        "  static RB_INLINE void evaluate(const double (*in)[V], double (*out)[V]) {\n"
+        f"{full}  }}\n"
+        "  static RB_INLINE void by_image(const double (*in)[V], double (*out)[V]) {\n"
+        f"{reduced}  }}\n"
+        "};\n"
+    )
+
+
+def _lanes(derived: Derived, show: Any, shared: Sequence[tuple[Any, Any]], outputs: Sequence[tuple[int, Any]]) -> str:
+    used: set[Any] = set().union(*(e.free_symbols for _, e in [*shared, *outputs]))
+    lines = ["    RB_SIMD\n    for (int l = 0; l < V; ++l) {\n"]
+    lines += [
+        f"      const double {n} = in[{i}][l];\n" for i, n in enumerate(derived.names) if sp.Symbol(n) in used
+    ]
+    lines += [f"      const double {n} = {show(e)};\n" for n, e in shared]
+    lines += [f"      out[{i}][l] = {show(e)};\n" for i, e in outputs]
+    return "".join([*lines, "    }\n"])
+
+
+def _needed(shared: Sequence[tuple[Any, Any]], outputs: Sequence[Any]) -> list[tuple[Any, Any]]:
+    wanted: set[Any] = set().union(*(e.free_symbols for e in outputs))
+    kept: list[tuple[Any, Any]] = []
+    for name, e in reversed(shared):
+        if name in wanted:
+            wanted |= e.free_symbols
+            kept.append((name, e))
+    return kept[::-1]

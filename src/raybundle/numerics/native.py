@@ -1,0 +1,38 @@
+"""The compiled kernels, if they are there."""
+
+from __future__ import annotations
+
+from functools import cache
+from types import ModuleType
+
+
+@cache
+def module() -> ModuleType | None:
+    """The extension module, or None where it was not built or is switched off by RAYBUNDLE_NATIVE=0."""
+    import os  # noqa: PLC0415
+
+    if os.environ.get("RAYBUNDLE_NATIVE") == "0":
+        return None
+    try:
+        from raybundle import _native  # noqa: PLC0415  # pyright: ignore[reportAttributeAccessIssue]
+    except ImportError:
+        return None
+    return _native
+
+
+def available() -> bool:
+    """Whether the compiled kernels are used."""
+    return module() is not None
+
+
+def instruction_set() -> str:
+    """The widest instruction set the kernels use on this processor, or "none"."""
+    native = module()
+    return "none" if native is None else str(native.instruction_set())
+
+
+@cache
+def sensor_models() -> frozenset[str]:
+    """Names of the sensor models compiled into the kernels."""
+    native = module()
+    return frozenset() if native is None else frozenset(native.sensor_models())

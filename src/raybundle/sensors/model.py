@@ -1,0 +1,185 @@
+"""The contract every sensor model fulfils, and everything derived from it.
+
+A sensor model is a condition g(x, y, X, Y, Z, *parameters) = 0: two equations between the measured
+image point (x, y) [mm] and the object point (X, Y, Z) in the sensor's own frame (x right, y up, the
+view along -Z; the length unit is the block's).
+"""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from importlib import import_module
+from typing import ClassVar, Literal
+
+import numpy as np
+
+from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.maths import Scalar
+
+Kind = Literal["scale", "principal point", "radial", "decentring", "affinity", "other"]
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """One parameter of an interior orientation."""
+
+    symbol: str
+    unit: str
+    """"mm" (written with the suffix _mm in block.toml), "mm^-2", "1" ..."""
+    meaning: str
+    default: float = 0.0
+    typical: float = 0.0
+    """A magnitude as real sensors have it: the contract tests run there."""
+    kind: Kind = "other"
+    holdable: bool = True
+
+    @property
+    def key(self) -> str:
+        """The key in block.toml."""
+        return f"{self.symbol}_mm" if self.unit == "mm" else self.symbol
+
+
+class ProjectionDiverged(ArithmeticError):
+    """Newton's method did not find the image of an object point."""
+
+
+class SensorModel:
+    """Interior orientation of one kind of sensor, stated as one condition equation.
+
+    A subclass states `name`, `parameters` and `condition`.  Projection, viewing rays, Jacobians
+    and native code are derived; override `start` and `in_front` where the model needs it.
+    """
+
+    name: ClassVar[str]
+    parameters: ClassVar[tuple[Parameter, ...]]
+    registry: ClassVar[dict[str, SensorModel]] = {}
+    condition: ClassVar[Callable[..., tuple[Scalar, Scalar]]]
+
+    def __init_subclass__(cls) -> None:
+        """Check the statement against itself and register the model."""
+        stated = tuple(inspect.signature(cls.condition).parameters)[5:]
+        declared = tuple(p.symbol for p in cls.parameters)
+        if stated != declared:
+            raise TypeError(f"{cls.__name__}.condition takes {stated}, parameters says {declared}")
+        SensorModel.registry[cls.name] = cls()
+
+    def __str__(self) -> str:
+        """The registered name."""
+        return self.name
+
+    @cached_property
+    def symbols(self) -> tuple[str, ...]:
+        """Symbols of the parameters in their order."""
+        return tuple(p.symbol for p in self.parameters)
+
+    @cached_property
+    def defaults(self) -> Array:
+        """(k,) default values."""
+        return np.array([p.default for p in self.parameters])
+
+    @cached_property
+    def typical(self) -> Array:
+        """(k,) values as a real sensor has them."""
+        return np.array([p.typical or p.default for p in self.parameters])
+
+    @cached_property
+    def condition_and_jacobian(self) -> Callable[..., tuple[Array, Array]]:
+        """g (2, n) and its Jacobian (2, 5 + k, n) by x, y, X, Y, Z and the parameters.
+
+        Shipped models have it generated (`sensors/generated`); others derive it with SymPy, which
+        the extra `raybundle[models]` installs.
+        """
+        if type(self).__module__.startswith("raybundle.sensors."):
+            try:
+                generated = import_module(f"raybundle.sensors.generated.{self.name}")
+            except ModuleNotFoundError:
+                pass
+            else:
+                return generated.condition_and_jacobian
+        from raybundle.numerics.derive import derive  # noqa: PLC0415  (SymPy only for a user's own model)
+
+        return derive(type(self).condition, self.symbols)
+
+    @property
+    def native(self) -> bool:
+        """Whether the model is compiled into the native kernel."""
+        from raybundle.numerics import native  # noqa: PLC0415
+
+        return type(self).__module__.startswith("raybundle.sensors.") and self.name in native.sensor_models()
+
+    def start(self, points: Array, values: Array) -> Array:
+        """First guess (2, n) [mm] of the image of sensor-frame points (3, n); central projection by default."""
+        c = values[0] if values.ndim == 1 else values[0]
+        return -c * points[:2] / points[2]
+
+    def in_front(self, points: Array, image: Array | None = None, values: Array | None = None) -> Mask:
+        """(n,) whether sensor-frame points (3, n) lie on the side that the sensor sees (measured at `image`)."""
+        del image, values
+        return points[2] < 0
+
+    def condition_at(self, image: Array, points: Array, values: Array) -> Array:
+        """G (2, n) at image points (2, n) [mm], sensor-frame points (3, n) and parameters (k,) or (k, n)."""
+        return self.condition_and_jacobian(*image, *points, *values)[0]
+
+    def project(self, points: Array, values: Array, start: Array | None = None) -> tuple[Array, Array]:
+        """Image points (2, n) [mm] of sensor-frame points (3, n), and d image / d point (2, 3, n).
+
+        values  (k,) or (k, n) parameters.  Newton with the derived Jacobian.
+        Raises ProjectionDiverged where no image point is found, as beyond the radius up to which a
+        distortion can be inverted.  Whether the point lies in front is for `in_front` to say.
+        """
+        image, jacobian = self.solve(points, values, start)
+        by_image, by_point = (np.moveaxis(j, 2, 0) for j in (jacobian[:, :2], jacobian[:, 2:5]))
+        return image, np.moveaxis(-np.linalg.solve(by_image, by_point), 0, 2)
+
+    def solve(self, points: Array, values: Array, start: Array | None = None) -> tuple[Array, Array]:
+        """Image points (2, n) [mm] that fulfil the condition, and the Jacobian (2, 5 + k, n) there."""
+        image = self.start(points, values) if start is None else start
+        scale = 1e-13 * max(1.0, float(np.abs(image).max(initial=0.0)))
+        with np.errstate(all="ignore"):
+            for _ in range(50):
+                g, jacobian = self.condition_and_jacobian(*image, *points, *values)
+                step = _solve2(jacobian[:, :2], g)
+                image = image - step
+                if not np.isfinite(step).all():
+                    break
+                if np.abs(step).max(initial=0.0) <= scale * 100:
+                    _, jacobian = self.condition_and_jacobian(*image, *points, *values)
+                    return image, jacobian
+        raise ProjectionDiverged(f"{self.name}: no image point after 50 iterations")
+
+    def ray(self, image: Array, values: Array, start: Array | None = None) -> Array:
+        """Unit viewing directions (3, n) in the sensor frame of image points (2, n) [mm].
+
+        Newton on the unit sphere with the derived Jacobian, from `start` or the central projection.
+        The ray passes through the projection centre; models with an eccentricity say so themselves.
+        """
+        if start is None:
+            c = np.broadcast_to(values[0], image.shape[1:])
+            d = np.stack([image[0], image[1], -c])
+        else:
+            d = start
+        d = d / np.linalg.norm(d, axis=0)
+        for _ in range(50):
+            g, jacobian = self.condition_and_jacobian(*image, *d, *values)
+            by_point = np.moveaxis(jacobian[:, 2:5], 2, 0)
+            step = np.linalg.pinv(by_point) @ g.T[..., None]
+            step = step[..., 0].T
+            step = step - d * np.sum(d * step, axis=0)
+            length = np.linalg.norm(step, axis=0)
+            step = step * np.minimum(1.0, 0.3 / np.maximum(length, 1e-300))
+            d = d - step
+            d = d / np.linalg.norm(d, axis=0)
+            if length.max(initial=0.0) < 1e-14:
+                break
+        return d
+
+
+def _solve2(matrix: Array, right: Array) -> Array:
+    """Solutions (2, n) of the 2 x 2 systems (2, 2, n)."""
+    (a, b), (c, d) = matrix
+    det = a * d - b * c
+    return np.stack([(d * right[0] - b * right[1]) / det, (a * right[1] - c * right[0]) / det])
