@@ -79,6 +79,13 @@ template <class M> struct SeesAhead { static constexpr bool value = true; };
 template <> struct SeesAhead<models::fisheye> { static constexpr bool value = false; };
 template <> struct SeesAhead<models::panorama> { static constexpr bool value = false; };
 
+// Held coordinates are no unknowns: their partial derivatives vanish.
+static inline void hold(uint8_t held, double* x) {
+  if (held)
+    for (int e = 0; e < 3; ++e)
+      if (held & (1 << e)) x[e] = x[3 + e] = 0;
+}
+
 template <class M, Want W>
 static void linearise_lanes(const Problem& q, const State& s, const int64_t* row, int count, int64_t base, Chunk& out) {
   constexpr int K = M::parameters, A = 5 + K;
@@ -183,6 +190,7 @@ static void linearise_lanes(const Problem& q, const State& s, const int64_t* row
         full[c][5] = px * T[1] - py * T[0];
         for (int e = 0; e < K; ++e) full[c][6 + e] = T[3 + e];
       }
+      hold(q.held[q.owner[i]], &out.x[6 * n]);
       for (int c = 0; c < 2; ++c) {
         double* j = &out.j[(2 * n + c) * out.stride];
         for (int e : pattern.own) *j++ = full[c][e];
@@ -238,6 +246,7 @@ static void linearise_external(const Problem& q, const State& s, int64_t i, int6
     full[c][5] = P[0] * T[1] - P[1] * T[0];
     for (int a = 0; a < K; ++a) full[c][6 + a] = T[3 + a];
   }
+  hold(q.held[q.owner[i]], &out.x[6 * n]);
   const Pattern& pattern = q.patterns[q.pattern[f]];
   for (int c = 0; c < 2; ++c) {
     double* j = &out.j[(2 * n + c) * out.stride];
@@ -317,10 +326,42 @@ struct PointNormal {
   double b[3];
   double l[6];  // Cholesky factor, same order; diagonal inverted
   bool weak;
+
+  void solve(double b0, double b1, double b2, double* x) const {
+    const double y0 = b0 * l[0], y1 = (b1 - l[1] * y0) * l[3], y2 = (b2 - l[2] * y0 - l[4] * y1) * l[5];
+    x[2] = y2 * l[5];
+    x[1] = (y1 - l[4] * x[2]) * l[3];
+    x[0] = (y0 - l[1] * x[1] - l[2] * x[2]) * l[0];
+  }
 };
 
 constexpr int kStride = 32;  // of the couplings: kMaxNode padded
 static_assert(kStride >= kMaxNode);
+
+// Damping along and across the ray of the point's first image: the depth of a far point is weakly
+// determined, and damped in proportion to its own weight it stays free to move.
+static void damp(const Problem& q, const State& s, int p, double* v) {
+  if (q.held[p] || q.first[p + 1] == q.first[p]) {
+    v[0] *= 1 + s.damping;
+    v[3] *= 1 + s.damping;
+    v[5] *= 1 + s.damping;
+    return;
+  }
+  const double* C = s.centre + 3 * int64_t(q.image[q.first[p]]);
+  const double* X = s.xyz + 3 * int64_t(q.id[p]);
+  double u[3] = {X[0] - C[0], X[1] - C[1], X[2] - C[2]};
+  const double length = std::sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+  for (double& e : u) e /= length > 0 ? length : 1;
+  const double along = u[0] * (v[0] * u[0] + 2 * (v[1] * u[1] + v[2] * u[2])) + u[1] * (v[3] * u[1] + 2 * v[4] * u[2]) + v[5] * u[2] * u[2];
+  const double across = 0.5 * (v[0] + v[3] + v[5] - along);
+  const double a = s.damping * (std::max(along, 0.0) - across), b = s.damping * across;
+  v[0] += a * u[0] * u[0] + b;
+  v[1] += a * u[0] * u[1];
+  v[2] += a * u[0] * u[2];
+  v[3] += a * u[1] * u[1] + b;
+  v[4] += a * u[1] * u[2];
+  v[5] += a * u[2] * u[2] + b;
+}
 
 static void gather_point(const Problem& q, const State& s, int p, int64_t base, const Chunk& c, PointNormal& n) {
   double v0 = 0, v1 = 0, v2 = 0, v3 = 0, v4 = 0, v5 = 0, b0 = 0, b1 = 0, b2 = 0;
@@ -338,7 +379,7 @@ static void gather_point(const Problem& q, const State& s, int p, int64_t base, 
   for (int e = 0; e < 3; ++e)
     if (w[e] > 0) {
       v[diagonal[e]] += w[e];
-      b[e] += w[e] * (s.xyz[3 * int64_t(p) + e] - q.prior_value[3 * int64_t(p) + e]);
+      b[e] += w[e] * (s.xyz[3 * int64_t(q.id[p]) + e] - q.prior_value[3 * int64_t(p) + e]);
     }
   const uint8_t held = q.held[p];
   if (held) {
@@ -348,7 +389,7 @@ static void gather_point(const Problem& q, const State& s, int p, int64_t base, 
   }
   std::memcpy(n.v, v, sizeof v);
   std::memcpy(n.b, b, sizeof b);
-  for (int e = 0; e < 3; ++e) v[diagonal[e]] *= 1 + s.damping;
+  if (s.damping > 0) damp(q, s, p, v);
   n.weak = false;
   const auto pivot = [&](double value, double whole) {
     if (value > 1e-13 * whole && value > 0) return 1 / std::sqrt(value);
@@ -367,7 +408,6 @@ static void gather_point(const Problem& q, const State& s, int p, int64_t base, 
 static void gather_couplings(const Problem& q, int p, int64_t base, const Chunk& c, double* w) {
   const int64_t k = q.point_nodes_first[p + 1] - q.point_nodes_first[p];
   std::memset(w, 0, sizeof(double) * k * 3 * kStride);
-  const uint8_t held = q.held[p];
   for (int64_t i = q.first[p]; i < q.first[p + 1]; ++i) {
     const Pattern& pattern = q.patterns[q.pattern[q.image[i]]];
     const int own = int(pattern.own.size()), shared = int(pattern.shared.size());
@@ -375,7 +415,6 @@ static void gather_couplings(const Problem& q, int p, int64_t base, const Chunk&
     const double* j0 = &c.j[2 * (i - base) * c.stride];
     const double* j1 = j0 + c.stride;
     for (int e = 0; e < 3; ++e) {
-      if (held & (1 << e)) continue;
       const double x0 = x[e], x1 = x[3 + e];
       if (own) {
         double* t = w + (3 * int64_t(q.slot_own[i]) + e) * kStride;
@@ -419,7 +458,7 @@ static double prior_cost(const Problem& q, const State& s, int p, const double* 
   for (int e = 0; e < 3; ++e) {
     const double w = q.prior_weight[3 * int64_t(p) + e];
     if (w > 0) {
-      const double d = s.xyz[3 * int64_t(p) + e] + (shift ? shift[e] : 0) - q.prior_value[3 * int64_t(p) + e];
+      const double d = s.xyz[3 * int64_t(q.id[p]) + e] + (shift ? shift[e] : 0) - q.prior_value[3 * int64_t(p) + e];
       sum += 0.5 * w * d * d;
     }
   }
@@ -483,7 +522,7 @@ static Totals reduce(const Problem& q, const State& s, int threads, double* valu
         if (kept) continue;
         PointNormal n;
         gather_point(q, s, p, base, c, n);
-        if (n.weak && total.weak.size() < 1000) total.weak.push_back(p);
+        if (n.weak && total.weak.size() < 1000) total.weak.push_back(q.id[p]);
         gather_couplings(q, p, base, c, w.data());
         const double y0 = n.b[0] * n.l[0], y1 = (n.b[1] - n.l[1] * y0) * n.l[3], y2 = (n.b[2] - n.l[2] * y0 - n.l[4] * y1) * n.l[5];
         for (int64_t a = 0; a < k; ++a) {
@@ -544,7 +583,7 @@ static Totals back_substitute(const Problem& q, const State& s, int threads, con
     for_runs(q, begin, end, [&](int pb, int pe, int64_t base) {
       linearise<Want::jacobian>(q, s, base, q.first[pe], c);
       for (int p = pb; p < pe; ++p) {
-        double* dp = points + 3 * int64_t(p);
+        double* dp = points + 3 * int64_t(q.id[p]);
         // v + Jc dc takes the place of v
         for (int64_t i = q.first[p]; i < q.first[p + 1]; ++i) {
           const int64_t n = i - base;
@@ -570,10 +609,7 @@ static Totals back_substitute(const Problem& q, const State& s, int threads, con
         } else {
           PointNormal n;
           gather_point(q, s, p, base, c, n);
-          const double y0 = n.b[0] * n.l[0], y1 = (n.b[1] - n.l[1] * y0) * n.l[3], y2 = (n.b[2] - n.l[2] * y0 - n.l[4] * y1) * n.l[5];
-          dp[2] = -y2 * n.l[5];
-          dp[1] = (-y1 - n.l[4] * dp[2]) * n.l[3];
-          dp[0] = (-y0 - n.l[1] * dp[1] - n.l[2] * dp[2]) * n.l[0];
+          n.solve(-n.b[0], -n.b[1], -n.b[2], dp);
           total.cost += prior_cost(q, s, p, dp);
         }
         for (int64_t i = q.first[p]; i < q.first[p + 1]; ++i)
@@ -604,8 +640,8 @@ static Totals evaluate(const Problem& q, const State& s, int threads, double* re
         total.cost += c.rho[n];
         total.behind += c.behind[n];
         total.diverged += c.diverged[n];
-        if (residuals) { residuals[2 * i] = c.v[2 * n]; residuals[2 * i + 1] = c.v[2 * n + 1]; }
-        if (behind) behind[i] = uint8_t(c.behind[n] | (c.diverged[n] << 1));
+        if (residuals) { residuals[2 * q.row[i]] = c.v[2 * n]; residuals[2 * q.row[i] + 1] = c.v[2 * n + 1]; }
+        if (behind) behind[q.row[i]] = uint8_t(c.behind[n] | (c.diverged[n] << 1));
       }
     });
   });
@@ -614,16 +650,56 @@ static Totals evaluate(const Problem& q, const State& s, int threads, double* re
   return sum;
 }
 
-// points (p, 3, columns) = -V^-1 W' nodes (N, columns): the eliminated part of a solution whose right
-// side vanishes for the points; retained points are copied.
-static void multiply(const Problem& q, const State& s, int threads, int columns, const double* nodes, double* points) {
+// right (N, columns) -= W V^-1 given (p, 3, columns): the reduced right side of right sides given for the points.
+static void condense(const Problem& q, const State& s, int threads, int columns, const double* given, double* right) {
+  std::vector<std::vector<double>> own(threads);
+  for_threads(threads, q, [&](int t, int begin, int end) {
+    if (t > 0) own[t].assign(size_t(q.unknowns) * columns, 0.0);
+    double* out = t > 0 ? own[t].data() : right;
+    Chunk c;
+    std::vector<double> w(int64_t(q.largest_point_nodes) * 3 * kStride);
+    for_runs(q, begin, end, [&](int pb, int pe, int64_t base) {
+      linearise<Want::jacobian>(q, s, base, q.first[pe], c);
+      for (int p = pb; p < pe; ++p) {
+        if (q.node_of_point[p] >= 0) {
+          const int64_t at = q.offset[q.node_of_point[p]] * columns;
+          for (int e = 0; e < 3 * columns; ++e) out[at + e] += given[3 * int64_t(q.id[p]) * columns + e];
+          continue;
+        }
+        PointNormal n;
+        gather_point(q, s, p, base, c, n);
+        gather_couplings(q, p, base, c, w.data());
+        const int64_t nb = q.point_nodes_first[p], k = q.point_nodes_first[p + 1] - nb;
+        for (int col = 0; col < columns; ++col) {
+          double x[3];
+          const double* b = given + 3 * int64_t(q.id[p]) * columns + col;
+          n.solve(b[0], b[columns], b[2 * columns], x);
+          for (int64_t a = 0; a < k; ++a) {
+            const int node = q.point_nodes[nb + a];
+            double* d = out + q.offset[node] * columns + col;
+            for (int e = 0; e < 3; ++e) {
+              const double* t = &w[(3 * a + e) * kStride];
+              for (int i = 0; i < q.size[node]; ++i) d[int64_t(i) * columns] -= t[i] * x[e];
+            }
+          }
+        }
+      }
+    });
+  });
+  for (int t = 1; t < threads; ++t)
+    for (size_t i = 0; i < own[t].size(); ++i) right[i] += own[t][i];
+}
+
+// points (p, 3, columns) = V^-1 (given - W' nodes (N, columns)): the eliminated part of a solution;
+// retained points are copied.
+static void expand(const Problem& q, const State& s, int threads, int columns, const double* nodes, const double* given, double* points) {
   for_threads(threads, q, [&](int, int begin, int end) {
     Chunk c;
     std::vector<double> w(int64_t(q.largest_point_nodes) * 3 * kStride);
     for_runs(q, begin, end, [&](int pb, int pe, int64_t base) {
       linearise<Want::jacobian>(q, s, base, q.first[pe], c);
       for (int p = pb; p < pe; ++p) {
-        double* out = points + 3 * int64_t(p) * columns;
+        double* out = points + 3 * int64_t(q.id[p]) * columns;
         if (q.node_of_point[p] >= 0) {
           std::memcpy(out, nodes + q.offset[q.node_of_point[p]] * columns, sizeof(double) * 3 * columns);
           continue;
@@ -633,20 +709,19 @@ static void multiply(const Problem& q, const State& s, int threads, int columns,
         gather_couplings(q, p, base, c, w.data());
         const int64_t nb = q.point_nodes_first[p], k = q.point_nodes_first[p + 1] - nb;
         for (int col = 0; col < columns; ++col) {
-          double b[3] = {0, 0, 0};
+          double b[3] = {0, 0, 0}, x[3];
+          if (given)
+            for (int e = 0; e < 3; ++e) b[e] = given[(3 * int64_t(q.id[p]) + e) * columns + col];
           for (int64_t a = 0; a < k; ++a) {
             const int node = q.point_nodes[nb + a];
             const double* d = nodes + q.offset[node] * columns + col;
             for (int e = 0; e < 3; ++e) {
               const double* t = &w[(3 * a + e) * kStride];
-              for (int x = 0; x < q.size[node]; ++x) b[e] += t[x] * d[int64_t(x) * columns];
+              for (int i = 0; i < q.size[node]; ++i) b[e] -= t[i] * d[int64_t(i) * columns];
             }
           }
-          const double y0 = b[0] * n.l[0], y1 = (b[1] - n.l[1] * y0) * n.l[3], y2 = (b[2] - n.l[2] * y0 - n.l[4] * y1) * n.l[5];
-          const double x2 = -y2 * n.l[5], x1 = (-y1 - n.l[4] * x2) * n.l[3], x0 = (-y0 - n.l[1] * x1 - n.l[2] * x2) * n.l[0];
-          out[col] = x0;
-          out[columns + col] = x1;
-          out[2 * columns + col] = x2;
+          n.solve(b[0], b[1], b[2], x);
+          for (int e = 0; e < 3; ++e) out[e * columns + col] = q.held[p] & (1 << e) ? 0 : x[e];
         }
       }
     });
@@ -682,11 +757,9 @@ static void statistics(const Problem& q, const State& s, int threads, const doub
           // V^-1 from the factor
           double I[3][3];
           for (int e = 0; e < 3; ++e) {
-            const double b[3] = {e == 0 ? 1.0 : 0.0, e == 1 ? 1.0 : 0.0, e == 2 ? 1.0 : 0.0};
-            const double a0 = b[0] * n.l[0], a1 = (b[1] - n.l[1] * a0) * n.l[3], a2 = (b[2] - n.l[2] * a0 - n.l[4] * a1) * n.l[5];
-            I[2][e] = a2 * n.l[5];
-            I[1][e] = (a1 - n.l[4] * I[2][e]) * n.l[3];
-            I[0][e] = (a0 - n.l[1] * I[1][e] - n.l[2] * I[2][e]) * n.l[0];
+            double column[3];
+            n.solve(e == 0, e == 1, e == 2, column);
+            for (int f = 0; f < 3; ++f) I[f][e] = column[f];
           }
           for (int64_t a = 0; a < k; ++a) {
             double *y0 = &y[a * 3 * kStride], *y1 = y0 + kStride, *y2 = y1 + kStride;
@@ -746,7 +819,7 @@ static void statistics(const Problem& q, const State& s, int threads, const doub
             if (q.held[p] & (1 << e))
               for (int f = 0; f < 3; ++f) Q[3 * e + f] = Q[3 * f + e] = 0;
         }
-        std::memcpy(point_cofactor + 9 * int64_t(p), Q, sizeof Q);
+        std::memcpy(point_cofactor + 9 * int64_t(q.id[p]), Q, sizeof Q);
 
         for (int64_t i = q.first[p]; i < q.first[p + 1]; ++i) {
           const int64_t n = i - base;
@@ -755,7 +828,7 @@ static void statistics(const Problem& q, const State& s, int threads, const doub
           const int own = int(pattern.own.size()), shared = int(pattern.shared.size()), size = own + shared;
           double x[2][3];
           for (int r = 0; r < 2; ++r)
-            for (int e = 0; e < 3; ++e) x[r][e] = !kept && (q.held[p] & (1 << e)) ? 0 : c.x[6 * n + 3 * r + e];
+            for (int e = 0; e < 3; ++e) x[r][e] = c.x[6 * n + 3 * r + e];
           const double* j[2] = {&c.j[2 * n * c.stride], &c.j[(2 * n + 1) * c.stride]};
           // local cofactor of (own, shared) and their covariance with the point
           double H[2][2] = {}, E[3][2];
@@ -791,9 +864,10 @@ static void statistics(const Problem& q, const State& s, int threads, const doub
               for (int e = 0; e < 3; ++e) sum += x[r][e] * QX[e][t];
               H[r][t] = sum;
             }
-          hat[3 * i] = H[0][0];
-          hat[3 * i + 1] = H[1][1];
-          hat[3 * i + 2] = 0.5 * (H[0][1] + H[1][0]);
+          double* h = hat + 3 * q.row[i];
+          h[0] = H[0][0];
+          h[1] = H[1][1];
+          h[2] = 0.5 * (H[0][1] + H[1][0]);
           for (int e = 0; e < 3; ++e)
             for (int r = 0; r < 2; ++r) E[e][r] = QX[e][r];
           if (datum > 0) {
@@ -804,19 +878,19 @@ static void statistics(const Problem& q, const State& s, int threads, const doub
                 double sum = 0;
                 for (int a = 0; a < own; ++a) sum += j[r][a] * gauge_nodes[(q.offset[q.own_node[f]] + a) * datum + g];
                 for (int a = 0; a < shared; ++a) sum += j[r][own + a] * gauge_nodes[(q.offset[q.shared_node[f]] + a) * datum + g];
-                for (int e = 0; e < 3; ++e) sum += x[r][e] * gauge_points[(3 * int64_t(p) + e) * datum + g];
+                for (int e = 0; e < 3; ++e) sum += x[r][e] * gauge_points[(3 * int64_t(q.id[p]) + e) * datum + g];
                 u[g] = sum;
               }
               for (int e = 0; e < 3; ++e)
                 for (int g = 0; g < datum; ++g) {
                   double m = 0;
                   for (int h = 0; h < datum; ++h) m += gauge_middle[g * datum + h] * u[h];
-                  E[e][r] -= point_gauge[(3 * int64_t(p) + e) * datum + g] * m;
+                  E[e][r] -= point_gauge[(3 * int64_t(q.id[p]) + e) * datum + g] * m;
                 }
             }
           }
           for (int e = 0; e < 3; ++e)
-            for (int r = 0; r < 2; ++r) effect[6 * i + 2 * e + r] = E[e][r];
+            for (int r = 0; r < 2; ++r) effect[6 * q.row[i] + 2 * e + r] = E[e][r];
         }
       }
     });
@@ -826,7 +900,7 @@ static void statistics(const Problem& q, const State& s, int threads, const doub
 #define RB_STRING2(x) #x
 #define RB_STRING(x) RB_STRING2(x)
 extern const Kernels table;
-const Kernels table = {RB_STRING(RB_ARCH), &reduce, &back_substitute, &evaluate, &statistics, &multiply};
+const Kernels table = {RB_STRING(RB_ARCH), &reduce, &back_substitute, &evaluate, &statistics, &condense, &expand};
 
 #ifdef RB_LIST_MODELS
 const std::vector<const char*>& names() {

@@ -133,13 +133,14 @@ NB_MODULE(_native, m) {
              s.q.nodes = int(size.size());
              s.q.size = copy<int32_t>(size);
              nb::gil_scoped_release release;
+             s.q.sort_points();
              s.q.build_structure(extra);
              s.factor = std::make_unique<Factor>(s.q);
            })
-      .def("set_point_prior",
-           [](Solver& s, Const weight, Const value) {
-             s.q.prior_weight = copy<double>(weight);
-             s.q.prior_value = copy<double>(value);
+      .def("set_held",
+           [](Solver& s, Bytes held) {
+             s.check(held.size() == size_t(s.q.points), "point arrays differ in length");
+             for (int p = 0; p < s.q.points; ++p) s.q.held[p] = held.data()[s.q.id[p]];
            })
       .def("set_external", [](Solver& s, Const rows) { s.external = copy<double>(rows); })
       .def("block", [](const Solver& s, int a, int b) { return s.q.block(a, b); })
@@ -208,16 +209,30 @@ NB_MODULE(_native, m) {
              nb::gil_scoped_release release;
              s.factor->selected_inverse(v);
            })
-      .def("multiply",
-           [](Solver& s, Const R, Const C, Const I, Const X, int threads, Const nodes, int columns) {
+      .def("condense",
+           [](Solver& s, Const R, Const C, Const I, Const X, int threads, Const given, int columns) {
              const State state = s.state(R, C, I, X, 0, 0);
-             s.check(nodes.size() == size_t(s.q.unknowns) * columns, "right side has the wrong size");
-             Doubles points = make({size_t(s.q.points), 3, size_t(columns)});
-             double* p = points.data();
-             const double* n = nodes.data();
+             s.check(given.size() == size_t(3 * s.q.points) * columns, "right side has the wrong size");
+             Doubles right = make({size_t(s.q.unknowns), size_t(columns)});
+             double* r = right.data();
+             const double* g = given.data();
              {
                nb::gil_scoped_release release;
-               kernels().multiply(s.q, state, threads, columns, n, p);
+               kernels().condense(s.q, state, threads, columns, g, r);
+             }
+             return right;
+           })
+      .def("expand",
+           [](Solver& s, Const R, Const C, Const I, Const X, int threads, Const nodes, Const given, int columns) {
+             const State state = s.state(R, C, I, X, 0, 0);
+             s.check(nodes.size() == size_t(s.q.unknowns) * columns && (!given.size() || given.size() == size_t(3 * s.q.points) * columns),
+                     "right side has the wrong size");
+             Doubles points = make({size_t(s.q.points), 3, size_t(columns)});
+             double* p = points.data();
+             const double *n = nodes.data(), *g = given.size() ? given.data() : nullptr;
+             {
+               nb::gil_scoped_release release;
+               kernels().expand(s.q, state, threads, columns, n, g, p);
              }
              return points;
            })

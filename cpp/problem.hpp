@@ -33,8 +33,12 @@ struct Problem {
   std::vector<Pattern> patterns;
   int interior_stride = 0;
 
-  // points
+  // points, in the order of their first image (neighbours in memory then share blocks); `id` and `row`
+  // are the positions that the caller knows
   int points = 0;
+  std::vector<int32_t> id;           // (p)
+  std::vector<int64_t> row;          // (m)
+  std::vector<int32_t> owner;        // (m) position of the observation's point in this order
   std::vector<int64_t> first;        // (p + 1) observations of each point
   std::vector<int32_t> node_of_point;  // node of a retained point, -1 = eliminated
   std::vector<uint8_t> held;         // bit c: coordinate c is held
@@ -55,6 +59,7 @@ struct Problem {
   std::vector<int64_t> column_first;            // (nodes + 1) block index of (a, adjacency[a][0])
   int largest_point_nodes = 0;
 
+  void sort_points();
   void build_structure(const std::vector<std::pair<int32_t, int32_t>>& extra_pairs);
   int64_t block(int32_t row, int32_t col) const;
 };
@@ -86,7 +91,8 @@ struct Kernels {
   void (*statistics)(const Problem&, const State&, int threads, const double* inverse, int datum, const double* gauge_nodes,
                      const double* gauge_points, const double* gauge_middle, double* point_cofactor, double* hat,
                      double* effect, double* point_gauge);
-  void (*multiply)(const Problem&, const State&, int threads, int columns, const double* nodes, double* points);
+  void (*condense)(const Problem&, const State&, int threads, int columns, const double* given, double* right);
+  void (*expand)(const Problem&, const State&, int threads, int columns, const double* nodes, const double* given, double* points);
 };
 
 const Kernels& kernels();

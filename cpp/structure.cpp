@@ -6,6 +6,45 @@
 
 namespace raybundle {
 
+void Problem::sort_points() {
+  std::vector<int64_t> key(points);
+  for (int p = 0; p < points; ++p) {
+    int32_t low = INT32_MAX, high = 0;
+    for (int64_t i = first[p]; i < first[p + 1]; ++i) {
+      low = std::min(low, image[i]);
+      high = std::max(high, image[i]);
+    }
+    key[p] = (int64_t(low) << 32) | high;
+  }
+  id.resize(points);
+  for (int p = 0; p < points; ++p) id[p] = p;
+  std::stable_sort(id.begin(), id.end(), [&](int32_t a, int32_t b) { return key[a] < key[b]; });
+  row.resize(observations);
+  std::vector<int64_t> start(points + 1, 0);
+  for (int p = 0; p < points; ++p) {
+    start[p + 1] = start[p] + first[id[p] + 1] - first[id[p]];
+    for (int64_t i = 0; i < start[p + 1] - start[p]; ++i) row[start[p] + i] = first[id[p]] + i;
+  }
+  const auto permute = [](auto& values, const auto& from, size_t width) {
+    auto copy = values;
+    for (size_t i = 0; i < from.size(); ++i)
+      for (size_t e = 0; e < width; ++e) values[i * width + e] = copy[size_t(from[i]) * width + e];
+  };
+  permute(image, row, 1);
+  permute(point, row, 1);
+  permute(xy, row, 2);
+  permute(whiten, row, 3);
+  permute(external_row, row, 1);
+  permute(node_of_point, id, 1);
+  permute(held, id, 1);
+  permute(prior_weight, id, 3);
+  permute(prior_value, id, 3);
+  first = start;
+  owner.resize(observations);
+  for (int p = 0; p < points; ++p)
+    for (int64_t i = first[p]; i < first[p + 1]; ++i) owner[i] = p;
+}
+
 void Problem::build_structure(const std::vector<std::pair<int32_t, int32_t>>& extra_pairs) {
   offset.assign(nodes + 1, 0);
   for (int a = 0; a < nodes; ++a) offset[a + 1] = offset[a] + size[a];

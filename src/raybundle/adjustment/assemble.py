@@ -1,0 +1,383 @@
+"""From a block to unknowns and observations: what is free, what is held, where it stands.
+
+The unknowns are the free columns of *nodes* (exterior orientation of an image with its own interior
+orientation; a shared interior orientation; an object point that a distance touches) and the object
+points, which are eliminated.  An image observation touches one point and a list of nodes; all other
+observations (control, distances, stations, observed parameters) touch single unknowns.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.block import Block, Camera
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.rotation import rotation_from_vector
+from raybundle.sensors import SensorModel, sensor_models
+
+
+@dataclass(slots=True)
+class State:
+    """Values of all unknowns, in the frame shifted by `System.shift`."""
+
+    rotation: Array
+    """(n, 3, 3)"""
+    centre: Array
+    """(n, 3)"""
+    interior: Array
+    """(q, stride)"""
+    xyz: Array
+    """(p, 3)"""
+
+    def copy(self) -> State:
+        """An independent copy."""
+        return State(self.rotation.copy(), self.centre.copy(), self.interior.copy(), self.xyz.copy())
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class InteriorRow:
+    """One interior orientation that is adjusted."""
+
+    camera: int
+    image: int
+    """-1 where the camera's images share it."""
+    model: SensorModel
+    free: tuple[int, ...]
+    """Positions of the free parameters."""
+    node: int
+    """Node that carries them, -1 if nothing is free."""
+    start: int
+    """First column within that node."""
+
+    def key(self, block: Block) -> str:
+        """Camera id, or camera id / image id."""
+        camera = block.cameras[self.camera].id
+        return camera if self.image < 0 else f"{camera}/{block.images.ids[self.image]}"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Extra:
+    """Observations that touch no image point: weighted control of retained points, distances, stations, parameters."""
+
+    kind: Array
+    """(k,) 0 control, 1 distance, 2 station, 3 parameter"""
+    item: Index
+    """(k,) point, distance, image or interior row"""
+    component: Index
+    """(k,) coordinate axis or parameter"""
+    value: Array
+    sigma: Array
+
+    def __len__(self) -> int:
+        return len(self.value)
+
+
+@dataclass(slots=True)
+class System:
+    """The assembled least squares problem."""
+
+    block: Block
+    corrected: Mask
+    """(cameras,) residual of the corrected image point"""
+    shift: Array
+    rows: Array
+    """(m,) rows of `Block.observations` that take part, sorted by point"""
+    points_used: Mask
+    images_used: Mask
+    interior: tuple[InteriorRow, ...]
+    interior_of_image: Index
+    stride: int
+    sizes: Array
+    """(nodes,) columns of each node"""
+    image_node: Index
+    """(n,) -1 where nothing of the image is free"""
+    exterior_free: Mask
+    """(n,)"""
+    shared_node: Index
+    """(n,)"""
+    point_node: Index
+    """(p,) -1 where eliminated"""
+    held: Mask
+    """(p, 3) coordinates that are no unknowns, with those that carry a minimal datum"""
+    control_held: Mask
+    """(p, 3) the same without the datum's"""
+    prior: Mask
+    """(p, 3) coordinates that are observed"""
+    extra: Extra
+    xy_mm: Array
+    whiten: Array
+    pixel_mm: Array
+    """(m, 2) signed: image frame from pixel frame"""
+    offsets: Array = field(default_factory=lambda: np.zeros(1, np.int64))
+    first_image: Index = field(default_factory=lambda: np.zeros(0, np.int32))
+    """(p,) the first image that sees each point"""
+    far_candidates: Array = field(default_factory=lambda: np.zeros(0, np.int64))
+    """Eliminated points without any given or held coordinate"""
+
+    @property
+    def unknowns(self) -> int:
+        """Number of unknowns before a datum is chosen (datum-held coordinates count)."""
+        free = ~self.control_held[self.points_used]
+        retained = self.point_node[self.points_used] >= 0
+        nodes = int(self.sizes.sum()) - 3 * int(retained.sum())
+        return nodes + int(free.sum())
+
+    @property
+    def observations(self) -> int:
+        """Number of observations."""
+        eliminated = self.points_used & (self.point_node < 0)
+        return 2 * len(self.rows) + int(self.prior[eliminated].sum()) + len(self.extra)
+
+    def initial_state(self) -> State:
+        """The block's approximate values."""
+        block = self.block
+        interior = np.zeros((len(self.interior), self.stride))
+        for i, row in enumerate(self.interior):
+            values: dict[str, float] = dict(block.cameras[row.camera].values)
+            if row.image >= 0:
+                values |= dict(block.images.interior.get(row.image, {}))
+            interior[i, : len(row.model.symbols)] = [values.get(s, 0.0) for s in row.model.symbols]
+        xyz = np.where(self.points_used[:, None], block.points.xyz - self.shift, 0.0)
+        centre = np.where(self.images_used[:, None], block.images.centre - self.shift, 0.0)
+        rotation = np.where(self.images_used[:, None, None], block.images.rotation, np.eye(3))
+        return State(rotation, centre, interior, xyz)
+
+    def updated(self, state: State, step: Array, points: Array) -> State:
+        """The state after a step (nodes) and a step of the points (p, 3)."""
+        new = state.copy()
+        free = np.flatnonzero(self.exterior_free & self.images_used)
+        at = self.offsets[self.image_node[free]][:, None] + np.arange(6)
+        d = step[at]
+        new.centre[free] += d[:, :3]
+        new.rotation[free] = rotation_from_vector(d[:, 3:]) @ new.rotation[free]
+        for i, row in enumerate(self.interior):
+            if row.node >= 0:
+                start = self.offsets[row.node] + row.start
+                new.interior[i, list(row.free)] += step[start : start + len(row.free)]
+        new.xyz += np.where(self.held, 0.0, points)
+        self._retract(state, points, new)
+        return new
+
+    def _retract(self, state: State, points: Array, new: State) -> None:
+        """Points move along the ray of their first image by inverse distance, so that far points converge.
+
+        To first order this is the same step; infinity is a point like any other (Montiel, Civera and Davison 2006).
+        """
+        mine = self.far_candidates
+        r = state.xyz[mine] - state.centre[self.first_image[mine]]
+        d2 = np.einsum("ij,ij->i", r, r)
+        along = np.einsum("ij,ij->i", r, points[mine]) / np.maximum(d2, 1e-300)
+        large = np.abs(along) > 0.02
+        mine, r, along = mine[large], r[large], along[large, None]
+        shrink = 1 - along
+        shrink = np.where(np.abs(shrink) < 1e-3, np.copysign(1e-3, shrink), shrink)
+        across = points[mine] - along * r
+        new.xyz[mine] = state.centre[self.first_image[mine]] + (r + across) / shrink
+
+
+def assemble(block: Block, options: AdjustmentOptions, rejected: Mask, free: dict[str, tuple[str, ...]]) -> System:
+    """The system of a block.
+
+    rejected  (m,) image observations that take no part
+    free      camera id -> symbols of the free parameters (`estimate` resolved)
+    raises    InputError where an image that is observed is not oriented or a point has no coordinates
+    """
+    observations = block.observations
+    n, p = len(block.images), len(block.points)
+    rows = np.flatnonzero(~rejected)
+    rows = rows[np.lexsort((observations.image[rows], observations.point[rows]))]
+    images_used = np.zeros(n, bool)
+    images_used[observations.image[rows]] = True
+    points_used = np.zeros(p, bool)
+    points_used[observations.point[rows]] = True
+    _check_values(block, images_used, points_used)
+
+    ignore_control = options.datum in {"inner", "minimal"} and _free_by_choice(options)
+    control = block.points.is_control & points_used[:, None]
+    if ignore_control:
+        control = np.zeros_like(control)
+    control_held = control & (block.points.sigma == 0)
+    prior = control & (block.points.sigma > 0)
+
+    interior, interior_of_image, stride = _interior_rows(block, images_used, free)
+    exterior_free = images_used & ~(block.images.held if block.images.held is not None else np.zeros(n, bool))
+    sizes: list[int] = []
+    image_node = np.full(n, -1, np.int32)
+    shared_node = np.full(n, -1, np.int32)
+    alone: dict[int, int] = {}  # interior row that goes with its only image
+    users = np.bincount(interior_of_image[images_used], minlength=len(interior))
+    for i in np.flatnonzero(images_used):
+        row = int(interior_of_image[i])
+        own = len(interior[row].free) if users[row] == 1 else 0
+        size = 6 * int(exterior_free[i]) + own
+        if size:
+            image_node[i] = len(sizes)
+            sizes.append(size)
+        if own:
+            alone[row] = int(i)
+    distances = block.distances
+    touched = np.zeros(p, bool)
+    distance_used = points_used[distances.start] & points_used[distances.end]
+    for ends in (distances.start, distances.end):
+        touched[ends[distance_used]] = True
+    touched &= ~control_held.all(axis=1)
+    point_node = np.full(p, -1, np.int32)
+    point_node[touched] = len(sizes) + np.arange(int(touched.sum()))
+    sizes += [3] * int(touched.sum())
+    placed: list[InteriorRow] = []
+    for r, row in enumerate(interior):
+        node, start = -1, 0
+        if row.free and r in alone:
+            node, start = int(image_node[alone[r]]), 6 * int(exterior_free[alone[r]])
+        elif row.free and users[r]:
+            node = len(sizes)
+            sizes.append(len(row.free))
+            shared_node[images_used & (interior_of_image == r)] = node
+        placed.append(
+            InteriorRow(camera=row.camera, image=row.image, model=row.model, free=row.free, node=node, start=start)
+        )
+
+    known = np.vstack([block.points.xyz[points_used], block.images.centre[images_used]])
+    shift = np.round(known.mean(axis=0), 3) if len(known) else np.zeros(3)
+    xy, whiten, pixel = _image_observations(block, rows)
+    system = System(
+        block=block,
+        corrected=np.array([_corrected(block, c, options) for c in block.cameras]),
+        shift=shift,
+        rows=rows,
+        points_used=points_used,
+        images_used=images_used,
+        interior=tuple(placed),
+        interior_of_image=interior_of_image,
+        stride=stride,
+        sizes=np.array(sizes, np.int32),
+        image_node=image_node,
+        exterior_free=exterior_free,
+        shared_node=shared_node,
+        point_node=point_node,
+        held=control_held.copy(),
+        control_held=control_held,
+        prior=prior,
+        extra=_extra(block, options, prior & touched[:, None], distance_used, images_used & exterior_free, placed, shift),
+        xy_mm=xy,
+        whiten=whiten,
+        pixel_mm=pixel,
+    )
+    system.offsets = np.concatenate([[0], np.cumsum(system.sizes)]).astype(np.int64)
+    system.first_image = np.zeros(p, np.int32)
+    system.first_image[observations.point[rows[::-1]]] = observations.image[rows[::-1]]
+    system.far_candidates = np.flatnonzero(points_used & (point_node < 0) & ~(control_held | prior).any(axis=1))
+    return system
+
+
+def _free_by_choice(options: AdjustmentOptions) -> bool:
+    return options.datum in {"inner", "minimal"}
+
+
+def _corrected(block: Block, camera: Camera, options: AdjustmentOptions) -> bool:
+    kind = block.residuals if options.residuals == "as_block" else options.residuals
+    if kind == "corrected" and camera.model != "brown":
+        if options.residuals == "corrected" or block.residuals == "corrected":
+            raise InputError(
+                f"camera {camera.id}: residuals = \"corrected\" is defined for the model brown alone, not for "
+                f"{camera.model}; use residuals = \"measured\""
+            )
+    return kind == "corrected"
+
+
+def _check_values(block: Block, images_used: Mask, points_used: Mask) -> None:
+    bad = [block.images.ids[i] for i in np.flatnonzero(images_used & ~block.images.oriented)]
+    if bad:
+        raise InputError(f"images without exterior orientation: {', '.join(bad[:10])}; give approximate values")
+    bad = [block.points.ids[i] for i in np.flatnonzero(points_used & ~np.isfinite(block.points.xyz).all(axis=1))]
+    if bad:
+        raise InputError(f"points without coordinates: {', '.join(bad[:10])}; give approximate values")
+
+
+def _interior_rows(
+    block: Block, images_used: Mask, free: dict[str, tuple[str, ...]]
+) -> tuple[list[InteriorRow], Index, int]:
+    rows: list[InteriorRow] = []
+    of_image = np.zeros(len(block.images), np.int32)
+    stride = 1
+    for c, camera in enumerate(block.cameras):
+        model = sensor_models[camera.model]
+        stride = max(stride, len(model.symbols))
+        positions = tuple(model.symbols.index(s) for s in model.symbols if s in free.get(camera.id, ()))
+        mine = np.flatnonzero((block.images.camera == c) & images_used)
+        if camera.interior == "per_image":
+            for i in mine:
+                of_image[i] = len(rows)
+                rows.append(InteriorRow(camera=c, image=int(i), model=model, free=positions, node=-1, start=0))
+        else:
+            of_image[block.images.camera == c] = len(rows)
+            rows.append(InteriorRow(camera=c, image=-1, model=model, free=positions, node=-1, start=0))
+    return rows, of_image, stride
+
+
+def _image_observations(block: Block, rows: Array) -> tuple[Array, Array, Array]:
+    """Image frame (m, 2) [mm], whitening (m, 3) and signed pixel size (m, 2) of the used rows."""
+    observations = block.observations
+    camera = block.images.camera[observations.image[rows]]
+    pixel = np.array([c.pixel_mm for c in block.cameras]) * [1, -1]
+    half = np.array([[c.width_px, c.height_px] for c in block.cameras]) / 2
+    xy = (observations.xy_px[rows] - half[camera]) * pixel[camera]
+    cov = observations.cov_px2[rows]
+    sx, sy = pixel[camera].T
+    a, b, c = cov[:, 0] * sx * sx, cov[:, 2] * sx * sy, cov[:, 1] * sy * sy
+    l11 = np.sqrt(a)
+    l21 = b / l11
+    l22 = np.sqrt(c - l21 * l21)
+    whiten = np.stack([1 / l11, -l21 / (l11 * l22), 1 / l22], axis=1)
+    if not np.isfinite(whiten).all():
+        bad = int(rows[np.flatnonzero(~np.isfinite(whiten).all(axis=1))[0]])
+        raise InputError(
+            f"image {block.images.ids[observations.image[bad]]}, point {block.points.ids[observations.point[bad]]}: "
+            f"the covariance of the image point is not positive definite"
+        )
+    return np.ascontiguousarray(xy), np.ascontiguousarray(whiten), pixel[camera]
+
+
+def _extra(
+    block: Block,
+    options: AdjustmentOptions,
+    control: Mask,
+    distance_used: Mask,
+    stations_used: Mask,
+    interior: list[InteriorRow],
+    shift: Array,
+) -> Extra:
+    parts: list[tuple[int, int, int, float, float]] = []
+    for point, axis in np.argwhere(control):
+        parts.append((0, point, axis, block.points.xyz[point, axis] - shift[axis], block.points.sigma[point, axis]))
+    for d in np.flatnonzero(distance_used):
+        if block.distances.sigma[d] > 0:
+            parts.append((1, d, 0, block.distances.length[d], block.distances.sigma[d]))
+        else:
+            raise InputError(f"distance {d + 1}: sigma {block.distances.sigma[d]:g} must be positive")
+    if not _free_by_choice(options):
+        stations = block.stations
+        for k, image in enumerate(stations.image):
+            for axis in range(3):
+                if stations_used[image] and np.isfinite(stations.xyz[k, axis]) and stations.sigma[k, axis] > 0:
+                    parts.append((2, k, axis, stations.xyz[k, axis] - shift[axis], stations.sigma[k, axis]))
+    for r, row in enumerate(interior):
+        camera = block.cameras[row.camera]
+        if row.node < 0:
+            continue
+        for position in row.free:
+            symbol = row.model.symbols[position]
+            if camera.sigma.get(symbol, 0) > 0:
+                parts.append((3, r, position, camera.values[symbol], camera.sigma[symbol]))
+    table = np.array(parts, float).reshape(-1, 5)
+    return Extra(
+        kind=table[:, 0].astype(np.int32),
+        item=table[:, 1].astype(np.int32),
+        component=table[:, 2].astype(np.int32),
+        value=table[:, 3],
+        sigma=table[:, 4],
+    )

@@ -1,0 +1,291 @@
+"""The datum: what of position, orientation and scale the observations leave open, and how it is taken.
+
+The normal equations are factored in a minimal datum (the fewest coordinates of well-spread object
+points held, as many as are open); every other datum follows by an S-transformation (Baarda 1973):
+Q' = S Q S', S = I - G (G'BG)^-1 G'B, with G the open part of the null space and B selecting the
+points that carry the datum.  Residuals do not depend on it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from raybundle.adjustment.assemble import State, System
+from raybundle.adjustment.normals import Normals
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.errors import DatumDefect, InputError
+from raybundle.numerics.arrays import Array, Mask
+
+NAMES = ("position X", "position Y", "position Z", "rotation X", "rotation Y", "rotation Z", "scale")
+
+
+@dataclass(slots=True)
+class Datum:
+    """The open part of the datum and how it is taken."""
+
+    kind: str
+    """control | minimal | inner"""
+    basis: Array
+    """(7, d) combinations of the seven generators that are open"""
+    centre: Array
+    extent: float
+    carriers: Mask
+    """(p,) points over which inner constraints are taken"""
+
+    @property
+    def defect(self) -> int:
+        """Number of open datum parameters."""
+        return self.basis.shape[1]
+
+    @property
+    def open_names(self) -> tuple[str, ...]:
+        """The open parts in words, pure generators by name."""
+        return open_names(self.basis)
+
+
+def open_names(basis: Array) -> tuple[str, ...]:
+    """Names of the generators in the span of a basis (7, d); mixtures as "combination of ..."."""
+    if basis.shape[1] == 0:
+        return ()
+    projector = basis @ basis.T
+    names = [n for i, n in enumerate(NAMES) if projector[i, i] > 1 - 1e-6]
+    mixed = [n for i, n in enumerate(NAMES) if 1e-3 < projector[i, i] <= 1 - 1e-6]
+    rest = basis.shape[1] - len(names)
+    if rest > 0:
+        names.append(f"{rest} combination{'s' if rest > 1 else ''} of {', '.join(mixed)}")
+    return tuple(names)
+
+
+def point_generators(xyz: Array, centre: Array, extent: float) -> Array:
+    """The seven generators at points (n, 3): (n, 3, 7), lengths in units of the extent."""
+    r = (xyz - centre) / extent
+    G = np.zeros((len(xyz), 3, 7))
+    G[:, [0, 1, 2], [0, 1, 2]] = 1
+    x, y, z = r.T
+    G[:, 1, 3], G[:, 2, 3] = -z, y
+    G[:, 0, 4], G[:, 2, 4] = z, -x
+    G[:, 0, 5], G[:, 1, 5] = -y, x
+    G[:, :, 6] = r
+    return G * extent
+
+
+def node_generators(system: System, state: State, datum: Datum) -> Array:
+    """The open generators at the unknowns of the nodes: (N, d)."""
+    G = np.zeros((int(system.offsets[-1]), 7))
+    images = np.flatnonzero(system.exterior_free & system.images_used)
+    at = system.offsets[system.image_node[images]][:, None] + np.arange(6)
+    G[at[:, :3]] = point_generators(state.centre[images], datum.centre, datum.extent)
+    # R_new = R exp(-[w]x) = exp(-[R w]x) R
+    G[at[:, 3:], 3:6] = -state.rotation[images]
+    points = np.flatnonzero(system.point_node >= 0)
+    at = system.offsets[system.point_node[points]][:, None] + np.arange(3)
+    G[at] = point_generators(state.xyz[points], datum.centre, datum.extent) * ~system.control_held[points][:, :, None]
+    for r, row in enumerate(system.interior):
+        for k, position in enumerate(row.free):
+            if row.model.parameters[position].unit == "length":
+                G[system.offsets[row.node] + row.start + k, 6] = state.interior[r, position]
+    return G @ datum.basis
+
+
+def analyse(system: System, state: State, options: AdjustmentOptions) -> Datum:
+    """Which of the seven datum parameters control, distances, stations and held images leave open."""
+    used = system.points_used
+    if not used.any():
+        raise InputError("no object point takes part; nothing can be adjusted")
+    cloud = state.xyz[used]
+    centre = np.median(cloud, axis=0)
+    extent = float(np.median(np.linalg.norm(cloud - centre, axis=1))) or 1.0
+    rows = _fixing_rows(system, state, centre, extent)
+    if len(rows):
+        _, singular, vt = np.linalg.svd(rows, full_matrices=True)
+        rank = int(np.sum(singular > 1e-7 * max(singular[0], 1e-300)))
+        basis = _plain(vt[rank:].T)
+    else:
+        basis = np.eye(7)
+    kind = {"auto": "inner", "control": "control", "minimal": "minimal", "inner": "inner"}[options.datum]
+    if basis.shape[1] == 0:
+        kind = "control"
+    elif options.datum == "control":
+        names = open_names(basis)
+        raise DatumDefect(
+            f"{', '.join(names)} {'is' if len(names) == 1 else 'are'} not determined by control.\n"
+            f"  Free: {basis.shape[1]} of 7 datum parameters.\n"
+            f"  Give one of: more control points, a scale bar, observed projection centres, or --datum auto."
+        )
+    carriers = used.copy()
+    if options.datum_points:
+        index = {name: i for i, name in enumerate(system.block.points.ids)}
+        missing = [name for name in options.datum_points if name not in index or not used[index[name]]]
+        if missing:
+            raise InputError(f"datum points that take no part in the adjustment: {', '.join(missing[:10])}")
+        carriers = np.zeros_like(used)
+        carriers[[index[name] for name in options.datum_points]] = True
+    datum = Datum(kind=kind, basis=basis, centre=centre, extent=extent, carriers=carriers)
+    if datum.defect and kind == "inner":
+        G = point_generators(state.xyz[carriers], centre, extent).reshape(-1, 7) @ basis / extent
+        if np.linalg.matrix_rank(G, tol=1e-6 * max(len(G), 1) ** 0.5) < datum.defect:
+            raise DatumDefect(
+                f"the {int(carriers.sum())} datum points cannot carry {datum.defect} inner constraints "
+                f"({', '.join(datum.open_names)}); choose at least three points that are not collinear"
+            )
+    return datum
+
+
+def _plain(basis: Array) -> Array:
+    """An orthonormal basis of the same span in which pure generators stand alone, where there are any."""
+    projector = basis @ basis.T
+    pure = [i for i in range(7) if projector[i, i] > 1 - 1e-9]
+    rest = projector.copy()
+    rest[pure] = rest[:, pure] = 0
+    count = basis.shape[1] - len(pure)
+    columns = [np.eye(7)[:, pure]]
+    if count:
+        u, _, _ = np.linalg.svd(rest)
+        columns.append(u[:, :count])
+    return np.hstack(columns)
+
+
+def _fixing_rows(system: System, state: State, centre: Array, extent: float) -> Array:
+    """Directions of the seven generators that an observation or a held value fixes, scaled alike."""
+    rows: list[Array] = []
+    fixed = system.control_held | system.prior
+    points = np.flatnonzero(fixed.any(axis=1))
+    if len(points):
+        G = point_generators(state.xyz[points], centre, extent) / extent
+        rows.append(G[fixed[points]])
+    images = np.flatnonzero(system.images_used & ~system.exterior_free)
+    if len(images):
+        rows.append(point_generators(state.centre[images], centre, extent).reshape(-1, 7) / extent)
+        turn = np.zeros((len(images), 3, 7))
+        turn[:, :, 3:6] = state.rotation[images]
+        rows.append(turn.reshape(-1, 7))
+    stations = system.extra.item[system.extra.kind == 2]
+    if len(stations):
+        axis = system.extra.component[system.extra.kind == 2]
+        image = system.block.stations.image[stations]
+        rows.append((point_generators(state.centre[image], centre, extent) / extent)[np.arange(len(axis)), axis])
+    scaled = bool((system.extra.kind == 1).any())
+    for r, row in enumerate(system.interior):
+        for position, parameter in enumerate(row.model.parameters):
+            held = position not in row.free
+            scaled |= parameter.unit == "length" and held and state.interior[r, position] != 0
+    if scaled:
+        rows.append(np.eye(7)[6:])
+    return np.vstack(rows) if rows else np.zeros((0, 7))
+
+
+def hold_minimal(system: System, state: State, datum: Datum) -> Mask:
+    """Choose as many coordinates of well-spread points as are open; (p, 3) True where held for the datum."""
+    chosen = np.zeros_like(system.held)
+    d = datum.defect
+    if d == 0:
+        return chosen
+    from scipy.linalg import qr  # noqa: PLC0415
+
+    rays = np.bincount(system.block.observations.point[system.rows], minlength=len(system.points_used))
+    free = system.points_used & (system.point_node < 0) & ~(system.control_held | system.prior).any(axis=1)
+    if free.sum() < 3:
+        free = system.points_used & ~system.control_held.all(axis=1)
+    candidates = np.flatnonzero(free)
+    # far points are poorly determined: stay within three times the median distance
+    near = np.linalg.norm(state.xyz[candidates] - datum.centre, axis=1) < 3 * datum.extent
+    candidates = candidates[near] if near.sum() >= 3 else candidates
+    order = np.argsort(-rays[candidates], kind="stable")
+    candidates = candidates[order[: max(60, len(order) // 4)]][:2000]
+    G = point_generators(state.xyz[candidates], datum.centre, datum.extent) @ datum.basis / datum.extent
+    G = G * ~(system.control_held | system.prior)[candidates][:, :, None]
+    _, r, pivot = qr(G.reshape(-1, d).T, mode="economic", pivoting=True)
+    if abs(r[-1, d - 1]) < 1e-9 * abs(r[0, 0]):
+        raise DatumDefect("the object points lie so that they cannot carry the datum (all in one place or in a line)")
+    for k in pivot[:d]:
+        chosen[candidates[k // 3], k % 3] = True
+    return chosen
+
+
+@dataclass(slots=True)
+class Transformation:
+    """Everything an S-transformation of selected blocks needs: Q' = Q - G M H' - H M' G' + G M K M' G'."""
+
+    nodes: Array
+    """G (N, d)"""
+    points: Array
+    """G (p, 3, d)"""
+    nodes_h: Array
+    """H = Q B G (N, d)"""
+    points_h: Array
+    """(p, 3, d)"""
+    middle: Array
+    """M = (G'BG)^-1 (d, d)"""
+    inner: Array
+    """K = G'BH (d, d)"""
+
+    def apply(self, block: Array, Ga: Array, Ha: Array, Gb: Array, Hb: Array) -> Array:
+        """Transform cofactor blocks (..., a, b) with the rows of G and H that belong to their unknowns."""
+        M = self.middle
+        first = Ga @ M @ np.swapaxes(Hb, -1, -2)
+        second = Ha @ M.T @ np.swapaxes(Gb, -1, -2)
+        third = Ga @ (M @ self.inner @ M.T) @ np.swapaxes(Gb, -1, -2)
+        return block - first - second + third
+
+
+def transformation(normals: Normals, state: State, datum: Datum) -> Transformation | None:
+    """The S-transformation from the minimal datum of the factor to inner constraints over the carriers."""
+    if datum.defect == 0 or datum.kind != "inner":
+        return None
+    system = normals.system
+    used = system.points_used
+    G = point_generators(state.xyz, datum.centre, datum.extent) @ datum.basis
+    G[~used] = 0
+    G[system.control_held] = 0
+    BG = G * datum.carriers[:, None, None]
+    nodes = node_generators(system, state, datum)
+    BG_nodes = np.zeros_like(nodes)
+    retained = np.flatnonzero(system.point_node >= 0)
+    eliminated = BG.copy()
+    for p in retained:
+        # `solve` adds what is given for retained points to their nodes
+        at = system.offsets[system.point_node[p]]
+        BG_nodes[at : at + 3] = 0
+    nodes_h, points_h = normals.solve(state, BG_nodes, eliminated)
+    points_h[system.held] = 0
+    middle = np.linalg.inv(np.einsum("pcd,pce->de", BG, G))
+    inner = np.einsum("pcd,pce->de", BG, points_h)
+    return Transformation(nodes, G, nodes_h, points_h, middle, inner)
+
+
+def fit_to_given(system: System, state: State, given: State, datum: Datum) -> State:
+    """Move the adjusted block, within the open datum, onto the given coordinates of the carriers.
+
+    Small transformations of the open generators are repeated until nothing moves: the inner
+    constraints G'B (x - x_given) = 0 then hold for the adjusted coordinates themselves.
+    """
+    if datum.defect == 0 or datum.kind != "inner":
+        return state
+    from scipy.linalg import expm  # noqa: PLC0415
+
+    new = state.copy()
+    carriers = np.flatnonzero(datum.carriers & system.points_used)
+    for _ in range(50):
+        G = point_generators(new.xyz[carriers], datum.centre, datum.extent).reshape(-1, 7) @ datum.basis
+        gap = (given.xyz[carriers] - new.xyz[carriers]).reshape(-1)
+        step = datum.basis @ np.linalg.lstsq(G, gap, rcond=None)[0]
+        t, w, s = step[:3] * datum.extent, step[3:6], step[6]
+        generator = np.zeros((4, 4))
+        generator[:3, :3] = np.array([[s, -w[2], w[1]], [w[2], s, -w[0]], [-w[1], w[0], s]])
+        generator[:3, 3] = t
+        T = expm(generator)
+        scale = np.cbrt(np.linalg.det(T[:3, :3]))
+        for values in (new.xyz, new.centre):
+            values[:] = (values - datum.centre) @ T[:3, :3].T + T[:3, 3] + datum.centre
+        new.rotation = new.rotation @ (T[:3, :3].T / scale)
+        for r, row in enumerate(system.interior):
+            for position in row.free:
+                if row.model.parameters[position].unit == "length":
+                    new.interior[r, position] *= scale
+        if np.abs(step).max() < 1e-13:
+            break
+    held = system.control_held
+    new.xyz[held] = state.xyz[held]
+    return new

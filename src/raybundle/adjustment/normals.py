@@ -1,0 +1,344 @@
+"""The normal equations of a system: native solver, observations outside the images, one interface."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+from dataclasses import dataclass, field
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from raybundle.adjustment.assemble import State, System
+from raybundle.numerics import native
+from raybundle.numerics.arrays import Array, Index, Mask
+
+_NONE = np.zeros(0)
+
+
+@cache
+def _set_dense_kernels() -> None:
+    """Hand SciPy's BLAS and LAPACK to the native factor."""
+    from scipy.linalg import cython_blas, cython_lapack  # noqa: PLC0415
+
+    get_name = ctypes.pythonapi.PyCapsule_GetName
+    get_name.restype, get_name.argtypes = ctypes.c_char_p, [ctypes.py_object]
+    get_pointer = ctypes.pythonapi.PyCapsule_GetPointer
+    get_pointer.restype, get_pointer.argtypes = ctypes.c_void_p, [ctypes.py_object, ctypes.c_char_p]
+
+    def address(module: Any, name: str) -> int:
+        capsule = module.__pyx_capi__[name]
+        return int(get_pointer(capsule, get_name(capsule)) or 0)
+
+    solver = native.module()
+    assert solver is not None
+    solver.set_dense(
+        address(cython_lapack, "dpotrf"),
+        address(cython_lapack, "dpotri"),
+        address(cython_blas, "dtrsm"),
+        address(cython_blas, "dsyrk"),
+        address(cython_blas, "dgemm"),
+    )
+
+
+@dataclass(slots=True)
+class Linearised:
+    """Linearised extra observations: whitened residuals and sparse rows."""
+
+    residual: Array
+    row: Index
+    unknown: Array
+    value: Array
+
+
+@dataclass(slots=True)
+class Normals:
+    """Reduced normal equations of one system; the arrays are reused from step to step."""
+
+    system: System
+    solver: Any
+    threads: int
+    values: Array
+    right: Array
+    diagonal: Array
+    pair_row: Index = field(default_factory=lambda: np.zeros(0, np.int32))
+    pairs: tuple[Array, Array] = field(default_factory=lambda: (np.zeros(0, np.int64), np.zeros(0, np.int64)))
+    pair_at: Array = field(default_factory=lambda: np.zeros(0, np.int64))
+    external: Mask = field(default_factory=lambda: np.zeros(0, bool))
+
+    @classmethod
+    def of(cls, system: System, threads: int = 0) -> Normals:
+        """Set up structure, ordering and buffers."""
+        count = threads or (len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1)
+        module = native.module()
+        if module is None:
+            from raybundle.adjustment.twin import Solver  # noqa: PLC0415
+
+            solver: Any = Solver(system.block, system)
+        else:
+            _set_dense_kernels()
+            solver = module.Solver()
+        external = _fill(solver, system, frozenset() if module is None else native.sensor_models())
+        touched = _nodes_of_extra(system)
+        solver.set_nodes(system.sizes, touched)
+        normals = cls(
+            system=system,
+            solver=solver,
+            threads=max(1, count),
+            values=np.zeros(solver.values_size),
+            right=np.zeros(solver.unknowns),
+            diagonal=np.zeros(solver.unknowns),
+            external=external,
+        )
+        normals._place_extra()
+        return normals
+
+    def _place_extra(self) -> None:
+        """Where the products of the extra observations' rows stand in the flat normal matrix."""
+        entries = self.extra(self.system.initial_state())
+        first, second, row = [], [], []
+        for r in range(len(self.system.extra)):
+            mine = np.flatnonzero(entries.row == r)
+            a, b = np.meshgrid(mine, mine, indexing="ij")
+            first.append(a.ravel())
+            second.append(b.ravel())
+            row.append(np.full(a.size, r))
+        if not first:
+            return
+        a, b = np.concatenate(first), np.concatenate(second)
+        node_a, node_b = self._node(entries.unknown[a]), self._node(entries.unknown[b])
+        keep = node_a <= node_b
+        a, b, node_a, node_b = a[keep], b[keep], node_a[keep], node_b[keep]
+        local_a = entries.unknown[a] - self.system.offsets[node_a]
+        local_b = entries.unknown[b] - self.system.offsets[node_b]
+        start = np.array(
+            [self.solver.block_start(self.solver.block(int(i), int(j))) for i, j in zip(node_a, node_b, strict=True)],
+            dtype=np.int64,
+        )
+        self.pairs = (a, b)
+        self.pair_at = start + local_a * self.system.sizes[node_b] + local_b
+
+    def _node(self, unknown: Array) -> Array:
+        return np.searchsorted(self.system.offsets, unknown, side="right") - 1
+
+    def extra(self, state: State) -> Linearised:
+        """Extra observations at a state: residual adjusted - observed over sigma."""
+        system, extra = self.system, self.system.extra
+        residual = np.zeros(len(extra))
+        rows: list[Array] = []
+        unknowns: list[Array] = []
+        values: list[Array] = []
+
+        def add(index: Array, unknown: Array, value: Array) -> None:
+            rows.append(index)
+            unknowns.append(unknown)
+            values.append(value)
+
+        weight = 1 / extra.sigma if len(extra) else _NONE
+        i = np.flatnonzero(extra.kind == 0)
+        if len(i):
+            point, axis = extra.item[i], extra.component[i]
+            residual[i] = state.xyz[point, axis] - extra.value[i]
+            add(i, system.offsets[system.point_node[point]] + axis, weight[i])
+        i = np.flatnonzero(extra.kind == 1)
+        if len(i):
+            start, end = system.block.distances.start[extra.item[i]], system.block.distances.end[extra.item[i]]
+            d = state.xyz[end] - state.xyz[start]
+            length = np.linalg.norm(d, axis=1)
+            residual[i] = length - extra.value[i]
+            unit = d / length[:, None]
+            for point, sign in ((start, -1.0), (end, 1.0)):
+                for axis in range(3):
+                    free = (system.point_node[point] >= 0) & ~system.held[point, axis]
+                    j = np.flatnonzero(free)
+                    add(
+                        i[j],
+                        system.offsets[system.point_node[point[j]]] + axis,
+                        sign * unit[j, axis] * weight[i[j]],
+                    )
+        i = np.flatnonzero(extra.kind == 2)
+        if len(i):
+            image, axis = system.block.stations.image[extra.item[i]], extra.component[i]
+            residual[i] = state.centre[image, axis] - extra.value[i]
+            add(i, system.offsets[system.image_node[image]] + axis, weight[i])
+        i = np.flatnonzero(extra.kind == 3)
+        if len(i):
+            residual[i] = state.interior[extra.item[i], extra.component[i]] - extra.value[i]
+            where = [
+                system.offsets[system.interior[r].node]
+                + system.interior[r].start
+                + system.interior[r].free.index(int(c))
+                for r, c in zip(extra.item[i], extra.component[i], strict=True)
+            ]
+            add(i, np.array(where, np.int64), weight[i])
+        return Linearised(
+            residual * weight,
+            np.concatenate(rows).astype(np.int32) if rows else np.zeros(0, np.int32),
+            np.concatenate(unknowns).astype(np.int64) if unknowns else np.zeros(0, np.int64),
+            np.concatenate(values) if values else np.zeros(0),
+        )
+
+    def refresh_external(self, state: State) -> None:
+        """Evaluate models that are not compiled at a state and hand them to the native solver."""
+        if not self.external.any():
+            return
+        from raybundle.adjustment.twin import external_rows  # noqa: PLC0415
+
+        self.solver.set_external(external_rows(self.system, state, self.external))
+
+    def _arguments(self, state: State) -> tuple[Array, Array, Array, Array]:
+        return (
+            np.ascontiguousarray(state.rotation),
+            np.ascontiguousarray(state.centre),
+            np.ascontiguousarray(state.interior),
+            np.ascontiguousarray(state.xyz),
+        )
+
+    def reduce(self, state: State, *, damping: float = 0.0, huber: float = 0.0) -> tuple[float, int, list[int]]:
+        """Form the reduced normal equations; returns cost, observations behind the camera, weak points."""
+        self.refresh_external(state)
+        cost, behind, _, weak = self.solver.reduce(
+            *self._arguments(state), huber, damping, self.threads, self.values, self.right, self.diagonal
+        )
+        e = self.extra(state)
+        np.add.at(self.right, e.unknown, -e.value * e.residual[e.row])
+        np.add.at(self.diagonal, e.unknown, e.value**2)
+        if len(self.pair_at):
+            np.add.at(self.values, self.pair_at, e.value[self.pairs[0]] * e.value[self.pairs[1]])
+        self._hold_retained()
+        return float(cost) + 0.5 * float(e.residual @ e.residual), int(behind), list(weak)
+
+    def _hold_retained(self) -> None:
+        """Held coordinates of retained points: one on the diagonal."""
+        system = self.system
+        for point, axis in np.argwhere(system.held & (system.point_node >= 0)[:, None]):
+            node = int(system.point_node[point])
+            self.values[self.solver.block_start(self.solver.block(node, node)) + 4 * axis] = 1.0
+            self.diagonal[system.offsets[node] + axis] = 1.0
+            self.right[system.offsets[node] + axis] = 0.0
+
+    def step(self, state: State, *, damping: float = 0.0, huber: float = 0.0) -> tuple[Array, Array, float] | int:
+        """Solve for a step after `reduce`; returns nodes, points (p, 3) and the linearised cost.
+
+        An integer names the unknown at which the matrix is not positive definite.
+        """
+        added = damping * self.diagonal if damping else _NONE
+        failed = self.solver.factorise(self.values, added)
+        if failed:
+            return int(failed) - 1
+        nodes = self.right.copy()
+        self.solver.solve(nodes, 1)
+        points = np.zeros_like(state.xyz)
+        cost = self.solver.back_substitute(*self._arguments(state), huber, damping, self.threads, nodes, points)
+        e = self.extra(state)
+        moved = e.residual.copy()
+        np.add.at(moved, e.row, e.value * nodes[e.unknown])
+        return nodes, points, float(cost) + 0.5 * float(moved @ moved)
+
+    def cost(self, state: State, *, huber: float = 0.0) -> tuple[float, int]:
+        """Half the weighted square sum, and the observations behind the camera."""
+        self.refresh_external(state)
+        cost, behind, _ = self.solver.evaluate(
+            *self._arguments(state), huber, self.threads, _NONE, np.zeros(0, np.uint8)
+        )
+        e = self.extra(state)
+        return float(cost) + 0.5 * float(e.residual @ e.residual), int(behind)
+
+    def residuals(self, state: State) -> tuple[Array, Array]:
+        """Whitened residuals (m, 2) and flags (m,): 1 behind the camera, 2 without a projection."""
+        self.refresh_external(state)
+        v = np.zeros((len(self.system.rows), 2))
+        flags = np.zeros(len(self.system.rows), np.uint8)
+        self.solver.evaluate(*self._arguments(state), 0.0, self.threads, v, flags)
+        return v, flags
+
+    def solve(self, state: State, nodes: Array, points: Array) -> tuple[Array, Array]:
+        """N^-1 applied to right sides for nodes (N, k) and points (p, 3, k), with the last factor."""
+        columns = nodes.shape[1]
+        points = np.ascontiguousarray(points * ~self.system.held[:, :, None])
+        right = nodes + self.solver.condense(*self._arguments(state), self.threads, points, columns)
+        right = np.ascontiguousarray(right)
+        self.solver.solve(right, columns)
+        return right, self.solver.expand(*self._arguments(state), self.threads, right, points, columns)
+
+    def node_block(self, inverse: Array, a: int, b: int) -> Array:
+        """Block (a, b) of a matrix in the layout of the normal matrix."""
+        sizes = self.system.sizes
+        low, high = min(a, b), max(a, b)
+        k = self.solver.block(low, high)
+        if k < 0:
+            raise KeyError((a, b))
+        start = self.solver.block_start(k)
+        block = inverse[start : start + int(sizes[low]) * int(sizes[high])].reshape(int(sizes[low]), int(sizes[high]))
+        return block if a <= b else block.T
+
+
+def _nodes_of_extra(system: System) -> list[tuple[int, int]]:
+    """Pairs of nodes that a distance couples; every node once with itself."""
+    pairs = {(int(a), int(a)) for a in range(len(system.sizes))}
+    distances = system.block.distances
+    for d in system.extra.item[system.extra.kind == 1]:
+        a, b = int(system.point_node[distances.start[d]]), int(system.point_node[distances.end[d]])
+        if a >= 0 and b >= 0:
+            pairs.add((min(a, b), max(a, b)))
+    return sorted(pairs)
+
+
+def _fill(solver: Any, system: System, compiled: frozenset[str]) -> Mask:
+    """Hand the arrays to the solver; returns which observations need external evaluation."""
+    block = system.block
+    observations = block.observations
+    image = observations.image[system.rows].astype(np.int32)
+    point = observations.point[system.rows].astype(np.int32)
+    names = sorted(compiled)
+    models = [row.model for row in system.interior]
+    code_of_row = np.array([names.index(m.name) if m.native else -1 for m in models], np.int32)
+    model = code_of_row[system.interior_of_image]
+    external = model[image] < 0
+    external_row = np.where(external, np.cumsum(external) - 1, -1).astype(np.int32)
+    solver.set_observations(image, point, system.xy_mm, system.whiten, external_row)
+    patterns: list[tuple[list[int], list[int]]] = []
+    known: dict[tuple[tuple[int, ...], tuple[int, ...]], int] = {}
+    pattern = np.zeros(len(block.images), np.int32)
+    for i in range(len(block.images)):
+        row = system.interior[int(system.interior_of_image[i])]
+        interior = tuple(6 + k for k in row.free)
+        own = tuple(range(6)) if system.exterior_free[i] else ()
+        shared: tuple[int, ...] = ()
+        if row.node >= 0 and row.node == system.image_node[i]:
+            own += interior
+        elif row.node >= 0 and system.images_used[i]:
+            shared = interior
+        key = (own, shared)
+        if key not in known:
+            known[key] = len(patterns)
+            patterns.append((list(own), list(shared)))
+        pattern[i] = known[key]
+    solver.set_images(
+        model.astype(np.int32),
+        system.corrected[block.images.camera].astype(np.int32),
+        system.interior_of_image,
+        pattern,
+        system.image_node,
+        system.shared_node,
+        np.array([len(m.symbols) for m in models], np.int32)[system.interior_of_image],
+        system.stride,
+    )
+    solver.set_patterns(patterns)
+    counts = np.bincount(point, minlength=len(block.points))
+    first = np.concatenate([[0], np.cumsum(counts)]).astype(np.int64)
+    held = (system.held * np.array([1, 2, 4])).sum(axis=1).astype(np.uint8)
+    weight, value = point_prior(system)
+    solver.set_points(first, system.point_node, held, weight, value)
+    return external
+
+
+def point_prior(system: System) -> tuple[Array, Array]:
+    """Weights and values (p, 3) of observed coordinates of eliminated points."""
+    points = system.block.points
+    mine = system.prior & (system.point_node < 0)[:, None]
+    weight = np.zeros_like(points.xyz)
+    weight[mine] = 1 / points.sigma[mine] ** 2
+    value = np.where(mine, points.xyz - system.shift, 0.0)
+    return np.ascontiguousarray(weight), np.ascontiguousarray(value)

@@ -1,0 +1,106 @@
+"""Levenberg-Marquardt with gain control; the last steps are pure Gauss-Newton.
+
+Damping after Marquardt 1963 with the gain ratio of Nielsen 1999; a step that carries object points
+behind a camera is tried again shorter.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from raybundle.adjustment.assemble import State
+from raybundle.adjustment.normals import Normals
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.numerics.progress import Progress, silent
+
+FLOOR = 1e-10
+"""Smallest damping: it carries the open datum, and is too small to slow anything else."""
+HUBER = 2.0
+"""Whitened residual length beyond which the robust start weighs linearly."""
+
+
+@dataclass(slots=True)
+class Solution:
+    """Where the iteration ended."""
+
+    state: State
+    cost: float
+    """Half the weighted square sum."""
+    converged: bool
+    iterations: int
+    step: float
+    """Length of the last full step in standard deviations of the unknowns."""
+    behind: int
+
+
+def solve(
+    normals: Normals,
+    state: State,
+    options: AdjustmentOptions,
+    *,
+    huber: float = 0.0,
+    tolerance: float | None = None,
+    progress: Progress = silent,
+) -> Solution:
+    """Minimise the weighted square sum (or its robust form) from a state.
+
+    The length of a step is sqrt(dx' N dx / u) / sigma0: the root mean square of its components in
+    standard deviations.  Converged: an undamped step, or one damped too little to matter, is
+    shorter than the tolerance.
+    """
+    limit = options.tolerance if tolerance is None else tolerance
+    system = normals.system
+    unknowns = max(system.unknowns, 1)
+    redundancy = max(system.observations - system.unknowns, 1)
+    damping, growth = 1e-4, 2.0
+    cost, behind, _ = normals.reduce(state, damping=damping, huber=huber)
+    length, accepted, refused_behind = np.inf, 0, 0
+    start = None
+    for iteration in range(1, options.max_iterations + 1):
+        trial = normals.step(state, damping=damping, huber=huber)
+        if isinstance(trial, int):
+            damping, growth = max(damping, 1e-10) * growth, growth * 2
+            if damping > 1e12:
+                break
+            normals.reduce(state, damping=damping, huber=huber)
+            continue
+        nodes, points, linear = trial
+        predicted = cost - linear
+        sigma0 = np.sqrt(2 * cost / redundancy) if cost > 0 else 1.0
+        length = float(np.sqrt(max(2 * predicted, 0.0) / unknowns) / max(sigma0, 1e-300))
+        new = system.updated(state, nodes, points)
+        new_cost, new_behind = normals.cost(new, huber=huber)
+        gain = (cost - new_cost) / predicted if predicted > 0 else (1.0 if new_cost <= cost else -1.0)
+        floor = 1e-13 * cost
+        if __import__('os').environ.get('RBT'): print(iteration, f'{cost:.6f} new {new_cost:.6f} gain {gain:.3f} damp {damping:.1e} len {length:.2e} behind {behind} {new_behind}')
+        turned = new_behind > behind and gain < 0.25 and refused_behind < 6
+        if np.isfinite(new_cost) and not turned and (gain > 1e-4 or new_cost <= cost + floor and length < 1e-3):
+            state, accepted, refused_behind = new, accepted + 1, 0
+            small = length < limit and damping < 1e-7
+            cost, behind = new_cost, new_behind
+            growth = 2.0
+            damping *= 1 / 30 if 0.95 < gain < 1.05 else max(1 / 3, 1 - (2 * min(gain, 1.0) - 1) ** 3)
+            if gain > 0.9 and length < 1e-3:
+                damping *= 1e-3
+            damping = max(damping, FLOOR)
+            start = length if start is None else start
+            progress("adjusting", _share(start, length, limit))
+            if small:
+                return Solution(state, cost, True, iteration, length, behind)
+        else:
+            refused_behind += int(turned)
+            if length < limit and predicted <= 1e-11 * cost:
+                return Solution(state, cost, True, iteration, length, behind)
+            damping, growth = max(damping, 1e-9) * growth, growth * 2
+            if damping > 1e12:
+                break
+        normals.reduce(state, damping=damping, huber=huber)
+    return Solution(state, cost, length < 1e-3, options.max_iterations, length, behind)
+
+
+def _share(start: float, length: float, limit: float) -> float:
+    """Share of the way done, by orders of magnitude of the step."""
+    whole = np.log10(max(start, 10 * limit) / limit)
+    return float(np.clip(1 - np.log10(max(length, limit) / limit) / whole, 0.0, 1.0))

@@ -1,0 +1,430 @@
+"""CSV tables, read in pieces and checked cell by cell only where a piece does not convert at once.
+
+A good table costs a few hundred nanoseconds a row.  A bad one is left at the first piece that holds an
+error, so that a file of rubbish costs seconds and little memory however long it is.
+"""
+
+from __future__ import annotations
+
+import csv
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Literal, NoReturn
+
+import msgspec
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array, Index
+
+PIECE_BYTES = 1 << 22
+LINE_BYTES = 1 << 20
+SHOWN = 5
+"""Errors that one message lists."""
+
+Kind = Literal["id", "text", "number", "reference", "new_reference"]
+Limit = Literal["", "> 0", ">= 0"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Column:
+    """What a column of a table must hold."""
+
+    name: str
+    kind: Kind
+    """id: unique text; reference: the id of a row of another table; new_reference: the same, where an id not
+    yet known adds one to `known`."""
+    optional: bool = False
+    """Whether the header may lack it."""
+    empty: bool = False
+    """Whether a cell may be empty: "not known"."""
+    limit: Limit = ""
+    known: dict[str, int] = field(default_factory=dict[str, int])
+    """Ids of the other table and their positions."""
+    where: str = ""
+    """Name of the other table."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Table:
+    """The columns of a table; row k stands in line k + 2 of its file."""
+
+    rows: int
+    text: Mapping[str, tuple[str, ...]]
+    number: Mapping[str, Array]
+    """(rows,) each; NaN where the cell is empty."""
+    index: Mapping[str, Index]
+    """(rows,) positions in the table that a reference points to."""
+
+    def numbers(self, *names: str) -> Array:
+        """Columns side by side (rows, len(names)); NaN for a column that the table lacks."""
+        lacking = np.full(self.rows, np.nan)
+        return np.stack([self.number.get(name, lacking) for name in names], axis=1)
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """One error in a file."""
+
+    line: int
+    column: str | None
+    message: str
+
+
+def fail(path: Path, problems: Sequence[Problem]) -> NoReturn:
+    """Raise the InputError of the first problem, which also lists the next few."""
+    ordered = sorted(problems, key=lambda p: p.line)
+    first, others = ordered[0], ordered[1:SHOWN]
+    message = first.message
+    for p in others:
+        message += f"\n  also line {p.line}{f', column {p.column}' if p.column else ''}: {p.message}"
+    if len(ordered) > SHOWN:
+        message += "\n  and more; the rest of the file was not looked at"
+    raise InputError(message, file=path, line=first.line, column=first.column)
+
+
+def shown(text: str) -> str:
+    """Offending text as it is quoted in a message: printable and short."""
+    return repr(text if len(text) <= 40 else text[:40] + "...")
+
+
+def read_table(path: Path, columns: Sequence[Column], *, unique: tuple[str, ...] = ()) -> Table:
+    """The table in a CSV file.
+
+    unique  two reference columns whose pairs of values must differ from row to row
+    raises  InputError with file, line, column, the offending text and what to do
+    """
+    pieces = _pieces(path)
+    header_line, text = _header_and_rest(path, pieces)
+    present = _check_header(path, header_line, columns)
+    parts: list[list[object]] = [[] for _ in present]
+    seen: list[dict[str, int]] = [{} for _ in present]
+    rows = 0
+    for piece in _with_first(text, pieces):
+        first_line = rows + 2
+        cells = _cells(path, piece, len(present), first_line)
+        problems: list[Problem] = []
+        for column, values, part, ids in zip(present, cells, parts, seen, strict=True):
+            part.append(_convert(column, values, first_line, ids, problems))
+        if problems:
+            fail(path, problems)
+        if unique:
+            last = {c.name: part[-1] for c, part in zip(present, parts, strict=True)}
+            _check_pairs(path, [last[name] for name in unique], unique, rows)
+        rows += len(cells[0])
+    if rows == 0:
+        raise InputError(
+            "the table has a header but no rows; fill it, or delete the file if the block has none of these",
+            file=path,
+            line=1,
+        )
+    table = _join(present, parts, rows)
+    if unique:
+        _check_pairs(path, [table.index[name] for name in unique], unique, 0)
+    return table
+
+
+def _pieces(path: Path) -> Iterator[str]:
+    """The file's text in pieces of whole lines, without the last line's end; errors name the line."""
+    line = 1
+    rest = b""
+    try:
+        with path.open("rb") as file:
+            while block := file.read(PIECE_BYTES):
+                if line == 1 and not rest:
+                    block = block.removeprefix(b"\xef\xbb\xbf")
+                block = rest + block
+                cut = block.rstrip(b"\r\n").rfind(b"\n") + 1
+                rest = block[cut:]
+                if cut:
+                    yield _decoded(path, block[:cut], line)
+                    line += block.count(b"\n", 0, cut)
+                if len(rest) > LINE_BYTES:
+                    what = "only empty lines" if not rest.strip(b"\r\n") else "a line of more than 1 MiB"
+                    raise InputError(f"{what}: this is not a table; export it again", file=path, line=line)
+    except OSError as error:
+        raise InputError(f"cannot be read: {error.strerror}; check the path and the permissions", file=path) from None
+    rest = rest.rstrip(b"\r\n")
+    if rest:
+        yield _decoded(path, rest, line)
+
+
+def _decoded(path: Path, data: bytes, line: int) -> str:
+    try:
+        return data.decode("utf-8").removesuffix("\n")
+    except UnicodeDecodeError as error:
+        line += data.count(b"\n", 0, error.start)
+        raise InputError(
+            f"byte 0x{data[error.start]:02x} is not UTF-8; save the file with the encoding UTF-8", file=path, line=line
+        ) from None
+
+
+def _header_and_rest(path: Path, pieces: Iterator[str]) -> tuple[str, str]:
+    first = next(pieces, None)
+    if first is None:
+        raise InputError(
+            "the file is empty; it needs a header line and rows, or delete it if the block has none of these",
+            file=path,
+            line=1,
+        )
+    header, _, rest = first.partition("\n")
+    return header.removesuffix("\r"), rest
+
+
+def _with_first(first: str, others: Iterator[str]) -> Iterator[str]:
+    if first:
+        yield first
+    yield from others
+
+
+def _check_header(path: Path, line: str, columns: Sequence[Column]) -> list[Column]:
+    """The columns in the order of the file."""
+    by_name = {c.name: c for c in columns}
+    needed = ",".join(c.name for c in columns if not c.optional)
+    optional = [c.name for c in columns if c.optional]
+    should = f"the header is {needed}" + (f", optional {', '.join(optional)}" if optional else "")
+    try:
+        names = next(csv.reader([line], strict=True))
+    except csv.Error as error:
+        raise InputError(f"the header cannot be read ({error}); {should}", file=path, line=1) from None
+    for position, name in enumerate(names):
+        if name not in by_name:
+            raise InputError(f"unknown column {shown(name)}; {should}", file=path, line=1, column=name[:40])
+        if name in names[:position]:
+            raise InputError(f"column {name!r} stands twice; {should}", file=path, line=1, column=name)
+    missing = [c.name for c in columns if not c.optional and c.name not in names]
+    if missing:
+        raise InputError(f"column {missing[0]!r} is missing; {should}", file=path, line=1, column=missing[0])
+    return [by_name[name] for name in names]
+
+
+def _cells(path: Path, piece: str, width: int, first_line: int) -> list[list[str]]:
+    """The cells of a piece by columns; the quick way if no cell is quoted and every row has `width` cells."""
+    if '"' not in piece and "\r" not in piece and width > 1:
+        data = np.frombuffer(piece.encode(), np.uint8)
+        breaks = data[(data == ord(",")) | (data == ord("\n"))]
+        rows = int(np.count_nonzero(breaks == ord("\n"))) + 1
+        if len(breaks) == rows * width - 1 and (breaks[width - 1 :: width] == ord("\n")).all():
+            flat = piece.replace("\n", ",").split(",")
+            return [flat[k::width] for k in range(width)]
+    return _cells_one_by_one(path, piece, width, first_line)
+
+
+def _cells_one_by_one(path: Path, piece: str, width: int, first_line: int) -> list[list[str]]:
+    lines = piece.split("\n")
+    reader = csv.reader(lines, strict=True)
+    rows: list[list[str]] = []
+    problems: list[Problem] = []
+    try:
+        for row in reader:
+            line = first_line + len(rows)
+            if reader.line_num != len(rows) + 1:
+                problems.append(Problem(line, None, "a cell goes over the end of its line; is a quote left open?"))
+                break
+            if len(row) != width:
+                problems.append(Problem(line, None, _wrong_width(row, width)))
+                if len(problems) > SHOWN:
+                    break
+            rows.append(row)
+    except csv.Error as error:
+        line = first_line + len(rows)
+        problems.append(Problem(line, None, f"{error}; is a quote left open, or is this not a table?"))
+    if problems:
+        fail(path, problems)
+    return [list(column) for column in zip(*rows, strict=True)]
+
+
+def _wrong_width(row: Sequence[str], width: int) -> str:
+    if not any(row):
+        return "empty line; delete it"
+    hint = ""
+    if len(row) > width:
+        hint = " (the decimal sign is a point, not a comma)"
+    elif any(";" in cell for cell in row):
+        hint = " (cells are separated by commas, not by semicolons)"
+    return f"{len(row)} cells, the header has {width}{hint}: {shown(','.join(row))}"
+
+
+def _convert(
+    column: Column, cells: list[str], first_line: int, seen: dict[str, int], problems: list[Problem]
+) -> object:
+    """The values of one column; what is wrong is added to `problems`."""
+    if column.kind == "number":
+        values = _numbers(cells)
+        if values is not None and _numbers_good(column, values, cells):
+            return values
+        problems.extend(_bad_numbers(column, cells, first_line))
+        return np.zeros(0)
+    if not "".join(cells).isprintable():
+        problems.extend(_bad_text(column, cells, first_line))
+        return ()
+    if column.kind == "text":
+        if not column.empty and "" in cells:
+            problems.append(Problem(first_line + cells.index(""), column.name, "the cell is empty; fill it"))
+        return tuple(cells)
+    if column.kind == "id":
+        return _new_ids(column, cells, first_line, seen, problems)
+    return _references(column, cells, first_line, problems)
+
+
+def _numbers(cells: list[str]) -> Array | None:
+    joined = "".join(cells)
+    if not joined:
+        return np.full(len(cells), np.nan)
+    if "_" in joined or not joined.isascii():  # float() takes both
+        return None
+    try:
+        return np.fromiter(map(float, cells), float, len(cells))
+    except ValueError:
+        pass
+    try:
+        return np.fromiter((float(c) if c else math.nan for c in cells), float, len(cells))
+    except ValueError:
+        return None
+
+
+def _numbers_good(column: Column, values: Array, cells: list[str]) -> bool:
+    finite = np.isfinite(values)
+    if not finite.all() and (not column.empty or any(cells[k] for k in np.flatnonzero(~finite))):
+        return False
+    known = values[finite]
+    return not ((column.limit == "> 0" and (known <= 0).any()) or (column.limit == ">= 0" and (known < 0).any()))
+
+
+def _bad_numbers(column: Column, cells: Iterable[str], first_line: int) -> Iterator[Problem]:
+    found = 0
+    for k, cell in enumerate(cells):
+        message = _why_not_a_number(column, cell)
+        if message:
+            yield Problem(first_line + k, column.name, message)
+            found += 1
+            if found > SHOWN:
+                return
+
+
+def _why_not_a_number(column: Column, cell: str) -> str:
+    if not cell:
+        return "" if column.empty else "the cell is empty; a number is needed here"
+    try:
+        value = float(cell) if "_" not in cell and cell.isascii() else None
+    except ValueError:
+        value = None
+    if value is None:
+        return f"{shown(cell)} is not a number; the decimal sign is a point, an unknown value an empty cell"
+    if not math.isfinite(value):
+        empty = ", or leave the cell empty where it is not known" if column.empty else ""
+        return f"{shown(cell)} is not a finite number; give one{empty}"
+    if column.limit == "> 0" and value <= 0:
+        return f"{shown(cell)} must be greater than 0"
+    if column.limit == ">= 0" and value < 0:
+        return f"{shown(cell)} is negative; a standard deviation is 0 (held) or greater"
+    return ""
+
+
+def _bad_text(column: Column, cells: Iterable[str], first_line: int) -> Iterator[Problem]:
+    bad = [(k, cell) for k, cell in enumerate(cells) if not cell.isprintable()]
+    for k, cell in bad[: SHOWN + 1]:
+        yield Problem(first_line + k, column.name, f"{shown(cell)} holds characters that cannot be printed; delete them")
+
+
+def _new_ids(
+    column: Column, cells: list[str], first_line: int, seen: dict[str, int], problems: list[Problem]
+) -> tuple[str, ...]:
+    before = len(seen)
+    fresh = dict(zip(cells, range(before, before + len(cells)), strict=True))
+    edges = "" in fresh or any(c != c.strip() for c in fresh)
+    if len(fresh) == len(cells) and not edges and seen.keys().isdisjoint(fresh):
+        seen.update(fresh)
+        return tuple(cells)
+    for k, cell in enumerate(cells):
+        line = first_line + k
+        if not cell or cell != cell.strip():
+            problems.append(Problem(line, column.name, f"{shown(cell)} is no id: it is empty or has blanks at its ends"))
+        elif cell in seen:
+            problems.append(Problem(line, column.name, f"id {shown(cell)} stands already in line {seen[cell] + 2}"))
+        else:
+            seen[cell] = line - 2
+        if len(problems) > SHOWN:
+            break
+    return ()
+
+
+def _references(column: Column, cells: list[str], first_line: int, problems: list[Problem]) -> Index:
+    known = column.known
+    if column.kind == "new_reference":
+        for cell in dict.fromkeys(cells):
+            if cell not in known:
+                if not cell or cell != cell.strip():
+                    message = f"{shown(cell)} is no id: it is empty or has blanks at its ends"
+                    problems.append(Problem(first_line + cells.index(cell), column.name, message))
+                known[cell] = len(known)
+    try:
+        return np.fromiter(map(known.__getitem__, cells), np.int32, len(cells))
+    except KeyError:
+        pass
+    found = 0
+    for k, cell in enumerate(cells):
+        if cell not in known:
+            message = f"{shown(cell)} stands nowhere in {column.where}; correct it or add it there"
+            problems.append(Problem(first_line + k, column.name, message))
+            found += 1
+            if found > SHOWN:
+                break
+    return np.zeros(0, np.int32)
+
+
+def _check_pairs(path: Path, pair: Sequence[object], names: tuple[str, ...], first_row: int) -> None:
+    """Raise where a pair of references stands twice."""
+    a, b = (np.asarray(p, np.int64) for p in pair)
+    key = (a << 32) | b
+    if (np.diff(key) > 0).all():
+        return
+    order = np.argsort(key, kind="stable")
+    again = np.flatnonzero(np.diff(key[order]) == 0)
+    if len(again) == 0:
+        return
+    problems: list[Problem] = []
+    for k in sorted(again, key=lambda k: int(order[k + 1]))[: SHOWN + 1]:
+        line, earlier = (first_row + int(order[j]) + 2 for j in (k + 1, k))
+        message = f"this {' and '.join(names)} stand already in line {earlier}; delete one of the two"
+        problems.append(Problem(line, names[-1], message))
+    fail(path, problems)
+
+
+def _join(columns: Sequence[Column], parts: Sequence[Sequence[object]], rows: int) -> Table:
+    text: dict[str, tuple[str, ...]] = {}
+    number: dict[str, Array] = {}
+    index: dict[str, Index] = {}
+    for column, part in zip(columns, parts, strict=True):
+        if column.kind == "number":
+            number[column.name] = np.concatenate([np.asarray(p, float) for p in part])
+        elif column.kind in {"reference", "new_reference"}:
+            index[column.name] = np.concatenate([np.asarray(p, np.int32) for p in part])
+        else:
+            text[column.name] = tuple(cell for p in part if isinstance(p, tuple) for cell in p)
+    return Table(rows=rows, text=text, number=number, index=index)
+
+
+def write_table(path: Path, columns: Mapping[str, Sequence[str] | Array]) -> None:
+    """Write a CSV file: text as it is, numbers shortest so that they read back equal, NaN as an empty cell."""
+    cells = [_number_cells(c) if isinstance(c, np.ndarray) else _text_cells(c) for c in columns.values()]
+    with path.open("w", encoding="utf-8", newline="\n") as file:
+        file.write(",".join(columns) + "\n")
+        file.writelines(f"{row}\n" for row in map(",".join, zip(*cells, strict=True)))
+
+
+def _number_cells(values: Array) -> list[str]:
+    if len(values) == 0:
+        return []
+    text = msgspec.json.encode(np.asarray(values, float).tolist()).decode()[1:-1]
+    cells = text.replace("null", "").split(",")
+    return [c.removesuffix(".0") for c in cells]
+
+
+def _text_cells(values: Sequence[str]) -> list[str]:
+    joined = "".join(values)
+    if not any(special in joined for special in ',"\r\n'):
+        return list(values)
+    return [f'"{v.replace(chr(34), chr(34) * 2)}"' if any(s in v for s in ',"\r\n') else v for v in values]
