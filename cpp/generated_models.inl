@@ -77,11 +77,13 @@ struct aicon {
       out[0][l] = C1*t10 + C2*t11 - P1*t7 - Y*t18 + t10*t15 + t10 + x - x0;
       out[1][l] = -P2*t19 + Y*c*t15*t8 + Y*c*t8 - t20*t21 + y - y0;
       out[2][l] = 1;
+      out[3][l] = 0;
       out[4][l] = C1*t9 + t10*t25 - t17*t26 - 6*t20 + t27;
       out[5][l] = C2*t9 + t10*t28 - t18 - t29;
       out[6][l] = -C1*t36 - C2*t37 - P1*(-t31*t34 - t33) + 4*P2*X*Y*t2*t30 + X*c*t40*t8 - t15*t36 - t36;
       out[7][l] = C1*t41 + C2*t44 - P1*(t34*t35 + t43) - P2*Y*t48 + t10*t47 + t15*t41 + t41;
       out[8][l] = -1;
+      out[9][l] = 0;
       out[10][l] = t10*t13;
       out[11][l] = t10*t14;
       out[12][l] = -t7;
@@ -89,16 +91,20 @@ struct aicon {
       out[14][l] = t10;
       out[15][l] = t11;
       out[16][l] = t10*t50;
+      out[17][l] = 0;
       out[18][l] = 1;
       out[19][l] = Y*c*t25*t8 - t18 - t29;
       out[20][l] = -6*P2*t26 + t11*t28 - 2*t20 + t27;
       out[21][l] = 4*P1*X*Y*t2*t30 - P2*(-t31*t51 - t38) + Y*c*t40*t8 - t15*t37 - t37;
       out[22][l] = -P1*Y*t48 - P2*(t35*t51 + t45) + t11*t47 + t15*t44 + t44;
+      out[23][l] = 0;
       out[24][l] = -1;
       out[25][l] = t11*t13;
       out[26][l] = t11*t14;
       out[27][l] = t49;
       out[28][l] = -t19;
+      out[29][l] = 0;
+      out[30][l] = 0;
       out[31][l] = t11*t50;
     }
   }
@@ -218,6 +224,7 @@ struct brown {
       out[2][l] = P1*t19 + t10*t2 + t20*t21 + t23;
       out[3][l] = P1*t14 + S + t14*t25 + t21*t26 + t24;
       out[4][l] = t7;
+      out[5][l] = 0;
       out[6][l] = -X*t27;
       out[7][l] = X*t6;
       out[8][l] = -P1*t19 + t0*t10*t28 + t0*t29*t4 - t23;
@@ -231,6 +238,7 @@ struct brown {
       out[16][l] = t3;
       out[17][l] = P2*t1 + t1*t35 + t20*t36 + t34;
       out[18][l] = P2*t37 + t10*t15 + t26*t36 + t38;
+      out[19][l] = 0;
       out[20][l] = t7;
       out[21][l] = -Y*t27;
       out[22][l] = Y*t6;
@@ -241,6 +249,8 @@ struct brown {
       out[27][l] = t3*t33;
       out[28][l] = t18;
       out[29][l] = t16;
+      out[30][l] = 0;
+      out[31][l] = 0;
     }
   }
   static RB_INLINE void by_image(const double (*in)[V], double (*out)[V]) {
@@ -499,10 +509,14 @@ struct panorama {
       out[0][l] = -c*t10;
       out[1][l] = K1*t12 - Y*t13 + t11;
       out[2][l] = -t13*(Z*t0*t2 - t0*t14) - t15*t17;
+      out[3][l] = 0;
       out[4][l] = -t13*t2 + t17*t4;
+      out[5][l] = 0;
       out[6][l] = -t13*t4 - t17*t2;
       out[7][l] = -t10 - t13*(t14*t18 - t18*t3) - t17*t19;
+      out[8][l] = 0;
       out[9][l] = -t17;
+      out[10][l] = 0;
       out[11][l] = -t15*t20;
       out[12][l] = t21;
       out[13][l] = t20*t4;
@@ -598,12 +612,14 @@ struct radial {
       out[0][l] = X*t9 + x;
       out[1][l] = Y*t9 + y;
       out[2][l] = 1;
+      out[3][l] = 0;
       out[4][l] = t13*t15 + t9;
       out[5][l] = t15*t17;
       out[6][l] = -t10*t21 + t15*t20;
       out[7][l] = X*t8;
       out[8][l] = t15*t4;
       out[9][l] = t15*t22;
+      out[10][l] = 0;
       out[11][l] = 1;
       out[12][l] = t13*t23;
       out[13][l] = t17*t23 + t9;

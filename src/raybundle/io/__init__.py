@@ -1,0 +1,1 @@
+"""Reading and writing: block folders and their tables."""

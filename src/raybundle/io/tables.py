@@ -10,6 +10,7 @@ import csv
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import chain
 from pathlib import Path
 from typing import Literal, NoReturn
 
@@ -90,19 +91,19 @@ def shown(text: str) -> str:
     return repr(text if len(text) <= 40 else text[:40] + "...")
 
 
-def read_table(path: Path, columns: Sequence[Column], *, unique: tuple[str, ...] = ()) -> Table:
+def read_table(path: Path, columns: Sequence[Column], *, unique: tuple[str, ...] = (), least_rows: int = 1) -> Table:
     """The table in a CSV file.
 
     unique  two reference columns whose pairs of values must differ from row to row
     raises  InputError with file, line, column, the offending text and what to do
     """
     pieces = _pieces(path)
-    header_line, text = _header_and_rest(path, pieces)
+    header_line, rest = _header_and_rest(path, pieces)
     present = _check_header(path, header_line, columns)
     parts: list[list[object]] = [[] for _ in present]
     seen: list[dict[str, int]] = [{} for _ in present]
     rows = 0
-    for piece in _with_first(text, pieces):
+    for piece in chain(rest, pieces):
         first_line = rows + 2
         cells = _cells(path, piece, len(present), first_line)
         problems: list[Problem] = []
@@ -114,7 +115,7 @@ def read_table(path: Path, columns: Sequence[Column], *, unique: tuple[str, ...]
             last = {c.name: part[-1] for c, part in zip(present, parts, strict=True)}
             _check_pairs(path, [last[name] for name in unique], unique, rows)
         rows += len(cells[0])
-    if rows == 0:
+    if rows < least_rows:
         raise InputError(
             "the table has a header but no rows; fill it, or delete the file if the block has none of these",
             file=path,
@@ -153,7 +154,7 @@ def _pieces(path: Path) -> Iterator[str]:
 
 def _decoded(path: Path, data: bytes, line: int) -> str:
     try:
-        return data.decode("utf-8").removesuffix("\n")
+        return data.decode("utf-8").replace("\r\n", "\n").removesuffix("\n")
     except UnicodeDecodeError as error:
         line += data.count(b"\n", 0, error.start)
         raise InputError(
@@ -161,7 +162,8 @@ def _decoded(path: Path, data: bytes, line: int) -> str:
         ) from None
 
 
-def _header_and_rest(path: Path, pieces: Iterator[str]) -> tuple[str, str]:
+def _header_and_rest(path: Path, pieces: Iterator[str]) -> tuple[str, tuple[str, ...]]:
+    """The header line, and the rest of its piece if there is any."""
     first = next(pieces, None)
     if first is None:
         raise InputError(
@@ -169,14 +171,8 @@ def _header_and_rest(path: Path, pieces: Iterator[str]) -> tuple[str, str]:
             file=path,
             line=1,
         )
-    header, _, rest = first.partition("\n")
-    return header.removesuffix("\r"), rest
-
-
-def _with_first(first: str, others: Iterator[str]) -> Iterator[str]:
-    if first:
-        yield first
-    yield from others
+    header, end, rest = first.partition("\n")
+    return header, (rest,) if end else ()
 
 
 def _check_header(path: Path, line: str, columns: Sequence[Column]) -> list[Column]:
@@ -257,13 +253,13 @@ def _convert(
             return values
         problems.extend(_bad_numbers(column, cells, first_line))
         return np.zeros(0)
-    if not "".join(cells).isprintable():
-        problems.extend(_bad_text(column, cells, first_line))
-        return ()
     if column.kind == "text":
         if not column.empty and "" in cells:
             problems.append(Problem(first_line + cells.index(""), column.name, "the cell is empty; fill it"))
         return tuple(cells)
+    if not "".join(cells).isprintable():
+        problems.extend(_bad_text(column, cells, first_line))
+        return np.zeros(0, np.int32)
     if column.kind == "id":
         return _new_ids(column, cells, first_line, seen, problems)
     return _references(column, cells, first_line, problems)
@@ -326,7 +322,9 @@ def _why_not_a_number(column: Column, cell: str) -> str:
 def _bad_text(column: Column, cells: Iterable[str], first_line: int) -> Iterator[Problem]:
     bad = [(k, cell) for k, cell in enumerate(cells) if not cell.isprintable()]
     for k, cell in bad[: SHOWN + 1]:
-        yield Problem(first_line + k, column.name, f"{shown(cell)} holds characters that cannot be printed; delete them")
+        yield Problem(
+            first_line + k, column.name, f"{shown(cell)} holds characters that cannot be printed; delete them"
+        )
 
 
 def _new_ids(
@@ -341,7 +339,9 @@ def _new_ids(
     for k, cell in enumerate(cells):
         line = first_line + k
         if not cell or cell != cell.strip():
-            problems.append(Problem(line, column.name, f"{shown(cell)} is no id: it is empty or has blanks at its ends"))
+            problems.append(
+                Problem(line, column.name, f"{shown(cell)} is no id: it is empty or has blanks at its ends")
+            )
         elif cell in seen:
             problems.append(Problem(line, column.name, f"id {shown(cell)} stands already in line {seen[cell] + 2}"))
         else:
@@ -399,9 +399,9 @@ def _join(columns: Sequence[Column], parts: Sequence[Sequence[object]], rows: in
     index: dict[str, Index] = {}
     for column, part in zip(columns, parts, strict=True):
         if column.kind == "number":
-            number[column.name] = np.concatenate([np.asarray(p, float) for p in part])
+            number[column.name] = np.concatenate([np.zeros(0), *(np.asarray(p, float) for p in part)])
         elif column.kind in {"reference", "new_reference"}:
-            index[column.name] = np.concatenate([np.asarray(p, np.int32) for p in part])
+            index[column.name] = np.concatenate([np.zeros(0, np.int32), *(np.asarray(p, np.int32) for p in part)])
         else:
             text[column.name] = tuple(cell for p in part if isinstance(p, tuple) for cell in p)
     return Table(rows=rows, text=text, number=number, index=index)

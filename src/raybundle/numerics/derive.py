@@ -128,7 +128,7 @@ def cxx_source(name: str, derived: Derived) -> str:
     """C++ text of `struct <name>`: all partial derivatives for a chunk of V observations, in lanes."""
     show = _Cxx({"user_functions": {"AngleRatio": "angle_ratio", "AngleRatioSlope": "angle_ratio_slope"}}).doprint
     k = len(derived.names)
-    outputs = [(i, e) for i, e in enumerate(derived.outputs) if e != 0]
+    outputs = list(enumerate(derived.outputs))
     full = _lanes(derived, show, derived.shared, outputs)
     image = [0, 1, 2, 3, 2 + k, 3 + k]  # g1, g2, dg1/dx, dg1/dy, dg2/dx, dg2/dy
     short = [(to, derived.outputs[i]) for to, i in enumerate(image)]

@@ -2,13 +2,60 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+import json
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal, cast
 
-from raybundle.block import Block
-from raybundle.io.tables import Table
+import numpy as np
+
+from raybundle.adjustment.result import Adjustment, InteriorResult, ObservationGroup
+from raybundle.block import Block, Camera, Role
+from raybundle.errors import InputError
+from raybundle.io.block_folder import (
+    ANGLES,
+    FILES,
+    SIGMA_XYZ,
+    XYZ,
+    angles_deg,
+    columns_of,
+    named,
+    point_columns,
+    read_block,
+    write_block_files,
+)
+from raybundle.io.folders import new_folder
+from raybundle.io.tables import Column, Table, read_table, write_table
+from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.progress import Progress, silent
+
+Columns = dict[str, Sequence[str] | Array]
+
+SIGMA_ANGLES = ("somega_deg", "sphi_deg", "skappa_deg")
+IMAGES = (*XYZ, *ANGLES, *SIGMA_XYZ, *SIGMA_ANGLES)
+POINTS = (*XYZ, *SIGMA_XYZ, "rays")
+OBSERVATIONS = (
+    *("x_px", "y_px", "sx_px", "sy_px", "vx_px", "vy_px", "rx", "ry"),
+    *("wx", "wy", "tx", "ty", "mdbx_px", "mdby_px"),
+)
+TESTS = ("vX", "vY", "vZ", "rX", "rY", "rZ", "wX", "wY", "wZ")
+CONTROL = (*XYZ, *SIGMA_XYZ, *TESTS)
+CHECK = (*XYZ, "dX", "dY", "dZ", *SIGMA_XYZ)
+DISTANCES = ("length", "sigma", "adjusted", "v", "r", "w")
+STATIONS = (*XYZ, *SIGMA_XYZ, "X_adjusted", "Y_adjusted", "Z_adjusted", *TESTS)
+TABLES: Mapping[str, tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]] = {
+    "images": (("image", "camera", "file"), IMAGES, ()),
+    "points": (("point", "role"), POINTS, ()),
+    "observations": (("image", "point"), OBSERVATIONS, ("rejected",)),
+    "control": (("point",), CONTROL, ()),
+    "check": (("point",), CHECK, ()),
+    "distances": (("from", "to"), DISTANCES, ()),
+    "stations": (("image",), STATIONS, ()),
+}
+"""Table -> text columns, numbers, text columns at the end."""
+ENTRIES = {"block", "result.json", "report.html", *(f"{name}.csv" for name in TABLES)}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -30,3 +77,330 @@ class ResultFolder:
     check: Table
     distances: Table
     stations: Table
+
+
+def check_target(path: str | Path) -> None:
+    """Raise InputError where a result must not be written: over anything but a result folder."""
+    folder = Path(path)
+    if not folder.exists():
+        return
+    if not folder.is_dir():
+        raise InputError("stands there already and is no folder; choose another name for the result", file=folder)
+    present = {entry.name for entry in folder.iterdir()}
+    if not present:
+        return
+    if "result.json" not in present or not _is_ours(folder / "result.json"):
+        raise InputError("is not a result folder and is not overwritten; choose another name", file=folder)
+    inner = {entry.name for entry in (folder / "block").iterdir()} if (folder / "block").is_dir() else set[str]()
+    foreign = sorted(present - ENTRIES) + sorted(f"block/{name}" for name in inner - set(FILES))
+    if foreign:
+        raise InputError(
+            f"holds files that no adjustment wrote ({', '.join(foreign[:3])}); move them, or choose another name",
+            file=folder,
+        )
+
+
+def _is_ours(path: Path) -> bool:
+    try:
+        content = json.loads(path.read_bytes())
+    except (OSError, ValueError):
+        return False
+    return isinstance(content, dict) and {"sigma0", "redundancy", "cameras"} <= cast("dict[str, Any]", content).keys()
+
+
+def write_result(
+    adjustment: Adjustment,
+    path: str | Path,
+    *,
+    report: Literal["html", "none"] = "html",
+    progress: Progress = silent,
+) -> None:
+    """Write a result folder, whole or not at all; an older result there is replaced when the new one is complete.
+
+    raises  InputError where something else stands at `path`
+    """
+    check_target(path)
+    with new_folder(Path(path)) as folder:
+        progress("writing tables", 0.0)
+        (folder / "block").mkdir()
+        write_block_files(_block_again(adjustment), folder / "block")
+        progress("writing tables", 0.2)
+        for name, columns in result_tables(adjustment).items():
+            write_table(folder / f"{name}.csv", columns)
+        text = json.dumps(_clean(result_json(adjustment)), indent=1, ensure_ascii=False, allow_nan=False)
+        (folder / "result.json").write_text(text + "\n", encoding="utf-8")
+        progress("writing tables", 1.0)
+        if report == "html":
+            from raybundle.report.document import write_report  # noqa: PLC0415  (Jinja2 only where it is used)
+
+            write_report(adjustment, folder / "report.html", progress)
+
+
+def _block_again(adjustment: Adjustment) -> Block:
+    """The given block with adjusted values as approximations; what was observed or held stays as it was given."""
+    given, adjusted = adjustment.given, adjustment.adjusted
+    stays = given.points.is_control | _given_check(given)
+    xyz = np.where(stays, given.points.xyz, adjusted.points.xyz)
+    cameras: list[Camera] = []
+    for before, after in zip(given.cameras, adjusted.cameras, strict=True):
+        observed = {s: before.values[s] for s in before.sigma if s in before.values}
+        cameras.append(replace(before, values={**after.values, **observed}))
+    return replace(
+        given,
+        cameras=tuple(cameras),
+        images=replace(adjusted.images, held=given.images.held),
+        points=replace(given.points, xyz=xyz),
+    )
+
+
+def _given_check(block: Block) -> Mask:
+    return (np.asarray(block.points.role) == Role.CHECK)[:, None] & np.isfinite(block.points.xyz)
+
+
+def result_json(adjustment: Adjustment) -> dict[str, Any]:
+    """The contents of result.json; NaN stands for a number that there is not."""
+    a = adjustment
+    lower, statistic, upper = a.global_test
+    return {
+        "name": a.given.name,
+        "raybundle": _version(),
+        "length_unit": a.given.length_unit,
+        "sigma0": a.sigma0,
+        "sigma0_apriori": a.given.sigma0_apriori,
+        "weighted_square_sum": a.weighted_square_sum,
+        "redundancy": a.redundancy,
+        "observations": a.observations,
+        "unknowns": a.unknowns,
+        "constraints": a.constraints,
+        "datum": a.datum,
+        "datum_defect": list(a.datum_defect),
+        "converged": a.converged,
+        "iterations": a.iterations,
+        "seconds": a.seconds,
+        "global_test": {"lower": lower, "statistic": statistic, "upper": upper},
+        "images_count": len(a.given.images),
+        "points_count": len(a.given.points),
+        "image_points": len(a.given.observations),
+        "rejected": sum(1 for r in a.image_observations.rejected if r),
+        "relative_precision": math.nan if a.network is None else a.network.relative_precision,
+        "critical_w": a.critical_w,
+        "critical_tau": a.critical_tau,
+        "not_determinable": list(a.not_determinable),
+        "not_significant": list(a.not_significant),
+        "cameras": {_key(i): _parameters(i) for i in a.interior},
+        "correlations": {_key(i): _correlations(i) for i in a.interior if len(i.free)},
+        "variance_components": [asdict(v) for v in a.variance_components],
+        "options": asdict(a.options),
+        "warnings": [{"code": n.code, "message": n.message, "ids": list(n.ids)} for n in a.notices],
+    }
+
+
+def _version() -> str:
+    from importlib.metadata import PackageNotFoundError, version  # noqa: PLC0415
+
+    try:
+        return version("raybundle")
+    except PackageNotFoundError:
+        return "source tree"
+
+
+def _key(interior: InteriorResult) -> str:
+    return interior.camera if interior.image is None else f"{interior.camera}/{interior.image}"
+
+
+def _parameters(interior: InteriorResult) -> dict[str, dict[str, Any]]:
+    return {
+        symbol: {
+            "value": p.value,
+            "std": p.std,
+            "t": p.t,
+            "unit": p.unit,
+            "status": p.status,
+            "determinability": p.determinability,
+            "effect_px": p.effect_px,
+        }
+        for symbol, p in interior.parameters.items()
+    }
+
+
+def _correlations(interior: InteriorResult) -> dict[str, dict[str, float]]:
+    table = np.asarray(interior.correlations).tolist()
+    return {s: dict(zip(interior.free, row, strict=True)) for s, row in zip(interior.free, table, strict=True)}
+
+
+def _clean(value: Any) -> Any:
+    """The value with plain numbers, and None in place of NaN and infinity."""
+    if isinstance(value, dict):
+        return {str(k): _clean(v) for k, v in cast("dict[Any, Any]", value).items()}
+    if isinstance(value, list | tuple):
+        return [_clean(v) for v in cast("Sequence[Any]", value)]
+    if isinstance(value, np.generic):
+        return _clean(value.item())
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    return value
+
+
+def result_tables(adjustment: Adjustment) -> dict[str, Columns]:
+    """The columns of every table of a result folder, in the order of the files."""
+    tables = {
+        "images": _images(adjustment),
+        "points": _points(adjustment),
+        "observations": _observations(adjustment),
+        "control": _control(adjustment),
+        "check": _check(adjustment),
+        "distances": _distances(adjustment),
+        "stations": _stations(adjustment),
+    }
+    for name, (first, numbers, last) in TABLES.items():
+        assert tuple(tables[name]) == (*first, *numbers, *last), name
+    return tables
+
+
+def _images(a: Adjustment) -> Columns:
+    images = a.adjusted.images
+    std = np.full((len(images), 6), np.nan) if a.precision is None else a.precision.image_std
+    return {
+        "image": images.ids,
+        "camera": [a.given.cameras[c].id for c in images.camera],
+        "file": images.file,
+        **columns_of(XYZ, images.centre),
+        **columns_of(ANGLES, angles_deg(images)),
+        **columns_of(SIGMA_XYZ, std[:, :3]),
+        **columns_of(SIGMA_ANGLES, np.degrees(std[:, 3:])),
+    }
+
+
+def _point_std(a: Adjustment) -> Array:
+    return np.full((len(a.given.points), 3), np.nan) if a.precision is None else a.precision.object_point_std
+
+
+def _points(a: Adjustment) -> Columns:
+    points = a.adjusted.points
+    used = a.image_observations.used
+    rays = np.bincount(a.given.observations.point[used], minlength=len(points)).astype(float)
+    return {
+        **point_columns(points),
+        **columns_of(XYZ, points.xyz),
+        **columns_of(SIGMA_XYZ, _point_std(a)),
+        "rays": rays,
+    }
+
+
+def _observations(a: Adjustment) -> Columns:
+    o, s = a.given.observations, a.image_observations
+    return {
+        "image": named(a.given.images.ids, o.image),
+        "point": named(a.given.points.ids, o.point),
+        **columns_of(("x_px", "y_px"), o.xy_px),
+        **columns_of(("sx_px", "sy_px"), np.sqrt(o.cov_px2[:, :2])),
+        **columns_of(("vx_px", "vy_px"), s.residuals_px),
+        **columns_of(("rx", "ry"), s.redundancy),
+        **columns_of(("wx", "wy"), s.w),
+        **columns_of(("tx", "ty"), s.t),
+        **columns_of(("mdbx_px", "mdby_px"), s.mdb_px),
+        "rejected": s.rejected,
+    }
+
+
+class _Tests:
+    """Residual, redundancy number and w of the observations of one kind, by id and component."""
+
+    def __init__(self, groups: Sequence[ObservationGroup], kind: str) -> None:
+        self.rows: dict[tuple[str, str], list[tuple[float, float, float]]] = {}
+        for g in groups:
+            if g.kind == kind:
+                for k, key in enumerate(zip(g.ids, g.component, strict=True)):
+                    values = (float(g.residual[k]), float(g.redundancy[k]), float(g.w[k]))
+                    self.rows.setdefault(key, []).append(values)
+
+    def of(self, id_: str, component: str) -> tuple[float, float, float]:
+        """The next row of this id and component; NaN where there is none."""
+        found = self.rows.get((id_, component))
+        return found.pop(0) if found else (math.nan, math.nan, math.nan)
+
+    def by_axis(self, ids: Sequence[str]) -> dict[str, Array]:
+        """Columns vX ... wZ."""
+        values = np.array([[self.of(i, axis) for axis in XYZ] for i in ids], float).reshape(-1, 3, 3)
+        return columns_of(TESTS, values.transpose(0, 2, 1).reshape(-1, 9))
+
+
+def _control(a: Adjustment) -> Columns:
+    rows = np.flatnonzero(np.asarray(a.given.points.role) == Role.CONTROL).astype(np.int32)
+    ids = named(a.given.points.ids, rows)
+    return {
+        "point": ids,
+        **columns_of(XYZ, a.given.points.xyz[rows]),
+        **columns_of(SIGMA_XYZ, a.given.points.sigma[rows]),
+        **_Tests(a.groups, "control").by_axis(ids),
+    }
+
+
+def _check(a: Adjustment) -> Columns:
+    rows = np.flatnonzero(np.asarray(a.given.points.role) == Role.CHECK).astype(np.int32)
+    given, sigma = a.given.points.xyz[rows], np.nan_to_num(a.given.points.sigma[rows])
+    difference = a.adjusted.points.xyz[rows] - given
+    std = np.where(np.isfinite(difference), np.hypot(_point_std(a)[rows], sigma), np.nan)
+    return {
+        "point": named(a.given.points.ids, rows),
+        **columns_of(XYZ, given),
+        **columns_of(("dX", "dY", "dZ"), difference),
+        **columns_of(SIGMA_XYZ, std),
+    }
+
+
+def _distances(a: Adjustment) -> Columns:
+    d, ids, xyz = a.given.distances, a.given.points.ids, a.adjusted.points.xyz
+    start, end = named(ids, d.start), named(ids, d.end)
+    tests = _Tests(a.groups, "distance")
+    rows = [tests.of(f"{s}-{e}", "length") for s, e in zip(start, end, strict=True)]
+    return {
+        "from": start,
+        "to": end,
+        "length": d.length,
+        "sigma": d.sigma,
+        "adjusted": np.linalg.norm(xyz[d.start] - xyz[d.end], axis=1),
+        **columns_of(("v", "r", "w"), np.array(rows, float).reshape(-1, 3)),
+    }
+
+
+def _stations(a: Adjustment) -> Columns:
+    s = a.given.stations
+    ids = named(a.given.images.ids, s.image)
+    return {
+        "image": ids,
+        **columns_of(XYZ, s.xyz),
+        **columns_of(SIGMA_XYZ, s.sigma),
+        **columns_of(("X_adjusted", "Y_adjusted", "Z_adjusted"), a.adjusted.images.centre[s.image]),
+        **_Tests(a.groups, "station").by_axis(ids),
+    }
+
+
+def read_result(path: str | Path) -> ResultFolder:
+    """A result folder's tables and result.json; raises InputError where it is not one."""
+    folder = Path(path)
+    if not (folder / "result.json").is_file():
+        raise InputError("is not a result folder, it holds no result.json; give what --out named", file=folder)
+    if not _is_ours(folder / "result.json"):
+        raise InputError("is not the result.json of an adjustment; adjust again", file=folder / "result.json")
+    result = cast("dict[str, Any]", json.loads((folder / "result.json").read_bytes()))
+    tables: dict[str, Table] = {}
+    for name, (first, numbers, last) in TABLES.items():
+        columns = (
+            *(Column(name=n, kind="text", empty=True) for n in first),
+            *(Column(name=n, kind="number", empty=True) for n in numbers),
+            *(Column(name=n, kind="text", empty=True) for n in last),
+        )
+        tables[name] = read_table(folder / f"{name}.csv", columns, least_rows=0)
+    return ResultFolder(
+        path=folder,
+        result=result,
+        block=read_block(folder / "block"),
+        images=tables["images"],
+        points=tables["points"],
+        observations=tables["observations"],
+        control=tables["control"],
+        check=tables["check"],
+        distances=tables["distances"],
+        stations=tables["stations"],
+    )

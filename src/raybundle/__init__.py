@@ -1,0 +1,92 @@
+"""Survey-grade photogrammetry: from measured image points to coordinates with true standard deviations.
+
+    import raybundle as rb
+
+    block = rb.read_block("camcal21")
+    result = rb.adjust(block, rb.AdjustmentOptions(datum="inner"))
+    rb.write_result(result, "camcal21-result")
+
+Names are loaded when they are first used: `import raybundle` alone loads neither NumPy nor SciPy.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from raybundle.adjustment.options import AdjustmentOptions
+    from raybundle.adjustment.result import Adjustment
+    from raybundle.block import Block, Camera, Distances, Images, Observations, Points, Role, Stations
+    from raybundle.errors import InputError, NotSolvable, RaybundleError
+    from raybundle.io.block_folder import read_block, write_block
+    from raybundle.report.compare import write_comparison
+    from raybundle.report.document import write_report
+    from raybundle.report.result_folder import read_result, write_result
+    from raybundle.workflows.adjust import adjust
+
+    __version__: str
+
+_HOME = {
+    "Adjustment": "adjustment.result",
+    "AdjustmentOptions": "adjustment.options",
+    "Block": "block",
+    "Camera": "block",
+    "Distances": "block",
+    "Images": "block",
+    "InputError": "errors",
+    "NotSolvable": "errors",
+    "Observations": "block",
+    "Points": "block",
+    "RaybundleError": "errors",
+    "Role": "block",
+    "Stations": "block",
+    "adjust": "workflows.adjust",
+    "read_block": "io.block_folder",
+    "read_result": "report.result_folder",
+    "write_block": "io.block_folder",
+    "write_comparison": "report.compare",
+    "write_report": "report.document",
+    "write_result": "report.result_folder",
+}
+
+__all__ = [
+    "Adjustment",
+    "AdjustmentOptions",
+    "Block",
+    "Camera",
+    "Distances",
+    "Images",
+    "InputError",
+    "NotSolvable",
+    "Observations",
+    "Points",
+    "RaybundleError",
+    "Role",
+    "Stations",
+    "__version__",
+    "adjust",
+    "read_block",
+    "read_result",
+    "write_block",
+    "write_comparison",
+    "write_report",
+    "write_result",
+]
+
+
+def __getattr__(name: str) -> Any:
+    """The public name, from the module where it lives."""
+    if name == "__version__":
+        from importlib.metadata import version  # noqa: PLC0415
+
+        value: Any = version("raybundle")
+    elif name in _HOME:
+        value = getattr(import_module(f"raybundle.{_HOME[name]}"), name)
+    else:
+        raise AttributeError(f"module 'raybundle' has no attribute {name!r}")
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    """The public names."""
+    return sorted(__all__)

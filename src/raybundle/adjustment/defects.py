@@ -1,0 +1,211 @@
+"""What the observations do not determine, found before any sigma is printed and told in words."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from raybundle.adjustment.assemble import State, System
+from raybundle.adjustment.normals import Normals
+from raybundle.block import Block, Role
+from raybundle.errors import DatumDefect, InputError, RankDefect
+from raybundle.numerics.arrays import Array, Mask
+
+PIVOT = 1e-12
+"""Pivot of the scaled reduced normal matrix below which an unknown counts as undetermined."""
+SHOWN = 10
+SUGGESTIONS = {
+    "scale": "hold c (leave it out of `estimate`), or add images that converge or see points at different depths",
+    "principal point": "hold it, or add images rolled by 90 degrees",
+    "radial": "hold it, or measure points up to the corners of the format",
+    "decentring": "hold it, or add images rolled by 90 degrees",
+    "affinity": "hold it, or add images rolled by 90 degrees",
+    "other": "hold it",
+}
+
+
+def name_some(names: Sequence[str]) -> str:
+    """Up to ten names, and how many more there are."""
+    text = ", ".join(names[:SHOWN])
+    return text if len(names) <= SHOWN else f"{text} and {len(names) - SHOWN} more"
+
+
+def check_rays(block: Block, rejected: Mask) -> None:
+    """Raise InputError for tie and check points with fewer than two rays, and points nobody observed.
+
+    A point of which rays were rejected is left to the caller, who rejects the rest.
+    """
+    given = np.bincount(block.observations.point, minlength=len(block.points))
+    del rejected
+    tie = block.points.role != Role.CONTROL
+    none = [block.points.ids[i] for i in np.flatnonzero(tie & (given == 0))]
+    one = [block.points.ids[i] for i in np.flatnonzero(tie & (given == 1))]
+    parts: list[str] = []
+    if none:
+        parts.append(f"no observation of point{'s' * (len(none) > 1)} {name_some(none)}")
+    if one:
+        parts.append(f"a single ray to point{'s' * (len(one) > 1)} {name_some(one)}")
+    if parts:
+        raise InputError(
+            f"{' and '.join(parts)}; a tie point needs at least two rays. "
+            "Remove the points from points.csv and observations.csv, or observe them in more images."
+        )
+
+
+def check_images(block: Block, rejected: Mask, free: dict[str, tuple[str, ...]]) -> None:
+    """Raise RankDefect for images with fewer image points than their own unknowns need."""
+    counts = np.bincount(block.observations.image[~rejected], minlength=len(block.images))
+    held = block.images.held if block.images.held is not None else np.zeros(len(block.images), bool)
+    bad: list[str] = []
+    for i, image_id in enumerate(block.images.ids):
+        camera = block.cameras[block.images.camera[i]]
+        own = 0 if held[i] else 6
+        if camera.interior == "per_image":
+            own += len(free.get(camera.id, ()))
+        if counts[i] and 2 * counts[i] < own:
+            bad.append(f"{image_id} ({counts[i]} image points for {own} unknowns)")
+    if bad:
+        raise RankDefect(
+            f"too few image points in image{'s' * (len(bad) > 1)} {name_some(bad)}; an exterior orientation needs "
+            "at least three. Measure more points there, or leave the images out."
+        )
+
+
+def components(block: Block, rejected: Mask) -> list[Array]:
+    """Connected parts of the network (arrays of image positions): images joined by common object points."""
+    from scipy.sparse import coo_matrix  # noqa: PLC0415
+    from scipy.sparse.csgraph import connected_components  # noqa: PLC0415
+
+    rows = ~rejected
+    n, p = len(block.images), len(block.points)
+    image, point = block.observations.image[rows], block.observations.point[rows]
+    known = block.points.is_control.all(axis=1) & (np.nan_to_num(block.points.sigma, nan=1.0) == 0).all(axis=1)
+    joins = ~known[point]
+    graph = coo_matrix((np.ones(joins.sum(), np.int8), (image[joins], n + point[joins])), shape=(n + p, n + p))
+    if len(block.distances):
+        a, b = n + block.distances.start, n + block.distances.end
+        graph = graph + coo_matrix((np.ones(len(a), np.int8), (a, b)), shape=graph.shape)
+    _, label = connected_components(graph, directed=False)
+    used = np.unique(image)
+    return [used[label[used] == k] for k in np.unique(label[used])]
+
+
+def check_components(block: Block, rejected: Mask, defect_of: object) -> int:
+    """Raise DatumDefect if one of several unconnected parts has an open datum; returns their number.
+
+    defect_of  function of a mask of image observations: names of the open datum parameters of that part
+    """
+    parts = components(block, rejected)
+    if len(parts) < 2:  # noqa: PLR2004
+        return len(parts)
+    lines: list[str] = []
+    for part in parts:
+        inside = np.zeros(len(block.images), bool)
+        inside[part] = True
+        names = defect_of(~rejected & inside[block.observations.image])  # type: ignore[operator]
+        if names:
+            images = name_some([block.images.ids[i] for i in part])
+            lines.append(f"  images {images}: {', '.join(names)} open")
+    if lines:
+        raise DatumDefect(
+            f"the block falls into {len(parts)} parts without a common tie point, "
+            f"and not each of them has its own datum:\n" + "\n".join(lines) + "\n"
+            "  Measure points that join the parts, give each part control, or adjust them one by one."
+        )
+    return len(parts)
+
+
+def explain(normals: Normals, state: State, weak: Sequence[int], failed: int) -> RankDefect:
+    """The error that names the null space in words: which parameters, images and points it moves."""
+    system, block = normals.system, normals.system.block
+    lines: list[str] = []
+    if weak:
+        names = name_some([block.points.ids[p] for p in sorted(set(weak))])
+        lines.append(
+            f"  object points whose rays are parallel or coincide: {names}; observe them from another station"
+        )
+    else:
+        lines += _null_space(normals, state)
+    if not lines and failed >= 0:
+        lines.append(f"  {unknown_name(system, failed)}")
+    return RankDefect(
+        "the observations do not determine all unknowns; no standard deviation can be given.\n" + "\n".join(lines)
+    )
+
+
+def unknown_name(system: System, unknown: int) -> str:
+    """A scalar unknown of the nodes in words."""
+    block = system.block
+    node = int(np.searchsorted(system.offsets, unknown, side="right") - 1)
+    local = unknown - int(system.offsets[node])
+    images = np.flatnonzero(system.image_node == node)
+    if len(images):
+        image = int(images[0])
+        if system.exterior_free[image] and local < 6:  # noqa: PLR2004
+            part = ("X", "Y", "Z", "rotation x", "rotation y", "rotation z")[local]
+            return f"exterior orientation of image {block.images.ids[image]}: {part}"
+    for row in system.interior:
+        if row.node == node and row.start <= local < row.start + len(row.free):
+            return f"{row.model.symbols[row.free[local - row.start]]} of camera {row.key(block)}"
+    points = np.flatnonzero(system.point_node == node)
+    return f"point {block.points.ids[points[0]]}: {'XYZ'[local]}" if len(points) else f"unknown {unknown}"
+
+
+def null_vectors(normals: Normals, count: int = 6) -> tuple[Array, Array]:
+    """Smallest eigenvalues and vectors of the reduced normal matrix scaled to a unit diagonal.
+
+    Inverse subspace iteration with a tiny shift; vectors are per unit of the scaled unknowns.
+    """
+    solver = normals.solver
+    size = len(normals.right)
+    diagonal = np.maximum(normals.diagonal, 1e-300)
+    shift = 1e-11
+    for _ in range(6):
+        if not solver.factorise(normals.values, shift * diagonal):
+            break
+        shift *= 10
+    rng = np.random.default_rng(1)
+    count = min(count, size)
+    scale = np.sqrt(diagonal)
+    basis = np.linalg.qr(rng.standard_normal((size, count)))[0]
+    values = np.zeros(count)
+    for _ in range(6):
+        # (D^-1/2 S D^-1/2 + shift)^-1 basis
+        x = np.ascontiguousarray(basis * scale[:, None])
+        solver.solve(x, count)
+        x *= scale[:, None]
+        basis, r = np.linalg.qr(x)
+        values = 1 / np.maximum(np.abs(np.diagonal(r)), 1e-300) - shift
+    order = np.argsort(values)
+    return values[order], basis[:, order]
+
+
+def _null_space(normals: Normals, state: State) -> list[str]:
+    del state
+    system, block = normals.system, normals.system.block
+    values, vectors = null_vectors(normals)
+    null = vectors[:, values < 1e-9]
+    lines: list[str] = []
+    for vector in null.T[:4]:
+        share = vector**2
+        parts: list[tuple[float, str, str]] = []
+        for row in system.interior:
+            for k, position in enumerate(row.free):
+                if row.node >= 0:
+                    parameter = row.model.parameters[position]
+                    at = int(system.offsets[row.node]) + row.start + k
+                    parts.append(
+                        (share[at], f"{parameter.symbol} of camera {row.key(block)}", SUGGESTIONS[parameter.kind])
+                    )
+        for i in np.flatnonzero(system.image_node >= 0):
+            if system.exterior_free[i]:
+                at = int(system.offsets[system.image_node[i]])
+                name = block.images.ids[i]
+                parts.append((float(share[at : at + 6].sum()), f"exterior orientation of image {name}", ""))
+        parts.sort(key=lambda part: -part[0])
+        shown = [p for p in parts if p[0] > 0.02][:6] or parts[:3]  # noqa: PLR2004
+        advice = next((p[2] for p in parts if p[2] and p[0] > 1e-4), "")  # noqa: PLR2004
+        line = "  undetermined together: " + ", ".join(f"{name} ({100 * s:.0f} %)" for s, name, _ in shown)
+        lines.append(line + (f"; {advice}" if advice else "; add points or control there, or leave the images out"))
+    return lines

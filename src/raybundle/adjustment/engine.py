@@ -1,0 +1,281 @@
+"""Adjust a block with approximate values: estimate, datum, statistics.
+
+What is free and what is rejected is decided by the caller (`decide`); here it is carried out.
+"""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from raybundle.adjustment import defects
+from raybundle.adjustment.assemble import State, System, assemble
+from raybundle.adjustment.datum import Datum, analyse, fit_to_given, hold_minimal, open_names
+from raybundle.adjustment.interior import interior_results
+from raybundle.adjustment.network import network_figures
+from raybundle.adjustment.normals import Normals
+from raybundle.adjustment.notices import notices_of
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.precision import Cofactors, cofactors, precision
+from raybundle.adjustment.reliability import (
+    image_statistics,
+    observation_groups,
+    redundancy_sum,
+    variance_components,
+)
+from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.adjustment.solve import HUBER, Solution, solve
+from raybundle.block import Block, Camera
+from raybundle.errors import NoConvergence
+from raybundle.numerics.arrays import Mask
+from raybundle.numerics.progress import Progress, silent
+from raybundle.numerics.statistics import family_wise_normal, family_wise_tau, global_test
+from raybundle.sensors import sensor_models
+
+
+@dataclass(slots=True)
+class Work:
+    """An adjusted system with its factor, for statistics and decisions."""
+
+    system: System
+    normals: Normals
+    datum: Datum
+    solution: Solution
+    found: Cofactors | None
+    parts: int
+
+
+def free_parameters(camera: Camera) -> tuple[str, ...]:
+    """The parameters that an `estimate` frees; "auto" starts with all but affinity and shear."""
+    model = sensor_models[camera.model]
+    if camera.estimate == "auto":
+        return tuple(p.symbol for p in model.parameters if p.kind not in {"affinity", "other"})
+    return tuple(camera.estimate)
+
+
+def adjust_block(
+    block: Block,
+    options: AdjustmentOptions | None = None,
+    progress: Progress = silent,
+    *,
+    free: dict[str, tuple[str, ...]] | None = None,
+    rejected: tuple[str, ...] | None = None,
+    notices: tuple[Notice, ...] = (),
+) -> Adjustment:
+    """Adjust a block whose images are oriented and whose points have coordinates, approximately.
+
+    free      camera id -> free parameters; None: as the cameras' `estimate` says
+    rejected  (m,) reason for each image observation, "" = takes part; None: all take part
+    notices   what earlier steps have to say; passed on
+    raises    InputError, DatumDefect, RankDefect, NoConvergence
+
+    What it does not do: find approximate values (`raybundle.orientation`), reject blunders or choose
+    parameters (`raybundle.adjustment.decide`).
+    """
+    began = time.perf_counter()
+    options = options or AdjustmentOptions()
+    free = free if free is not None else {c.id: free_parameters(c) for c in block.cameras}
+    reasons = rejected or ("",) * len(block.observations)
+    work, reasons = carry_out(block, options, free, reasons, progress)
+    return result_of(work, block, options, reasons, notices, time.perf_counter() - began, progress)
+
+
+def carry_out(
+    block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]], reasons: tuple[str, ...],
+    progress: Progress = silent,
+) -> tuple[Work, tuple[str, ...]]:  # fmt: skip
+    """Estimate and cofactors; observations whose point ends behind the camera are rejected, and it starts again."""
+    mask = np.array([bool(r) for r in reasons])
+    defects.check_rays(block, mask)
+    reasons, mask = reject_single_rays(block, reasons, mask)
+    defects.check_images(block, mask, free)
+    for _ in range(5):
+        work = _estimate(block, options, free, mask, progress)
+        _, flags = work.normals.residuals(work.solution.state)
+        behind = work.system.rows[(flags & 1) > 0]
+        if not len(behind):
+            break
+        new = list(reasons)
+        for i in behind:
+            new[i] = "behind the camera"
+        reasons, mask = reject_single_rays(block, tuple(new), np.array([bool(r) for r in new]))
+        defects.check_images(block, mask, free)
+    if not work.solution.converged:
+        raise NoConvergence(
+            f"no convergence after {work.solution.iterations} iterations: the last step was "
+            f"{work.solution.step:.2g} standard deviations long, limit {options.tolerance:g}. "
+            "Look for gross errors (--robust-start, --reject snooping) or better approximate values."
+        )
+    _factor(work)
+    if options.statistics:
+        progress("statistics", 0.0)
+        work.found = cofactors(work.normals, work.solution.state, work.datum)
+        progress("statistics", 1.0)
+    return work, reasons
+
+
+def reject_single_rays(block: Block, reasons: tuple[str, ...], mask: Mask) -> tuple[tuple[str, ...], Mask]:
+    """Reject the last ray of tie points whose others were rejected."""
+    if not mask.any():
+        return reasons, mask
+    left = np.bincount(block.observations.point[~mask], minlength=len(block.points))
+    control = block.points.is_control.any(axis=1)
+    lone = ~mask & (left[block.observations.point] == 1) & ~control[block.observations.point]
+    if not lone.any():
+        return reasons, mask
+    new = list(reasons)
+    for i in np.flatnonzero(lone):
+        new[i] = "single ray left"
+    return tuple(new), mask | lone
+
+
+def _estimate(
+    block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]], mask: Mask, progress: Progress
+) -> Work:
+    system = assemble(block, options, mask, free)
+    state = system.initial_state()
+    datum = analyse(system, state, options)
+
+    def open_of(rows: Mask) -> tuple[str, ...]:
+        part = assemble(block, options, ~rows, free)
+        return open_names(analyse(part, part.initial_state(), replace(options, datum="auto")).basis)
+
+    parts = defects.check_components(block, mask, open_of) if datum.defect == 0 or _may_fall_apart(block, mask) else 1
+    normals = Normals.of(system, options.threads)
+    if options.robust_start:
+        start = solve(normals, state, options, huber=HUBER, tolerance=1e-2, progress=progress)
+        state = start.state
+    solution = solve(normals, state, options, progress=progress)
+    return Work(system=system, normals=normals, datum=datum, solution=solution, found=None, parts=parts)
+
+
+def _may_fall_apart(block: Block, mask: Mask) -> bool:
+    del mask
+    return len(block.images) > 1
+
+
+def _factor(work: Work) -> None:
+    """Undamped factor in a minimal datum at the solution; RankDefect where there is none."""
+    system, normals, state = work.system, work.normals, work.solution.state
+    system.held = system.control_held | hold_minimal(system, state, work.datum)
+    normals.solver.set_held((system.held * np.array([1, 2, 4])).sum(axis=1).astype(np.uint8))
+    _, _, weak = normals.reduce(state)
+    failed = normals.solver.factorise(normals.values, np.zeros(0))
+    if failed or weak or normals.solver.smallest_pivot < defects.PIVOT:
+        at = failed - 1 if failed else normals.solver.smallest_pivot_at
+        raise defects.explain(normals, state, weak, at)
+
+
+def result_of(
+    work: Work, block: Block, options: AdjustmentOptions, reasons: tuple[str, ...], notices: tuple[Notice, ...],
+    seconds: float, progress: Progress = silent,
+) -> Adjustment:  # fmt: skip
+    """Everything a report needs from an adjusted system."""
+    began = time.perf_counter()
+    system, normals, datum, solution = work.system, work.normals, work.datum, work.solution
+    redundancy = system.observations - system.unknowns + datum.defect
+    square_sum = 2 * solution.cost
+    sigma0 = float(np.sqrt(square_sum / redundancy)) if redundancy > 0 else float("nan")
+    variance = sigma0**2 if redundancy > 0 else 1.0
+    whitened, _ = normals.residuals(solution.state)
+    state = fit_to_given(system, solution.state, system.initial_state(), datum)
+    found = work.found
+    if found is not None and datum.kind == "inner" and datum.defect:
+        # cofactors again where the block now stands: the datum's frame moved with it
+        found = _moved(work, state, found)
+    covariances = None if found is None else precision(normals, state, found, variance)
+    progress("statistics", 1.0)
+    observations = image_statistics(system, whitened, found, sigma0, reasons)
+    groups = observation_groups(normals, state, found, sigma0)
+    tests = 2 * len(system.rows) + sum(int((g.sigma > 0).sum()) for g in groups)
+    interior = interior_results(normals, state, covariances, sigma0, redundancy)
+    std = None if covariances is None else covariances.object_point_std
+    unit_mm = 1000.0 if block.length_unit == "m" else 1.0
+    adjustment = Adjustment(
+        given=block,
+        adjusted=_adjusted_block(system, state),
+        options=options,
+        sigma0=sigma0,
+        weighted_square_sum=square_sum,
+        redundancy=redundancy,
+        observations=system.observations,
+        unknowns=system.unknowns,
+        constraints=datum.defect,
+        datum=_datum_words(datum, options),
+        datum_defect=datum.open_names,
+        converged=solution.converged,
+        iterations=solution.iterations,
+        seconds=0.0,
+        global_test=global_test(square_sum, redundancy),
+        image_observations=observations,
+        groups=groups,
+        precision=covariances,
+        interior=interior,
+        variance_components=()
+        if found is None
+        else variance_components(system, whitened, observations, groups, sigma0),
+        network=network_figures(system, state, std, work.parts, unit_mm) if options.statistics else None,
+        not_determinable=tuple(
+            f"{p.symbol} ({_name(r.camera, r.image)})"
+            for r in interior
+            for p in r.parameters.values()
+            if p.status == "not determinable"
+        ),
+        not_significant=(),
+        critical_w=family_wise_normal(options.significance, tests),
+        critical_tau=family_wise_tau(options.significance, tests, redundancy),
+        suspects=(),
+        notices=notices,
+        condition=1 / max(normals.solver.smallest_pivot, 1e-300),
+    )
+    own = notices_of(adjustment, None if found is None else redundancy_sum(observations, groups))
+    return replace(
+        adjustment, notices=notices + own, seconds=seconds + time.perf_counter() - began
+    )
+
+
+def _name(camera: str, image: str | None) -> str:
+    return f"camera {camera}" if image is None else f"camera {camera}, image {image}"
+
+
+def _moved(work: Work, state: State, found: Cofactors) -> Cofactors:
+    """Cofactors at the solution moved by a similarity within the open datum."""
+    work.normals.reduce(state)
+    failed = work.normals.solver.factorise(work.normals.values, np.zeros(0))
+    return found if failed else cofactors(work.normals, state, work.datum)
+
+
+def _datum_words(datum: Datum, options: AdjustmentOptions) -> str:
+    if datum.defect == 0:
+        return "control"
+    names = ", ".join(datum.open_names)
+    if datum.kind == "minimal":
+        return f"minimal: {datum.defect} coordinates of well-spread object points held ({names})"
+    over = f"{len(options.datum_points)} chosen object points" if options.datum_points else "all object points"
+    if datum.defect == 7:  # noqa: PLR2004
+        return f"inner constraints over {over}"
+    return f"inner constraints over {over} for {names}"
+
+
+def _adjusted_block(system: System, state: State) -> Block:
+    """The block with adjusted values; points and images that took no part keep theirs."""
+    block = system.block
+    xyz = np.where(system.points_used[:, None], state.xyz + system.shift, block.points.xyz)
+    centre = np.where(system.images_used[:, None], state.centre + system.shift, block.images.centre)
+    rotation = np.where(system.images_used[:, None, None], state.rotation, block.images.rotation)
+    cameras = list(block.cameras)
+    per_image = dict(block.images.interior)
+    for r, row in enumerate(system.interior):
+        values = {s: float(v) for s, v in zip(row.model.symbols, state.interior[r], strict=False)}
+        if row.image >= 0:
+            per_image[row.image] = values
+        else:
+            cameras[row.camera] = replace(cameras[row.camera], values=values)
+    return replace(
+        block,
+        cameras=tuple(cameras),
+        images=replace(block.images, centre=centre, rotation=rotation, interior=per_image),
+        points=replace(block.points, xyz=xyz),
+    )

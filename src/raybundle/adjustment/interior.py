@@ -1,0 +1,116 @@
+"""What the adjustment says of each interior orientation: significance, determinability, effect in the image."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from raybundle.adjustment.assemble import InteriorRow, State, System
+from raybundle.adjustment.normals import Normals
+from raybundle.adjustment.precision import interior_unknowns
+from raybundle.adjustment.result import InteriorResult, ParameterResult, Precision
+from raybundle.block import Camera
+from raybundle.numerics.arrays import Array
+from raybundle.numerics.statistics import correlation
+
+JOINT = ("radial", "decentring", "affinity", "principal point")
+PLAUSIBLE = {"scale": 0.10, "principal point": 0.05}
+"""Sigma beyond which a block says less about a parameter than one knows before: shares of c and of the format."""
+PLAUSIBLE_SHIFT = 0.05
+"""The same for corrections: largest shift within the format, as a share of half its diagonal."""
+
+
+def image_effect(row: InteriorRow, camera: Camera, values: Array, position: int) -> float:
+    """Largest shift [px] over the format per unit of a parameter, the viewing rays held.
+
+    d x / d parameter = -B^-1 d g / d parameter at image points along the border and over the format.
+    """
+    half = camera.size_mm / 2
+    t = np.linspace(-1, 1, 9)
+    x, y = (a.ravel() for a in np.meshgrid(t * half[0], t * half[1]))
+    model = row.model
+    image = np.stack([x, y])
+    spread = np.repeat(values[: len(model.symbols), None], x.size, axis=1)
+    ray = model.ray(image, spread)
+    _, J = model.condition_and_jacobian(*image, *ray, *spread)
+    B = np.moveaxis(J[:, :2], 2, 0)
+    shift = -np.linalg.solve(B, J[:, 5 + position].T[..., None])[..., 0]
+    return float(np.nanmax(np.linalg.norm(shift / np.array(camera.pixel_mm), axis=1)))
+
+
+def implausible(row: InteriorRow, camera: Camera, values: Array, position: int, std: float) -> bool:
+    """Whether a standard deviation exceeds what one knows of the parameter beforehand."""
+    parameter = row.model.parameters[position]
+    if parameter.kind == "scale":
+        return std > PLAUSIBLE["scale"] * abs(values[position])
+    if parameter.kind == "principal point":
+        return std > PLAUSIBLE["principal point"] * float(camera.size_mm.max())
+    limit = PLAUSIBLE_SHIFT * 0.5 * float(np.hypot(camera.width_px, camera.height_px))
+    return std * image_effect(row, camera, values, position) > limit
+
+
+def interior_results(
+    normals: Normals, state: State, precision: Precision | None, sigma0: float, redundancy: int
+) -> tuple[InteriorResult, ...]:
+    """Parameters, correlations and tests of every interior orientation that takes part."""
+    system = normals.system
+    results: list[InteriorResult] = []
+    for r, row in enumerate(system.interior):
+        if not (system.images_used & (system.interior_of_image == r)).any():
+            continue
+        results.append(_one(normals, row, state.interior[r], precision, sigma0, redundancy))
+    return tuple(results)
+
+
+def _one(
+    normals: Normals, row: InteriorRow, values: Array, precision: Precision | None, sigma0: float, redundancy: int
+) -> InteriorResult:
+    system: System = normals.system
+    camera = system.block.cameras[row.camera]
+    C = None if precision is None or row.node < 0 else precision.interior[row.key(system.block)]
+    diagonal = normals.diagonal[interior_unknowns(system, row)] if row.node >= 0 else np.zeros(0)
+    variance = sigma0**2 if np.isfinite(sigma0) and sigma0 > 0 else 1.0
+    parameters: dict[str, ParameterResult] = {}
+    for position, parameter in enumerate(row.model.parameters):
+        free = row.node >= 0 and position in row.free
+        std = t = determinability = effect = effect_std = None
+        status = "estimated" if free else "held"
+        if free and parameter.symbol in camera.sigma:
+            status = "observed"
+        value = float(values[position])
+        if parameter.kind not in {"scale", "other"}:
+            effect = image_effect(row, camera, values, position) * abs(value)
+        if free and C is not None:
+            k = row.free.index(position)
+            std = float(np.sqrt(C[k, k]))
+            determinability = float(1 / max(C[k, k] / variance * diagonal[k], 1e-300))
+            effect_std = image_effect(row, camera, values, position) * std
+            t = abs(value) / std if parameter.kind != "scale" and std > 0 else None
+            if implausible(row, camera, values, position, std):
+                status = "not determinable"
+        parameters[parameter.symbol] = ParameterResult(
+            symbol=parameter.symbol, unit=parameter.unit, meaning=parameter.meaning, value=value, std=std, t=t,
+            determinability=determinability, effect_px=effect, effect_std_px=effect_std, status=status,
+        )  # fmt: skip
+    free_symbols = tuple(row.model.symbols[k] for k in row.free) if row.node >= 0 else ()
+    image = None if row.image < 0 else system.block.images.ids[row.image]
+    return InteriorResult(
+        camera=camera.id, image=image, parameters=parameters, free=free_symbols,
+        correlations=np.zeros((0, 0)) if C is None else correlation(C),
+        joint_tests={} if C is None else _joint_tests(row, values, C, redundancy),
+    )  # fmt: skip
+
+
+def _joint_tests(row: InteriorRow, values: Array, C: Array, redundancy: int) -> dict[str, tuple[float, float]]:
+    """F = x' C^-1 x / p of groups of parameters, with the probability of a larger one by chance."""
+    from scipy.stats import f as fisher  # noqa: PLC0415
+
+    tests: dict[str, tuple[float, float]] = {}
+    for kind in JOINT:
+        k = [i for i, position in enumerate(row.free) if row.model.parameters[position].kind == kind]
+        if len(k) < 2 or redundancy < 1:  # noqa: PLR2004
+            continue
+        x = values[[row.free[i] for i in k]]
+        F = float(x @ np.linalg.solve(C[np.ix_(k, k)], x) / len(k))
+        name = " ".join(row.model.symbols[row.free[i]] for i in k)
+        tests[name] = (F, float(fisher.sf(F, len(k), redundancy)))
+    return tests

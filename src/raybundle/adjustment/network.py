@@ -1,0 +1,145 @@
+"""Geometry of the network: rays, angles, base-to-depth ratio, coverage, rolls, distances, and q."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from raybundle.adjustment.assemble import State, System
+from raybundle.adjustment.result import NetworkFigures
+from raybundle.numerics.arrays import Array, Index
+
+CLASSES = ((200_000, "photogrammetric camera"), (100_000, "professional"), (25_000, "amateur"))
+COMMON = 6
+"""Common points from which on two images count as a pair."""
+
+
+def precision_class(relative: float) -> str:
+    """Class of a relative precision 1:N: 1:25 000 amateur, 1:100 000 professional, 1:200 000 photogrammetric."""
+    for limit, name in CLASSES:
+        if relative >= limit:
+            return name
+    return "below amateur (1:25 000)"
+
+
+def network_figures(system: System, state: State, std: Array | None, parts: int, unit_mm: float) -> NetworkFigures:
+    """All figures of the network; `std` (p, 3) standard deviations of the object points, if there are any."""
+    block = system.block
+    image = block.observations.image[system.rows]
+    point = block.observations.point[system.rows]
+    p, n = len(block.points), len(block.images)
+    rays = np.bincount(point, minlength=p).astype(np.int32)
+    direction = state.xyz[point] - state.centre[image]
+    distance = np.linalg.norm(direction, axis=1)
+    direction = direction / np.maximum(distance, 1e-300)[:, None]
+    angle, stations = _angles(system, state, rays, image, direction, distance)
+    pairs, common, ratio = _pairs(system, state, image, point)
+    order = np.lexsort((distance, image))
+    median = np.full(n, np.nan)
+    first = np.searchsorted(image[order], np.arange(n + 1))
+    for i in np.flatnonzero(np.diff(first)):
+        median[i] = np.median(distance[order[first[i] : first[i + 1]]])
+    c = np.array([abs(state.interior[system.interior_of_image[i], 0]) for i in range(n)])
+    scale = median * unit_mm / np.maximum(c, 1e-300)
+    used = rays > 0
+    q = q_stations = relative = np.nan
+    if std is not None and used.any():
+        sigma = float(np.nanmean(std[used])) * unit_mm
+        cov = block.observations.cov_px2[system.rows]
+        sigma_xy = float(np.sqrt(np.mean(cov[:, :2])) * np.mean(np.abs(system.pixel_mm)))
+        if sigma > 0 and sigma_xy > 0:
+            unit = float(np.nanmean(scale)) * sigma_xy
+            q = sigma * np.sqrt(float(rays[used].mean())) / unit
+            q_stations = sigma * np.sqrt(float(stations[used].mean())) / unit
+            relative = _extent(state.xyz[used]) * unit_mm / sigma
+    return NetworkFigures(
+        rays=rays, stations_per_point=stations, intersection_angle=angle, base_to_depth=ratio, pair_images=pairs,
+        pair_points=common, coverage=_coverage(system, image, n), roll=_rolls(system, state), distance=median,
+        image_scale=scale, q=float(q), q_stations=float(q_stations), bound=float(np.sqrt(1.5)),
+        relative_precision=float(relative), precision_class=precision_class(relative) if relative > 0 else "",
+        components=parts,
+    )  # fmt: skip
+
+
+def _extent(xyz: Array) -> float:
+    """Largest extent: diagonal of the box along the principal axes, far outliers (0.5 %) left out."""
+    centred = xyz - np.median(xyz, axis=0)
+    axes = np.linalg.svd(centred[:: max(1, len(centred) // 5000)], full_matrices=False)[2]
+    along = centred @ axes.T
+    span = np.ptp(along, axis=0)
+    if len(along) > 200:  # noqa: PLR2004
+        span = np.quantile(along, 0.9975, axis=0) - np.quantile(along, 0.0025, axis=0)
+    return float(np.linalg.norm(span))
+
+
+def _angles(
+    system: System, state: State, rays: Index, image: Index, direction: Array, distance: Array
+) -> tuple[Array, Index]:
+    """Largest angle between two rays of each point, and its number of distinct stations."""
+    p = len(rays)
+    angle = np.full(p, np.nan)
+    stations = np.minimum(rays, 1).astype(np.int32)
+    first = np.concatenate([[0], np.cumsum(rays)])
+    for k in np.unique(rays):
+        if k < 2:  # noqa: PLR2004
+            continue
+        mine = np.flatnonzero(rays == k)
+        for part in np.array_split(mine, max(1, int(len(mine) * k * k // 4_000_000) + 1)):
+            rows = first[part][:, None] + np.arange(k)
+            u = direction[rows]
+            angle[part] = np.arccos(np.clip(np.einsum("pie,pje->pij", u, u).min(axis=(1, 2)), -1, 1))
+            C = state.centre[image[rows]]
+            gap = np.linalg.norm(C[:, :, None] - C[:, None], axis=-1)
+            near = gap < 0.01 * distance[rows].mean(axis=1)[:, None, None]
+            stations[part] = (~np.tril(near, -1).any(axis=2)).sum(axis=1)
+    return angle, stations
+
+
+def _pairs(system: System, state: State, image: Index, point: Index) -> tuple[Index, Index, Array]:
+    """Image pairs with common points, their number, and base over mean depth."""
+    from scipy.sparse import coo_matrix, triu  # noqa: PLC0415
+
+    n, p = len(system.block.images), len(system.block.points)
+    A = coo_matrix((np.ones(len(image), np.int32), (image, point)), shape=(n, p)).tocsr()
+    S = triu(A @ A.T, 1).tocoo()
+    keep = S.data >= COMMON
+    i, j, common = S.row[keep], S.col[keep], S.data[keep]
+    depth = -np.einsum("ne,ne->n", state.rotation[image, 2], state.xyz[point] - state.centre[image])
+    total = np.bincount(image, depth, minlength=n) / np.maximum(np.bincount(image, minlength=n), 1)
+    base = np.linalg.norm(state.centre[i] - state.centre[j], axis=1)
+    ratio = base / np.maximum(np.abs(total[i] + total[j]) / 2, 1e-300)
+    return np.stack([i, j], axis=1).astype(np.int32), common.astype(np.int32), ratio
+
+
+def _coverage(system: System, image: Index, n: int) -> Array:
+    """Share of the 10 x 10 cells of the format that hold an observation."""
+    block = system.block
+    size = np.array([[c.width_px, c.height_px] for c in block.cameras])[block.images.camera]
+    xy = block.observations.xy_px[system.rows] / size[image]
+    cell = np.clip((xy * 10).astype(int), 0, 9)
+    code = np.unique(image.astype(np.int64) * 100 + cell[:, 0] * 10 + cell[:, 1])
+    return np.bincount(code // 100, minlength=n) / 100
+
+
+def _rolls(system: System, state: State) -> Array:
+    """Rotation about the viewing axis against the most frequent one, in (-pi, pi].
+
+    The reference in object space is the normal of the points' best plane where it is not seen end-on
+    (walking round an object), else the first axis of that plane (looking down on it).
+    """
+    used = system.points_used
+    cloud = state.xyz[used]
+    step = max(1, len(cloud) // 5000)
+    axes = np.linalg.svd((cloud - cloud.mean(axis=0))[::step], full_matrices=False)[2]
+    normal, first = axes[-1], axes[0]
+    up = state.rotation @ normal
+    oblique = np.median(np.hypot(up[:, 0], up[:, 1])) > 0.3  # noqa: PLR2004
+    seen = up if oblique else state.rotation @ first
+    roll = np.arctan2(seen[:, 0], seen[:, 1])
+    if not system.images_used.any():
+        return roll
+    bins = np.round(roll[system.images_used] / (np.pi / 12)).astype(int) % 24
+    mode = np.bincount(bins).argmax() * np.pi / 12
+    near = roll[system.images_used][np.abs(np.angle(np.exp(1j * (roll[system.images_used] - mode)))) < np.pi / 8]
+    zero = np.angle(np.mean(np.exp(1j * near))) if len(near) else mode
+    relative = np.angle(np.exp(1j * (roll - zero)))
+    return np.where(system.images_used, relative, np.nan)

@@ -1,0 +1,198 @@
+"""What a result has to say by itself: warnings with the number, the limit and the remedy."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.block import Role
+
+STRONG = 0.95
+LOW_REDUNDANCY = 0.1
+
+
+def notices_of(result: Adjustment, redundancy_sum: float | None) -> tuple[Notice, ...]:
+    """All notices of an adjustment."""
+    found: list[Notice] = []
+    if redundancy_sum is not None and abs(redundancy_sum - result.redundancy) > 1e-6 * max(result.redundancy, 1):
+        found.append(
+            Notice(
+                code="redundancy_sum",
+                message=f"the redundancy numbers sum to {redundancy_sum:.6f} instead of {result.redundancy}: the normal "
+                "matrix is nearly singular, standard deviations are not reliable",
+            )
+        )
+    found += _fit(result) + _interior(result) + _rejected(result) + _points(result) + _control(result)
+    return tuple(found)
+
+
+def _fit(result: Adjustment) -> list[Notice]:
+    if result.redundancy == 0:
+        return [
+            Notice(
+                code="no_redundancy",
+                message="no redundancy: sigma0 cannot be estimated; standard deviations carry the a-priori sigma0 and "
+                "no blunder can be found. Add observations.",
+            )
+        ]
+    lower, value, upper = result.global_test
+    if not value > upper and not value < lower:
+        return []
+    more = value > upper
+    return [
+        Notice(
+            code="global_test",
+            message=f"sigma0 {result.sigma0:.3g} differs from 1 (weighted square sum {value:.5g}, 95 % limits "
+            f"{lower:.5g} .. {upper:.5g}): the observations are {'less' if more else 'more'} precise than stated"
+            f"{', or the model does not fit or blunders are left' if more else ''}. "
+            "Standard deviations carry the a-posteriori sigma0.",
+        )
+    ]
+
+
+def _interior(result: Adjustment) -> list[Notice]:
+    found: list[Notice] = []
+    for interior in result.interior:
+        who = f"camera {interior.camera}" + ("" if interior.image is None else f", image {interior.image}")
+        for p in interior.parameters.values():
+            if p.status == "not determinable":
+                found.append(
+                    Notice(
+                        code="not_determinable",
+                        message=f"{who}: {p.symbol} is not determinable: its standard deviation {p.std:.2g} {p.unit} says "
+                        f"less than is known beforehand. {_remedy(result, p.symbol)}",
+                        ids=(interior.camera, p.symbol),
+                    )
+                )
+        found += _correlations(result, who, interior.camera, interior.free, interior.correlations)
+    return found
+
+
+def _remedy(result: Adjustment, symbol: str) -> str:
+    if symbol in {"c", "f"}:
+        return "Hold it, or add images that converge by 45 degrees or more, or points at different depths."
+    if symbol in {"x0", "y0", "P1", "P2", "A", "S"}:
+        return _roll_advice(result) or "Hold it, or add convergent images."
+    return "Hold it, or measure points up to the corners of the format."
+
+
+def _roll_advice(result: Adjustment) -> str:
+    network = result.network
+    if network is None:
+        return ""
+    roll = network.roll[np.isfinite(network.roll)]
+    turned = int(np.sum(np.abs(np.abs(roll) - np.pi / 2) < np.pi / 6))
+    if turned:
+        return ""
+    return "No image is rolled by 90 degrees: add two rolled images."
+
+
+def _correlations(
+    result: Adjustment, who: str, camera: str, free: tuple[str, ...], R: np.ndarray
+) -> list[Notice]:  # pyright: ignore
+    """Strong correlations other than among the radial terms, whose correlation is no harm."""
+    found: list[Notice] = []
+    if len(R) != len(free):
+        return found
+    for i, a in enumerate(free):
+        for j in range(i):
+            b = free[j]
+            if abs(R[i, j]) > STRONG and not {a[0], b[0]} <= {"K", "k"}:
+                advice = _roll_advice(result) if {a, b} & {"x0", "y0", "P1", "P2"} else ""
+                found.append(
+                    Notice(
+                        code="correlation",
+                        message=f"{who}: {b} and {a} correlate by {abs(R[i, j]):.2f}. {advice}".rstrip(),
+                        ids=(camera, b, a),
+                    )
+                )
+    return found
+
+
+def _rejected(result: Adjustment) -> list[Notice]:
+    reasons = [r for r in result.image_observations.rejected if r]
+    if not reasons:
+        return []
+    kinds: dict[str, int] = {}
+    for r in reasons:
+        kinds[r] = kinds.get(r, 0) + 1
+    behind = kinds.get("behind the camera", 0)
+    found = [
+        Notice(
+            code="rejected",
+            message=f"{len(reasons)} of {len(result.given.observations)} image observations rejected: "
+            + ", ".join(f"{n} {k}" for k, n in sorted(kinds.items(), key=lambda kv: -kv[1])),
+        )
+    ]
+    if behind:
+        rows = [i for i, r in enumerate(result.image_observations.rejected) if r == "behind the camera"]
+        pairs = {
+            (
+                result.given.images.ids[result.given.observations.image[i]],
+                result.given.points.ids[result.given.observations.point[i]],
+            )
+            for i in rows
+        }
+        shown = ", ".join(f"point {p} in image {i}" for i, p in sorted(pairs)[:5])
+        found.append(
+            Notice(
+                code="behind_camera",
+                message=f"behind the camera: {shown}{' ...' if len(pairs) > 5 else ''}; check the point numbers",  # noqa: PLR2004
+                ids=tuple(p for _, p in sorted(pairs)),
+            )
+        )
+    return found
+
+
+def _points(result: Adjustment) -> list[Notice]:
+    found: list[Notice] = []
+    points = result.given.points
+    used = result.image_observations.used
+    rays = np.bincount(result.given.observations.point[used], minlength=len(points))
+    lone = [points.ids[i] for i in np.flatnonzero((points.role == Role.CONTROL) & (rays == 1))]
+    if lone:
+        found.append(
+            Notice(code="one_ray_control", message=f"control points with a single ray: {', '.join(lone)}", ids=tuple(lone))
+        )
+    unseen = [points.ids[i] for i in np.flatnonzero((points.role == Role.CONTROL) & (rays == 0))]
+    if unseen:
+        found.append(
+            Notice(
+                code="control_not_observed",
+                message=f"control points that no image shows: {', '.join(unseen[:10])}; they take no part",
+                ids=tuple(unseen),
+            )
+        )
+    network = result.network
+    if network is not None:
+        flat = np.flatnonzero((network.rays > 1) & (network.intersection_angle < np.radians(1)))
+        flat = [i for i in flat if not points.is_control[i].all()]
+        if flat:
+            names = [points.ids[i] for i in flat]
+            found.append(
+                Notice(
+                    code="small_angle",
+                    message=f"{len(names)} object points are intersected at less than 1 degree: "
+                    f"{', '.join(names[:10])}{' ...' if len(names) > 10 else ''}; their depth is weak",  # noqa: PLR2004
+                    ids=tuple(names[:100]),
+                )
+            )
+    return found
+
+
+def _control(result: Adjustment) -> list[Notice]:
+    """Suspects among control, distances and stations, with the family-wise critical value."""
+    found: list[Notice] = []
+    limit = result.critical_w
+    scale = max(result.sigma0, 1.0) if np.isfinite(result.sigma0) else 1.0
+    for g in result.groups:
+        for k in np.flatnonzero(np.abs(np.nan_to_num(g.w)) > limit * scale):
+            found.append(
+                Notice(
+                    code=f"{g.kind}_suspect",
+                    message=f"{g.kind} {g.ids[k]}, {g.component[k]}: adjusted minus given {g.residual[k]:.4g} at a sigma of "
+                    f"{g.sigma[k]:.3g}, |w| {abs(g.w[k]):.1f} against {limit * scale:.1f}. Check this value.",
+                    ids=(g.ids[k],),
+                )
+            )
+    return found

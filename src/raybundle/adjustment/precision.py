@@ -1,0 +1,128 @@
+"""Cofactors of the unknowns, from the factor of the last step; nothing is held fixed to get them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from raybundle.adjustment.assemble import InteriorRow, State, System
+from raybundle.adjustment.datum import Datum, Transformation, transformation
+from raybundle.adjustment.normals import Normals
+from raybundle.adjustment.result import Precision
+from raybundle.numerics.arrays import Array
+from raybundle.numerics.rotation import angle_derivatives
+
+
+@dataclass(slots=True)
+class Cofactors:
+    """Selected blocks of the cofactor matrix, a-priori sigma0 = 1."""
+
+    inverse: Array
+    """Selected inverse in the layout of the normal matrix, datum of the factor."""
+    transformation: Transformation | None
+    points_minimal: Array
+    """(p, 3, 3) datum of the factor"""
+    points: Array
+    """(p, 3, 3) datum of the result"""
+    hat: Array
+    """(m, 3) diagonal and off-diagonal of A Q A' of each whitened image point"""
+    effect: Array
+    """(m, 3, 2) effect of a whitened unit blunder on its object point, datum of the result"""
+
+
+def cofactors(normals: Normals, state: State, datum: Datum) -> Cofactors:
+    """All selected cofactors; `normals` holds the undamped factor in its minimal datum."""
+    system = normals.system
+    inverse = np.zeros_like(normals.values)
+    normals.solver.selected_inverse(inverse)
+    change = transformation(normals, state, datum)
+    d = 0 if change is None else datum.defect
+    none = np.zeros(0)
+    points_minimal, hat, effect = normals.solver.statistics(
+        *normals._arguments(state),
+        normals.threads,
+        inverse,
+        d,
+        none if change is None else np.ascontiguousarray(change.nodes_h),
+        none if change is None else np.ascontiguousarray(change.points_h),
+        none if change is None else np.ascontiguousarray(change.middle),
+        none if change is None else np.ascontiguousarray(change.points),
+    )
+    held = system.held
+    points_minimal = points_minimal * ~held[:, :, None] * ~held[:, None, :]
+    points = points_minimal
+    if change is not None:
+        points = change.apply(points_minimal, change.points, change.points_h, change.points, change.points_h)
+    return Cofactors(inverse, change, points_minimal, points, hat, effect)
+
+
+def node_cofactor(normals: Normals, found: Cofactors, unknowns: Array) -> Array:
+    """Cofactor (k, k) of unknowns of nodes, datum of the result; their nodes must meet in the normal matrix."""
+    return cross_cofactor(normals, found, unknowns, unknowns)
+
+
+def cross_cofactor(normals: Normals, found: Cofactors, first: Array, second: Array) -> Array:
+    """Cofactor (k, l) between unknowns of two nodes, datum of the result."""
+    offsets = normals.system.offsets
+    a = int(np.searchsorted(offsets, first[0], side="right") - 1)
+    b = int(np.searchsorted(offsets, second[0], side="right") - 1)
+    block = normals.node_block(found.inverse, a, b)[np.ix_(first - offsets[a], second - offsets[b])]
+    t = found.transformation
+    if t is None:
+        return block
+    return t.apply(block, t.nodes[first], t.nodes_h[first], t.nodes[second], t.nodes_h[second])
+
+
+def image_unknowns(system: System, image: int) -> Array:
+    """The six unknowns of an image's exterior orientation."""
+    return system.offsets[system.image_node[image]] + np.arange(6)
+
+
+def interior_unknowns(system: System, row: InteriorRow) -> Array:
+    """The unknowns of an interior orientation."""
+    return system.offsets[row.node] + row.start + np.arange(len(row.free))
+
+
+def angle_form(rotation: Array) -> Array:
+    """d (X, Y, Z, omega, phi, kappa) / d (X, Y, Z, delta), (6, 6)."""
+    D = np.eye(6)
+    D[3:, 3:] = angle_derivatives(rotation)
+    return D
+
+
+def precision(normals: Normals, state: State, found: Cofactors, variance: float) -> Precision:
+    """Covariances of points, images and interior orientations; `variance` is sigma0 squared."""
+    system, block = normals.system, normals.system.block
+    points = np.where(system.points_used[:, None, None], found.points * variance, np.nan)
+    images = np.full((len(block.images), 6, 6), np.nan)
+    used = np.flatnonzero(system.images_used)
+    for i in used:
+        if system.exterior_free[i]:
+            D = angle_form(state.rotation[i])
+            images[i] = variance * D @ node_cofactor(normals, found, image_unknowns(system, int(i))) @ D.T
+        else:
+            images[i] = 0.0
+    interior: dict[str, Array] = {}
+    parameters: dict[str, tuple[str, ...]] = {}
+    cross: dict[str, Array] = {}
+    for r, row in enumerate(system.interior):
+        key = row.key(block)
+        parameters[key] = tuple(row.model.symbols[k] for k in row.free) if row.node >= 0 else ()
+        if row.node < 0:
+            interior[key] = np.zeros((0, 0))
+            cross[key] = np.zeros((0, 0, 6))
+            continue
+        mine = interior_unknowns(system, row)
+        Q = node_cofactor(normals, found, mine)
+        interior[key] = variance * Q
+        rows: list[Array] = []
+        for i in used[(system.interior_of_image[used] == r) & system.exterior_free[used]]:
+            C = cross_cofactor(normals, found, mine, image_unknowns(system, int(i))) @ angle_form(state.rotation[i]).T
+            s = np.sqrt(np.outer(np.diagonal(Q), np.diagonal(images[i]) / variance if variance > 0 else np.ones(6)))
+            with np.errstate(invalid="ignore", divide="ignore"):
+                rows.append(C / s)
+        cross[key] = np.array(rows).reshape(-1, len(mine), 6)
+    return Precision(
+        object_points=points, images=images, interior=interior, parameters=parameters, interior_exterior=cross
+    )

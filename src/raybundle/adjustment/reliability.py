@@ -1,0 +1,208 @@
+"""Redundancy numbers, test values and smallest detectable blunders (Baarda 1968; Förstner 1987)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from raybundle.adjustment.assemble import State, System
+from raybundle.adjustment.normals import Normals
+from raybundle.adjustment.precision import Cofactors
+from raybundle.adjustment.result import ObservationGroup, ObservationStatistics, VarianceComponent
+from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.statistics import DELTA0
+
+UNCONTROLLED = 1e-9
+"""Redundancy numbers below this leave an observation without a test."""
+
+
+def image_statistics(
+    system: System, whitened: Array, found: Cofactors | None, sigma0: float, rejected: tuple[str, ...]
+) -> ObservationStatistics:
+    """Residuals, redundancy numbers, w, t and smallest detectable blunders of the image observations.
+
+    whitened  (m, 2) residuals of the used rows, whitened, image frame
+    Correlated image coordinates: w = (P v) / sqrt(P Qvv P), which is v / (s sqrt r) where they are not.
+    """
+    count = len(system.block.observations)
+    W = np.zeros((len(whitened), 2, 2))
+    W[:, 0, 0], W[:, 1, 0], W[:, 1, 1] = system.whiten.T
+    L = np.linalg.inv(W)
+    residual = np.einsum("nij,nj->ni", L, whitened) / system.pixel_mm
+
+    def spread(values: Array) -> Array:
+        full = np.full((count, 2), np.nan)
+        full[system.rows] = values
+        return full
+
+    if found is None:
+        empty = np.full((count, 2), np.nan)
+        return ObservationStatistics(
+            residuals_px=spread(residual), redundancy=empty, w=empty, t=empty, mdb_px=empty, external=empty,
+            rejected=rejected,
+        )  # fmt: skip
+    H = np.zeros_like(W)
+    H[:, 0, 0], H[:, 1, 1] = found.hat[:, 0], found.hat[:, 1]
+    H[:, 0, 1] = H[:, 1, 0] = found.hat[:, 2]
+    R = np.eye(2) - H
+    redundancy = np.diagonal(L @ R @ W, axis1=1, axis2=2).copy()
+    test = np.diagonal(np.swapaxes(W, 1, 2) @ R @ W, axis1=1, axis2=2)
+    weighted = np.einsum("nji,nj->ni", W, whitened)
+    controlled = redundancy > UNCONTROLLED
+    safe = np.sqrt(np.where(controlled, test, 1.0))
+    w = np.where(controlled, weighted / safe, np.nan) * np.sign(system.pixel_mm)
+    mdb_mm = np.where(controlled, DELTA0 / safe, np.nan)
+    effect = np.abs(np.einsum("nei,nij->nej", found.effect, W)).max(axis=1) * mdb_mm
+    return ObservationStatistics(
+        residuals_px=spread(residual),
+        redundancy=spread(redundancy),
+        w=spread(w),
+        t=spread(w / sigma0),
+        mdb_px=spread(mdb_mm / np.abs(system.pixel_mm)),
+        external=spread(effect),
+        rejected=rejected,
+    )
+
+
+def _group(
+    kind: str, ids: list[str], component: list[str], given: Array, sigma: Array, adjusted: Array, cofactor: Array,
+    sigma0: float,
+) -> ObservationGroup:  # fmt: skip
+    """Statistics of uncorrelated observations of single quantities with these cofactors."""
+    weighted = sigma > 0
+    safe = np.where(weighted, sigma, 1.0)
+    redundancy = np.where(weighted, 1 - cofactor / safe**2, 0.0)
+    residual = adjusted - given
+    controlled = redundancy > UNCONTROLLED
+    root = np.sqrt(np.where(controlled, redundancy, 1.0))
+    w = np.where(controlled, residual / (safe * root), np.nan)
+    scale = sigma0 if np.isfinite(sigma0) else 1.0
+    return ObservationGroup(
+        kind=kind, ids=tuple(ids), component=tuple(component), given=given, sigma=sigma, adjusted=adjusted,
+        adjusted_std=scale * np.sqrt(np.maximum(cofactor, 0)), residual=residual, redundancy=redundancy,
+        w=w, t=w / sigma0, mdb=np.where(controlled, DELTA0 * safe / root, np.nan), rejected=("",) * len(ids),
+    )  # fmt: skip
+
+
+def observation_groups(
+    normals: Normals, state: State, found: Cofactors | None, sigma0: float
+) -> tuple[ObservationGroup, ...]:
+    """Control coordinates, distances, projection centres and observed parameters."""
+    system, block = normals.system, normals.system.block
+    groups: list[ObservationGroup] = []
+    shift = system.shift
+    control = system.control_held | system.prior
+    if control.any():
+        point, axis = np.argwhere(control).T
+        cofactor = np.full(len(point), np.nan) if found is None else found.points_minimal[point, axis, axis]
+        sigma = np.where(system.control_held[point, axis], 0.0, block.points.sigma[point, axis])
+        groups.append(
+            _group(
+                "control", [block.points.ids[p] for p in point], ["XYZ"[a] for a in axis],
+                block.points.xyz[point, axis], sigma, state.xyz[point, axis] + shift[axis],
+                np.where(sigma == 0, 0.0, cofactor), sigma0,
+            )
+        )  # fmt: skip
+    extra = system.extra
+    entries = normals.extra(state)
+    hat = np.full(len(extra), np.nan) if found is None else _extra_hat(normals, found, entries)
+    adjusted = entries.residual * extra.sigma + extra.value
+    for code, kind in ((1, "distance"), (2, "station"), (3, "parameter")):
+        i = np.flatnonzero(extra.kind == code)
+        if not len(i):
+            continue
+        offset = np.zeros(len(i))
+        if kind == "distance":
+            ends = [(block.distances.start[d], block.distances.end[d]) for d in extra.item[i]]
+            ids = [f"{block.points.ids[a]}-{block.points.ids[b]}" for a, b in ends]
+            component = ["length"] * len(i)
+        elif kind == "station":
+            ids = [block.images.ids[block.stations.image[k]] for k in extra.item[i]]
+            component = ["XYZ"[a] for a in extra.component[i]]
+            offset = shift[extra.component[i]]
+        else:
+            rows = [system.interior[r] for r in extra.item[i]]
+            component = [row.model.symbols[k] for row, k in zip(rows, extra.component[i], strict=True)]
+            ids = [row.key(block) for row in rows]
+        groups.append(
+            _group(
+                kind, ids, component, extra.value[i] + offset, extra.sigma[i], adjusted[i] + offset,
+                hat[i] * extra.sigma[i] ** 2, sigma0,
+            )
+        )  # fmt: skip
+    return tuple(groups)
+
+
+def _extra_hat(normals: Normals, found: Cofactors, entries: object) -> Array:
+    """Diagonal of A Q A' of the whitened extra observations; estimable, hence the same in every datum."""
+    system = normals.system
+    hat = np.zeros(len(system.extra))
+    row, unknown, value = entries.row, entries.unknown, entries.value  # type: ignore[attr-defined]
+    for r in range(len(system.extra)):
+        mine = np.flatnonzero(row == r)
+        nodes = np.searchsorted(system.offsets, unknown[mine], side="right") - 1
+        for a in np.unique(nodes):
+            for b in np.unique(nodes):
+                i, j = mine[nodes == a], mine[nodes == b]
+                Q = normals.node_block(found.inverse, int(a), int(b))
+                Q = Q[np.ix_(unknown[i] - system.offsets[a], unknown[j] - system.offsets[b])]
+                hat[r] += value[i] @ Q @ value[j]
+    return hat
+
+
+def redundancy_sum(statistics: ObservationStatistics, groups: tuple[ObservationGroup, ...]) -> float:
+    """Sum of all redundancy numbers; equals the redundancy."""
+    return float(np.nansum(statistics.redundancy)) + sum(float(np.nansum(g.redundancy)) for g in groups)
+
+
+def variance_components(
+    system: System, whitened: Array, statistics: ObservationStatistics, groups: tuple[ObservationGroup, ...],
+    sigma0: float,
+) -> tuple[VarianceComponent, ...]:  # fmt: skip
+    """sigma a posteriori / a priori of groups of observations (Förstner 1979): sqrt(v'Pv / sum r)."""
+    block = system.block
+    squares = np.sum(whitened**2, axis=1)
+    redundancy = np.nansum(statistics.redundancy[system.rows], axis=1)
+    image = block.observations.image[system.rows]
+    camera = block.images.camera[image]
+    role = block.points.role[block.observations.point[system.rows]]
+    result: list[VarianceComponent] = []
+
+    def add(kind: str, group: str, count: int, square: float, r: float) -> None:
+        result.append(_component(kind, group, count, square, r, sigma0))
+
+    def add_rows(kind: str, group: str, mask: Mask) -> None:
+        if mask.any():
+            add(kind, group, 2 * int(mask.sum()), float(squares[mask].sum()), float(redundancy[mask].sum()))
+
+    add_rows("image observations", "all", np.ones(len(image), bool))
+    for c, cam in enumerate(block.cameras):
+        if len(block.cameras) > 1:
+            add_rows("camera", cam.id, camera == c)
+    for i in np.flatnonzero(system.images_used):
+        add_rows("image", block.images.ids[i], image == i)
+    for code, name in ((0, "tie points"), (1, "control points"), (2, "check points")):
+        if (role != 0).any():
+            add_rows("point class", name, role == code)
+    for g in groups:
+        weighted = g.sigma > 0
+        if not weighted.any():
+            continue
+        square = float(np.sum((g.residual[weighted] / g.sigma[weighted]) ** 2))
+        name = {"control": "control", "distance": "distances", "station": "stations"}.get(g.kind, "parameters")
+        add(name, "all", int(weighted.sum()), square, float(np.nansum(g.redundancy[weighted])))
+    return tuple(result)
+
+
+def _component(kind: str, group: str, count: int, square: float, r: float, sigma0: float) -> VarianceComponent:
+    from scipy.stats import chi2  # noqa: PLC0415
+
+    if r < 0.01:  # noqa: PLR2004
+        return VarianceComponent(
+            kind=kind, group=group, count=count, redundancy=r, ratio=float("nan"), significant=False
+        )
+    ratio = float(np.sqrt(square / r))
+    value = square / sigma0**2 if sigma0 > 0 else 0.0
+    tail = float(min(chi2.cdf(value, r), chi2.sf(value, r)))
+    return VarianceComponent(
+        kind=kind, group=group, count=count, redundancy=r, ratio=ratio, significant=2 * tail < 0.01
+    )

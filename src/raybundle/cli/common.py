@@ -1,0 +1,41 @@
+"""Options and phrases that several commands share."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import click
+
+COMMAND_SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
+FOLDER = click.Path(path_type=Path)
+
+
+def common_options(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Add --progress (an argument `progress`) and --traceback (looked up by `main`)."""
+    function = click.option(
+        "--traceback", is_flag=True, expose_value=False, help="After an error, show where in the program it arose."
+    )(function)
+    return click.option(
+        "--progress",
+        type=click.Choice(["auto", "json", "none"]),
+        default="auto",
+        show_default=True,
+        help="auto: a bar on a terminal, nothing when piped; json: a JSON object a line on stderr.",
+    )(function)
+
+
+def grouped(number: int) -> str:
+    """A whole number in groups of three digits: 18 803."""
+    return f"{number:,}".replace(",", " ")
+
+
+def counted(number: int, noun: str) -> str:
+    """A number and its noun: "1 image", "18 803 images"."""
+    return f"{grouped(number)} {noun}{'' if number == 1 else 's'}"
+
+
+def significant(value: float, digits: int = 3) -> str:
+    """A number with so many significant digits, without an exponent where it can be read without."""
+    return f"{value:#.{digits}g}".rstrip(".") if 1e-4 <= abs(value) < 1e6 else f"{value:.{digits - 1}e}"

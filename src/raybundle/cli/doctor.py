@@ -1,0 +1,105 @@
+"""`raybundle doctor`."""
+
+from __future__ import annotations
+
+import json
+import os
+import platform
+import sys
+from importlib import import_module
+from importlib.metadata import PackageNotFoundError, version
+from shutil import which
+from typing import Any
+
+import click
+
+from raybundle.cli.common import COMMAND_SETTINGS
+
+REQUIRED = ("numpy", "scipy", "click", "rich", "msgspec", "jinja2", "poselib")
+OPTIONAL = {
+    "sympy": ("sensor models of your own, derived from their condition equation", "pip install 'raybundle[models]'"),
+}
+
+
+@click.command("doctor", context_settings=COMMAND_SETTINGS)
+@click.option("--json", "as_json", is_flag=True, help="The same as JSON.")
+@click.option("--traceback", is_flag=True, expose_value=False, help="After an error, show where it arose.")
+def command(as_json: bool) -> int:  # noqa: FBT001  (a flag of the command line)
+    """Say what is installed, which optional parts are missing and what they would bring.
+
+    Exit status 1 if a required part is missing.
+
+    \b
+    Example:
+      raybundle doctor
+      raybundle doctor --json
+    """  # noqa: D301
+    report = examine()
+    click.echo(json.dumps(report, indent=1) if as_json else "\n".join(_lines(report)))
+    return 0 if all(report["required"].values()) else 1
+
+
+def examine() -> dict[str, Any]:
+    """What is installed; None for what is not."""
+    from raybundle.numerics import native  # noqa: PLC0415
+
+    return {
+        "raybundle": _version("raybundle"),
+        "python": platform.python_version(),
+        "platform": platform.platform(),
+        "processors": os.cpu_count(),
+        "native": {
+            "available": native.available(),
+            "instruction_set": native.instruction_set(),
+            "remark": _native_remark(native.available()),
+        },
+        "required": {name: _usable(name) for name in REQUIRED},
+        "optional": {
+            name: {"version": _usable(name), "brings": brings, "install": install}
+            for name, (brings, install) in OPTIONAL.items()
+        },
+    }
+
+
+def _version(name: str) -> str | None:
+    try:
+        return version(name)
+    except PackageNotFoundError:
+        return None
+
+
+def _usable(name: str) -> str | None:
+    """The version of a package that can be imported."""
+    try:
+        import_module(name)
+    except ImportError:
+        return None
+    return _version(name) or "version unknown"
+
+
+def _native_remark(available: bool) -> str:  # noqa: FBT001
+    if available:
+        return "compiled kernels are used"
+    if os.environ.get("RAYBUNDLE_NATIVE") == "0":
+        return "switched off by RAYBUNDLE_NATIVE=0; the NumPy twins work, slower"
+    compiler = next((c for c in ("c++", "g++", "clang++") if which(c)), None)
+    how = f"there is a compiler ({compiler}): install raybundle again" if compiler else "install a C++20 compiler first"
+    return f"not built; the NumPy twins work, slower; {how}"
+
+
+def _lines(report: dict[str, Any]) -> list[str]:
+    native = report["native"]
+    lines = [
+        f"raybundle {report['raybundle'] or '(not installed, run from its source)'}",
+        f"Python {report['python']} at {sys.prefix}",
+        f"{report['platform']}, {report['processors']} processors",
+        f"native kernels: {'yes, ' + native['instruction_set'] if native['available'] else 'no'} ({native['remark']})",
+        "",
+        "required",
+    ]
+    lines += [f"  {name:10} {v or 'MISSING: pip install ' + name}" for name, v in report["required"].items()]
+    lines += ["", "optional"]
+    for name, part in report["optional"].items():
+        state = part["version"] or f"missing ({part['install']})"
+        lines.append(f"  {name:10} {state}: {part['brings']}")
+    return lines

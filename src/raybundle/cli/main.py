@@ -1,0 +1,98 @@
+"""The command line: `raybundle COMMAND`; subcommands are loaded when they are called.
+
+Exit status: 0 done; 1 internal error; 2 bad input or usage; 3 not solvable as given; 130 interrupted.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import traceback
+from collections.abc import Sequence
+from importlib import import_module
+
+import click
+
+from raybundle.errors import RaybundleError
+
+COMMANDS = {
+    "adjust": "Adjust a block and write a result folder with its report.",
+    "compare": "Put two results side by side.",
+    "simulate": "Write a simulated block and its truth.",
+    "demo": "Simulate a calibration field, calibrate it, show truth beside estimate.",
+    "doctor": "Say what is installed, what is missing and what it would bring.",
+}
+
+
+class LazyGroup(click.Group):
+    """A group whose subcommand NAME is the object `command` of raybundle.cli.NAME."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        """Names in the order in which they are used."""
+        del ctx
+        return list(COMMANDS)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        """Load one subcommand."""
+        del ctx
+        if cmd_name not in COMMANDS:
+            return None
+        return import_module(f"raybundle.cli.{cmd_name}").command
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """List the subcommands without loading them."""
+        del ctx
+        with formatter.section("Commands"):
+            formatter.write_dl(list(COMMANDS.items()))
+
+
+def _print_version(ctx: click.Context, _: click.Parameter, value: bool) -> None:  # noqa: FBT001  (click's signature)
+    if value and not ctx.resilient_parsing:
+        from importlib.metadata import version  # noqa: PLC0415  (reads the metadata only where it is asked for)
+
+        click.echo(f"raybundle {version('raybundle')}")
+        ctx.exit()
+
+
+@click.group(cls=LazyGroup, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110})
+@click.option(
+    "--version", is_flag=True, expose_value=False, is_eager=True, callback=_print_version, help="The version."
+)
+def cli() -> None:
+    """Survey-grade photogrammetry: blocks in, adjusted coordinates with true standard deviations and a report out.
+
+    \b
+    Examples:
+      raybundle demo                                  see it work
+      raybundle adjust camcal21 --out camcal21-result
+      raybundle adjust --help
+    """  # noqa: D301  (\b is click's mark for a paragraph that keeps its lines)
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run a command line and return its exit status; errors go to stderr without a traceback."""
+    arguments = list(sys.argv[1:] if argv is None else argv)
+    try:
+        status = cli.main(arguments, prog_name="raybundle", standalone_mode=False)
+    except click.ClickException as error:
+        error.show()
+        return error.exit_code
+    except (KeyboardInterrupt, click.Abort):
+        click.echo("interrupted; nothing was written", err=True)
+        return 130
+    except BrokenPipeError:
+        # the reader of our output went away: what stands in the buffer has nowhere to go
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 1
+    except RaybundleError as error:
+        if "--traceback" in arguments:
+            traceback.print_exc()
+        click.echo(f"{type(error).__name__}: {error}", err=True)
+        return error.exit_status
+    except Exception as error:  # noqa: BLE001  (the last resort; the message says how to see the rest)
+        if "--traceback" in arguments:
+            traceback.print_exc()
+        first = str(error).partition("\n")[0]
+        click.echo(f"internal error {type(error).__name__}: {first}; please report; --traceback shows it", err=True)
+        return 1
+    return status if isinstance(status, int) else 0

@@ -1,0 +1,89 @@
+"""Progress on a terminal, as JSON lines, or not at all."""
+
+from __future__ import annotations
+
+import json
+import sys
+import time
+from collections.abc import Generator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+from raybundle.numerics.progress import Progress, silent
+
+if TYPE_CHECKING:
+    from rich.progress import Progress as Bar
+    from rich.progress import TaskID
+
+PATIENCE = 2.0
+"""Seconds before a bar appears."""
+
+
+@contextmanager
+def reporting(mode: str) -> Generator[Progress]:
+    """The progress function for a mode of `--progress`; the terminal is clean again at the end."""
+    if mode == "json":
+        yield _JsonLines()
+    elif mode == "auto" and sys.stderr.isatty():
+        terminal = _Terminal()
+        try:
+            yield terminal
+        finally:
+            terminal.close()
+    else:
+        yield silent
+
+
+class _JsonLines:
+    """One JSON object a line on stderr."""
+
+    def __init__(self) -> None:
+        self.start = time.monotonic()
+
+    def __call__(self, stage: str, share: float) -> None:
+        line = {"stage": stage, "share": round(share, 4), "seconds": round(time.monotonic() - self.start, 3)}
+        print(json.dumps(line), file=sys.stderr, flush=True)  # noqa: T201  (this is the output asked for)
+
+
+class _Terminal:
+    """A bar with stage, share and time left, once the work has taken two seconds."""
+
+    def __init__(self) -> None:
+        self.start = time.monotonic()
+        self.stage = ""
+        self.bar: Bar | None = None
+        self.task: TaskID | None = None
+
+    def __call__(self, stage: str, share: float) -> None:
+        if self.bar is None:
+            if time.monotonic() - self.start < PATIENCE:
+                return
+            self.bar = self._open()
+        if stage != self.stage or self.task is None:
+            if self.task is not None:
+                self.bar.remove_task(self.task)
+            self.task = self.bar.add_task(stage, total=1.0)
+            self.stage = stage
+        self.bar.update(self.task, completed=min(max(share, 0.0), 1.0))
+
+    @staticmethod
+    def _open() -> Bar:
+        from rich.console import Console  # noqa: PLC0415  (loaded only where there is something to show)
+        from rich.progress import BarColumn, TaskProgressColumn, TextColumn, TimeRemainingColumn  # noqa: PLC0415
+        from rich.progress import Progress as Bar  # noqa: PLC0415
+
+        bar = Bar(
+            TextColumn("{task.description}"),
+            BarColumn(),
+            TaskProgressColumn(),
+            TimeRemainingColumn(),
+            console=Console(stderr=True),
+            transient=True,
+        )
+        bar.start()
+        return bar
+
+    def close(self) -> None:
+        """Take the bar away."""
+        if self.bar is not None:
+            self.bar.stop()

@@ -1,0 +1,75 @@
+"""The few lines that a command prints about an adjustment."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from raybundle.adjustment.result import Adjustment
+from raybundle.block import Block, Role
+from raybundle.cli.common import counted, grouped, significant
+from raybundle.numerics.arrays import Array
+
+
+def summary_lines(adjustment: Adjustment) -> list[str]:
+    """Counts, sigma0, relative precision, check points and warnings, a line each."""
+    a = adjustment
+    rejected = sum(1 for r in a.image_observations.rejected if r)
+    tail = f"; {grouped(rejected)} rejected (listed in observations.csv)" if rejected else ""
+    lines = [
+        (
+            f"{counted(len(a.given.images), 'image')}, {counted(len(a.given.points), 'object point')}, "
+            f"{counted(len(a.given.observations), 'image observation')}{tail}"
+        ),
+        f"sigma0 {_sigma0(a)} (a priori {a_priori(a.given)}), redundancy {grouped(a.redundancy)}",
+        f"datum: {a.datum}",
+    ]
+    lines += _precision(a)
+    lines += _check_points(a)
+    lines += [f"warning: {n.message}" for n in a.notices]
+    return [f" {line}" for line in lines]
+
+
+def _sigma0(a: Adjustment) -> str:
+    return f"{a.sigma0:.4g}" if math.isfinite(a.sigma0) else "cannot be estimated"
+
+
+def a_priori(block: Block) -> str:
+    """The standard deviation of an image coordinate as given: "0.30 um = 0.06 px"; the median where they differ."""
+    std = np.sqrt(block.observations.cov_px2[:, :2])
+    pixel = np.array([c.pixel_mm for c in block.cameras])[block.images.camera[block.observations.image]]
+    px, um = float(np.median(std)), float(np.median(std * pixel * 1000))
+    return f"{um:.2g} um = {px:.2g} px" + ("" if np.ptp(std) <= 1e-3 * px else ", median")
+
+
+def _precision(a: Adjustment) -> list[str]:
+    if a.precision is None:
+        return ["no standard deviations (statistics are off)"]
+    std: Array = a.precision.object_point_std
+    free = np.isfinite(std).all(axis=1) & (std > 0).any(axis=1)
+    if not free.any():
+        return []
+    unit, factor = ("mm", 1000.0) if a.given.length_unit == "m" else ("mm", 1.0)
+    mean = np.sqrt((std[free] ** 2).mean(axis=0)) * factor
+    each = ", ".join(f"{axis} {significant(m)}" for axis, m in zip("XYZ", mean, strict=True))
+    lines = [f"standard deviation of object points (rms): {each} {unit}"]
+    if a.network is not None and math.isfinite(a.network.relative_precision):
+        n = round(float(f"{a.network.relative_precision:.2g}"))
+        meaning = "(mean standard deviation / largest extent)"
+        lines.append(f"relative precision 1 : {grouped(n)} {meaning}; {a.network.precision_class}")
+    return lines
+
+
+def _check_points(a: Adjustment) -> list[str]:
+    check = np.asarray(a.given.points.role) == Role.CHECK
+    difference = (a.adjusted.points.xyz - a.given.points.xyz)[check]
+    if not np.isfinite(difference).any():
+        return []
+    factor = 1000.0 if a.given.length_unit == "m" else 1.0
+    rms: list[str] = []
+    for axis, column in zip("XYZ", difference.T, strict=True):
+        known = column[np.isfinite(column)]
+        if len(known):
+            rms.append(f"{axis} {significant(float(np.sqrt((known**2).mean())) * factor)}")
+    return [f"{counted(int(check.sum()), 'check point')}, rms difference: {', '.join(rms)} mm"]

@@ -1,0 +1,434 @@
+"""Block folders: block.toml and CSV tables, read strictly and written so that they read back equal.
+
+The format stands in docs/reference/block-format.md.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+import numpy as np
+
+from raybundle.block import Block, Camera, Distances, Images, Observations, Points, Role, Stations
+from raybundle.block.block import no_distances, no_stations
+from raybundle.errors import InputError
+from raybundle.io.block_toml import head_text, read_head
+from raybundle.io.folders import new_folder
+from raybundle.io.tables import SHOWN, Column, Problem, Table, fail, read_table, shown, write_table
+from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.progress import Progress, silent
+from raybundle.numerics.rotation import rotation_from_angles
+from raybundle.sensors import sensor_models
+
+TABLES = ("images", "observations", "points", "distances", "stations", "interior")
+FILES = ("block.toml", *(f"{name}.csv" for name in TABLES))
+XYZ = ("X", "Y", "Z")
+SIGMA_XYZ = ("sX", "sY", "sZ")
+ANGLES = ("omega_deg", "phi_deg", "kappa_deg")
+ROLES = {"tie": Role.TIE, "control": Role.CONTROL, "check": Role.CHECK}
+
+
+def read_block(path: str | Path, *, progress: Progress = silent) -> Block:
+    """The block in a folder.
+
+    raises  InputError with file, line and column for anything the format does not allow
+    What it does not tell: whether the block can be adjusted; points without rays and images without
+    orientation are well-formed.
+    """
+    folder = Path(path)
+    _check_folder(folder)
+    progress("reading", 0.0)
+    head = read_head(folder / "block.toml")
+    images, image_ids = _read_images(folder / "images.csv", head.cameras)
+    points, point_ids = _read_points(folder / "points.csv")
+    progress("reading", 0.1)
+    observations = _read_observations(folder / "observations.csv", image_ids, point_ids)
+    progress("reading", 0.9)
+    new = tuple(point_ids)[len(points) :]
+    points = _with_tie_points(points, new)
+    interior = _read_interior(folder / "interior.csv", image_ids, images, head.cameras)
+    block = Block(
+        name=head.name,
+        about=head.about,
+        source=head.source,
+        licence=head.licence,
+        length_unit=head.length_unit,
+        sigma0_apriori=head.sigma0_apriori,
+        residuals=head.residuals,
+        cameras=head.cameras,
+        images=Images(
+            ids=images.ids,
+            camera=images.camera,
+            file=images.file,
+            centre=images.centre,
+            rotation=images.rotation,
+            held=images.held,
+            interior=interior,
+        ),
+        observations=observations,
+        points=points,
+        distances=_read_distances(folder / "distances.csv", point_ids),
+        stations=_read_stations(folder / "stations.csv", image_ids),
+    )
+    progress("reading", 1.0)
+    return block
+
+
+def _check_folder(folder: Path) -> None:
+    if not folder.is_dir():
+        what = "is a file, not a block folder" if folder.exists() else "there is no such folder"
+        raise InputError(f"{what}; give a folder with block.toml, images.csv and observations.csv", file=folder)
+    if not (folder / "block.toml").exists():
+        hint = (
+            f"; this is a result folder, its block is {folder / 'block'}" if (folder / "result.json").exists() else ""
+        )
+        raise InputError(f"not a block folder, it holds no block.toml{hint}", file=folder)
+    for table in ("images.csv", "observations.csv"):
+        if not (folder / table).exists():
+            raise InputError("the file is missing; a block needs it", file=folder / table)
+    known = {name.lower().rstrip("s"): name for name in TABLES}
+    for entry in sorted(folder.iterdir()):
+        meant = known.get(entry.stem.lower().rstrip("s"))
+        if entry.suffix.lower() == ".csv" and meant is not None and entry.name != f"{meant}.csv":
+            raise InputError(f"is not read; rename it to {meant}.csv, or take it out of the folder", file=entry)
+
+
+def _problems(mask: Mask, column: str, message: Callable[[int], str]) -> list[Problem]:
+    return [Problem(int(k) + 2, column, message(int(k))) for k in np.flatnonzero(mask)[: SHOWN + 1]]
+
+
+def _require(path: Path, *groups: Sequence[Problem]) -> None:
+    problems = [p for group in groups for p in group]
+    if problems:
+        fail(path, problems)
+
+
+def _read_images(path: Path, cameras: tuple[Camera, ...]) -> tuple[Images, dict[str, int]]:
+    table = read_table(
+        path,
+        (
+            Column(name="image", kind="id"),
+            Column(
+                name="camera",
+                kind="reference",
+                known={c.id: k for k, c in enumerate(cameras)},
+                where="the cameras of block.toml",
+            ),
+            Column(name="file", kind="text", empty=True),
+            *(Column(name=n, kind="number", empty=True) for n in (*XYZ, *ANGLES)),
+            Column(name="held", kind="number", optional=True, empty=True),
+        ),
+    )
+    ids = table.text["image"]
+    centre = table.numbers(*XYZ)
+    angles = table.numbers(*ANGLES)
+    held = table.number.get("held", np.full(len(ids), np.nan))
+    known = np.isfinite(angles).sum(axis=1)
+    oriented = (known == 3) & np.isfinite(centre).all(axis=1)
+    _require(
+        path,
+        _problems(
+            (known != 0) & (known != 3),
+            "omega_deg",
+            lambda k: f"image {shown(ids[k])} has {known[k]} of 3 angles; give all three or none",
+        ),
+        _problems(np.isfinite(held) & (held != 1), "held", lambda k: f"{held[k]:g} is neither 1 nor empty"),
+        _problems(
+            (held == 1) & ~oriented,
+            "held",
+            lambda k: f"image {shown(ids[k])} is held but its exterior orientation is not complete; fill it",
+        ),
+    )
+    return Images(
+        ids=ids,
+        camera=table.index["camera"],
+        file=table.text["file"],
+        centre=centre,
+        rotation=rotation_from_angles(np.radians(angles)),
+        held=held == 1 if (held == 1).any() else None,
+    ), {image: k for k, image in enumerate(ids)}
+
+
+def _read_points(path: Path) -> tuple[Points, dict[str, int]]:
+    if not path.exists():
+        empty = np.zeros((0, 3))
+        return Points(ids=(), role=np.zeros(0, np.int32), xyz=empty, sigma=empty), {}
+    table = read_table(
+        path,
+        (
+            Column(name="point", kind="id"),
+            Column(name="role", kind="text"),
+            *(Column(name=n, kind="number", empty=True) for n in XYZ),
+            *(Column(name=n, kind="number", empty=True, limit=">= 0") for n in SIGMA_XYZ),
+        ),
+    )
+    ids, roles = table.text["point"], table.text["role"]
+    unknown = np.array([r not in ROLES for r in roles])
+    _require(path, _problems(unknown, "role", lambda k: f"{shown(roles[k])} is not one of tie, control, check"))
+    role = np.fromiter((ROLES[r] for r in roles), np.int32, len(roles))
+    xyz, sigma = table.numbers(*XYZ), table.numbers(*SIGMA_XYZ)
+    given, weighted = np.isfinite(xyz), np.isfinite(sigma)
+    problems: list[Problem] = []
+    for axis, s in zip(XYZ, SIGMA_XYZ, strict=True):
+        k = XYZ.index(axis)
+        problems += _problems(
+            weighted[:, k] & ~given[:, k],
+            s,
+            lambda row, axis=axis, s=s: f"point {shown(ids[row])} has {s} but no {axis}; give the coordinate too",
+        )
+    problems += _problems(
+        (role == Role.TIE) & weighted.any(axis=1),
+        "sX",
+        lambda k: f"tie point {shown(ids[k])} has a sigma; make its role control, or leave the sigma empty",
+    )
+    problems += _problems(
+        (role == Role.CONTROL) & ~(given & weighted).any(axis=1),
+        "sX",
+        lambda k: f"control point {shown(ids[k])} has no coordinate with a sigma; 0 = held, or make its role tie",
+    )
+    problems += _problems(
+        (role == Role.CHECK) & ~given.any(axis=1),
+        "X",
+        lambda k: f"check point {shown(ids[k])} has no coordinate; give one or make its role tie",
+    )
+    _require(path, problems)
+    points = Points(ids=ids, role=role, xyz=xyz, sigma=sigma)
+    return points, {point: k for k, point in enumerate(ids)}
+
+
+def _with_tie_points(points: Points, new: tuple[str, ...]) -> Points:
+    """The points with those that only the observations know."""
+    unknown = np.full((len(new), 3), np.nan)
+    return Points(
+        ids=points.ids + new,
+        role=np.concatenate([points.role, np.full(len(new), Role.TIE, np.int32)]),
+        xyz=np.concatenate([points.xyz, unknown]),
+        sigma=np.concatenate([points.sigma, unknown]),
+    )
+
+
+def _read_observations(path: Path, images: dict[str, int], points: dict[str, int]) -> Observations:
+    """The table; points not yet known are added to `points`."""
+    table = read_table(
+        path,
+        (
+            Column(name="image", kind="reference", known=images, where="images.csv"),
+            Column(name="point", kind="new_reference", known=points),
+            Column(name="x_px", kind="number"),
+            Column(name="y_px", kind="number"),
+            Column(name="sx_px", kind="number", limit="> 0"),
+            Column(name="sy_px", kind="number", limit="> 0"),
+            Column(name="sxy_px2", kind="number", optional=True, empty=True),
+        ),
+        unique=("image", "point"),
+    )
+    sx, sy = table.number["sx_px"], table.number["sy_px"]
+    sxy = np.nan_to_num(table.number.get("sxy_px2", np.zeros(table.rows)))
+    limit = sx * sy
+    _require(
+        path,
+        _problems(
+            np.abs(sxy) >= limit,
+            "sxy_px2",
+            lambda k: f"{sxy[k]:g} is not between -sx sy and sx sy = {limit[k]:g}; it is a covariance in px^2",
+        ),
+        _problems(
+            (sx < 1e-150) | (sy < 1e-150) | (sx > 1e150) | (sy > 1e150),
+            "sx_px",
+            lambda k: f"a standard deviation of {sx[k]:g}, {sy[k]:g} px cannot be meant; give it in px",
+        ),
+    )
+    return Observations(
+        image=table.index["image"],
+        point=table.index["point"],
+        xy_px=np.stack([table.number["x_px"], table.number["y_px"]], axis=1),
+        cov_px2=np.stack([sx * sx, sy * sy, sxy], axis=1),
+    )
+
+
+def _read_distances(path: Path, points: dict[str, int]) -> Distances:
+    if not path.exists():
+        return no_distances()
+    where = "points.csv or observations.csv"
+    table = read_table(
+        path,
+        (
+            Column(name="from", kind="reference", known=points, where=where),
+            Column(name="to", kind="reference", known=points, where=where),
+            Column(name="length", kind="number", limit="> 0"),
+            Column(name="sigma", kind="number", limit="> 0"),
+        ),
+    )
+    start, end = table.index["from"], table.index["to"]
+    _require(path, _problems(start == end, "to", lambda _: "a distance needs two different points"))
+    return Distances(start=start, end=end, length=table.number["length"], sigma=table.number["sigma"])
+
+
+def _read_stations(path: Path, images: dict[str, int]) -> Stations:
+    if not path.exists():
+        return no_stations()
+    table = read_table(
+        path,
+        (
+            Column(name="image", kind="reference", known=images, where="images.csv"),
+            *(Column(name=n, kind="number", empty=True) for n in XYZ),
+            *(Column(name=n, kind="number", empty=True, limit="> 0") for n in SIGMA_XYZ),
+        ),
+    )
+    image = table.index["image"]
+    xyz, sigma = table.numbers(*XYZ), table.numbers(*SIGMA_XYZ)
+    _, first = np.unique(image, return_index=True)
+    again = np.ones(len(image), bool)
+    again[first] = False
+    half = (np.isfinite(xyz) ^ np.isfinite(sigma)).any(axis=1)
+    _require(
+        path,
+        _problems(again, "image", lambda _: "this image has a row already; delete one of the two"),
+        _problems(half, "sX", lambda _: "each coordinate needs its sigma, each sigma its coordinate"),
+        _problems(~np.isfinite(xyz).any(axis=1), "X", lambda _: "the row holds no coordinate; delete it"),
+    )
+    return Stations(image=image, xyz=xyz, sigma=sigma)
+
+
+def _read_interior(
+    path: Path, images: dict[str, int], table_of_images: Images, cameras: tuple[Camera, ...]
+) -> dict[int, dict[str, float]]:
+    """Interior orientations of single images; what is not listed is the camera's."""
+    if not path.exists():
+        return {}
+    table = read_table(
+        path,
+        (
+            Column(name="image", kind="reference", known=images, where="images.csv"),
+            Column(name="parameter", kind="text"),
+            Column(name="value", kind="number"),
+        ),
+    )
+    result: dict[int, dict[str, float]] = {}
+    problems: list[Problem] = []
+    rows = zip(table.index["image"].tolist(), table.text["parameter"], table.number["value"].tolist(), strict=True)
+    for line, (image, key, value) in enumerate(rows, 2):
+        camera = cameras[int(table_of_images.camera[image])]
+        parameter = {p.key: p for p in sensor_models[camera.model].parameters}.get(key)
+        own = result.setdefault(image, {})
+        if camera.interior != "per_image":
+            message = f'camera {camera.id} has one interior orientation; set interior = "per_image" in block.toml'
+            problems.append(Problem(line, "image", message))
+        elif parameter is None:
+            known = ", ".join(p.key for p in sensor_models[camera.model].parameters)
+            problems.append(Problem(line, "parameter", f"{shown(key)} is no key of {camera.model}; known: {known}"))
+        elif parameter.symbol in own:
+            problems.append(Problem(line, "parameter", f"{key} of this image stands already above"))
+        elif parameter.kind == "scale" and value <= 0:
+            problems.append(Problem(line, "value", f"{key} is {value:g}; it must be greater than 0"))
+        else:
+            own[parameter.symbol] = value
+        if len(problems) > SHOWN:
+            break
+    _require(path, problems)
+    return result
+
+
+def write_block(block: Block, path: str | Path) -> None:
+    """Write a block folder, whole or not at all.
+
+    path    a new folder, or an empty one; a block that stands there is never overwritten
+    raises  InputError where something stands at `path` already
+    Numbers are written so that they read back equal; angles of the exterior orientation to 1e-12 degrees.
+    """
+    folder = Path(path)
+    if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+        raise InputError("stands there already and is not overwritten; choose another folder or delete it", file=folder)
+    with new_folder(folder) as temporary:
+        write_block_files(block, temporary)
+
+
+def write_block_files(block: Block, folder: Path) -> None:
+    """Write the files of a block into an existing folder."""
+    (folder / "block.toml").write_text(head_text(block), encoding="utf-8", newline="\n")
+    images, points, observations = block.images, block.points, block.observations
+    columns: dict[str, Sequence[str] | Array] = {
+        "image": images.ids,
+        "camera": [block.cameras[c].id for c in images.camera],
+        "file": images.file,
+        **columns_of(XYZ, images.centre),
+        **columns_of(ANGLES, angles_deg(images)),
+    }
+    if images.held is not None and images.held.any():
+        columns["held"] = np.where(images.held, 1.0, np.nan)
+    write_table(folder / "images.csv", columns)
+    _write_observations(folder / "observations.csv", images.ids, points.ids, observations)
+    if len(points):
+        write_table(
+            folder / "points.csv",
+            {**point_columns(points), **columns_of(XYZ, points.xyz), **columns_of(SIGMA_XYZ, points.sigma)},
+        )
+    if len(block.distances):
+        d = block.distances
+        ends = {"from": named(points.ids, d.start), "to": named(points.ids, d.end)}
+        write_table(folder / "distances.csv", {**ends, "length": d.length, "sigma": d.sigma})
+    if len(block.stations):
+        s = block.stations
+        write_table(
+            folder / "stations.csv",
+            {"image": named(images.ids, s.image), **columns_of(XYZ, s.xyz), **columns_of(SIGMA_XYZ, s.sigma)},
+        )
+    _write_interior(folder / "interior.csv", block)
+
+
+def _write_observations(path: Path, images: tuple[str, ...], points: tuple[str, ...], o: Observations) -> None:
+    columns: dict[str, Sequence[str] | Array] = {
+        "image": named(images, o.image),
+        "point": named(points, o.point),
+        **columns_of(("x_px", "y_px"), o.xy_px),
+        **columns_of(("sx_px", "sy_px"), np.sqrt(o.cov_px2[:, :2])),
+    }
+    if o.cov_px2[:, 2].any():
+        columns["sxy_px2"] = o.cov_px2[:, 2]
+    write_table(path, columns)
+
+
+def _write_interior(path: Path, block: Block) -> None:
+    image: list[str] = []
+    parameter: list[str] = []
+    value: list[float] = []
+    for k, values in block.images.interior.items():
+        model = sensor_models[block.cameras[int(block.images.camera[k])].model]
+        for p in model.parameters:
+            if p.symbol in values:
+                image.append(block.images.ids[k])
+                parameter.append(p.key)
+                value.append(values[p.symbol])
+    if image:
+        write_table(path, {"image": image, "parameter": parameter, "value": np.array(value)})
+
+
+def angles_deg(images: Images) -> Array:
+    """Omega, phi, kappa (n, 3) [deg], rounded to 1e-12 degrees; NaN where not known."""
+    known = np.isfinite(images.rotation).all(axis=(1, 2))
+    angles: Array = np.full((len(images), 3), np.nan)
+    if known.any():
+        angles[known] = np.round(np.degrees(images.angles[known]), 12) + 0.0  # no -0
+    return angles
+
+
+def named(ids: Sequence[str], index: Index) -> list[str]:
+    """The ids at these positions."""
+    return [ids[k] for k in index.tolist()]
+
+
+def point_columns(points: Points) -> dict[str, Sequence[str] | Array]:
+    """The columns `point` and `role`."""
+    names = {int(role): name for name, role in ROLES.items()}
+    return {"point": points.ids, "role": [names[r] for r in np.asarray(points.role).tolist()]}
+
+
+def columns_of(names: Sequence[str], values: Array) -> dict[str, Array]:
+    """The columns of a matrix under their names."""
+    return {name: values[:, k] for k, name in enumerate(names)}
+
+
+def table_columns(table: Table) -> tuple[str, ...]:
+    """All column names of a table, text first."""
+    return (*table.text, *table.index, *table.number)

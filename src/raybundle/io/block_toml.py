@@ -1,0 +1,309 @@
+"""block.toml: the head of a block folder, cameras included."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+import tomllib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Literal, NoReturn, cast
+
+from raybundle.block import Block, Camera
+from raybundle.block.block import LengthUnit, Residuals
+from raybundle.errors import InputError, UnknownSensorModel
+from raybundle.sensors import SensorModel, sensor_models
+
+FILE_BYTES = 1 << 23
+_KEY = re.compile(r"""\s*([A-Za-z0-9_-]+|"[^"]*"|'[^']*')\s*[=.]""")
+_BARE = re.compile(r"[A-Za-z0-9_-]+")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Head:
+    """What block.toml says."""
+
+    name: str
+    about: str
+    source: str
+    licence: str
+    length_unit: LengthUnit
+    sigma0_apriori: float
+    residuals: Residuals
+    cameras: tuple[Camera, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class _Section:
+    """One TOML table, with the way to it for messages."""
+
+    file: Path
+    lines: Mapping[tuple[str, ...], int]
+    at: tuple[str, ...]
+    values: Mapping[str, Any]
+
+    def fail(self, key: str, message: str) -> NoReturn:
+        """Raise at the line of a key, or of the section."""
+        place = (*self.at, key)
+        line = self.lines.get(place, self.lines.get(self.at))
+        raise InputError(message, file=self.file, line=line, column=".".join(place))
+
+    def allow(self, keys: Sequence[str]) -> None:
+        """Raise where another key stands."""
+        for key in self.values:
+            if key not in keys:
+                self.fail(key, f"unknown key {key!r}; known: {', '.join(keys)}")
+
+    def text(self, key: str, default: str) -> str:
+        """A string."""
+        value = self.values.get(key, default)
+        if not isinstance(value, str):
+            self.fail(key, f"{_shown(value)} is not a text; put it in quotes")
+        return value
+
+    def choice(self, key: str, options: Sequence[str], default: str) -> str:
+        """One of some words."""
+        value = self.text(key, default)
+        if value not in options:
+            self.fail(key, f"{value!r} is not one of {', '.join(options)}")
+        return value
+
+    def number(self, key: str, default: float | None = None, *, above: float = -math.inf) -> float:
+        """A finite number greater than `above`."""
+        value = self.values.get(key, default)
+        if value is None:
+            self.fail(key, f"key {key!r} is missing; give a number")
+        return self.checked(key, value, above=above)
+
+    def checked(self, key: str, value: object, *, above: float = -math.inf) -> float:
+        """The value as a finite number greater than `above`."""
+        if isinstance(value, bool) or not isinstance(value, int | float):
+            self.fail(key, f"{_shown(value)} is not a number")
+        try:
+            number = float(value)
+        except OverflowError:
+            number = math.inf
+        if not math.isfinite(number):
+            self.fail(key, f"{_shown(value)} is not a finite number")
+        if number <= above:
+            self.fail(key, f"{number:g} must be greater than {above:g}")
+        return number
+
+    def whole(self, key: str) -> int:
+        """A whole number greater than 0."""
+        number = self.number(key, above=0)
+        if number > 1e7 or number != int(number):
+            self.fail(key, f"{number:g} is not a whole number of pixels, at most 10 000 000")
+        return int(number)
+
+    def section(self, key: str) -> _Section:
+        """A table within this one; empty where there is none."""
+        value = self.values.get(key, {})
+        if not isinstance(value, dict):
+            self.fail(key, f"{_shown(value)} is not a table")
+        return _Section(self.file, self.lines, (*self.at, key), cast("dict[str, Any]", value))
+
+
+def read_head(path: Path) -> Head:
+    """The contents of a block.toml; raises InputError with the line of the key at fault."""
+    top = _parsed(path)
+    top.allow(
+        ("name", "about", "source", "licence", "length_unit", "sigma0_apriori", "residuals", "cameras"),
+    )
+    cameras = top.section("cameras")
+    if not cameras.values:
+        top.fail("cameras", "no camera; a block needs a table [cameras.ID] for every camera")
+    return Head(
+        name=top.text("name", path.parent.name or "block"),
+        about=top.text("about", ""),
+        source=top.text("source", ""),
+        licence=top.text("licence", ""),
+        length_unit=cast("LengthUnit", top.choice("length_unit", ("m", "mm"), "m")),
+        sigma0_apriori=top.number("sigma0_apriori", 1.0, above=0),
+        residuals=cast("Residuals", top.choice("residuals", ("measured", "corrected"), "measured")),
+        cameras=tuple(_camera(cameras, id_) for id_ in cameras.values),
+    )
+
+
+def read_cameras(path: Path) -> tuple[Camera, ...]:
+    """The `[cameras.*]` tables of a TOML file that holds nothing else."""
+    top = _parsed(path)
+    top.allow(("cameras",))
+    cameras = top.section("cameras")
+    return tuple(_camera(cameras, id_) for id_ in cameras.values)
+
+
+def _parsed(path: Path) -> _Section:
+    try:
+        if path.stat().st_size > FILE_BYTES:
+            raise InputError(f"larger than {FILE_BYTES >> 20} MiB: this is no block.toml", file=path)
+        data = path.read_bytes()
+    except OSError as error:
+        raise InputError(f"cannot be read: {error.strerror}; check the path and the permissions", file=path) from None
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = data.count(b"\n", 0, error.start) + 1
+        raise InputError(
+            f"byte 0x{data[error.start]:02x} is not UTF-8; save the file with the encoding UTF-8", file=path, line=line
+        ) from None
+    try:
+        values = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        found = re.search(r" \(at line (\d+), column (\d+)\)", str(error))
+        line = int(found[1]) if found else None
+        message = str(error).replace(found[0], f" (character {found[2]})") if found else str(error)
+        raise InputError(f"this is not TOML: {message}", file=path, line=line) from None
+    except RecursionError:
+        raise InputError("this is not TOML: nested too deeply", file=path) from None
+    return _Section(path, _lines_of_keys(text), (), values)
+
+
+def _lines_of_keys(text: str) -> dict[tuple[str, ...], int]:
+    """The line in which each table and key stands; keys within inline tables are not looked for."""
+    lines: dict[tuple[str, ...], int] = {}
+    at: tuple[str, ...] = ()
+    for number, line in enumerate(text.split("\n"), 1):
+        if line.lstrip().startswith("[") and "=" not in line:
+            at = _header_path(line)
+            lines.setdefault(at, number)
+        elif found := _KEY.match(line):
+            lines.setdefault((*at, found[1].strip("\"'")), number)
+    return lines
+
+
+def _header_path(line: str) -> tuple[str, ...]:
+    try:
+        nested: Any = tomllib.loads(line)
+    except tomllib.TOMLDecodeError:
+        return ()
+    path: list[str] = []
+    while isinstance(nested, dict) and nested:
+        key, nested = next(iter(cast("dict[str, Any]", nested).items()))
+        path.append(key)
+    return tuple(path)
+
+
+def _camera(cameras: _Section, id_: str) -> Camera:
+    section = cameras.section(id_)
+    if not id_ or id_ != id_.strip() or not id_.isprintable():
+        cameras.fail(id_, f"{id_!r} is no camera id: it is empty, has blanks at its ends or cannot be printed")
+    if "model" not in section.values:
+        section.fail("model", "key 'model' is missing; give the name of a sensor model")
+    model_name = section.text("model", "")
+    model = sensor_models.get(model_name)
+    if model is None:
+        line = section.lines.get((*section.at, "model"), 0)
+        raise UnknownSensorModel(model_name, known=sensor_models, file=f"{section.file}, line {line}")
+    keys = [p.key for p in model.parameters]
+    section.allow(("model", "width_px", "height_px", "pixel_mm", *keys, "estimate", "sigma", "interior"))
+    interior = section.choice("interior", ("shared", "per_image"), "shared")
+    return Camera(
+        id=id_,
+        model=model_name,
+        width_px=section.whole("width_px"),
+        height_px=section.whole("height_px"),
+        pixel_mm=_pixel(section),
+        values=_values(section, model),
+        estimate=_estimate(section, model),
+        sigma=_sigma(section, model),
+        interior=cast("Literal['shared', 'per_image']", interior),
+    )
+
+
+def _pixel(section: _Section) -> tuple[float, float]:
+    value = section.values.get("pixel_mm")
+    if not isinstance(value, list) or len(cast("list[Any]", value)) != 2:
+        section.fail("pixel_mm", "give the width and the height of a pixel in mm: pixel_mm = [0.005, 0.005]")
+    width, height = (section.checked("pixel_mm", v, above=0) for v in cast("list[Any]", value))
+    return width, height
+
+
+def _values(section: _Section, model: SensorModel) -> dict[str, float]:
+    values: dict[str, float] = {}
+    for p in model.parameters:
+        if p.kind == "scale":
+            values[p.symbol] = section.number(p.key, above=0)
+        else:
+            values[p.symbol] = section.number(p.key, 0.0)
+    return values
+
+
+def _estimate(section: _Section, model: SensorModel) -> tuple[str, ...] | Literal["auto"]:
+    value = section.values.get("estimate", [])
+    if value == "auto":
+        return "auto"
+    known = ", ".join(model.symbols)
+    if not isinstance(value, list):
+        section.fail("estimate", f'{_shown(value)} is neither "auto" nor a list of {known}')
+    symbols = cast("list[Any]", value)
+    for position, symbol in enumerate(symbols):
+        if symbol not in model.symbols:
+            section.fail("estimate", f"{_shown(symbol)} is no parameter of {model.name}; known: {known}")
+        if symbol in symbols[:position]:
+            section.fail("estimate", f"{symbol!r} stands twice")
+    return tuple(symbols)
+
+
+def _sigma(section: _Section, model: SensorModel) -> dict[str, float]:
+    sigma = section.section("sigma")
+    values: dict[str, float] = {}
+    for symbol in sigma.values:
+        if symbol not in model.symbols:
+            known = ", ".join(model.symbols)
+            section.fail("sigma", f"{_shown(symbol)} is no parameter of {model.name}; known: {known}")
+        value = sigma.checked(symbol, sigma.values[symbol])
+        if value <= 0:
+            section.fail(
+                "sigma",
+                f"sigma of {symbol} is {value:g}; give a positive one, or leave {symbol} out of estimate to hold it",
+            )
+        values[symbol] = value
+    estimate = section.values.get("estimate", [])
+    idle = [s for s in values if estimate != "auto" and s not in estimate]
+    if idle:
+        section.fail("sigma", f"{idle[0]} has a sigma but is held; add it to estimate, or take its sigma away")
+    return values
+
+
+def head_text(block: Block) -> str:
+    """The block.toml of a block; reads back equal."""
+    lines = [f"{key} = {_quoted(getattr(block, key))}" for key in ("name", "about", "source", "licence", "length_unit")]
+    lines.append(f"sigma0_apriori = {block.sigma0_apriori!r}")
+    lines.append(f"residuals = {_quoted(block.residuals)}")
+    for camera in block.cameras:
+        key = camera.id if _BARE.fullmatch(camera.id) else _quoted(camera.id)
+        lines += ["", f"[cameras.{key}]", *_camera_lines(camera)]
+    return "\n".join(lines) + "\n"
+
+
+def _camera_lines(camera: Camera) -> list[str]:
+    model = sensor_models[camera.model]
+    width, height = (float(p) for p in camera.pixel_mm)
+    lines = [
+        f"model = {_quoted(camera.model)}",
+        f"width_px = {camera.width_px}",
+        f"height_px = {camera.height_px}",
+        f"pixel_mm = [{width!r}, {height!r}]",
+    ]
+    lines += [f"{p.key} = {float(camera.values.get(p.symbol, 0.0))!r}" for p in model.parameters]
+    if camera.estimate == "auto":
+        lines.append('estimate = "auto"')
+    else:
+        lines.append(f"estimate = [{', '.join(_quoted(s) for s in camera.estimate)}]")
+    if camera.sigma:
+        lines.append("sigma = {" + ", ".join(f"{s} = {float(v)!r}" for s, v in camera.sigma.items()) + "}")
+    if camera.interior != "shared":
+        lines.append(f"interior = {_quoted(camera.interior)}")
+    return lines
+
+
+def _quoted(text: str) -> str:
+    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
+
+
+def _shown(value: object) -> str:
+    text = repr(value)
+    return text if len(text) <= 40 else text[:40] + "..."

@@ -1,0 +1,69 @@
+"""Critical values, detectability and tests."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from raybundle.numerics.arrays import Array
+
+ALPHA = 0.001
+"""Significance level of the smallest detectable blunder (Baarda 1968)."""
+POWER = 0.80
+CRITICAL_W = 3.2905267314918945
+"""Two-sided critical value of a standard normal deviate at ALPHA."""
+DELTA0 = 4.132147965064809
+"""Shift of the mean of w that is detected at ALPHA with POWER: root of the noncentrality 17.0746 (Baarda 1968)."""
+
+
+def noncentrality(alpha: float, power: float) -> tuple[float, float]:
+    """Critical value k and shift delta0 of a standard normal deviate tested two-sided at alpha with this power.
+
+    The chance to exceed the limit on the far side is neglected, as in Baarda's tables.
+    """
+    from scipy.stats import norm  # noqa: PLC0415
+
+    k = float(norm.isf(alpha / 2))
+    return k, k + float(norm.ppf(power))
+
+
+def family_wise_normal(significance: float, count: int) -> float:
+    """Critical |w| such that among `count` tests one false alarm has at most this probability (Bonferroni)."""
+    from scipy.stats import norm  # noqa: PLC0415
+
+    return float(norm.isf(significance / (2 * max(count, 1))))
+
+
+def family_wise_tau(significance: float, count: int, redundancy: int) -> float:
+    """The same for tau = v / (sigma0 s sqrt r), sigma0 from the same adjustment (Pope 1976)."""
+    from scipy.stats import t as student  # noqa: PLC0415
+
+    if redundancy < 2:  # noqa: PLR2004
+        return float("nan")
+    q = float(student.isf(significance / (2 * max(count, 1)), redundancy - 1))
+    return float(np.sqrt(redundancy) * q / np.sqrt(redundancy - 1 + q * q))
+
+
+def global_test(square_sum: float, redundancy: int, significance: float = 0.05) -> tuple[float, float, float]:
+    """Lower limit, weighted square sum, upper limit of the two-sided chi-square test of sigma0 = 1."""
+    from scipy.stats import chi2  # noqa: PLC0415
+
+    if redundancy < 1:
+        return float("nan"), square_sum, float("nan")
+    return (
+        float(chi2.ppf(significance / 2, redundancy)),
+        square_sum,
+        float(chi2.isf(significance / 2, redundancy)),
+    )
+
+
+def mahalanobis2(error: Array, covariance: Array) -> Array:
+    """e' C^-1 e of errors (n, k) under covariances (k, k) or (n, k, k): chi-square with k degrees of freedom."""
+    solved = np.linalg.solve(np.broadcast_to(covariance, (len(error), *covariance.shape[-2:])), error[..., None])
+    return np.einsum("ni,ni->n", error, solved[..., 0])
+
+
+def correlation(cofactor: Array) -> Array:
+    """Correlation matrix (k, k) of a cofactor or covariance matrix (k, k)."""
+    s = np.sqrt(np.diagonal(cofactor))
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return cofactor / np.outer(s, s)
