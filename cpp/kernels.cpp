@@ -519,7 +519,7 @@ static Totals reduce(const Problem& q, const State& s, int threads, double* valu
             }
           }
         }
-        if (kept) continue;
+        if (kept || q.first[p + 1] == q.first[p]) continue;
         PointNormal n;
         gather_point(q, s, p, base, c, n);
         if (n.weak && total.weak.size() < 1000) total.weak.push_back(q.id[p]);

@@ -17,6 +17,8 @@ from raybundle.numerics.progress import Progress, silent
 
 FLOOR = 1e-10
 """Smallest damping: it carries the open datum, and is too small to slow anything else."""
+ROUNDING = 1e-13
+"""Share of the square sum below which a predicted decrease is rounding."""
 HUBER = 2.0
 """Whitened residual length beyond which the robust start weighs linearly."""
 
@@ -56,7 +58,7 @@ def solve(
     redundancy = max(system.observations - system.unknowns, 1)
     damping, growth = 1e-4, 2.0
     cost, behind, _ = normals.reduce(state, damping=damping, huber=huber)
-    length, accepted, refused_behind = np.inf, 0, 0
+    length, refused_behind = np.inf, 0
     start = None
     for iteration in range(1, options.max_iterations + 1):
         trial = normals.step(state, damping=damping, huber=huber)
@@ -73,13 +75,15 @@ def solve(
         new = system.updated(state, nodes, points)
         new_cost, new_behind = normals.cost(new, huber=huber)
         gain = (cost - new_cost) / predicted if predicted > 0 else (1.0 if new_cost <= cost else -1.0)
-        floor = 1e-13 * cost
-        if __import__('os').environ.get('RBT'): print(iteration, f'{cost:.6f} new {new_cost:.6f} gain {gain:.3f} damp {damping:.1e} len {length:.2e} behind {behind} {new_behind}')
         turned = new_behind > behind and gain < 0.25 and refused_behind < 6
-        if np.isfinite(new_cost) and not turned and (gain > 1e-4 or new_cost <= cost + floor and length < 1e-3):
-            state, accepted, refused_behind = new, accepted + 1, 0
-            small = length < limit and damping < 1e-7
-            cost, behind = new_cost, new_behind
+        settled = (length < limit or predicted < ROUNDING * cost) and damping < 1e-5
+        if settled:
+            # what is left to gain is below the rounding of the square sum
+            if new_cost <= cost:
+                state, cost, behind = new, new_cost, new_behind
+            return Solution(state, cost, True, iteration, length, behind)
+        if np.isfinite(new_cost) and not turned and gain > 1e-4:
+            state, cost, behind, refused_behind = new, new_cost, new_behind, 0
             growth = 2.0
             damping *= 1 / 30 if 0.95 < gain < 1.05 else max(1 / 3, 1 - (2 * min(gain, 1.0) - 1) ** 3)
             if gain > 0.9 and length < 1e-3:
@@ -87,12 +91,8 @@ def solve(
             damping = max(damping, FLOOR)
             start = length if start is None else start
             progress("adjusting", _share(start, length, limit))
-            if small:
-                return Solution(state, cost, True, iteration, length, behind)
         else:
             refused_behind += int(turned)
-            if length < limit and predicted <= 1e-11 * cost:
-                return Solution(state, cost, True, iteration, length, behind)
             damping, growth = max(damping, 1e-9) * growth, growth * 2
             if damping > 1e12:
                 break

@@ -7,9 +7,10 @@ import math
 import numpy as np
 
 from raybundle.adjustment.result import Adjustment
-from raybundle.block import Block, Role
+from raybundle.block import Block
 from raybundle.cli.common import counted, grouped, significant
 from raybundle.numerics.arrays import Array
+from raybundle.report.result_folder import check_differences
 
 
 def summary_lines(adjustment: Adjustment) -> list[str]:
@@ -62,8 +63,7 @@ def _precision(a: Adjustment) -> list[str]:
 
 
 def _check_points(a: Adjustment) -> list[str]:
-    check = np.asarray(a.given.points.role) == Role.CHECK
-    difference = (a.adjusted.points.xyz - a.given.points.xyz)[check]
+    check, difference = check_differences(a)
     if not np.isfinite(difference).any():
         return []
     factor = 1000.0 if a.given.length_unit == "m" else 1.0
@@ -72,4 +72,4 @@ def _check_points(a: Adjustment) -> list[str]:
         known = column[np.isfinite(column)]
         if len(known):
             rms.append(f"{axis} {significant(float(np.sqrt((known**2).mean())) * factor)}")
-    return [f"{counted(int(check.sum()), 'check point')}, rms difference: {', '.join(rms)} mm"]
+    return [f"{counted(len(check), 'check point')}, rms difference: {', '.join(rms)} mm"]

@@ -15,7 +15,7 @@ from raybundle.block.block import no_distances, no_stations
 from raybundle.errors import InputError
 from raybundle.io.block_toml import head_text, read_head
 from raybundle.io.folders import new_folder
-from raybundle.io.tables import SHOWN, Column, Problem, Table, fail, read_table, shown, write_table
+from raybundle.io.tables import SHOWN, Column, Problem, fail, read_table, shown, write_table
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.rotation import rotation_from_angles
@@ -427,8 +427,3 @@ def point_columns(points: Points) -> dict[str, Sequence[str] | Array]:
 def columns_of(names: Sequence[str], values: Array) -> dict[str, Array]:
     """The columns of a matrix under their names."""
     return {name: values[:, k] for k, name in enumerate(names)}
-
-
-def table_columns(table: Table) -> tuple[str, ...]:
-    """All column names of a table, text first."""
-    return (*table.text, *table.index, *table.number)

@@ -28,7 +28,7 @@ from raybundle.io.block_folder import (
 )
 from raybundle.io.folders import new_folder
 from raybundle.io.tables import Column, Table, read_table, write_table
-from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent
 
 Columns = dict[str, Sequence[str] | Array]
@@ -275,15 +275,26 @@ def _point_std(a: Adjustment) -> Array:
     return np.full((len(a.given.points), 3), np.nan) if a.precision is None else a.precision.object_point_std
 
 
+def used_rays(a: Adjustment) -> Array:
+    """Image observations of each object point (p,) that took part."""
+    used = a.image_observations.used
+    return np.bincount(a.given.observations.point[used], minlength=len(a.given.points)).astype(float)
+
+
+def check_differences(a: Adjustment) -> tuple[Index, Array]:
+    """Positions (k,) of the check points, and adjusted minus given (k, 3); NaN where no ray or no coordinate is."""
+    rows = np.flatnonzero(np.asarray(a.given.points.role) == Role.CHECK).astype(np.int32)
+    difference = a.adjusted.points.xyz[rows] - a.given.points.xyz[rows]
+    return rows, np.where(used_rays(a)[rows, None] > 0, difference, np.nan)
+
+
 def _points(a: Adjustment) -> Columns:
     points = a.adjusted.points
-    used = a.image_observations.used
-    rays = np.bincount(a.given.observations.point[used], minlength=len(points)).astype(float)
     return {
         **point_columns(points),
         **columns_of(XYZ, points.xyz),
         **columns_of(SIGMA_XYZ, _point_std(a)),
-        "rays": rays,
+        "rays": used_rays(a),
     }
 
 
@@ -337,9 +348,8 @@ def _control(a: Adjustment) -> Columns:
 
 
 def _check(a: Adjustment) -> Columns:
-    rows = np.flatnonzero(np.asarray(a.given.points.role) == Role.CHECK).astype(np.int32)
+    rows, difference = check_differences(a)
     given, sigma = a.given.points.xyz[rows], np.nan_to_num(a.given.points.sigma[rows])
-    difference = a.adjusted.points.xyz[rows] - given
     std = np.where(np.isfinite(difference), np.hypot(_point_std(a)[rows], sigma), np.nan)
     return {
         "point": named(a.given.points.ids, rows),

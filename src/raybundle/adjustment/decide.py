@@ -1,0 +1,350 @@
+"""Decisions: which observations are blunders, which parameters of the interior orientation are worth estimating.
+
+Every decision is listed with its reason; nothing is decided that the options do not ask for.
+"""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from raybundle.adjustment.engine import adjust_block, free_parameters
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.reliability import UNCONTROLLED
+from raybundle.adjustment.result import Adjustment, InteriorResult, Notice
+from raybundle.block import Block, Role
+from raybundle.errors import NoConvergence, NotSolvable, RankDefect
+from raybundle.numerics.arrays import Array
+from raybundle.numerics.progress import Progress, silent
+from raybundle.sensors import sensor_models
+
+ROUNDS = 40
+BLUNDER = "blunder"
+DROP_ORDER = ("affinity", "decentring", "radial", "principal point", "scale")
+"""Which kind of parameter is held first where a block determines too few."""
+
+
+@dataclass(slots=True)
+class Decisions:
+    """What was decided so far."""
+
+    free: dict[str, tuple[str, ...]]
+    reasons: tuple[str, ...]
+    notices: list[Notice] = field(default_factory=list[Notice])
+    not_significant: list[tuple[str, str]] = field(default_factory=list[tuple[str, str]])
+    not_determinable: list[tuple[str, str]] = field(default_factory=list[tuple[str, str]])
+
+
+def decide(
+    block: Block, options: AdjustmentOptions, progress: Progress = silent, *, notices: tuple[Notice, ...] = ()
+) -> Adjustment:
+    """Adjust a block with approximate values, with the decisions that the options and the block ask for."""
+    began = time.perf_counter()
+    choices = Decisions(
+        free={c.id: free_parameters(c) for c in block.cameras}, reasons=("",) * len(block.observations)
+    )
+    automatic = [c.id for c in block.cameras if c.estimate == "auto" or (options.estimate == "auto" and c.estimate)]
+    start = block
+    if options.reject == "snooping":
+        start = _snoop(start, options, choices, progress)
+    if automatic:
+        start = _choose(start, options, choices, automatic, progress)
+        if options.reject == "snooping":
+            start = _snoop(start, options, choices, progress)
+    final = replace(options, robust_start=options.robust_start and start is block)
+    result = adjust_block(
+        start, final, progress, free=choices.free, rejected=choices.reasons, notices=(*notices, *choices.notices)
+    )
+    return replace(
+        _labelled(result, choices), given=block, options=options, seconds=time.perf_counter() - began
+    )
+
+
+def _quiet(
+    block: Block, options: AdjustmentOptions, choices: Decisions, progress: Progress, *, robust: bool = False
+) -> Adjustment:
+    return adjust_block(
+        block, replace(options, statistics=True, robust_start=robust, tolerance=max(options.tolerance, 1e-4)), progress,
+        free=choices.free, rejected=choices.reasons,
+    )  # fmt: skip
+
+
+def _snoop(block: Block, options: AdjustmentOptions, choices: Decisions, progress: Progress) -> Block:
+    """Reject blunders in rounds, each round those that do not touch one another; then let rejected ones return.
+
+    Test: tau = v / (sigma0 s sqrt r), largest of the two coordinates of an image point, against the family-wise
+    critical value (Pope 1976).  A rejected observation returns once if its residual is below that limit.
+    """
+    returned: set[int] = set()
+    robust = True
+    for _ in range(ROUNDS):
+        result = _quiet(block, options, choices, progress, robust=robust)
+        robust = False
+        block = result.adjusted
+        choices.reasons = result.image_observations.rejected
+        control = _worst_control(result)
+        size = np.nan_to_num(np.abs(result.image_observations.t).max(axis=1))
+        suspects = np.flatnonzero(size > result.critical_tau)
+        wrong = _contradicted(block, choices.reasons)
+        if wrong is not None:
+            block = _without_control(block, wrong, choices)
+            choices.reasons = tuple(
+                "" if r.startswith(BLUNDER) and block.points.ids[block.observations.point[i]] == wrong[0] else r
+                for i, r in enumerate(choices.reasons)
+            )
+            continue
+        if control is not None and control[1] > max(result.critical_tau, float(size.max(initial=0.0))):
+            block = _without_control(block, control, choices)
+            continue
+        chosen = _apart(block, size, suspects)
+        if not chosen:
+            back = [i for i in _innocent(result) if i not in returned]
+            if not back:
+                return block
+            returned.update(back)
+            reasons = list(choices.reasons)
+            for i in back:
+                reasons[i] = ""
+            choices.reasons = tuple(reasons)
+            continue
+        reasons = list(choices.reasons)
+        for i in chosen:
+            axis = int(np.nanargmax(np.abs(result.image_observations.t[i])))
+            reasons[i] = f"{BLUNDER}: tau {size[i]:.1f} > {result.critical_tau:.2f} in {'xy'[axis]}"
+        choices.reasons = tuple(reasons)
+    choices.notices.append(
+        Notice(code="snooping_unfinished", message=f"data snooping stopped after {ROUNDS} rounds; suspects are left")
+    )
+    return block
+
+
+def _apart(block: Block, size: Array, suspects: Array) -> list[int]:
+    """Suspects in order of size, one for each object point and few for each image: what one blunder smears is spared."""
+    points: set[int] = set()
+    images: dict[int, int] = {}
+    chosen: list[int] = []
+    counts = np.bincount(block.observations.image, minlength=len(block.images))
+    for i in suspects[np.argsort(-size[suspects], kind="stable")]:
+        image, point = int(block.observations.image[i]), int(block.observations.point[i])
+        if point in points or images.get(image, 0) >= max(1, counts[image] // 100):
+            continue
+        points.add(point)
+        images[image] = images.get(image, 0) + 1
+        chosen.append(int(i))
+    return chosen
+
+
+def _innocent(result: Adjustment) -> list[int]:
+    """Rejected blunders whose residual against the present result is below the critical value."""
+    from raybundle.adjustment.predict import residuals_px  # noqa: PLC0415
+
+    block = result.adjusted
+    rows = np.array([i for i, r in enumerate(result.image_observations.rejected) if r.startswith(BLUNDER)], int)
+    if not len(rows):
+        return []
+    v = residuals_px(block, rows)
+    sigma = np.sqrt(block.observations.cov_px2[rows, :2])
+    size = np.abs(v / sigma).max(axis=1) / (result.sigma0 or 1.0)
+    return [int(i) for i, s in zip(rows, size, strict=True) if s < result.critical_tau]
+
+
+def _worst_control(result: Adjustment) -> tuple[str, float] | None:
+    worst: tuple[str, float] | None = None
+    for g in result.groups:
+        if g.kind != "control":
+            continue
+        t = np.where(g.redundancy > UNCONTROLLED, np.nan_to_num(np.abs(g.t)), 0.0)
+        if len(t) and t.max() > (worst[1] if worst else 0.0):
+            k = int(t.argmax())
+            worst = (g.ids[k], float(t[k]))
+    return worst
+
+
+def _contradicted(block: Block, reasons: tuple[str, ...]) -> tuple[str, float] | None:
+    """A held control point whose image observations are rejected one after the other: the point is wrong, not they."""
+    rejected = np.array([r.startswith(BLUNDER) for r in reasons])
+    p = len(block.points)
+    lost = np.bincount(block.observations.point[rejected], minlength=p)
+    rays = np.bincount(block.observations.point, minlength=p)
+    held = block.points.is_control.any(axis=1) & (np.nan_to_num(block.points.sigma, nan=1.0) == 0).any(axis=1)
+    share = np.where(held & (lost >= 3), lost / np.maximum(rays, 1), 0.0)
+    k = int(share.argmax()) if p else 0
+    return (block.points.ids[k], float("nan")) if p and share[k] > 0.25 else None
+
+
+def _without_control(block: Block, control: tuple[str, float], choices: Decisions) -> Block:
+    """The block with a control point turned into a check point."""
+    name, size = control
+    how = "its image observations contradict it" if np.isnan(size) else f"tau {size:.1f}"
+    k = block.points.ids.index(name)
+    role = block.points.role.copy()
+    role[k] = Role.CHECK
+    choices.notices.append(
+        Notice(
+            code="control_rejected",
+            message=f"control point {name} contradicts the rest ({how}) and is used as a check point; "
+            "look at its coordinates and at its number in the images",
+            ids=(name,),
+        )
+    )
+    return replace(block, points=replace(block.points, role=role))
+
+
+def _choose(
+    block: Block, options: AdjustmentOptions, choices: Decisions, automatic: list[str], progress: Progress
+) -> Block:
+    """Backward elimination from all parameters, guarded by determinability; each step is told."""
+    for camera in block.cameras:
+        if camera.id in automatic:
+            model = sensor_models[camera.model]
+            choices.free[camera.id] = tuple(p.symbol for p in model.parameters if p.kind != "other")
+    result: Adjustment | None = None
+    for _ in range(30):
+        try:
+            result = _quiet(block, options, choices, progress, robust=result is None)
+        except (RankDefect, NoConvergence) as error:
+            if not _hold_next(block, choices, automatic, str(error).splitlines()[0]):
+                raise
+            continue
+        block = result.adjusted
+        worst = _least_determinable(result, automatic)
+        if worst is not None:
+            interior, symbol, reason = worst
+            _hold(block, choices, interior, symbol, reason)
+            continue
+        if not _drop_insignificant(block, options, choices, automatic, result, progress):
+            return block
+    assert result is not None
+    return result.adjusted
+
+
+def _hold(block: Block, choices: Decisions, camera: str, symbol: str, reason: str) -> None:
+    del block
+    choices.free[camera] = tuple(s for s in choices.free[camera] if s != symbol)
+    choices.not_determinable.append((camera, symbol))
+    choices.notices.append(
+        Notice(
+            code="held_not_determinable",
+            message=f"camera {camera}: {symbol} is not determinable and is held: {reason}",
+            ids=(camera, symbol),
+        )
+    )
+
+
+def _hold_next(block: Block, choices: Decisions, automatic: list[str], reason: str) -> bool:
+    """Hold the parameter that is least needed, where the block is singular; False if none is left."""
+    for kind in DROP_ORDER:
+        for camera in automatic:
+            model = sensor_models[next(c.model for c in block.cameras if c.id == camera)]
+            mine = [p.symbol for p in model.parameters if p.kind == kind and p.symbol in choices.free[camera]]
+            if mine:
+                _hold(block, choices, camera, mine[-1], reason)
+                return True
+    return False
+
+
+def _least_determinable(result: Adjustment, automatic: list[str]) -> tuple[str, str, str] | None:
+    found: list[tuple[int, float, str, str, str]] = []
+    for interior in result.interior:
+        if interior.camera not in automatic:
+            continue
+        model = sensor_models[next(c.model for c in result.given.cameras if c.id == interior.camera)]
+        kinds = {p.symbol: p.kind for p in model.parameters}
+        for p in interior.parameters.values():
+            if p.status == "not determinable":
+                reason = f"its standard deviation is {p.std:.2g} {p.unit}, {p.effect_std_px or 0:.0f} px in the image"
+                found.append((DROP_ORDER.index(kinds[p.symbol]), -(p.effect_std_px or 0), interior.camera, p.symbol, reason))
+    return None if not found else min(found)[2:]
+
+
+def _candidates(interior: InteriorResult, result: Adjustment) -> list[tuple[str, ...]]:
+    """Groups that may leave: the highest radial term, decentring as a pair, affinity and shear; K1 always stays."""
+    model = sensor_models[next(c.model for c in result.given.cameras if c.id == interior.camera)]
+    kinds = {p.symbol: p.kind for p in model.parameters}
+    radial = [s for s in interior.free if kinds[s] == "radial"]
+    groups: list[tuple[str, ...]] = [(radial[-1],)] if len(radial) > 1 else []
+    for kind in ("decentring", "affinity"):
+        group = tuple(s for s in interior.free if kinds[s] == kind)
+        if group:
+            groups.append(group)
+    return groups
+
+
+def _drop_insignificant(
+    block: Block, options: AdjustmentOptions, choices: Decisions, automatic: list[str], result: Adjustment,
+    progress: Progress,
+) -> bool:  # fmt: skip
+    """Drop the group with the largest probability of being nil if BIC agrees; False if none leaves."""
+    from scipy.stats import f as fisher  # noqa: PLC0415
+
+    weakest: tuple[float, str, tuple[str, ...]] | None = None
+    for interior in result.interior:
+        if interior.camera not in automatic or interior.image is not None or result.precision is None:
+            continue
+        C = result.precision.interior[interior.camera]
+        for group in _candidates(interior, result):
+            k = [interior.free.index(s) for s in group]
+            x = np.array([interior.parameters[s].value for s in group])
+            F = float(x @ np.linalg.solve(C[np.ix_(k, k)], x) / len(k))
+            p = float(fisher.sf(F, len(k), max(result.redundancy, 1)))
+            if p > options.significance and (weakest is None or p > weakest[0]):
+                weakest = (p, interior.camera, group)
+    if weakest is None:
+        return False
+    probability, camera, group = weakest
+    before = dict(choices.free)
+    choices.free[camera] = tuple(s for s in choices.free[camera] if s not in group)
+    zeroed = _with_zero(block, camera, group)
+    try:
+        without = _quiet(zeroed, options, choices, progress)
+    except NotSolvable:
+        choices.free = before
+        return False
+    m = result.observations
+    gain = m * np.log(result.weighted_square_sum / without.weighted_square_sum) + len(group) * np.log(m)
+    if gain < 0:  # BIC prefers to keep the group
+        choices.free = before
+        return False
+    choices.not_significant += [(camera, s) for s in group]
+    effect = max(result.interior[0].parameters[s].effect_px or 0.0 for s in group)
+    choices.notices.append(
+        Notice(
+            code="not_significant",
+            message=f"camera {camera}: {', '.join(group)} left out: probability {probability:.2g} of such values by chance, "
+            f"BIC lower by {gain:.1f} without; effect {effect:.2g} px at most",
+            ids=(camera, *group),
+        )
+    )
+    return True
+
+
+def _with_zero(block: Block, camera: str, group: tuple[str, ...]) -> Block:
+    cameras = tuple(
+        replace(c, values={**c.values, **dict.fromkeys(group, 0.0)}) if c.id == camera else c for c in block.cameras
+    )
+    return replace(block, cameras=cameras)
+
+
+def _labelled(result: Adjustment, choices: Decisions) -> Adjustment:
+    """The result with the decisions in its parameter tables."""
+    status = {key: "not significant" for key in choices.not_significant}
+    status |= {key: "not determinable" for key in choices.not_determinable}
+    interior = tuple(
+        replace(
+            i,
+            parameters={
+                s: replace(p, status=status[i.camera, s]) if (i.camera, s) in status else p
+                for s, p in i.parameters.items()
+            },
+        )
+        for i in result.interior
+    )
+    names = tuple(f"{s} (camera {c})" for c, s in choices.not_determinable)
+    return replace(
+        result,
+        interior=interior,
+        not_determinable=tuple(dict.fromkeys((*result.not_determinable, *names))),
+        not_significant=tuple(f"{s} (camera {c})" for c, s in choices.not_significant),
+    )
