@@ -50,6 +50,9 @@ using std::sin;
 
 }  // namespace models
 
+constexpr int kStride = 32;  // of the couplings: kMaxNode padded
+static_assert(kStride >= kMaxNode);
+
 // Linearised observations of one chunk, whitened.
 struct Chunk {
   std::vector<double> v;  // (2)
@@ -318,6 +321,36 @@ static RB_INLINE void rank_update(double* out, int rows, int cols, const double*
   }
 }
 
+// t += Z' y for a block Z (rows, C); three columns, kStride apart.
+template <int C>
+static RB_INLINE void multiply_fixed(const double* RB_RESTRICT z, int rows, const double* RB_RESTRICT y, double* RB_RESTRICT t) {
+  double sum[3][C] = {};
+  for (int r = 0; r < rows; ++r, z += C) {
+    const double f0 = y[r], f1 = y[kStride + r], f2 = y[2 * kStride + r];
+    RB_SIMD
+    for (int x = 0; x < C; ++x) sum[0][x] += f0 * z[x];
+    RB_SIMD
+    for (int x = 0; x < C; ++x) sum[1][x] += f1 * z[x];
+    RB_SIMD
+    for (int x = 0; x < C; ++x) sum[2][x] += f2 * z[x];
+  }
+  for (int e = 0; e < 3; ++e)
+    for (int x = 0; x < C; ++x) t[e * kStride + x] += sum[e][x];
+}
+
+static RB_INLINE void multiply(const double* z, int rows, int cols, const double* y, double* t) {
+  switch (cols) {
+#define RB_CASE(n) case n: multiply_fixed<n>(z, rows, y, t); return;
+    RB_CASE(1) RB_CASE(2) RB_CASE(3) RB_CASE(4) RB_CASE(5) RB_CASE(6) RB_CASE(7) RB_CASE(8)
+    RB_CASE(9) RB_CASE(10) RB_CASE(11) RB_CASE(12) RB_CASE(13) RB_CASE(14) RB_CASE(15) RB_CASE(16)
+#undef RB_CASE
+    default:
+      for (int r = 0; r < rows; ++r)
+        for (int e = 0; e < 3; ++e)
+          for (int x = 0; x < cols; ++x) t[e * kStride + x] += z[r * cols + x] * y[e * kStride + r];
+  }
+}
+
 static inline int64_t pair_index(int64_t k, int64_t s, int64_t t) { return s * k - s * (s - 1) / 2 + (t - s); }
 
 // Normal matrix of one object point and its couplings with the nodes.
@@ -335,8 +368,6 @@ struct PointNormal {
   }
 };
 
-constexpr int kStride = 32;  // of the couplings: kMaxNode padded
-static_assert(kStride >= kMaxNode);
 
 // Damping along and across the ray of the point's first image: the depth of a far point is weakly
 // determined, and damped in proportion to its own weight it stays free to move.
@@ -650,6 +681,8 @@ static Totals evaluate(const Problem& q, const State& s, int threads, double* re
   return sum;
 }
 
+constexpr int kColumns = 16;  // right sides solved together
+
 // right (N, columns) -= W V^-1 given (p, 3, columns): the reduced right side of right sides given for the points.
 static void condense(const Problem& q, const State& s, int threads, int columns, const double* given, double* right) {
   std::vector<std::vector<double>> own(threads);
@@ -670,18 +703,20 @@ static void condense(const Problem& q, const State& s, int threads, int columns,
         gather_point(q, s, p, base, c, n);
         gather_couplings(q, p, base, c, w.data());
         const int64_t nb = q.point_nodes_first[p], k = q.point_nodes_first[p + 1] - nb;
+        double x[3][kColumns];
+        const double* b = given + 3 * int64_t(q.id[p]) * columns;
         for (int col = 0; col < columns; ++col) {
-          double x[3];
-          const double* b = given + 3 * int64_t(q.id[p]) * columns + col;
-          n.solve(b[0], b[columns], b[2 * columns], x);
-          for (int64_t a = 0; a < k; ++a) {
-            const int node = q.point_nodes[nb + a];
-            double* d = out + q.offset[node] * columns + col;
-            for (int e = 0; e < 3; ++e) {
-              const double* t = &w[(3 * a + e) * kStride];
-              for (int i = 0; i < q.size[node]; ++i) d[int64_t(i) * columns] -= t[i] * x[e];
-            }
-          }
+          double one[3];
+          n.solve(b[col], b[columns + col], b[2 * columns + col], one);
+          for (int e = 0; e < 3; ++e) x[e][col] = one[e];
+        }
+        for (int64_t a = 0; a < k; ++a) {
+          const int node = q.point_nodes[nb + a];
+          double* d = out + q.offset[node] * columns;
+          const double* t = &w[3 * a * kStride];
+          for (int i = 0; i < q.size[node]; ++i, d += columns)
+            for (int col = 0; col < columns; ++col)
+              d[col] -= t[i] * x[0][col] + t[kStride + i] * x[1][col] + t[2 * kStride + i] * x[2][col];
         }
       }
     });
@@ -708,19 +743,24 @@ static void expand(const Problem& q, const State& s, int threads, int columns, c
         gather_point(q, s, p, base, c, n);
         gather_couplings(q, p, base, c, w.data());
         const int64_t nb = q.point_nodes_first[p], k = q.point_nodes_first[p + 1] - nb;
-        for (int col = 0; col < columns; ++col) {
-          double b[3] = {0, 0, 0}, x[3];
-          if (given)
-            for (int e = 0; e < 3; ++e) b[e] = given[(3 * int64_t(q.id[p]) + e) * columns + col];
-          for (int64_t a = 0; a < k; ++a) {
-            const int node = q.point_nodes[nb + a];
-            const double* d = nodes + q.offset[node] * columns + col;
-            for (int e = 0; e < 3; ++e) {
-              const double* t = &w[(3 * a + e) * kStride];
-              for (int i = 0; i < q.size[node]; ++i) b[e] -= t[i] * d[int64_t(i) * columns];
+        double b[3][kColumns] = {};
+        if (given)
+          for (int e = 0; e < 3; ++e)
+            for (int col = 0; col < columns; ++col) b[e][col] = given[(3 * int64_t(q.id[p]) + e) * columns + col];
+        for (int64_t a = 0; a < k; ++a) {
+          const int node = q.point_nodes[nb + a];
+          const double* d = nodes + q.offset[node] * columns;
+          const double* t = &w[3 * a * kStride];
+          for (int i = 0; i < q.size[node]; ++i, d += columns)
+            for (int col = 0; col < columns; ++col) {
+              b[0][col] -= t[i] * d[col];
+              b[1][col] -= t[kStride + i] * d[col];
+              b[2][col] -= t[2 * kStride + i] * d[col];
             }
-          }
-          n.solve(b[0], b[1], b[2], x);
+        }
+        for (int col = 0; col < columns; ++col) {
+          double x[3];
+          n.solve(b[0][col], b[1][col], b[2][col], x);
           for (int e = 0; e < 3; ++e) out[e * columns + col] = q.held[p] & (1 << e) ? 0 : x[e];
         }
       }
@@ -734,6 +774,14 @@ static void expand(const Problem& q, const State& s, int threads, int columns, c
 static void statistics(const Problem& q, const State& s, int threads, const double* inverse, int datum, const double* gauge_nodes,
                        const double* gauge_points, const double* gauge_middle, double* point_cofactor, double* hat, double* effect,
                        double* point_gauge) {
+  std::vector<double> turned(q.block_start.back());  // every block transposed, so that both products run along memory
+  for (size_t k = 0; k < q.block_row.size(); ++k) {
+    const int rows = q.size[q.block_row[k]], cols = q.size[q.block_col[k]];
+    const double* from = inverse + q.block_start[k];
+    double* to = turned.data() + q.block_start[k];
+    for (int r = 0; r < rows; ++r)
+      for (int x = 0; x < cols; ++x) to[x * rows + r] = from[r * cols + x];
+  }
   for_threads(threads, q, [&](int, int begin, int end) {
     Chunk c;
     const int64_t room = int64_t(q.largest_point_nodes) * 3 * kStride;
@@ -783,26 +831,8 @@ static void statistics(const Problem& q, const State& s, int threads, const doub
               const double* z = inverse + q.block_start[*block];
               const double* yb = &y[b * 3 * kStride];
               double* tb = &tt[b * 3 * kStride];
-              if (a == b) {
-                for (int r = 0; r < rows; ++r)
-                  for (int e = 0; e < 3; ++e) {
-                    double sum = 0;
-                    for (int x = 0; x < cols; ++x) sum += z[r * cols + x] * yb[e * kStride + x];
-                    ta[e * kStride + r] += sum;
-                  }
-                continue;
-              }
-              for (int r = 0; r < rows; ++r) {
-                const double* zr = z + r * cols;
-                const double f0 = ya[r], f1 = ya[kStride + r], f2 = ya[2 * kStride + r];
-                double s0 = 0, s1 = 0, s2 = 0;
-                for (int x = 0; x < cols; ++x) {
-                  const double v = zr[x];
-                  s0 += v * yb[x]; s1 += v * yb[kStride + x]; s2 += v * yb[2 * kStride + x];
-                  tb[x] += v * f0; tb[kStride + x] += v * f1; tb[2 * kStride + x] += v * f2;
-                }
-                ta[r] += s0; ta[kStride + r] += s1; ta[2 * kStride + r] += s2;
-              }
+              multiply(z, rows, cols, ya, tb);
+              if (a != b) multiply(turned.data() + q.block_start[*block], cols, rows, yb, ta);
             }
           }
           for (int e = 0; e < 3; ++e)
@@ -834,22 +864,39 @@ static void statistics(const Problem& q, const State& s, int threads, const doub
           double H[2][2] = {}, E[3][2];
           double QJ[kMaxNode][2] = {}, QX[3][2];  // cov(local, l), cov(point, l)
           double CP[kMaxNode][3];                 // cov(local, point)
-          const auto at = [&](int32_t sa, int32_t sb, int r, int col) {
-            if (sa <= sb) return inverse[q.block_start[blocks[pair_index(k, sa, sb)]] + int64_t(r) * q.size[q.point_nodes[nb + sb]] + col];
-            return inverse[q.block_start[blocks[pair_index(k, sb, sa)]] + int64_t(col) * q.size[q.point_nodes[nb + sa]] + r];
+          const int32_t slots[3] = {q.slot_own[i], q.slot_shared[i], q.slot_point[i]};
+          const int sizes[2] = {own, shared}, starts[2] = {0, own};
+          // element (r, c) of the block between two slots: p[r * rows + c * cols]
+          struct View { const double* p; int rows, cols; };
+          const auto view = [&](int32_t sa, int32_t sb) -> View {
+            const int32_t low = std::min(sa, sb), high = std::max(sa, sb);
+            const double* block = inverse + q.block_start[blocks[pair_index(k, low, high)]];
+            const int width = q.size[q.point_nodes[nb + high]];
+            return sa <= sb ? View{block, width, 1} : View{block, 1, width};
           };
-          const int32_t so = q.slot_own[i], ss = q.slot_shared[i], sp = q.slot_point[i];
-          for (int a = 0; a < size; ++a) {
-            const int32_t sa = a < own ? so : ss;
-            const int la = a < own ? a : a - own;
-            for (int e = 0; e < 3; ++e) CP[a][e] = kept ? at(sa, sp, la, e) : -tt[(3 * int64_t(sa) + e) * kStride + la];
-            for (int b = 0; b < size; ++b) {
-              const double z = at(sa, b < own ? so : ss, la, b < own ? b : b - own);
-              QJ[a][0] += z * j[0][b];
-              QJ[a][1] += z * j[1][b];
+          for (int sa = 0; sa < 2; ++sa) {
+            if (!sizes[sa]) continue;
+            for (int sb = 0; sb < 2; ++sb) {
+              if (!sizes[sb]) continue;
+              // symmetric: rows run along memory
+              const View z = view(slots[sb], slots[sa]);
+              for (int b = 0; b < sizes[sb]; ++b) {
+                const double j0 = j[0][starts[sb] + b], j1 = j[1][starts[sb] + b];
+                const double* row = z.p + b * z.rows;
+                for (int a = 0; a < sizes[sa]; ++a) {
+                  QJ[starts[sa] + a][0] += row[a * z.cols] * j0;
+                  QJ[starts[sa] + a][1] += row[a * z.cols] * j1;
+                }
+              }
             }
-            for (int r = 0; r < 2; ++r)
-              for (int e = 0; e < 3; ++e) QJ[a][r] += CP[a][e] * x[r][e];
+            const View point = kept ? view(slots[sa], slots[2]) : View{};
+            for (int a = 0; a < sizes[sa]; ++a)
+              for (int e = 0; e < 3; ++e) {
+                const double c_ae = kept ? point.p[a * point.rows + e * point.cols] : -tt[(3 * int64_t(slots[sa]) + e) * kStride + a];
+                CP[starts[sa] + a][e] = c_ae;
+                QJ[starts[sa] + a][0] += c_ae * x[0][e];
+                QJ[starts[sa] + a][1] += c_ae * x[1][e];
+              }
           }
           for (int e = 0; e < 3; ++e)
             for (int r = 0; r < 2; ++r) {

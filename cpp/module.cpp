@@ -212,7 +212,7 @@ NB_MODULE(_native, m) {
       .def("condense",
            [](Solver& s, Const R, Const C, Const I, Const X, int threads, Const given, int columns) {
              const State state = s.state(R, C, I, X, 0, 0);
-             s.check(given.size() == size_t(3 * s.q.points) * columns, "right side has the wrong size");
+             s.check(columns <= 16 && given.size() == size_t(3 * s.q.points) * columns, "right side has the wrong size");
              Doubles right = make({size_t(s.q.unknowns), size_t(columns)});
              double* r = right.data();
              const double* g = given.data();
@@ -225,7 +225,7 @@ NB_MODULE(_native, m) {
       .def("expand",
            [](Solver& s, Const R, Const C, Const I, Const X, int threads, Const nodes, Const given, int columns) {
              const State state = s.state(R, C, I, X, 0, 0);
-             s.check(nodes.size() == size_t(s.q.unknowns) * columns && (!given.size() || given.size() == size_t(3 * s.q.points) * columns),
+             s.check(columns <= 16 && nodes.size() == size_t(s.q.unknowns) * columns && (!given.size() || given.size() == size_t(3 * s.q.points) * columns),
                      "right side has the wrong size");
              Doubles points = make({size_t(s.q.points), 3, size_t(columns)});
              double* p = points.data();

@@ -115,7 +115,8 @@ def _rejected(result: Adjustment) -> list[Notice]:
         return []
     kinds: dict[str, int] = {}
     for r in reasons:
-        kinds[r] = kinds.get(r, 0) + 1
+        kind = r.split(":")[0]
+        kinds[kind] = kinds.get(kind, 0) + 1
     behind = kinds.get("behind the camera", 0)
     found = [
         Notice(

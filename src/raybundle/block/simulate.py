@@ -29,7 +29,7 @@ from raybundle.block.block import (
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rotation import rotation_from_vector
-from raybundle.sensors import ProjectionDiverged, sensor_models
+from raybundle.sensors import sensor_models
 
 Start = Literal["exact", "approximate", "absent"]
 
@@ -120,7 +120,7 @@ def brown_camera(
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Testfield:
+class TargetField:
     """Convergent images of a field of targets, rolled by quarter turns."""
 
     camera: Camera = field(default_factory=brown_camera)
@@ -213,7 +213,7 @@ def look_at(centre: Array, target: Array, roll: Array | float = 0.0, up: Array |
     return rotation_from_vector(turn) @ upright
 
 
-def testfield_scene(plan: Testfield) -> Scene:
+def field_scene(plan: TargetField) -> Scene:
     """Points and stations of a testfield; the field lies in the plane Z = 0, the stations above it."""
     rng = np.random.default_rng(plan.seed)
     w, h = plan.size
@@ -320,18 +320,21 @@ def project(scene: Scene, image: int) -> tuple[Index, Array]:
 
 
 def _images_of(points: Array, model_name: str, values: Array) -> Array:
-    """Image points (2, n) [mm]; NaN where the distortion cannot be inverted."""
+    """Image points (2, n) [mm]; NaN beyond the radius up to which the distortion is one-to-one."""
     model = sensor_models[model_name]
-    try:
-        return model.project(points, values)[0]
-    except ProjectionDiverged:
-        image = np.full((2, points.shape[1]), np.nan)
-    for k in range(points.shape[1]):
-        try:
-            image[:, k : k + 1] = model.project(points[:, k : k + 1], values)[0]
-        except ProjectionDiverged:
-            continue  # beyond the radius up to which the distortion is one-to-one: the camera does not show it
-    return image
+    image = model.start(points, values)
+    with np.errstate(all="ignore"):
+        for _ in range(20):  # Newton for all at once; those that do not settle are not shown
+            g, jacobian = model.condition_and_jacobian(*image, *points, *values)
+            (a, b), (c, d) = jacobian[:, :2]
+            det = a * d - b * c
+            image = image - np.stack([d * g[0] - b * g[1], a * g[1] - c * g[0]]) / det
+        g, jacobian = model.condition_and_jacobian(*image, *points, *values)
+        (a, b), (c, d) = jacobian[:, :2]
+        good = (np.abs(g).max(axis=0) < 1e-9) & (a * d - b * c > 0)
+    shown = np.full_like(image, np.nan)
+    shown[:, good] = model.project(points[:, good], values, image[:, good])[0]
+    return shown
 
 
 def simulate(scene: Scene, survey: Survey) -> Simulation:

@@ -39,7 +39,7 @@ def command(out: Path, seed: int, progress: str) -> None:
     from raybundle.workflows.adjust import adjust  # noqa: PLC0415
 
     survey = s.Survey(seed=seed, image_sigma_px=0.1, scale_bars=1, scale_bar_sigma=2e-5, orientation="absent")
-    simulation = s.simulate(s.testfield_scene(s.Testfield()), survey)
+    simulation = s.simulate(s.field_scene(s.TargetField()), survey)
     result = out / "result"
     check_target(result)
     _write_input(simulation, out)

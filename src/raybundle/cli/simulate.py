@@ -97,8 +97,8 @@ def scene_of(name: str) -> Scene:
     from raybundle.block import simulate as s  # noqa: PLC0415
 
     scenes = {
-        "testfield": lambda: s.testfield_scene(s.Testfield()),
-        "flat": lambda: s.testfield_scene(s.Testfield(depth=0.0)),
+        "testfield": lambda: s.field_scene(s.TargetField()),
+        "flat": lambda: s.field_scene(s.TargetField(depth=0.0)),
         "aerial": lambda: s.aerial_scene(s.AerialStrips()),
         "ring": lambda: s.ring_scene(s.Ring()),
         "single": lambda: s.single_scene(s.SinglePhoto()),

@@ -229,7 +229,7 @@ def _read_observations(path: Path, images: dict[str, int], points: dict[str, int
     _require(
         path,
         _problems(
-            np.abs(sxy) >= limit,
+            np.abs(sxy) >= limit * (1 - 1e-9),
             "sxy_px2",
             lambda k: f"{sxy[k]:g} is not between -sx sy and sx sy = {limit[k]:g}; it is a covariance in px^2",
         ),

@@ -143,7 +143,8 @@ def _pieces(path: Path) -> Iterator[str]:
                     yield _decoded(path, block[:cut], line)
                     line += block.count(b"\n", 0, cut)
                 if len(rest) > LINE_BYTES:
-                    what = "only empty lines" if not rest.strip(b"\r\n") else "a line of more than 1 MiB"
+                    blank = len(rest) - len(rest.rstrip(b"\r\n"))
+                    what = "1 MiB of empty lines" if blank > LINE_BYTES // 2 else "a line of more than 1 MiB"
                     raise InputError(f"{what}: this is not a table; export it again", file=path, line=line)
     except OSError as error:
         raise InputError(f"cannot be read: {error.strerror}; check the path and the permissions", file=path) from None

@@ -1,0 +1,205 @@
+"""Result folders: complete, valid JSON, written whole or not at all, read back equal."""
+
+import json
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from raybundle.adjustment.engine import adjust_block
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.result import Notice
+from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.errors import InputError
+from raybundle.io.block_folder import read_block
+from raybundle.report.result_folder import TABLES, check_target, read_result, write_result
+
+SURVEY = Survey(
+    control=5,
+    control_sigma=(1e-4, 1e-4, 0.0),
+    check=3,
+    check_sigma=1e-4,
+    scale_bars=2,
+    station_sigma=0.01,
+    orientation="exact",
+    points="exact",
+    interior="exact",
+)
+
+
+@pytest.fixture(scope="module")
+def adjustment():
+    block = simulate(field_scene(TargetField(rows=5, columns=6, stations=6, frontal=2)), SURVEY).observed
+    camera = replace(block.cameras[0], sigma={"c": 0.01})
+    return adjust_block(block.with_cameras(camera), AdjustmentOptions())
+
+
+@pytest.fixture
+def folder(adjustment, tmp_path):
+    write_result(adjustment, tmp_path / "result", report="none")
+    return tmp_path / "result"
+
+
+HEADERS = {
+    "images": "image,camera,file,X,Y,Z,omega_deg,phi_deg,kappa_deg,sX,sY,sZ,somega_deg,sphi_deg,skappa_deg",
+    "points": "point,role,X,Y,Z,sX,sY,sZ,rays",
+    "observations": (
+        "image,point,x_px,y_px,sx_px,sy_px,vx_px,vy_px,rx,ry,wx,wy,tx,ty,mdbx_px,mdby_px,rejected"
+    ),
+    "control": "point,X,Y,Z,sX,sY,sZ,vX,vY,vZ,rX,rY,rZ,wX,wY,wZ",
+    "check": "point,X,Y,Z,dX,dY,dZ,sX,sY,sZ",
+}
+
+
+def test_the_files_and_headers_are_those_of_the_format(folder):
+    expected = {"block", "result.json", *(f"{name}.csv" for name in TABLES)}
+    assert {p.name for p in folder.iterdir()} == expected
+    for name, header in HEADERS.items():
+        assert (folder / f"{name}.csv").read_text().split("\n", 1)[0] == header
+    assert (folder / "distances.csv").read_text().startswith("from,to,length,sigma,adjusted,v,r,w\n")
+
+
+def test_result_json_holds_what_the_format_promises(folder, adjustment):
+    result = json.loads((folder / "result.json").read_text(), parse_constant=lambda c: pytest.fail(c))
+    promised = {"sigma0", "redundancy", "observations", "unknowns", "constraints", "datum", "converged"}
+    assert promised | {"iterations", "seconds", "cameras", "correlations", "warnings"} <= result.keys()
+    assert result["sigma0"] == adjustment.sigma0
+    c = result["cameras"]["1"]["c"]
+    assert c["value"] == adjustment.adjusted.cameras[0].values["c"]
+    assert c["std"] > 0
+    assert result["cameras"]["1"]["A"]["std"] is None
+    assert result["correlations"]["1"]["c"]["c"] == pytest.approx(1)
+    assert result["correlations"]["1"]["c"]["K1"] == result["correlations"]["1"]["K1"]["c"]
+
+
+def test_tables_read_back_equal(folder, adjustment):
+    read = read_result(folder)
+    adjusted, statistics = adjustment.adjusted, adjustment.image_observations
+    np.testing.assert_array_equal(read.points.numbers("X", "Y", "Z"), adjusted.points.xyz)
+    np.testing.assert_array_equal(read.points.numbers("sX", "sY", "sZ"), adjustment.precision.object_point_std)
+    np.testing.assert_array_equal(read.observations.numbers("vx_px", "vy_px"), statistics.residuals_px)
+    np.testing.assert_array_equal(read.observations.numbers("rx", "ry"), statistics.redundancy)
+    np.testing.assert_array_equal(read.observations.numbers("wx", "wy"), statistics.w)
+    np.testing.assert_array_equal(read.images.numbers("X", "Y", "Z"), adjusted.images.centre)
+    assert read.points.text["point"] == adjusted.points.ids
+    assert read.points.number["rays"].sum() == len(adjusted.observations)
+
+
+def test_control_and_stations_are_told_apart_by_coordinate(folder, adjustment):
+    read = read_result(folder)
+    control, stations = read.control, read.stations
+    assert control.rows == 5
+    group = next(g for g in adjustment.groups if g.kind == "control")
+    k = [i for i, key in enumerate(zip(group.ids, group.component, strict=True)) if key == (control.text["point"][2], "Y")]
+    assert control.number["vY"][2] == group.residual[k[0]]
+    adjusted = adjustment.adjusted.points.xyz[adjustment.adjusted.points.ids.index(control.text["point"][2])]
+    assert control.number["vY"][2] == pytest.approx(adjusted[1] - control.number["Y"][2], abs=1e-12)
+    np.testing.assert_allclose(
+        stations.numbers("vX", "vY", "vZ"),
+        stations.numbers("X_adjusted", "Y_adjusted", "Z_adjusted") - stations.numbers("X", "Y", "Z"),
+        atol=1e-12,
+    )
+    np.testing.assert_allclose(
+        read.distances.number["v"], read.distances.number["adjusted"] - read.distances.number["length"], atol=1e-12
+    )
+
+
+def test_check_points_get_the_sigma_of_the_difference(folder, adjustment):
+    check = read_result(folder).check
+    assert check.rows == 3
+    at = [adjustment.given.points.ids.index(p) for p in check.text["point"]]
+    given, adjusted = adjustment.given.points.xyz[at], adjustment.adjusted.points.xyz[at]
+    np.testing.assert_array_equal(check.numbers("dX", "dY", "dZ"), adjusted - given)
+    expected = np.hypot(adjustment.precision.object_point_std[at], 1e-4)
+    np.testing.assert_array_equal(check.numbers("sX", "sY", "sZ"), expected)
+    assert (np.abs(check.numbers("dX", "dY", "dZ")) < 6 * expected).all()
+
+
+def test_the_block_again_gives_the_same_adjustment(folder, adjustment):
+    """What was observed stays as given; only approximate values move, so nothing is counted twice."""
+    block = read_block(folder / "block")
+    control = block.points.is_control
+    np.testing.assert_array_equal(block.points.xyz[control], adjustment.given.points.xyz[control])
+    assert block.cameras[0].values["c"] == adjustment.given.cameras[0].values["c"]
+    assert block.cameras[0].values["K1"] == adjustment.adjusted.cameras[0].values["K1"]
+    again = adjust_block(block, AdjustmentOptions())
+    assert again.sigma0 == pytest.approx(adjustment.sigma0, rel=1e-9)
+    np.testing.assert_allclose(again.adjusted.points.xyz, adjustment.adjusted.points.xyz, atol=1e-8)
+
+
+def test_numbers_that_there_are_not_become_null_and_empty(adjustment, tmp_path):
+    bare = replace(
+        adjustment,
+        sigma0=math.nan,
+        precision=None,
+        network=None,
+        groups=(),
+        notices=(Notice(code="no_redundancy", message="none", ids=("a",)),),
+    )
+    write_result(bare, tmp_path / "r", report="none")
+    read = read_result(tmp_path / "r")
+    assert read.result["sigma0"] is None
+    assert read.result["relative_precision"] is None
+    assert read.result["warnings"] == [{"code": "no_redundancy", "message": "none", "ids": ["a"]}]
+    assert np.isnan(read.points.numbers("sX", "sY", "sZ")).all()
+    assert np.isnan(read.control.number["vX"]).all()
+    assert "nan" not in (tmp_path / "r" / "points.csv").read_text().lower()
+
+
+def test_a_check_point_without_rays_has_no_difference(adjustment, tmp_path):
+    point = int(np.flatnonzero(np.asarray(adjustment.given.points.role) == 2)[0])
+    keep = ("behind the camera" if p == point else "" for p in adjustment.given.observations.point)
+    rejected = replace(adjustment.image_observations, rejected=tuple(keep))
+    write_result(replace(adjustment, image_observations=rejected), tmp_path / "r", report="none")
+    read = read_result(tmp_path / "r")
+    row = read.check.text["point"].index(adjustment.given.points.ids[point])
+    assert np.isnan(read.check.number["dX"][row])
+    assert np.isfinite(read.check.number["dX"]).sum() == 2
+    assert read.points.number["rays"][point] == 0
+    assert read.result["rejected"] == read.observations.text["rejected"].count("behind the camera") > 0
+
+
+def test_a_result_is_replaced_only_by_a_complete_one(folder, adjustment, monkeypatch):
+    before = (folder / "result.json").read_bytes()
+    monkeypatch.setattr("raybundle.report.result_folder.result_json", broken)
+    with pytest.raises(InputError, match="No space left"):
+        write_result(adjustment, folder, report="none")
+    assert (folder / "result.json").read_bytes() == before
+    assert [p.name for p in folder.parent.iterdir()] == ["result"]
+    monkeypatch.undo()
+    write_result(replace(adjustment, seconds=12.5), folder, report="none")
+    assert json.loads((folder / "result.json").read_text())["seconds"] == 12.5
+    assert [p.name for p in folder.parent.iterdir()] == ["result"]
+
+
+def broken(*_):
+    raise OSError(28, "No space left on device")
+
+
+def test_other_folders_are_never_overwritten(folder, adjustment, tmp_path):
+    check_target(folder)
+    check_target(tmp_path / "new")
+    (tmp_path / "file").write_text("x")
+    with pytest.raises(InputError, match="is no folder"):
+        write_result(adjustment, tmp_path / "file", report="none")
+    (folder / "notes.txt").write_text("mine")
+    with pytest.raises(InputError, match=r"no adjustment wrote \(notes\.txt\)"):
+        write_result(adjustment, folder, report="none")
+    (folder / "notes.txt").unlink()
+    (folder / "block" / "mine.csv").write_text("mine")
+    with pytest.raises(InputError, match=r"block/mine\.csv"):
+        write_result(adjustment, folder, report="none")
+    (folder / "block" / "mine.csv").unlink()
+    (folder / "result.json").write_text('{"sigma0": 1}')
+    with pytest.raises(InputError, match="not a result folder"):
+        write_result(adjustment, folder, report="none")
+
+
+def test_what_is_not_a_result_is_not_read(folder):
+    (folder / "points.csv").write_text("point,X\n1,2\n")
+    with pytest.raises(InputError, match=r"points\.csv, line 1, column role"):
+        read_result(folder)
+    (folder / "result.json").write_text("[1, 2")
+    with pytest.raises(InputError, match=r"not the result\.json"):
+        read_result(folder)

@@ -1,0 +1,443 @@
+"""Block folders: strict reading, exact writing, errors that name file, line and column."""
+
+import os
+import shutil
+import time
+from dataclasses import fields, is_dataclass, replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from raybundle.block import Block, Role
+from raybundle.block.simulate import SinglePhoto, Survey, TargetField, simulate, single_scene, field_scene
+from raybundle.errors import InputError, UnknownSensorModel
+from raybundle.io.block_folder import read_block, write_block
+
+DATA = Path(os.environ.get("RAYBUNDLE_DATA", Path(__file__).parents[3] / "shared" / "data")) / "blocks"
+BLOCKS = sorted(p.name for p in DATA.iterdir() if p.is_dir()) if DATA.is_dir() else []
+
+TOML = """\
+name = "small"
+length_unit = "m"
+
+[cameras.1]
+model = "brown"
+width_px = 4000
+height_px = 3000
+pixel_mm = [0.005, 0.005]
+c_mm = 24.0
+K1 = 1e-5
+estimate = ["c", "K1"]
+sigma = {c = 0.05}
+"""
+IMAGES = """\
+image,camera,file,X,Y,Z,omega_deg,phi_deg,kappa_deg
+a,1,a.jpg,0,0,10,0,0,0
+b,1,,,,,,,
+"""
+OBSERVATIONS = """\
+image,point,x_px,y_px,sx_px,sy_px,sxy_px2
+a,p1,2000,1500,0.1,0.1,
+a,p2,2500.5,1400.25,0.1,0.2,0.01
+b,p1,1900,1500,0.1,0.1,
+b,new,1950,1600,0.1,0.1,
+"""
+POINTS = """\
+point,role,X,Y,Z,sX,sY,sZ
+p1,control,1,2,3,0,0.01,
+p2,check,1,2,3,,,
+p3,tie,,,,,,
+"""
+DISTANCES = "from,to,length,sigma\np1,p2,1.5,0.001\n"
+STATIONS = "image,X,Y,Z,sX,sY,sZ\na,0,0,10,0.05,0.05,\n"
+SMALL = {
+    "block.toml": TOML,
+    "images.csv": IMAGES,
+    "observations.csv": OBSERVATIONS,
+    "points.csv": POINTS,
+    "distances.csv": DISTANCES,
+    "stations.csv": STATIONS.replace(",10,", ",,"),
+}
+
+
+@pytest.fixture
+def small(tmp_path):
+    folder = tmp_path / "small"
+    folder.mkdir()
+    for name, text in SMALL.items():
+        (folder / name).write_text(text, encoding="utf-8")
+    return folder
+
+
+def assert_same(a, b, where="block", *, angles=1e-13):
+    """Equal to the last bit; rotation matrices, which are written as angles, to `angles`."""
+    assert type(a) is type(b), where
+    if is_dataclass(a):
+        for f in fields(a):
+            assert_same(getattr(a, f.name), getattr(b, f.name), f"{where}.{f.name}", angles=angles)
+    elif isinstance(a, np.ndarray):
+        assert a.dtype == b.dtype, where
+        if where.endswith("rotation"):
+            np.testing.assert_allclose(a, b, rtol=0, atol=angles)
+        else:
+            np.testing.assert_array_equal(a, b, err_msg=where)
+    elif isinstance(a, tuple):
+        assert len(a) == len(b), where
+        for k, (x, y) in enumerate(zip(a, b, strict=True)):
+            assert_same(x, y, f"{where}[{k}]", angles=angles)
+    else:
+        assert a == b, where
+
+
+def test_a_small_block_reads_as_it_is_written_down(small):
+    block = read_block(small)
+    assert block.name == "small"
+    assert block.images.ids == ("a", "b")
+    assert block.images.oriented.tolist() == [True, False]
+    assert block.points.ids == ("p1", "p2", "p3", "new")
+    assert block.points.role.tolist() == [Role.CONTROL, Role.CHECK, Role.TIE, Role.TIE]
+    assert block.points.is_control.tolist()[0] == [True, True, False]
+    np.testing.assert_array_equal(block.observations.cov_px2[1], [0.1 * 0.1, 0.2 * 0.2, 0.01])
+    assert block.cameras[0].values["c"] == 24.0
+    assert block.cameras[0].values["K2"] == 0.0
+    assert block.cameras[0].sigma == {"c": 0.05}
+    assert block.distances.length.tolist() == [1.5]
+    assert np.isnan(block.stations.xyz[0, 2])
+
+
+def test_tables_may_be_left_out(small):
+    for name in ("points.csv", "distances.csv", "stations.csv"):
+        (small / name).unlink()
+    block = read_block(small)
+    assert block.points.ids == ("p1", "p2", "new")
+    assert len(block.distances) == len(block.stations) == 0
+
+
+@pytest.mark.data
+@pytest.mark.skipif(not BLOCKS, reason="the public data sets are not here; set RAYBUNDLE_DATA")
+@pytest.mark.parametrize("name", BLOCKS or ["none"])
+def test_public_blocks_read_back_equal(name, tmp_path):
+    block = read_block(DATA / name)
+    write_block(block, tmp_path / "once")
+    again = read_block(tmp_path / "once")
+    assert_same(block, again)
+    write_block(again, tmp_path / "twice")
+    for file in (tmp_path / "once").iterdir():
+        assert file.read_bytes() == (tmp_path / "twice" / file.name).read_bytes(), file.name
+
+
+def rich_block() -> Block:
+    """A block with everything that the format knows."""
+    survey = Survey(
+        control=4,
+        control_sigma=(0.01, 0.02, float("nan")),
+        check=2,
+        scale_bars=2,
+        station_sigma=0.05,
+        points="approximate",
+    )
+    block = simulate(field_scene(TargetField(stations=5, frontal=1)), survey).observed
+    camera = replace(
+        block.cameras[0], id='the "new" one, 2', interior="per_image", sigma={"c": 0.05, "K1": 1e-7}, estimate=("c", "K1")
+    )
+    held = np.zeros(len(block.images), bool)
+    held[2] = True
+    images = replace(
+        block.images,
+        ids=("a,b", 'say "x"', *block.images.ids[2:]),
+        file=("übung.jpg", "a, b.jpg", *block.images.file[2:]),
+        held=held,
+        interior={1: {"c": 20.123456789012345, "K1": -1.2345678901234567e-5}},
+    )
+    cov = block.observations.cov_px2.copy()
+    cov[:, 2] = 0.3 * cov[:, 0]
+    return replace(
+        block,
+        about='two\nlines, a "quote", \\ and \x7f',
+        length_unit="mm",
+        sigma0_apriori=0.1,
+        residuals="corrected",
+        cameras=(camera,),
+        images=images,
+        observations=replace(block.observations, cov_px2=cov),
+    )
+
+
+def test_everything_the_format_knows_reads_back_equal(tmp_path):
+    block = rich_block()
+    write_block(block, tmp_path / "b")
+    assert_same(block, read_block(tmp_path / "b"))
+
+
+def test_auto_estimate_reads_back(tmp_path):
+    block = simulate(single_scene(SinglePhoto()), Survey()).observed
+    block = replace(block, cameras=(replace(block.cameras[0], estimate="auto"),))
+    write_block(block, tmp_path / "b")
+    assert read_block(tmp_path / "b").cameras[0].estimate == "auto"
+
+
+def test_windows_files_read_like_others(small):
+    block = read_block(small)
+    for file in small.iterdir():
+        file.write_bytes(b"\xef\xbb\xbf" + file.read_bytes().replace(b"\n", b"\r\n") + b"\r\n\r\n")
+    assert_same(block, read_block(small))
+
+
+def test_columns_may_stand_in_any_order_and_cells_be_quoted(small):
+    block = read_block(small)
+    (small / "distances.csv").write_text('sigma,length,"to",from\n0.001,"1.5",p2,"p1"\n')
+    assert_same(block, read_block(small))
+
+
+def test_an_existing_folder_is_not_overwritten(small):
+    before = {f.name: f.read_bytes() for f in small.iterdir()}
+    with pytest.raises(InputError, match="not overwritten"):
+        write_block(read_block(small), small)
+    assert before == {f.name: f.read_bytes() for f in small.iterdir()}
+
+
+def test_a_failed_write_leaves_nothing(small, tmp_path, monkeypatch):
+    block = read_block(small)
+    monkeypatch.setattr("raybundle.io.block_folder._write_observations", broken_write)
+    target = tmp_path / "new" / "block"
+    with pytest.raises(InputError, match="No space left"):
+        write_block(block, target)
+    assert list(target.parent.iterdir()) == []
+
+
+def broken_write(*_):
+    raise OSError(28, "No space left on device")
+
+
+CASES = {
+    # name: (file, old, new, line, column, words)
+    "unknown column": ("observations.csv", "sxy_px2", "sxy", 1, "sxy", "unknown column 'sxy'"),
+    "missing column": ("images.csv", ",phi_deg", "", 1, "phi_deg", "'phi_deg' is missing"),
+    "column twice": ("points.csv", "sX,sY,sZ", "sX,sX,sZ", 1, "sX", "stands twice"),
+    "text in a number": ("observations.csv", "2500.5", "25oo.5", 3, "x_px", "'25oo.5' is not a number"),
+    "underscore in a number": ("observations.csv", "2500.5", "2_500", 3, "x_px", "'2_500' is not a number"),
+    "foreign digits": ("observations.csv", "2500.5", "٢٥", 3, "x_px", "is not a number"),
+    "decimal comma": ("observations.csv", "2500.5", "2500,5", 3, None, "decimal sign is a point"),
+    "semicolons": ("stations.csv", "a,0,0,,", "a;0;0;;", 2, None, "not by semicolons"),
+    "NaN": ("observations.csv", "2500.5", "nan", 3, "x_px", "'nan' is not a finite number"),
+    "infinity": ("points.csv", "p1,control,1", "p1,control,inf", 2, "X", "'inf' is not a finite number"),
+    "too large": ("points.csv", "p1,control,1", "p1,control,1e999", 2, "X", "not a finite number"),
+    "empty measurement": ("observations.csv", "2500.5", "", 3, "x_px", "the cell is empty"),
+    "negative sigma": ("points.csv", "0,0.01,", "0,-0.01,", 2, "sY", "'-0.01' is negative"),
+    "sigma 0 of an image point": ("observations.csv", "0.1,0.2", "0.1,0", 3, "sy_px", "must be greater than 0"),
+    "impossible covariance": ("observations.csv", ",0.01\n", ",0.02\n", 3, "sxy_px2", "covariance"),
+    "negative distance": ("distances.csv", "1.5", "-1.5", 2, "length", "greater than 0"),
+    "distance to itself": ("distances.csv", "p1,p2", "p1,p1", 2, "to", "two different points"),
+    "distance to nothing": ("distances.csv", "p1,p2", "p1,p9", 2, "to", "'p9' stands nowhere"),
+    "unknown camera": ("images.csv", "b,1", "b,2", 3, "camera", "'2' stands nowhere in the cameras of block.toml"),
+    "unknown image": ("observations.csv", "b,p1", "c,p1", 4, "image", "'c' stands nowhere in images.csv"),
+    "unknown station": ("stations.csv", "a,0", "c,0", 2, "image", "'c' stands nowhere in images.csv"),
+    "image twice": ("images.csv", "b,1", "a,1", 3, "image", "'a' stands already in line 2"),
+    "point twice": ("points.csv", "p3,", "p1,", 4, "point", "'p1' stands already in line 2"),
+    "observation twice": ("observations.csv", "a,p2", "a,p1", 3, "point", "already in line 2"),
+    "empty id": ("points.csv", "p3,", ",", 4, "point", "is no id"),
+    "id with blanks": ("observations.csv", "b,new", "b, new", 5, "point", "blanks at its ends"),
+    "control character": ("points.csv", "p3,", "p\t3,", 4, "point", "cannot be printed"),
+    "unknown role": ("points.csv", "tie", "tied", 4, "role", "'tied' is not one of"),
+    "sigma without coordinate": ("points.csv", "p1,control,1,2,3,0", "p1,control,,2,3,0", 2, "sX", "no X"),
+    "tie with sigma": ("points.csv", "p3,tie,,,,,,", "p3,tie,1,,,1,,", 4, "sX", "make its role control"),
+    "control without sigma": ("points.csv", "3,0,0.01,", "3,,,", 2, "sX", "no coordinate with a sigma"),
+    "check without coordinate": ("points.csv", "p2,check,1,2,3", "p2,check,,,", 3, "X", "has no coordinate"),
+    "one angle": ("images.csv", "b,1,,,,,,,", "b,1,,,,,1,,", 3, "omega_deg", "1 of 3 angles"),
+    "too few cells": ("points.csv", "p3,tie,,,,,,", "p3,tie", 4, None, "2 cells, the header has 8"),
+    "empty line": ("points.csv", "p2,", "\np2,", 3, None, "empty line"),
+    "empty line first": ("points.csv", "p1,", "\np1,", 2, None, "empty line"),
+    "open quote": ("points.csv", "p2,check", '"p2,check', 3, None, "quote"),
+    "not TOML": ("block.toml", 'name = "small"', "name = small", 1, None, "this is not TOML"),
+    "unknown key": ("block.toml", "length_unit", "lenght_unit", 2, "lenght_unit", "unknown key"),
+    "unknown camera key": ("block.toml", "K1 = 1e-5", "K9 = 1e-5", 10, "cameras.1.K9", "unknown key 'K9'"),
+    "wrong type": ("block.toml", '"small"', "3", 1, "name", "3 is not a text"),
+    "flag for a number": ("block.toml", "c_mm = 24.0", "c_mm = true", 9, "cameras.1.c_mm", "is not a number"),
+    "NaN in TOML": ("block.toml", "c_mm = 24.0", "c_mm = nan", 9, "cameras.1.c_mm", "not a finite number"),
+    "no camera constant": ("block.toml", "c_mm = 24.0\n", "", 4, "cameras.1.c_mm", "'c_mm' is missing"),
+    "length unit": ("block.toml", '"m"', '"ft"', 2, "length_unit", "'ft' is not one of m, mm"),
+    "no width": ("block.toml", "width_px = 4000", "width_px = 0", 6, "cameras.1.width_px", "greater than 0"),
+    "broken width": ("block.toml", "4000", "4000.5", 6, "cameras.1.width_px", "not a whole number"),
+    "pixel": ("block.toml", "[0.005, 0.005]", "0.005", 8, "cameras.1.pixel_mm", "width and the height"),
+    "pixel sign": ("block.toml", "[0.005, 0.005]", "[0.005, -0.005]", 8, "cameras.1.pixel_mm", "greater than 0"),
+    "unknown parameter": ("block.toml", '"K1"]', '"K7"]', 11, "cameras.1.estimate", "'K7' is no parameter of brown"),
+    "parameter twice": ("block.toml", '"K1"]', '"c"]', 11, "cameras.1.estimate", "stands twice"),
+    "estimate all": ("block.toml", '["c", "K1"]', '"all"', 11, "cameras.1.estimate", "'all' is neither"),
+    "sigma of nothing": ("block.toml", "{c = 0.05}", "{q = 0.05}", 12, "cameras.1.sigma", "'q' is no parameter"),
+    "sigma of a held one": ("block.toml", "{c = 0.05}", "{x0 = 0.05}", 12, "cameras.1.sigma", "x0 has a sigma but is held"),
+    "negative sigma in TOML": ("block.toml", "{c = 0.05}", "{c = -1}", 12, "cameras.1.sigma", "give a positive one"),
+    "no cameras": ("block.toml", TOML[TOML.index("[cameras") :], "", None, "cameras", "no camera"),
+}
+
+
+@pytest.mark.parametrize("case", CASES.values(), ids=CASES)
+def test_what_is_wrong_is_named(small, case):
+    file, old, new, line, column, words = case
+    text = (small / file).read_text(encoding="utf-8")
+    assert old in text
+    (small / file).write_text(text.replace(old, new, 1), encoding="utf-8")
+    with pytest.raises(InputError) as caught:
+        read_block(small)
+    error = caught.value
+    assert error.file is not None
+    assert Path(error.file).name == file
+    assert (error.line, error.column) == (line, column)
+    assert words in str(error)
+    assert error.exit_status == 2
+
+
+@pytest.mark.parametrize("file", ["images.csv", "observations.csv", "points.csv", "distances.csv", "stations.csv"])
+@pytest.mark.parametrize("keep", [0, 1], ids=["no header", "header only"])
+def test_an_empty_table_is_an_error(small, file, keep):
+    text = (small / file).read_text()
+    (small / file).write_text("".join(text.splitlines(keepends=True)[:keep]))
+    with pytest.raises(InputError, match="empty" if keep == 0 else "no rows") as caught:
+        read_block(small)
+    assert caught.value.file == str(small / file)
+
+
+@pytest.mark.parametrize("file", ["block.toml", "images.csv", "observations.csv"])
+def test_a_missing_file_is_an_error(small, file):
+    (small / file).unlink()
+    with pytest.raises(InputError, match=file.replace(".", r"\.")):
+        read_block(small)
+
+
+def test_wrong_encoding_names_the_line(small):
+    (small / "points.csv").write_bytes(POINTS.replace("p3", "Prüf").encode("latin-1"))
+    with pytest.raises(InputError, match="0xfc is not UTF-8") as caught:
+        read_block(small)
+    assert caught.value.line == 4
+    (small / "block.toml").write_bytes(TOML.replace("small", "Prüf").encode("latin-1"))
+    with pytest.raises(InputError, match="0xfc is not UTF-8") as caught:
+        read_block(small)
+    assert caught.value.line == 1
+
+
+def test_unknown_model_lists_the_known(small):
+    (small / "block.toml").write_text(TOML.replace("brown", "pinhole"))
+    with pytest.raises(UnknownSensorModel, match=r"line 5: unknown sensor model 'pinhole'; known: .*brown, fisheye"):
+        read_block(small)
+
+
+def test_a_misspelt_table_is_not_passed_over(small):
+    (small / "points.csv").rename(small / "Point.csv")
+    with pytest.raises(InputError, match=r"rename it to points\.csv"):
+        read_block(small)
+
+
+def test_other_files_in_the_folder_do_not_matter(small):
+    (small / "expected.json").write_text("{}")
+    (small / "expected_observations.csv").write_text("x\n")
+    assert read_block(small).name == "small"
+
+
+def test_no_folder_and_result_folder(tmp_path):
+    with pytest.raises(InputError, match="no such folder"):
+        read_block(tmp_path / "nothing")
+    (tmp_path / "result.json").write_text("{}")
+    with pytest.raises(InputError, match="its block is"):
+        read_block(tmp_path)
+    with pytest.raises(InputError, match="is a file"):
+        read_block(tmp_path / "result.json")
+
+
+def test_several_errors_are_listed_together_in_order(small):
+    text = OBSERVATIONS.replace("2000", "x").replace("1900", "y").replace("0.2,", "-3,")
+    (small / "observations.csv").write_text(text)
+    with pytest.raises(InputError) as caught:
+        read_block(small)
+    message = str(caught.value)
+    assert message.index("line 2, column x_px") < message.index("also line 3, column sy_px")
+    assert message.index("also line 3, column sy_px") < message.index("also line 4, column x_px")
+
+
+INTERIOR = "image,parameter,value\na,c_mm,24.1\na,K1,2e-5\n"
+
+
+def per_image(folder, text):
+    (folder / "block.toml").write_text(TOML + 'interior = "per_image"\n')
+    (folder / "interior.csv").write_text(text)
+
+
+def test_interior_orientation_per_image(small):
+    per_image(small, INTERIOR)
+    block = read_block(small)
+    assert block.cameras[0].interior == "per_image"
+    assert block.images.interior == {0: {"c": 24.1, "K1": 2e-5}}
+
+
+@pytest.mark.parametrize(
+    ("text", "column", "words"),
+    [
+        (INTERIOR.replace("K1", "K9"), "parameter", "'K9' is no key of brown"),
+        (INTERIOR.replace("K1", "c_mm"), "parameter", "already"),
+        (INTERIOR.replace("24.1", "24.1\nb,c_mm,-1"), "value", "greater than 0"),
+        (INTERIOR.replace("a,K1", "z,K1"), "image", "'z' stands nowhere"),
+    ],
+)
+def test_bad_interior_tables(small, text, column, words):
+    per_image(small, text)
+    with pytest.raises(InputError, match=words) as caught:
+        read_block(small)
+    assert (caught.value.line, caught.value.column) == (3, column)
+
+
+def test_interior_table_needs_per_image(small):
+    (small / "interior.csv").write_text(INTERIOR)
+    with pytest.raises(InputError, match=r"set interior = \"per_image\""):
+        read_block(small)
+
+
+def test_held_orientations(small):
+    text = IMAGES.replace("kappa_deg", "kappa_deg,held").replace("0,0,0\n", "0,0,0,1\n").replace("b,1,,,,,,,", "b,1,,,,,,,,")
+    (small / "images.csv").write_text(text)
+    held = read_block(small).images.held
+    assert held is not None
+    assert held.tolist() == [True, False]
+    (small / "images.csv").write_text(text.replace("b,1,,,,,,,,", "b,1,,,,,,,,1"))
+    with pytest.raises(InputError, match="not complete"):
+        read_block(small)
+
+
+def rubbish(path: Path, line: bytes, rows: int) -> None:
+    piece = line * 100_000
+    with path.open("wb") as file:
+        file.write(b"image,point,x_px,y_px,sx_px,sy_px\n")
+        for _ in range(rows // 100_000):
+            file.write(piece)
+
+
+@pytest.mark.parametrize(
+    "line",
+    [b"a,p1,1,2,3,4\n", b"@@@@@@\n", b"c,p1,1,2,3,4\n", b"a,p1,x,y,z,w\n", b"\n", b"\x00\xff\n", b"@", b'"\n'],
+    ids=["the same row", "no cells", "unknown image", "no numbers", "empty lines", "bytes", "one line", "quotes"],
+)
+def test_ten_million_rows_of_rubbish_take_seconds_and_little_memory(small, line):
+    import tracemalloc
+
+    rubbish(small / "observations.csv", line, 10_000_000)
+    tracemalloc.start()
+    began = time.perf_counter()
+    with pytest.raises(InputError):
+        read_block(small)
+    seconds = time.perf_counter() - began
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert seconds < 10
+    assert peak < 400e6
+    shutil.rmtree(small)
+
+
+@pytest.mark.long
+def test_a_million_good_rows_read_in_seconds(small):
+    with (small / "observations.csv").open("w") as file:
+        file.write("image,point,x_px,y_px,sx_px,sy_px\n")
+        file.writelines(f"{'ab'[k % 2]},t{k // 2},{k / 7},{k / 3},0.1,0.1\n" for k in range(1_000_000))
+    began = time.perf_counter()
+    block = read_block(small)
+    assert time.perf_counter() - began < 10
+    assert len(block.observations) == 1_000_000
+    assert block.observations.xy_px[-1].tolist() == [999_999 / 7, 999_999 / 3]
+    assert block.points.ids[-1] == "t499999"

@@ -1,0 +1,94 @@
+"""Folders appear whole or not at all, even when the writer is killed."""
+
+import random
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+
+from raybundle.errors import InputError
+from raybundle.io import folders
+from raybundle.io.folders import exchange, new_folder
+
+
+def write(path, content):
+    with new_folder(path) as folder:
+        for k in range(5):
+            (folder / str(k)).write_text(content)
+
+
+def read(path):
+    assert sorted(p.name for p in path.iterdir()) == list("01234")
+    contents = {p.read_text() for p in path.iterdir()}
+    assert len(contents) == 1
+    return contents.pop()
+
+
+@pytest.mark.parametrize("can_exchange", [True, False])
+def test_a_folder_is_replaced(tmp_path, monkeypatch, can_exchange):
+    if not can_exchange:
+        monkeypatch.setattr(folders, "exchange", lambda _a, _b: False)
+    write(tmp_path / "a" / "b", "old")
+    write(tmp_path / "a" / "b", "new")
+    assert read(tmp_path / "a" / "b") == "new"
+    assert [p.name for p in (tmp_path / "a").iterdir()] == ["b"]
+
+
+def test_an_error_in_the_body_changes_nothing(tmp_path):
+    write(tmp_path / "a", "old")
+    with pytest.raises(ZeroDivisionError), new_folder(tmp_path / "a") as folder:
+        (folder / "0").write_text("new")
+        raise ZeroDivisionError
+    assert read(tmp_path / "a") == "old"
+    assert len(list(tmp_path.iterdir())) == 1
+
+
+def test_where_nothing_can_be_written_is_an_input_error(tmp_path):
+    (tmp_path / "file").write_text("x")
+    with pytest.raises(InputError, match="cannot be written"):
+        write(tmp_path / "file" / "a", "new")
+
+
+def test_exchange_says_when_it_cannot(tmp_path):
+    (tmp_path / "a").mkdir()
+    assert not exchange(tmp_path / "a", tmp_path / "missing")
+
+
+WRITER = """
+import sys, pathlib
+sys.path.insert(0, {tests!r})
+from test_folders import write
+path = pathlib.Path({path!r})
+for k in range(10**6):
+    write(path, str(k))
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux exchanges two folders at one stroke")
+def test_a_writer_that_is_killed_leaves_a_whole_folder(tmp_path):
+    path = tmp_path / "result"
+    write(path, "-1")
+    tests = str(__import__("pathlib").Path(__file__).parent)
+    rng = random.Random(1)
+    seen = set()
+    for _ in range(6):
+        process = subprocess.Popen([sys.executable, "-c", WRITER.format(tests=tests, path=str(path))])
+        began = read(path)
+        deadline = time.monotonic() + 20
+        while read_or_none(path) in {began, None} and time.monotonic() < deadline:
+            time.sleep(0.01)
+        time.sleep(rng.uniform(0, 0.05))
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+        seen.add(read(path))
+    assert seen != {"-1"}
+
+
+def read_or_none(path):
+    """The content, or None while the folder changes under the reader."""
+    try:
+        return read(path)
+    except (AssertionError, OSError):
+        return None
