@@ -40,7 +40,11 @@ def test_demo_prints_truth_beside_estimate(known, tmp_path, capsys):
     pytest.importorskip("raybundle.report.document")
     assert demo(tmp_path / "demo") == 0
     out = capsys.readouterr().out
-    table = [line.split() for line in out.splitlines() if line.split()[:1] and line.split()[0] in known[0].truth.cameras[0].values]
+    table = [
+        line.split()
+        for line in out.splitlines()
+        if line.split()[:1] and line.split()[0] in known[0].truth.cameras[0].values
+    ]
     assert [row[0] for row in table] == ["c", "x0", "y0", "K1", "K2", "K3", "P1", "P2"]
     for _, _, truth, estimate, sigma, ratio in table:
         assert abs(float(ratio)) < 4.5

@@ -44,9 +44,7 @@ def folder(adjustment, tmp_path):
 HEADERS = {
     "images": "image,camera,file,X,Y,Z,omega_deg,phi_deg,kappa_deg,sX,sY,sZ,somega_deg,sphi_deg,skappa_deg",
     "points": "point,role,X,Y,Z,sX,sY,sZ,rays",
-    "observations": (
-        "image,point,x_px,y_px,sx_px,sy_px,vx_px,vy_px,rx,ry,wx,wy,tx,ty,mdbx_px,mdby_px,rejected"
-    ),
+    "observations": ("image,point,x_px,y_px,sx_px,sy_px,vx_px,vy_px,rx,ry,wx,wy,tx,ty,mdbx_px,mdby_px,rejected"),
     "control": "point,X,Y,Z,sX,sY,sZ,vX,vY,vZ,rX,rY,rZ,wX,wY,wZ",
     "check": "point,X,Y,Z,dX,dY,dZ,sX,sY,sZ",
 }
@@ -61,7 +59,7 @@ def test_the_files_and_headers_are_those_of_the_format(folder):
 
 
 def test_result_json_holds_what_the_format_promises(folder, adjustment):
-    result = json.loads((folder / "result.json").read_text(), parse_constant=lambda c: pytest.fail(c))
+    result = json.loads((folder / "result.json").read_text(), parse_constant=pytest.fail)
     promised = {"sigma0", "redundancy", "observations", "unknowns", "constraints", "datum", "converged"}
     assert promised | {"iterations", "seconds", "cameras", "correlations", "warnings"} <= result.keys()
     assert result["sigma0"] == adjustment.sigma0
@@ -91,7 +89,11 @@ def test_control_and_stations_are_told_apart_by_coordinate(folder, adjustment):
     control, stations = read.control, read.stations
     assert control.rows == 5
     group = next(g for g in adjustment.groups if g.kind == "control")
-    k = [i for i, key in enumerate(zip(group.ids, group.component, strict=True)) if key == (control.text["point"][2], "Y")]
+    k = [
+        i
+        for i, key in enumerate(zip(group.ids, group.component, strict=True))
+        if key == (control.text["point"][2], "Y")
+    ]
     assert control.number["vY"][2] == group.residual[k[0]]
     adjusted = adjustment.adjusted.points.xyz[adjustment.adjusted.points.ids.index(control.text["point"][2])]
     assert control.number["vY"][2] == pytest.approx(adjusted[1] - control.number["Y"][2], abs=1e-12)

@@ -1,6 +1,7 @@
 """Block folders: strict reading, exact writing, errors that name file, line and column."""
 
 import os
+import random
 import shutil
 import time
 from dataclasses import fields, is_dataclass, replace
@@ -10,7 +11,7 @@ import numpy as np
 import pytest
 
 from raybundle.block import Block, Role
-from raybundle.block.simulate import SinglePhoto, Survey, TargetField, simulate, single_scene, field_scene
+from raybundle.block.simulate import SinglePhoto, Survey, TargetField, field_scene, simulate, single_scene
 from raybundle.errors import InputError, UnknownSensorModel
 from raybundle.io.block_folder import read_block, write_block
 
@@ -139,7 +140,11 @@ def rich_block() -> Block:
     )
     block = simulate(field_scene(TargetField(stations=5, frontal=1)), survey).observed
     camera = replace(
-        block.cameras[0], id='the "new" one, 2', interior="per_image", sigma={"c": 0.05, "K1": 1e-7}, estimate=("c", "K1")
+        block.cameras[0],
+        id='the "new" one, 2',
+        interior="per_image",
+        sigma={"c": 0.05, "K1": 1e-7},
+        estimate=("c", "K1"),
     )
     held = np.zeros(len(block.images), bool)
     held[2] = True
@@ -265,7 +270,14 @@ CASES = {
     "parameter twice": ("block.toml", '"K1"]', '"c"]', 11, "cameras.1.estimate", "stands twice"),
     "estimate all": ("block.toml", '["c", "K1"]', '"all"', 11, "cameras.1.estimate", "'all' is neither"),
     "sigma of nothing": ("block.toml", "{c = 0.05}", "{q = 0.05}", 12, "cameras.1.sigma", "'q' is no parameter"),
-    "sigma of a held one": ("block.toml", "{c = 0.05}", "{x0 = 0.05}", 12, "cameras.1.sigma", "x0 has a sigma but is held"),
+    "sigma of a held one": (
+        "block.toml",
+        "{c = 0.05}",
+        "{x0 = 0.05}",
+        12,
+        "cameras.1.sigma",
+        "x0 has a sigma but is held",
+    ),
     "negative sigma in TOML": ("block.toml", "{c = 0.05}", "{c = -1}", 12, "cameras.1.sigma", "give a positive one"),
     "no cameras": ("block.toml", TOML[TOML.index("[cameras") :], "", None, "cameras", "no camera"),
 }
@@ -391,7 +403,11 @@ def test_interior_table_needs_per_image(small):
 
 
 def test_held_orientations(small):
-    text = IMAGES.replace("kappa_deg", "kappa_deg,held").replace("0,0,0\n", "0,0,0,1\n").replace("b,1,,,,,,,", "b,1,,,,,,,,")
+    text = (
+        IMAGES.replace("kappa_deg", "kappa_deg,held")
+        .replace("0,0,0\n", "0,0,0,1\n")
+        .replace("b,1,,,,,,,", "b,1,,,,,,,,")
+    )
     (small / "images.csv").write_text(text)
     held = read_block(small).images.held
     assert held is not None
@@ -441,3 +457,64 @@ def test_a_million_good_rows_read_in_seconds(small):
     assert len(block.observations) == 1_000_000
     assert block.observations.xy_px[-1].tolist() == [999_999 / 7, 999_999 / 3]
     assert block.points.ids[-1] == "t499999"
+
+
+JUNK = [
+    b"",
+    b",",
+    b"\n",
+    b'"',
+    b"nan",
+    b"-1",
+    b"1e400",
+    b"\xff",
+    b"\x00",
+    b"a",
+    b"0",
+    b"[",
+    b"{",
+    b"=",
+    b"\r",
+    b"1_0",
+    b"\xef\xbb\xbf",
+]
+
+
+def damaged(rng, files):
+    """The files with up to three pieces replaced by junk."""
+    data = {name: bytearray(text.encode()) for name, text in files.items()}
+    for _ in range(rng.randint(1, 3)):
+        content = data[rng.choice(sorted(data))]
+        at = rng.randrange(len(content) + 1)
+        content[at : at + rng.choice([0, 1, 5, 20])] = rng.choice(JUNK)
+    return data
+
+
+def outcome(folder):
+    """The block, or the error that refuses it."""
+    try:
+        return read_block(folder)
+    except InputError as error:
+        return error
+
+
+def test_damaged_files_are_read_or_refused_and_never_crash(tmp_path):
+    rng = random.Random(5)
+    files = {**SMALL, "block.toml": TOML + 'interior = "per_image"\n', "interior.csv": INTERIOR}
+    folder = tmp_path / "damaged"
+    folder.mkdir()
+    read = refused = 0
+    for k in range(300):
+        for name, content in damaged(rng, files).items():
+            (folder / name).write_bytes(content)
+        found = outcome(folder)
+        if isinstance(found, Block):
+            read += 1
+            write_block(found, tmp_path / str(k))
+            assert_same(found, read_block(tmp_path / str(k)))
+        else:
+            refused += 1
+            assert found.file is not None
+            assert str(found).startswith(found.file)
+    assert read > 3
+    assert refused > 50

@@ -116,6 +116,26 @@ def carry_out(
     return work, reasons
 
 
+def estimate_only(
+    block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]], mask: Mask
+) -> tuple[Block, Mask]:
+    """Adjusted values without statistics, rank test or error: a step towards approximate values.
+
+    mask     (m,) observations that take no part; images and points without others keep their values
+    returns  the block, and the rows (m,) whose point ended behind the camera or has no projection
+    """
+    system = assemble(block, options, mask, free)
+    normals = Normals.of(system, options.threads)
+    state = system.initial_state()
+    if options.robust_start:
+        state = solve(normals, state, options, huber=HUBER, tolerance=1e-1).state
+    else:
+        state = solve(normals, state, options).state
+    bad = np.zeros(len(block.observations), bool)
+    bad[system.rows] = normals.residuals(state)[1] > 0
+    return _adjusted_block(system, state), bad
+
+
 def reject_single_rays(block: Block, reasons: tuple[str, ...], mask: Mask) -> tuple[tuple[str, ...], Mask]:
     """Reject the last ray of tie points whose others were rejected."""
     if not mask.any():

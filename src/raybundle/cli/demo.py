@@ -119,7 +119,9 @@ def _points(simulation: Simulation, adjustment: Adjustment) -> list[str]:
     error, turn = rigid_difference(estimate, truth)
     lines = [" object points, after a rigid motion onto the truth (a free network stands in a frame of its own)"]
     rms = 1000 * np.sqrt((error**2).mean(axis=0))
-    lines.append("   rms error    " + "  ".join(f"{a} {significant(v)}" for a, v in zip("XYZ", rms, strict=True)) + " mm")
+    lines.append(
+        "   rms error    " + "  ".join(f"{a} {significant(v)}" for a, v in zip("XYZ", rms, strict=True)) + " mm"
+    )
     if adjustment.precision is not None:
         covariance = turn @ adjustment.precision.object_points @ turn.T
         std = 1000 * np.sqrt(np.diagonal(covariance, axis1=1, axis2=2).mean(axis=0))

@@ -12,6 +12,9 @@ from raybundle.cli.common import counted, grouped, significant
 from raybundle.numerics.arrays import Array
 from raybundle.report.result_folder import check_differences
 
+SHOWN = 15
+"""Warnings that are printed."""
+
 
 def summary_lines(adjustment: Adjustment) -> list[str]:
     """Counts, sigma0, relative precision, check points and warnings, a line each."""
@@ -28,7 +31,9 @@ def summary_lines(adjustment: Adjustment) -> list[str]:
     ]
     lines += _precision(a)
     lines += _check_points(a)
-    lines += [f"warning: {n.message}" for n in a.notices]
+    lines += [f"warning: {n.message}" for n in a.notices[:SHOWN]]
+    if len(a.notices) > SHOWN:
+        lines.append(f"and {counted(len(a.notices) - SHOWN, 'more warning')}, see result.json")
     return [f" {line}" for line in lines]
 
 

@@ -281,12 +281,13 @@ def _read_stations(path: Path, images: dict[str, int]) -> Stations:
     _, first = np.unique(image, return_index=True)
     again = np.ones(len(image), bool)
     again[first] = False
-    half = (np.isfinite(xyz) ^ np.isfinite(sigma)).any(axis=1)
+    half: Mask = np.any(np.isfinite(xyz) ^ np.isfinite(sigma), axis=1)
+    none: Mask = np.all(~np.isfinite(xyz), axis=1)
     _require(
         path,
         _problems(again, "image", lambda _: "this image has a row already; delete one of the two"),
         _problems(half, "sX", lambda _: "each coordinate needs its sigma, each sigma its coordinate"),
-        _problems(~np.isfinite(xyz).any(axis=1), "X", lambda _: "the row holds no coordinate; delete it"),
+        _problems(none, "X", lambda _: "the row holds no coordinate; delete it"),
     )
     return Stations(image=image, xyz=xyz, sigma=sigma)
 
@@ -415,7 +416,8 @@ def angles_deg(images: Images) -> Array:
 
 def named(ids: Sequence[str], index: Index) -> list[str]:
     """The ids at these positions."""
-    return [ids[k] for k in index.tolist()]
+    positions: list[int] = index.tolist()
+    return [ids[k] for k in positions]
 
 
 def point_columns(points: Points) -> dict[str, Sequence[str] | Array]:

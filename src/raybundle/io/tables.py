@@ -419,9 +419,8 @@ def write_table(path: Path, columns: Mapping[str, Sequence[str] | Array]) -> Non
 def _number_cells(values: Array) -> list[str]:
     if len(values) == 0:
         return []
-    text = msgspec.json.encode(np.asarray(values, float).tolist()).decode()[1:-1]
-    cells = text.replace("null", "").split(",")
-    return [c.removesuffix(".0") for c in cells]
+    text = msgspec.json.encode(np.asarray(values, float).tolist()).decode()[1:-1] + ","
+    return text.replace("null", "").replace(".0,", ",")[:-1].split(",")
 
 
 def _text_cells(values: Sequence[str]) -> list[str]:

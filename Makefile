@@ -1,0 +1,75 @@
+# Everything from nothing but python3, pip and a C++ compiler; uv is used if it is there.
+#   make demo    simulate a testfield, calibrate it, print truth beside estimate and sigma, write the report
+#   make test    the tests
+#   make check   the whole gate: format, lint, types, layers, generated files, docs, tests
+#   make bench   benchmarks and long truth tests (figures into benchmarks/results)
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+UV := $(shell command -v uv 2>/dev/null)
+export RAYBUNDLE_REQUIRE_NATIVE ?= 1
+SOURCES := $(wildcard cpp/*) CMakeLists.txt pyproject.toml
+
+.PHONY: setup setup-dev demo test check format lint types layers generated docs bench clean
+
+setup: $(VENV)/.installed
+
+$(BIN)/python:
+ifneq ($(UV),)
+	$(UV) venv --quiet --seed --python $(PYTHON) $(VENV)
+else
+	$(PYTHON) -m venv $(VENV)
+endif
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --upgrade "pip>=25.1"
+
+# The package itself, compiled, in editable form.
+$(VENV)/.installed: $(SOURCES) | $(BIN)/python
+ifneq ($(UV),)
+	VIRTUAL_ENV=$(VENV) $(UV) pip install --quiet --editable .
+else
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable .
+endif
+	touch $@
+
+setup-dev: $(VENV)/.installed-dev
+
+$(VENV)/.installed-dev: $(VENV)/.installed
+ifneq ($(UV),)
+	VIRTUAL_ENV=$(VENV) $(UV) pip install --quiet --group dev
+else
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --group dev
+endif
+	touch $@
+
+demo: setup
+	$(BIN)/raybundle demo --out demo
+
+test: setup-dev
+	$(BIN)/python -m pytest -n 2
+
+check: format lint types layers generated docs
+
+format: setup-dev
+	$(BIN)/ruff format --check .
+
+lint: setup-dev
+	$(BIN)/ruff check .
+
+types: setup-dev
+	$(BIN)/basedpyright --level error
+
+layers: setup-dev
+	$(BIN)/lint-imports
+
+generated: setup-dev
+	$(BIN)/python tools/generate_kernels.py --check
+
+docs: setup-dev
+	$(BIN)/python tools/generate_docs.py --check
+	$(BIN)/mkdocs build --strict --quiet --site-dir build/site
+
+bench: setup-dev
+	$(BIN)/python benchmarks/run.py
+
+clean:
+	rm -rf $(VENV) build demo site

@@ -1,0 +1,112 @@
+"""Similarity transforms between two sets of points."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array
+from raybundle.numerics.rotation import cross_matrix
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Similarity:
+    """target = scale * rotation @ source + translation."""
+
+    scale: float
+    rotation: Array
+    """(3, 3)"""
+    translation: Array
+    """(3,)"""
+    residuals: Array
+    """(n, 3) transformed source - target"""
+    sigma0: float
+    """Standard deviation of a target coordinate; NaN without redundancy (n = 2 is not enough either)."""
+    covariance: Array
+    """(7, 7) of translation of the centroid, rotation vector, scale; a-posteriori, isotropic target errors"""
+
+    def points(self, xyz: Array) -> Array:
+        """Transformed points (..., 3)."""
+        return self.scale * np.asarray(xyz) @ self.rotation.T + self.translation
+
+    def covariances(self, covariance: Array) -> Array:
+        """Transformed covariances (..., 3, 3) of points; the transform itself counts as free of error."""
+        return self.scale**2 * self.rotation @ covariance @ self.rotation.T
+
+    def rotations(self, sensor_from_source: Array) -> Array:
+        """Rotations (..., 3, 3) from target axes to image axes."""
+        return sensor_from_source @ self.rotation.T
+
+
+def similarity(source: Array, target: Array, weights: Array | None = None, *, scale: float | None = None) -> Similarity:
+    """Least squares similarity of points (n, 3) onto points (n, 3), closed form.
+
+    weights  (n,) of the points, 1 / variance up to a factor; None: all the same
+    scale    a given scale is kept
+    raises   InputError for fewer than three points or points in a line
+
+    Horn 1987; Umeyama 1991.  Errors of the source are neglected.
+    """
+    source, target = np.asarray(source, float), np.asarray(target, float)
+    n = len(source)
+    if n < 3 or source.shape != target.shape:
+        raise InputError(f"a similarity needs three or more points in both systems; {n} are given")
+    w = np.ones(n) if weights is None else np.asarray(weights, float)
+    total = w.sum()
+    cs, ct = w @ source / total, w @ target / total
+    a, b = source - cs, target - ct
+    u, d, vt = np.linalg.svd((b * w[:, None]).T @ a)
+    if d[1] <= 1e-12 * max(d[0], 1e-300):
+        raise InputError("a similarity needs points that are not in one line")
+    sign = np.array([1.0, 1.0, np.sign(np.linalg.det(u @ vt))])
+    R = (u * sign) @ vt
+    spread = float(w @ np.sum(a * a, axis=1))
+    factor = float(d @ sign) / spread if scale is None else scale
+    t = ct - factor * R @ cs
+    residuals = factor * source @ R.T + t - target
+    free = 6 + (scale is None)
+    redundancy = 3 * n - free
+    sigma0 = float(np.sqrt(np.sum(w[:, None] * residuals**2) / redundancy)) if redundancy > 0 else float("nan")
+    turned = factor * a @ R.T
+    A = np.zeros((n, 3, 7))
+    A[:, :, :3] = np.eye(3)
+    A[:, :, 3:6] = -cross_matrix(turned)
+    A[:, :, 6] = turned / factor
+    A = A[:, :, :free].reshape(-1, free)
+    N = (A * np.repeat(w, 3)[:, None]).T @ A
+    covariance = np.zeros((7, 7))
+    covariance[:free, :free] = np.linalg.inv(N) * (sigma0**2 if redundancy > 0 else 1.0)
+    return Similarity(
+        scale=factor, rotation=R, translation=t, residuals=residuals, sigma0=sigma0, covariance=covariance
+    )
+
+
+def robust_similarity(source: Array, target: Array, tolerance: float) -> tuple[Similarity, Array]:
+    """Similarity over the largest set of points (n, 3) that agree within a tolerance; also the mask (n,) of that set.
+
+    All triples where there are few points, else 500 drawn by a fixed seed (RANSAC, Fischler and Bolles 1981).
+    """
+    n = len(source)
+    from itertools import combinations  # noqa: PLC0415
+    from math import comb  # noqa: PLC0415
+
+    if comb(n, 3) <= 500:
+        triples = [np.array(t) for t in combinations(range(n), 3)]
+    else:
+        rng = np.random.default_rng(0)
+        triples = [rng.choice(n, 3, replace=False) for _ in range(500)]
+    best, best_mask = -1.0, np.ones(n, bool)
+    for t in triples:
+        try:
+            s = similarity(source[t], target[t])
+        except InputError:
+            continue
+        error = np.linalg.norm(s.points(source) - target, axis=1)
+        score = float(np.sum(np.maximum(0, 1 - (error / tolerance) ** 2)))
+        if score > best:
+            best, best_mask = score, error < tolerance
+    if best_mask.sum() < 3:
+        best_mask = np.ones(n, bool)
+    return similarity(source[best_mask], target[best_mask]), best_mask

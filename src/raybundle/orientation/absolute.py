@@ -1,0 +1,135 @@
+"""Absolute orientation: a part in a system of its own onto control, projection centres or a scale bar."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import product
+
+import numpy as np
+
+from raybundle.block import Block
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.rotation import rotation_from_angles, rotation_from_vector
+from raybundle.numerics.transform import robust_similarity
+from raybundle.orientation.growth import Growth
+
+
+def onto_control(growth: Growth, before: Mask) -> bool:
+    """Bring the images oriented since `before` and their points onto control or observed centres.
+
+    Full control points first (robust similarity); else whatever coordinates are given, XY-only and Z-only,
+    by a search over rotations.  False where nothing is given.
+    """
+    if not growth.local:
+        return True
+    block = growth.block
+    images = growth.oriented & ~before
+    rows = images[growth.rays.image]
+    seen = np.zeros(len(growth.known), bool)
+    seen[growth.rays.point[rows]] = True
+    mine = np.flatnonzero(seen & growth.known)
+    target_points, given = block_control(growth)
+    part = mine[given[mine].any(axis=1)]
+    source = [growth.block.points.xyz[part]]
+    target = [target_points[part]]
+    which = [given[part]]
+    stations = [k for k, i in enumerate(block.stations.image) if images[i]]
+    if stations:
+        source.append(block.images.centre[block.stations.image[stations]])
+        target.append(block.stations.xyz[stations])
+        which.append(np.isfinite(block.stations.xyz[stations]))
+    a, b, w = np.concatenate(source), np.concatenate(target), np.concatenate(which)
+    if not w.any():
+        return False
+    full = w.all(axis=1)
+    transform = None
+    if full.sum() >= 3:
+        extent = float(np.max(np.ptp(b[full], axis=0)))
+        try:
+            s, _ = robust_similarity(a[full], b[full], 0.05 * extent)
+            transform = (s.scale, s.rotation, s.translation)
+        except InputError:
+            transform = None
+    if transform is None:
+        transform = partial_similarity(a, np.where(w, b, 0.0), w)
+    _apply(growth, images, mine, *transform)
+    return True
+
+
+def block_control(growth: Growth) -> tuple[Array, Mask]:
+    """Given control coordinates (p, 3) and which of them are given; the part's own coordinates stand in the block."""
+    return growth.given_xyz, growth.given_control
+
+
+def onto_scale(growth: Growth, before: Mask) -> None:
+    """Without control: scale from a distance between two points of the part, else the first base is 1."""
+    if not growth.local:
+        return
+    block = growth.block
+    images = growth.oriented & ~before
+    rows = images[growth.rays.image]
+    seen = np.zeros(len(growth.known), bool)
+    seen[growth.rays.point[rows]] = True
+    mine = np.flatnonzero(seen & growth.known)
+    inside = np.zeros(len(growth.known), bool)
+    inside[mine] = True
+    factors = [
+        block.distances.length[d]
+        / float(np.linalg.norm(block.points.xyz[block.distances.end[d]] - block.points.xyz[block.distances.start[d]]))
+        for d in range(len(block.distances))
+        if inside[block.distances.start[d]] and inside[block.distances.end[d]]
+    ]
+    if factors:
+        _apply(growth, images, mine, float(np.median(factors)), np.eye(3), np.zeros(3))
+
+
+def _apply(growth: Growth, images: Mask, points: Array, scale: float, R: Array, t: Array) -> None:
+    block: Block = growth.block
+    centre, rotation, xyz = block.images.centre.copy(), block.images.rotation.copy(), block.points.xyz.copy()
+    centre[images] = scale * centre[images] @ R.T + t
+    rotation[images] = rotation[images] @ R.T
+    xyz[points] = scale * xyz[points] @ R.T + t
+    full = growth.given_control.all(axis=1)
+    xyz[full] = growth.given_xyz[full]
+    growth.block = replace(
+        block, images=replace(block.images, centre=centre, rotation=rotation), points=replace(block.points, xyz=xyz)
+    )
+
+
+def partial_similarity(source: Array, target: Array, given: Mask) -> tuple[float, Array, Array]:
+    """Similarity (scale, rotation, translation) of points (n, 3) onto single given coordinates (n, 3).
+
+    Damped Gauss-Newton from 24 rotations; what the coordinates leave open stays as it is.
+    """
+    quarter = [0.0, np.pi / 2, np.pi, -np.pi / 2]
+    starts = [rotation_from_angles(np.array([o, p, k])) for o, p, k in product(quarter, [0.0, np.pi / 2, -np.pi / 2], quarter)]
+    best: tuple[float, tuple[float, Array, Array]] | None = None
+    middle = source.mean(axis=0)
+    spread = [float(np.std(target[given[:, k], k])) if given[:, k].any() else 0.0 for k in range(3)]
+    guess = max(spread) / max(float(np.std(source - middle, axis=0).max()), 1e-300) or 1.0
+    for start in starts:
+        s, R = guess, start
+        t = np.array([(target[given[:, k], k] - (s * (source - middle) @ R.T)[given[:, k], k]).mean() if given[:, k].any() else 0.0 for k in range(3)])  # fmt: skip
+        cost = np.inf
+        for _ in range(30):
+            turned = (source - middle) @ R.T
+            v = (s * turned + t - target)[given]
+            cost = float(v @ v)
+            A = np.zeros((len(source), 3, 7))
+            A[:, :, :3] = np.eye(3)
+            A[:, 1, 3], A[:, 2, 3] = -s * turned[:, 2], s * turned[:, 1]
+            A[:, 0, 4], A[:, 2, 4] = s * turned[:, 2], -s * turned[:, 0]
+            A[:, 0, 5], A[:, 1, 5] = -s * turned[:, 1], s * turned[:, 0]
+            A[:, :, 6] = turned
+            J = A[given]
+            scale = np.maximum(np.linalg.norm(J, axis=0), 1e-12 * max(float(np.abs(J).max()), 1e-300))
+            step = -np.linalg.lstsq(J / scale, v, rcond=1e-9)[0] / scale
+            t, s = t + step[:3], s * float(np.clip(1 + step[6] / s, 0.3, 3.0))
+            R = rotation_from_vector(np.clip(step[3:6], -0.5, 0.5)) @ R
+            if np.linalg.norm(step[3:6]) < 1e-10:
+                break
+        if best is None or cost < best[0]:
+            best = (cost, (s, R, t - s * R @ middle))
+    assert best is not None
+    return best[1]

@@ -1,0 +1,178 @@
+"""Candidate poses of one image and of image pairs: closed form and robust, ambiguities kept."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+
+from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.rotation import nearest_rotation
+from raybundle.orientation.rays import FLIP, angular_residuals, intersect_linear, object_rays, refine_pose
+
+STEEP = 0.15
+"""Rays with less than this cosine to the axis are left out of the plane solvers."""
+
+
+@dataclass(slots=True)
+class Pose:
+    """An exterior orientation and how well it fits."""
+
+    rotation: Array
+    centre: Array
+    rms: float
+    """Root mean square angle between rays and points [rad]."""
+    inliers: Mask
+
+
+def plane_points(direction: Array) -> Array:
+    """Points (n, 2) on the plane at unit distance, y down, of rays (n, 3) in front of it."""
+    d = direction * FLIP
+    return d[:, :2] / d[:, 2:]
+
+
+def pose_from_solver(pose: Any) -> tuple[Array, Array]:
+    """Rotation (object axes to our image axes) and projection centre of a minimal solver's pose."""
+    R = np.asarray(pose.R, float)
+    return nearest_rotation(FLIP[:, None] * R), -R.T @ np.asarray(pose.t, float)
+
+
+def resect_all(direction: Array, xyz: Array, *, keep: float = 4.0) -> list[Pose]:
+    """All poses that fit rays (n, 3) to known points (n, 3): the best, and those nearly as good.
+
+    P3P (Persson and Nordberg 2018) over triples, each solution refined over all points; four coplanar points
+    leave two, which in unlucky views differ little.  Poses with up to `keep` times the smallest rms stay.
+    """
+    import poselib  # noqa: PLC0415
+
+    n = len(xyz)
+    rng = np.random.default_rng(0)
+    triples = list(combinations(range(n), 3))
+    if len(triples) > 30:
+        triples = [tuple(t) for t in (rng.choice(n, 3, replace=False) for _ in range(30))]
+    found: list[Pose] = []
+    for triple in triples:
+        t = list(triple)
+        for solution in poselib.p3p(direction[t] * FLIP, xyz[t]):
+            R, C = pose_from_solver(solution)
+            if not np.isfinite(R).all() or not np.isfinite(C).all():
+                continue
+            try:
+                R, C, angle = refine_pose(R, C, xyz, direction)
+            except np.linalg.LinAlgError:
+                continue
+            if not np.isfinite(angle).all() or (angle > 1.0).any():
+                continue
+            pose = Pose(R, C, float(np.sqrt(np.mean(angle**2))), np.ones(n, bool))
+            if not any(_same(pose, other, xyz) for other in found):
+                found.append(pose)
+    found.sort(key=lambda p: p.rms)
+    return [p for p in found if p.rms <= max(keep * found[0].rms, found[0].rms + 0.02)][:6]
+
+
+def _same(a: Pose, b: Pose, xyz: Array) -> bool:
+    distance = float(np.mean(np.linalg.norm(xyz - a.centre, axis=1)))
+    turn = np.arccos(np.clip((np.trace(a.rotation @ b.rotation.T) - 1) / 2, -1, 1))
+    return turn < 1e-3 and float(np.linalg.norm(a.centre - b.centre)) < 2e-3 * distance
+
+
+def resect_robust(direction: Array, xyz: Array, limit: float) -> Pose | None:
+    """Pose of an image from rays (n, 3) and known points (n, 3) with outliers (LO-RANSAC); None if there is none.
+
+    limit  largest angle of an inlier [rad]
+    """
+    import poselib  # noqa: PLC0415
+
+    usable = -direction[:, 2] > STEEP
+    if usable.sum() < 4:
+        return None
+    camera = {"model": "SIMPLE_PINHOLE", "width": 1, "height": 1, "params": [1.0, 0.0, 0.0]}
+    options = {"max_reproj_error": limit, "min_iterations": 50, "max_iterations": 2000, "seed": 1}
+    result, info = poselib.estimate_absolute_pose(
+        np.ascontiguousarray(plane_points(direction[usable])), np.ascontiguousarray(xyz[usable]), camera, options, {}
+    )
+    inliers = np.zeros(len(xyz), bool)
+    inliers[np.flatnonzero(usable)[np.asarray(info["inliers"], bool)]] = True
+    if inliers.sum() < 4:
+        return None
+    R, C = pose_from_solver(result.pose if hasattr(result, "pose") else result)
+    R, C, _ = refine_pose(R, C, xyz[inliers], direction[inliers], scale=limit / 2)
+    shape = (len(xyz), 3, 3)
+    angle = angular_residuals(np.broadcast_to(R, shape), np.broadcast_to(C, xyz.shape), xyz, direction)
+    inliers = angle < limit
+    if inliers.sum() < 4:
+        return None
+    return Pose(R, C, float(np.sqrt(np.mean(angle[inliers] ** 2))), inliers)
+
+
+def relative_all(first: Array, second: Array, limit: float) -> list[Pose]:
+    """Orientations of a second image relative to a first (at the origin, R = I), base of length 1; best first.
+
+    first, second  (n, 3) rays of common points
+    limit          largest angle of an inlier [rad]
+    Essential matrix (Nistér 2004, LO-RANSAC) and the decomposition of a homography (Malis and Vargas 2007), so
+    that a plane is no special case; candidates stay that explain nearly as many points in front of both images.
+    """
+    import poselib  # noqa: PLC0415
+
+    usable = (-first[:, 2] > STEEP) & (-second[:, 2] > STEEP)
+    if usable.sum() < 6:
+        return []
+    a, b = (np.ascontiguousarray(plane_points(d[usable])) for d in (first, second))
+    camera = {"model": "SIMPLE_PINHOLE", "width": 1, "height": 1, "params": [1.0, 0.0, 0.0]}
+    options = {"max_epipolar_error": limit, "max_reproj_error": limit, "min_iterations": 100, "max_iterations": 3000, "seed": 1}
+    starts: list[tuple[Array, Array]] = []
+    result, _ = poselib.estimate_relative_pose(a, b, camera, camera, options, {})
+    R, C = pose_from_solver(result.pose if hasattr(result, "pose") else result)
+    starts.append((R * FLIP, FLIP * C))  # the object system is the first image's own
+    H, info = poselib.estimate_homography(a, b, options, {})
+    if np.mean(np.asarray(info["inliers"], float)) > 0.5:
+        starts += _from_homography(np.asarray(H, float))
+    poses: list[Pose] = []
+    for R, C in starts:
+        length = float(np.linalg.norm(C))
+        if not np.isfinite(length) or length < 1e-9:
+            continue
+        pose = evaluate_pair(R, C / length, first, second, limit)
+        if pose is not None and not any(
+            np.arccos(np.clip((np.trace(p.rotation @ pose.rotation.T) - 1) / 2, -1, 1)) < 5e-3
+            and float(p.centre @ pose.centre) > 1 - 1e-3
+            for p in poses
+        ):
+            poses.append(pose)
+    poses.sort(key=lambda p: (-int(p.inliers.sum()), p.rms))
+    return [p for p in poses if p.inliers.sum() >= 0.7 * poses[0].inliers.sum()]
+
+
+def evaluate_pair(R: Array, C: Array, first: Array, second: Array, limit: float) -> Pose | None:
+    """How well a relative orientation explains common rays: intersection angles, both sides in front."""
+    n = len(first)
+    rotation = np.concatenate([np.broadcast_to(np.eye(3), (n, 3, 3)), np.broadcast_to(R, (n, 3, 3))])
+    centre = np.concatenate([np.zeros((n, 3)), np.broadcast_to(C, (n, 3))])
+    direction = np.concatenate([first, second])
+    index = np.tile(np.arange(n, dtype=np.int32), 2)
+    xyz, _, _ = intersect_linear(centre, object_rays(rotation, direction), index, n)
+    angle = angular_residuals(rotation, centre, xyz[index], direction)
+    worst = np.maximum(angle[:n], angle[n:])
+    inliers = worst < limit
+    if inliers.sum() < 5:
+        return None
+    return Pose(R, C, float(np.sqrt(np.mean(worst[inliers] ** 2))), inliers)
+
+
+def _from_homography(H: Array) -> list[tuple[Array, Array]]:
+    """Rotations and centres of the second image from x2 ~ H x1 on normalised planes."""
+    import poselib  # noqa: PLC0415
+
+    found: list[tuple[Array, Array]] = []
+    solutions = poselib.motion_from_homography(H)
+    poses = solutions[0] if isinstance(solutions, tuple) else solutions
+    for solution in poses:
+        pose = solution[0] if isinstance(solution, tuple) else solution
+        R = np.asarray(pose.R, float)
+        for sign in (1.0, -1.0):
+            t = sign * np.asarray(pose.t, float)
+            found.append((nearest_rotation(FLIP[:, None] * R * FLIP), FLIP * (-R.T @ t)))
+    return found

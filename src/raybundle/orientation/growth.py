@@ -1,0 +1,255 @@
+"""A block that grows: which images are oriented, which points are known, in which part."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from raybundle.adjustment.engine import estimate_only, free_parameters
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.result import Notice
+from raybundle.block import Block, Role
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array, Mask
+from raybundle.orientation.candidates import Pose
+from raybundle.orientation.rays import Rays, angular_residuals, intersect_linear, object_rays, rays_of
+
+START_PX = 0.006
+"""Largest error of an inlier at the start, as a share of the format's diagonal: distortion is still unknown."""
+LATER_PX = 0.0015
+"""The same once the interior orientation has been estimated."""
+SMALL_ANGLE = 2.0e-4
+"""Eigenvalue ratio of an intersection (about sin^2 of half the angle: 1.6 degrees) from which a point counts as known."""
+
+
+@dataclass(slots=True)
+class Growth:
+    """State of the assembly."""
+
+    block: Block
+    rays: Rays
+    oriented: Mask
+    known: Mask
+    """(p,) points with usable coordinates in the current part"""
+    given: Mask
+    """(p,) points whose coordinates were given and are kept"""
+    control: Mask
+    """(p,) points with three given control coordinates"""
+    given_xyz: Array
+    """(p, 3) coordinates as given"""
+    given_control: Mask
+    """(p, 3) which of them are control"""
+    local: bool = False
+    """The current part is in a system of its own: control is not used as coordinates"""
+    active: Mask = field(default_factory=lambda: np.zeros(0, bool))
+    """(n,) images of the current part"""
+    calibrated: bool = False
+    bad_rows: Mask = field(default_factory=lambda: np.zeros(0, bool))
+    by_image: list[Array] = field(default_factory=list[Array])
+    last_adjusted: int = 0
+    weak: Mask = field(default_factory=lambda: np.zeros(0, bool))
+    behind: Mask = field(default_factory=lambda: np.zeros(0, bool))
+
+    @classmethod
+    def of(cls, block: Block, rays: Rays) -> Growth:
+        """Nothing assembled yet."""
+        coordinates = np.isfinite(block.points.xyz).all(axis=1)
+        control = block.points.is_control.all(axis=1)
+        check = block.points.role == Role.CHECK
+        order = np.argsort(rays.image, kind="stable")
+        first = np.searchsorted(rays.image[order], np.arange(len(block.images) + 1))
+        p, m, n = len(block.points), len(block.observations), len(block.images)
+        return cls(
+            block=block, rays=rays, oriented=block.images.oriented.copy(), known=coordinates & ~check,
+            given=coordinates.copy(), control=control,
+            given_xyz=block.points.xyz.copy(), given_control=block.points.is_control, active=block.images.oriented.copy(),
+            bad_rows=np.zeros(m, bool), by_image=[order[first[i] : first[i + 1]] for i in range(n)],
+            weak=np.zeros(p, bool), behind=np.zeros(p, bool),
+        )  # fmt: skip
+
+    def waiting(self) -> Mask:
+        """Images that are observed and not oriented."""
+        seen = np.array([len(rows) > 0 for rows in self.by_image])
+        return seen & ~self.oriented
+
+    def begin_part(self) -> Mask:
+        """A new part: none of its images is oriented yet, control is known."""
+        before = self.oriented.copy()
+        self.active = np.zeros_like(self.oriented)
+        self.local = False
+        self.known = self.given & (self.block.points.role != Role.CHECK)
+        return before
+
+    def use_own_system(self) -> None:
+        """The current part starts in a system of its own."""
+        self.local = True
+        self.known = np.zeros_like(self.known)
+
+    def end_part(self) -> None:
+        """The part stands in object space now."""
+        self.local = False
+        self.active = self.oriented.copy()
+
+    def known_points(self, image: int) -> int:
+        """Known points that an image sees."""
+        return int(self.known[self.rays.point[self.by_image[image]]].sum())
+
+    def known_rays(self, image: int) -> tuple[Array, Array, Mask]:
+        """Rays (k, 3), coordinates (k, 3) and whether they are control (k,) of the known points in an image."""
+        rows = self.by_image[image]
+        rows = rows[self.known[self.rays.point[rows]] & ~self.bad_rows[rows]]
+        point = self.rays.point[rows]
+        return self.rays.direction[rows], self.block.points.xyz[point], self.control[point]
+
+    def score(self, image: int) -> float:
+        """Known points of an image, weighted by how they fill its format (cells of an 8 x 8 grid)."""
+        rows = self.by_image[image]
+        rows = rows[self.known[self.rays.point[rows]]]
+        if len(rows) < 3:
+            return 0.0
+        camera = self.block.cameras[self.block.images.camera[image]]
+        xy = self.block.observations.xy_px[rows] / [camera.width_px, camera.height_px]
+        cells = len(np.unique(np.clip((xy * 8).astype(int), 0, 7) @ [8, 1]))
+        return cells * float(np.sqrt(len(rows)))
+
+    def limit(self, image: int) -> float:
+        """Largest angle of an inlier [rad]: generous while the distortion is unknown."""
+        camera = self.block.cameras[self.block.images.camera[image]]
+        share = LATER_PX if self.calibrated or not free_parameters(camera) else START_PX
+        rows = self.by_image[image]
+        sigma = float(np.sqrt(np.median(self.block.observations.cov_px2[rows, 0])))
+        pixels = max(share * float(np.hypot(camera.width_px, camera.height_px)), 6 * sigma)
+        return pixels * float(np.mean(self.rays.px[rows]))
+
+    def set_pose(self, image: int, pose: Pose) -> None:
+        """Give an image an orientation."""
+        centre, rotation = self.block.images.centre.copy(), self.block.images.rotation.copy()
+        centre[image], rotation[image] = pose.centre, pose.rotation
+        self.block = replace(self.block, images=replace(self.block.images, centre=centre, rotation=rotation))
+        self.oriented[image] = self.active[image] = True
+
+    def intersect(self, *, everything: bool = False) -> None:
+        """Intersect points that are not known from the oriented images of the part; `everything`: any coordinate will do."""
+        block = self.block
+        images = self.oriented if everything else self.active
+        rows = np.flatnonzero(images[self.rays.image])
+        point = self.rays.point[rows]
+        wanted = ~np.isfinite(block.points.xyz).all(axis=1) if everything else ~self.known & ~self._kept()
+        rows = rows[wanted[point]]
+        if not len(rows):
+            return
+        point, image = self.rays.point[rows], self.rays.image[rows]
+        centre, rotation = block.images.centre[image], block.images.rotation[image]
+        numbers, index = np.unique(point, return_inverse=True)
+        direction = object_rays(rotation, self.rays.direction[rows])
+        xyz, count, ratio = intersect_linear(centre, direction, index.astype(np.int32), len(numbers))
+        along = np.einsum("ni,ni->n", xyz[index] - centre, direction)
+        behind = np.bincount(index, along <= 0, minlength=len(numbers)) > 0
+        values = block.points.xyz.copy()
+        if everything:
+            weak = (count < 2) | (ratio < 1e-8) | behind
+            if weak.any():
+                xyz[weak] = self._on_rays(index, centre, direction, len(numbers))[weak]
+            values[numbers] = xyz
+            self.weak[numbers] = weak & ~behind & (count > 1)
+            self.behind[numbers] = behind
+        else:
+            angle = angular_residuals(rotation, centre, xyz[index], self.rays.direction[rows])
+            limits = np.array([self.limit(int(i)) if n else 0.0 for i, n in enumerate(images)])[image]
+            wrong = np.bincount(index, angle > 2 * limits, minlength=len(numbers))
+            good = (count >= 2) & (ratio > SMALL_ANGLE) & ~behind & (wrong == 0)
+            values[numbers[good]] = xyz[good]
+            self.known[numbers[good]] = True
+        self.block = replace(block, points=replace(block.points, xyz=values))
+
+    def _kept(self) -> Mask:
+        """Points whose given coordinates are used as they are."""
+        return np.zeros_like(self.given) if self.local else self.given
+
+    def _on_rays(self, index: Array, centre: Array, direction: Array, count: int) -> Array:
+        """A place for points that cannot be intersected: on the mean ray, at the median distance of the others."""
+        rays = np.maximum(np.bincount(index, minlength=count), 1)
+        mean = np.stack([np.bincount(index, direction[:, k], minlength=count) for k in range(3)], axis=1) / rays[:, None]
+        start = np.stack([np.bincount(index, centre[:, k], minlength=count) for k in range(3)], axis=1) / rays[:, None]
+        finite = np.isfinite(self.block.points.xyz).all(axis=1)
+        used = self.block.images.oriented
+        distance = 1.0
+        if finite.any() and used.any():
+            middle = np.median(self.block.points.xyz[finite], axis=0)
+            distance = float(np.median(np.linalg.norm(self.block.images.centre[used] - middle, axis=1)))
+        norm = np.maximum(np.linalg.norm(mean, axis=1), 1e-12)[:, None]
+        return start + distance * mean / norm
+
+    def adjust(self, *, final: bool = False) -> None:
+        """Smooth the current part by the bundle adjustment, once it has grown by a third."""
+        count = int(self.active.sum())
+        if not final and count < max(3, 1.34 * self.last_adjusted) and self.waiting().any():
+            return
+        self.last_adjusted = count
+        rows = self.active[self.rays.image] & self.known[self.rays.point]
+        rays = np.bincount(self.rays.point[rows], minlength=len(self.known))
+        control = self.control & ~np.full_like(self.control, self.local)
+        rows &= ((rays >= 2) | control)[self.rays.point]
+        per_image = np.bincount(self.rays.image[rows], minlength=len(self.active))
+        rows &= (per_image >= 4)[self.rays.image]
+        free: dict[str, tuple[str, ...]] = {c.id: () for c in self.block.cameras}
+        enough = int(rows.sum()) > 60 and count >= 3
+        if enough:
+            free = {c.id: _first_parameters(free_parameters(c)) for c in self.block.cameras}
+        options = AdjustmentOptions(
+            datum="inner" if self.local else "auto", robust_start=True, statistics=False, max_iterations=12
+        )
+        try:
+            block, bad = estimate_only(self.block, options, free, ~rows)
+        except (InputError, np.linalg.LinAlgError):
+            return
+        if not _sane(block, self.block):
+            return
+        self.block = block
+        self.bad_rows = bad
+        self.calibrated = self.calibrated or enough
+        if enough:
+            self.rays = rays_of(self.block)
+        self._forget(rows)
+
+    def _forget(self, rows: Mask) -> None:
+        """Points that the adjustment left with large residuals are no longer known."""
+        index = np.flatnonzero(rows)
+        image, point = self.rays.image[index], self.rays.point[index]
+        angle = angular_residuals(
+            self.block.images.rotation[image], self.block.images.centre[image], self.block.points.xyz[point],
+            self.rays.direction[index],
+        )  # fmt: skip
+        limits = np.array([self.limit(i) if a else 0.0 for i, a in enumerate(self.active)])[image]
+        wrong = np.bincount(point, angle > 2 * limits, minlength=len(self.known)) > 0
+        self.known &= ~(wrong & ~self._kept())
+
+    def notices(self) -> tuple[Notice, ...]:
+        """Points that could only be given a makeshift coordinate."""
+        found: list[Notice] = []
+        ids = self.block.points.ids
+        for mask, code, text in (
+            (self.behind, "start_behind", "rays that meet behind a camera"),
+            (self.weak, "start_parallel", "nearly parallel rays"),
+        ):
+            names = tuple(ids[i] for i in np.flatnonzero(mask))
+            if names:
+                more = " ..." if len(names) > 10 else ""
+                found.append(
+                    Notice(code=code, message=f"{len(names)} points with {text} at the start: {', '.join(names[:10])}{more}", ids=names[:100])
+                )
+        return tuple(found)
+
+
+def _first_parameters(free: tuple[str, ...]) -> tuple[str, ...]:
+    """What is worth freeing while the block grows: camera constant, principal point, first radial terms."""
+    return tuple(s for s in free if s in {"c", "x0", "y0", "K1", "K2", "k1", "k2"})
+
+
+def _sane(new: Block, old: Block) -> bool:
+    """Whether the camera constants stayed within a factor of two."""
+    for a, b in zip(new.cameras, old.cameras, strict=True):
+        if "c" in a.values and not 0.5 < a.values["c"] / b.values["c"] < 2.0:
+            return False
+    return bool(np.isfinite(new.points.xyz[np.isfinite(old.points.xyz)]).all())

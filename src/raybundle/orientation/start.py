@@ -1,0 +1,178 @@
+"""Where the assembly of a part begins: control in single images, or the best pair."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.sparse import coo_matrix
+
+from raybundle.numerics.arrays import Array, Mask
+from raybundle.orientation.candidates import Pose, relative_all, resect_all
+from raybundle.orientation.growth import Growth
+from raybundle.orientation.rays import angular_residuals, intersect_linear, object_rays
+
+PAIRS = 12
+"""Pairs that are tried at the start."""
+COMMON = 8
+"""Common points that a starting pair needs."""
+
+
+def start_from_control(growth: Growth, left: Mask) -> bool:
+    """Orient a first pair by control in each image, with the candidates that the common points favour.
+
+    Four coplanar points leave two poses for each image, nearly alike in unlucky views: each combination is
+    judged by how well the common tie points intersect.  A single image with control starts alone.
+    """
+    options: dict[int, list[Pose]] = {}
+    for i in np.flatnonzero(left):
+        direction, xyz, control = growth.known_rays(int(i))
+        if control.sum() >= 3 and len(xyz) >= 4:
+            poses = resect_all(direction, xyz)
+            poses = [p for p in poses if p.rms < 4 * growth.limit(int(i))]
+            if poses:
+                options[int(i)] = poses
+    if not options:
+        return _three_points(growth, left)
+    best: tuple[float, int, Pose, int, Pose] | None = None
+    for a, b, common in _pairs(growth, left & np.isin(np.arange(len(left)), list(options))):
+        if common < COMMON:
+            continue
+        for pa in options[a]:
+            for pb in options[b]:
+                score = _agreement(growth, a, pa, b, pb)
+                if score is not None and (best is None or score < best[0]):
+                    best = (score, a, pa, b, pb)
+    if best is None:
+        image = max(options, key=lambda i: (growth.known_points(i), -options[i][0].rms))
+        growth.set_pose(image, options[image][0])
+    else:
+        _, a, pa, b, pb = best
+        growth.set_pose(a, pa)
+        growth.set_pose(b, pb)
+    growth.intersect()
+    growth.adjust()
+    return True
+
+
+def _three_points(growth: Growth, left: Mask) -> bool:
+    """An image with exactly three control points and nothing else: the pose that lies above them."""
+    for i in np.flatnonzero(left):
+        direction, xyz, control = growth.known_rays(int(i))
+        if control.sum() == 3 and len(xyz) == 3 and len(growth.by_image[int(i)]) == 3:
+            poses = resect_all(direction, xyz, keep=1e9)
+            if poses:
+                growth.set_pose(int(i), max(poses, key=lambda p: float(p.centre[2])))
+                return True
+    return False
+
+
+def _pairs(growth: Growth, left: Mask) -> list[tuple[int, int, int]]:
+    """Image pairs (a, b, common points) among these images, most common points first."""
+    rows = left[growth.rays.image]
+    n, p = len(left), len(growth.known)
+    seen = coo_matrix(
+        (np.ones(int(rows.sum()), np.int32), (growth.rays.image[rows], growth.rays.point[rows])), shape=(n, p)
+    ).tocsr()
+    common = (seen @ seen.T).tocoo()
+    keep = common.row < common.col
+    order = np.argsort(-common.data[keep], kind="stable")
+    table = np.stack([common.row[keep], common.col[keep], common.data[keep]], axis=1)[order]
+    return [(int(a), int(b), int(c)) for a, b, c in table[:200]]
+
+
+def _common(growth: Growth, a: int, b: int) -> tuple[Array, Array]:
+    """Rows of the observations of the common points in two images."""
+    ra, rb = growth.by_image[a], growth.by_image[b]
+    _, ia, ib = np.intersect1d(growth.rays.point[ra], growth.rays.point[rb], return_indices=True)
+    return ra[ia], rb[ib]
+
+
+def _agreement(growth: Growth, a: int, pa: Pose, b: int, pb: Pose) -> float | None:
+    """Median angle between rays and intersected common points, in units of the limit; None if most lie behind."""
+    ra, rb = _common(growth, a, b)
+    n = len(ra)
+    rotation = np.concatenate([np.broadcast_to(pa.rotation, (n, 3, 3)), np.broadcast_to(pb.rotation, (n, 3, 3))])
+    centre = np.concatenate([np.broadcast_to(pa.centre, (n, 3)), np.broadcast_to(pb.centre, (n, 3))])
+    direction = growth.rays.direction[np.concatenate([ra, rb])]
+    index = np.tile(np.arange(n, dtype=np.int32), 2)
+    xyz, _, ratio = intersect_linear(centre, object_rays(rotation, direction), index, n)
+    angle = angular_residuals(rotation, centre, xyz[index], direction)
+    if np.median(ratio) < 1e-3 or np.mean(angle > 0.2) > 0.2:
+        return None
+    return float(np.median(angle) / growth.limit(a) + 0.3 * (pa.rms / growth.limit(a) + pb.rms / growth.limit(b)))
+
+
+def start_from_pair(growth: Growth, left: Mask) -> bool:
+    """Orient the best pair relative to each other, in a system of its own; a third image decides between candidates."""
+    growth.use_own_system()
+    ranked: list[tuple[float, int, int, Pose]] = []
+    tried: dict[int, int] = {}
+    count = 0
+    for a, b, common in _pairs(growth, left):
+        if common < COMMON or count >= PAIRS:
+            break
+        if tried.get(a, 0) >= 4 or tried.get(b, 0) >= 4:
+            continue
+        tried[a], tried[b] = tried.get(a, 0) + 1, tried.get(b, 0) + 1
+        count += 1
+        ra, rb = _common(growth, a, b)
+        for pose in relative_all(growth.rays.direction[ra], growth.rays.direction[rb], growth.limit(a)):
+            angle = _median_angle(growth, ra, rb, pose)
+            inliers = int(pose.inliers.sum())
+            if inliers >= 0.5 * common and angle > np.radians(2.0):
+                quality = inliers * min(angle, np.radians(20)) / np.radians(20) / (1 + pose.rms / growth.limit(a))
+                ranked.append((quality, a, b, pose))
+    if not ranked:
+        return False
+    ranked.sort(key=lambda r: -r[0])
+    start = (growth.block, growth.known.copy(), growth.oriented.copy(), growth.active.copy())
+    best: tuple[float, tuple[float, int, int, Pose]] | None = None
+    for option in ranked[:6]:
+        growth.block, growth.known = start[0], start[1].copy()
+        growth.oriented, growth.active = start[2].copy(), start[3].copy()
+        _set_pair(growth, option)
+        score = _third_image(growth, option)
+        if best is None or score > best[0]:
+            best = (score, option)
+        if score > 0.9 * option[3].inliers.sum() and len(ranked) > 1 and option is ranked[0]:
+            break
+    assert best is not None
+    growth.block, growth.known = start[0], start[1].copy()
+    growth.oriented, growth.active = start[2].copy(), start[3].copy()
+    _set_pair(growth, best[1])
+    growth.adjust()
+    return True
+
+
+def _set_pair(growth: Growth, option: tuple[float, int, int, Pose]) -> None:
+    _, a, b, pose = option
+    growth.set_pose(a, Pose(np.eye(3), np.zeros(3), 0.0, pose.inliers))
+    growth.set_pose(b, pose)
+    growth.last_adjusted = 0
+    growth.intersect()
+
+
+def _median_angle(growth: Growth, ra: Array, rb: Array, pose: Pose) -> float:
+    """Median intersection angle [rad] of the inliers of a pair."""
+    first = growth.rays.direction[ra[pose.inliers]]
+    second = growth.rays.direction[rb[pose.inliers]] @ pose.rotation
+    return float(np.median(np.arccos(np.clip(np.einsum("ni,ni->n", first, second), -1, 1))))
+
+
+def _third_image(growth: Growth, option: tuple[float, int, int, Pose]) -> float:
+    """Points that the best third image confirms under this start."""
+    from raybundle.orientation.candidates import resect_robust  # noqa: PLC0415
+
+    waiting = np.flatnonzero(growth.waiting())
+    if not len(waiting):
+        return option[0]
+    scores = np.array([growth.score(int(i)) for i in waiting])
+    best = 0.0
+    for k in np.argsort(-scores)[:3]:
+        image = int(waiting[k])
+        direction, xyz, _ = growth.known_rays(image)
+        if len(xyz) < 6:
+            continue
+        pose = resect_robust(direction, xyz, growth.limit(image))
+        if pose is not None:
+            best += float(pose.inliers.sum()) / (1 + pose.rms / growth.limit(image))
+    return best
