@@ -13,6 +13,8 @@ from raybundle.cli.main import COMMANDS, main
 from raybundle.errors import NoConvergence
 from raybundle.io.block_folder import read_block, write_block
 
+BLOCKS = Path(os.environ.get("RAYBUNDLE_DATA", Path(__file__).parents[3] / "shared" / "data")) / "blocks"
+
 
 @pytest.fixture(scope="module")
 def field(tmp_path_factory):
@@ -186,6 +188,18 @@ def test_a_reader_that_goes_away_is_no_error():
     done = subprocess.run(["sh", "-c", command], capture_output=True, text=True, check=True)
     assert done.stdout == "{"
     assert done.stderr == ""
+
+
+@pytest.mark.data
+@pytest.mark.skipif(not BLOCKS.is_dir(), reason="the public data sets are not here; set RAYBUNDLE_DATA")
+@pytest.mark.parametrize("name", ["camcal21-1ray", "camcal21-missing-obs"])
+def test_points_without_rays_enough_are_named_and_no_others(name, tmp_path, capsys):
+    expected = json.loads((BLOCKS / name / "expected.json").read_text())["must_be_named"]["points"]
+    assert run("adjust", BLOCKS / name, "--out", tmp_path / "r") == 2
+    message = capsys.readouterr().err.split(";")[0]
+    points = set(read_block(BLOCKS / name).points.ids)
+    assert points & set(message.replace(",", " ").replace(".", " ").split()) == set(expected)
+    assert not (tmp_path / "r").exists()
 
 
 def test_progress_as_json_lines(field, tmp_path, capsys):

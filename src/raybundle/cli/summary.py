@@ -56,10 +56,11 @@ def _precision(a: Adjustment) -> list[str]:
     free = np.isfinite(std).all(axis=1) & (std > 0).any(axis=1)
     if not free.any():
         return []
-    unit, factor = ("mm", 1000.0) if a.given.length_unit == "m" else ("mm", 1.0)
+    factor = 1000.0 if a.given.length_unit == "m" else 1.0
+    scale = ", in a scale that is arbitrary" if "scale" in a.datum_defect else ""
     mean = np.sqrt((std[free] ** 2).mean(axis=0)) * factor
     each = ", ".join(f"{axis} {significant(m)}" for axis, m in zip("XYZ", mean, strict=True))
-    lines = [f"standard deviation of object points (rms): {each} {unit}"]
+    lines = [f"standard deviation of object points (rms): {each} mm{scale}"]
     if a.network is not None and math.isfinite(a.network.relative_precision):
         n = round(float(f"{a.network.relative_precision:.2g}"))
         meaning = "(mean standard deviation / largest extent)"

@@ -117,6 +117,9 @@ def _grow(growth: Growth, failures: _Failures, progress: Progress, total: int) -
             ]
         if not worth:
             return
+        # not too many at once: what is added rests on what has been adjusted
+        worth.sort(key=lambda i: -growth.score(i))
+        worth = worth[: max(3, int(0.75 * growth.active.sum()))]
         added = 0
         for i in worth:
             pose = _resect(growth, i)

@@ -56,9 +56,9 @@ def resect_all(direction: Array, xyz: Array, *, keep: float = 4.0) -> list[Pose]
     for triple in triples:
         t = list(triple)
         for solution in poselib.p3p(direction[t] * FLIP, xyz[t]):
-            R, C = pose_from_solver(solution)
-            if not np.isfinite(R).all() or not np.isfinite(C).all():
+            if not (np.isfinite(solution.R).all() and np.isfinite(solution.t).all()):
                 continue
+            R, C = pose_from_solver(solution)
             try:
                 R, C, angle = refine_pose(R, C, xyz, direction)
             except np.linalg.LinAlgError:

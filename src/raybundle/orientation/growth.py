@@ -158,7 +158,7 @@ class Growth:
             angle = angular_residuals(rotation, centre, xyz[index], self.rays.direction[rows])
             limits = np.array([self.limit(int(i)) if n else 0.0 for i, n in enumerate(images)])[image]
             wrong = np.bincount(index, angle > 2 * limits, minlength=len(numbers))
-            good = (count >= 2) & (ratio > SMALL_ANGLE) & ~behind & (wrong == 0)
+            good = (count >= 2) & (ratio > SMALL_ANGLE) & ~behind & (wrong <= 0.25 * count)
             values[numbers[good]] = xyz[good]
             self.known[numbers[good]] = True
         self.block = replace(block, points=replace(block.points, xyz=values))
@@ -214,7 +214,7 @@ class Growth:
         self._forget(rows)
 
     def _forget(self, rows: Mask) -> None:
-        """Points that the adjustment left with large residuals are no longer known."""
+        """Points that the adjustment left with large residuals are no longer known, images full of them not oriented."""
         index = np.flatnonzero(rows)
         image, point = self.rays.image[index], self.rays.point[index]
         angle = angular_residuals(
@@ -222,8 +222,24 @@ class Growth:
             self.rays.direction[index],
         )  # fmt: skip
         limits = np.array([self.limit(i) if a else 0.0 for i, a in enumerate(self.active)])[image]
-        wrong = np.bincount(point, angle > 2 * limits, minlength=len(self.known)) > 0
+        far = angle > 2 * limits
+        seen = np.bincount(image, minlength=len(self.active))
+        lost = self.active & (np.bincount(image, far, minlength=len(self.active)) > 0.5 * seen) & (seen > 0)
+        if lost.any() and lost.sum() < 0.5 * self.active.sum():
+            self._drop(lost)
+            keep = ~lost[image]
+            point, far = point[keep], far[keep]
+        rays = np.bincount(point, minlength=len(self.known))
+        wrong = np.bincount(point, far, minlength=len(self.known)) > 0.3 * rays
         self.known &= ~(wrong & ~self._kept())
+
+    def _drop(self, lost: Mask) -> None:
+        """Take back the orientation of images that contradict most of their points; they are tried again later."""
+        centre, rotation = self.block.images.centre.copy(), self.block.images.rotation.copy()
+        centre[lost], rotation[lost] = np.nan, np.nan
+        self.block = replace(self.block, images=replace(self.block.images, centre=centre, rotation=rotation))
+        self.oriented &= ~lost
+        self.active &= ~lost
 
     def notices(self) -> tuple[Notice, ...]:
         """Points that could only be given a makeshift coordinate."""

@@ -112,8 +112,7 @@ class SensorModel:
 
     def start(self, points: Array, values: Array) -> Array:
         """First guess (2, n) [mm] of the image of sensor-frame points (3, n); central projection by default."""
-        c = values[0] if values.ndim == 1 else values[0]
-        return -c * points[:2] / points[2]
+        return -values[0] * points[:2] / points[2]
 
     def in_front(self, points: Array, image: Array | None = None, values: Array | None = None) -> Mask:
         """(n,) whether sensor-frame points (3, n) lie on the side that the sensor sees (measured at `image`)."""
@@ -165,9 +164,9 @@ class SensorModel:
         d = d / np.linalg.norm(d, axis=0)
         for _ in range(50):
             g, jacobian = self.condition_and_jacobian(*image, *d, *values)
-            by_point = np.moveaxis(jacobian[:, 2:5], 2, 0)
-            step = np.linalg.pinv(by_point) @ g.T[..., None]
-            step = step[..., 0].T
+            # shortest step: A' (A A')^-1 g
+            A = jacobian[:, 2:5]
+            step = np.einsum("ken,kn->en", A, _solve2(np.einsum("ken,len->kln", A, A), g))
             step = step - d * np.sum(d * step, axis=0)
             length = np.linalg.norm(step, axis=0)
             step = step * np.minimum(1.0, 0.3 / np.maximum(length, 1e-300))
