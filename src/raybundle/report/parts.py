@@ -1,0 +1,153 @@
+"""What a report is made of: sections of paragraphs, tables, figures and folded parts.  The template sets them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import ClassVar
+
+from markupsafe import Markup
+
+from raybundle.report.numbers import grouped
+
+MOST_ROWS = 2000
+"""Rows of a table that a report shows; the rest stands in the result folder."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Column:
+    """Heading of a table's column."""
+
+    label: str
+    unit: str = ""
+    text: bool = False
+    """Words, set flush left; numbers are set flush right."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Table:
+    """Rows of cells as they are printed."""
+
+    kind: ClassVar[str] = "table"
+    columns: tuple[Column, ...]
+    rows: Sequence[Sequence[str]]
+    caption: str = ""
+    note: str = ""
+    marked: frozenset[int] = frozenset()
+    """Rows that stand out."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Paragraph:
+    """A paragraph; `note` sets it small."""
+
+    kind: ClassVar[str] = "paragraph"
+    text: str
+    note: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Heading:
+    """A heading within a section."""
+
+    kind: ClassVar[str] = "heading"
+    text: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Figure:
+    """A drawing with its caption; wide ones fill the page's width."""
+
+    drawing: Markup
+    caption: str
+    wide: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Figures:
+    """Figures side by side, as many as fit."""
+
+    kind: ClassVar[str] = "figures"
+    figures: tuple[Figure, ...]
+    small: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Fact:
+    """A key figure: what, how much, and what that means."""
+
+    label: str
+    value: str
+    remark: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Facts:
+    """Key figures side by side."""
+
+    kind: ClassVar[str] = "facts"
+    facts: tuple[Fact, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Points:
+    """A list of sentences, each with a word in front."""
+
+    kind: ClassVar[str] = "points"
+    points: tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Folded:
+    """Parts that are shown on demand."""
+
+    kind: ClassVar[str] = "folded"
+    summary: str
+    parts: tuple[Part, ...]
+
+
+Part = Table | Paragraph | Heading | Figures | Facts | Points | Folded
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Section:
+    """A numbered section of the report."""
+
+    anchor: str
+    title: str
+    parts: tuple[Part, ...]
+
+
+def text(label: str) -> Column:
+    """Heading of a column of words."""
+    return Column(label=label, text=True)
+
+
+def number(label: str, unit: str = "") -> Column:
+    """Heading of a column of numbers."""
+    return Column(label=label, unit=unit)
+
+
+def table(
+    columns: Sequence[Column],
+    values: Iterable[Sequence[str]],
+    *,
+    caption: str = "",
+    note: str = "",
+    rest: str = "",
+    most: int = MOST_ROWS,
+    marked: Iterable[int] = (),
+) -> Table:
+    """A table from its columns' cells, cut after `most` rows; `rest` says where the others are."""
+    by_column = [list(v) for v in values]
+    count = len(by_column[0]) if by_column else 0
+    if count > most:
+        cut = f"{grouped(most)} of {grouped(count)} rows are shown" + (f"; all are in {rest}." if rest else ".")
+        note = f"{note} {cut}".strip()
+    rows = list(zip(*(c[:most] for c in by_column), strict=True))
+    return Table(columns=tuple(columns), rows=rows, caption=caption, note=note, marked=frozenset(marked))
+
+
+def pick(rows: Iterable[int], values: Sequence[str]) -> list[str]:
+    """The cells at these positions."""
+    return [values[int(r)] for r in rows]
