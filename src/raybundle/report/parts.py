@@ -90,11 +90,11 @@ class Facts:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Points:
+class Statements:
     """A list of sentences, each with a word in front."""
 
-    kind: ClassVar[str] = "points"
-    points: tuple[tuple[str, str], ...]
+    kind: ClassVar[str] = "statements"
+    statements: tuple[tuple[str, str], ...]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -106,7 +106,7 @@ class Folded:
     parts: tuple[Part, ...]
 
 
-Part = Table | Paragraph | Heading | Figures | Facts | Points | Folded
+Part = Table | Paragraph | Heading | Figures | Facts | Statements | Folded
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,0 +1,123 @@
+"""An adjustment as the report looks at it: what several sections need, computed once."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from raybundle.adjustment.result import Adjustment, InteriorResult
+from raybundle.block import Block, Role
+from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.report.distortion import Interior, interior_of
+from raybundle.report.result_folder import check_differences, used_rays
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class View:
+    """An adjustment with the quantities derived from it."""
+
+    adjustment: Adjustment
+    used: Mask
+    """(m,) image observations that took part"""
+    rejected: Index
+    """(k,) rows that did not"""
+    scale: float
+    """sigma0 a posteriori; 1 where there is none"""
+    factor: float
+    """From the block's length unit to that of standard deviations in print"""
+    unit: str
+    """Unit of standard deviations in object space"""
+    length_unit: str
+    """Unit of coordinates"""
+    std: Array | None
+    """(p, 3) standard deviations of object points [unit]; NaN where held or unused"""
+    rays: Array
+    """(p,) used image observations"""
+    check_rows: Index
+    check_difference: Array
+    """(k, 3) adjusted minus given [length unit]"""
+
+    @property
+    def given(self) -> Block:
+        """The block as given."""
+        return self.adjustment.given
+
+    @property
+    def adjusted(self) -> Block:
+        """The adjusted block."""
+        return self.adjustment.adjusted
+
+    @property
+    def arbitrary_scale(self) -> bool:
+        """Whether nothing that was measured fixes the scale of object space."""
+        return "scale" in self.adjustment.datum_defect
+
+    @property
+    def free_frame(self) -> bool:
+        """Whether any part of the datum was left open by the observations."""
+        return bool(self.adjustment.datum_defect)
+
+    @property
+    def control_rows(self) -> Index:
+        """(k,) control points."""
+        return np.flatnonzero(np.asarray(self.given.points.role) == Role.CONTROL).astype(np.int32)
+
+    def cameras(self) -> list[tuple[int, Mask]]:
+        """Each camera with used observations, and these (m,)."""
+        of = self.given.images.camera[self.given.observations.image]
+        found = [(c, self.used & (of == c)) for c in range(len(self.given.cameras))]
+        return [(c, mask) for c, mask in found if mask.any()]
+
+
+def view_of(adjustment: Adjustment) -> View:
+    """The view of an adjustment."""
+    used = adjustment.image_observations.used
+    factor, unit = 1.0, adjustment.given.length_unit
+    std: Array | None = None
+    if adjustment.precision is not None:
+        full = adjustment.precision.object_point_std
+        std = np.where(full > 0, full, np.nan)
+    sizes = np.zeros(0) if std is None else std[np.isfinite(std)]
+    if unit == "m" and (not len(sizes) or float(np.median(sizes)) < 1):
+        factor, unit = 1000.0, "mm"
+    rows, difference = check_differences(adjustment)
+    return View(
+        adjustment=adjustment,
+        used=used,
+        rejected=np.flatnonzero(~used).astype(np.int32),
+        scale=adjustment.sigma0 if math.isfinite(adjustment.sigma0) and adjustment.sigma0 > 0 else 1.0,
+        factor=factor,
+        unit=unit,
+        length_unit=adjustment.given.length_unit,
+        std=None if std is None else std * factor,
+        rays=used_rays(adjustment),
+        check_rows=rows,
+        check_difference=difference,
+    )
+
+
+def key_of(result: InteriorResult) -> str:
+    """Key of an interior orientation in `Precision.interior`."""
+    return result.camera if result.image is None else f"{result.camera}/{result.image}"
+
+
+def name_of(result: InteriorResult) -> str:
+    """An interior orientation in words."""
+    return f"camera {result.camera}" + ("" if result.image is None else f", image {result.image}")
+
+
+def adjusted_interior(view: View, result: InteriorResult) -> Interior:
+    """An interior orientation with its covariance, for curves."""
+    a = view.adjustment
+    camera = next(c for c in a.adjusted.cameras if c.id == result.camera)
+    covariance = None if a.precision is None else a.precision.interior.get(key_of(result))
+    free = () if a.precision is None else a.precision.parameters.get(key_of(result), ())
+    return interior_of(camera, (p.value for p in result.parameters.values()), free, covariance)
+
+
+def rms(values: Array) -> float:
+    """Root mean square of the finite values; NaN if there are none."""
+    good = values[np.isfinite(values)]
+    return float(np.sqrt(np.mean(good**2))) if len(good) else math.nan
