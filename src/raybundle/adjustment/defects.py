@@ -9,7 +9,7 @@ import numpy as np
 from raybundle.adjustment.assemble import State, System
 from raybundle.adjustment.normals import Normals
 from raybundle.block import Block, Role
-from raybundle.errors import DatumDefect, InputError, RankDefect
+from raybundle.errors import DatumDefect, InputError, NoConvergence, RankDefect
 from raybundle.numerics.arrays import Array, Mask
 
 PIVOT = 1e-12
@@ -209,3 +209,27 @@ def _null_space(normals: Normals, state: State) -> list[str]:
         line = "  undetermined together: " + ", ".join(f"{name} ({100 * s:.0f} %)" for s, name, _ in shown)
         lines.append(line + (f"; {advice}" if advice else "; add points or control there, or leave the images out"))
     return lines
+
+
+def no_convergence(system: System, state: State, iterations: int, step: float) -> NoConvergence:
+    """The error of an iteration that found no minimum, with what is most likely behind it."""
+    block = system.block
+    image, point = block.observations.image[system.rows], block.observations.point[system.rows]
+    d = state.xyz[point] - state.centre[image]
+    d = d / np.maximum(np.linalg.norm(d, axis=1), 1e-300)[:, None]
+    count = np.maximum(np.bincount(point, minlength=len(block.points)), 1)
+    mean = np.stack([np.bincount(point, d[:, k], minlength=len(block.points)) / count for k in range(3)], axis=1)
+    # rays that spread by an angle a have a mean direction of length about 1 - a^2 / 8
+    spread = np.sqrt(8 * np.maximum(1 - np.linalg.norm(mean, axis=1), 0))
+    tied = system.points_used & (count > 1)
+    parallel = tied & (spread < np.radians(0.2))
+    head = f"no convergence after {iterations} iterations (last step {step:.2g} standard deviations). "
+    if tied.any() and parallel.sum() > 0.3 * tied.sum():
+        images = name_some([block.images.ids[i] for i in np.unique(image[parallel[point]])])
+        return NoConvergence(
+            f"{head}The rays to {int(parallel.sum())} of {int(tied.sum())} object points are parallel within 0.2 degrees: "
+            f"images {images} have no base, or are the same photo twice. Take images from different stations."
+        )
+    return NoConvergence(
+        f"{head}Look for gross errors (--robust-start, --reject snooping), wrong point numbers, or better approximate values."
+    )

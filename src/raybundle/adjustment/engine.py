@@ -28,7 +28,6 @@ from raybundle.adjustment.reliability import (
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.solve import HUBER, Solution, solve
 from raybundle.block import Block, Camera
-from raybundle.errors import NoConvergence
 from raybundle.numerics.arrays import Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.statistics import family_wise_normal, family_wise_tau, global_test
@@ -103,11 +102,7 @@ def carry_out(
         reasons, mask = reject_single_rays(block, tuple(new), np.array([bool(r) for r in new]))
         defects.check_images(block, mask, free)
     if not work.solution.converged:
-        raise NoConvergence(
-            f"no convergence after {work.solution.iterations} iterations: the last step was "
-            f"{work.solution.step:.2g} standard deviations long, limit {options.tolerance:g}. "
-            "Look for gross errors (--robust-start, --reject snooping) or better approximate values."
-        )
+        raise defects.no_convergence(work.system, work.solution.state, work.solution.iterations, work.solution.step)
     _factor(work)
     if options.statistics:
         progress("statistics", 0.0)

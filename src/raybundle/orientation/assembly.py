@@ -92,9 +92,9 @@ def _begin(growth: Growth, left: Mask, failures: _Failures) -> bool:
     if start_from_pair(growth, left):
         return True
     for i in np.flatnonzero(left):
-        failures.reasons.setdefault(
-            int(i), f"{growth.known_points(int(i))} known points, no second image with enough common points"
-        )
+        known = growth.known_points(int(i))
+        reason = growth.remarks.get(int(i), f"{known} known points, no second image with enough common points")
+        failures.reasons.setdefault(int(i), reason)
     return False
 
 

@@ -50,6 +50,8 @@ class Growth:
     last_adjusted: int = 0
     weak: Mask = field(default_factory=lambda: np.zeros(0, bool))
     behind: Mask = field(default_factory=lambda: np.zeros(0, bool))
+    remarks: dict[int, str] = field(default_factory=dict[int, str])
+    """Why an image could not serve at the start"""
 
     @classmethod
     def of(cls, block: Block, rays: Rays) -> Growth:

@@ -12,7 +12,11 @@ from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Block
+from raybundle.errors import NotSolvable
 from raybundle.numerics.progress import Progress, silent
+
+POOR_FIT = 10.0
+"""sigma0 from which on the approximate values are doubted."""
 
 
 def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Progress = silent) -> Adjustment:
@@ -24,6 +28,20 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
     began = time.perf_counter()
     options = options or AdjustmentOptions()
     defects.check_rays(block, np.zeros(len(block.observations), bool))
+    twins = identical_images(block)
+    try:
+        result = _adjust(block, options, progress)
+    except NotSolvable as error:
+        if twins:
+            raise type(error)(f"{error}\n  {_twin_words(twins)}") from error
+        raise
+    if twins:
+        warning = Notice(code="identical_images", message=_twin_words(twins), ids=tuple(i for pair in twins for i in pair))
+        result = replace(result, notices=(warning, *result.notices))
+    return replace(result, given=block, seconds=time.perf_counter() - began)
+
+
+def _adjust(block: Block, options: AdjustmentOptions, progress: Progress) -> Adjustment:
     start, notices = block, list[Notice]()
     observed = np.bincount(block.observations.image, minlength=len(block.images)) > 0
     seen = np.bincount(block.observations.point, minlength=len(block.points)) > 0
@@ -34,4 +52,66 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
         start = approximate.block
         notices += approximate.notices
     result = decide(start, options, progress, notices=tuple(notices))
-    return replace(result, given=block, seconds=time.perf_counter() - began)
+    if result.sigma0 > POOR_FIT and block.images.oriented[observed].any() and _held(block) == 0:
+        return _started_afresh(block, options, progress, result)
+    return result
+
+
+def identical_images(block: Block) -> list[tuple[str, str]]:
+    """Pairs of images of which nearly all image points coincide within half a pixel: the same photo twice."""
+    o = block.observations
+    if len(block.images) < 2 or not len(o):
+        return []
+    cell = np.round(o.xy_px * 2).astype(np.int64)
+    key = np.stack([o.point.astype(np.int64), cell[:, 0], cell[:, 1]], axis=1)
+    order = np.lexsort((o.image, key[:, 2], key[:, 1], key[:, 0]))
+    same = (key[order[1:]] == key[order[:-1]]).all(axis=1)
+    first, second = o.image[order[:-1]][same], o.image[order[1:]][same]
+    pairs, count = np.unique(np.stack([first, second], axis=1), axis=0, return_counts=True)
+    rays = np.bincount(o.image, minlength=len(block.images))
+    found = [(int(a), int(b)) for (a, b), k in zip(pairs, count, strict=True) if k > 0.6 * min(rays[a], rays[b]) and k > 3]
+    return [(block.images.ids[a], block.images.ids[b]) for a, b in found]
+
+
+def _twin_words(twins: list[tuple[str, str]]) -> str:
+    shown = ", ".join(f"{a} and {b}" for a, b in twins[:5])
+    return (
+        f"images {shown} hold the same image points within half a pixel: the same photo twice, or no base between them. "
+        "Leave one out."
+    )
+
+
+def _held(block: Block) -> int:
+    return 0 if block.images.held is None else int(block.images.held.sum())
+
+
+def _started_afresh(block: Block, options: AdjustmentOptions, progress: Progress, poor: Adjustment) -> Adjustment:
+    """The adjustment from orientations of our own, if that fits better than from those given.
+
+    Rough approximate values can lead into a minimum that is not the lowest one.
+    """
+    from raybundle.orientation.assembly import approximate_values  # noqa: PLC0415
+
+    images = block.images
+    blank = replace(
+        block,
+        images=replace(
+            images, centre=np.full_like(images.centre, np.nan), rotation=np.full_like(images.rotation, np.nan)
+        ),
+        points=replace(
+            block.points, xyz=np.where(block.points.is_control, block.points.xyz, np.nan)
+        ),
+    )
+    try:
+        approximate = approximate_values(blank, progress)
+        fresh = decide(approximate.block, options, progress, notices=approximate.notices)
+    except NotSolvable:
+        return poor
+    if not fresh.sigma0 < 0.5 * poor.sigma0:
+        return poor
+    notice = Notice(
+        code="approximate_values_replaced",
+        message=f"the approximate orientations of the block lead to sigma0 {poor.sigma0:.3g}, orientations found from the "
+        f"observations to {fresh.sigma0:.3g}; the latter are used. Check images.csv.",
+    )
+    return replace(fresh, notices=(notice, *fresh.notices))

@@ -1,0 +1,170 @@
+"""Speed against COLMAP's Ceres on the problems of the shared benchmark folder, alternately, in one run.
+
+    python benchmarks/speed.py [--repeat 3] [--problems uav200 ...]
+
+Needs RAYBUNDLE_BENCH (default ../shared/bench) with the generator and the peers' scripts, and a Python that has
+pycolmap 4.2.1, pyceres 2.6 and scipy: RAYBUNDLE_PEER_PYTHON (default: this one).  Both sides use 2 threads, start
+from the same values with arrays in memory, and are timed with their preprocessing.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import statistics
+import subprocess
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+BENCH = Path(os.environ.get("RAYBUNDLE_BENCH", HERE.parents[1] / "shared/bench"))
+PEER = os.environ.get("RAYBUNDLE_PEER_PYTHON", sys.executable)
+WORK = HERE / "work"
+PROBLEMS = {
+    "ladybug49": ["bal", str(BENCH / "ladybug-49-7776.txt")],
+    "uav200": ["uav", "200", "50000"],
+    "uav1000": ["uav", "1000", "180000"],
+    "community500": ["community", "500", "150000"],
+    "uav500": ["uav", "500", "100000"],
+    "uav2000": ["uav", "2000", "300000"],
+}
+ADJUST = """
+import json, resource, sys, time
+sys.path.insert(0, {here!r})
+from blocks import block_from_npz
+from raybundle.adjustment.engine import adjust_block
+from raybundle.adjustment.options import AdjustmentOptions
+import scipy.linalg, scipy.stats, scipy.sparse.csgraph
+from raybundle.adjustment.assemble import assemble
+from raybundle.adjustment.normals import Normals
+from raybundle.adjustment.solve import solve
+import numpy as np
+block = block_from_npz({problem!r})
+options = AdjustmentOptions(threads=2, tolerance={tolerance})
+began = time.perf_counter()
+system = assemble(block, options, np.zeros(len(block.observations), bool), {{"1": ("c", "k1", "k2")}})
+normals = Normals.of(system, 2)
+solution = solve(normals, system.initial_state(), options)
+print(json.dumps(dict(wall=time.perf_counter() - began, cost=solution.cost, steps=solution.iterations,
+      converged=solution.converged, memory_mb=resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024)))
+"""
+COVARIANCE = """
+import json, resource, sys, time
+sys.path.insert(0, {here!r})
+from blocks import block_from_npz
+from raybundle.adjustment.assemble import assemble
+from raybundle.adjustment.datum import analyse, hold_minimal
+from raybundle.adjustment.normals import Normals
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.precision import cofactors
+import numpy as np, scipy.linalg
+block = block_from_npz({problem!r}, truth=True)
+options = AdjustmentOptions(threads=2, datum={datum!r})
+system = assemble(block, options, np.zeros(len(block.observations), bool), {{"1": ("c", "k1", "k2")}})
+state = system.initial_state()
+datum = analyse(system, state, options)
+system.held = system.control_held | hold_minimal(system, state, datum)
+normals = Normals.of(system, 2)
+began = time.perf_counter()
+normals.reduce(state)
+assert normals.solver.factorise(normals.values, np.zeros(0)) == 0
+found = cofactors(normals, state, datum)
+wall = time.perf_counter() - began
+total = float(2 * len(found.hat) - found.hat[:, :2].sum())
+print(json.dumps(dict(wall=wall, redundancy=total, expected=system.observations - system.unknowns + datum.defect,
+      memory_mb=resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024)))
+"""
+
+
+def problem(name: str) -> Path:
+    """The npz of a problem, generated once."""
+    path = WORK / f"{name}.npz"
+    if not path.exists():
+        WORK.mkdir(exist_ok=True)
+        subprocess.run([PEER, str(BENCH / "generate_block.py"), *PROBLEMS[name], str(path)], check=True, cwd=WORK)
+    return path
+
+
+def last_json(command: list[str]) -> dict:
+    """The JSON object a command prints last."""
+    out = subprocess.run(command, check=True, capture_output=True, text=True, cwd=BENCH).stdout
+    return json.loads(out.strip().splitlines()[-1])
+
+
+def ours(name: str, tolerance: float = 1e-3) -> dict:
+    """One adjustment of ours in a process of its own."""
+    code = ADJUST.format(here=str(HERE), problem=str(problem(name)), tolerance=tolerance)
+    return last_json([sys.executable, "-c", code])
+
+
+def peer(name: str) -> dict:
+    """One run of Ceres."""
+    return last_json([PEER, str(BENCH / "peer_ceres.py"), str(problem(name)), "SPARSE_SCHUR", "2"])
+
+
+def compare(name: str, repeat: int) -> dict:
+    """Alternate runs; medians and the median of the pairwise ratios."""
+    pairs = [(ours(name), peer(name)) for _ in range(repeat)]
+    return {
+        "problem": name,
+        "ours_s": statistics.median(a["wall"] for a, _ in pairs),
+        "ceres_s": statistics.median(b["wall"] for _, b in pairs),
+        "ratio": statistics.median(b["wall"] / a["wall"] for a, b in pairs),
+        "ours_cost": pairs[0][0]["cost"],
+        "ceres_cost": pairs[0][1]["cost1"],
+        "cost_excess": pairs[0][0]["cost"] / pairs[0][1]["cost1"] - 1,
+        "ours_steps": pairs[0][0]["steps"],
+        "ceres_steps": pairs[0][1]["steps"],
+        "ours_memory_mb": pairs[0][0]["memory_mb"],
+        "ceres_memory_mb": pairs[0][1]["rss_MB"],
+    }
+
+
+def covariance(name: str, repeat: int) -> dict:
+    """All 3 x 3 point covariances and redundancy numbers against pycolmap's covariance."""
+    rows = []
+    for _ in range(repeat):
+        a = {d: last_json([sys.executable, "-c", COVARIANCE.format(here=str(HERE), problem=str(problem(name)), datum=d)])
+             for d in ("minimal", "auto")}  # fmt: skip
+        b = last_json([PEER, str(BENCH / "peer_covariance.py"), str(problem(name)), "all"])
+        rows.append((a, b))
+    first, other = rows[0]
+    return {
+        "problem": name,
+        "minimal_datum_s": statistics.median(a["minimal"]["wall"] for a, _ in rows),
+        "inner_constraints_s": statistics.median(a["auto"]["wall"] for a, _ in rows),
+        "pycolmap_s": statistics.median(b["wall"] for _, b in rows),
+        "ratio_minimal": statistics.median(b["wall"] / a["minimal"]["wall"] for a, b in rows),
+        "ratio_inner": statistics.median(b["wall"] / a["auto"]["wall"] for a, b in rows),
+        "memory_mb": first["auto"]["memory_mb"],
+        "pycolmap_memory_mb": other["rss_MB"],
+        "redundancy_sum": first["auto"]["redundancy"],
+        "redundancy": first["auto"]["expected"],
+    }
+
+
+def growth(repeat: int) -> list[dict]:
+    """Time from 200 to 2000 images of the same kind."""
+    rows = []
+    for name in ("uav200", "uav500", "uav1000", "uav2000"):
+        runs = [ours(name) for _ in range(repeat)]
+        rows.append({"problem": name, "seconds": statistics.median(r["wall"] for r in runs), "steps": runs[0]["steps"]})
+    return rows
+
+
+def main() -> None:
+    """Print and return the figures as JSON."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--repeat", type=int, default=3)
+    parser.add_argument("--problems", nargs="*", default=["ladybug49", "uav200", "uav1000", "community500"])
+    options = parser.parse_args()
+    result = {"adjustment": [compare(n, options.repeat) for n in options.problems]}
+    if "uav1000" in options.problems:
+        result["covariance"] = covariance("uav1000", options.repeat)
+        result["growth"] = growth(options.repeat)
+    print(json.dumps(result, indent=1))
+
+
+if __name__ == "__main__":
+    main()

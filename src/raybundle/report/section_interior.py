@@ -1,0 +1,209 @@
+"""Section: interior orientation of each camera, its tests, correlations and distortion."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from raybundle.adjustment.result import InteriorResult, ParameterResult
+from raybundle.numerics.arrays import Array
+from raybundle.report.distortion import Interior, balanced, decentring_curve, radial_curve
+from raybundle.report.figures_interior import correction_field, curves, heat_map, sigma_curve
+from raybundle.report.numbers import NONE, fixed, grouped, probability, significant, unit_text, with_sigma
+from raybundle.report.parts import Figure, Figures, Folded, Heading, Paragraph, Part, Section, Table, number, table, text
+from raybundle.report.view import View, adjusted_interior, key_of, name_of
+
+MOST_DRAWN = 6
+"""Interior orientations with figures of their own."""
+CORNER = "largest shift within the format"
+
+
+def interior_section(view: View) -> Section:
+    """Values, tests, correlations and distortion of every interior orientation."""
+    a = view.adjustment
+    parts: list[Part] = []
+    if any(i.image is not None for i in a.interior):
+        parts += [_per_image(view)]
+    for k, result in enumerate(a.interior):
+        own: list[Part] = [Heading(text=_title(view, result)), parameter_table(result)]
+        if k < MOST_DRAWN:
+            own += _details(view, result)
+        if result.image is not None:
+            own = [Folded(summary=name_of(result), parts=tuple(own))]
+        parts += own if k < MOST_DRAWN or result.image is None else []
+    if len(a.interior) > MOST_DRAWN:
+        what = f"Figures are drawn for {MOST_DRAWN} of {grouped(len(a.interior))} interior orientations."
+        parts.append(Paragraph(text=what, note=True))
+    return Section(anchor="interior", title="Interior orientation", parts=tuple(parts))
+
+
+def _title(view: View, result: InteriorResult) -> str:
+    camera = next(c for c in view.given.cameras if c.id == result.camera)
+    width, height = camera.size_mm
+    name = name_of(result)
+    return (
+        f"{name[0].upper()}{name[1:]}: model {camera.model}, {grouped(camera.width_px)} × {grouped(camera.height_px)} px, "
+        f"{significant(width, 4)} × {significant(height, 4)} mm, pixel {significant(1000 * camera.pixel_mm[0], 4)} µm"
+    )
+
+
+def _optional(value: float | None, digits: int = 3) -> str:
+    return NONE if value is None else significant(value, digits)
+
+
+def _value_cells(p: ParameterResult) -> tuple[str, str]:
+    if p.std is None or not p.std > 0:
+        return significant(p.value, 6), NONE
+    return with_sigma(p.value, p.std)
+
+
+def parameter_table(result: InteriorResult) -> Table:
+    """The parameters of one interior orientation."""
+    rows = list(result.parameters.values())
+    cells = [_value_cells(p) for p in rows]
+    return table(
+        (
+            text("symbol"), text("meaning"), text("unit"), number("value"), number("sigma"), number("t"),
+            number("determinability"), number("effect", "px"), number("effect of sigma", "px"), text("status"),
+        ),
+        (
+            [p.symbol for p in rows],
+            [p.meaning + (f" ({p.remark})" if p.remark else "") for p in rows],
+            [unit_text(p.unit) for p in rows],
+            [c[0] for c in cells],
+            [c[1] for c in cells],
+            [NONE if p.t is None else _limited(p.t) for p in rows],
+            [_optional(p.determinability, 2) for p in rows],
+            [_optional(p.effect_px) for p in rows],
+            [_optional(p.effect_std_px, 2) for p in rows],
+            [p.status for p in rows],
+        ),
+        note=f"t: value over sigma. Determinability: 1 = independent of all other unknowns, near 0 = only together with them. "
+        f"Effect: {CORNER}, of the value and of one sigma.",
+        marked=[k for k, p in enumerate(rows) if p.status in {"not determinable", "not significant"}],
+    )  # fmt: skip
+
+
+def _limited(t: float) -> str:
+    return fixed(t, 1) if t < 1e4 else significant(t, 2)
+
+
+def _per_image(view: View) -> Table:
+    """Values and sigmas where each image has an interior orientation of its own."""
+    results = [i for i in view.adjustment.interior if i.image is not None]
+    symbols = list(dict.fromkeys(s for i in results for s in i.free))
+    columns = [text("camera"), text("image")]
+    values: list[list[str]] = [[i.camera for i in results], [i.image or "" for i in results]]
+    for s in symbols:
+        pairs = [_value_cells(i.parameters[s]) if s in i.parameters else (NONE, NONE) for i in results]
+        units = [i.parameters[s].unit for i in results if s in i.parameters]
+        columns += [number(s, unit_text(units[0])), number("sigma")]
+        values += [[p[0] for p in pairs], [p[1] for p in pairs]]
+    return table(columns, values, caption="Interior orientation of each image", rest="result.json")
+
+
+def _details(view: View, result: InteriorResult) -> list[Part]:
+    parts: list[Part] = []
+    if result.joint_tests:
+        names = list(result.joint_tests)
+        tests = [result.joint_tests[n] for n in names]
+        parts.append(
+            table(
+                (text("tested together"), number("F"), number("probability of a larger one by chance")),
+                (names, [significant(f) for f, _ in tests], [probability(p) for _, p in tests]),
+                caption="Joint tests: could all of these be zero?",
+            )
+        )
+    parts += _correlations(view, result)
+    interior = adjusted_interior(view, result)
+    reach = _reach(view, result, interior)
+    if any(interior.has(k) for k in ("radial", "decentring", "affinity")):
+        parts += _distortion(interior, reach, name_of(result))
+    else:
+        parts.append(Paragraph(text="No distortion: all additional parameters have their defaults and are held.", note=True))
+    return parts
+
+
+def _correlations(view: View, result: InteriorResult) -> list[Part]:
+    """Heat maps within the interior orientation and between it and the exterior orientations."""
+    if len(result.free) < 2 or len(result.correlations) != len(result.free):
+        return []
+    figures = [
+        Figure(
+            drawing=heat_map(result.free, result.free, result.correlations, f"correlations of {name_of(result)}"),
+            caption="Correlations between the parameters of the interior orientation.",
+        )
+    ]
+    precision = view.adjustment.precision
+    cross = None if precision is None else precision.interior_exterior.get(key_of(result))
+    if cross is not None and len(cross):
+        figures.append(
+            Figure(
+                drawing=heat_map(
+                    result.free, ("X", "Y", "Z", "ω", "φ", "κ"), _largest(cross), "correlations with exterior orientation",
+                    signed=False,
+                ),
+                caption="Largest |correlation| with the exterior orientation over all images of the camera.",
+            )
+        )  # fmt: skip
+    return [Figures(figures=tuple(figures))]
+
+
+def _largest(cross: Array) -> Array:
+    """Largest absolute value over the first axis; NaN where nothing is known."""
+    size = np.abs(cross)
+    known = np.isfinite(size).any(axis=0)
+    return np.where(known, np.max(np.nan_to_num(size), axis=0), np.nan)
+
+
+def _reach(view: View, result: InteriorResult, interior: Interior) -> float:
+    """Largest distance of a used image point from the principal point [mm]."""
+    o = view.given.observations
+    camera = next(k for k, c in enumerate(view.given.cameras) if c.id == result.camera)
+    mine = view.used & (view.given.images.camera[o.image] == camera)
+    if result.image is not None:
+        mine &= o.image == view.given.images.ids.index(result.image)
+    if not mine.any():
+        return math.nan
+    offset = interior.camera.image_from_pixel(o.xy_px[mine]) - interior.principal_point
+    return float(np.linalg.norm(offset, axis=1).max())
+
+
+def _distortion(interior: Interior, reach: float, name: str) -> list[Part]:
+    figures: list[Figure] = []
+    beyond = "" if not reach < interior.corner_mm else f" No observation lies beyond {significant(reach)} mm (shaded): extrapolated."
+    if interior.has("radial"):
+        curve = radial_curve(interior)
+        flat, share = balanced(curve)
+        figures.append(
+            Figure(
+                drawing=curves(
+                    interior, [(curve, "first", "Gaussian"), (flat, "second", "balanced")], reach, f"radial distortion of {name}"
+                ),
+                caption="Radial correction, ideal minus measured, with its 1-sigma band where that can be seen. Balanced: the "
+                f"same distortion with the camera constant changed by {significant(100 * share, 3)} %.{beyond}",
+            )
+        )
+        sigma = sigma_curve(interior, curve, reach, f"standard deviation of the radial distortion of {name}")
+        if sigma is not None:
+            figures.append(
+                Figure(drawing=sigma, caption="Its standard deviation, from the covariance of the radial parameters.")
+            )
+    if interior.has("decentring"):
+        curve = decentring_curve(interior)
+        figures.append(
+            Figure(
+                drawing=curves(interior, [(curve, "first", "")], reach, f"decentring distortion of {name}"),
+                caption="Decentring: largest correction over all directions, with its 1-sigma band.",
+            )
+        )
+    drawn, largest = correction_field(interior, f"corrections over the format of {name}")
+    figures.append(
+        Figure(
+            drawing=drawn,
+            caption=f"All corrections over the format, from the measured point (dot) to the ideal one; the largest is "
+            f"{significant(largest)} px. The cross is the principal point.",
+        )
+    )
+    return [Figures(figures=tuple(figures))]

@@ -1,0 +1,135 @@
+"""Section 1 and 2: key figures, warnings with remedies, limits of the numbers, and the summary table."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from raybundle.adjustment.result import Adjustment
+from raybundle.report.numbers import NONE, counted, fixed, grouped, listed, significant
+from raybundle.report.parts import Column, Fact, Facts, Heading, Paragraph, Part, Section, Statements, table, text
+from raybundle.report.view import View, rms
+from raybundle.report.words import Verdict, datum_words, free_std, important, not_told
+
+
+def result_section(view: View, verdict: Verdict) -> Section:
+    """What a client reads."""
+    parts: list[Part] = [Facts(facts=_key_figures(view)), Statements(statements=verdict.statements)]
+    notices = sorted(view.adjustment.notices, key=lambda n: not important(n))
+    if notices:
+        rows = [
+            ["decide" if important(n) else "note" for n in notices],
+            [n.message for n in notices],
+        ]
+        parts.append(Heading(text="Warnings and remedies"))
+        marked = [k for k, n in enumerate(notices) if important(n)]
+        columns = (text(""), text("what, how much, and what to do"))
+        parts.append(table(columns, rows, most=200, rest="result.json", marked=marked))
+    parts.append(Heading(text="What these numbers do not tell"))
+    parts.append(Statements(statements=not_told(view)))
+    return Section(anchor="result", title="Result", parts=tuple(parts))
+
+
+def _key_figures(view: View) -> tuple[Fact, ...]:
+    a, network = view.adjustment, view.adjustment.network
+    facts: list[Fact] = []
+    if network is not None and math.isfinite(network.relative_precision):
+        n = grouped(float(f"{network.relative_precision:.2g}"))
+        facts.append(
+            Fact(label="relative precision", value=f"1 : {n}", remark=f"{network.precision_class}; of the largest extent")
+        )
+    std = free_std(view)
+    if len(std):
+        each = ", ".join(f"{axis} {significant(rms(std[:, k]), 2)}" for k, axis in enumerate("XYZ"))
+        facts.append(
+            Fact(
+                label="standard deviation of object points",
+                value=f"{significant(rms(std), 2)} {view.unit}",
+                remark=f"rms of a coordinate; {each}",
+            )
+        )
+    if np.isfinite(view.check_difference).any():
+        facts.append(
+            Fact(
+                label="check points",
+                value=f"{significant(rms(view.check_difference) * view.factor, 2)} {view.unit}",
+                remark=f"rms difference of a coordinate, {counted(len(view.check_rows), 'point')}",
+            )
+        )
+    sigma0 = significant(a.sigma0) if math.isfinite(a.sigma0) else "none"
+    facts.append(Fact(label="σ₀ a posteriori", value=sigma0, remark=f"a priori 1; {_image_sigma(view)}"))
+    facts.append(Fact(label="redundancy", value=grouped(a.redundancy), remark=f"{grouped(a.observations)} observations"))
+    return tuple(facts)
+
+
+def _image_sigma(view: View) -> str:
+    """The a-posteriori standard deviation of an image coordinate."""
+    std = np.sqrt(view.given.observations.cov_px2[view.used, :2])
+    if not len(std):
+        return "no image observations"
+    px = float(np.median(std)) * view.scale
+    return f"an image coordinate {significant(px, 2)} px" + ("" if np.ptp(std) < 1e-3 * px else " (median)")
+
+
+def summary_section(view: View) -> Section:
+    """Counts, datum, tests."""
+    a = view.adjustment
+    rows = [*_counts(view), *_solution(a), *_tests(a)]
+    body = table((text("quantity"), Column(label="value", text=True)), zip(*rows, strict=True))
+    note = Paragraph(text=datum_words(view), note=True)
+    return Section(anchor="summary", title="Summary of the adjustment", parts=(body, note))
+
+
+def _counts(view: View) -> list[tuple[str, str]]:
+    a, block = view.adjustment, view.given
+    images = len({int(i) for i in block.observations.image[view.used]})
+    rows = [
+        ("block", block.name),
+        ("cameras, images", f"{grouped(len(block.cameras))}, {grouped(len(block.images))} ({grouped(images)} took part)"),
+        ("object points", f"{grouped(len(block.points))} ({grouped(int((view.rays > 0).sum()))} took part)"),
+        ("image points", f"{grouped(len(block.observations))} ({grouped(len(view.rejected))} rejected)"),
+    ]
+    for g in a.groups:
+        weighted, held = int((g.sigma > 0).sum()), int((g.sigma == 0).sum())
+        rows.append((
+            {"control": "control coordinates", "distance": "scale bars", "station": "coordinates of projection centres",
+             "parameter": "observed parameters of the interior orientation"}.get(g.kind, g.kind),
+            f"{grouped(weighted)} observed" + (f", {grouped(held)} held" if held else ""),
+        ))  # fmt: skip
+    return [
+        *rows,
+        ("observations", grouped(a.observations)),
+        ("unknowns", grouped(a.unknowns)),
+        ("datum constraints", grouped(a.constraints)),
+        ("redundancy", grouped(a.redundancy)),
+    ]
+
+
+def _solution(a: Adjustment) -> list[tuple[str, str]]:
+    residuals = a.given.residuals if a.options.residuals == "as_block" else a.options.residuals
+    return [
+        ("datum", a.datum),
+        ("left open by the observations", listed(a.datum_defect, 7) or "nothing"),
+        ("residuals refer to", f"the {residuals} image point"),
+        ("converged", f"{'yes' if a.converged else 'no'}, {counted(a.iterations, 'iteration')}, {fixed(a.seconds, 2)} s"),
+        ("condition of the scaled normal matrix", significant(a.condition, 2)),
+    ]
+
+
+def _tests(a: Adjustment) -> list[tuple[str, str]]:
+    lower, value, upper = a.global_test
+    limits = f"{significant(lower, 5)} … {significant(upper, 5)}"
+    if not math.isfinite(lower):
+        outcome = "not possible without redundancy"
+    elif lower <= value <= upper:
+        outcome = f"{limits}: passed"
+    else:
+        outcome = f"{limits}: failed, {'residuals larger' if value > upper else 'residuals smaller'} than stated"
+    return [
+        ("σ₀ a priori, a posteriori", f"1, {significant(a.sigma0, 5) if math.isfinite(a.sigma0) else NONE}"),
+        ("weighted square sum of residuals", significant(a.weighted_square_sum, 6)),
+        ("global test (χ², 95 %, two-sided)", outcome),
+        ("critical value of |w|, family-wise", f"{significant(a.critical_w)} at {fixed(100 * a.options.significance, 0)} %"),
+        ("critical value of |τ|, family-wise", f"{significant(a.critical_tau)} at {fixed(100 * a.options.significance, 0)} %"),
+    ]

@@ -1,0 +1,296 @@
+"""The verdict: what was adjusted, how good it is, and what the numbers do not tell, in plain words."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from raybundle.adjustment.result import Notice
+from raybundle.numerics.arrays import Array
+from raybundle.report.numbers import counted, grouped, listed, significant
+from raybundle.report.view import View, rms
+
+Grade = Literal["good", "remarks", "attention"]
+IMPORTANT = frozenset({
+    "redundancy_sum", "no_redundancy", "not_determinable", "control_rejected", "behind_camera", "snooping_unfinished",
+    "control_suspect", "distance_suspect", "station_suspect", "parameter_suspect",
+})  # fmt: skip
+"""Notices that call for a decision before the result is used."""
+POOR_FIT = 3.0
+"""sigma0 beyond which the a-priori standard deviations alone do not explain the residuals."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Verdict:
+    """The first thing that a reader sees."""
+
+    grade: Grade
+    headline: str
+    statements: tuple[tuple[str, str], ...]
+
+
+def verdict(view: View) -> Verdict:
+    """The verdict on an adjustment."""
+    statements = [
+        ("Adjusted", _adjusted(view)),
+        ("Precision", _precision(view)),
+        ("Accuracy", _accuracy(view)),
+        ("Fit", _fit(view)),
+        ("Control", _control(view)),
+        ("Blunders", _blunders(view)),
+        ("Cameras", _cameras(view)),
+    ]
+    grade = _grade(view)
+    return Verdict(grade=grade, headline=_headline(view, grade), statements=tuple(s for s in statements if s[1]))
+
+
+def _grade(view: View) -> Grade:
+    a = view.adjustment
+    codes = {n.code for n in a.notices}
+    if a.precision is None or codes & IMPORTANT or not math.isfinite(a.sigma0) or a.sigma0 > POOR_FIT:
+        return "attention"
+    return "remarks" if a.notices or not len(view.check_rows) else "good"
+
+
+def _headline(view: View, grade: Grade) -> str:
+    a = view.adjustment
+    if a.precision is None:
+        return "Coordinates without a stated accuracy: the statistics were switched off."
+    if a.redundancy == 0:
+        return "Solved, but nothing checks it: there are no more observations than unknowns."
+    serious = sum(1 for n in a.notices if n.code in IMPORTANT)
+    if a.sigma0 > POOR_FIT:
+        return f"The observations contradict each other {significant(a.sigma0, 2)} times more than their stated precision allows."
+    if grade == "attention":
+        return f"Adjusted; {counted(serious, 'matter')} to settle before the result is used (see the warnings)."
+    if grade == "remarks":
+        return "Adjusted; no contradiction that calls for action. Read the remarks below."
+    return "Adjusted; the observations agree with each other, with the model and with the check points."
+
+
+def _adjusted(view: View) -> str:
+    a, block = view.adjustment, view.given
+    images = len({int(i) for i in block.observations.image[view.used]})
+    parts = [
+        f"{counted(images, 'image')} of {counted(len(view.cameras()), 'camera')}",
+        counted(int((view.rays > 0).sum()), "object point"),
+        counted(int(view.used.sum()), "image observation"),
+    ]
+    for count, noun in (
+        (len({i for g in a.groups if g.kind == "control" for i in g.ids}), "control point"),
+        (len(view.check_rows), "check point"),
+        (len(block.distances), "scale bar"),
+        (len({i for g in a.groups if g.kind == "station" for i in g.ids}), "observed projection centre"),
+    ):
+        if count:
+            parts.append(counted(count, noun))
+    return f"{', '.join(parts)}; {counted(a.unknowns, 'unknown')}, redundancy {grouped(a.redundancy)}. {datum_words(view)}"
+
+
+def datum_words(view: View) -> str:
+    """The datum in a sentence that a client understands."""
+    a = view.adjustment
+    if not a.datum_defect:
+        return "Position, orientation and scale come from given coordinates."
+    open_parts = listed(a.datum_defect, 7)
+    tail = " Lengths have no absolute unit: nothing fixes the scale." if view.arbitrary_scale else ""
+    return f"Nothing given fixes {open_parts}; the datum there: {a.datum}.{tail}"
+
+
+def free_std(view: View) -> Array:
+    """Standard deviations (k, 3) of the object points with a free coordinate [view.unit]."""
+    if view.std is None:
+        return np.zeros((0, 3))
+    return view.std[np.isfinite(view.std).any(axis=1)]
+
+
+def _precision(view: View) -> str:
+    a = view.adjustment
+    if a.precision is None:
+        return "Standard deviations were not computed. Adjust again with statistics."
+    std = free_std(view)
+    if not len(std):
+        return _resection(view)
+    each = ", ".join(f"{axis} {significant(rms(std[:, k]))}" for k, axis in enumerate("XYZ"))
+    worst = np.unravel_index(int(np.nanargmax(np.nan_to_num(view.std))), view.std.shape)  # type: ignore[union-attr]
+    where = f"{'XYZ'[int(worst[1])]} of point {view.given.points.ids[int(worst[0])]}"
+    text = (
+        f"Standard deviation of the object points (rms): {each} {view.unit}; the largest is "
+        f"{significant(float(np.nanmax(std)))} {view.unit} ({where})."
+    )
+    network = a.network
+    if network is not None and math.isfinite(network.relative_precision):
+        text += (
+            f" Relative precision 1 : {grouped(float(f'{network.relative_precision:.2g}'))}, "
+            f"class: {network.precision_class}."
+        )
+    return text
+
+
+def _resection(view: View) -> str:
+    precision = view.adjustment.precision
+    assert precision is not None
+    std = precision.image_std
+    centre = np.nanmean(np.where(std[:, :3] > 0, std[:, :3], np.nan)) if (std[:, :3] > 0).any() else math.nan
+    if not math.isfinite(centre):
+        return "All object points and images are held."
+    angle = np.degrees(np.nanmean(np.where(std[:, 3:] > 0, std[:, 3:], np.nan)))
+    return (
+        f"All object points are held. Standard deviation of the projection centres (mean): "
+        f"{significant(float(centre) * view.factor)} {view.unit}, of the angles {significant(float(angle))}°."
+    )
+
+
+def _accuracy(view: View) -> str:
+    difference = view.check_difference * view.factor
+    if not np.isfinite(difference).any():
+        return "There are no check points: the accuracy is not tested by anything that the adjustment did not use."
+    known = int(np.isfinite(difference).any(axis=1).sum())
+    each = ", ".join(
+        f"{axis} {significant(rms(difference[:, k]))}" for k, axis in enumerate("XYZ") if np.isfinite(difference[:, k]).any()
+    )
+    text = f"At {counted(known, 'check point')} the rms difference, adjusted minus given, is {each} {view.unit}."
+    expected = expected_check_std(view)
+    ratio = rms(difference / expected)
+    if math.isfinite(ratio):
+        meaning = "as expected" if ratio < 1.5 else "more than the standard deviations promise: look for systematic errors"
+        text += f" That is {significant(ratio, 2)} times what the standard deviations predict ({meaning})."
+    if view.free_frame:
+        text += " The datum is not that of the check points, so the differences hold its shift as well."
+    return text
+
+
+def expected_check_std(view: View) -> Array:
+    """Standard deviation (k, 3) of adjusted minus given at check points [view.unit]; NaN without statistics."""
+    rows = view.check_rows
+    if view.std is None:
+        return np.full((len(rows), 3), np.nan)
+    given = np.nan_to_num(view.given.points.sigma[rows]) * view.factor
+    return np.hypot(np.nan_to_num(view.std[rows], nan=np.nan), given)
+
+
+def _fit(view: View) -> str:
+    a = view.adjustment
+    if a.redundancy == 0:
+        return "There is no redundancy: the fit cannot be tested, and no blunder can be found."
+    lower, value, upper = a.global_test
+    sigma0 = f"σ₀ = {significant(a.sigma0)} (a priori 1)"
+    if lower <= value <= upper:
+        return f"{sigma0}: the residuals are as large as the stated precision of the observations says (global test at 5 %)."
+    if value < lower:
+        return (
+            f"{sigma0}: the observations are more precise than stated (global test at 5 %). "
+            "All standard deviations here carry the smaller value."
+        )
+    return (
+        f"{sigma0}: the residuals are larger than stated (global test at 5 %). Either the observations are less precise than "
+        "assumed, or the model lacks something, or blunders are left. All standard deviations here carry the larger value."
+    )
+
+
+def _control(view: View) -> str:
+    words: list[str] = []
+    for kind, noun in (("control", "control coordinates"), ("distance", "scale bars"), ("station", "projection centres")):
+        groups = [g for g in view.adjustment.groups if g.kind == kind]
+        if not groups:
+            continue
+        residual = np.concatenate([g.residual[g.sigma > 0] for g in groups])
+        held = sum(int((g.sigma == 0).sum()) for g in groups)
+        if len(residual):
+            largest = float(np.nanmax(np.abs(residual))) * view.factor
+            words.append(
+                f"{noun}: rms residual {significant(rms(residual) * view.factor)} {view.unit}, largest {significant(largest)} "
+                f"{view.unit} ({grouped(len(residual))} observed{f', {grouped(held)} held' if held else ''})"
+            )
+        elif held:
+            words.append(f"{grouped(held)} {noun} held as given; they are not tested by residuals of their own")
+    text = "; ".join(words)
+    return f"{text[0].upper()}{text[1:]}." if text else ""
+
+
+def _blunders(view: View) -> str:
+    a = view.adjustment
+    lost = len(view.rejected)
+    t = np.abs(a.image_observations.t[view.used])
+    beyond = int((np.nan_to_num(t).max(axis=1, initial=0) > a.critical_tau).sum()) if math.isfinite(a.critical_tau) else 0
+    text = f"{counted(lost, 'image observation')} rejected, listed with the reasons." if lost else "No observation was rejected."
+    if a.precision is None or a.redundancy == 0:
+        return text + " Blunders were not tested."
+    if beyond:
+        text += (
+            f" {counted(beyond, 'image observation')} with a residual beyond the critical value of "
+            f"{significant(a.critical_tau)} standard deviations took part"
+            + ("; consider data snooping (--reject snooping)." if a.options.reject == "none" else ".")
+        )
+    else:
+        text += f" No residual exceeds the critical value of {significant(a.critical_tau)} standard deviations."
+    return text
+
+
+def _cameras(view: View) -> str:
+    a = view.adjustment
+    estimated = sum(len(i.free) for i in a.interior)
+    if not estimated and not a.not_determinable:
+        return "The interior orientation was given and held; its errors are not in the standard deviations."
+    parts = [f"{counted(estimated, 'parameter')} of the interior orientation estimated"]
+    if a.not_determinable:
+        parts.append(f"not determinable by this network: {listed(a.not_determinable)}")
+    if a.not_significant:
+        parts.append(f"not significant and left out: {listed(a.not_significant)}")
+    if not a.not_determinable and a.precision is not None:
+        parts.append("all of them determinable")
+    return f"{'; '.join(parts)}."
+
+
+def important(notice: Notice) -> bool:
+    """Whether a notice calls for a decision before the result is used."""
+    return notice.code in IMPORTANT
+
+
+def not_told(view: View) -> tuple[tuple[str, str], ...]:
+    """What the numbers of this report do not tell."""
+    a = view.adjustment
+    found = [
+        (
+            "Precision is not accuracy.",
+            "A standard deviation describes random errors that are independent from one image point to the next. An error common "
+            "to many of them (distortion that the model lacks, eccentric targets, refraction, an unstable camera) is not in it.",
+        ),
+        (
+            "A small σ₀ is no proof of correct coordinates.",
+            "Residuals show only what the redundancy lets through: a share r of each error. "
+            "Blunders below the smallest detectable ones stay in the result.",
+        ),
+    ]
+    if not np.isfinite(view.check_difference).any():
+        found.append((
+            "Nothing independent was compared.",
+            "Without check points or a length that took no part, the accuracy stated here is the network's own opinion.",
+        ))
+    if view.free_frame:
+        found.append((
+            "The standard deviations belong to the datum stated.",
+            "They describe the shape of the object, not its place in a superior coordinate system; differences of points, "
+            "angles and ratios of lengths are free of it.",
+        ))
+    if view.arbitrary_scale:
+        found.append(("No length is absolute.", "The scale was chosen, not measured; give a scale bar or two control points."))
+    if any((g.sigma == 0).any() for g in a.groups if g.kind == "control"):
+        found.append((
+            "Held control counts as free of error.",
+            "Its real uncertainty is missing in all standard deviations; give control with its standard deviation instead.",
+        ))
+    if not any(i.free for i in a.interior):
+        found.append((
+            "The interior orientation counts as free of error.",
+            "It was held; what is wrong with it goes into the object coordinates unseen.",
+        ))
+    if len(view.rejected) and a.options.reject == "snooping":
+        found.append((
+            "What is left after rejection looks better than it is.",
+            "σ₀ after data snooping is estimated from the observations that were kept.",
+        ))
+    return tuple(found)
