@@ -125,8 +125,10 @@ def covariance(name: str, repeat: int) -> dict:
     """All 3 x 3 point covariances and redundancy numbers against pycolmap's covariance."""
     rows = []
     for _ in range(repeat):
-        a = {d: last_json([sys.executable, "-c", COVARIANCE.format(here=str(HERE), problem=str(problem(name)), datum=d)])
-             for d in ("minimal", "auto")}  # fmt: skip
+        a = {}
+        for datum in ("minimal", "auto"):
+            code = COVARIANCE.format(here=str(HERE), problem=str(problem(name)), datum=datum)
+            a[datum] = last_json([sys.executable, "-c", code])
         b = last_json([PEER, str(BENCH / "peer_covariance.py"), str(problem(name)), "all"])
         rows.append((a, b))
     first, other = rows[0]

@@ -1,6 +1,6 @@
 """Start-up: `raybundle --help` against `python -c "import numpy"`, and a whole roma command from files.
 
-    python benchmarks/startup.py [--repeat 9]
+python benchmarks/startup.py [--repeat 9]
 """
 
 from __future__ import annotations
@@ -32,9 +32,7 @@ def main() -> None:
     parser.add_argument("--repeat", type=int, default=9)
     repeat = parser.parse_args().repeat
     script = str(Path(sys.executable).with_name("raybundle"))
-    pairs = [
-        (seconds([script, "--help"]), seconds([sys.executable, "-c", "import numpy"])) for _ in range(repeat)
-    ]
+    pairs = [(seconds([script, "--help"]), seconds([sys.executable, "-c", "import numpy"])) for _ in range(repeat)]
     result = {
         "help_s": statistics.median(a for a, _ in pairs),
         "import_numpy_s": statistics.median(b for _, b in pairs),

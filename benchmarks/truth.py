@@ -1,6 +1,6 @@
 """The long truth tests: thousands of adjustments against the stated covariances, alarms and detection rates.
 
-    python benchmarks/truth.py [--runs 2000]
+python benchmarks/truth.py [--runs 2000]
 """
 
 from __future__ import annotations

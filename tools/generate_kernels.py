@@ -1,6 +1,6 @@
 """Write the generated kernels of all shipped sensor models; `--check` only compares.
 
-    python tools/generate_kernels.py [--check]
+python tools/generate_kernels.py [--check]
 """
 
 from __future__ import annotations

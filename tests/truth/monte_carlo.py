@@ -58,7 +58,12 @@ class Network:
         points = t.points
         if self.control:
             weighted = (points.role == Role.CONTROL)[:, None] & (np.nan_to_num(points.sigma) > 0)
-            points = replace(points, xyz=np.where(weighted, points.xyz + rng.normal(0, 1, points.xyz.shape) * np.nan_to_num(points.sigma), points.xyz))
+            points = replace(
+                points,
+                xyz=np.where(
+                    weighted, points.xyz + rng.normal(0, 1, points.xyz.shape) * np.nan_to_num(points.sigma), points.xyz
+                ),
+            )
         return replace(t, observations=replace(t.observations, xy_px=xy), points=points)
 
     def run(self, block):
@@ -76,7 +81,7 @@ class Network:
         return state, v
 
     def errors(self, runs: int, seed: int, scale: float = 1.0):
-        """Normalised squared errors of one point, one image and the interior orientation in each run; stated sigmas x scale."""
+        """Normalised squared errors of one point, one image and the interior orientation in each run."""
         rng = np.random.default_rng(seed)
         work, truth = self.work, self.work.system.initial_state()
         system, normals, found = work.system, work.normals, work.found
@@ -116,7 +121,7 @@ class Network:
         return float(np.mean(alarms)), int(np.size(alarms))
 
     def detection(self, runs: int, seed: int, scale: float = 1.0):
-        """Share of runs in which a blunder of the size of the smallest detectable one is found; sigmas taken x scale."""
+        """Share of runs in which a blunder of the size of the smallest detectable one (x scale) is found."""
         rng = np.random.default_rng(seed)
         r = self.redundancy()
         hits = 0

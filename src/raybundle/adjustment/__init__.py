@@ -1,0 +1,1 @@
+"""Least squares adjustment of blocks: assembly, solution, datum, precision, reliability, decisions."""

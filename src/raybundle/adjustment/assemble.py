@@ -9,6 +9,7 @@ observations (control, distances, stations, observed parameters) touch single un
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
@@ -262,7 +263,9 @@ def assemble(block: Block, options: AdjustmentOptions, rejected: Mask, free: dic
         held=control_held.copy(),
         control_held=control_held,
         prior=prior,
-        extra=_extra(block, options, prior & touched[:, None], distance_used, images_used & exterior_free, placed, shift),
+        extra=_extra(
+            block, options, prior & touched[:, None], distance_used, images_used & exterior_free, placed, shift
+        ),
         xy_mm=xy,
         whiten=whiten,
         pixel_mm=pixel,
@@ -281,11 +284,10 @@ def _free_by_choice(options: AdjustmentOptions) -> bool:
 def _corrected(block: Block, camera: Camera, options: AdjustmentOptions) -> bool:
     kind = block.residuals if options.residuals == "as_block" else options.residuals
     if kind == "corrected" and camera.model != "brown":
-        if options.residuals == "corrected" or block.residuals == "corrected":
-            raise InputError(
-                f"camera {camera.id}: residuals = \"corrected\" is defined for the model brown alone, not for "
-                f"{camera.model}; use residuals = \"measured\""
-            )
+        raise InputError(
+            f'camera {camera.id}: residuals = "corrected" is defined for the model brown alone, not for '
+            f'{camera.model}; use residuals = "measured"'
+        )
     return kind == "corrected"
 
 
@@ -351,7 +353,7 @@ def _extra(
     interior: list[InteriorRow],
     shift: Array,
 ) -> Extra:
-    parts: list[tuple[int, int, int, float, float]] = []
+    parts: list[tuple[Any, ...]] = []
     for point, axis in np.argwhere(control):
         parts.append((0, point, axis, block.points.xyz[point, axis] - shift[axis], block.points.sigma[point, axis]))
     for d in np.flatnonzero(distance_used):
@@ -362,9 +364,11 @@ def _extra(
     if not _free_by_choice(options):
         stations = block.stations
         for k, image in enumerate(stations.image):
-            for axis in range(3):
-                if stations_used[image] and np.isfinite(stations.xyz[k, axis]) and stations.sigma[k, axis] > 0:
-                    parts.append((2, k, axis, stations.xyz[k, axis] - shift[axis], stations.sigma[k, axis]))
+            parts += [
+                (2, k, axis, stations.xyz[k, axis] - shift[axis], stations.sigma[k, axis])
+                for axis in range(3)
+                if stations_used[image] and np.isfinite(stations.xyz[k, axis]) and stations.sigma[k, axis] > 0
+            ]
     for r, row in enumerate(interior):
         camera = block.cameras[row.camera]
         if row.node < 0:

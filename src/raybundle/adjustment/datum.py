@@ -9,6 +9,7 @@ points that carry the datum.  Residuals do not depend on it.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -196,7 +197,8 @@ def hold_minimal(system: System, state: State, datum: Datum) -> Mask:
     candidates = candidates[order[: max(60, len(order) // 4)]][:2000]
     G = point_generators(state.xyz[candidates], datum.centre, datum.extent) @ datum.basis / datum.extent
     G = G * ~(system.control_held | system.prior)[candidates][:, :, None]
-    _, r, pivot = qr(G.reshape(-1, d).T, mode="economic", pivoting=True)
+    decomposition: Any = qr(G.reshape(-1, d).T, mode="economic", pivoting=True)
+    _, r, pivot = decomposition
     if abs(r[-1, d - 1]) < 1e-9 * abs(r[0, 0]):
         raise DatumDefect("the object points lie so that they cannot carry the datum (all in one place or in a line)")
     for k in pivot[:d]:

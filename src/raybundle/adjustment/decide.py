@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from raybundle.adjustment.engine import adjust_block, free_parameters
+from raybundle.adjustment.engine import adjust_block, as_start, free_parameters
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.reliability import UNCONTROLLED
 from raybundle.adjustment.result import Adjustment, InteriorResult, Notice
@@ -42,9 +42,7 @@ def decide(
 ) -> Adjustment:
     """Adjust a block with approximate values, with the decisions that the options and the block ask for."""
     began = time.perf_counter()
-    choices = Decisions(
-        free={c.id: free_parameters(c) for c in block.cameras}, reasons=("",) * len(block.observations)
-    )
+    choices = Decisions(free={c.id: free_parameters(c) for c in block.cameras}, reasons=("",) * len(block.observations))
     automatic = [c.id for c in block.cameras if c.estimate == "auto" or (options.estimate == "auto" and c.estimate)]
     start = block
     if options.reject == "snooping":
@@ -57,9 +55,7 @@ def decide(
     result = adjust_block(
         start, final, progress, free=choices.free, rejected=choices.reasons, notices=(*notices, *choices.notices)
     )
-    return replace(
-        _labelled(result, choices), given=block, options=options, seconds=time.perf_counter() - began
-    )
+    return replace(_labelled(result, choices), given=block, options=options, seconds=time.perf_counter() - began)
 
 
 def _quiet(
@@ -82,7 +78,7 @@ def _snoop(block: Block, options: AdjustmentOptions, choices: Decisions, progres
     for _ in range(ROUNDS):
         result = _quiet(block, options, choices, progress, robust=robust)
         robust = False
-        block = result.adjusted
+        block = as_start(block, result.adjusted)
         choices.reasons = result.image_observations.rejected
         control = _worst_control(result)
         size = np.nan_to_num(np.abs(result.image_observations.t).max(axis=1))
@@ -121,7 +117,7 @@ def _snoop(block: Block, options: AdjustmentOptions, choices: Decisions, progres
 
 
 def _apart(block: Block, size: Array, suspects: Array) -> list[int]:
-    """Suspects in order of size, one for each object point and few for each image: what one blunder smears is spared."""
+    """Suspects in order of size, one for each object point and few for each image: one blunder's smear is spared."""
     points: set[int] = set()
     images: dict[int, int] = {}
     chosen: list[int] = []
@@ -140,7 +136,7 @@ def _innocent(result: Adjustment) -> list[int]:
     """Rejected blunders whose residual against the present result is below the critical value."""
     from raybundle.adjustment.predict import residuals_px  # noqa: PLC0415
 
-    block = result.adjusted
+    block = as_start(block, result.adjusted)
     rows = np.array([i for i, r in enumerate(result.image_observations.rejected) if r.startswith(BLUNDER)], int)
     if not len(rows):
         return []
@@ -208,7 +204,7 @@ def _choose(
             if not _hold_next(block, choices, automatic, str(error).splitlines()[0]):
                 raise
             continue
-        block = result.adjusted
+        block = as_start(block, result.adjusted)
         worst = _least_determinable(result, automatic)
         if worst is not None:
             interior, symbol, reason = worst
@@ -217,7 +213,7 @@ def _choose(
         if not _drop_insignificant(block, options, choices, automatic, result, progress):
             return block
     assert result is not None
-    return result.adjusted
+    return as_start(block, result.adjusted)
 
 
 def _hold(block: Block, choices: Decisions, camera: str, symbol: str, reason: str) -> None:
@@ -255,7 +251,9 @@ def _least_determinable(result: Adjustment, automatic: list[str]) -> tuple[str, 
         for p in interior.parameters.values():
             if p.status == "not determinable":
                 reason = f"its standard deviation is {p.std:.2g} {p.unit}, {p.effect_std_px or 0:.0f} px in the image"
-                found.append((DROP_ORDER.index(kinds[p.symbol]), -(p.effect_std_px or 0), interior.camera, p.symbol, reason))
+                found.append(
+                    (DROP_ORDER.index(kinds[p.symbol]), -(p.effect_std_px or 0), interior.camera, p.symbol, reason)
+                )
     return None if not found else min(found)[2:]
 
 
@@ -312,7 +310,8 @@ def _drop_insignificant(
     choices.notices.append(
         Notice(
             code="not_significant",
-            message=f"camera {camera}: {', '.join(group)} left out: probability {probability:.2g} of such values by chance, "
+            message=f"camera {camera}: {', '.join(group)} left out: probability {probability:.2g} of such values by "
+            f"chance, "
             f"BIC lower by {gain:.1f} without; effect {effect:.2g} px at most",
             ids=(camera, *group),
         )
@@ -329,8 +328,8 @@ def _with_zero(block: Block, camera: str, group: tuple[str, ...]) -> Block:
 
 def _labelled(result: Adjustment, choices: Decisions) -> Adjustment:
     """The result with the decisions in its parameter tables."""
-    status = {key: "not significant" for key in choices.not_significant}
-    status |= {key: "not determinable" for key in choices.not_determinable}
+    status = dict.fromkeys(choices.not_significant, "not significant")
+    status |= dict.fromkeys(choices.not_determinable, "not determinable")
     interior = tuple(
         replace(
             i,

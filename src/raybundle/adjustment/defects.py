@@ -97,7 +97,7 @@ def check_components(block: Block, rejected: Mask, defect_of: object) -> int:
     defect_of  function of a mask of image observations: names of the open datum parameters of that part
     """
     parts = components(block, rejected)
-    if len(parts) < 2:  # noqa: PLR2004
+    if len(parts) < 2:
         return len(parts)
     lines: list[str] = []
     for part in parts:
@@ -122,9 +122,7 @@ def explain(normals: Normals, state: State, weak: Sequence[int], failed: int) ->
     lines: list[str] = []
     if weak:
         names = name_some([block.points.ids[p] for p in sorted(set(weak))])
-        lines.append(
-            f"  object points whose rays are parallel or coincide: {names}; observe them from another station"
-        )
+        lines.append(f"  object points whose rays are parallel or coincide: {names}; observe them from another station")
     else:
         lines += _null_space(normals, state)
     if not lines and failed >= 0:
@@ -142,7 +140,7 @@ def unknown_name(system: System, unknown: int) -> str:
     images = np.flatnonzero(system.image_node == node)
     if len(images):
         image = int(images[0])
-        if system.exterior_free[image] and local < 6:  # noqa: PLR2004
+        if system.exterior_free[image] and local < 6:
             part = ("X", "Y", "Z", "rotation x", "rotation y", "rotation z")[local]
             return f"exterior orientation of image {block.images.ids[image]}: {part}"
     for row in system.interior:
@@ -204,8 +202,8 @@ def _null_space(normals: Normals, state: State) -> list[str]:
                 name = block.images.ids[i]
                 parts.append((float(share[at : at + 6].sum()), f"exterior orientation of image {name}", ""))
         parts.sort(key=lambda part: -part[0])
-        shown = [p for p in parts if p[0] > 0.02][:6] or parts[:3]  # noqa: PLR2004
-        advice = next((p[2] for p in parts if p[2] and p[0] > 1e-4), "")  # noqa: PLR2004
+        shown = [p for p in parts if p[0] > 0.02][:6] or parts[:3]
+        advice = next((p[2] for p in parts if p[2] and p[0] > 1e-4), "")
         line = "  undetermined together: " + ", ".join(f"{name} ({100 * s:.0f} %)" for s, name, _ in shown)
         lines.append(line + (f"; {advice}" if advice else "; add points or control there, or leave the images out"))
     return lines
@@ -227,9 +225,10 @@ def no_convergence(system: System, state: State, iterations: int, step: float) -
     if tied.any() and parallel.sum() > 0.3 * tied.sum():
         images = name_some([block.images.ids[i] for i in np.unique(image[parallel[point]])])
         return NoConvergence(
-            f"{head}The rays to {int(parallel.sum())} of {int(tied.sum())} object points are parallel within 0.2 degrees: "
-            f"images {images} have no base, or are the same photo twice. Take images from different stations."
+            f"{head}The rays to {int(parallel.sum())} of {int(tied.sum())} object points are parallel within 0.2 "
+            f"degrees: images {images} have no base, or are the same photo twice. Take images from different stations."
         )
     return NoConvergence(
-        f"{head}Look for gross errors (--robust-start, --reject snooping), wrong point numbers, or better approximate values."
+        f"{head}Look for gross errors (--robust-start, --reject snooping), wrong point numbers, "
+        "or better approximate values."
     )

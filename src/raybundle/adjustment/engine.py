@@ -19,6 +19,7 @@ from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.notices import notices_of
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.precision import Cofactors, cofactors, precision
+from raybundle.adjustment.queries import suspects
 from raybundle.adjustment.reliability import (
     image_statistics,
     observation_groups,
@@ -44,6 +45,8 @@ class Work:
     solution: Solution
     found: Cofactors | None
     parts: int
+    state: State | None = None
+    """Adjusted values in the frame of the result, at which the factor stands"""
 
 
 def free_parameters(camera: Camera) -> tuple[str, ...]:
@@ -90,8 +93,8 @@ def carry_out(
     defects.check_rays(block, mask)
     reasons, mask = reject_single_rays(block, reasons, mask)
     defects.check_images(block, mask, free)
+    work = _estimate(block, options, free, mask, progress)
     for _ in range(5):
-        work = _estimate(block, options, free, mask, progress)
         _, flags = work.normals.residuals(work.solution.state)
         behind = work.system.rows[(flags & 1) > 0]
         if not len(behind):
@@ -101,6 +104,7 @@ def carry_out(
             new[i] = "behind the camera"
         reasons, mask = reject_single_rays(block, tuple(new), np.array([bool(r) for r in new]))
         defects.check_images(block, mask, free)
+        work = _estimate(block, options, free, mask, progress)
     if not work.solution.converged:
         raise defects.no_convergence(work.system, work.solution.state, work.solution.iterations, work.solution.step)
     _factor(work)
@@ -128,7 +132,7 @@ def estimate_only(
         state = solve(normals, state, options).state
     bad = np.zeros(len(block.observations), bool)
     bad[system.rows] = normals.residuals(state)[1] > 0
-    return _adjusted_block(system, state), bad
+    return as_start(block, _adjusted_block(system, state)), bad
 
 
 def reject_single_rays(block: Block, reasons: tuple[str, ...], mask: Mask) -> tuple[tuple[str, ...], Mask]:
@@ -136,8 +140,8 @@ def reject_single_rays(block: Block, reasons: tuple[str, ...], mask: Mask) -> tu
     if not mask.any():
         return reasons, mask
     left = np.bincount(block.observations.point[~mask], minlength=len(block.points))
-    control = block.points.is_control.any(axis=1)
-    lone = ~mask & (left[block.observations.point] == 1) & ~control[block.observations.point]
+    control: Mask = block.points.is_control.any(axis=1)
+    lone: Mask = ~mask & (left[block.observations.point] == 1) & ~control[block.observations.point]
     if not lone.any():
         return reasons, mask
     new = list(reasons)
@@ -199,7 +203,8 @@ def result_of(
     found = work.found
     if found is not None and datum.kind == "inner" and datum.defect:
         # cofactors again where the block now stands: the datum's frame moved with it
-        found = _moved(work, state, found)
+        found = work.found = _moved(work, state, found)
+    work.state = state
     covariances = None if found is None else precision(normals, state, found, variance)
     progress("statistics", 1.0)
     observations = image_statistics(system, whitened, found, sigma0, reasons)
@@ -241,14 +246,15 @@ def result_of(
         not_significant=(),
         critical_w=family_wise_normal(options.significance, tests),
         critical_tau=family_wise_tau(options.significance, tests, redundancy),
-        suspects=(),
+        suspects=()
+        if found is None
+        else suspects(work, state, observations, family_wise_tau(options.significance, tests, redundancy)),
         notices=notices,
         condition=1 / max(normals.solver.smallest_pivot, 1e-300),
+        work=work if found is not None else None,
     )
     own = notices_of(adjustment, None if found is None else redundancy_sum(observations, groups))
-    return replace(
-        adjustment, notices=notices + own, seconds=seconds + time.perf_counter() - began
-    )
+    return replace(adjustment, notices=notices + own, seconds=seconds + time.perf_counter() - began)
 
 
 def _name(camera: str, image: str | None) -> str:
@@ -269,7 +275,7 @@ def _datum_words(datum: Datum, options: AdjustmentOptions) -> str:
     if datum.kind == "minimal":
         return f"minimal: {datum.defect} coordinates of well-spread object points held ({names})"
     over = f"{len(options.datum_points)} chosen object points" if options.datum_points else "all object points"
-    if datum.defect == 7:  # noqa: PLR2004
+    if datum.defect == 7:
         return f"inner constraints over {over}"
     return f"inner constraints over {over} for {names}"
 
@@ -294,3 +300,13 @@ def _adjusted_block(system: System, state: State) -> Block:
         images=replace(block.images, centre=centre, rotation=rotation, interior=per_image),
         points=replace(block.points, xyz=xyz),
     )
+
+
+def as_start(given: Block, adjusted: Block) -> Block:
+    """Adjusted values as approximate values: what is observed (control, parameters with a sigma) stays as given."""
+    xyz = np.where(given.points.is_control, given.points.xyz, adjusted.points.xyz)
+    cameras = tuple(
+        replace(a, values={**a.values, **{symbol: g.values[symbol] for symbol in g.sigma}})
+        for g, a in zip(given.cameras, adjusted.cameras, strict=True)
+    )
+    return replace(adjusted, cameras=cameras, points=replace(adjusted.points, xyz=xyz))

@@ -107,7 +107,7 @@ def _joint_tests(row: InteriorRow, values: Array, C: Array, redundancy: int) -> 
     tests: dict[str, tuple[float, float]] = {}
     for kind in JOINT:
         k = [i for i, position in enumerate(row.free) if row.model.parameters[position].kind == kind]
-        if len(k) < 2 or redundancy < 1:  # noqa: PLR2004
+        if len(k) < 2 or redundancy < 1:
             continue
         x = values[[row.free[i] for i in k]]
         F = float(x @ np.linalg.solve(C[np.ix_(k, k)], x) / len(k))

@@ -31,7 +31,7 @@ def network_figures(system: System, state: State, std: Array | None, parts: int,
     direction = state.xyz[point] - state.centre[image]
     distance = np.linalg.norm(direction, axis=1)
     direction = direction / np.maximum(distance, 1e-300)[:, None]
-    angle, stations = _angles(system, state, rays, image, direction, distance)
+    angle, stations = _angles(state, rays, image, direction, distance)
     pairs, common, ratio = _pairs(system, state, image, point)
     order = np.lexsort((distance, image))
     median = np.full(n, np.nan)
@@ -66,21 +66,19 @@ def _extent(xyz: Array) -> float:
     axes = np.linalg.svd(centred[:: max(1, len(centred) // 5000)], full_matrices=False)[2]
     along = centred @ axes.T
     span = np.ptp(along, axis=0)
-    if len(along) > 200:  # noqa: PLR2004
+    if len(along) > 200:
         span = np.quantile(along, 0.9975, axis=0) - np.quantile(along, 0.0025, axis=0)
     return float(np.linalg.norm(span))
 
 
-def _angles(
-    system: System, state: State, rays: Index, image: Index, direction: Array, distance: Array
-) -> tuple[Array, Index]:
+def _angles(state: State, rays: Index, image: Index, direction: Array, distance: Array) -> tuple[Array, Index]:
     """Largest angle between two rays of each point, and its number of distinct stations."""
     p = len(rays)
     angle = np.full(p, np.nan)
     stations = np.minimum(rays, 1).astype(np.int32)
     first = np.concatenate([[0], np.cumsum(rays)])
     for k in np.unique(rays):
-        if k < 2:  # noqa: PLR2004
+        if k < 2:
             continue
         mine = np.flatnonzero(rays == k)
         for part in np.array_split(mine, max(1, int(len(mine) * k * k // 4_000_000) + 1)):
@@ -132,7 +130,7 @@ def _rolls(system: System, state: State) -> Array:
     axes = np.linalg.svd((cloud - cloud.mean(axis=0))[::step], full_matrices=False)[2]
     normal, first = axes[-1], axes[0]
     up = state.rotation @ normal
-    oblique = np.median(np.hypot(up[:, 0], up[:, 1])) > 0.3  # noqa: PLR2004
+    oblique = np.median(np.hypot(up[:, 0], up[:, 1])) > 0.3
     seen = up if oblique else state.rotation @ first
     roll = np.arctan2(seen[:, 0], seen[:, 1])
     if not system.images_used.any():

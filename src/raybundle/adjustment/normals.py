@@ -20,7 +20,10 @@ _NONE = np.zeros(0)
 @cache
 def _set_dense_kernels() -> None:
     """Hand SciPy's BLAS and LAPACK to the native factor."""
-    from scipy.linalg import cython_blas, cython_lapack  # noqa: PLC0415
+    from importlib import import_module  # noqa: PLC0415
+
+    cython_blas = import_module("scipy.linalg.cython_blas")
+    cython_lapack = import_module("scipy.linalg.cython_lapack")
 
     get_name = ctypes.pythonapi.PyCapsule_GetName
     get_name.restype, get_name.argtypes = ctypes.c_char_p, [ctypes.py_object]
@@ -187,7 +190,8 @@ class Normals:
 
         self.solver.set_external(external_rows(self.system, state, self.external))
 
-    def _arguments(self, state: State) -> tuple[Array, Array, Array, Array]:
+    def arguments(self, state: State) -> tuple[Array, Array, Array, Array]:
+        """The state as the solver takes it."""
         return (
             np.ascontiguousarray(state.rotation),
             np.ascontiguousarray(state.centre),
@@ -199,7 +203,7 @@ class Normals:
         """Form the reduced normal equations; returns cost, observations behind the camera, weak points."""
         self.refresh_external(state)
         cost, behind, _, weak = self.solver.reduce(
-            *self._arguments(state), huber, damping, self.threads, self.values, self.right, self.diagonal
+            *self.arguments(state), huber, damping, self.threads, self.values, self.right, self.diagonal
         )
         e = self.extra(state)
         np.add.at(self.right, e.unknown, -e.value * e.residual[e.row])
@@ -230,7 +234,7 @@ class Normals:
         nodes = self.right.copy()
         self.solver.solve(nodes, 1)
         points = np.zeros_like(state.xyz)
-        cost = self.solver.back_substitute(*self._arguments(state), huber, damping, self.threads, nodes, points)
+        cost = self.solver.back_substitute(*self.arguments(state), huber, damping, self.threads, nodes, points)
         e = self.extra(state)
         moved = e.residual.copy()
         np.add.at(moved, e.row, e.value * nodes[e.unknown])
@@ -240,7 +244,7 @@ class Normals:
         """Half the weighted square sum, and the observations behind the camera."""
         self.refresh_external(state)
         cost, behind, _ = self.solver.evaluate(
-            *self._arguments(state), huber, self.threads, _NONE, np.zeros(0, np.uint8)
+            *self.arguments(state), huber, self.threads, _NONE, np.zeros(0, np.uint8)
         )
         e = self.extra(state)
         return float(cost) + 0.5 * float(e.residual @ e.residual), int(behind)
@@ -250,17 +254,17 @@ class Normals:
         self.refresh_external(state)
         v = np.zeros((len(self.system.rows), 2))
         flags = np.zeros(len(self.system.rows), np.uint8)
-        self.solver.evaluate(*self._arguments(state), 0.0, self.threads, v, flags)
+        self.solver.evaluate(*self.arguments(state), 0.0, self.threads, v, flags)
         return v, flags
 
     def solve(self, state: State, nodes: Array, points: Array) -> tuple[Array, Array]:
         """N^-1 applied to right sides for nodes (N, k) and points (p, 3, k), with the last factor."""
         columns = nodes.shape[1]
         points = np.ascontiguousarray(points * ~self.system.held[:, :, None])
-        right = nodes + self.solver.condense(*self._arguments(state), self.threads, points, columns)
+        right = nodes + self.solver.condense(*self.arguments(state), self.threads, points, columns)
         right = np.ascontiguousarray(right)
         self.solver.solve(right, columns)
-        return right, self.solver.expand(*self._arguments(state), self.threads, right, points, columns)
+        return right, self.solver.expand(*self.arguments(state), self.threads, right, points, columns)
 
     def node_block(self, inverse: Array, a: int, b: int) -> Array:
         """Block (a, b) of a matrix in the layout of the normal matrix."""

@@ -6,6 +6,7 @@ import numpy as np
 
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Role
+from raybundle.numerics.arrays import Array
 
 STRONG = 0.95
 LOW_REDUNDANCY = 0.1
@@ -18,8 +19,8 @@ def notices_of(result: Adjustment, redundancy_sum: float | None) -> tuple[Notice
         found.append(
             Notice(
                 code="redundancy_sum",
-                message=f"the redundancy numbers sum to {redundancy_sum:.6f} instead of {result.redundancy}: the normal "
-                "matrix is nearly singular, standard deviations are not reliable",
+                message=f"the redundancy numbers sum to {redundancy_sum:.6f} instead of {result.redundancy}: the "
+                "normal matrix is nearly singular, standard deviations are not reliable",
             )
         )
     found += _fit(result) + _interior(result) + _rejected(result) + _points(result) + _control(result)
@@ -54,16 +55,16 @@ def _interior(result: Adjustment) -> list[Notice]:
     found: list[Notice] = []
     for interior in result.interior:
         who = f"camera {interior.camera}" + ("" if interior.image is None else f", image {interior.image}")
-        for p in interior.parameters.values():
-            if p.status == "not determinable":
-                found.append(
-                    Notice(
-                        code="not_determinable",
-                        message=f"{who}: {p.symbol} is not determinable: its standard deviation {p.std:.2g} {p.unit} says "
-                        f"less than is known beforehand. {_remedy(result, p.symbol)}",
-                        ids=(interior.camera, p.symbol),
-                    )
-                )
+        found += [
+            Notice(
+                code="not_determinable",
+                message=f"{who}: {p.symbol} is not determinable: its standard deviation {p.std:.2g} {p.unit} says less "
+                f"than is known beforehand. {_remedy(result, p.symbol)}",
+                ids=(interior.camera, p.symbol),
+            )
+            for p in interior.parameters.values()
+            if p.status == "not determinable"
+        ]
         found += _correlations(result, who, interior.camera, interior.free, interior.correlations)
     return found
 
@@ -87,9 +88,7 @@ def _roll_advice(result: Adjustment) -> str:
     return "No image is rolled by 90 degrees: add two rolled images."
 
 
-def _correlations(
-    result: Adjustment, who: str, camera: str, free: tuple[str, ...], R: np.ndarray
-) -> list[Notice]:  # pyright: ignore
+def _correlations(result: Adjustment, who: str, camera: str, free: tuple[str, ...], R: Array) -> list[Notice]:
     """Strong correlations other than among the radial terms, whose correlation is no harm."""
     found: list[Notice] = []
     if len(R) != len(free):
@@ -138,7 +137,7 @@ def _rejected(result: Adjustment) -> list[Notice]:
         found.append(
             Notice(
                 code="behind_camera",
-                message=f"behind the camera: {shown}{' ...' if len(pairs) > 5 else ''}; check the point numbers",  # noqa: PLR2004
+                message=f"behind the camera: {shown}{' ...' if len(pairs) > 5 else ''}; check the point numbers",
                 ids=tuple(p for _, p in sorted(pairs)),
             )
         )
@@ -151,9 +150,11 @@ def _points(result: Adjustment) -> list[Notice]:
     used = result.image_observations.used
     rays = np.bincount(result.given.observations.point[used], minlength=len(points))
     lone = [points.ids[i] for i in np.flatnonzero((points.role == Role.CONTROL) & (rays == 1))]
-    if lone:
+    if lone and len(result.given.images) > 1:
         found.append(
-            Notice(code="one_ray_control", message=f"control points with a single ray: {', '.join(lone)}", ids=tuple(lone))
+            Notice(
+                code="one_ray_control", message=f"control points with a single ray: {', '.join(lone)}", ids=tuple(lone)
+            )
         )
     unseen = [points.ids[i] for i in np.flatnonzero((points.role == Role.CONTROL) & (rays == 0))]
     if unseen:
@@ -174,7 +175,7 @@ def _points(result: Adjustment) -> list[Notice]:
                 Notice(
                     code="small_angle",
                     message=f"{len(names)} object points are intersected at less than 1 degree: "
-                    f"{', '.join(names[:10])}{' ...' if len(names) > 10 else ''}; their depth is weak",  # noqa: PLR2004
+                    f"{', '.join(names[:10])}{' ...' if len(names) > 10 else ''}; their depth is weak",
                     ids=tuple(names[:100]),
                 )
             )
@@ -187,13 +188,13 @@ def _control(result: Adjustment) -> list[Notice]:
     limit = result.critical_w
     scale = max(result.sigma0, 1.0) if np.isfinite(result.sigma0) else 1.0
     for g in result.groups:
-        for k in np.flatnonzero(np.abs(np.nan_to_num(g.w)) > limit * scale):
-            found.append(
-                Notice(
-                    code=f"{g.kind}_suspect",
-                    message=f"{g.kind} {g.ids[k]}, {g.component[k]}: adjusted minus given {g.residual[k]:.4g} at a sigma of "
-                    f"{g.sigma[k]:.3g}, |w| {abs(g.w[k]):.1f} against {limit * scale:.1f}. Check this value.",
-                    ids=(g.ids[k],),
-                )
+        found += [
+            Notice(
+                code=f"{g.kind}_suspect",
+                message=f"{g.kind} {g.ids[k]}, {g.component[k]}: adjusted minus given {g.residual[k]:.4g} at a sigma "
+                f"of {g.sigma[k]:.3g}, |w| {abs(g.w[k]):.1f} against {limit * scale:.1f}. Check this value.",
+                ids=(g.ids[k],),
             )
+            for k in np.flatnonzero(np.abs(np.nan_to_num(g.w)) > limit * scale)
+        ]
     return found

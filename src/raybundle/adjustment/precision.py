@@ -40,7 +40,7 @@ def cofactors(normals: Normals, state: State, datum: Datum) -> Cofactors:
     d = 0 if change is None else datum.defect
     none = np.zeros(0)
     points_minimal, hat, effect = normals.solver.statistics(
-        *normals._arguments(state),
+        *normals.arguments(state),
         normals.threads,
         inverse,
         d,
@@ -85,7 +85,7 @@ def interior_unknowns(system: System, row: InteriorRow) -> Array:
 
 
 def angle_form(rotation: Array) -> Array:
-    """d (X, Y, Z, omega, phi, kappa) / d (X, Y, Z, delta), (6, 6)."""
+    """D (X, Y, Z, omega, phi, kappa) / d (X, Y, Z, delta), (6, 6)."""
     D = np.eye(6)
     D[3:, 3:] = angle_derivatives(rotation)
     return D

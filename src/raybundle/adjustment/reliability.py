@@ -158,7 +158,7 @@ def variance_components(
     system: System, whitened: Array, statistics: ObservationStatistics, groups: tuple[ObservationGroup, ...],
     sigma0: float,
 ) -> tuple[VarianceComponent, ...]:  # fmt: skip
-    """sigma a posteriori / a priori of groups of observations (Förstner 1979): sqrt(v'Pv / sum r)."""
+    """Sigma a posteriori / a priori of groups of observations (Förstner 1979): sqrt(v'Pv / sum r)."""
     block = system.block
     squares = np.sum(whitened**2, axis=1)
     redundancy = np.nansum(statistics.redundancy[system.rows], axis=1)
@@ -196,7 +196,7 @@ def variance_components(
 def _component(kind: str, group: str, count: int, square: float, r: float, sigma0: float) -> VarianceComponent:
     from scipy.stats import chi2  # noqa: PLC0415
 
-    if r < 0.01:  # noqa: PLR2004
+    if r < 0.01:
         return VarianceComponent(
             kind=kind, group=group, count=count, redundancy=r, ratio=float("nan"), significant=False
         )

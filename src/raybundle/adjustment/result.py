@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Block
@@ -239,3 +240,5 @@ class Adjustment:
     notices: tuple[Notice, ...]
     condition: float
     """Condition number of the scaled reduced normal matrix (estimate)."""
+    work: Any = field(default=None, repr=False, compare=False)
+    """The factored normal equations, for `raybundle.adjustment.queries`; None without statistics."""

@@ -88,7 +88,8 @@ class Images:
     @property
     def oriented(self) -> Mask:
         """(n,) whether the exterior orientation is known, if only approximately."""
-        return np.isfinite(self.centre).all(axis=1) & np.isfinite(self.rotation).all(axis=(1, 2))
+        known: Mask = np.isfinite(self.centre).all(axis=1) & np.isfinite(self.rotation).all(axis=(1, 2))
+        return known
 
     @property
     def angles(self) -> Array:
@@ -164,9 +165,7 @@ class Stations:
 
 def no_distances() -> Distances:
     """A table without rows."""
-    return Distances(
-        start=np.zeros(0, np.int32), end=np.zeros(0, np.int32), length=np.zeros(0), sigma=np.zeros(0)
-    )
+    return Distances(start=np.zeros(0, np.int32), end=np.zeros(0, np.int32), length=np.zeros(0), sigma=np.zeros(0))
 
 
 def no_stations() -> Stations:
@@ -201,4 +200,3 @@ class Block:
         """The block with these cameras in place of those with the same ids."""
         new = {c.id: c for c in cameras}
         return replace(self, cameras=tuple(new.get(c.id, c) for c in self.cameras))
-

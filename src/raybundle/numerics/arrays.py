@@ -1,15 +1,20 @@
-"""The array types of the numeric layers."""
+"""The array types of the numeric layers.
+
+The names tell what is inside; NumPy's own types lose the element type in ordinary arithmetic, so a
+checker is told only that it is an array.  Shapes stand in the docstrings.
+"""
 
 from __future__ import annotations
 
-import numpy as np
+from typing import Any, TypeAlias
+
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
-"""Floats; shapes stand in the docstrings."""
+Array: TypeAlias = NDArray[Any]
+"""float64 unless said otherwise."""
 
-Index = NDArray[np.int32]
-"""Positions in another table; -1 where there is none."""
+Index: TypeAlias = NDArray[Any]
+"""Integers: positions in another table; -1 where there is none."""
 
-Mask = NDArray[np.bool_]
-"""True where something holds."""
+Mask: TypeAlias = Any
+"""An array of booleans, True where something holds.  (NumPy calls what .all(axis) returns a scalar or an array.)"""

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -32,8 +32,8 @@ class AngleRatio(sp.Function):
 
     def fdiff(self, argindex: int = 1) -> Any:
         """Partial derivatives, closed in these two functions."""
-        r2, w = self.args
-        return AngleRatioSlope(r2, w) if argindex == 1 else -1 / (r2 + w**2)
+        r2, w = cast("tuple[Any, Any]", self.args)
+        return AngleRatioSlope(r2, w) if argindex == 1 else -1 / (r2 + w * w)
 
 
 class AngleRatioSlope(sp.Function):
@@ -56,7 +56,8 @@ def differentiate(condition: Callable[..., tuple[Scalar, Scalar]], symbols: Sequ
     variables = sp.symbols(names)
     residuals = condition(*variables)
     jacobian = [sp.diff(g, v) for g in residuals for v in variables]
-    shared, outputs = sp.cse([*residuals, *jacobian], sp.numbered_symbols("t"), order="none")
+    found: Any = sp.cse([*residuals, *jacobian], sp.numbered_symbols("t"), order="none")
+    shared, outputs = found
     return Derived(names, shared, outputs)
 
 
@@ -76,32 +77,32 @@ def _numpy_names() -> dict[str, Any]:
 class _Powers:
     """Integer powers as products."""
 
-    def _print_Pow(self, expression: Any, **_: Any) -> str:
-        base, exponent = expression.as_base_exp()
+    def _print_Pow(self, expr: Any, rational: bool = False) -> str:  # noqa: FBT001, FBT002  (SymPy's signature)
+        base, exponent = expr.as_base_exp()
         if exponent.is_Integer and 1 < abs(int(exponent)) <= 8:
             text = f"({self.doprint(base)})"  # type: ignore[attr-defined]
             product = "*".join([text] * abs(int(exponent)))
             return f"({product})" if exponent > 0 else f"(1.0/({product}))"
         if exponent == -1:
             return f"(1.0/({self.doprint(base)}))"  # type: ignore[attr-defined]
-        return super()._print_Pow(expression)  # type: ignore[misc]
+        return super()._print_Pow(expr, rational)  # type: ignore[misc]
 
 
-class _NumPy(_Powers, NumPyPrinter):
-    def _print_Function(self, expression: Any) -> str:
-        name = type(expression).__name__
+class _NumPy(_Powers, NumPyPrinter):  # pyright: ignore[reportIncompatibleMethodOverride]
+    def _print_Function(self, expr: Any) -> str:
+        name = type(expr).__name__
         if name in {"AngleRatio", "AngleRatioSlope"}:
-            return f"{name}_numpy({', '.join(self._print(a) for a in expression.args)})"
-        return super()._print_Function(expression)
+            return f"{name}_numpy({', '.join(self._print(a) for a in expr.args)})"
+        return super()._print_Function(expr)
 
 
-class _Cxx(_Powers, CXX17CodePrinter):
+class _Cxx(_Powers, CXX17CodePrinter):  # pyright: ignore[reportIncompatibleMethodOverride]
     pass
 
 
 def numpy_source(derived: Derived) -> str:
     """Python text of `condition_and_jacobian(x, y, X, Y, Z, *parameters)`."""
-    show = _NumPy({"fully_qualified_modules": False}).doprint
+    show: Callable[[Any], str] = cast("Any", _NumPy({"fully_qualified_modules": False}).doprint)
     k = len(derived.names)
     lines = [f"def condition_and_jacobian({', '.join(derived.names)}):"]
     lines += [f"    {name} = {_np(show(e))}" for name, e in derived.shared]
@@ -150,9 +151,7 @@ def cxx_source(name: str, derived: Derived) -> str:
 def _lanes(derived: Derived, show: Any, shared: Sequence[tuple[Any, Any]], outputs: Sequence[tuple[int, Any]]) -> str:
     used: set[Any] = set().union(*(e.free_symbols for _, e in [*shared, *outputs]))
     lines = ["    RB_SIMD\n    for (int l = 0; l < V; ++l) {\n"]
-    lines += [
-        f"      const double {n} = in[{i}][l];\n" for i, n in enumerate(derived.names) if sp.Symbol(n) in used
-    ]
+    lines += [f"      const double {n} = in[{i}][l];\n" for i, n in enumerate(derived.names) if sp.Symbol(n) in used]
     lines += [f"      const double {n} = {show(e)};\n" for n, e in shared]
     lines += [f"      out[{i}][l] = {show(e)};\n" for i, e in outputs]
     return "".join([*lines, "    }\n"])

@@ -39,7 +39,7 @@ def angles_from_rotation(rotation: Array) -> Array:
 
 
 def angle_derivatives(rotation: Array) -> Array:
-    """d (omega, phi, kappa) / d delta, (..., 3, 3), at rotation matrices (..., 3, 3).
+    """D (omega, phi, kappa) / d delta, (..., 3, 3), at rotation matrices (..., 3, 3).
 
     The sign follows R_new = exp([delta]x) R with R = R3 R2 R1 turning axes, not vectors.
     Infinite at phi = +-90 degrees, where the angles are not defined one by one.

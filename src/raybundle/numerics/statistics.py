@@ -37,7 +37,7 @@ def family_wise_tau(significance: float, count: int, redundancy: int) -> float:
     """The same for tau = v / (sigma0 s sqrt r), sigma0 from the same adjustment (Pope 1976)."""
     from scipy.stats import t as student  # noqa: PLC0415
 
-    if redundancy < 2:  # noqa: PLR2004
+    if redundancy < 2:
         return float("nan")
     q = float(student.isf(significance / (2 * max(count, 1)), redundancy - 1))
     return float(np.sqrt(redundancy) * q / np.sqrt(redundancy - 1 + q * q))
@@ -57,7 +57,7 @@ def global_test(square_sum: float, redundancy: int, significance: float = 0.05) 
 
 
 def mahalanobis2(error: Array, covariance: Array) -> Array:
-    """e' C^-1 e of errors (n, k) under covariances (k, k) or (n, k, k): chi-square with k degrees of freedom."""
+    """E' C^-1 e of errors (n, k) under covariances (k, k) or (n, k, k): chi-square with k degrees of freedom."""
     solved = np.linalg.solve(np.broadcast_to(covariance, (len(error), *covariance.shape[-2:])), error[..., None])
     return np.einsum("ni,ni->n", error, solved[..., 0])
 

@@ -97,20 +97,27 @@ def _apply(growth: Growth, images: Mask, points: Array, scale: float, R: Array, 
     )
 
 
+def _offset(target: Array, turned: Array, given: Mask, axis: int) -> float:
+    mine = given[:, axis]
+    return float((target[mine, axis] - turned[mine, axis]).mean()) if mine.any() else 0.0
+
+
 def partial_similarity(source: Array, target: Array, given: Mask) -> tuple[float, Array, Array]:
     """Similarity (scale, rotation, translation) of points (n, 3) onto single given coordinates (n, 3).
 
     Damped Gauss-Newton from 24 rotations; what the coordinates leave open stays as it is.
     """
     quarter = [0.0, np.pi / 2, np.pi, -np.pi / 2]
-    starts = [rotation_from_angles(np.array([o, p, k])) for o, p, k in product(quarter, [0.0, np.pi / 2, -np.pi / 2], quarter)]
+    starts = [
+        rotation_from_angles(np.array([o, p, k])) for o, p, k in product(quarter, [0.0, np.pi / 2, -np.pi / 2], quarter)
+    ]
     best: tuple[float, tuple[float, Array, Array]] | None = None
     middle = source.mean(axis=0)
     spread = [float(np.std(target[given[:, k], k])) if given[:, k].any() else 0.0 for k in range(3)]
     guess = max(spread) / max(float(np.std(source - middle, axis=0).max()), 1e-300) or 1.0
     for start in starts:
         s, R = guess, start
-        t = np.array([(target[given[:, k], k] - (s * (source - middle) @ R.T)[given[:, k], k]).mean() if given[:, k].any() else 0.0 for k in range(3)])  # fmt: skip
+        t = np.array([_offset(target, s * (source - middle) @ R.T, given, k) for k in range(3)])
         cost = np.inf
         for _ in range(30):
             turned = (source - middle) @ R.T

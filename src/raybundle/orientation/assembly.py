@@ -160,5 +160,3 @@ def _place(growth: Growth, part: Mask) -> None:
     if not onto_control(growth, part):
         onto_scale(growth, part)
     growth.end_part()
-
-

@@ -97,7 +97,7 @@ def resect_robust(direction: Array, xyz: Array, limit: float) -> Pose | None:
     inliers[np.flatnonzero(usable)[np.asarray(info["inliers"], bool)]] = True
     if inliers.sum() < 4:
         return None
-    R, C = pose_from_solver(result.pose if hasattr(result, "pose") else result)
+    R, C = pose_from_solver(result)
     R, C, _ = refine_pose(R, C, xyz[inliers], direction[inliers], scale=limit / 2)
     shape = (len(xyz), 3, 3)
     angle = angular_residuals(np.broadcast_to(R, shape), np.broadcast_to(C, xyz.shape), xyz, direction)
@@ -122,10 +122,16 @@ def relative_all(first: Array, second: Array, limit: float) -> list[Pose]:
         return []
     a, b = (np.ascontiguousarray(plane_points(d[usable])) for d in (first, second))
     camera = {"model": "SIMPLE_PINHOLE", "width": 1, "height": 1, "params": [1.0, 0.0, 0.0]}
-    options = {"max_epipolar_error": limit, "max_reproj_error": limit, "min_iterations": 100, "max_iterations": 3000, "seed": 1}
+    options = {
+        "max_epipolar_error": limit,
+        "max_reproj_error": limit,
+        "min_iterations": 100,
+        "max_iterations": 3000,
+        "seed": 1,
+    }
     starts: list[tuple[Array, Array]] = []
     result, _ = poselib.estimate_relative_pose(a, b, camera, camera, options, {})
-    R, C = pose_from_solver(result.pose if hasattr(result, "pose") else result)
+    R, C = pose_from_solver(result)
     starts.append((R * FLIP, FLIP * C))  # the object system is the first image's own
     H, info = poselib.estimate_homography(a, b, options, {})
     if np.mean(np.asarray(info["inliers"], float)) > 0.5:
@@ -168,9 +174,7 @@ def _from_homography(H: Array) -> list[tuple[Array, Array]]:
 
     found: list[tuple[Array, Array]] = []
     solutions = poselib.motion_from_homography(H)
-    poses = solutions[0] if isinstance(solutions, tuple) else solutions
-    for solution in poses:
-        pose = solution[0] if isinstance(solution, tuple) else solution
+    for pose in solutions[0]:
         R = np.asarray(pose.R, float)
         for sign in (1.0, -1.0):
             t = sign * np.asarray(pose.t, float)

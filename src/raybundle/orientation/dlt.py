@@ -16,7 +16,7 @@ class Dlt:
     """Eleven parameters and what they mean for a camera."""
 
     parameters: Array
-    """(11,) L1 .. L11:  x = (L1 X + L2 Y + L3 Z + L4) / (L9 X + L10 Y + L11 Z + 1), y alike with L5 .. L8; image frame, mm"""
+    """(11,) L1 .. L11:  x = (L1 X + L2 Y + L3 Z + L4) / (L9 X + L10 Y + L11 Z + 1), y alike with L5 .. L8 [mm]"""
     covariance: Array
     """(11, 11) a-posteriori"""
     sigma0_mm: float

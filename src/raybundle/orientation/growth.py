@@ -20,7 +20,7 @@ START_PX = 0.006
 LATER_PX = 0.0015
 """The same once the interior orientation has been estimated."""
 SMALL_ANGLE = 2.0e-4
-"""Eigenvalue ratio of an intersection (about sin^2 of half the angle: 1.6 degrees) from which a point counts as known."""
+"""Eigenvalue ratio of an intersection (about sin^2 of half the angle, 1.6 degrees) from which a point is known."""
 
 
 @dataclass(slots=True)
@@ -56,8 +56,8 @@ class Growth:
     @classmethod
     def of(cls, block: Block, rays: Rays) -> Growth:
         """Nothing assembled yet."""
-        coordinates = np.isfinite(block.points.xyz).all(axis=1)
-        control = block.points.is_control.all(axis=1)
+        coordinates: Mask = np.isfinite(block.points.xyz).all(axis=1)
+        control: Mask = block.points.is_control.all(axis=1)
         check = block.points.role == Role.CHECK
         order = np.argsort(rays.image, kind="stable")
         first = np.searchsorted(rays.image[order], np.arange(len(block.images) + 1))
@@ -65,7 +65,8 @@ class Growth:
         return cls(
             block=block, rays=rays, oriented=block.images.oriented.copy(), known=coordinates & ~check,
             given=coordinates.copy(), control=control,
-            given_xyz=block.points.xyz.copy(), given_control=block.points.is_control, active=block.images.oriented.copy(),
+            given_xyz=block.points.xyz.copy(), given_control=block.points.is_control,
+            active=block.images.oriented.copy(),
             bad_rows=np.zeros(m, bool), by_image=[order[first[i] : first[i + 1]] for i in range(n)],
             weak=np.zeros(p, bool), behind=np.zeros(p, bool),
         )  # fmt: skip
@@ -132,12 +133,12 @@ class Growth:
         self.oriented[image] = self.active[image] = True
 
     def intersect(self, *, everything: bool = False) -> None:
-        """Intersect points that are not known from the oriented images of the part; `everything`: any coordinate will do."""
+        """Intersect points that are not known from the images of the part; `everything`: any coordinate will do."""
         block = self.block
         images = self.oriented if everything else self.active
         rows = np.flatnonzero(images[self.rays.image])
         point = self.rays.point[rows]
-        wanted = ~np.isfinite(block.points.xyz).all(axis=1) if everything else ~self.known & ~self._kept()
+        wanted: Mask = ~np.isfinite(block.points.xyz).all(axis=1) if everything else ~self.known & ~self._kept()
         rows = rows[wanted[point]]
         if not len(rows):
             return
@@ -172,7 +173,9 @@ class Growth:
     def _on_rays(self, index: Array, centre: Array, direction: Array, count: int) -> Array:
         """A place for points that cannot be intersected: on the mean ray, at the median distance of the others."""
         rays = np.maximum(np.bincount(index, minlength=count), 1)
-        mean = np.stack([np.bincount(index, direction[:, k], minlength=count) for k in range(3)], axis=1) / rays[:, None]
+        mean = (
+            np.stack([np.bincount(index, direction[:, k], minlength=count) for k in range(3)], axis=1) / rays[:, None]
+        )
         start = np.stack([np.bincount(index, centre[:, k], minlength=count) for k in range(3)], axis=1) / rays[:, None]
         finite = np.isfinite(self.block.points.xyz).all(axis=1)
         used = self.block.images.oriented
@@ -216,7 +219,7 @@ class Growth:
         self._forget(rows)
 
     def _forget(self, rows: Mask) -> None:
-        """Points that the adjustment left with large residuals are no longer known, images full of them not oriented."""
+        """Points left with large residuals are no longer known, images full of them no longer oriented."""
         index = np.flatnonzero(rows)
         image, point = self.rays.image[index], self.rays.point[index]
         angle = angular_residuals(
@@ -255,7 +258,11 @@ class Growth:
             if names:
                 more = " ..." if len(names) > 10 else ""
                 found.append(
-                    Notice(code=code, message=f"{len(names)} points with {text} at the start: {', '.join(names[:10])}{more}", ids=names[:100])
+                    Notice(
+                        code=code,
+                        message=f"{len(names)} points with {text} at the start: {', '.join(names[:10])}{more}",
+                        ids=names[:100],
+                    )
                 )
         return tuple(found)
 

@@ -54,6 +54,4 @@ def intersection(block: Block) -> Intersection:
     )
     result = adjust_block(fixed, AdjustmentOptions())
     assert result.precision is not None
-    return Intersection(
-        xyz=result.adjusted.points.xyz, covariance=result.precision.object_points, adjustment=result
-    )
+    return Intersection(xyz=result.adjusted.points.xyz, covariance=result.precision.object_points, adjustment=result)

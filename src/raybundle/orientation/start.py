@@ -119,9 +119,10 @@ def start_from_pair(growth: Growth, left: Mask) -> bool:
             angle = _median_angle(growth, ra, rb, pose)
             inliers = int(pose.inliers.sum())
             if angle <= np.radians(2.0):
+                ids = growth.block.images.ids
                 growth.remarks[a] = growth.remarks[b] = (
-                    f"images {growth.block.images.ids[a]} and {growth.block.images.ids[b]}: rays to common points are parallel "
-                    f"within {np.degrees(angle):.2f} degrees, no base (the same photo twice?)"
+                    f"images {ids[a]} and {ids[b]}: rays to common points are parallel within "
+                    f"{np.degrees(angle):.2f} degrees, no base (the same photo twice?)"
                 )
             if inliers >= 0.5 * common and angle > np.radians(2.0):
                 quality = inliers * min(angle, np.radians(20)) / np.radians(20) / (1 + pose.rms / growth.limit(a))

@@ -1,0 +1,1 @@
+"""Where a sensor stands: stations, rigs and trajectories place it in object space."""

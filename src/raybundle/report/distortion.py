@@ -81,7 +81,9 @@ def interior_of(camera: Camera, values: Iterable[float], free: Iterable[str], co
     )
 
 
-def correction(interior: Interior, image: Array, kinds: frozenset[str] = ADDITIONAL, values: Array | None = None) -> Array:
+def correction(
+    interior: Interior, image: Array, kinds: frozenset[str] = ADDITIONAL, values: Array | None = None
+) -> Array:
     """Ideal minus measured (2, n) [mm] at measured image points (2, n), by the parameters of these kinds alone.
 
     NaN where the model has no viewing ray or no ideal point.

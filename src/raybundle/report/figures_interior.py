@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from markupsafe import Markup
 
 from raybundle.numerics.arrays import Array
 from raybundle.report.distortion import Curve, Interior, field
-from raybundle.report.numbers import MINUS, significant
+from raybundle.report.numbers import fixed, significant
 from raybundle.report.svg import (
+    Drawing,
     Plot,
     axes,
     band,
@@ -29,7 +29,7 @@ NEGATIVE, POSITIVE = (31, 90, 138), (181, 83, 42)
 """Colours of a heat map at -1 and at +1."""
 
 
-def heat_map(rows: Sequence[str], columns: Sequence[str], values: Array, what: str, *, signed: bool = True) -> Markup:
+def heat_map(rows: Sequence[str], columns: Sequence[str], values: Array, what: str, *, signed: bool = True) -> Drawing:
     """Correlations (rows, columns) as coloured cells with their value; NaN stays white."""
     cell, left, top = 36.0, 34.0, 22.0
     width, height = left + cell * len(columns) + 2, top + cell * len(rows) * 0.72 + 2
@@ -43,8 +43,10 @@ def heat_map(rows: Sequence[str], columns: Sequence[str], values: Array, what: s
             r = float(values[i, j])
             colour = mixed(abs(r) ** 1.5, POSITIVE if r > 0 else NEGATIVE) if np.isfinite(r) else "#ffffff"
             x, y = left + j * cell, top + i * tall
-            parts.append(f'<rect class="cell" x="{x:g}" y="{y:.1f}" width="{cell:g}" height="{tall:.2f}" fill="{colour}"/>')
-            words = "" if not np.isfinite(r) else (f"{r:.2f}" if signed else f"{abs(r):.2f}").replace("-", MINUS)
+            parts.append(
+                f'<rect class="cell" x="{x:g}" y="{y:.1f}" width="{cell:g}" height="{tall:.2f}" fill="{colour}"/>'
+            )
+            words = "" if not np.isfinite(r) else fixed(r if signed else abs(r), 2)
             style = "t light" if abs(r) > 0.7 else "t"
             parts.append(label(x + cell / 2, y + tall / 2 + 3.5, words, style, "middle"))
     return drawing(width, height, parts, what)
@@ -59,7 +61,7 @@ def _second_axis(plot: Plot, factor: float, name: str) -> str:
         y = float(plot.y(value / factor))
         parts.append(f'<path class="grid" d="M{x0 + w:.1f} {y:.1f}h4"/>')
         parts.append(label(x0 + w + 7, y + 3.5, words))
-    parts.append(label(plot.width - 6, y0 + h / 2, name, "name", "middle", 90))
+    parts.append(label(plot.width - 4, y0 + h / 2, name, "name", "middle", -90))
     return "".join(parts)
 
 
@@ -70,22 +72,23 @@ def _beyond(plot: Plot, reach: float) -> str:
     if not np.isfinite(x) or x >= x0 + w - 1:
         return ""
     words = "no observation" if x0 + w - x > 80 else ""
-    return (
-        f'<rect class="beyond" x="{x:.1f}" y="{y0:.1f}" width="{x0 + w - x:.1f}" height="{h:.1f}"/>'
-        + label(x0 + w - 4, y0 + 12, words, "t faint", "end")
+    return f'<rect class="beyond" x="{x:.1f}" y="{y0:.1f}" width="{x0 + w - x:.1f}" height="{h:.1f}"/>' + label(
+        x0 + w - 4, y0 + 12, words, "t faint", "end"
     )
 
 
 def curves(
     interior: Interior, drawn: Sequence[tuple[Curve, str, str]], reach: float, what: str, y_name: str = "correction"
-) -> Markup:
+) -> Drawing:
     """Corrections with their 1-sigma band against the radius; each curve with a style and a name.
 
     reach  the largest radius of an observation [mm]; beyond it a curve is extrapolated
     """
     um = [(c.radius_mm, 1000 * c.value_mm, None if c.std_mm is None else 1000 * c.std_mm) for c, _, _ in drawn]
     spans = [v for _, v, _ in um] + [v + k * s for _, v, s in um if s is not None for k in (-1, 1)]
-    plot = Plot(width=400, height=262, left=54, right=52, x_range=(0.0, interior.corner_mm), y_range=span(*spans, zero=True))
+    plot = Plot(
+        width=400, height=262, left=54, right=52, x_range=(0.0, interior.corner_mm), y_range=span(*spans, zero=True)
+    )
     parts = [
         _beyond(plot, reach),
         axes(plot, "radius from the principal point [mm]", f"{y_name} [µm]"),
@@ -103,7 +106,7 @@ def curves(
     return drawing(plot.width, plot.height, parts, what)
 
 
-def sigma_curve(interior: Interior, curve: Curve, reach: float, what: str) -> Markup | None:
+def sigma_curve(interior: Interior, curve: Curve, reach: float, what: str) -> Drawing | None:
     """Standard deviation of a correction against the radius; None without covariance."""
     if curve.std_mm is None:
         return None
@@ -111,7 +114,7 @@ def sigma_curve(interior: Interior, curve: Curve, reach: float, what: str) -> Ma
     return curves(interior, [(shown, "first", "")], reach, what, "standard deviation")
 
 
-def correction_field(interior: Interior, what: str) -> tuple[Markup, float]:
+def correction_field(interior: Interior, what: str) -> tuple[Drawing, float]:
     """Corrections over the format as vectors from the measured point, and the largest one [px]."""
     image, shift = field(interior)
     size_px = np.linalg.norm(shift / np.array(interior.camera.pixel_mm)[:, None], axis=0)
@@ -124,9 +127,14 @@ def correction_field(interior: Interior, what: str) -> tuple[Markup, float]:
         dx, dy = shift[0] * per_px[0], -shift[1] * per_px[1]
         x, y = plot.x(image[0]), plot.y(image[1])
         # arrows point to the ideal place; the dot is the measured one
-        parts += [vectors(x, y, dx, dy, "vector"), scale_bar(plot, reference * step / largest, f"{significant(reference, 1)} px")]
+        parts += [
+            vectors(x, y, dx, dy, "vector"),
+            scale_bar(plot, reference * step / largest, f"{significant(reference, 1)} px"),
+        ]
         keep = np.isfinite(dx)
-        parts += [f'<circle class="dot" cx="{a:.1f}" cy="{b:.1f}" r="1.6"/>' for a, b in zip(x[keep], y[keep], strict=True)]
+        parts += [
+            f'<circle class="dot" cx="{a:.1f}" cy="{b:.1f}" r="1.6"/>' for a, b in zip(x[keep], y[keep], strict=True)
+        ]
     pp = interior.principal_point
     a, b = float(plot.x(pp[0])), float(plot.y(pp[1]))
     parts.append(f'<path class="mark" d="M{a - 5:.1f} {b:.1f}h10M{a:.1f} {b - 5:.1f}v10"/>')
@@ -134,8 +142,12 @@ def correction_field(interior: Interior, what: str) -> tuple[Markup, float]:
 
 
 def format_plot(size: Array, width: float, foot: float = 22.0) -> tuple[Plot, list[str]]:
-    """A plot of the image format (centred, y up) at true proportions, with its frame; room for a scale below."""
-    aspect = min(max(float(size[1] / size[0]), 0.15), 3.0)
+    """A plot of the image format (centred, y up) at true proportions, with its frame; room for a scale below.
+
+    Upright formats are drawn narrower, so that they are no taller than 0.85 times the width asked for.
+    """
+    aspect = min(max(float(size[1] / size[0]), 0.15), 6.0)
+    width = min(width, 4 + 0.85 * width / aspect)
     inner = width - 4
     height = inner * aspect + 4 + foot
     half = np.asarray(size) / 2

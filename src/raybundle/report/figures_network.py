@@ -7,19 +7,20 @@ from dataclasses import dataclass
 from html import escape
 
 import numpy as np
-from markupsafe import Markup
 
 from raybundle.adjustment.result import NetworkFigures
 from raybundle.block import Role
 from raybundle.numerics.arrays import Array, Index
 from raybundle.report.numbers import grouped, significant
 from raybundle.report.svg import (
+    Drawing,
     Interval,
     Plot,
     axes,
     columns,
     dots,
     drawing,
+    fitted,
     histogram,
     label,
     round_below,
@@ -39,7 +40,7 @@ Panel = tuple[Plot, int, int]
 class NetworkViews:
     """The drawing and what has to be said below it."""
 
-    drawing: Markup
+    drawing: Drawing
     remark: str
 
 
@@ -76,7 +77,9 @@ def network_views(view: View) -> NetworkViews | None:
         parts.append(axes(plot, f"{'XYZ'[a]} [{view.length_unit}]", f"{'XYZ'[b]} [{view.length_unit}]", grid="xy"))
         x, y, w, h = plot.box
         clip = f"panel{a}{b}"
-        parts.append(f'<clipPath id="{clip}"><rect x="{x:.1f}" y="{y:.1f}" width="{w:.1f}" height="{h:.1f}"/></clipPath>')
+        parts.append(
+            f'<clipPath id="{clip}"><rect x="{x:.1f}" y="{y:.1f}" width="{w:.1f}" height="{h:.1f}"/></clipPath>'
+        )
         parts.append(f'<g clip-path="url(#{clip})">')
         parts.append(_frames(plot, frames[:, :, [a, b]], [view.given.images.ids[i] for i in drawn_images]))
         parts.append(dots(plot.x(xyz[shown, a]), plot.y(xyz[shown, b]), "points"))
@@ -85,7 +88,9 @@ def network_views(view: View) -> NetworkViews | None:
         parts += [_scale_bars(view, (plot, a, b)), _symbols(view, kept, (plot, a, b)), "</g>"]
     if factor:
         parts.append(_ellipse_key(view, factor * px_per_unit, width, height))
-    return NetworkViews(drawing=drawing(width, height, parts, "plan and side views of the network"), remark="; ".join(remark) + ".")
+    return NetworkViews(
+        drawing=drawing(width, height, parts, "plan and side views of the network"), remark="; ".join(remark) + "."
+    )
 
 
 def _limits(points: Array, centres: Array) -> list[Interval]:
@@ -140,14 +145,17 @@ def _frames(plot: Plot, frusta: Array, names: list[str]) -> str:
     """The pyramids of the images, each with its name under the pointer."""
     parts: list[str] = []
     for pyramid, name in zip(frusta, names, strict=True):
-        p = [f"{x:.1f} {y:.1f}" for x, y in zip(plot.x(pyramid[:, 0]).tolist(), plot.y(pyramid[:, 1]).tolist(), strict=True)]
+        p = [
+            f"{x:.1f} {y:.1f}"
+            for x, y in zip(plot.x(pyramid[:, 0]).tolist(), plot.y(pyramid[:, 1]).tolist(), strict=True)
+        ]
         d = f"M{p[1]}L{p[2]}L{p[3]}L{p[4]}ZM{p[1]}L{p[0]}L{p[2]}M{p[3]}L{p[0]}L{p[4]}"
         parts.append(f'<path class="camera" d="{d}"><title>{escape(name)}</title></path>')
     return "".join(parts)
 
 
 def _ellipse_scale(view: View, shown: Index, px_per_unit: float) -> tuple[Index, float]:
-    """Points whose ellipses are drawn, and a round enlargement that makes the typical one seven pixels long."""
+    """Points whose ellipses are drawn, and a round enlargement that makes three quarters of them shorter than eight pixels."""
     a = view.adjustment
     if a.precision is None:
         return np.zeros(0, np.int32), 0.0
@@ -158,8 +166,8 @@ def _ellipse_scale(view: View, shown: Index, px_per_unit: float) -> tuple[Index,
     if not len(rows):
         return np.zeros(0, np.int32), 0.0
     major = np.sqrt(np.linalg.eigvalsh(a.precision.object_points[rows])[:, -1])
-    typical = float(np.median(major)) * px_per_unit
-    return rows.astype(np.int32), (max(1.0, round_below(7 / typical)) if typical > 0 else 0.0)
+    typical = float(np.quantile(major, 0.75)) * px_per_unit
+    return rows.astype(np.int32), (max(1.0, round_below(8 / typical)) if typical > 0 else 0.0)
 
 
 def _ellipses(view: View, rows: Index, panel: Panel, px_per_unit: float) -> str:
@@ -184,7 +192,9 @@ def _ellipse_key(view: View, px_per_unit: float, width: float, height: float) ->
     unit = round_below(10 / px_per_unit)
     x, y = width - 110, height - 24
     words = f"{significant(unit * view.factor, 1)} {view.unit}"
-    return f'<circle class="ellipse" cx="{x:.1f}" cy="{y:.1f}" r="{unit * px_per_unit:.1f}"/>' + label(x + 18, y + 3.5, words)
+    return f'<circle class="ellipse" cx="{x:.1f}" cy="{y:.1f}" r="{unit * px_per_unit:.1f}"/>' + label(
+        x + 18, y + 3.5, words
+    )
 
 
 def _scale_bars(view: View, panel: Panel) -> str:
@@ -193,7 +203,9 @@ def _scale_bars(view: View, panel: Panel) -> str:
     ends = [(plot.x(xyz[i, a]), plot.y(xyz[i, b])) for i in (d.start, d.end)]
     (x1, y1), (x2, y2) = ends
     good = np.isfinite(x1) & np.isfinite(x2)
-    path = "".join(f"M{p:.1f} {q:.1f}L{r:.1f} {s:.1f}" for p, q, r, s in zip(x1[good], y1[good], x2[good], y2[good], strict=True))
+    path = "".join(
+        f"M{p:.1f} {q:.1f}L{r:.1f} {s:.1f}" for p, q, r, s in zip(x1[good], y1[good], x2[good], y2[good], strict=True)
+    )
     return f'<path class="bar-line" d="{path}"/>' if path else ""
 
 
@@ -217,26 +229,27 @@ def _symbols(view: View, kept: Index, panel: Panel) -> str:
     return "".join(parts)
 
 
-def ray_histogram(rays: Array, what: str) -> Markup:
+def ray_histogram(rays: Array, what: str) -> Drawing:
     """Number of object points against their number of rays."""
     counts = np.bincount(rays[rays > 0].astype(int))
     step = 1 if len(counts) <= 60 else math.ceil(round_step(len(counts), 40))
     edges = np.arange(0, len(counts) + step, step) - 0.5
     heights = np.histogram(rays[rays > 0], edges)[0].astype(float)
-    plot = Plot(width=300, height=190, x_range=(float(edges[0]), float(edges[-1])), y_range=(0, max(heights.max(), 1) * 1.06))
+    x_range, y_range = (float(edges[0]), float(edges[-1])), (0.0, max(float(heights.max()), 1.0) * 1.06)
+    plot = fitted(Plot(width=286, height=190, x_range=x_range, y_range=y_range))
     parts = [axes(plot, "rays per point", "points"), columns(plot, edges, heights)]
     return drawing(plot.width, plot.height, parts, what)
 
 
-def angle_histogram(figures: NetworkFigures, what: str) -> Markup:
+def angle_histogram(figures: NetworkFigures, what: str) -> Drawing:
     """Number of object points against their largest intersection angle."""
     return histogram(
         np.degrees(figures.intersection_angle), "largest intersection angle [°]", what,
-        edges=np.arange(0, 181, 10.0), y_label="points",
+        edges=np.arange(0, 181, 10.0), y_label="points", width=286,
     )  # fmt: skip
 
 
-def roll_rose(roll: Array, what: str) -> Markup:
+def roll_rose(roll: Array, what: str) -> Drawing:
     """Rolls of the images about the viewing axis as spokes; zero, the most frequent one, is up."""
     good = roll[np.isfinite(roll)]
     size, r = 190.0, 70.0
@@ -251,7 +264,7 @@ def roll_rose(roll: Array, what: str) -> Markup:
         if n:
             length = r * (0.25 + 0.75 * math.sqrt(n / most))
             x, y = m + math.sin(math.radians(5 * k)) * length, m - math.cos(math.radians(5 * k)) * length
-            parts.append(f'<path class="spoke" d="M{m:g} {m:g}L{x:.1f} {y:.1f}"><title>{5 * k}°: {n} images</title></path>')
+            parts.append(
+                f'<path class="spoke" d="M{m:g} {m:g}L{x:.1f} {y:.1f}"><title>{5 * k}°: {n} images</title></path>'
+            )
     return drawing(size, size, parts, what)
-
-

@@ -49,7 +49,8 @@ def significant(value: float, digits: int = 3) -> str:
         shown = round(value, digits - 1 - exponent)
         if shown != 0 and math.floor(math.log10(abs(shown))) > exponent:
             exponent += 1
-        return fixed(shown, digits - 1 - exponent)
+        decimals = digits - 1 - exponent
+        return fixed(shown, decimals) if decimals > 0 or abs(shown) < 1e4 else grouped(shown)
     mantissa = value / 10.0**exponent
     return f"{fixed(mantissa, digits - 1)} × {power(exponent)}"
 

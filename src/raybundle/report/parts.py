@@ -6,9 +6,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
-from markupsafe import Markup
-
 from raybundle.report.numbers import grouped
+from raybundle.report.svg import Drawing
 
 MOST_ROWS = 2000
 """Rows of a table that a report shows; the rest stands in the result folder."""
@@ -56,11 +55,10 @@ class Heading:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Figure:
-    """A drawing with its caption; wide ones fill the page's width."""
+    """A drawing with its caption."""
 
-    drawing: Markup
+    drawing: Drawing
     caption: str
-    wide: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -11,7 +11,19 @@ from raybundle.numerics.arrays import Array
 from raybundle.report.distortion import Interior, balanced, decentring_curve, radial_curve
 from raybundle.report.figures_interior import correction_field, curves, heat_map, sigma_curve
 from raybundle.report.numbers import NONE, fixed, grouped, probability, significant, unit_text, with_sigma
-from raybundle.report.parts import Figure, Figures, Folded, Heading, Paragraph, Part, Section, Table, number, table, text
+from raybundle.report.parts import (
+    Figure,
+    Figures,
+    Folded,
+    Heading,
+    Paragraph,
+    Part,
+    Section,
+    Table,
+    number,
+    table,
+    text,
+)
 from raybundle.report.view import View, adjusted_interior, key_of, name_of
 
 MOST_DRAWN = 6
@@ -121,7 +133,9 @@ def _details(view: View, result: InteriorResult) -> list[Part]:
     if any(interior.has(k) for k in ("radial", "decentring", "affinity")):
         parts += _distortion(interior, reach, name_of(result))
     else:
-        parts.append(Paragraph(text="No distortion: all additional parameters have their defaults and are held.", note=True))
+        parts.append(
+            Paragraph(text="No distortion: all additional parameters have their defaults and are held.", note=True)
+        )
     return parts
 
 
@@ -172,14 +186,21 @@ def _reach(view: View, result: InteriorResult, interior: Interior) -> float:
 
 def _distortion(interior: Interior, reach: float, name: str) -> list[Part]:
     figures: list[Figure] = []
-    beyond = "" if not reach < interior.corner_mm else f" No observation lies beyond {significant(reach)} mm (shaded): extrapolated."
+    beyond = (
+        ""
+        if not reach < interior.corner_mm
+        else f" No observation lies beyond {significant(reach)} mm (shaded): extrapolated."
+    )
     if interior.has("radial"):
         curve = radial_curve(interior)
         flat, share = balanced(curve)
         figures.append(
             Figure(
                 drawing=curves(
-                    interior, [(curve, "first", "Gaussian"), (flat, "second", "balanced")], reach, f"radial distortion of {name}"
+                    interior,
+                    [(curve, "first", "Gaussian"), (flat, "second", "balanced")],
+                    reach,
+                    f"radial distortion of {name}",
                 ),
                 caption="Radial correction, ideal minus measured, with its 1-sigma band where that can be seen. Balanced: the "
                 f"same distortion with the camera constant changed by {significant(100 * share, 3)} %.{beyond}",

@@ -9,6 +9,7 @@ import numpy as np
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.report.figures_residuals import (
     caption_of,
+    MOST_VECTORS,
     exaggeration,
     image_columns,
     image_vectors,
@@ -17,9 +18,22 @@ from raybundle.report.figures_residuals import (
     normal_quantiles,
     profile_figure,
     reference,
+    well_filled,
 )
 from raybundle.report.numbers import cells, counted, fixed, grouped, per_cent, significant
-from raybundle.report.parts import Figure, Figures, Folded, Heading, Paragraph, Part, Section, Table, number, table, text
+from raybundle.report.parts import (
+    Figure,
+    Figures,
+    Folded,
+    Heading,
+    Paragraph,
+    Part,
+    Section,
+    Table,
+    number,
+    table,
+    text,
+)
 from raybundle.report.residuals import (
     FAMILY,
     CellMeans,
@@ -32,9 +46,9 @@ from raybundle.report.residuals import (
 )
 from raybundle.report.view import View, adjusted_interior, rms
 
-FIRST, MOST_DRAWN = 9, 120
+FIRST, MOST_DRAWN = 8, 120
 """Images whose residuals are drawn openly, and in all."""
-SMALL = 236.0
+SMALL = 219.0
 """Width of the drawing of one image [px]."""
 
 
@@ -97,7 +111,7 @@ def _systematic(view: View, index: int, mask: Mask, tests: Array) -> list[Part]:
     profile = radial_profile(view, camera, mask, centre)
     return [
         Heading(text=f"Systematic part, camera {camera.id}"),
-        Paragraph(text=_systematic_words(means)),
+        Paragraph(text=_systematic_words(means, rms(view.adjustment.image_observations.residuals_px[mask].ravel()))),
         Figures(
             figures=(
                 Figure(
@@ -115,10 +129,10 @@ def _systematic(view: View, index: int, mask: Mask, tests: Array) -> list[Part]:
     ]
 
 
-def _systematic_words(means: CellMeans) -> str:
-    tested = int((means.test > 0).sum())
+def _systematic_words(means: CellMeans, overall: float) -> str:
+    tested = int((np.nan_to_num(means.test) > 0).sum())
     beyond = int(means.significant.sum())
-    full = means.count >= 3
+    full = well_filled(means)
     if not full.any():
         return "There are too few points for averages."
     size = np.linalg.norm(means.mean_px, axis=1)
@@ -132,7 +146,7 @@ def _systematic_words(means: CellMeans) -> str:
     )
     return (
         f"In {grouped(beyond)} of {grouped(tested)} cells the mean residual differs from zero: {verdict}. The rms of the cell means "
-        f"is {significant(weighted, 2)} px, the largest mean {significant(float(np.nanmax(size[full])), 2)} px."
+        f"is {significant(weighted, 2)} px, {per_cent(weighted / overall)} of the rms residual; the largest mean {significant(float(np.nanmax(size[full])), 2)} px."
     )
 
 
@@ -154,23 +168,33 @@ def _images(view: View, rows: list[ImageRow], tests: Array) -> list[Part]:
     if len(rows) > 1:
         columns = image_columns([ids[r.image] for r in rows], sizes, "rms [px]", "rms residual of each image", overall)
         caption = f"Rms residual of each image; dashed: of all, {significant(overall)} px."
-        parts.append(Figures(figures=(Figure(drawing=columns, caption=caption, wide=True),)))
-    scale = Figure(drawing=reference(enlarged, SMALL), caption=_vector_words(view, len(order), len(rows)))
-    parts += [Figures(figures=tuple(first), small=True), Figures(figures=(scale,))]
+        parts.append(Figures(figures=(Figure(drawing=columns, caption=caption),)))
+    scale = Figure(drawing=reference(enlarged, SMALL), caption="Scale of the vectors.")
+    parts += [
+        Paragraph(text=_vector_words(view, len(order), len(rows))),
+        Figures(figures=tuple(first), small=True),
+        Figures(figures=(scale,)),
+    ]
     if others:
-        more = Folded(summary=f"{counted(len(others), 'more image')}", parts=(Figures(figures=tuple(others), small=True),))
+        more = Folded(
+            summary=f"{counted(len(others), 'more image')}", parts=(Figures(figures=tuple(others), small=True),)
+        )
         parts.append(more)
     parts.append(Folded(summary="Residuals of each image as a table", parts=(_image_table(view, rows),)))
     return parts
 
 
 def _vector_words(view: View, drawn: int, count: int) -> str:
-    order = "in the order of their rms, the largest first" if count > 1 else ""
-    cut = f"; {grouped(drawn)} of {grouped(count)} images drawn" if drawn < count else ""
+    order = ", in the order of their rms, the largest first" if count > 1 else ""
+    cut = f"; {grouped(drawn)} of {grouped(count)} images are drawn" if drawn < count else ""
     per_image = np.bincount(view.given.observations.image[view.used])
-    thinned = "; at most 500 vectors an image, the largest among them" if per_image.max(initial=0) > 500 else ""
+    thinned = (
+        f"; at most {MOST_VECTORS} vectors an image, the largest among them"
+        if per_image.max(initial=0) > MOST_VECTORS
+        else ""
+    )
     crossed = "; rejected points are crossed" if len(view.rejected) else ""
-    return f"Scale of the residual vectors above{', ' if order else ''}{order}{cut}{thinned}{crossed}."
+    return f"Residual vectors of each image with its rms residual{order}{cut}{thinned}{crossed}."
 
 
 def _image_table(view: View, rows: list[ImageRow]) -> Table:
@@ -200,4 +224,3 @@ def _image_table(view: View, rows: list[ImageRow]) -> Table:
         else "",
         rest="observations.csv (by image)",
     )  # fmt: skip
-

@@ -37,7 +37,9 @@ def _key_figures(view: View) -> tuple[Fact, ...]:
     if network is not None and math.isfinite(network.relative_precision):
         n = grouped(float(f"{network.relative_precision:.2g}"))
         facts.append(
-            Fact(label="relative precision", value=f"1 : {n}", remark=f"{network.precision_class}; of the largest extent")
+            Fact(
+                label="relative precision", value=f"1 : {n}", remark=f"{network.precision_class}; of the largest extent"
+            )
         )
     std = free_std(view)
     if len(std):
@@ -59,7 +61,9 @@ def _key_figures(view: View) -> tuple[Fact, ...]:
         )
     sigma0 = significant(a.sigma0) if math.isfinite(a.sigma0) else "none"
     facts.append(Fact(label="σ₀ a posteriori", value=sigma0, remark=f"a priori 1; {_image_sigma(view)}"))
-    facts.append(Fact(label="redundancy", value=grouped(a.redundancy), remark=f"{grouped(a.observations)} observations"))
+    facts.append(
+        Fact(label="redundancy", value=grouped(a.redundancy), remark=f"{grouped(a.observations)} observations")
+    )
     return tuple(facts)
 
 
@@ -86,7 +90,10 @@ def _counts(view: View) -> list[tuple[str, str]]:
     images = len({int(i) for i in block.observations.image[view.used]})
     rows = [
         ("block", block.name),
-        ("cameras, images", f"{grouped(len(block.cameras))}, {grouped(len(block.images))} ({grouped(images)} took part)"),
+        (
+            "cameras, images",
+            f"{grouped(len(block.cameras))}, {grouped(len(block.images))} ({grouped(images)} took part)",
+        ),
         ("object points", f"{grouped(len(block.points))} ({grouped(int((view.rays > 0).sum()))} took part)"),
         ("image points", f"{grouped(len(block.observations))} ({grouped(len(view.rejected))} rejected)"),
     ]
@@ -112,7 +119,10 @@ def _solution(a: Adjustment) -> list[tuple[str, str]]:
         ("datum", a.datum),
         ("left open by the observations", listed(a.datum_defect, 7) or "nothing"),
         ("residuals refer to", f"the {residuals} image point"),
-        ("converged", f"{'yes' if a.converged else 'no'}, {counted(a.iterations, 'iteration')}, {fixed(a.seconds, 2)} s"),
+        (
+            "converged",
+            f"{'yes' if a.converged else 'no'}, {counted(a.iterations, 'iteration')}, {fixed(a.seconds, 2)} s",
+        ),
         ("condition of the scaled normal matrix", significant(a.condition, 2)),
     ]
 
@@ -130,6 +140,12 @@ def _tests(a: Adjustment) -> list[tuple[str, str]]:
         ("σ₀ a priori, a posteriori", f"1, {significant(a.sigma0, 5) if math.isfinite(a.sigma0) else NONE}"),
         ("weighted square sum of residuals", significant(a.weighted_square_sum, 6)),
         ("global test (χ², 95 %, two-sided)", outcome),
-        ("critical value of |w|, family-wise", f"{significant(a.critical_w)} at {fixed(100 * a.options.significance, 0)} %"),
-        ("critical value of |τ|, family-wise", f"{significant(a.critical_tau)} at {fixed(100 * a.options.significance, 0)} %"),
+        (
+            "critical value of |w|, family-wise",
+            f"{significant(a.critical_w)} at {fixed(100 * a.options.significance, 0)} %",
+        ),
+        (
+            "critical value of |τ|, family-wise",
+            f"{significant(a.critical_tau)} at {fixed(100 * a.options.significance, 0)} %",
+        ),
     ]

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from html import escape
 
 import numpy as np
 from markupsafe import Markup
 
 from raybundle.numerics.arrays import Array
-from raybundle.report.numbers import MINUS, fixed
+from raybundle.report.numbers import MINUS, fixed, grouped
 
 Interval = tuple[float, float]
 CHARACTER = 5.6
@@ -93,6 +93,8 @@ def tick_labels(values: Sequence[float]) -> list[str]:
     decimals = max(0, -math.floor(math.log10(step) + 1e-9)) if step > 0 else 0
     if max(abs(v) for v in values) >= 1e6 or decimals > 5:
         return [f"{v:.3g}".replace("-", MINUS) for v in values]
+    if decimals == 0 and max(abs(v) for v in values) >= 1e4:
+        return [grouped(v) for v in values]
     return [fixed(v, decimals) for v in values]
 
 
@@ -130,11 +132,17 @@ def label(x: float, y: float, words: str, style: str = "t", anchor: str = "start
     return f'<text class="{style}" x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}"{turned}>{escape(words)}</text>'
 
 
+def fitted(plot: Plot) -> Plot:
+    """The plot with room at the left for its ticks and the axis' name."""
+    longest = max((len(s) for s in tick_labels(ticks(plot.y_range))), default=1)
+    return replace(plot, left=26 + CHARACTER * longest + 6)
+
+
 def axes(plot: Plot, x_label: str, y_label: str, *, grid: str = "y", x_count: int = 6, y_count: int = 5) -> str:
     """Frame, round ticks, their labels, the axes' names, and grid lines along "x", "y" or "xy"."""
     x0, y0, w, h = plot.box
     parts = [f'<rect class="frame" x="{x0:.1f}" y="{y0:.1f}" width="{w:.1f}" height="{h:.1f}"/>']
-    values = ticks(plot.x_range, x_count)
+    values = ticks(plot.x_range, x_count) if x_count else []
     labels = tick_labels(values)
     while len(values) > 2 and max(len(s) for s in labels) * CHARACTER > 0.9 * w / (len(values) - 1):
         values, labels = values[::2], labels[::2]
@@ -154,13 +162,23 @@ def axes(plot: Plot, x_label: str, y_label: str, *, grid: str = "y", x_count: in
     return "".join(parts)
 
 
-def drawing(width: float, height: float, parts: Sequence[str], what: str) -> Markup:
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Drawing:
+    """A whole drawing."""
+
+    svg: Markup
+    width: float
+    """[px]"""
+
+
+def drawing(width: float, height: float, parts: Sequence[str], what: str) -> Drawing:
     """A whole drawing; `what` is read to those who do not see it."""
     body = "".join(parts)
-    return Markup(
-        f'<svg viewBox="0 0 {width:g} {height:g}" width="{width:g}" height="{height:g}" role="img" '
+    svg = Markup(
+        f'<svg viewBox="0 0 {width:.0f} {height:.0f}" width="{width:.0f}" height="{height:.0f}" role="img" '
         f'aria-label="{escape(what)}">{body}</svg>'
     )
+    return Drawing(svg=svg, width=width)
 
 
 def columns(
@@ -187,7 +205,7 @@ def columns(
 
 def histogram(
     values: Array, x_label: str, what: str, *, edges: Array | None = None, y_label: str = "number", width: float = 300
-) -> Markup:
+) -> Drawing:
     """A histogram; values beyond the edges count in the outermost columns."""
     good = values[np.isfinite(values)]
     if edges is None:
@@ -197,7 +215,8 @@ def histogram(
         if len(edges) < 2:
             edges = np.array([low, high])
     counts = np.histogram(np.clip(good, edges[0], edges[-1]), edges)[0].astype(float)
-    plot = Plot(width=width, height=190, x_range=(float(edges[0]), float(edges[-1])), y_range=(0, max(counts.max(), 1) * 1.06))
+    x_range, y_range = (float(edges[0]), float(edges[-1])), (0.0, max(float(counts.max()), 1.0) * 1.06)
+    plot = fitted(Plot(width=width, height=190, x_range=x_range, y_range=y_range))
     parts = [axes(plot, x_label, y_label), columns(plot, edges, counts)]
     return drawing(plot.width, plot.height, parts, what)
 

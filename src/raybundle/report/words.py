@@ -59,16 +59,49 @@ def _headline(view: View, grade: Grade) -> str:
     a = view.adjustment
     if a.precision is None:
         return "Coordinates without a stated accuracy: the statistics were switched off."
+    return f"{_gained(view)} {_state(view, grade)}"
+
+
+def _gained(view: View) -> str:
+    """What was determined, and how well, in one sentence."""
+    std, network = free_std(view), view.adjustment.network
+    if not len(std):
+        return _resection(view).removeprefix("All object points are held. ")
+    each = significant(rms(std), 2)
+    n = (
+        ""
+        if network is None or not math.isfinite(network.relative_precision)
+        else _relative(network.relative_precision)
+    )
+    if view.arbitrary_scale and n:
+        return (
+            f"{counted(len(std), 'object point')} with a relative precision of {n.strip(' ()')}; no length is absolute."
+        )
+    if np.isfinite(view.check_difference).any():
+        n += f", {significant(rms(view.check_difference) * view.factor, 2)} {view.unit} rms at the check points"
+    return f"{counted(len(std), 'object point')} with a standard deviation of {each} {view.unit} a coordinate{n}."
+
+
+def _relative(relative: float) -> str:
+    return f" (1\u00a0:\u00a0{grouped(float(f'{relative:.2g}'))})"
+
+
+def _state(view: View, grade: Grade) -> str:
+    """Whether that can be relied upon, in one sentence."""
+    a = view.adjustment
     if a.redundancy == 0:
-        return "Solved, but nothing checks it: there are no more observations than unknowns."
+        return "Nothing checks it: there are no more observations than unknowns."
     serious = sum(1 for n in a.notices if n.code in IMPORTANT)
     if a.sigma0 > POOR_FIT:
-        return f"The observations contradict each other {significant(a.sigma0, 2)} times more than their stated precision allows."
+        return f"But the observations contradict each other {significant(a.sigma0, 2)} times more than stated: find out why first."
     if grade == "attention":
-        return f"Adjusted; {counted(serious, 'matter')} to settle before the result is used (see the warnings)."
-    if grade == "remarks":
-        return "Adjusted; no contradiction that calls for action. Read the remarks below."
-    return "Adjusted; the observations agree with each other, with the model and with the check points."
+        return f"{counted(serious, 'matter')} to settle before it is used: see the warnings."
+    lower, value, upper = a.global_test
+    if value > upper:
+        return f"The observations fit {significant(a.sigma0, 2)} times worse than stated, which these figures take into account."
+    if value < lower:
+        return f"The observations fit better than stated (σ₀ {significant(a.sigma0, 2)})."
+    return "The observations fit each other and the model as stated."
 
 
 def _adjusted(view: View) -> str:
@@ -87,7 +120,9 @@ def _adjusted(view: View) -> str:
     ):
         if count:
             parts.append(counted(count, noun))
-    return f"{', '.join(parts)}; {counted(a.unknowns, 'unknown')}, redundancy {grouped(a.redundancy)}. {datum_words(view)}"
+    return (
+        f"{', '.join(parts)}; {counted(a.unknowns, 'unknown')}, redundancy {grouped(a.redundancy)}. {datum_words(view)}"
+    )
 
 
 def datum_words(view: View) -> str:
@@ -123,10 +158,7 @@ def _precision(view: View) -> str:
     )
     network = a.network
     if network is not None and math.isfinite(network.relative_precision):
-        text += (
-            f" Relative precision 1 : {grouped(float(f'{network.relative_precision:.2g}'))}, "
-            f"class: {network.precision_class}."
-        )
+        text += f" Relative precision{_relative(network.relative_precision)} of the largest extent, class: {network.precision_class}."
     return text
 
 
@@ -150,13 +182,17 @@ def _accuracy(view: View) -> str:
         return "There are no check points: the accuracy is not tested by anything that the adjustment did not use."
     known = int(np.isfinite(difference).any(axis=1).sum())
     each = ", ".join(
-        f"{axis} {significant(rms(difference[:, k]))}" for k, axis in enumerate("XYZ") if np.isfinite(difference[:, k]).any()
+        f"{axis} {significant(rms(difference[:, k]))}"
+        for k, axis in enumerate("XYZ")
+        if np.isfinite(difference[:, k]).any()
     )
     text = f"At {counted(known, 'check point')} the rms difference, adjusted minus given, is {each} {view.unit}."
     expected = expected_check_std(view)
     ratio = rms(difference / expected)
     if math.isfinite(ratio):
-        meaning = "as expected" if ratio < 1.5 else "more than the standard deviations promise: look for systematic errors"
+        meaning = (
+            "as expected" if ratio < 1.5 else "more than the standard deviations promise: look for systematic errors"
+        )
         text += f" That is {significant(ratio, 2)} times what the standard deviations predict ({meaning})."
     if view.free_frame:
         text += " The datum is not that of the check points, so the differences hold its shift as well."
@@ -193,7 +229,11 @@ def _fit(view: View) -> str:
 
 def _control(view: View) -> str:
     words: list[str] = []
-    for kind, noun in (("control", "control coordinates"), ("distance", "scale bars"), ("station", "projection centres")):
+    for kind, noun in (
+        ("control", "control coordinates"),
+        ("distance", "scale bars"),
+        ("station", "projection centres"),
+    ):
         groups = [g for g in view.adjustment.groups if g.kind == kind]
         if not groups:
             continue
@@ -215,8 +255,14 @@ def _blunders(view: View) -> str:
     a = view.adjustment
     lost = len(view.rejected)
     t = np.abs(a.image_observations.t[view.used])
-    beyond = int((np.nan_to_num(t).max(axis=1, initial=0) > a.critical_tau).sum()) if math.isfinite(a.critical_tau) else 0
-    text = f"{counted(lost, 'image observation')} rejected, listed with the reasons." if lost else "No observation was rejected."
+    beyond = (
+        int((np.nan_to_num(t).max(axis=1, initial=0) > a.critical_tau).sum()) if math.isfinite(a.critical_tau) else 0
+    )
+    text = (
+        f"{counted(lost, 'image observation')} rejected, listed with the reasons."
+        if lost
+        else "No observation was rejected."
+    )
     if a.precision is None or a.redundancy == 0:
         return text + " Blunders were not tested."
     if beyond:
@@ -266,31 +312,43 @@ def not_told(view: View) -> tuple[tuple[str, str], ...]:
         ),
     ]
     if not np.isfinite(view.check_difference).any():
-        found.append((
-            "Nothing independent was compared.",
-            "Without check points or a length that took no part, the accuracy stated here is the network's own opinion.",
-        ))
+        found.append(
+            (
+                "Nothing independent was compared.",
+                "Without check points or a length that took no part, the accuracy stated here is the network's own opinion.",
+            )
+        )
     if view.free_frame:
-        found.append((
-            "The standard deviations belong to the datum stated.",
-            "They describe the shape of the object, not its place in a superior coordinate system; differences of points, "
-            "angles and ratios of lengths are free of it.",
-        ))
+        found.append(
+            (
+                "The standard deviations belong to the datum stated.",
+                "They describe the shape of the object, not its place in a superior coordinate system; differences of points, "
+                "angles and ratios of lengths are free of it.",
+            )
+        )
     if view.arbitrary_scale:
-        found.append(("No length is absolute.", "The scale was chosen, not measured; give a scale bar or two control points."))
+        found.append(
+            ("No length is absolute.", "The scale was chosen, not measured; give a scale bar or two control points.")
+        )
     if any((g.sigma == 0).any() for g in a.groups if g.kind == "control"):
-        found.append((
-            "Held control counts as free of error.",
-            "Its real uncertainty is missing in all standard deviations; give control with its standard deviation instead.",
-        ))
+        found.append(
+            (
+                "Held control counts as free of error.",
+                "Its real uncertainty is missing in all standard deviations; give control with its standard deviation instead.",
+            )
+        )
     if not any(i.free for i in a.interior):
-        found.append((
-            "The interior orientation counts as free of error.",
-            "It was held; what is wrong with it goes into the object coordinates unseen.",
-        ))
+        found.append(
+            (
+                "The interior orientation counts as free of error.",
+                "It was held; what is wrong with it goes into the object coordinates unseen.",
+            )
+        )
     if len(view.rejected) and a.options.reject == "snooping":
-        found.append((
-            "What is left after rejection looks better than it is.",
-            "σ₀ after data snooping is estimated from the observations that were kept.",
-        ))
+        found.append(
+            (
+                "What is left after rejection looks better than it is.",
+                "σ₀ after data snooping is estimated from the observations that were kept.",
+            )
+        )
     return tuple(found)

@@ -87,7 +87,7 @@ class SensorModel:
 
     @cached_property
     def condition_and_jacobian(self) -> Callable[..., tuple[Array, Array]]:
-        """g (2, n) and its Jacobian (2, 5 + k, n) by x, y, X, Y, Z and the parameters.
+        """G (2, n) and its Jacobian (2, 5 + k, n) by x, y, X, Y, Z and the parameters.
 
         Shipped models have it generated (`sensors/generated`); others derive it with SymPy, which
         the extra `raybundle[models]` installs.

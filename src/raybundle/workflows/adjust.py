@@ -36,7 +36,9 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
             raise type(error)(f"{error}\n  {_twin_words(twins)}") from error
         raise
     if twins:
-        warning = Notice(code="identical_images", message=_twin_words(twins), ids=tuple(i for pair in twins for i in pair))
+        warning = Notice(
+            code="identical_images", message=_twin_words(twins), ids=tuple(i for pair in twins for i in pair)
+        )
         result = replace(result, notices=(warning, *result.notices))
     return replace(result, given=block, seconds=time.perf_counter() - began)
 
@@ -69,15 +71,17 @@ def identical_images(block: Block) -> list[tuple[str, str]]:
     first, second = o.image[order[:-1]][same], o.image[order[1:]][same]
     pairs, count = np.unique(np.stack([first, second], axis=1), axis=0, return_counts=True)
     rays = np.bincount(o.image, minlength=len(block.images))
-    found = [(int(a), int(b)) for (a, b), k in zip(pairs, count, strict=True) if k > 0.6 * min(rays[a], rays[b]) and k > 3]
+    found = [
+        (int(a), int(b)) for (a, b), k in zip(pairs, count, strict=True) if k > 0.6 * min(rays[a], rays[b]) and k > 3
+    ]
     return [(block.images.ids[a], block.images.ids[b]) for a, b in found]
 
 
 def _twin_words(twins: list[tuple[str, str]]) -> str:
     shown = ", ".join(f"{a} and {b}" for a, b in twins[:5])
     return (
-        f"images {shown} hold the same image points within half a pixel: the same photo twice, or no base between them. "
-        "Leave one out."
+        f"images {shown} hold the same image points within half a pixel: the same photo twice, or no base between "
+        "them. Leave one out."
     )
 
 
@@ -98,9 +102,7 @@ def _started_afresh(block: Block, options: AdjustmentOptions, progress: Progress
         images=replace(
             images, centre=np.full_like(images.centre, np.nan), rotation=np.full_like(images.rotation, np.nan)
         ),
-        points=replace(
-            block.points, xyz=np.where(block.points.is_control, block.points.xyz, np.nan)
-        ),
+        points=replace(block.points, xyz=np.where(block.points.is_control, block.points.xyz, np.nan)),
     )
     try:
         approximate = approximate_values(blank, progress)
@@ -111,7 +113,7 @@ def _started_afresh(block: Block, options: AdjustmentOptions, progress: Progress
         return poor
     notice = Notice(
         code="approximate_values_replaced",
-        message=f"the approximate orientations of the block lead to sigma0 {poor.sigma0:.3g}, orientations found from the "
-        f"observations to {fresh.sigma0:.3g}; the latter are used. Check images.csv.",
+        message=f"the approximate orientations of the block lead to sigma0 {poor.sigma0:.3g}, orientations found from "
+        f"the observations to {fresh.sigma0:.3g}; the latter are used. Check images.csv.",
     )
     return replace(fresh, notices=(notice, *fresh.notices))

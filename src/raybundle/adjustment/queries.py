@@ -1,0 +1,206 @@
+"""Questions to a finished adjustment: any covariance, another datum, separability; nothing is adjusted again."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from raybundle.adjustment.assemble import State, System
+from raybundle.adjustment.datum import Datum, Transformation, transformation
+from raybundle.adjustment.normals import Normals
+from raybundle.adjustment.precision import Cofactors, angle_form, image_unknowns, interior_unknowns, precision
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array
+from raybundle.sensors import sensor_models
+
+if TYPE_CHECKING:
+    from raybundle.adjustment.engine import Work
+    from raybundle.adjustment.result import Adjustment, ObservationStatistics, Precision
+
+SUSPECTS = 20
+"""Largest number of suspects whose separability is listed."""
+
+
+def covariance_between(result: Adjustment, first: str, second: str) -> Array:
+    """Covariance (k, l) between any two of: object points, images, cameras; a-posteriori, in the result's datum.
+
+    first, second  "point:7", "image:DSC01", "camera:1"; components X, Y, Z; X, Y, Z, omega, phi, kappa [rad];
+                   the free parameters of the camera in their order
+    raises         InputError for names that took no part
+
+    One solution of the normal equations, not a read-out: it exists for every pair, near or far.
+    """
+    work, state = _work(result)
+    system = work.system
+    a, Da = _selection(system, state, first)
+    b, Db = _selection(system, state, second)
+    nodes = np.zeros((int(system.offsets[-1]), len(a)))
+    points = np.zeros((*state.xyz.shape, len(a)))
+    for k, (kind, at, axis) in enumerate(a):
+        if kind == "point":
+            points[at, axis, k] = 1
+        else:
+            nodes[at, k] = 1
+    nodes, points = work.normals.solve(state, nodes, points)
+    t = work.found.transformation if work.found else None
+    if t is not None:
+        Ga, Ha = _gauge(system, t, a)
+        nodes, points = (
+            Q - G @ t.middle @ Ha.T - H @ t.middle.T @ Ga.T + G @ (t.middle @ t.inner @ t.middle.T) @ Ga.T
+            for Q, G, H in ((nodes, t.nodes, t.nodes_h), (points, t.points, t.points_h))
+        )
+    C = np.array([points[at, axis] if kind == "point" else nodes[at] for kind, at, axis in b]).T
+    return _variance(result) * Da @ C @ Db.T
+
+
+def precision_in_datum(result: Adjustment, datum_points: tuple[str, ...]) -> Precision:
+    """Covariances of points, images and cameras under inner constraints over these points (S-transformation).
+
+    Only what the observations leave open is taken from the points; residuals and sigma0 do not change.
+    """
+    work, state = _work(result)
+    index = {name: i for i, name in enumerate(work.system.block.points.ids)}
+    missing = [p for p in datum_points if p not in index or not work.system.points_used[index[p]]]
+    if missing:
+        raise InputError(f"datum points that take no part in the adjustment: {', '.join(missing[:10])}")
+    if work.datum.defect == 0:
+        raise InputError("the datum of this block is fixed by its observations; there is nothing to transform")
+    carriers = np.zeros(len(index), bool)
+    carriers[[index[p] for p in datum_points]] = True
+    datum = Datum(
+        kind="inner", basis=work.datum.basis, centre=work.datum.centre, extent=work.datum.extent, carriers=carriers
+    )
+    change = transformation(work.normals, state, datum)
+    assert change is not None
+    assert work.found is not None
+    points = change.apply(work.found.points_minimal, change.points, change.points_h, change.points, change.points_h)
+    found = Cofactors(work.found.inverse, change, work.found.points_minimal, points, work.found.hat, work.found.effect)
+    return precision(work.normals, state, found, _variance(result))
+
+
+def _work(result: Adjustment) -> tuple[Work, State]:
+    if result.work is None or result.work.state is None:
+        raise InputError("the adjustment was made without statistics; adjust with AdjustmentOptions(statistics=True)")
+    return result.work, result.work.state
+
+
+def _variance(result: Adjustment) -> float:
+    return result.sigma0**2 if result.redundancy > 0 else 1.0
+
+
+def _selection(system: System, state: State, name: str) -> tuple[list[tuple[str, int, int]], Array]:
+    """Scalar unknowns of a named object and the derivative of its shown components by them."""
+    kind, _, identity = name.partition(":")
+    block = system.block
+    if kind == "point" and identity in block.points.ids:
+        p = block.points.ids.index(identity)
+        if system.points_used[p]:
+            if system.point_node[p] >= 0:
+                start = int(system.offsets[system.point_node[p]])
+                return [("node", start + e, e) for e in range(3)], np.eye(3)
+            return [("point", p, e) for e in range(3)], np.eye(3)
+    if kind == "image" and identity in block.images.ids:
+        i = block.images.ids.index(identity)
+        if system.images_used[i] and system.exterior_free[i]:
+            unknowns = image_unknowns(system, i)
+            return [("node", int(u), 0) for u in unknowns], angle_form(state.rotation[i])
+    if kind == "camera":
+        for row in system.interior:
+            if row.key(block) == identity and row.node >= 0:
+                unknowns = interior_unknowns(system, row)
+                return [("node", int(u), 0) for u in unknowns], np.eye(len(unknowns))
+    raise InputError(
+        f"{name!r} is no unknown of this adjustment; give point:ID, image:ID or camera:ID of what is estimated"
+    )
+
+
+def _gauge(system: System, t: Transformation, chosen: list[tuple[str, int, int]]) -> tuple[Array, Array]:
+    del system
+    G = np.array([t.points[at, axis] if kind == "point" else t.nodes[at] for kind, at, axis in chosen])
+    H = np.array([t.points_h[at, axis] if kind == "point" else t.nodes_h[at] for kind, at, axis in chosen])
+    return G, H
+
+
+def suspects(
+    work: Work, state: State, statistics: ObservationStatistics, critical: float
+) -> tuple[tuple[str, str, float, float], ...]:
+    """Suspects and their separability: image, point, |w|, and the largest correlation of w with another suspect's.
+
+    Correlation of the test values (Förstner 1983): near 1 the test cannot tell which of the two is wrong.
+    """
+    system = work.system
+    size = np.nan_to_num(np.abs(statistics.t[system.rows]))
+    chosen = np.argsort(-size.max(axis=1), kind="stable")[:SUSPECTS]
+    chosen = chosen[size[chosen].max(axis=1) > critical]
+    if not len(chosen):
+        return ()
+    axis = size[chosen].argmax(axis=1)
+    Q = _residual_cofactor(work, state, chosen, axis)
+    s = np.sqrt(np.maximum(np.diagonal(Q), 1e-300))
+    rho = np.abs(Q / np.outer(s, s))
+    np.fill_diagonal(rho, 0)
+    block = system.block
+    w = np.abs(statistics.w[system.rows])
+    rows = system.rows[chosen]
+    return tuple(
+        (
+            block.images.ids[block.observations.image[r]],
+            block.points.ids[block.observations.point[r]],
+            float(w[k, a]),
+            float(rho[i].max()) if len(chosen) > 1 else 0.0,
+        )
+        for i, (r, k, a) in enumerate(zip(rows, chosen, axis, strict=True))
+    )
+
+
+def _residual_cofactor(work: Work, state: State, chosen: Array, axis: Array) -> Array:
+    """Cofactors (k, k) of whitened residuals: I - A Q A'."""
+    normals: Normals = work.normals
+    system = work.system
+    nodes = np.zeros((int(system.offsets[-1]), len(chosen)))
+    points = np.zeros((*state.xyz.shape, len(chosen)))
+    for k, (row, a) in enumerate(zip(chosen, axis, strict=True)):
+        at, values, point, by_point = design_row(system, state, int(row), int(a))
+        nodes[at, k] = values
+        points[point, :, k] = by_point
+    result = np.eye(len(chosen))
+    for start in range(0, len(chosen), 16):
+        part = slice(start, start + 16)
+        x, y = normals.solve(state, np.ascontiguousarray(nodes[:, part]), np.ascontiguousarray(points[:, :, part]))
+        result[:, part] -= nodes.T @ x + np.einsum("pek,pel->kl", points, y)
+    return result
+
+
+def design_row(system: System, state: State, row: int, axis: int) -> tuple[Array, Array, int, Array]:
+    """One whitened row of the design matrix: node unknowns (k,), their derivatives (k,), point, derivatives (3,).
+
+    Derivatives of a retained point stand with the point here; `Normals.solve` moves them to its node.
+    """
+    block = system.block
+    o = system.rows[row]
+    image, point = int(block.observations.image[o]), int(block.observations.point[o])
+    interior = system.interior[int(system.interior_of_image[image])]
+    model = sensor_models[interior.model.name]
+    values = state.interior[int(system.interior_of_image[image]), : len(model.symbols)]
+    R = state.rotation[image]
+    P = R @ (state.xyz[point] - state.centre[image])
+    xy = system.xy_mm[row]
+    if not system.corrected[block.images.camera[image]]:
+        xy = model.solve(P[:, None], values[:, None], xy[:, None].copy())[0][:, 0]
+    _, J = model.condition_and_jacobian(*xy, *P, *values)
+    B = np.eye(2) if system.corrected[block.images.camera[image]] else J[:, :2]
+    D = -np.linalg.solve(B, J[:, 2:])
+    w = system.whiten[row]
+    D = np.array([[w[0], 0.0], [w[1], w[2]]])[axis] @ D
+    by_point = D[:3] @ R
+    columns: list[Array] = []
+    unknowns: list[Array] = []
+    if system.exterior_free[image]:
+        unknowns.append(image_unknowns(system, image))
+        columns.append(np.concatenate([-by_point, np.cross(P, D[:3])]))
+    if interior.node >= 0:
+        unknowns.append(interior_unknowns(system, interior))
+        columns.append(D[3:][list(interior.free)])
+    at = np.concatenate(unknowns) if unknowns else np.zeros(0, int)
+    return at, np.concatenate(columns) if columns else np.zeros(0), point, np.where(system.held[point], 0.0, by_point)

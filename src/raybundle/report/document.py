@@ -1,0 +1,86 @@
+"""The report: one HTML file with everything in it, written from an adjustment."""
+
+from __future__ import annotations
+
+from datetime import UTC, datetime
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from jinja2 import Environment, PackageLoader, StrictUndefined
+
+from raybundle.adjustment.result import Adjustment
+from raybundle.numerics.progress import Progress, silent
+from raybundle.report.parts import Section
+from raybundle.report.section_control import control_section
+from raybundle.report.section_interior import interior_section
+from raybundle.report.section_network import network_section, precision_section
+from raybundle.report.section_reliability import reliability_section
+from raybundle.report.section_residuals import residual_section
+from raybundle.report.section_result import result_section, summary_section
+from raybundle.report.section_tables import provenance_section, tables_section
+from raybundle.report.view import view_of
+from raybundle.report.words import verdict
+
+
+@cache
+def environment() -> Environment:
+    """The templates of the package; every text is escaped, a missing name is an error."""
+    return Environment(
+        loader=PackageLoader("raybundle.report", "templates"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+
+
+def page(*, title: str, subtitle: str, headline: str, grade: str, sections: tuple[Section, ...]) -> str:
+    """A whole HTML page with a table of contents."""
+    context: dict[str, Any] = {
+        "title": title,
+        "subtitle": subtitle,
+        "headline": headline,
+        "grade": grade,
+        "sections": sections,
+        "written": datetime.now(UTC).astimezone().strftime("%Y-%m-%d %H:%M"),
+    }
+    return environment().get_template("page.html.j2").render(context)
+
+
+def write_report(adjustment: Adjustment, path: str | Path, progress: Progress = silent) -> None:
+    """Write report.html: one file that needs no other, no network and no font.
+
+    adjustment  any result: without statistics, control or redundancy the parts that need them say so
+    path        the file; its folder exists; an older file is overwritten
+
+    Long tables and dense figures are thinned evenly and say so; the result folder's tables hold every row.
+    """
+    view = view_of(adjustment)
+    told = verdict(view)
+    steps = (
+        ("result", lambda: result_section(view, told)),
+        ("summary", lambda: summary_section(view)),
+        ("precision", lambda: precision_section(view)),
+        ("control", lambda: control_section(view)),
+        ("interior orientation", lambda: interior_section(view)),
+        ("residuals", lambda: residual_section(view)),
+        ("reliability", lambda: reliability_section(view)),
+        ("network", lambda: network_section(view)),
+        ("tables", lambda: tables_section(view)),
+        ("settings", lambda: provenance_section(view)),
+    )
+    sections: list[Section] = []
+    for k, (name, make) in enumerate(steps):
+        progress(f"report: {name}", k / len(steps))
+        sections.append(make())
+    block = adjustment.given
+    html = page(
+        title=f"Adjustment of {block.name}",
+        subtitle=block.about or block.source,
+        headline=told.headline,
+        grade=told.grade,
+        sections=tuple(sections),
+    )
+    Path(path).write_text(html, encoding="utf-8")
+    progress("report", 1.0)

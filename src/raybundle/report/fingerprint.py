@@ -1,0 +1,77 @@
+"""Fingerprints of the input and versions of the software, so that a result can be repeated."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import platform
+from collections.abc import Sequence
+from importlib.metadata import PackageNotFoundError, version
+
+import numpy as np
+
+from raybundle.block import Block
+from raybundle.numerics import native
+from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.report.numbers import grouped
+
+
+def fingerprint(*parts: Array | Index | Mask | Sequence[str]) -> str:
+    """SHA-256 of arrays and texts, in an order of bytes that is the same on every machine.
+
+    Arrays count with their shape and as doubles, -0 as 0 and every NaN as the same: equal tables have equal fingerprints.
+    """
+    digest = hashlib.sha256()
+    for part in parts:
+        if isinstance(part, np.ndarray):
+            numbers = np.ascontiguousarray(part, "<f8") + 0.0
+            numbers[np.isnan(numbers)] = np.nan
+            digest.update(f"array {part.shape}\0".encode())
+            digest.update(numbers.tobytes())
+        else:
+            digest.update(json.dumps(list(part)).encode())
+    return digest.hexdigest()
+
+
+def fingerprints(block: Block) -> list[tuple[str, str, str]]:
+    """Name, number of rows and fingerprint of each table of a block."""
+    i, o, p, d, s = block.images, block.observations, block.points, block.distances, block.stations
+    cameras = [
+        json.dumps([
+            c.id, c.model, c.width_px, c.height_px, c.pixel_mm, sorted(c.values.items()), c.estimate, sorted(c.sigma.items()),
+            c.interior,
+        ])
+        for c in block.cameras
+    ]  # fmt: skip
+    held = np.zeros(len(i), bool) if i.held is None else i.held
+    own = [json.dumps([k, sorted(v.items())]) for k, v in sorted(i.interior.items())]
+    rows = [
+        ("cameras", len(block.cameras), fingerprint([block.length_unit, block.residuals], cameras)),
+        ("images", len(i), fingerprint(i.ids, i.camera, i.centre, i.rotation, held, own)),
+        ("observations", len(o), fingerprint(o.image, o.point, o.xy_px, o.cov_px2)),
+        ("points", len(p), fingerprint(p.ids, p.role, p.xyz, p.sigma)),
+    ]
+    if len(d):
+        rows.append(("distances", len(d), fingerprint(d.start, d.end, d.length, d.sigma)))
+    if len(s):
+        rows.append(("stations", len(s), fingerprint(s.image, s.xyz, s.sigma)))
+    return [(name, grouped(count), print_) for name, count, print_ in rows]
+
+
+def versions() -> dict[str, str]:
+    """Versions of what computed the result."""
+
+    def of(package: str) -> str:
+        try:
+            return version(package)
+        except PackageNotFoundError:
+            return "not installed"
+
+    return {
+        "raybundle": of("raybundle"),
+        "kernel": "native" if native.available() else "NumPy (no native kernel: slower, same results)",
+        "Python": platform.python_version(),
+        "NumPy": of("numpy"),
+        "SciPy": of("scipy"),
+        "machine": f"{platform.system()} {platform.machine()}",
+    }

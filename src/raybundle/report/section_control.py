@@ -1,0 +1,172 @@
+"""Section: control, check points, scale bars, observed projection centres and parameters, variance components."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from raybundle.adjustment.result import ObservationGroup
+from raybundle.numerics.arrays import Array
+from raybundle.report.numbers import NONE, cells, column_decimals, counted, fixed, grouped, significant
+from raybundle.report.parts import Folded, Heading, Paragraph, Part, Section, Table, number, pick, table, text
+from raybundle.report.view import View, rms
+from raybundle.report.words import expected_check_std
+
+KINDS = (
+    ("control", "Control points", "point", "control.csv"),
+    ("distance", "Scale bars", "from–to", "distances.csv"),
+    ("station", "Observed projection centres", "image", "stations.csv"),
+    ("parameter", "Observed parameters of the interior orientation", "camera", "result.json"),
+)
+
+
+def control_section(view: View) -> Section:
+    """What was given besides image points, and what became of it."""
+    parts: list[Part] = []
+    for kind, title, what, rest in KINDS:
+        for g in view.adjustment.groups:
+            if g.kind == kind and len(g.ids):
+                parts += [Heading(text=title), *_group(view, g, what, rest)]
+    parts += _check(view)
+    if not parts:
+        parts.append(Paragraph(text="Neither control, check points, scale bars nor projection centres were given."))
+    parts += _components(view)
+    return Section(anchor="control", title="Control, check points and groups of observations", parts=tuple(parts))
+
+
+def _group(view: View, g: ObservationGroup, what: str, rest: str) -> list[Part]:
+    weighted = g.sigma > 0
+    length = g.kind != "parameter"
+    factor, unit = (view.factor, view.unit) if length else (1.0, "")
+    parts: list[Part] = []
+    if weighted.any():
+        v = g.residual[weighted] * factor
+        parts.append(
+            Paragraph(
+                text=f"{counted(int(weighted.sum()), 'value')} observed, rms residual {significant(rms(v))} {unit}, largest "
+                f"{significant(float(np.nanmax(np.abs(v))))} {unit}; {grouped(int((~weighted).sum()))} held."
+            )
+        )
+    else:
+        text_ = f"{counted(len(g.ids), 'coordinate')} held as given; they have no residuals of their own."
+        return [Paragraph(text=text_), Folded(summary="Held coordinates", parts=(_held_table(view, g),))]
+    parts.append(_group_table(view, g, what, rest, factor, unit))
+    return parts
+
+
+def _held_table(view: View, g: ObservationGroup) -> Table:
+    """Given coordinates that were held, a point a row; a dash where one was not given."""
+    ids = list(dict.fromkeys(g.ids))
+    given = dict(zip(zip(g.ids, g.component, strict=True), g.given.tolist(), strict=True))
+    columns = [[given.get((i, axis), math.nan) for i in ids] for axis in "XYZ"]
+    return table(
+        (text("point"), *(number(axis, view.length_unit) for axis in "XYZ")),
+        (ids, *(cells(c, 4 if view.length_unit == "m" else 2) for c in columns)),
+        rest="control.csv",
+    )
+
+
+def _group_table(view: View, g: ObservationGroup, what: str, rest: str, factor: float, unit: str) -> Table:
+    if g.kind == "parameter":
+        given, adjusted = ([significant(float(v), 6) for v in column] for column in (g.given, g.adjusted))
+        sigma, std, v, mdb = (
+            [significant(float(x), 3) for x in column] for column in (g.sigma, g.adjusted_std, g.residual, g.mdb)
+        )
+    else:
+        fine = column_decimals(np.concatenate([g.sigma, g.adjusted_std]) * factor)
+        coarse = fine + round(math.log10(factor))
+        given, adjusted = (cells(column.tolist(), coarse) for column in (g.given, g.adjusted))
+        sigma, std, v, mdb = (
+            cells((column * factor).tolist(), fine) for column in (g.sigma, g.adjusted_std, g.residual, g.mdb)
+        )
+    limit = view.adjustment.critical_w * max(view.scale, 1.0)
+    beyond = np.flatnonzero(np.abs(np.nan_to_num(g.w)) > limit).tolist()
+    length = view.length_unit if g.kind != "parameter" else ""
+    return table(
+        (
+            text(what), text(""), number("given", length), number("sigma", unit), number("adjusted", length),
+            number("sigma", unit), number("residual", unit), number("r"), number("w"), number("τ"), number("mdb", unit), *([text("")] if any(g.rejected) else []),
+        ),
+        (
+            g.ids, g.component, given, ["held" if s == 0 else t for s, t in zip(g.sigma, sigma, strict=True)], adjusted,
+            [NONE if s == 0 else t for s, t in zip(g.sigma, std, strict=True)],
+            [NONE if s == 0 else t for s, t in zip(g.sigma, v, strict=True)],
+            [NONE if s == 0 else t for s, t in zip(g.sigma, cells(g.redundancy.tolist(), 3), strict=True)],
+            cells(g.w.tolist(), 2), cells(g.t.tolist(), 2), mdb, *([g.rejected] if any(g.rejected) else []),
+        ),
+        note="Residual: adjusted minus given; mdb: smallest detectable blunder." + (" Marked: |w| beyond its family-wise critical value." if beyond else ""),
+        rest=rest,
+        marked=beyond,
+    )  # fmt: skip
+
+
+def _check(view: View) -> list[Part]:
+    rows = view.check_rows
+    if not len(rows):
+        return []
+    difference = view.check_difference * view.factor
+    std = expected_check_std(view)
+    given = view.given.points
+    fine = column_decimals(std) if np.isfinite(std).any() else 3
+    coarse = fine + round(math.log10(view.factor))
+    ratio = np.abs(difference) / std
+    body = table(
+        (
+            text("point"), *(number(axis, view.length_unit) for axis in "XYZ"), *(number(f"d{axis}", view.unit) for axis in "XYZ"),
+            *(number(f"sigma d{axis}", view.unit) for axis in "XYZ"), number("largest |d| / sigma"), number("rays"),
+        ),
+        (
+            pick(rows, given.ids), *(cells(given.xyz[rows, k].tolist(), coarse) for k in range(3)),
+            *(cells(difference[:, k].tolist(), fine) for k in range(3)), *(cells(std[:, k].tolist(), fine) for k in range(3)),
+            cells(np.where(np.isfinite(ratio).any(axis=1), np.max(np.nan_to_num(ratio), axis=1), np.nan).tolist(), 2),
+            [grouped(float(view.rays[i])) for i in rows],
+        ),
+        note="d: adjusted minus given; its sigma holds that of the adjusted and that of the given coordinate. Check points took no part "
+        "as control.",
+        rest="check.csv",
+        marked=np.flatnonzero(np.max(np.nan_to_num(ratio), axis=1) > 3.29).tolist(),
+    )  # fmt: skip
+    return [Heading(text="Check points"), _check_summary(difference, std, view.unit), body]
+
+
+def _check_summary(difference: Array, std: Array, unit: str) -> Table:
+    rows: list[Sequence[str]] = []
+    for k, axis in enumerate("XYZ"):
+        d = difference[np.isfinite(difference[:, k]), k]
+        if len(d):
+            ratio = rms(difference[:, k] / std[:, k])
+            largest = float(np.abs(d).max())
+            rows.append(
+                [axis, grouped(len(d)), *(significant(v) for v in (float(d.mean()), rms(d), largest)), fixed(ratio, 2)]
+            )
+    return table(
+        (
+            text("coordinate"), number("points"), number("mean", unit), number("rms", unit), number("largest", unit),
+            number("rms of d / sigma"),
+        ),
+        zip(*rows, strict=True) if rows else [[] for _ in range(6)],
+    )  # fmt: skip
+
+
+def _components(view: View) -> list[Part]:
+    """Variance components but those of single images, which stand with the residuals."""
+    found = [v for v in view.adjustment.variance_components if v.kind != "image"]
+    strange = sum(1 for v in view.adjustment.variance_components if v.kind == "image" and v.significant)
+    if not found:
+        return []
+    body = table(
+        (
+            text("observations"), text("group"), number("number"), number("redundancy"), number("σ a posteriori / a priori"), text(""),
+        ),
+        (
+            [v.kind for v in found], [v.group for v in found], [grouped(v.count) for v in found],
+            cells([v.redundancy for v in found], 1), cells([v.ratio for v in found], 3),
+            ["differs from σ₀ (1 %)" if v.significant else "" for v in found],
+        ),
+        note="A group whose ratio differs from σ₀ is weighted too high (ratio above) or too low (below): change its a-priori sigma. "
+        "Förstner 1979."
+        + (f" {counted(strange, 'image')} differ on their own, see the table of images under “Residuals”." if strange else ""),
+    )  # fmt: skip
+    return [Heading(text="Variance components"), body]

@@ -1,0 +1,161 @@
+"""Covariances of any pair, other datums and separability, against dense linear algebra."""
+
+import functools
+
+import numpy as np
+import pytest
+
+from raybundle.adjustment.engine import adjust_block
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.queries import covariance_between, design_row, precision_in_datum
+from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.errors import InputError
+from raybundle.workflows.adjust import adjust
+
+SCENE = field_scene(TargetField(rows=4, columns=6, stations=5, frontal=1))
+
+
+@functools.cache
+def adjusted(**survey):
+    block = simulate(SCENE, Survey(points="exact", orientation="exact", interior="exact", **survey)).observed
+    return adjust_block(block, AdjustmentOptions())
+
+
+@functools.cache
+def dense(scale_bars):
+    """Cofactor of all unknowns (nodes, points) by the bordered normal matrix with inner constraints over all points."""
+    result = adjusted(scale_bars=scale_bars)
+    work = result.work
+    system, state = work.system, work.state
+    n, p = int(system.offsets[-1]), len(system.points_used)
+    A = np.zeros((2 * len(system.rows) + len(system.extra), n + 3 * p))
+    held, system.held = system.held, system.control_held  # no minimal datum here
+    for row in range(len(system.rows)):
+        for axis in range(2):
+            at, values, point, by_point = design_row(system, state, row, axis)
+            A[2 * row + axis, at] = values
+            A[2 * row + axis, n + 3 * point : n + 3 * point + 3] = by_point
+    entries = work.normals.extra(state)
+    for row, unknown, value in zip(entries.row, entries.unknown, entries.value, strict=True):
+        node = int(np.searchsorted(system.offsets, unknown, side="right") - 1)
+        point = int(np.flatnonzero(system.point_node == node)[0])
+        A[2 * len(system.rows) + row, n + 3 * point + unknown - system.offsets[node]] += value
+    system.held = held
+    t = work.found.transformation
+    G = np.concatenate([t.nodes, t.points.reshape(-1, t.nodes.shape[1])])
+    BG = np.concatenate([np.zeros_like(t.nodes), t.points.reshape(-1, t.nodes.shape[1])])
+    keep = np.abs(A).sum(axis=0) > 0
+    N = A[:, keep].T @ A[:, keep]
+    s = 1 / np.sqrt(np.diagonal(N))
+    g = BG[keep] * s[:, None]
+    g = g / np.linalg.norm(g, axis=0)
+    size = len(N)
+    bordered = np.block([[N * np.outer(s, s), g], [g.T, np.zeros((g.shape[1],) * 2)]])
+    Q = np.linalg.inv(bordered)[:size, :size] * np.outer(s, s)
+    full = np.zeros((n + 3 * p,) * 2)
+    full[np.ix_(keep, keep)] = Q
+    assert np.abs(A[:, keep] @ G[keep]).max() < 1e-6 * np.abs(A).max()
+    return result, full, n
+
+
+@pytest.mark.parametrize("scale_bars", [0, 2])
+def test_every_covariance_equals_the_bordered_inverse(scale_bars):
+    result, Q, n = dense(scale_bars)
+    system = result.work.system
+    ids = result.given.points.ids
+    points = [f"point:{ids[i]}" for i in (0, 5, 11)]
+    for a in points:
+        i = n + 3 * ids.index(a.split(":")[1])
+        for b in points:
+            j = n + 3 * ids.index(b.split(":")[1])
+            expected = Q[i : i + 3, j : j + 3] * result.sigma0**2
+            np.testing.assert_allclose(
+                covariance_between(result, a, b), expected, rtol=1e-6, atol=1e-9 * np.abs(np.diagonal(Q)[n:]).max()
+            )
+    own = covariance_between(result, "camera:1", "camera:1")
+    np.testing.assert_allclose(own, result.precision.interior["1"], rtol=1e-8)
+    row = system.interior[0]
+    at = int(system.offsets[row.node])
+    k = len(row.free)
+    np.testing.assert_allclose(own, Q[at : at + k, at : at + k] * result.sigma0**2, rtol=1e-6)
+    image = result.given.images.ids[2]
+    np.testing.assert_allclose(
+        covariance_between(result, f"image:{image}", f"image:{image}"),
+        result.precision.images[2],
+        rtol=1e-7,
+        atol=1e-22,
+    )
+    cross = covariance_between(result, "camera:1", f"image:{image}")
+    s = np.sqrt(np.outer(np.diagonal(own), np.diagonal(result.precision.images[2])))
+    np.testing.assert_allclose(cross / s, result.precision.interior_exterior["1"][2], atol=1e-7)
+
+
+def test_a_point_that_carries_a_scale_bar_has_its_covariance_too():
+    result = adjusted(scale_bars=2)
+    d = result.given.distances
+    name = result.given.points.ids[d.start[0]]
+    np.testing.assert_allclose(
+        covariance_between(result, f"point:{name}", f"point:{name}"),
+        result.precision.object_points[d.start[0]],
+        rtol=1e-6,
+    )
+
+
+def test_another_datum_without_adjusting_again():
+    block = simulate(SCENE, Survey(points="exact", orientation="exact")).observed
+    chosen = tuple(block.points.ids[i] for i in (0, 4, 9, 15, 19))
+    there = adjust_block(block, AdjustmentOptions(datum_points=chosen))
+    here = precision_in_datum(adjust_block(block, AdjustmentOptions(tolerance=1e-7)), chosen)
+    np.testing.assert_allclose(here.object_point_std, there.precision.object_point_std, rtol=1e-4)
+    back = precision_in_datum(there, block.points.ids)
+    plain = adjust_block(block, AdjustmentOptions())
+    np.testing.assert_allclose(back.object_point_std, plain.precision.object_point_std, rtol=1e-4)
+
+
+@pytest.mark.parametrize("datum", ["inner", "minimal", "auto"])
+def test_residuals_do_not_depend_on_the_datum(datum):
+    block = simulate(SCENE, Survey(points="exact", orientation="approximate")).observed
+    a = adjust(block, AdjustmentOptions(datum="auto", tolerance=1e-7))
+    b = adjust(block, AdjustmentOptions(datum=datum, tolerance=1e-7))
+    assert b.sigma0 == pytest.approx(a.sigma0, rel=1e-9)
+    np.testing.assert_allclose(a.image_observations.residuals_px, b.image_observations.residuals_px, atol=1e-9)
+    np.testing.assert_allclose(a.image_observations.redundancy, b.image_observations.redundancy, atol=1e-7)
+
+
+def test_minimal_datum_holds_as_many_coordinates_as_are_open():
+    block = simulate(SCENE, Survey(points="exact", orientation="exact")).observed
+    result = adjust_block(block, AdjustmentOptions(datum="minimal"))
+    assert int((result.precision.object_point_std == 0).sum()) == 7
+
+
+def test_two_suspects_on_one_weak_point_are_not_separable():
+    simulation = simulate(SCENE, Survey(points="exact", orientation="exact", gross_share=0.02, gross_px=30))
+    result = adjust_block(simulation.observed, AdjustmentOptions())
+    assert result.suspects
+    for image, point, w, correlation in result.suspects:
+        assert image in result.given.images.ids
+        assert point in result.given.points.ids
+        assert w > 3
+        assert 0 <= correlation <= 1 + 1e-9
+
+
+def test_unknown_names_are_refused():
+    with pytest.raises(InputError, match="no unknown"):
+        covariance_between(adjusted(), "point:nobody", "camera:1")
+
+
+def test_decisions_do_not_move_what_is_observed():
+    """Rounds of data snooping start from adjusted values; weighted control and observed parameters stay as given."""
+    from dataclasses import replace
+
+    block = simulate(
+        SCENE, Survey(points="exact", orientation="exact", control=6, control_sigma=(1e-4, 1e-4, 1e-4))
+    ).observed
+    camera = replace(block.cameras[0], sigma={"c": 0.05})
+    block = block.with_cameras(camera)
+    plain = adjust(block, AdjustmentOptions(tolerance=1e-8))
+    snooped = adjust(block, AdjustmentOptions(tolerance=1e-8, reject="snooping"))
+    assert not any(snooped.image_observations.rejected)
+    assert snooped.sigma0 == pytest.approx(plain.sigma0, rel=1e-9)
+    control = next(g for g in snooped.groups if g.kind == "control")
+    np.testing.assert_array_equal(control.given, next(g for g in plain.groups if g.kind == "control").given)

@@ -1,0 +1,17 @@
+"""Where the public data sets are."""
+
+import os
+from pathlib import Path
+
+import pytest
+
+DATA = Path(os.environ.get("RAYBUNDLE_DATA", Path(__file__).resolve().parents[2] / "shared/data"))
+
+
+@pytest.fixture(scope="session")
+def blocks():
+    """The folder of public adjustment blocks; skips where it is absent."""
+    folder = DATA / "blocks"
+    if not folder.is_dir():
+        pytest.skip("no public data: set RAYBUNDLE_DATA to the folder that holds blocks/")
+    return folder
