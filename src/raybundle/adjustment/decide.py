@@ -136,7 +136,7 @@ def _innocent(result: Adjustment) -> list[int]:
     """Rejected blunders whose residual against the present result is below the critical value."""
     from raybundle.adjustment.predict import residuals_px  # noqa: PLC0415
 
-    block = as_start(block, result.adjusted)
+    block = result.adjusted
     rows = np.array([i for i, r in enumerate(result.image_observations.rejected) if r.startswith(BLUNDER)], int)
     if not len(rows):
         return []
