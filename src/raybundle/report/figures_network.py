@@ -155,7 +155,7 @@ def _frames(plot: Plot, frusta: Array, names: list[str]) -> str:
 
 
 def _ellipse_scale(view: View, shown: Index, px_per_unit: float) -> tuple[Index, float]:
-    """Points whose ellipses are drawn, and a round enlargement that makes three quarters of them shorter than eight pixels."""
+    """Points whose ellipses are drawn, and a round enlargement; three quarters become shorter than eight pixels."""
     a = view.adjustment
     if a.precision is None:
         return np.zeros(0, np.int32), 0.0
@@ -182,7 +182,8 @@ def _ellipses(view: View, rows: Index, panel: Panel, px_per_unit: float) -> str:
     x, y = plot.x(view.adjusted.points.xyz[rows, a]), plot.y(view.adjusted.points.xyz[rows, b])
     table = zip(x.tolist(), y.tolist(), radius[:, 1].tolist(), radius[:, 0].tolist(), turn.tolist(), strict=True)
     return "".join(
-        f'<ellipse class="ellipse" rx="{major:.1f}" ry="{max(minor, 0.3):.1f}" transform="translate({u:.1f} {v:.1f})rotate({t:.0f})"/>'
+        f'<ellipse class="ellipse" rx="{major:.1f}" ry="{max(minor, 0.3):.1f}" '
+        f'transform="translate({u:.1f} {v:.1f})rotate({t:.0f})"/>'
         for u, v, major, minor, t in table
     )
 

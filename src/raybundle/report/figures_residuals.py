@@ -80,7 +80,7 @@ def reference(px_per_px: float, width: float) -> Drawing:
 
 
 def well_filled(cells: CellMeans) -> Mask:
-    """(cells,) whether a cell holds enough points for its mean to be drawn: a tenth of the typical number, three at least."""
+    """(cells,) whether a mean is drawn: three points at least, and a tenth of the typical number."""
     return cells.count >= max(3.0, 0.1 * float(np.median(cells.count[cells.count > 0])))
 
 
@@ -130,7 +130,7 @@ def redundancy_map(cells: CellMeans, camera: Camera, what: str) -> Drawing:
 
 
 def normal_histogram(tests: Array, x_label: str, what: str) -> Drawing:
-    """Histogram of normalised residuals with the standard normal curve; what lies beyond +-5 counts in the last column."""
+    """Histogram of normalised residuals with the normal curve; what lies beyond +-5 counts in the last column."""
     t = tests[np.isfinite(tests)]
     width = 0.25 if len(t) >= 1000 else 0.5
     edges = np.arange(-5.0, 5.0 + width / 2, width)

@@ -19,7 +19,8 @@ from raybundle.report.numbers import grouped
 def fingerprint(*parts: Array | Index | Mask | Sequence[str]) -> str:
     """SHA-256 of arrays and texts, in an order of bytes that is the same on every machine.
 
-    Arrays count with their shape and as doubles, -0 as 0 and every NaN as the same: equal tables have equal fingerprints.
+    Arrays count with their shape and as doubles,
+    -0 as 0 and every NaN as the same: equal tables have equal fingerprints.
     """
     digest = hashlib.sha256()
     for part in parts:
@@ -38,7 +39,8 @@ def fingerprints(block: Block) -> list[tuple[str, str, str]]:
     i, o, p, d, s = block.images, block.observations, block.points, block.distances, block.stations
     cameras = [
         json.dumps([
-            c.id, c.model, c.width_px, c.height_px, c.pixel_mm, sorted(c.values.items()), c.estimate, sorted(c.sigma.items()),
+            c.id, c.model, c.width_px, c.height_px, c.pixel_mm, sorted(c.values.items()), c.estimate,
+            sorted(c.sigma.items()),
             c.interior,
         ])
         for c in block.cameras

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -165,4 +166,4 @@ def rows_of_images(view: View) -> list[Index]:
     image = view.given.observations.image
     order = np.argsort(image, kind="stable").astype(np.int32)
     starts = np.searchsorted(image[order], np.arange(len(view.given.images) + 1))
-    return [order[a:b] for a, b in zip(starts[:-1], starts[1:], strict=True)]
+    return [order[a:b] for a, b in pairwise(starts.tolist())]

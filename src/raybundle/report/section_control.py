@@ -45,7 +45,8 @@ def _group(view: View, g: ObservationGroup, what: str, rest: str) -> list[Part]:
         v = g.residual[weighted] * factor
         parts.append(
             Paragraph(
-                text=f"{counted(int(weighted.sum()), 'value')} observed, rms residual {significant(rms(v))} {unit}, largest "
+                text=f"{counted(int(weighted.sum()), 'value')} observed, rms residual {significant(rms(v))} {unit}, "
+                "largest "
                 f"{significant(float(np.nanmax(np.abs(v))))} {unit}; {grouped(int((~weighted).sum()))} held."
             )
         )
@@ -87,7 +88,8 @@ def _group_table(view: View, g: ObservationGroup, what: str, rest: str, factor: 
     return table(
         (
             text(what), text(""), number("given", length), number("sigma", unit), number("adjusted", length),
-            number("sigma", unit), number("residual", unit), number("r"), number("w"), number("τ"), number("mdb", unit), *([text("")] if any(g.rejected) else []),
+            number("sigma", unit), number("residual", unit), number("r"), number("w"), number("τ"),
+            number("mdb", unit), *([text("")] if any(g.rejected) else []),
         ),
         (
             g.ids, g.component, given, ["held" if s == 0 else t for s, t in zip(g.sigma, sigma, strict=True)], adjusted,
@@ -96,7 +98,8 @@ def _group_table(view: View, g: ObservationGroup, what: str, rest: str, factor: 
             [NONE if s == 0 else t for s, t in zip(g.sigma, cells(g.redundancy.tolist(), 3), strict=True)],
             cells(g.w.tolist(), 2), cells(g.t.tolist(), 2), mdb, *([g.rejected] if any(g.rejected) else []),
         ),
-        note="Residual: adjusted minus given; mdb: smallest detectable blunder." + (" Marked: |w| beyond its family-wise critical value." if beyond else ""),
+        note="Residual: adjusted minus given; mdb: smallest detectable blunder." + (" Marked: |w| beyond its "
+        "family-wise critical value." if beyond else ""),
         rest=rest,
         marked=beyond,
     )  # fmt: skip
@@ -114,16 +117,19 @@ def _check(view: View) -> list[Part]:
     ratio = np.abs(difference) / std
     body = table(
         (
-            text("point"), *(number(axis, view.length_unit) for axis in "XYZ"), *(number(f"d{axis}", view.unit) for axis in "XYZ"),
+            text("point"), *(number(axis, view.length_unit) for axis in "XYZ"),
+            *(number(f"d{axis}", view.unit) for axis in "XYZ"),
             *(number(f"sigma d{axis}", view.unit) for axis in "XYZ"), number("largest |d| / sigma"), number("rays"),
         ),
         (
             pick(rows, given.ids), *(cells(given.xyz[rows, k].tolist(), coarse) for k in range(3)),
-            *(cells(difference[:, k].tolist(), fine) for k in range(3)), *(cells(std[:, k].tolist(), fine) for k in range(3)),
+            *(cells(difference[:, k].tolist(), fine) for k in range(3)),
+            *(cells(std[:, k].tolist(), fine) for k in range(3)),
             cells(np.where(np.isfinite(ratio).any(axis=1), np.max(np.nan_to_num(ratio), axis=1), np.nan).tolist(), 2),
             [grouped(float(view.rays[i])) for i in rows],
         ),
-        note="d: adjusted minus given; its sigma holds that of the adjusted and that of the given coordinate. Check points took no part "
+        note="d: adjusted minus given; its sigma holds that of the adjusted and that of the given coordinate. Check "
+        "points took no part "
         "as control.",
         rest="check.csv",
         marked=np.flatnonzero(np.max(np.nan_to_num(ratio), axis=1) > 3.29).tolist(),
@@ -158,15 +164,17 @@ def _components(view: View) -> list[Part]:
         return []
     body = table(
         (
-            text("observations"), text("group"), number("number"), number("redundancy"), number("σ a posteriori / a priori"), text(""),
+            text("observations"), text("group"), number("number"), number("redundancy"),
+            number("σ a posteriori / a priori"), text(""),
         ),
         (
             [v.kind for v in found], [v.group for v in found], [grouped(v.count) for v in found],
             cells([v.redundancy for v in found], 1), cells([v.ratio for v in found], 3),
             ["differs from σ₀ (1 %)" if v.significant else "" for v in found],
         ),
-        note="A group whose ratio differs from σ₀ is weighted too high (ratio above) or too low (below): change its a-priori sigma. "
+        note="A group whose ratio differs from σ₀ is weighted too high (ratio above) or too low (below): change its "
+        "a-priori sigma. "
         "Förstner 1979."
-        + (f" {counted(strange, 'image')} differ on their own, see the table of images under “Residuals”." if strange else ""),
+        + (f" {counted(strange, 'image')} differ on their own, see the images under “Residuals”." if strange else ""),
     )  # fmt: skip
     return [Heading(text="Variance components"), body]

@@ -55,7 +55,8 @@ def _title(view: View, result: InteriorResult) -> str:
     width, height = camera.size_mm
     name = name_of(result)
     return (
-        f"{name[0].upper()}{name[1:]}: model {camera.model}, {grouped(camera.width_px)} × {grouped(camera.height_px)} px, "
+        f"{name[0].upper()}{name[1:]}: model {camera.model}, {grouped(camera.width_px)} × "
+        f"{grouped(camera.height_px)} px, "
         f"{significant(width, 4)} × {significant(height, 4)} mm, pixel {significant(1000 * camera.pixel_mm[0], 4)} µm"
     )
 
@@ -91,7 +92,8 @@ def parameter_table(result: InteriorResult) -> Table:
             [_optional(p.effect_std_px, 2) for p in rows],
             [p.status for p in rows],
         ),
-        note=f"t: value over sigma. Determinability: 1 = independent of all other unknowns, near 0 = only together with them. "
+        note=f"t: value over sigma. Determinability: 1 = independent of all other unknowns, near 0 = only together "
+        "with them. "
         f"Effect: {CORNER}, of the value and of one sigma.",
         marked=[k for k, p in enumerate(rows) if p.status in {"not determinable", "not significant"}],
     )  # fmt: skip
@@ -155,7 +157,8 @@ def _correlations(view: View, result: InteriorResult) -> list[Part]:
         figures.append(
             Figure(
                 drawing=heat_map(
-                    result.free, ("X", "Y", "Z", "ω", "φ", "κ"), _largest(cross), "correlations with exterior orientation",
+                    result.free, ("X", "Y", "Z", "ω", "φ", "κ"), _largest(cross),
+                    "correlations with exterior orientation",
                     signed=False,
                 ),
                 caption="Largest |correlation| with the exterior orientation over all images of the camera.",
@@ -202,7 +205,8 @@ def _distortion(interior: Interior, reach: float, name: str) -> list[Part]:
                     reach,
                     f"radial distortion of {name}",
                 ),
-                caption="Radial correction, ideal minus measured, with its 1-sigma band where that can be seen. Balanced: the "
+                caption="Radial correction, ideal minus measured, with its 1-sigma band where that can be seen. "
+                "Balanced: the "
                 f"same distortion with the camera constant changed by {significant(100 * share, 3)} %.{beyond}",
             )
         )

@@ -37,7 +37,8 @@ def precision_section(view: View) -> Section:
     u = view.unit
     summary = table(
         (
-            text("coordinate"), number("points"), number("rms", u), number("mean", u), number("smallest", u), number("median", u),
+            text("coordinate"), number("points"), number("rms", u), number("mean", u), number("smallest", u),
+            number("median", u),
             number("95 %", u), number("largest", u), text("at point"),
         ),
         zip(*rows, strict=True),
@@ -56,7 +57,7 @@ def _histograms(std: Array, unit: str) -> tuple[Figure, ...]:
     edges = np.linspace(0, top, 26)
     return tuple(
         Figure(
-            drawing=histogram(std[:, k], f"standard deviation of {axis} [{unit}]", f"standard deviations of {axis}", edges=edges,
+            drawing=histogram(std[:, k], f"sigma {axis} [{unit}]", f"standard deviations of {axis}", edges=edges,
                               y_label="points", width=286),
             caption=f"Standard deviations of {axis}; the last column holds all larger ones.",
         )
@@ -78,7 +79,8 @@ def _weakest(view: View) -> Table:
             number("sigma Y", view.unit), number("sigma Z", view.unit),
         ),
         (
-            pick(rows, view.given.points.ids), [grouped(float(view.rays[i])) for i in rows], cells(angle[rows].tolist(), 1),
+            pick(rows, view.given.points.ids), [grouped(float(view.rays[i])) for i in rows],
+            cells(angle[rows].tolist(), 1),
             *(cells(view.std[rows, k].tolist(), decimals) for k in range(3)),
         ),
         caption="Points with the largest standard deviations",
@@ -91,7 +93,10 @@ def network_section(view: View) -> Section:
     views = network_views(view)
     if views is not None:
         where = " The coordinate system is arbitrary." if len(view.adjustment.datum_defect) == 7 else ""
-        caption = f"Plan (XY), front view (XZ) below, side view (ZY) beside it. {views.remark} Triangles: control, circles: check points.{where}"
+        caption = (
+            f"Plan (XY), front view (XZ) below, side view (ZY) beside it. {views.remark} Triangles: control, "
+            f"circles: check points.{where}"
+        )
         parts.append(Figures(figures=(Figure(drawing=views.drawing, caption=caption),)))
     network = view.adjustment.network
     if network is None:
@@ -193,7 +198,10 @@ def _roll_words(roll: Array) -> str:
     turned = int((np.abs(np.abs(good) - 90) < 30).sum())
     if turned:
         return f"Roll about the viewing axis, most frequent up; {counted(turned, 'image')} near ±90°."
-    return "Roll about the viewing axis, most frequent up. No image is rolled by 90°: principal point and decentring stay correlated."
+    return (
+        "Roll about the viewing axis, most frequent up. No image is rolled by 90°: principal point and decentring "
+        "stay correlated."
+    )
 
 
 def _pairs(view: View, n: NetworkFigures) -> list[Part]:

@@ -53,7 +53,8 @@ def _words(view: View) -> str:
         return "No image observation has a redundancy number."
     poor = int((r < POORLY).sum())
     text_ = (
-        f"The redundancy number r is the share of an observation's error that shows in its own residual. Its mean over the image "
+        f"The redundancy number r is the share of an observation's error that shows in its own residual. Its mean "
+        "over the image "
         f"coordinates is {fixed(float(r.mean()), 3)}, its smallest {fixed(float(r.min()), 3)}."
     )
     if poor:
@@ -72,7 +73,8 @@ def _figures(view: View) -> list[Part]:
         Figure(
             drawing=redundancy_map(cell_means(view, view.given.cameras[c], mask, tests), view.given.cameras[c],
                                    f"redundancy numbers over the format of camera {view.given.cameras[c].id}"),
-            caption=f"Mean redundancy number over the format, camera {view.given.cameras[c].id}; red where the observations hardly "
+            caption=f"Mean redundancy number over the format, camera {view.given.cameras[c].id}; red where the "
+            "observations hardly "
             "control one another.",
         )
         for c, mask in view.cameras()[:6]
@@ -113,19 +115,23 @@ def _detectable(view: View) -> list[Part]:
     effect = external[np.isfinite(external)]
     sizes = [float(q) for q in np.quantile(known, [0.5, 0.95, 1.0])]
     words = (
-        f"A blunder in an image coordinate is found with {per_cent(POWER)} probability at a level of {per_cent(ALPHA)} if it is larger "
-        f"than {significant(sizes[0])} px (median), {significant(sizes[1])} px (95 % of the coordinates), {significant(sizes[2])} px (all)."
+        f"A blunder in an image coordinate is found with {per_cent(POWER)} probability at a level of "
+        f"{per_cent(ALPHA)} if it is larger "
+        f"than {significant(sizes[0])} px (median), {significant(sizes[1])} px (95 % of the coordinates), "
+        f"{significant(sizes[2])} px (all)."
     )
     if len(effect) and (effect > 0).any():
         q = [float(v) for v in np.quantile(effect, [0.5, 0.95, 1.0])]
         words += (
-            f" Undetected, one of that size would move its object point by up to {significant(q[0])} {view.unit} (median), "
+            f" Undetected, one of that size would move its object point by up to {significant(q[0])} {view.unit} "
+            "(median), "
             f"{significant(q[1])} {view.unit} (95 %), {significant(q[2])} {view.unit} (largest)."
         )
     lost = 2 * int(view.used.sum()) - int(controlled.sum())
     if lost:
         words += (
-            f" Not counted: {counted(lost, 'image coordinate')} with r below {UNTESTED:g}, where practically no blunder is found "
+            f" Not counted: {counted(lost, 'image coordinate')} with r below {UNTESTED:g}, where practically no "
+            "blunder is found "
             "(along the epipolar line of points with two rays)."
         )
     worst = np.nanmax(np.nan_to_num(external, nan=-1.0), axis=1)
@@ -139,7 +145,8 @@ def _detectable(view: View) -> list[Part]:
     at = np.arange(len(rows))
     weakest = table(
         (
-            text("image"), text("point"), text("axis"), number("rays"), number("r"), number("smallest detectable", "px"),
+            text("image"), text("point"), text("axis"), number("rays"), number("r"),
+            number("smallest detectable", "px"),
             number("effect on the point", view.unit),
         ),
         (
@@ -167,7 +174,8 @@ def _largest(view: View) -> Table:
     beyond = [k for k, row in enumerate(rows) if np.nanmax(np.abs(s.t[row])) > a.critical_tau]
     return table(
         (
-            text("image"), text("point"), number("x", "px"), number("y", "px"), number("v x", "px"), number("v y", "px"),
+            text("image"), text("point"), number("x", "px"), number("y", "px"), number("v x", "px"),
+            number("v y", "px"),
             number("r x"), number("r y"), number("w x"), number("w y"), number("τ x"), number("τ y"),
             number("mdb x", "px"), number("mdb y", "px"),
         ),
@@ -175,7 +183,8 @@ def _largest(view: View) -> Table:
             images, points, *pair(o.xy_px, 1), *pair(s.residuals_px, decimals), *pair(s.redundancy, 2), *pair(s.w, 2),
             *pair(s.t, 2), *pair(s.mdb_px, 2),
         ),
-        note=f"The {grouped(len(rows))} largest |w|. w = v / (s √r) with the a-priori sigma, τ = w / σ₀; mdb: smallest detectable blunder; marked where |τ| exceeds "
+        note=f"The {grouped(len(rows))} largest |w|. w = v / (s √r) with the a-priori sigma, τ = w / σ₀; mdb: "
+        "smallest detectable blunder; marked where |τ| exceeds "
         f"its family-wise critical value {significant(a.critical_tau)}.",
         marked=beyond,
     )  # fmt: skip

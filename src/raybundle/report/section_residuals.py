@@ -8,8 +8,8 @@ import numpy as np
 
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.report.figures_residuals import (
-    caption_of,
     MOST_VECTORS,
+    caption_of,
     exaggeration,
     image_columns,
     image_vectors,
@@ -71,7 +71,8 @@ def _whole(view: View) -> Paragraph:
     x, y = (rms(v[:, k]) for k in (0, 1))
     largest = float(np.abs(v).max())
     return Paragraph(
-        text=f"Residuals are adjusted minus observed, in the pixel frame (y down). Their rms is {significant(x)} px in x and "
+        text=f"Residuals are adjusted minus observed, in the pixel frame (y down). Their rms is {significant(x)} px "
+        "in x and "
         f"{significant(y)} px in y; the largest is {significant(largest)} px."
     )
 
@@ -90,12 +91,14 @@ def _distribution(view: View, tests: Array) -> list[Part]:
                 Figure(
                     drawing=normal_histogram(t, name, "histogram of normalised residuals"),
                     caption=f"Normalised residuals {name} of {grouped(len(t))} image coordinates and the normal curve. "
-                    f"{grouped(beyond)} lie beyond 3.29, where {significant(expected, 2)} are expected; excess kurtosis "
+                    f"{grouped(beyond)} lie beyond 3.29, where {significant(expected, 2)} are expected; excess "
+                    "kurtosis "
                     f"{fixed(kurtosis, 2)}.",
                 ),
                 Figure(
                     drawing=normal_quantiles(t, name, "quantiles of normalised residuals"),
-                    caption="Their quantiles against those of the normal distribution: on the line if errors are normal; "
+                    caption="Their quantiles against those of the normal distribution: on the line if errors are "
+                    "normal; "
                     "steeper ends mean more large residuals than a normal distribution has.",
                 ),
             )
@@ -116,12 +119,14 @@ def _systematic(view: View, index: int, mask: Mask, tests: Array) -> list[Part]:
             figures=(
                 Figure(
                     drawing=mean_field(means, camera, f"mean residuals of camera {camera.id}"),
-                    caption="Residuals averaged over cells of the format, with the number of points. Shaded cells: the mean differs "
+                    caption="Residuals averaged over cells of the format, with the number of points. Shaded cells: "
+                    "the mean differs "
                     f"from zero ({fixed(100 * FAMILY, 0)} % for all cells together; residuals taken as uncorrelated).",
                 ),
                 Figure(
                     drawing=profile_figure(profile, f"mean residuals of camera {camera.id} against the radius"),
-                    caption="Mean radial (outwards) and tangential residual in rings of equal number of points, with the standard "
+                    caption="Mean radial (outwards) and tangential residual in rings of equal number of points, with "
+                    "the standard "
                     "deviation of each mean. A trend is distortion that the model lacks.",
                 ),
             )
@@ -145,8 +150,10 @@ def _systematic_words(means: CellMeans, overall: float) -> str:
         else "a small systematic part is left in places"
     )
     return (
-        f"In {grouped(beyond)} of {grouped(tested)} cells the mean residual differs from zero: {verdict}. The rms of the cell means "
-        f"is {significant(weighted, 2)} px, {per_cent(weighted / overall)} of the rms residual; the largest mean {significant(float(np.nanmax(size[full])), 2)} px."
+        f"In {grouped(beyond)} of {grouped(tested)} cells the mean residual differs from zero: {verdict}. The rms of "
+        "the cell means "
+        f"is {significant(weighted, 2)} px, {per_cent(weighted / overall)} of the rms residual; the largest mean "
+        f"{significant(float(np.nanmax(size[full])), 2)} px."
     )
 
 
@@ -204,7 +211,8 @@ def _image_table(view: View, rows: list[ImageRow]) -> Table:
     names = [images.ids[r.image] for r in rows]
     return table(
         (
-            text("image"), text("file"), number("points"), number("rejected"), number("rms x", "px"), number("rms y", "px"),
+            text("image"), text("file"), number("points"), number("rejected"), number("rms x", "px"),
+            number("rms y", "px"),
             number("largest |w| / σ₀"), number("mean r"), number("σ a posteriori / a priori"), text(""),
         ),
         (

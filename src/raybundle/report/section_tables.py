@@ -56,7 +56,8 @@ def _points(view: View) -> Table:
         ),
         (
             pick(rows, p.ids), [Role(int(r)).name.lower() for r in p.role[rows]],
-            *(cells(p.xyz[rows, k].tolist(), coarse) for k in range(3)), *(cells(std[rows, k].tolist(), fine) for k in range(3)),
+            *(cells(p.xyz[rows, k].tolist(), coarse) for k in range(3)),
+            *(cells(std[rows, k].tolist(), fine) for k in range(3)),
             [grouped(float(k)) for k in view.rays[rows]], cells(angle[rows].tolist(), 1),
         ),
         note=f"The first {grouped(MOST_ROWS)} of {total} points; all are in points.csv." if len(p) > MOST_ROWS else "",
@@ -73,13 +74,16 @@ def _images(view: View) -> Table:
     degrees = angles_deg(images)
     return table(
         (
-            text("image"), text("camera"), *(number(axis, view.length_unit) for axis in "XYZ"), *(number(s, "°") for s in "ωφκ"),
+            text("image"), text("camera"), *(number(axis, view.length_unit) for axis in "XYZ"),
+            *(number(s, "°") for s in "ωφκ"),
             *(number(f"sigma {axis}", view.unit) for axis in "XYZ"), *(number(f"sigma {s}", "°") for s in "ωφκ"),
         ),
         (
             images.ids, [a.given.cameras[int(c)].id for c in images.camera],
-            *(cells(images.centre[:, k].tolist(), coarse) for k in range(3)), *(cells(degrees[:, k].tolist(), turn) for k in range(3)),
-            *(cells(centre[:, k].tolist(), fine) for k in range(3)), *(cells(angle[:, k].tolist(), turn) for k in range(3)),
+            *(cells(images.centre[:, k].tolist(), coarse) for k in range(3)),
+            *(cells(degrees[:, k].tolist(), turn) for k in range(3)),
+            *(cells(centre[:, k].tolist(), fine) for k in range(3)),
+            *(cells(angle[:, k].tolist(), turn) for k in range(3)),
         ),
         rest="images.csv",
     )  # fmt: skip

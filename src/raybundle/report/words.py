@@ -93,12 +93,18 @@ def _state(view: View, grade: Grade) -> str:
         return "Nothing checks it: there are no more observations than unknowns."
     serious = sum(1 for n in a.notices if n.code in IMPORTANT)
     if a.sigma0 > POOR_FIT:
-        return f"But the observations contradict each other {significant(a.sigma0, 2)} times more than stated: find out why first."
+        return (
+            f"But the observations contradict each other {significant(a.sigma0, 2)} times more than stated: find "
+            "out why first."
+        )
     if grade == "attention":
         return f"{counted(serious, 'matter')} to settle before it is used: see the warnings."
     lower, value, upper = a.global_test
     if value > upper:
-        return f"The observations fit {significant(a.sigma0, 2)} times worse than stated, which these figures take into account."
+        return (
+            f"The observations fit {significant(a.sigma0, 2)} times worse than stated, which these figures take "
+            "into account."
+        )
     if value < lower:
         return f"The observations fit better than stated (σ₀ {significant(a.sigma0, 2)})."
     return "The observations fit each other and the model as stated."
@@ -158,7 +164,10 @@ def _precision(view: View) -> str:
     )
     network = a.network
     if network is not None and math.isfinite(network.relative_precision):
-        text += f" Relative precision{_relative(network.relative_precision)} of the largest extent, class: {network.precision_class}."
+        text += (
+            f" Relative precision{_relative(network.relative_precision)} of the largest extent, class: "
+            f"{network.precision_class}."
+        )
     return text
 
 
@@ -215,15 +224,20 @@ def _fit(view: View) -> str:
     lower, value, upper = a.global_test
     sigma0 = f"σ₀ = {significant(a.sigma0)} (a priori 1)"
     if lower <= value <= upper:
-        return f"{sigma0}: the residuals are as large as the stated precision of the observations says (global test at 5 %)."
+        return (
+            f"{sigma0}: the residuals are as large as the stated precision of the observations says (global test "
+            "at 5 %)."
+        )
     if value < lower:
         return (
             f"{sigma0}: the observations are more precise than stated (global test at 5 %). "
             "All standard deviations here carry the smaller value."
         )
     return (
-        f"{sigma0}: the residuals are larger than stated (global test at 5 %). Either the observations are less precise than "
-        "assumed, or the model lacks something, or blunders are left. All standard deviations here carry the larger value."
+        f"{sigma0}: the residuals are larger than stated (global test at 5 %). Either the observations are less "
+        "precise than "
+        "assumed, or the model lacks something, or blunders are left. All standard deviations here carry the larger "
+        "value."
     )
 
 
@@ -242,7 +256,8 @@ def _control(view: View) -> str:
         if len(residual):
             largest = float(np.nanmax(np.abs(residual))) * view.factor
             words.append(
-                f"{noun}: rms residual {significant(rms(residual) * view.factor)} {view.unit}, largest {significant(largest)} "
+                f"{noun}: rms residual {significant(rms(residual) * view.factor)} {view.unit}, largest "
+                f"{significant(largest)} "
                 f"{view.unit} ({grouped(len(residual))} observed{f', {grouped(held)} held' if held else ''})"
             )
         elif held:
@@ -302,28 +317,40 @@ def not_told(view: View) -> tuple[tuple[str, str], ...]:
     found = [
         (
             "Precision is not accuracy.",
-            "A standard deviation describes random errors that are independent from one image point to the next. An error common "
-            "to many of them (distortion that the model lacks, eccentric targets, refraction, an unstable camera) is not in it.",
+            (
+                "A standard deviation describes random errors that are independent from one image point to the next. An "
+                "error common "
+                "to many of them (distortion that the model lacks, eccentric targets, refraction, an unstable camera) is "
+                "not in it."
+            ),
         ),
         (
             "A small σ₀ is no proof of correct coordinates.",
-            "Residuals show only what the redundancy lets through: a share r of each error. "
-            "Blunders below the smallest detectable ones stay in the result.",
+            (
+                "Residuals show only what the redundancy lets through: a share r of each error. "
+                "Blunders below the smallest detectable ones stay in the result."
+            ),
         ),
     ]
     if not np.isfinite(view.check_difference).any():
         found.append(
             (
                 "Nothing independent was compared.",
-                "Without check points or a length that took no part, the accuracy stated here is the network's own opinion.",
+                (
+                    "Without check points or a length that took no part, the accuracy stated here is the network's own "
+                    "opinion."
+                ),
             )
         )
     if view.free_frame:
         found.append(
             (
                 "The standard deviations belong to the datum stated.",
-                "They describe the shape of the object, not its place in a superior coordinate system; differences of points, "
-                "angles and ratios of lengths are free of it.",
+                (
+                    "They describe the shape of the object, not its place in a superior coordinate system; differences "
+                    "of points, "
+                    "angles and ratios of lengths are free of it."
+                ),
             )
         )
     if view.arbitrary_scale:
@@ -334,7 +361,10 @@ def not_told(view: View) -> tuple[tuple[str, str], ...]:
         found.append(
             (
                 "Held control counts as free of error.",
-                "Its real uncertainty is missing in all standard deviations; give control with its standard deviation instead.",
+                (
+                    "Its real uncertainty is missing in all standard deviations; give control with its standard "
+                    "deviation instead."
+                ),
             )
         )
     if not any(i.free for i in a.interior):
