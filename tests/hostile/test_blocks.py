@@ -188,3 +188,12 @@ def test_an_image_with_two_points_is_named():
     keep[rows[2:]] = False
     with pytest.raises(RankDefect, match=f"image {block.images.ids[4]}"):
         adjust(with_rows(block, keep))
+
+
+def test_approximate_values_leave_control_as_given():
+    from raybundle.orientation import approximate_values
+
+    block = observed(control=5, control_sigma=(1e-4, 1e-4, np.nan), orientation="absent")
+    start = approximate_values(block).block
+    given = block.points.is_control
+    np.testing.assert_array_equal(start.points.xyz[given], block.points.xyz[given])

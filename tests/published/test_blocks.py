@@ -162,7 +162,7 @@ def test_aicon_in_the_model_of_its_own_program(blocks):
     ],
 )
 def test_blocks_without_a_published_answer_adjust_from_what_they_have(blocks, name, sigma0, c, tolerance):
-    """No orientation in riva and roma: it is found.  The figures are those of this program, kept against regressions."""
+    """Orientations are found where none are given.  The figures are those of this program, against regressions."""
     result = adjust(read_block(blocks / name))
     assert result.converged
     if sigma0 is not None:

@@ -140,8 +140,8 @@ def reject_single_rays(block: Block, reasons: tuple[str, ...], mask: Mask) -> tu
     if not mask.any():
         return reasons, mask
     left = np.bincount(block.observations.point[~mask], minlength=len(block.points))
-    control: Mask = block.points.is_control.any(axis=1)
-    lone: Mask = ~mask & (left[block.observations.point] == 1) & ~control[block.observations.point]
+    control = np.any(block.points.is_control, axis=1)
+    lone = ~mask & (left[block.observations.point] == 1) & ~control[block.observations.point]
     if not lone.any():
         return reasons, mask
     new = list(reasons)

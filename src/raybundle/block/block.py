@@ -88,8 +88,7 @@ class Images:
     @property
     def oriented(self) -> Mask:
         """(n,) whether the exterior orientation is known, if only approximately."""
-        known: Mask = np.isfinite(self.centre).all(axis=1) & np.isfinite(self.rotation).all(axis=(1, 2))
-        return known
+        return np.all(np.isfinite(self.centre), axis=1) & np.all(np.isfinite(self.rotation), axis=(1, 2))
 
     @property
     def angles(self) -> Array:

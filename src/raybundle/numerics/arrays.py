@@ -16,5 +16,5 @@ Array: TypeAlias = NDArray[Any]
 Index: TypeAlias = NDArray[Any]
 """Integers: positions in another table; -1 where there is none."""
 
-Mask: TypeAlias = Any
-"""An array of booleans, True where something holds.  (NumPy calls what .all(axis) returns a scalar or an array.)"""
+Mask: TypeAlias = NDArray[Any]
+"""Booleans: True where something holds."""

@@ -90,8 +90,7 @@ def _apply(growth: Growth, images: Mask, points: Array, scale: float, R: Array, 
     centre[images] = scale * centre[images] @ R.T + t
     rotation[images] = rotation[images] @ R.T
     xyz[points] = scale * xyz[points] @ R.T + t
-    full = growth.given_control.all(axis=1)
-    xyz[full] = growth.given_xyz[full]
+    xyz[growth.given_control] = growth.given_xyz[growth.given_control]
     growth.block = replace(
         block, images=replace(block.images, centre=centre, rotation=rotation), points=replace(block.points, xyz=xyz)
     )

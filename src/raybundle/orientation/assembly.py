@@ -63,6 +63,7 @@ def approximate_values(block: Block, progress: Progress = silent) -> Approximate
                 + "\n  Measure more common points, or give approximate values in images.csv."
             )  # fmt: skip
     growth.intersect(everything=True)
+    growth.restore_control()
     notices += growth.notices()
     progress("orienting", 1.0)
     return ApproximateValues(block=growth.block, notices=tuple(notices))

@@ -56,8 +56,8 @@ class Growth:
     @classmethod
     def of(cls, block: Block, rays: Rays) -> Growth:
         """Nothing assembled yet."""
-        coordinates: Mask = np.isfinite(block.points.xyz).all(axis=1)
-        control: Mask = block.points.is_control.all(axis=1)
+        coordinates = np.all(np.isfinite(block.points.xyz), axis=1)
+        control = np.all(block.points.is_control, axis=1)
         check = block.points.role == Role.CHECK
         order = np.argsort(rays.image, kind="stable")
         first = np.searchsorted(rays.image[order], np.arange(len(block.images) + 1))
@@ -138,7 +138,7 @@ class Growth:
         images = self.oriented if everything else self.active
         rows = np.flatnonzero(images[self.rays.image])
         point = self.rays.point[rows]
-        wanted: Mask = ~np.isfinite(block.points.xyz).all(axis=1) if everything else ~self.known & ~self._kept()
+        wanted = ~np.all(np.isfinite(block.points.xyz), axis=1) if everything else ~self.known & ~self._kept()
         rows = rows[wanted[point]]
         if not len(rows):
             return
@@ -245,6 +245,11 @@ class Growth:
         self.block = replace(self.block, images=replace(self.block.images, centre=centre, rotation=rotation))
         self.oriented &= ~lost
         self.active &= ~lost
+
+    def restore_control(self) -> None:
+        """Given control coordinates, single ones included, stand as they were given."""
+        xyz = np.where(self.given_control, self.given_xyz, self.block.points.xyz)
+        self.block = replace(self.block, points=replace(self.block.points, xyz=xyz))
 
     def notices(self) -> tuple[Notice, ...]:
         """Points that could only be given a makeshift coordinate."""

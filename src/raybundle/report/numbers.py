@@ -77,8 +77,8 @@ def with_sigma(value: float, sigma: float) -> tuple[str, str]:
     if largest >= 1e-3 and decimals <= 9:
         return fixed(value, decimals), fixed(sigma, decimals)
     exponent = math.floor(math.log10(largest))
-    left = max(decimals + exponent, 0)
-    return tuple(f"{fixed(v / 10.0**exponent, left)} × {power(exponent)}" for v in (value, sigma))  # type: ignore[return-value]
+    left, ten = max(decimals + exponent, 0), power(exponent)
+    return f"{fixed(value / 10.0**exponent, left)} × {ten}", f"{fixed(sigma / 10.0**exponent, left)} × {ten}"
 
 
 def probability(p: float) -> str:

@@ -311,74 +311,38 @@ def important(notice: Notice) -> bool:
     return notice.code in IMPORTANT
 
 
+INDEPENDENT_ERRORS = """\
+A standard deviation describes random errors that are independent from one image point to the next. An error common to \
+many of them (distortion that the model lacks, eccentric targets, refraction, an unstable camera) is not in it."""
+HIDDEN_BLUNDERS = """\
+Residuals show only what the redundancy lets through: a share r of each error. Blunders below the smallest detectable \
+ones stay in the result."""
+NO_COMPARISON = """\
+Without check points, or a length that took no part, the accuracy stated here is the network's own opinion."""
+DATUM_OF_SIGMAS = """\
+They describe the shape of the object, not its place in a superior coordinate system; distances and angles are free of \
+it."""
+NO_SCALE = "The scale was chosen, not measured; give a scale bar or two control points."
+HELD_CONTROL = """\
+Its real uncertainty is missing in all standard deviations; give control with its standard deviation instead."""
+HELD_INTERIOR = "It was held; what is wrong with it goes into the object coordinates unseen."
+AFTER_REJECTION = "σ₀ after data snooping is estimated from the observations that were kept."
+
+
 def not_told(view: View) -> tuple[tuple[str, str], ...]:
     """What the numbers of this report do not tell."""
     a = view.adjustment
-    found = [
-        (
-            "Precision is not accuracy.",
-            (
-                "A standard deviation describes random errors that are independent from one image point to the next. An "
-                "error common "
-                "to many of them (distortion that the model lacks, eccentric targets, refraction, an unstable camera) is "
-                "not in it."
-            ),
-        ),
-        (
-            "A small σ₀ is no proof of correct coordinates.",
-            (
-                "Residuals show only what the redundancy lets through: a share r of each error. "
-                "Blunders below the smallest detectable ones stay in the result."
-            ),
-        ),
-    ]
-    if not np.isfinite(view.check_difference).any():
-        found.append(
-            (
-                "Nothing independent was compared.",
-                (
-                    "Without check points or a length that took no part, the accuracy stated here is the network's own "
-                    "opinion."
-                ),
-            )
-        )
-    if view.free_frame:
-        found.append(
-            (
-                "The standard deviations belong to the datum stated.",
-                (
-                    "They describe the shape of the object, not its place in a superior coordinate system; differences "
-                    "of points, "
-                    "angles and ratios of lengths are free of it."
-                ),
-            )
-        )
-    if view.arbitrary_scale:
-        found.append(
-            ("No length is absolute.", "The scale was chosen, not measured; give a scale bar or two control points.")
-        )
-    if any((g.sigma == 0).any() for g in a.groups if g.kind == "control"):
-        found.append(
-            (
-                "Held control counts as free of error.",
-                (
-                    "Its real uncertainty is missing in all standard deviations; give control with its standard "
-                    "deviation instead."
-                ),
-            )
-        )
-    if not any(i.free for i in a.interior):
-        found.append(
-            (
-                "The interior orientation counts as free of error.",
-                "It was held; what is wrong with it goes into the object coordinates unseen.",
-            )
-        )
-    if len(view.rejected) and a.options.reject == "snooping":
-        found.append(
-            (
-                "What is left after rejection looks better than it is.",
-                "σ₀ after data snooping is estimated from the observations that were kept.",
-            )
-        )
-    return tuple(found)
+    held = any((g.sigma == 0).any() for g in a.groups if g.kind == "control")
+    compared = bool(np.isfinite(view.check_difference).any())
+    snooped = len(view.rejected) > 0 and a.options.reject == "snooping"
+    found = (
+        (True, "Precision is not accuracy.", INDEPENDENT_ERRORS),
+        (True, "A small σ₀ is no proof of correct coordinates.", HIDDEN_BLUNDERS),
+        (not compared, "Nothing independent was compared.", NO_COMPARISON),
+        (view.free_frame, "The standard deviations belong to the datum stated.", DATUM_OF_SIGMAS),
+        (view.arbitrary_scale, "No length is absolute.", NO_SCALE),
+        (held, "Held control counts as free of error.", HELD_CONTROL),
+        (not any(i.free for i in a.interior), "The interior orientation counts as free of error.", HELD_INTERIOR),
+        (snooped, "What is left after rejection looks better than it is.", AFTER_REJECTION),
+    )
+    return tuple((title, sentence) for applies, title, sentence in found if applies)

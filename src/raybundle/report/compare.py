@@ -1,0 +1,410 @@
+"""Two result folders side by side: statistics, interior orientations, points after a similarity, images, warnings."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, cast
+
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.io.tables import Table as Csv
+from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.rotation import rotation_from_angles
+from raybundle.numerics.transform import Similarity, similarity
+from raybundle.report.numbers import (
+    NONE,
+    cells,
+    column_decimals,
+    counted,
+    fixed,
+    grouped,
+    listed,
+    significant,
+    unit_text,
+    with_sigma,
+)
+from raybundle.report.parts import Folded, Heading, Paragraph, Part, Section, Table, number, pick, table, text
+from raybundle.report.result_folder import ResultFolder
+from raybundle.report.view import rms
+
+LIMIT = 3.29
+"""Differences beyond so many combined standard deviations stand out."""
+LARGEST = 25
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Common:
+    """Rows with the same id in two tables."""
+
+    ids: tuple[str, ...]
+    first: Index
+    second: Index
+    only_first: tuple[str, ...]
+    only_second: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PointDifferences:
+    """Second minus first, after the second was laid onto the first."""
+
+    ids: tuple[str, ...]
+    difference: Array
+    """(n, 3) length unit of the first"""
+    std: Array
+    """(n, 3) combined standard deviation, the two results taken as independent; NaN where one has none"""
+    fit: Similarity | None
+    """The similarity; None where the two were compared as they stand"""
+
+
+def write_comparison(first: ResultFolder, second: ResultFolder, path: str | Path) -> None:
+    """Write one self-contained HTML file that puts two results side by side.
+
+    first, second  what `read_result` returns
+    path           the file; its folder exists
+
+    Differences are second minus first.  Combined standard deviations take the two results as independent: for two
+    adjustments of the same observations real differences should be much smaller.
+    """
+    from raybundle.report.document import page  # noqa: PLC0415  (Jinja2 only where it is used)
+
+    points = common_rows(first.points.text["point"], second.points.text["point"])
+    differences = [
+        compared for fitted in (True, False) if (compared := _compared(first, second, points, fitted=fitted))
+    ]
+    sections = (
+        Section(anchor="summary", title="Side by side", parts=_summary(first, second)),
+        Section(anchor="interior", title="Interior orientation", parts=_interior(first, second)),
+        Section(anchor="points", title="Object points", parts=_points(first, points, differences)),
+        Section(anchor="images", title="Images", parts=_images(first, second, differences)),
+        Section(anchor="warnings", title="Warnings", parts=_warnings(first, second)),
+    )
+    html = page(
+        title=f"{_name(first)} and {_name(second)}",
+        subtitle=f"Comparison of two adjustments. First: {first.path.name}; second: {second.path.name}.",
+        headline=_headline(first, second, differences),
+        grade="remarks",
+        sections=sections,
+    )
+    Path(path).write_text(html, encoding="utf-8")
+
+
+def common_rows(first: Sequence[str], second: Sequence[str]) -> Common:
+    """The ids that both tables have, in the order of the first, and those that only one has."""
+    at = {i: k for k, i in enumerate(second)}
+    mine = [(i, k, at[i]) for k, i in enumerate(first) if i in at]
+    known = {i for i, _, _ in mine}
+    return Common(
+        ids=tuple(i for i, _, _ in mine),
+        first=np.array([k for _, k, _ in mine], np.int32),
+        second=np.array([k for _, _, k in mine], np.int32),
+        only_first=tuple(i for i in first if i not in known),
+        only_second=tuple(i for i in second if i not in known),
+    )
+
+
+def point_differences(
+    xyz: tuple[Array, Array], std: tuple[Array, Array], ids: Sequence[str], *, fitted: bool
+) -> PointDifferences:
+    """Second minus first of points (n, 3) in one unit with standard deviations (n, 3).
+
+    fitted  lay the second onto the first by a least squares similarity before
+    raises  InputError where a similarity needs more points, or points that are not in a line
+
+    The combined standard deviation of turned points neglects the correlations between their coordinates.
+    """
+    fit = similarity(xyz[1], xyz[0]) if fitted else None
+    moved = xyz[1] if fit is None else fit.points(xyz[1])
+    turned = std[1] ** 2 if fit is None else fit.scale**2 * std[1] ** 2 @ (fit.rotation**2).T
+    return PointDifferences(ids=tuple(ids), difference=moved - xyz[0], std=np.sqrt(std[0] ** 2 + turned), fit=fit)
+
+
+def _columns(csv: Csv, names: Sequence[str], rows: Index) -> Array:
+    return np.stack([csv.number[n][rows] for n in names], axis=1)
+
+
+def _to_first(first: ResultFolder, second: ResultFolder) -> float:
+    """Factor from the second's length unit to the first's."""
+    mm = {"m": 1000.0, "mm": 1.0}
+    return mm[second.block.length_unit] / mm[first.block.length_unit]
+
+
+def _compared(first: ResultFolder, second: ResultFolder, common: Common, *, fitted: bool) -> PointDifferences | None:
+    factor = _to_first(first, second)
+    xyz = _columns(first.points, "XYZ", common.first), factor * _columns(second.points, "XYZ", common.second)
+    names = ("sX", "sY", "sZ")
+    std = _columns(first.points, names, common.first), factor * _columns(second.points, names, common.second)
+    good = np.flatnonzero(np.isfinite(xyz[0]).all(axis=1) & np.isfinite(xyz[1]).all(axis=1))
+    if not len(good):
+        return None
+    ids = pick(good, common.ids)
+    try:
+        return point_differences((xyz[0][good], xyz[1][good]), (std[0][good], std[1][good]), ids, fitted=fitted)
+    except InputError:
+        return None
+
+
+def _name(result: ResultFolder) -> str:
+    return str(result.result.get("name") or result.path.name)
+
+
+def _float(value: Any) -> float:
+    return float(value) if isinstance(value, int | float) else math.nan
+
+
+def _headline(first: ResultFolder, second: ResultFolder, differences: Sequence[PointDifferences]) -> str:
+    a, b = (_float(r.result.get("sigma0")) for r in (first, second))
+    words = [f"σ₀ {significant(a)} and {significant(b)}."]
+    ratios = [abs(r) for row in _parameter_rows(first, second) if math.isfinite(r := row.ratio)]
+    if ratios:
+        words.append(
+            f"Interior orientations differ by up to {significant(max(ratios), 2)} combined standard deviations."
+        )
+    if differences:
+        d, (factor, unit) = differences[0], _small(first)
+        how = "after a similarity" if d.fit is not None else "as they stand"
+        words.append(
+            f"{counted(len(d.ids), 'common point')} differ by {significant(rms(d.difference) * factor, 2)} {unit} "
+            f"rms {how}."
+        )
+    return " ".join(words)
+
+
+def _small(result: ResultFolder) -> tuple[float, str]:
+    """Factor to, and name of, the unit in which differences are shown."""
+    return (1000.0, "mm") if result.block.length_unit == "m" else (1.0, "mm")
+
+
+SUMMARY = (
+    ("sigma0", "σ₀ a posteriori"),
+    ("redundancy", "redundancy"),
+    ("observations", "observations"),
+    ("unknowns", "unknowns"),
+    ("constraints", "datum constraints"),
+    ("image_points", "image points"),
+    ("rejected", "image points rejected"),
+    ("images_count", "images"),
+    ("points_count", "object points"),
+    ("relative_precision", "relative precision 1 : N"),
+    ("iterations", "iterations"),
+    ("seconds", "seconds"),
+)
+
+
+def _summary(first: ResultFolder, second: ResultFolder) -> tuple[Part, ...]:
+    rows: list[tuple[str, str, str, str]] = []
+    for key, words in SUMMARY:
+        a, b = _float(first.result.get(key)), _float(second.result.get(key))
+        whole = key not in {"sigma0", "seconds"}
+        shown = [grouped(v) if whole else significant(v, 5 if key == "sigma0" else 3) for v in (a, b)]
+        change = b - a
+        rows.append(
+            (words, shown[0], shown[1], "" if change == 0 else grouped(change) if whole else significant(change, 3))
+        )
+    for key, words in (("datum", "datum"), ("raybundle", "raybundle")):
+        rows.append((words, str(first.result.get(key, NONE)), str(second.result.get(key, NONE)), ""))
+    settings = [cast("Mapping[str, Any]", r.result.get("options") or {}) for r in (first, second)]
+    for key in sorted(set(settings[0]) | set(settings[1])):
+        a, b = (s.get(key) for s in settings)
+        if a != b:
+            rows.append((f"setting {key}", str(a), str(b), ""))
+    return (
+        table((text("quantity"), text("first"), text("second"), number("second − first")), zip(*rows, strict=True)),
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _ParameterRow:
+    camera: str
+    symbol: str
+    unit: str
+    values: tuple[float, float]
+    std: tuple[float, float]
+
+    @property
+    def ratio(self) -> float:
+        """Difference in combined standard deviations; NaN where both are held or one is missing."""
+        sigma = math.hypot(*(s if math.isfinite(s) else 0.0 for s in self.std))
+        return (self.values[1] - self.values[0]) / sigma if sigma > 0 else math.nan
+
+
+def _parameter_rows(first: ResultFolder, second: ResultFolder) -> list[_ParameterRow]:
+    """Parameters that both results have."""
+    a, b = (
+        cast("Mapping[str, Mapping[str, Mapping[str, Any]]]", r.result.get("cameras") or {}) for r in (first, second)
+    )
+    return [
+        _ParameterRow(
+            camera=camera,
+            symbol=symbol,
+            unit=str(p.get("unit", "")),
+            values=(_float(p.get("value")), _float(b[camera][symbol].get("value"))),
+            std=(_float(p.get("std")), _float(b[camera][symbol].get("std"))),
+        )
+        for camera in a
+        if camera in b
+        for symbol, p in a[camera].items()
+        if symbol in b[camera]
+    ]
+
+
+def _interior(first: ResultFolder, second: ResultFolder) -> tuple[Part, ...]:
+    rows = _parameter_rows(first, second)
+    cameras = [set(cast("Mapping[str, Any]", r.result.get("cameras") or {})) for r in (first, second)]
+    alone = sorted(cameras[0] ^ cameras[1])
+    parts: list[Part] = []
+    if alone:
+        parts.append(Paragraph(text=f"In one of the two only: {listed(alone)}."))
+    if not rows:
+        return (*parts, Paragraph(text="The two results have no camera in common."))
+    shown = [(with_sigma(r.values[0], r.std[0]), with_sigma(r.values[1], r.std[1])) for r in rows]
+    difference = [with_sigma(r.values[1] - r.values[0], _least(r.std))[0] for r in rows]
+    body = table(
+        (
+            text("camera"), text("symbol"), text("unit"), number("first"), number("sigma"), number("second"),
+            number("sigma"),
+            number("second − first"), number("in combined sigmas"),
+        ),
+        (
+            [r.camera for r in rows], [r.symbol for r in rows], [unit_text(r.unit) for r in rows],
+            [s[0][0] for s in shown],
+            [s[0][1] for s in shown], [s[1][0] for s in shown], [s[1][1] for s in shown], difference,
+            cells([r.ratio for r in rows], 2),
+        ),
+        note="Combined: root of the sum of both variances, as if the two were independent. Parameters of one camera "
+        "are "
+        "correlated: single differences of some sigmas may cancel in the image.",
+        rest="result.json",
+        marked=[k for k, r in enumerate(rows) if abs(r.ratio) > LIMIT],
+    )  # fmt: skip
+    return (*parts, body)
+
+
+def _least(std: tuple[float, float]) -> float:
+    known = [s for s in std if math.isfinite(s) and s > 0]
+    return min(known) if known else math.nan
+
+
+def _points(first: ResultFolder, common: Common, differences: Sequence[PointDifferences]) -> tuple[Part, ...]:
+    parts: list[Part] = [Paragraph(text=f"{counted(len(common.ids), 'point')} in common.")]
+    for words, ids in (("first", common.only_first), ("second", common.only_second)):
+        if ids:
+            parts.append(Paragraph(text=f"Only in the {words}: {listed(ids, 20)}.", note=True))
+    for d in differences:
+        parts += _point_parts(first, d)
+    if len(differences) > 1:
+        words = "Results with a datum of their own (free networks) can only be compared after the similarity."
+        parts.append(Paragraph(text=words, note=True))
+    if not any(d.fit for d in differences):
+        parts.append(Paragraph(text="There are too few common points for a similarity.", note=True))
+    return tuple(parts)
+
+
+def _point_parts(first: ResultFolder, d: PointDifferences) -> list[Part]:
+    factor, unit = _small(first)
+    title = "As they stand" if d.fit is None else "After a similarity of the second onto the first"
+    parts: list[Part] = [Heading(text=title)]
+    if d.fit is not None:
+        turn = math.degrees(math.acos(min(1.0, max(-1.0, (float(np.trace(d.fit.rotation)) - 1) / 2))))
+        shift = ", ".join(significant(float(t), 5) for t in d.fit.translation)
+        parts.append(
+            Paragraph(
+                text=f"Scale 1 {'+' if d.fit.scale >= 1 else '−'} {significant(abs(d.fit.scale - 1), 3)}, rotation "
+                f"{significant(turn)}°, translation ({shift}) {first.block.length_unit}."
+            )
+        )
+    values, std = d.difference * factor, d.std * factor
+    ratio = np.abs(d.difference) / np.where(d.std > 0, d.std, np.nan)
+    places = column_decimals(std)
+    rows = [
+        [
+            axis,
+            fixed(float(v.mean()), places),
+            significant(rms(v)),
+            significant(float(np.abs(v).max())),
+            fixed(rms(r), 2),
+        ]
+        for axis, v, r in zip("XYZ", values.T, ratio.T, strict=True)
+    ]
+    parts.append(
+        table(
+            (
+                text("coordinate"),
+                number("mean", unit),
+                number("rms", unit),
+                number("largest", unit),
+                number("rms of d / sigma"),
+            ),
+            zip(*rows, strict=True),
+        )
+    )
+    parts.append(Folded(summary="The largest differences", parts=(_largest(d, values, std, unit),)))
+    return parts
+
+
+def _largest(d: PointDifferences, values: Array, std: Array, unit: str) -> Table:
+    order = np.argsort(-np.linalg.norm(values, axis=1), kind="stable")[:LARGEST]
+    decimals = column_decimals(std)
+    return table(
+        (
+            text("point"),
+            *(number(f"d{axis}", unit) for axis in "XYZ"),
+            *(number(f"combined sigma {axis}", unit) for axis in "XYZ"),
+        ),
+        (
+            pick(order, d.ids),
+            *(cells(values[order, k].tolist(), decimals) for k in range(3)),
+            *(cells(std[order, k].tolist(), decimals) for k in range(3)),
+        ),
+    )
+
+
+def _images(first: ResultFolder, second: ResultFolder, differences: Sequence[PointDifferences]) -> tuple[Part, ...]:
+    """Projection centres and rotations, the second in the frame of the first where there is a similarity."""
+    common = common_rows(first.images.text["image"], second.images.text["image"])
+    parts: list[Part] = [Paragraph(text=f"{counted(len(common.ids), 'image')} in common.")]
+    for words, ids in (("first", common.only_first), ("second", common.only_second)):
+        if ids:
+            parts.append(Paragraph(text=f"Only in the {words}: {listed(ids, 20)}.", note=True))
+    if not len(common.ids):
+        return tuple(parts)
+    fit = differences[0].fit if differences else None
+    angles = ("omega_deg", "phi_deg", "kappa_deg")
+    centre = _columns(first.images, "XYZ", common.first)
+    other = _to_first(first, second) * _columns(second.images, "XYZ", common.second)
+    R = rotation_from_angles(np.radians(_columns(first.images, angles, common.first)))
+    S = rotation_from_angles(np.radians(_columns(second.images, angles, common.second)))
+    if fit is not None:
+        other, S = fit.points(other), fit.rotations(S)
+    factor, unit = _small(first)
+    shift = np.linalg.norm(other - centre, axis=1) * factor
+    turn = np.degrees(2 * np.arcsin(np.clip(np.linalg.norm(S - R, axis=(1, 2)) / math.sqrt(8), 0, 1)))
+    frame = "in the frame of the first, after the similarity of the points" if fit is not None else "as they stand"
+    summary = (
+        f"Projection centres differ by {significant(rms(shift))} {unit} rms (length of the difference), rotations by "
+        f"{significant(rms(turn))}°, {frame}."
+    )
+    order = np.argsort(-np.nan_to_num(shift), kind="stable")
+    body = table(
+        (text("image"), number("projection centre", unit), number("rotation", "°")),
+        (
+            pick(order, common.ids),
+            [significant(float(v)) for v in shift[order]],
+            [significant(float(v)) for v in turn[order]],
+        ),
+        rest="images.csv",
+    )
+    return (*parts, Paragraph(text=summary), Folded(summary="All images, the largest difference first", parts=(body,)))
+
+
+def _warnings(first: ResultFolder, second: ResultFolder) -> tuple[Part, ...]:
+    a, b = ([(str(w["code"]), str(w["message"])) for w in r.result.get("warnings") or []] for r in (first, second))
+    rows = [("both" if w in b else "first", *w) for w in a] + [("second", *w) for w in b if w not in a]
+    if not rows:
+        return (Paragraph(text="Neither result has a warning."),)
+    return (
+        table((text("result"), text("code"), text("message")), zip(*rows, strict=True), most=300, rest="result.json"),
+    )
