@@ -275,8 +275,7 @@ def _interior(first: ResultFolder, second: ResultFolder) -> tuple[Part, ...]:
             cells([r.ratio for r in rows], 2),
         ),
         note="Combined: root of the sum of both variances, as if the two were independent. Parameters of one camera "
-        "are "
-        "correlated: single differences of some sigmas may cancel in the image.",
+        "are correlated: single differences of some sigmas may cancel in the image.",
         rest="result.json",
         marked=[k for k, r in enumerate(rows) if abs(r.ratio) > LIMIT],
     )  # fmt: skip

@@ -18,6 +18,7 @@ from raybundle.report.svg import (
     Plot,
     axes,
     columns,
+    count_ticks,
     dots,
     drawing,
     fitted,
@@ -67,8 +68,8 @@ def network_views(view: View) -> NetworkViews | None:
     ellipses, factor = _ellipse_scale(view, shown, px_per_unit)
     if factor:
         remark.append(
-            f"error ellipses (1 sigma; a point lies within with 39 %) of {grouped(len(ellipses))} points, "
-            f"enlarged {grouped(factor)} times"
+            f"error ellipses (1 sigma; a point lies within with 39 %) of {grouped(len(ellipses))} points, enlarged "
+            f"{grouped(factor)} times"
         )
     size = 0.045 * max(high - low for low, high in limits) / max(1.0, math.sqrt(len(drawn_images) / 40))
     frames = _frusta(view, drawn_images, size)
@@ -238,7 +239,7 @@ def ray_histogram(rays: Array, what: str) -> Drawing:
     heights = np.histogram(rays[rays > 0], edges)[0].astype(float)
     x_range, y_range = (float(edges[0]), float(edges[-1])), (0.0, max(float(heights.max()), 1.0) * 1.06)
     plot = fitted(Plot(width=286, height=190, x_range=x_range, y_range=y_range))
-    parts = [axes(plot, "rays per point", "points"), columns(plot, edges, heights)]
+    parts = [axes(plot, "rays per point", "points", y_count=count_ticks(heights)), columns(plot, edges, heights)]
     return drawing(plot.width, plot.height, parts, what)
 
 

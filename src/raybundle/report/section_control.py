@@ -46,8 +46,7 @@ def _group(view: View, g: ObservationGroup, what: str, rest: str) -> list[Part]:
         parts.append(
             Paragraph(
                 text=f"{counted(int(weighted.sum()), 'value')} observed, rms residual {significant(rms(v))} {unit}, "
-                "largest "
-                f"{significant(float(np.nanmax(np.abs(v))))} {unit}; {grouped(int((~weighted).sum()))} held."
+                f"largest {significant(float(np.nanmax(np.abs(v))))} {unit}; {grouped(int((~weighted).sum()))} held."
             )
         )
     else:
@@ -129,8 +128,7 @@ def _check(view: View) -> list[Part]:
             [grouped(float(view.rays[i])) for i in rows],
         ),
         note="d: adjusted minus given; its sigma holds that of the adjusted and that of the given coordinate. Check "
-        "points took no part "
-        "as control.",
+        "points took no part as control.",
         rest="check.csv",
         marked=np.flatnonzero(np.max(np.nan_to_num(ratio), axis=1) > 3.29).tolist(),
     )  # fmt: skip
@@ -173,8 +171,7 @@ def _components(view: View) -> list[Part]:
             ["differs from σ₀ (1 %)" if v.significant else "" for v in found],
         ),
         note="A group whose ratio differs from σ₀ is weighted too high (ratio above) or too low (below): change its "
-        "a-priori sigma. "
-        "Förstner 1979."
+        "a-priori sigma. Förstner 1979."
         + (f" {counted(strange, 'image')} differ on their own, see the images under “Residuals”." if strange else ""),
     )  # fmt: skip
     return [Heading(text="Variance components"), body]

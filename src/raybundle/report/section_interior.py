@@ -8,7 +8,7 @@ import numpy as np
 
 from raybundle.adjustment.result import InteriorResult, ParameterResult
 from raybundle.numerics.arrays import Array
-from raybundle.report.distortion import Interior, balanced, decentring_curve, radial_curve
+from raybundle.report.distortion import Curve, Interior, balanced, decentring_curve, radial_curve
 from raybundle.report.figures_interior import correction_field, curves, heat_map, sigma_curve
 from raybundle.report.numbers import NONE, fixed, grouped, probability, significant, unit_text, with_sigma
 from raybundle.report.parts import (
@@ -56,8 +56,8 @@ def _title(view: View, result: InteriorResult) -> str:
     name = name_of(result)
     return (
         f"{name[0].upper()}{name[1:]}: model {camera.model}, {grouped(camera.width_px)} × "
-        f"{grouped(camera.height_px)} px, "
-        f"{significant(width, 4)} × {significant(height, 4)} mm, pixel {significant(1000 * camera.pixel_mm[0], 4)} µm"
+        f"{grouped(camera.height_px)} px, {significant(width, 4)} × {significant(height, 4)} mm, pixel "
+        f"{significant(1000 * camera.pixel_mm[0], 4)} µm"
     )
 
 
@@ -92,9 +92,8 @@ def parameter_table(result: InteriorResult) -> Table:
             [_optional(p.effect_std_px, 2) for p in rows],
             [p.status for p in rows],
         ),
-        note=f"t: value over sigma. Determinability: 1 = independent of all other unknowns, near 0 = only together "
-        "with them. "
-        f"Effect: {CORNER}, of the value and of one sigma.",
+        note="t: value over sigma. Determinability: 1 = independent of all other unknowns, near 0 = only together "
+        f"with them. Effect: {CORNER}, of the value and of one sigma.",
         marked=[k for k, p in enumerate(rows) if p.status in {"not determinable", "not significant"}],
     )  # fmt: skip
 
@@ -189,46 +188,43 @@ def _reach(view: View, result: InteriorResult, interior: Interior) -> float:
 
 def _distortion(interior: Interior, reach: float, name: str) -> list[Part]:
     figures: list[Figure] = []
-    beyond = (
-        ""
-        if not reach < interior.corner_mm
-        else f" No observation lies beyond {significant(reach)} mm (shaded): extrapolated."
-    )
     if interior.has("radial"):
-        curve = radial_curve(interior)
-        flat, share = balanced(curve)
-        figures.append(
-            Figure(
-                drawing=curves(
-                    interior,
-                    [(curve, "first", "Gaussian"), (flat, "second", "balanced")],
-                    reach,
-                    f"radial distortion of {name}",
-                ),
-                caption="Radial correction, ideal minus measured, with its 1-sigma band where that can be seen. "
-                "Balanced: the "
-                f"same distortion with the camera constant changed by {significant(100 * share, 3)} %.{beyond}",
-            )
-        )
-        sigma = sigma_curve(interior, curve, reach, f"standard deviation of the radial distortion of {name}")
-        if sigma is not None:
-            figures.append(
-                Figure(drawing=sigma, caption="Its standard deviation, from the covariance of the radial parameters.")
-            )
+        figures += _radial(interior, reach, name)
     if interior.has("decentring"):
         curve = decentring_curve(interior)
-        figures.append(
-            Figure(
-                drawing=curves(interior, [(curve, "first", "")], reach, f"decentring distortion of {name}"),
-                caption="Decentring: largest correction over all directions, with its 1-sigma band.",
-            )
-        )
+        drawn = curves(interior, [(curve, "first", "")], reach, f"decentring distortion of {name}")
+        words = f"Decentring: largest correction over all directions{_banded(curve)}."
+        figures.append(Figure(drawing=drawn, caption=words))
     drawn, largest = correction_field(interior, f"corrections over the format of {name}")
-    figures.append(
-        Figure(
-            drawing=drawn,
-            caption=f"All corrections over the format, from the measured point (dot) to the ideal one; the largest is "
-            f"{significant(largest)} px. The cross is the principal point.",
-        )
+    words = (
+        "All corrections over the format, from the measured point (dot) to the ideal one; the largest is "
+        f"{significant(largest)} px. The cross is the principal point."
     )
+    figures.append(Figure(drawing=drawn, caption=words))
     return [Figures(figures=tuple(figures))]
+
+
+def _radial(interior: Interior, reach: float, name: str) -> list[Figure]:
+    curve = radial_curve(interior)
+    flat, share = balanced(curve)
+    what = f"radial distortion of {name}"
+    drawn = curves(interior, [(curve, "first", "Gaussian"), (flat, "second", "balanced")], reach, what)
+    extrapolated = (
+        f" No observation lies beyond {significant(reach)} mm (shaded): extrapolated."
+        if reach < interior.corner_mm
+        else ""
+    )
+    words = (
+        f"Radial correction, ideal minus measured{_banded(curve)}. Balanced: the same distortion with the camera "
+        f"constant changed by {significant(100 * share, 3)} %.{extrapolated}"
+    )
+    figures = [Figure(drawing=drawn, caption=words)]
+    sigma = sigma_curve(interior, curve, reach, f"standard deviation of the {what}")
+    if sigma is not None:
+        words = "Its standard deviation, from the covariance of the radial parameters."
+        figures.append(Figure(drawing=sigma, caption=words))
+    return figures
+
+
+def _banded(curve: Curve) -> str:
+    return "" if curve.std_mm is None else ", with its 1-sigma band (which may be thinner than the line)"

@@ -26,7 +26,7 @@ from raybundle.report.residuals import cell_means, image_rows, normalised
 from raybundle.report.svg import histogram
 from raybundle.report.view import View
 
-LARGEST, MOST_REJECTED = 25, 500
+LARGEST, WEAKEST, MOST_REJECTED = 25, 15, 500
 UNTESTED = 0.01
 """Redundancy number below which no blunder of a practical size is found."""
 POORLY = 0.1
@@ -53,14 +53,13 @@ def _words(view: View) -> str:
         return "No image observation has a redundancy number."
     poor = int((r < POORLY).sum())
     text_ = (
-        f"The redundancy number r is the share of an observation's error that shows in its own residual. Its mean "
-        "over the image "
-        f"coordinates is {fixed(float(r.mean()), 3)}, its smallest {fixed(float(r.min()), 3)}."
+        "The redundancy number r is the share of an observation's error that shows in its own residual. Its mean "
+        f"over the image coordinates is {fixed(float(r.mean()), 3)}, its smallest {fixed(float(r.min()), 3)}."
     )
     if poor:
         text_ += (
-            f" {counted(poor, 'image coordinate')} ({per_cent(poor / len(r))}) with r below {POORLY:g}: "
-            "a blunder there would go almost whole into the result."
+            f" {counted(poor, 'image coordinate')} ({per_cent(poor / len(r))}) with r below {POORLY:g}: a blunder "
+            "there would go almost whole into the result."
         )
     return text_
 
@@ -74,8 +73,7 @@ def _figures(view: View) -> list[Part]:
             drawing=redundancy_map(cell_means(view, view.given.cameras[c], mask, tests), view.given.cameras[c],
                                    f"redundancy numbers over the format of camera {view.given.cameras[c].id}"),
             caption=f"Mean redundancy number over the format, camera {view.given.cameras[c].id}; red where the "
-            "observations hardly "
-            "control one another.",
+            "observations hardly control one another.",
         )
         for c, mask in view.cameras()[:6]
     ]  # fmt: skip
@@ -105,48 +103,54 @@ def _names(view: View, rows: Index) -> tuple[list[str], list[str]]:
 
 def _detectable(view: View) -> list[Part]:
     """Smallest detectable blunders and what they would do to the object points."""
-    s, o = view.adjustment.image_observations, view.given.observations
+    s = view.adjustment.image_observations
     controlled = view.used[:, None] & (np.nan_to_num(s.redundancy) >= UNTESTED)
     mdb = np.where(controlled, s.mdb_px, np.nan)
-    known = mdb[np.isfinite(mdb)]
-    if not len(known):
+    if not np.isfinite(mdb).any():
         return [Paragraph(text="No image observation is controlled: no blunder can be found.")]
     external = np.where(controlled, s.external, np.nan) * view.factor
-    effect = external[np.isfinite(external)]
-    sizes = [float(q) for q in np.quantile(known, [0.5, 0.95, 1.0])]
+    words = _detectable_words(view, mdb[np.isfinite(mdb)], external[np.isfinite(external)])
+    parts: list[Part] = [Heading(text="Smallest detectable blunders"), Paragraph(text=words)]
+    weakest = _weakest(view, mdb, external)
+    if weakest.rows:
+        parts.append(Folded(summary="The weakest image coordinates", parts=(weakest,)))
+    return parts
+
+
+def _detectable_words(view: View, mdb: Array, effect: Array) -> str:
+    px = [significant(float(q)) for q in np.quantile(mdb, [0.5, 0.95, 1.0])]
     words = (
         f"A blunder in an image coordinate is found with {per_cent(POWER)} probability at a level of "
-        f"{per_cent(ALPHA)} if it is larger "
-        f"than {significant(sizes[0])} px (median), {significant(sizes[1])} px (95 % of the coordinates), "
-        f"{significant(sizes[2])} px (all)."
+        f"{per_cent(ALPHA)} if it is larger than {px[0]} px (median), {px[1]} px (95 % of the coordinates), {px[2]} "
+        "px (all)."
     )
     if len(effect) and (effect > 0).any():
-        q = [float(v) for v in np.quantile(effect, [0.5, 0.95, 1.0])]
+        size = [f"{significant(float(q))} {view.unit}" for q in np.quantile(effect, [0.5, 0.95, 1.0])]
         words += (
-            f" Undetected, one of that size would move its object point by up to {significant(q[0])} {view.unit} "
-            "(median), "
-            f"{significant(q[1])} {view.unit} (95 %), {significant(q[2])} {view.unit} (largest)."
+            f" Undetected, one of that size would move its object point by up to {size[0]} (median), {size[1]} (95 "
+            f"%), {size[2]} (largest)."
         )
-    lost = 2 * int(view.used.sum()) - int(controlled.sum())
+    lost = 2 * int(view.used.sum()) - len(mdb)
     if lost:
         words += (
             f" Not counted: {counted(lost, 'image coordinate')} with r below {UNTESTED:g}, where practically no "
-            "blunder is found "
-            "(along the epipolar line of points with two rays)."
+            "blunder is found (along the epipolar line of points with two rays)."
         )
-    worst = np.nanmax(np.nan_to_num(external, nan=-1.0), axis=1)
-    rows = np.argsort(-worst, kind="stable")[:15].astype(np.int32)
+    return words
+
+
+def _weakest(view: View, mdb: Array, external: Array) -> Table:
+    """The image coordinates whose undetected blunders have the largest effect."""
+    s, o = view.adjustment.image_observations, view.given.observations
+    effect = np.nan_to_num(external, nan=-1.0)
+    worst = effect.max(axis=1)
+    rows = np.argsort(-worst, kind="stable")[:WEAKEST].astype(np.int32)
     rows = rows[worst[rows] > 0]
-    parts: list[Part] = [Heading(text="Smallest detectable blunders"), Paragraph(text=words)]
-    if not len(rows):
-        return parts
     images, points = _names(view, rows)
-    axis = np.nanargmax(np.nan_to_num(external[rows], nan=-1.0), axis=1)
-    at = np.arange(len(rows))
-    weakest = table(
+    axis, at = effect[rows].argmax(axis=1), np.arange(len(rows))
+    return table(
         (
-            text("image"), text("point"), text("axis"), number("rays"), number("r"),
-            number("smallest detectable", "px"),
+            text("image"), text("point"), text("axis"), number("rays"), number("r"), number("mdb", "px"),
             number("effect on the point", view.unit),
         ),
         (
@@ -155,8 +159,8 @@ def _detectable(view: View) -> list[Part]:
             [significant(float(v)) for v in external[rows][at, axis]],
         ),
         caption="Image coordinates whose undetected blunders would do most harm",
+        note="mdb: smallest detectable blunder.",
     )  # fmt: skip
-    return [*parts, Folded(summary="The weakest image coordinates", parts=(weakest,))]
 
 
 def _largest(view: View) -> Table:
@@ -184,8 +188,8 @@ def _largest(view: View) -> Table:
             *pair(s.t, 2), *pair(s.mdb_px, 2),
         ),
         note=f"The {grouped(len(rows))} largest |w|. w = v / (s √r) with the a-priori sigma, τ = w / σ₀; mdb: "
-        "smallest detectable blunder; marked where |τ| exceeds "
-        f"its family-wise critical value {significant(a.critical_tau)}.",
+        "smallest detectable blunder; marked where |τ| exceeds its family-wise critical value "
+        f"{significant(a.critical_tau)}.",
         marked=beyond,
     )  # fmt: skip
 
@@ -193,7 +197,7 @@ def _largest(view: View) -> Table:
 def _rejected(view: View) -> list[Part]:
     rows = view.rejected
     if not len(rows):
-        return [Heading(text="Rejected observations"), Paragraph(text="None.")]
+        return [Heading(text="Rejected observations"), Paragraph(text="No image observation was rejected.")]
     images, points = _names(view, rows)
     xy, reasons = view.given.observations.xy_px[rows], view.adjustment.image_observations.rejected
     listed = table(

@@ -72,8 +72,7 @@ def _whole(view: View) -> Paragraph:
     largest = float(np.abs(v).max())
     return Paragraph(
         text=f"Residuals are adjusted minus observed, in the pixel frame (y down). Their rms is {significant(x)} px "
-        "in x and "
-        f"{significant(y)} px in y; the largest is {significant(largest)} px."
+        f"in x and {significant(y)} px in y; the largest is {significant(largest)} px."
     )
 
 
@@ -90,16 +89,14 @@ def _distribution(view: View, tests: Array) -> list[Part]:
             figures=(
                 Figure(
                     drawing=normal_histogram(t, name, "histogram of normalised residuals"),
-                    caption=f"Normalised residuals {name} of {grouped(len(t))} image coordinates and the normal curve. "
-                    f"{grouped(beyond)} lie beyond 3.29, where {significant(expected, 2)} are expected; excess "
-                    "kurtosis "
-                    f"{fixed(kurtosis, 2)}.",
+                    caption=f"Normalised residuals {name} of {grouped(len(t))} image coordinates and the normal "
+                    f"curve. {grouped(beyond)} lie beyond 3.29, where {significant(expected, 2)} are expected; "
+                    f"excess kurtosis {fixed(kurtosis, 2)}.",
                 ),
                 Figure(
                     drawing=normal_quantiles(t, name, "quantiles of normalised residuals"),
                     caption="Their quantiles against those of the normal distribution: on the line if errors are "
-                    "normal; "
-                    "steeper ends mean more large residuals than a normal distribution has.",
+                    "normal; steeper ends mean more large residuals than a normal distribution has.",
                 ),
             )
         )
@@ -120,14 +117,13 @@ def _systematic(view: View, index: int, mask: Mask, tests: Array) -> list[Part]:
                 Figure(
                     drawing=mean_field(means, camera, f"mean residuals of camera {camera.id}"),
                     caption="Residuals averaged over cells of the format, with the number of points. Shaded cells: "
-                    "the mean differs "
-                    f"from zero ({fixed(100 * FAMILY, 0)} % for all cells together; residuals taken as uncorrelated).",
+                    f"the mean differs from zero ({fixed(100 * FAMILY, 0)} % for all cells together; residuals taken "
+                    "as uncorrelated).",
                 ),
                 Figure(
                     drawing=profile_figure(profile, f"mean residuals of camera {camera.id} against the radius"),
                     caption="Mean radial (outwards) and tangential residual in rings of equal number of points, with "
-                    "the standard "
-                    "deviation of each mean. A trend is distortion that the model lacks.",
+                    "the standard deviation of each mean. A trend is distortion that the model lacks.",
                 ),
             )
         ),
@@ -151,9 +147,8 @@ def _systematic_words(means: CellMeans, overall: float) -> str:
     )
     return (
         f"In {grouped(beyond)} of {grouped(tested)} cells the mean residual differs from zero: {verdict}. The rms of "
-        "the cell means "
-        f"is {significant(weighted, 2)} px, {per_cent(weighted / overall)} of the rms residual; the largest mean "
-        f"{significant(float(np.nanmax(size[full])), 2)} px."
+        f"the cell means is {significant(weighted, 2)} px, {per_cent(weighted / overall)} of the rms residual; the "
+        f"largest mean {significant(float(np.nanmax(size[full])), 2)} px."
     )
 
 

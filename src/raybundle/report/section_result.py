@@ -10,7 +10,7 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.report.numbers import NONE, counted, fixed, grouped, listed, significant
 from raybundle.report.parts import Column, Fact, Facts, Heading, Paragraph, Part, Section, Statements, table, text
 from raybundle.report.view import View, rms
-from raybundle.report.words import Verdict, datum_words, free_std, important, not_told
+from raybundle.report.words import Verdict, datum_words, free_std, important, not_told, open_datum
 
 
 def result_section(view: View, verdict: Verdict) -> Section:
@@ -117,7 +117,7 @@ def _solution(a: Adjustment) -> list[tuple[str, str]]:
     residuals = a.given.residuals if a.options.residuals == "as_block" else a.options.residuals
     return [
         ("datum", a.datum),
-        ("left open by the observations", listed(a.datum_defect, 7) or "nothing"),
+        ("left open by the observations", listed(open_datum(a.datum_defect), 7) or "nothing"),
         ("residuals refer to", f"the {residuals} image point"),
         (
             "converged",

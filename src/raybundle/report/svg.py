@@ -203,6 +203,11 @@ def columns(
     )
 
 
+def count_ticks(counts: Array) -> int:
+    """Number of ticks of an axis of counts: none between whole numbers."""
+    return int(min(5, max(1, counts.max(initial=1))))
+
+
 def histogram(
     values: Array, x_label: str, what: str, *, edges: Array | None = None, y_label: str = "number", width: float = 300
 ) -> Drawing:
@@ -217,7 +222,7 @@ def histogram(
     counts = np.histogram(np.clip(good, edges[0], edges[-1]), edges)[0].astype(float)
     x_range, y_range = (float(edges[0]), float(edges[-1])), (0.0, max(float(counts.max()), 1.0) * 1.06)
     plot = fitted(Plot(width=width, height=190, x_range=x_range, y_range=y_range))
-    parts = [axes(plot, x_label, y_label), columns(plot, edges, counts)]
+    parts = [axes(plot, x_label, y_label, y_count=count_ticks(counts)), columns(plot, edges, counts)]
     return drawing(plot.width, plot.height, parts, what)
 
 

@@ -94,16 +94,16 @@ def _state(view: View, grade: Grade) -> str:
     serious = sum(1 for n in a.notices if n.code in IMPORTANT)
     if a.sigma0 > POOR_FIT:
         return (
-            f"But the observations contradict each other {significant(a.sigma0, 2)} times more than stated: find "
-            "out why first."
+            f"But the observations contradict each other {significant(a.sigma0, 2)} times more than stated: find out "
+            "why first."
         )
     if grade == "attention":
         return f"{counted(serious, 'matter')} to settle before it is used: see the warnings."
     lower, value, upper = a.global_test
     if value > upper:
         return (
-            f"The observations fit {significant(a.sigma0, 2)} times worse than stated, which these figures take "
-            "into account."
+            f"The observations fit {significant(a.sigma0, 2)} times worse than stated, which these figures take into "
+            "account."
         )
     if value < lower:
         return f"The observations fit better than stated (σ₀ {significant(a.sigma0, 2)})."
@@ -135,10 +135,21 @@ def datum_words(view: View) -> str:
     """The datum in a sentence that a client understands."""
     a = view.adjustment
     if not a.datum_defect:
-        return "Position, orientation and scale come from given coordinates."
-    open_parts = listed(a.datum_defect, 7)
+        return "Position, orientation and scale are fixed by what was given."
+    open_parts = listed(open_datum(a.datum_defect), 7)
     tail = " Lengths have no absolute unit: nothing fixes the scale." if view.arbitrary_scale else ""
-    return f"Nothing given fixes {open_parts}; the datum there: {a.datum}.{tail}"
+    return f"Nothing given fixes {open_parts}; there the datum is: {a.datum}.{tail}"
+
+
+def open_datum(names: tuple[str, ...]) -> list[str]:
+    """Open parts of the datum, three components of a kind in one word."""
+    left = list(names)
+    for kind, word in (("position", "position"), ("rotation", "orientation")):
+        all_three = [f"{kind} {axis}" for axis in "XYZ"]
+        if set(all_three) <= set(left):
+            at = left.index(all_three[0])
+            left = [*left[:at], word, *(n for n in left[at:] if n not in all_three)]
+    return left
 
 
 def free_std(view: View) -> Array:
@@ -180,7 +191,7 @@ def _resection(view: View) -> str:
         return "All object points and images are held."
     angle = np.degrees(np.nanmean(np.where(std[:, 3:] > 0, std[:, 3:], np.nan)))
     return (
-        f"All object points are held. Standard deviation of the projection centres (mean): "
+        "All object points are held. Standard deviation of the projection centres (mean): "
         f"{significant(float(centre) * view.factor)} {view.unit}, of the angles {significant(float(angle))}°."
     )
 
@@ -225,19 +236,18 @@ def _fit(view: View) -> str:
     sigma0 = f"σ₀ = {significant(a.sigma0)} (a priori 1)"
     if lower <= value <= upper:
         return (
-            f"{sigma0}: the residuals are as large as the stated precision of the observations says (global test "
-            "at 5 %)."
+            f"{sigma0}: the residuals are as large as the stated precision of the observations says (global test at "
+            "5 %)."
         )
     if value < lower:
         return (
-            f"{sigma0}: the observations are more precise than stated (global test at 5 %). "
-            "All standard deviations here carry the smaller value."
+            f"{sigma0}: the observations are more precise than stated (global test at 5 %). All standard deviations "
+            "here carry the smaller value."
         )
     return (
         f"{sigma0}: the residuals are larger than stated (global test at 5 %). Either the observations are less "
-        "precise than "
-        "assumed, or the model lacks something, or blunders are left. All standard deviations here carry the larger "
-        "value."
+        "precise than assumed, or the model lacks something, or blunders are left. All standard deviations here "
+        "carry the larger value."
     )
 
 
@@ -257,8 +267,8 @@ def _control(view: View) -> str:
             largest = float(np.nanmax(np.abs(residual))) * view.factor
             words.append(
                 f"{noun}: rms residual {significant(rms(residual) * view.factor)} {view.unit}, largest "
-                f"{significant(largest)} "
-                f"{view.unit} ({grouped(len(residual))} observed{f', {grouped(held)} held' if held else ''})"
+                f"{significant(largest)} {view.unit} ({grouped(len(residual))} "
+                f"observed{f', {grouped(held)} held' if held else ''})"
             )
         elif held:
             words.append(f"{grouped(held)} {noun} held as given; they are not tested by residuals of their own")

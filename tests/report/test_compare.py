@@ -1,0 +1,120 @@
+"""Two results side by side."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from raybundle.errors import InputError
+from raybundle.numerics.rotation import rotation_from_vector
+from raybundle.report.compare import common_rows, point_differences, write_comparison
+from raybundle.report.result_folder import read_result, write_result
+from tests.report.test_document import parsed
+
+RNG = np.random.default_rng(3)
+
+
+def test_common_rows():
+    c = common_rows(("a", "b", "c", "d"), ("d", "x", "b"))
+    assert c.ids == ("b", "d")
+    assert list(c.first) == [1, 3]
+    assert list(c.second) == [2, 0]
+    assert c.only_first == ("a", "c")
+    assert c.only_second == ("x",)
+
+
+def test_a_similarity_takes_frame_and_scale_away():
+    first = RNG.normal(size=(20, 3))
+    R = rotation_from_vector(np.array([0.3, -0.2, 0.9]))
+    moved = 2.5 * first @ R.T + [10, 20, 30]
+    moved[4] += [0.01, 0, 0]
+    std = np.full((20, 3), 0.001)
+    d = point_differences((first, moved), (std, 2.5 * std), [str(k) for k in range(20)], fitted=True)
+    assert d.fit is not None
+    assert d.fit.scale == pytest.approx(0.4, abs=1e-3)
+    assert np.linalg.norm(d.difference, axis=1).argmax() == 4
+    assert np.linalg.norm(d.difference[4]) == pytest.approx(0.004, rel=0.15)
+    assert d.std == pytest.approx(np.sqrt(2) * 0.001, rel=1e-2)
+    raw = point_differences((first, moved), (std, std), [str(k) for k in range(20)], fitted=False)
+    assert raw.fit is None
+    assert raw.difference == pytest.approx(moved - first)
+
+
+def test_too_few_points_for_a_similarity():
+    two = np.zeros((2, 3))
+    with pytest.raises(InputError):
+        point_differences((two, two), (two, two), ["a", "b"], fitted=True)
+
+
+@pytest.fixture
+def folder(case, tmp_path):
+    def make(name, adjustment=None):
+        write_result(adjustment or case(name), tmp_path / name, report="none")
+        return read_result(tmp_path / name)
+
+    return make
+
+
+def compared(first, second, tmp_path):
+    write_comparison(first, second, tmp_path / "compare.html")
+    return " ".join(parsed((tmp_path / "compare.html").read_text(encoding="utf-8")).text)
+
+
+def test_a_controlled_and_a_free_network(folder, tmp_path):
+    text = compared(folder("rich"), folder("free"), tmp_path)
+    assert "After a similarity of the second onto the first" in text
+    assert "As they stand" in text
+    assert "29 points in common" in text
+    assert "combined standard deviations" in text
+
+
+def test_a_result_with_itself_has_no_difference(folder, tmp_path):
+    result = folder("rich")
+    text = compared(result, result, tmp_path)
+    assert "up to 0 combined standard deviations" in text
+    assert "differ by 0" in text or "× 10⁻" in text
+
+
+def test_results_that_have_nothing_in_common(folder, case, tmp_path):
+    a = case("resection")
+
+    def renamed(block):
+        return replace(
+            block,
+            cameras=tuple(replace(c, id=f"other {c.id}") for c in block.cameras),
+            images=replace(block.images, ids=tuple(f"other {i}" for i in block.images.ids)),
+            points=replace(block.points, ids=tuple(f"other {i}" for i in block.points.ids)),
+        )
+
+    other = replace(
+        a,
+        given=renamed(a.given),
+        adjusted=renamed(a.adjusted),
+        interior=tuple(replace(i, camera=f"other {i.camera}") for i in a.interior),
+    )
+    text = compared(folder("free"), folder("other", other), tmp_path)
+    assert "no camera in common" in text
+    assert "0 points in common" in text
+    assert "0 images in common" in text
+
+
+def test_metres_and_millimetres(folder, case, tmp_path):
+    a = case("rich")
+
+    def in_mm(block):
+        return replace(
+            block,
+            length_unit="mm",
+            images=replace(block.images, centre=block.images.centre * 1000),
+            points=replace(block.points, xyz=block.points.xyz * 1000, sigma=block.points.sigma * 1000),
+            distances=replace(
+                block.distances, length=block.distances.length * 1000, sigma=block.distances.sigma * 1000
+            ),
+            stations=replace(block.stations, xyz=block.stations.xyz * 1000, sigma=block.stations.sigma * 1000),
+        )
+
+    precision = replace(a.precision, object_points=a.precision.object_points * 1e6)
+    other = replace(a, given=in_mm(a.given), adjusted=in_mm(a.adjusted), precision=precision)
+    write_comparison(folder("rich"), folder("mm", other), tmp_path / "c.html")
+    text = " ".join(parsed((tmp_path / "c.html").read_text(encoding="utf-8")).text)
+    assert "× 10⁻" in text.split("common points differ by")[1][:40]

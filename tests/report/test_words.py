@@ -1,0 +1,90 @@
+"""The verdict: graded by what was found, with the numbers that it rests on."""
+
+from dataclasses import replace
+
+import pytest
+
+from raybundle.adjustment.result import Notice
+from raybundle.report.numbers import grouped, significant
+from raybundle.report.view import rms, view_of
+from raybundle.report.words import expected_check_std, free_std, not_told, open_datum, verdict
+
+
+def told(adjustment):
+    v = verdict(view_of(adjustment))
+    return v.grade, v.headline, dict(v.statements)
+
+
+def test_a_good_result_is_called_good(case):
+    a = case("rich")
+    grade, headline, words = told(a)
+    assert grade == "good"
+    view = view_of(a)
+    assert significant(rms(free_std(view)), 2) in headline
+    assert grouped(a.redundancy) in words["Adjusted"]
+    assert "check points" in words["Accuracy"]
+
+
+@pytest.mark.parametrize(
+    ("change", "grade"),
+    [
+        ({}, "good"),
+        ({"notices": (Notice(code="one_ray_control", message="m"),)}, "remarks"),
+        ({"notices": (Notice(code="not_determinable", message="m"),)}, "attention"),
+        ({"sigma0": 4.0}, "attention"),
+        ({"precision": None}, "attention"),
+    ],
+)
+def test_the_grade_follows_what_was_found(case, change, grade):
+    assert told(replace(case("rich"), **change))[0] == grade
+
+
+def test_without_check_points_nothing_is_called_good(case):
+    grade, _, words = told(case("free"))
+    assert grade == "remarks"
+    assert "no check points" in words["Accuracy"]
+
+
+def test_an_arbitrary_scale_gives_no_length_in_the_headline(case):
+    _, headline, words = told(case("free"))
+    assert "no length is absolute" in headline
+    assert " mm" not in headline
+    assert "position, orientation, scale" in words["Adjusted"]
+
+
+def test_no_redundancy_is_said_first(case):
+    grade, headline, words = told(case("without_redundancy"))
+    assert grade == "attention"
+    assert "Nothing checks it" in headline
+    assert "no redundancy" in words["Fit"]
+
+
+def test_the_global_test_is_put_in_words(case):
+    a = case("rich")
+    lower, value, upper = a.global_test
+    assert "larger than stated" in told(replace(a, global_test=(lower, 2 * upper, upper)))[2]["Fit"]
+    assert "more precise than stated" in told(replace(a, global_test=(lower, lower / 2, upper)))[2]["Fit"]
+    assert "as large as" in told(replace(a, global_test=(lower, value, upper)))[2]["Fit"]
+
+
+def test_what_the_numbers_do_not_tell_depends_on_the_result(case):
+    titles = {name: {t for t, _ in not_told(view_of(case(name)))} for name in ("rich", "free", "resection", "rejected")}
+    assert "No length is absolute." in titles["free"]
+    assert "No length is absolute." not in titles["rich"]
+    assert "Held control counts as free of error." in titles["resection"]
+    assert "What is left after rejection looks better than it is." in titles["rejected"]
+    assert all("Precision is not accuracy." in t for t in titles.values())
+
+
+def test_differences_at_check_points_hold_the_sigma_of_both(case):
+    view = view_of(case("rich"))
+    std = expected_check_std(view)
+    given = view.given.points.sigma[view.check_rows] * view.factor
+    assert (std > given).all()
+    assert std**2 == pytest.approx(given**2 + view.std[view.check_rows] ** 2)
+
+
+def test_open_parts_of_the_datum_are_gathered():
+    every = tuple(f"{kind} {axis}" for kind in ("position", "rotation") for axis in "XYZ")
+    assert open_datum((*every, "scale")) == ["position", "orientation", "scale"]
+    assert open_datum(("position Z", "scale")) == ["position Z", "scale"]
