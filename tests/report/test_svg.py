@@ -33,7 +33,7 @@ def test_ticks_are_round_and_inside(interval):
 
 
 def test_round_numbers():
-    assert round_step(1.0, 4) == pytest.approx(0.5)
+    assert [round_step(1.0, n) for n in (1, 2, 4, 10)] == pytest.approx([1.0, 0.5, 0.2, 0.1])
     assert [round_below(v) for v in (0.99, 1.0, 4.9, 73.0)] == pytest.approx([0.5, 1.0, 2.0, 50.0])
 
 

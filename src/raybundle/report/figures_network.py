@@ -13,6 +13,7 @@ from raybundle.block import Role
 from raybundle.numerics.arrays import Array, Index
 from raybundle.report.numbers import grouped, significant
 from raybundle.report.svg import (
+    CHARACTER,
     Drawing,
     Interval,
     Plot,
@@ -28,11 +29,13 @@ from raybundle.report.svg import (
     round_step,
     span,
     spread_rows,
+    tick_labels,
+    ticks,
 )
 from raybundle.report.view import View
 
 MOST_POINTS, MOST_ELLIPSES, MOST_IMAGES, MOST_NAMES = 1500, 250, 250, 40
-GAP, LEFT, FOOT = 46.0, 56.0, 44.0
+GAP, FOOT = 30.0, 44.0
 Panel = tuple[Plot, int, int]
 """A view: its plot and the object axes (0 X, 1 Y, 2 Z) that run right and up."""
 
@@ -113,18 +116,19 @@ def _limits(points: Array, centres: Array) -> list[Interval]:
 
 
 def _panels(limits: list[Interval]) -> tuple[list[Panel], float, float, float]:
-    """The three views at one scale within about 860 x 900 pixels, the size of the drawing, and pixels per unit."""
+    """The three views at one scale within about 880 x 900 pixels, the size of the drawing, and pixels per unit."""
     dx, dy, dz = (high - low for low, high in limits)
-    scale = min((860 - 2 * LEFT - GAP) / (dx + dz), (900 - 2 * FOOT) / (dy + dz), 560 / dy)
+    left = 30 + CHARACTER * max(len(s) for limit in limits for s in tick_labels(ticks(limit)))
+    scale = min((880 - 2 * left - GAP) / (dx + dz), (900 - 2 * FOOT) / (dy + dz), 560 / dy)
     w, d, h = dx * scale, dz * scale, dy * scale
-    width, height = LEFT + w + GAP + LEFT + d + 12, 10 + h + FOOT + d + FOOT + 10
-    plan = Plot(width=width, height=height, left=LEFT, right=width - LEFT - w, top=10, bottom=height - 10 - h,
+    width, height = left + w + GAP + left + d + 12, 10 + h + FOOT + d + FOOT + 10
+    plan = Plot(width=width, height=height, left=left, right=width - left - w, top=10, bottom=height - 10 - h,
                 x_range=limits[0], y_range=limits[1])  # fmt: skip
-    side_left = LEFT + w + GAP + LEFT
+    side_left = left + w + GAP + left
     side = Plot(width=width, height=height, left=side_left, right=width - side_left - d, top=10, bottom=height - 10 - h,
                 x_range=limits[2], y_range=limits[1])  # fmt: skip
     top = 10 + h + FOOT
-    front = Plot(width=width, height=height, left=LEFT, right=width - LEFT - w, top=top, bottom=height - top - d,
+    front = Plot(width=width, height=height, left=left, right=width - left - w, top=top, bottom=height - top - d,
                  x_range=limits[0], y_range=limits[2])  # fmt: skip
     return [(plan, 0, 1), (side, 2, 1), (front, 0, 2)], width, height, scale
 
@@ -235,7 +239,8 @@ def ray_histogram(rays: Array, what: str) -> Drawing:
     """Number of object points against their number of rays."""
     counts = np.bincount(rays[rays > 0].astype(int))
     step = 1 if len(counts) <= 60 else math.ceil(round_step(len(counts), 40))
-    edges = np.arange(0, len(counts) + step, step) - 0.5
+    least = int(np.flatnonzero(counts)[0]) if counts.any() else 0
+    edges = np.arange(least - 1, len(counts) + step, step) - 0.5
     heights = np.histogram(rays[rays > 0], edges)[0].astype(float)
     x_range, y_range = (float(edges[0]), float(edges[-1])), (0.0, max(float(heights.max()), 1.0) * 1.06)
     plot = fitted(Plot(width=286, height=190, x_range=x_range, y_range=y_range))

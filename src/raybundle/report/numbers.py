@@ -92,6 +92,8 @@ def per_cent(share: float) -> str:
     """A share in per cent, a decimal more where it is small."""
     if not math.isfinite(share):
         return NONE
+    if 0 < share < 0.001:
+        return f"{significant(100 * share, 1)} %"
     return f"{fixed(100 * share, 1 if 0 < share < 0.1 else 0)} %"
 
 

@@ -12,7 +12,7 @@ from raybundle.numerics.arrays import Array
 from raybundle.report.numbers import NONE, cells, column_decimals, counted, fixed, grouped, significant
 from raybundle.report.parts import Folded, Heading, Paragraph, Part, Section, Table, number, pick, table, text
 from raybundle.report.view import View, rms
-from raybundle.report.words import expected_check_std
+from raybundle.report.words import controlled, expected_check_std
 
 KINDS = (
     ("control", "Control points", "point", "control.csv"),
@@ -41,17 +41,17 @@ def _group(view: View, g: ObservationGroup, what: str, rest: str) -> list[Part]:
     length = g.kind != "parameter"
     factor, unit = (view.factor, view.unit) if length else (1.0, "")
     parts: list[Part] = []
-    if weighted.any():
-        v = g.residual[weighted] * factor
-        parts.append(
-            Paragraph(
-                text=f"{counted(int(weighted.sum()), 'value')} observed, rms residual {significant(rms(v))} {unit}, "
-                f"largest {significant(float(np.nanmax(np.abs(v))))} {unit}; {grouped(int((~weighted).sum()))} held."
-            )
-        )
-    else:
+    if not weighted.any():
         text_ = f"{counted(len(g.ids), 'coordinate')} held as given; they have no residuals of their own."
         return [Paragraph(text=text_), Folded(summary="Held coordinates", parts=(_held_table(view, g),))]
+    told = controlled(g)
+    head = f"{counted(int(weighted.sum()), 'value')} observed, {grouped(int((~weighted).sum()))} held"
+    if told.any():
+        v = g.residual[told] * factor
+        size = f"rms residual {significant(rms(v))} {unit}, largest {significant(float(np.nanmax(np.abs(v))))} {unit}"
+        parts.append(Paragraph(text=f"{head}; {size.strip()}."))
+    else:
+        parts.append(Paragraph(text=f"{head}. All are needed to fix the datum: nothing controls them."))
     parts.append(_group_table(view, g, what, rest, factor, unit))
     return parts
 

@@ -172,7 +172,7 @@ def _diversity(view: View, n: NetworkFigures) -> Figures:
     figures = [
         Figure(drawing=ray_histogram(view.rays, "rays per point"), caption="Rays per object point."),
         Figure(drawing=angle_histogram(n, "intersection angles"), caption="Largest intersection angle of each point."),
-        Figure(drawing=roll_rose(n.roll, "rolls of the images"), caption=_roll_words(n.roll)),
+        Figure(drawing=roll_rose(n.roll, "rolls of the images"), caption=_roll_words(view, n.roll)),
     ]
     scale = n.image_scale[np.isfinite(n.image_scale)]
     if len(scale) > 3:
@@ -193,15 +193,14 @@ def _diversity(view: View, n: NetworkFigures) -> Figures:
     return Figures(figures=tuple(figures))
 
 
-def _roll_words(roll: Array) -> str:
+def _roll_words(view: View, roll: Array) -> str:
     good = np.degrees(roll[np.isfinite(roll)])
     turned = int((np.abs(np.abs(good) - 90) < 30).sum())
-    if turned:
-        return f"Roll about the viewing axis, most frequent up; {counted(turned, 'image')} near ±90°."
-    return (
-        "Roll about the viewing axis, most frequent up. No image is rolled by 90°: principal point and decentring "
-        "stay correlated."
-    )
+    words = f"Roll about the viewing axis, most frequent up; {counted(turned, 'image')} near ±90°."
+    estimated = {s for i in view.adjustment.interior for s in i.free}
+    if turned or not estimated & {"x0", "y0", "P1", "P2"}:
+        return words
+    return f"{words} Without rolled images principal point and decentring stay correlated."
 
 
 def _pairs(view: View, n: NetworkFigures) -> list[Part]:

@@ -68,7 +68,7 @@ def round_step(width: float, count: int) -> float:
     """A step of 1, 2 or 5 times a power of ten that divides a width into about so many parts."""
     raw = width / max(count, 1)
     size = 10.0 ** math.floor(math.log10(raw))
-    return next(f * size for f in (1.0, 2.0, 5.0, 10.0) if f * size >= raw * (1 - 1e-9))
+    return min((f * size for f in (1.0, 2.0, 5.0, 10.0)), key=lambda step: abs(width / step - count))
 
 
 def round_below(value: float) -> float:
@@ -91,7 +91,7 @@ def tick_labels(values: Sequence[float]) -> list[str]:
         return []
     step = values[1] - values[0] if len(values) > 1 else abs(values[0]) or 1.0
     decimals = max(0, -math.floor(math.log10(step) + 1e-9)) if step > 0 else 0
-    if max(abs(v) for v in values) >= 1e6 or decimals > 5:
+    if decimals > 5 or max(abs(v) for v in values) >= 1e9:
         return [f"{v:.3g}".replace("-", MINUS) for v in values]
     if decimals == 0 and max(abs(v) for v in values) >= 1e4:
         return [grouped(v) for v in values]

@@ -8,8 +8,9 @@ from typing import Literal
 
 import numpy as np
 
-from raybundle.adjustment.result import Notice
-from raybundle.numerics.arrays import Array
+from raybundle.adjustment.reliability import UNCONTROLLED
+from raybundle.adjustment.result import Notice, ObservationGroup
+from raybundle.numerics.arrays import Array, Mask
 from raybundle.report.numbers import counted, grouped, listed, significant
 from raybundle.report.view import View, rms
 
@@ -252,28 +253,35 @@ def _fit(view: View) -> str:
 
 
 def _control(view: View) -> str:
-    words: list[str] = []
-    for kind, noun in (
-        ("control", "control coordinates"),
-        ("distance", "scale bars"),
-        ("station", "projection centres"),
-    ):
-        groups = [g for g in view.adjustment.groups if g.kind == kind]
-        if not groups:
-            continue
-        residual = np.concatenate([g.residual[g.sigma > 0] for g in groups])
-        held = sum(int((g.sigma == 0).sum()) for g in groups)
-        if len(residual):
-            largest = float(np.nanmax(np.abs(residual))) * view.factor
-            words.append(
-                f"{noun}: rms residual {significant(rms(residual) * view.factor)} {view.unit}, largest "
-                f"{significant(largest)} {view.unit} ({grouped(len(residual))} "
-                f"observed{f', {grouped(held)} held' if held else ''})"
-            )
-        elif held:
-            words.append(f"{grouped(held)} {noun} held as given; they are not tested by residuals of their own")
+    kinds = (("control", "control coordinates"), ("distance", "scale bars"), ("station", "projection centres"))
+    words = [
+        told
+        for kind, noun in kinds
+        for g in view.adjustment.groups
+        if g.kind == kind and (told := _group_words(view, g, noun))
+    ]
     text = "; ".join(words)
     return f"{text[0].upper()}{text[1:]}." if text else ""
+
+
+def controlled(group: ObservationGroup) -> Mask:
+    """(k,) whether a weighted observation is controlled by others, so that its residual says something."""
+    return (group.sigma > 0) & ~(group.redundancy < UNCONTROLLED)
+
+
+def _group_words(view: View, g: ObservationGroup, noun: str) -> str:
+    weighted, told = int((g.sigma > 0).sum()), controlled(g)
+    held = len(g.sigma) - weighted
+    if not weighted:
+        return f"{grouped(held)} {noun} held as given; they are not tested by residuals of their own"
+    if not told.any():
+        return f"{noun}: {grouped(weighted)} observed, all needed to fix the datum; nothing controls them"
+    residual = g.residual[told] * view.factor
+    also = f", {grouped(held)} held" if held else ""
+    return (
+        f"{noun}: rms residual {significant(rms(residual))} {view.unit}, largest "
+        f"{significant(float(np.nanmax(np.abs(residual))))} {view.unit} ({grouped(weighted)} observed{also})"
+    )
 
 
 def _blunders(view: View) -> str:

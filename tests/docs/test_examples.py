@@ -1,0 +1,51 @@
+"""Every example of the documentation runs: python blocks in one session per page, console lines through the shell."""
+
+import os
+import re
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+DOCS = Path(__file__).resolve().parents[2] / "docs"
+FENCE = re.compile(r"^```(python|console)\n(.*?)^```", re.MULTILINE | re.DOTALL)
+PAGES = [
+    p
+    for p in sorted(DOCS.rglob("*.md"))
+    if FENCE.search(p.read_text()) and "reference" not in p.relative_to(DOCS).parts
+]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda p: p.stem)
+def test_page(page, tmp_path):
+    script = ["import subprocess, sys"]
+    for kind, text in FENCE.findall(page.read_text()):
+        if kind == "python":
+            script.append(text)
+        else:
+            for line in text.strip().splitlines():
+                assert line.startswith("raybundle "), line
+                script.append(
+                    f"subprocess.run([sys.executable, '-m', {', '.join(map(repr, shlex.split(line)))}], check=True)"
+                )
+    file = tmp_path / "page.py"
+    file.write_text("\n".join(script))
+    done = subprocess.run(
+        [sys.executable, "-W", "error", str(file)], cwd=tmp_path, capture_output=True, text=True, check=False,
+        env=os.environ,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-3000:]
+
+
+def test_every_page_is_in_the_navigation():
+    nav = (DOCS.parent / "mkdocs.yml").read_text()
+    for page in DOCS.rglob("*.md"):
+        assert str(page.relative_to(DOCS)) in nav
+
+
+def test_the_readme_shows_the_two_commands():
+    readme = (DOCS.parent / "README.md").read_text()
+    assert "make demo" in readme
+    assert "make test" in readme
