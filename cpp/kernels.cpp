@@ -77,10 +77,20 @@ struct Chunk {
 
 enum class Want { value, jacobian };
 
-// Whether the model's view is along -Z only; others see all round and never call a point "behind".
-template <class M> struct SeesAhead { static constexpr bool value = true; };
-template <> struct SeesAhead<models::fisheye> { static constexpr bool value = false; };
-template <> struct SeesAhead<models::panorama> { static constexpr bool value = false; };
+// Whether the sensor-frame point lies on the side that the sensor sees, as `in_front` of the Python model: along -Z,
+// everywhere but at the projection centre, or in front of the line at the turn at which it was measured.
+template <class M> struct Side {
+  static bool in_front(const double* P, const double*, const double*) { return P[2] < 0; }
+};
+template <> struct Side<models::fisheye> {
+  static bool in_front(const double* P, const double*, const double*) { return P[0] != 0 || P[1] != 0 || P[2] != 0; }
+};
+template <> struct Side<models::panorama> {
+  static bool in_front(const double* P, const double* xy, const double* io) {
+    const double turn = xy[0] / io[0];
+    return std::sin(turn) * P[0] - std::cos(turn) * P[2] - io[2] > 0;
+  }
+};
 
 // Held coordinates are no unknowns: their partial derivatives vanish.
 static inline void hold(uint8_t held, double* x) {
@@ -112,7 +122,7 @@ static void linearise_lanes(const Problem& q, const State& s, const int64_t* row
   const bool direct = M::explicit_image || q.corrected[q.image[row[0]]] != 0;
   bool lost[V] = {};
   if (!direct) {
-    alignas(64) double g[6][V];
+    alignas(64) double g[6][V], relative[V] = {};
     for (int it = 0; it < 25; ++it) {
       M::by_image(in, g);
       double worst = 0;
@@ -129,11 +139,17 @@ static void linearise_lanes(const Problem& q, const State& s, const int64_t* row
         if (lost[l]) continue;
         in[0][l] -= dx;
         in[1][l] -= dy;
-        worst = std::max(worst, size / scale);
+        relative[l] = size / scale;
+        worst = std::max(worst, relative[l]);
       }
       if (worst < 1e-14) break;
       if (it == 24)
-        for (int l = 0; l < V; ++l) lost[l] = lost[l] || worst > 1e-9;
+        for (int l = 0; l < V; ++l)
+          if (!lost[l] && relative[l] > 1e-9) {
+            lost[l] = true;
+            in[0][l] = measured[0][l];
+            in[1][l] = measured[1][l];
+          }
     }
   }
   M::evaluate(in, o);
@@ -160,7 +176,8 @@ static void linearise_lanes(const Problem& q, const State& s, const int64_t* row
       }
     }
     out.diverged[n] = lost[l];
-    out.behind[n] = SeesAhead<M>::value && !(in[4][l] < 0);
+    const double P[3] = {in[2][l], in[3][l], in[4][l]};
+    out.behind[n] = !Side<M>::in_front(P, &q.xy[2 * i], s.interior + int64_t(q.interior[f]) * q.interior_stride);
     const double* w = &q.whiten[3 * i];
     const double v0 = w[0] * v[0], v1 = w[1] * v[0] + w[2] * v[1];
     double weight = 1, rho = 0.5 * (v0 * v0 + v1 * v1);
@@ -207,7 +224,7 @@ static void linearise_lanes(const Problem& q, const State& s, const int64_t* row
 static void linearise_external(const Problem& q, const State& s, int64_t i, int64_t base, Want want, Chunk& out) {
   const int64_t n = i - base;
   const int f = q.image[i];
-  const int K = q.parameters[f], width = 8 + 2 * q.interior_stride;
+  const int K = q.parameters[f], width = 9 + 2 * q.interior_stride;
   const double* e = s.external + int64_t(q.external_row[i]) * width;
   const double* R = s.rotation + 9 * int64_t(f);
   const double* C = s.centre + 3 * int64_t(f);
@@ -215,8 +232,9 @@ static void linearise_external(const Problem& q, const State& s, int64_t i, int6
   const double* w = &q.whiten[3 * i];
   double P[3];
   for (int a = 0; a < 3; ++a) P[a] = R[3 * a] * (X[0] - C[0]) + R[3 * a + 1] * (X[1] - C[1]) + R[3 * a + 2] * (X[2] - C[2]);
-  out.behind[n] = 0;
-  out.diverged[n] = 0;
+  const int flags = static_cast<int>(e[width - 1]);
+  out.behind[n] = flags & 1;
+  out.diverged[n] = (flags >> 1) & 1;
   const double v0 = w[0] * e[0], v1 = w[1] * e[0] + w[2] * e[1];
   double weight = 1, rho = 0.5 * (v0 * v0 + v1 * v1);
   if (s.huber > 0) {

@@ -70,7 +70,7 @@ struct State {
   const double* centre;    // (n, 3)
   const double* interior;  // (q, stride)
   const double* xyz;       // (p, 3)
-  const double* external;  // (rows, 8 + 2 stride): v, d v / d sensor point, d v / d interior; may be null
+  const double* external;  // (rows, 9 + 2 stride): v, d v / d sensor point, d v / d interior, flags; may be null
   double huber;            // 0: least squares
   double damping;
 };

@@ -22,13 +22,13 @@ def field(survey=None, camera=None):
     return simulate(scene, survey or Survey(**EXACT)).observed
 
 
-def rich():
+def rich(options=None):
     survey = Survey(
         control=5, control_sigma=(1e-4, 1e-4, 0.0), check=3, check_sigma=1e-4, scale_bars=2, station_sigma=0.01, **EXACT
     )
     block = field(survey)
     camera = replace(block.cameras[0], sigma={"c": 0.01})
-    return adjust_block(block.with_cameras(camera), AdjustmentOptions())
+    return adjust_block(block.with_cameras(camera), options or AdjustmentOptions())
 
 
 def free():
@@ -36,7 +36,28 @@ def free():
 
 
 def without_statistics():
-    return adjust_block(field(), AdjustmentOptions(statistics=False))
+    return rich(AdjustmentOptions(statistics=False))
+
+
+def one_scale_bar():
+    return adjust_block(field(Survey(scale_bars=1, **EXACT)), AdjustmentOptions())
+
+
+def strange_numbers():
+    """Suspects, a redundancy of one, joint tests out of range, a remark, a perfect fit."""
+    a = rich()
+    parameter = replace(a.interior[0].parameters["c"], std=0.0, remark="as given")
+    interior = replace(
+        a.interior[0], parameters={**a.interior[0].parameters, "c": parameter}, joint_tests={"K1 K2": (np.inf, 0.0)}
+    )
+    return replace(
+        a,
+        interior=(interior, *a.interior[1:]),
+        suspects=(("1", "2", 5.5, 0.97), ("1", "3", 4.9, np.nan)),
+        critical_tau=np.nan,
+        sigma0=0.0,
+        condition=np.inf,
+    )
 
 
 def resection():
@@ -127,7 +148,8 @@ def hostile():
 MAKERS = {
     f.__name__: f
     for f in (
-        rich, free, without_statistics, resection, without_redundancy, rejected, interior_of_each_image, two_cameras,
+        rich, free, without_statistics, resection, without_redundancy, rejected, one_scale_bar,
+        strange_numbers, interior_of_each_image, two_cameras,
         fisheye, unused_rows, hostile,
     )
 }  # fmt: skip

@@ -120,6 +120,12 @@ def test_rejected_observations_are_listed_with_their_reasons(case, tmp_path):
     assert all(r in text for r in reasons)
 
 
+def test_suspects_are_listed(case, tmp_path):
+    text = " ".join(parsed(report(case("strange_numbers"), tmp_path)).text)
+    assert "Suspects and how well they can be told apart" in text
+    assert "0.97" in text
+
+
 def test_points_held_have_no_sigma(case, tmp_path):
     text = " ".join(parsed(report(case("resection"), tmp_path)).text)
     assert "All object points are held" in text

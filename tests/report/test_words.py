@@ -84,6 +84,12 @@ def test_differences_at_check_points_hold_the_sigma_of_both(case):
     assert std**2 == pytest.approx(given**2 + view.std[view.check_rows] ** 2)
 
 
+def test_a_scale_bar_that_only_fixes_the_scale_is_not_praised(case):
+    words = told(case("one_scale_bar"))[2]["Control"]
+    assert "nothing controls them" in words
+    assert "rms" not in words
+
+
 def test_open_parts_of_the_datum_are_gathered():
     every = tuple(f"{kind} {axis}" for kind in ("position", "rotation") for axis in "XYZ")
     assert open_datum((*every, "scale")) == ["position", "orientation", "scale"]

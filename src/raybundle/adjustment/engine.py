@@ -6,7 +6,7 @@ What is free and what is rejected is decided by the caller (`decide`); here it i
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -27,26 +27,13 @@ from raybundle.adjustment.reliability import (
     variance_components,
 )
 from raybundle.adjustment.result import Adjustment, Notice
-from raybundle.adjustment.solve import HUBER, Solution, solve
+from raybundle.adjustment.solve import HUBER, solve
+from raybundle.adjustment.work import Work
 from raybundle.block import Block, Camera
 from raybundle.numerics.arrays import Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.statistics import family_wise_normal, family_wise_tau, global_test
 from raybundle.sensors import sensor_models
-
-
-@dataclass(slots=True)
-class Work:
-    """An adjusted system with its factor, for statistics and decisions."""
-
-    system: System
-    normals: Normals
-    datum: Datum
-    solution: Solution
-    found: Cofactors | None
-    parts: int
-    state: State | None = None
-    """Adjusted values in the frame of the result, at which the factor stands"""
 
 
 def free_parameters(camera: Camera) -> tuple[str, ...]:

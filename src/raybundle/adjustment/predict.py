@@ -6,6 +6,7 @@ import numpy as np
 
 from raybundle.block import Block
 from raybundle.numerics.arrays import Array
+from raybundle.platforms.station import sensor_from_object
 from raybundle.sensors import sensor_models
 
 
@@ -28,7 +29,7 @@ def residuals_px(block: Block, rows: Array) -> Array:
             own = block.images.interior.get(int(i))
             if own is not None:
                 values[:, k] = [own[s] for s in model.symbols]
-        P = np.einsum("nij,nj->in", block.images.rotation[image], block.points.xyz[point] - block.images.centre[image])
+        P = sensor_from_object(block.images.rotation[image], block.images.centre[image], block.points.xyz[point])
         xy = cam.image_from_pixel(observations.xy_px[rows[mine]]).T
         g, J = model.condition_and_jacobian(*xy, *P, *values)
         B = np.moveaxis(J[:, :2], 2, 0)

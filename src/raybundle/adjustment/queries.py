@@ -10,12 +10,13 @@ from raybundle.adjustment.assemble import State, System
 from raybundle.adjustment.datum import Datum, Transformation, transformation
 from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.precision import Cofactors, angle_form, image_unknowns, interior_unknowns, precision
+from raybundle.adjustment.work import Work
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
+from raybundle.platforms.station import sensor_from_object, station_partials
 from raybundle.sensors import sensor_models
 
 if TYPE_CHECKING:
-    from raybundle.adjustment.engine import Work
     from raybundle.adjustment.result import Adjustment, ObservationStatistics, Precision
 
 SUSPECTS = 20
@@ -184,7 +185,7 @@ def design_row(system: System, state: State, row: int, axis: int) -> tuple[Array
     model = sensor_models[interior.model.name]
     values = state.interior[int(system.interior_of_image[image]), : len(model.symbols)]
     R = state.rotation[image]
-    P = R @ (state.xyz[point] - state.centre[image])
+    P = sensor_from_object(R[None], state.centre[image][None], state.xyz[point][None])[:, 0]
     xy = system.xy_mm[row]
     if not system.corrected[block.images.camera[image]]:
         xy = model.solve(P[:, None], values[:, None], xy[:, None].copy())[0][:, 0]
@@ -193,12 +194,12 @@ def design_row(system: System, state: State, row: int, axis: int) -> tuple[Array
     D = -np.linalg.solve(B, J[:, 2:])
     w = system.whiten[row]
     D = np.array([[w[0], 0.0], [w[1], w[2]]])[axis] @ D
-    by_point = D[:3] @ R
+    by_station, by_point = station_partials(R, P, D[:3])
     columns: list[Array] = []
     unknowns: list[Array] = []
     if system.exterior_free[image]:
         unknowns.append(image_unknowns(system, image))
-        columns.append(np.concatenate([-by_point, np.cross(P, D[:3])]))
+        columns.append(by_station)
     if interior.node >= 0:
         unknowns.append(interior_unknowns(system, interior))
         columns.append(D[3:][list(interior.free)])

@@ -1,22 +1,38 @@
 """The NumPy twin of the compiled kernels: the same interface and the same numbers, slower.
 
-It works where no compiler was there, and a test holds the kernels against it.  The reduced normal
-matrix is dense here, so blocks of more than a few hundred images take their time.
+It works where no compiler was there, and tests hold the kernels against it.  Read it for what the
+kernels compute: residuals and partial derivatives of the image observations, the object points
+eliminated from the normal equations, the factor, and the statistics from its inverse.  The reduced
+normal matrix is dense here, so blocks of more than a few hundred images take their time.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
+from typing import Any
 
 import numpy as np
 
 from raybundle.adjustment.assemble import State, System
 from raybundle.block import Block
 from raybundle.numerics.arrays import Array, Index, Mask
-from raybundle.sensors import SensorModel, sensor_models
+from raybundle.sensors import SensorModel
 
 SINGULAR = 1e-13
 """Pivot of a point's normal matrix, relative to its diagonal, below which the point counts as undetermined."""
+BEHIND, LOST = 1, 2
+"""Flags of an image observation: point not in front of the sensor; no image point fulfils the condition."""
+_CHUNK = 400
+"""Object points whose statistics are formed together."""
+
+
+@cache
+def is_explicit(model: SensorModel) -> bool:
+    """Whether the condition reads x - f(X, Y, Z, parameters), so that projection needs no iteration."""
+    with np.errstate(all="ignore"):
+        _, J = model.condition_and_jacobian(1.3, 0.7, 0.3, 0.2, -1.5, *model.typical)
+    return bool(np.array_equal(J[:, :2], np.eye(2)))
 
 
 def residuals_and_partials(
@@ -32,56 +48,84 @@ def residuals_and_partials(
     g, J = model.condition_and_jacobian(*measured, *points, *values)
     v, D = -g, -J[:, 2:]
     lost = np.zeros(len(xy), bool)
-    if not corrected:
-        image = measured.copy()
+    if not (corrected or is_explicit(model)):
         with np.errstate(all="ignore"):
-            for _ in range(25):
-                g, J = model.condition_and_jacobian(*image, *points, *values)
-                det = J[0, 0] * J[1, 1] - J[0, 1] * J[1, 0]
-                dx = (J[1, 1] * g[0] - J[0, 1] * g[1]) / det
-                dy = (J[0, 0] * g[1] - J[1, 0] * g[0]) / det
-                size, scale = np.abs(dx) + np.abs(dy), np.abs(image).sum(axis=0) + 1
-                lost |= ~(size < 1e3 * scale) | ~(det > 0)
-                image = image - np.where(lost, 0.0, np.stack([dx, dy]))
-                image[:, lost] = measured[:, lost]
-                worst = np.max(np.where(lost, 0.0, size / scale), initial=0.0)
-                if worst < 1e-14:
-                    break
-        _, J = model.condition_and_jacobian(*image, *points, *values)
-        det = J[0, 0] * J[1, 1] - J[0, 1] * J[1, 0]
-        inverse = np.array([[J[1, 1], -J[0, 1]], [-J[1, 0], J[0, 0]]]) / det
-        found = -np.einsum("abn,bcn->acn", inverse, J[:, 2:])
+            image, J, lost = _project(model, measured, points, values)
+            found = -_inverse2(J[:, :2], J[:, 2:])
         v = np.where(lost, v, image - measured)
         D = np.where(lost, D, found)
     return np.ascontiguousarray(v.T), np.ascontiguousarray(np.moveaxis(D, 2, 0)), lost
 
 
-def sensor_points(system: System, state: State, rows: Array) -> tuple[Array, Array, Array]:
-    """Positions of image and point of used observations, and the points (3, n) in their sensor's frame."""
-    o = system.block.observations
-    image, point = o.image[system.rows[rows]], o.point[system.rows[rows]]
-    P = np.einsum("nij,nj->in", state.rotation[image], state.xyz[point] - state.centre[image])
-    return image, point, P
+def _project(model: SensorModel, measured: Array, points: Array, values: Array) -> tuple[Array, Array, Mask]:
+    """Newton from the measured point: image (2, n), Jacobian (2, 5 + k, n) there, and where it fails (n,)."""
+    image, lost = measured.copy(), np.zeros(measured.shape[1], bool)
+    relative = np.full(measured.shape[1], np.inf)
+    for _ in range(25):
+        g, J = model.condition_and_jacobian(*image, *points, *values)
+        step = _inverse2(J[:, :2], g[:, None])[:, 0]
+        size, scale = np.abs(step).sum(axis=0), np.abs(image).sum(axis=0) + 1
+        lost |= ~(size < 1e3 * scale) | ~(_det2(J) > 0)
+        image = np.where(lost, measured, image - step)
+        relative = np.where(lost, 0.0, size / scale)
+        if relative.max(initial=0.0) < 1e-13:
+            break
+    lost |= relative > 1e-9
+    image = np.where(lost, measured, image)
+    return image, model.condition_and_jacobian(*image, *points, *values)[1], lost
+
+
+def _det2(J: Array) -> Array:
+    return J[0, 0] * J[1, 1] - J[0, 1] * J[1, 0]
+
+
+def _inverse2(B: Array, right: Array) -> Array:
+    """B^-1 right for B (2, 2, n) and right (2, k, n)."""
+    x = B[1, 1] * right[0] - B[0, 1] * right[1]
+    y = B[0, 0] * right[1] - B[1, 0] * right[0]
+    return np.stack([x, y]) / _det2(B)
+
+
+def image_residuals(
+    system: System, state: State, image: Array, point: Array, xy: Array
+) -> tuple[Array, Array, Array, Array]:
+    """Image observations at a state, before whitening.
+
+    image, point  (m,) positions;  xy (m, 2) measured [mm, image frame]
+    returns       v (m, 2) [mm]; d v / d (sensor-frame point, interior) (m, 2, 3 + stride); the sensor-frame
+                  points P (m, 3); flags (m,), BEHIND + LOST
+    """
+    m = len(image)
+    P = np.einsum("nij,nj->ni", state.rotation[image], state.xyz[point] - state.centre[image])
+    v, D, flags = np.zeros((m, 2)), np.zeros((m, 2, 3 + system.stride)), np.zeros(m, np.uint8)
+    models = list(dict.fromkeys(row.model for row in system.interior))
+    model_of_row = np.array([models.index(row.model) for row in system.interior])
+    row = system.interior_of_image[image]
+    corrected = system.corrected[system.block.images.camera[image]]
+    for code, model in enumerate(models):
+        k = len(model.symbols)
+        for form in (False, True):
+            mine = np.flatnonzero((model_of_row[row] == code) & (corrected == form))
+            if not len(mine):
+                continue
+            values, local = state.interior[row[mine], :k].T, P[mine].T
+            v[mine], D[mine, :, : 3 + k], lost = residuals_and_partials(model, xy[mine], local, values, corrected=form)
+            flags[mine] = BEHIND * ~model.in_front(local, xy[mine].T, values) + LOST * lost
+    return v, D, P, flags
 
 
 def external_rows(system: System, state: State, mask: Mask) -> Array:
-    """Rows (k, 8 + 2 stride) for the observations in `mask`: v, d v / d point (2, 3), d v / d interior (2, stride)."""
-    chosen = np.flatnonzero(mask)
-    table = np.zeros((len(chosen), 8 + 2 * system.stride))
-    image, _, P = sensor_points(system, state, chosen)
-    row = system.interior_of_image[image]
-    for r in np.unique(row):
-        mine = np.flatnonzero(row == r)
-        model = system.interior[r].model
-        k = len(model.symbols)
-        values = np.repeat(state.interior[r, :k, None], len(mine), axis=1)
-        corrected = bool(system.corrected[system.interior[r].camera])
-        v, D, _ = residuals_and_partials(model, system.xy_mm[chosen[mine]], P[:, mine], values, corrected=corrected)
-        table[mine, :2] = v
-        table[mine, 2:8] = D[:, :, :3].reshape(-1, 6)
-        table[mine, 8 : 8 + k] = D[:, 0, 3:]
-        table[mine, 8 + system.stride : 8 + system.stride + k] = D[:, 1, 3:]
-    return table
+    """What the compiled solver takes for observations of models that it does not know.
+
+    mask     (m,) of `System.rows`
+    returns  (k, 9 + 2 stride): v (2) [mm], d v / d sensor-frame point (2, 3), d v / d interior (2, stride), flags
+    """
+    o = system.block.observations
+    rows = system.rows[mask]
+    v, D, _, flags = image_residuals(system, state, o.image[rows], o.point[rows], system.xy_mm[mask])
+    m = len(rows)
+    parts = (v, D[:, :, :3].reshape(m, 6), D[:, :, 3:].reshape(m, 2 * system.stride), flags[:, None])
+    return np.ascontiguousarray(np.concatenate(parts, axis=1, dtype=np.float64))
 
 
 @dataclass(slots=True)
@@ -90,13 +134,16 @@ class _Linear:
 
     v: Array
     """(m, 2)"""
-    nodes: Array
-    """(2 m, N) sparse"""
+    J: Array
+    """(m, 2, k) by the unknowns `Solver.columns` of the nodes"""
+    A: Any
+    """(2 m, N) sparse, the same"""
     x: Array
-    """(m, 2, 3)"""
+    """(m, 2, 3) by the object point"""
     rho: Array
-    behind: Mask
-    lost: Mask
+    """(m,) half the square sum, robust if asked"""
+    flags: Array
+    """(m,)"""
 
 
 class Solver:
@@ -104,55 +151,80 @@ class Solver:
 
     def __init__(self, block: Block, system: System) -> None:
         """Keep the system; the `set_...` calls hand over the same arrays as to the compiled solver."""
-        self.block_data, self.system = block, system
+        del block
+        self.system = system
         self.smallest_pivot, self.smallest_pivot_at = 1.0, -1
 
     def set_observations(self, image: Index, point: Index, xy: Array, whiten: Array, external_row: Index) -> None:
-        """Observations, sorted by point."""
+        """Observations, sorted by point: xy (m, 2) [mm]; lower triangle (m, 3) of the whitening matrices."""
         del external_row
         self.image, self.point, self.xy = image, point, xy
-        self.W = np.zeros((len(image), 2, 2))
-        self.W[:, 0, 0], self.W[:, 1, 0], self.W[:, 1, 1] = whiten.T
+        self.whiten = np.zeros((len(image), 2, 2))
+        self.whiten[:, 0, 0], self.whiten[:, 1, 0], self.whiten[:, 1, 1] = whiten.T
 
     def set_images(
         self, model: Index, corrected: Index, interior: Index, pattern: Index, own: Index, shared: Index,
         parameters: Index, stride: int,
     ) -> None:  # fmt: skip
-        """Images: residual form, interior orientation, free columns and their nodes."""
-        del model, parameters
-        self.corrected, self.interior, self.pattern = corrected, interior, pattern
-        self.own, self.shared, self.stride = own, shared, stride
+        """Images: free columns and the nodes that carry them; the rest the system knows."""
+        del model, corrected, interior, parameters
+        self.pattern, self.own, self.shared, self.stride = pattern, own, shared, stride
 
     def set_patterns(self, patterns: list[tuple[list[int], list[int]]]) -> None:
-        """Lists of free local columns of the own and the shared node."""
+        """Lists of free local columns (X0 Y0 Z0, rotation, interior) of the own and the shared node."""
         self.patterns = patterns
 
     def set_points(self, first: Array, node: Index, held: Array, weight: Array, value: Array) -> None:
-        """Object points: node of retained ones, held coordinates, observed coordinates."""
-        del first
-        self.node, self.weight, self.value = node, weight, value
+        """Object points: first observation (p + 1,), node of retained ones, held and observed coordinates."""
+        self.first, self.node, self.weight, self.value = first, node, weight, value
+        self.eliminated = node < 0
         self.set_held(held)
 
     def set_held(self, held: Array) -> None:
-        """Held coordinates as bits."""
+        """Held coordinates (p,) as bits."""
         self.held = (held[:, None] & np.array([1, 2, 4], np.uint8)) > 0
-
-    def set_nodes(self, sizes: Array, extra: list[tuple[int, int]]) -> None:
-        """Nodes; every pair has a block here."""
-        del extra
-        self.sizes = np.asarray(sizes, np.int64)
-        self.offsets = np.concatenate([[0], np.cumsum(self.sizes)])
-        self.unknowns = int(self.offsets[-1])
-        n = len(self.sizes)
-        upper = np.triu(np.outer(self.sizes, self.sizes)).ravel()
-        self.start = np.concatenate([[0], np.cumsum(upper)])
-        self.values_size = int(self.start[-1])
-        self.factor_entries = self.unknowns * (self.unknowns + 1) // 2
-        self.factor_operations = self.unknowns**3 / 3
-        del n
 
     def set_external(self, rows: Array) -> None:
         """Nothing to do: every model is evaluated here."""
+
+    def set_nodes(self, sizes: Array, extra: list[tuple[int, int]]) -> None:
+        """Sizes of the nodes; every pair of them has a block here."""
+        del extra
+        self.sizes = np.asarray(sizes, np.int64)
+        self.offsets = np.concatenate([[0], np.cumsum(self.sizes)])
+        self.unknowns = N = int(self.offsets[-1])
+        n = len(self.sizes)
+        upper = np.triu(np.outer(self.sizes, self.sizes))
+        self.start = np.concatenate([[0], np.cumsum(upper)])
+        self.values_size = int(self.start[-1])
+        self.factor_entries, self.factor_operations = N * (N + 1) // 2, N**3 / 3
+        # where the values of the blocks stand in the whole matrix
+        node = np.repeat(np.arange(n), self.sizes)
+        local = np.arange(N) - self.offsets[node]
+        row, col = np.nonzero(node[:, None] <= node)
+        at = self.start[node[row] * n + node[col]] + local[row] * self.sizes[node[col]] + local[col]
+        self.place = np.empty(self.values_size, np.int64)
+        self.place[at] = row * N + col
+        self._place_columns()
+
+    def _place_columns(self) -> None:
+        """Unknowns (m, k) that each observation touches, and its local columns (m, k); padded by a column of zeros."""
+        nothing, m = 9 + self.stride, len(self.image)
+        width = max((len(own) + len(shared) for own, shared in self.patterns), default=0) + 3
+        self.columns, self.local = np.zeros((m, width), np.int64), np.full((m, width), nothing)
+        for code, (own, shared) in enumerate(self.patterns):
+            mine = np.flatnonzero(self.pattern[self.image] == code)
+            a, b = len(own), len(own) + len(shared)
+            self.local[mine, :b] = own + shared
+            self.columns[mine, :a] = self.offsets[self.own[self.image[mine]], None] + np.arange(a)
+            self.columns[mine, a:b] = self.offsets[self.shared[self.image[mine]], None] + np.arange(b - a)
+        kept = np.flatnonzero(~self.eliminated[self.point])
+        self.local[kept, -3:] = 6 + self.stride + np.arange(3)
+        self.columns[kept, -3:] = self._retained(self.point[kept])
+
+    def _retained(self, points: Array) -> Array:
+        """Unknowns (n, 3) of retained points."""
+        return self.offsets[self.node[points], None] + np.arange(3)
 
     def block(self, a: int, b: int) -> int:
         """Number of the block of two nodes."""
@@ -162,191 +234,146 @@ class Solver:
         """First value of a block."""
         return int(self.start[k])
 
-    def _to_blocks(self, dense: Array, values: Array) -> None:
-        for a in range(len(self.sizes)):
-            for b in range(a, len(self.sizes)):
-                k = self.start[self.block(a, b)]
-                part = dense[self.offsets[a] : self.offsets[a + 1], self.offsets[b] : self.offsets[b + 1]]
-                values[k : k + part.size] = part.ravel()
-
-    def _to_dense(self, values: Array) -> Array:
-        dense = np.zeros((self.unknowns, self.unknowns))
-        for a in range(len(self.sizes)):
-            for b in range(a, len(self.sizes)):
-                k, size = self.start[self.block(a, b)], self.sizes[a] * self.sizes[b]
-                part = values[k : k + size].reshape(self.sizes[a], self.sizes[b])
-                dense[self.offsets[a] : self.offsets[a + 1], self.offsets[b] : self.offsets[b + 1]] = part
-                dense[self.offsets[b] : self.offsets[b + 1], self.offsets[a] : self.offsets[a + 1]] = part.T
-        return dense
+    def _dense(self, values: Array) -> Array:
+        """The symmetric matrix (N, N) whose blocks are given."""
+        S = np.zeros(self.unknowns**2)
+        S[self.place] = values
+        S = np.triu(S.reshape(self.unknowns, self.unknowns))
+        return S + np.triu(S, 1).T
 
     def _linearise(self, R: Array, C: Array, I: Array, X: Array, huber: float) -> _Linear:
         from scipy.sparse import csr_matrix  # noqa: PLC0415
 
         m = len(self.image)
-        v, full = np.zeros((m, 2)), np.zeros((m, 2, 6 + self.stride))
-        x, behind, lost = np.zeros((m, 2, 3)), np.zeros(m, bool), np.zeros(m, bool)
-        P = np.einsum("nij,nj->in", R[self.image], X[self.point] - C[self.image])
-        models = [row.model for row in self.system.interior]
-        kinds = [(models[i].name, int(c)) for i, c in zip(self.interior, self.corrected, strict=True)]
-        names = sorted(set(kinds))
-        kind = np.array([names.index(k) for k in kinds])[self.image]
-        for code, (name, corrected) in enumerate(names):
-            mine = np.flatnonzero(kind == code)
-            if not len(mine):
-                continue
-            model = (
-                models[int(self.interior[self.image[mine[0]]])] if name not in sensor_models else sensor_models[name]
-            )
-            k = len(model.symbols)
-            values = I[self.interior[self.image[mine]], :k].T
-            v[mine], D, lost[mine] = residuals_and_partials(
-                model, self.xy[mine], P[:, mine], values, corrected=bool(corrected)
-            )
-            D = self.W[mine] @ D
-            x[mine] = D[:, :, :3] @ R[self.image[mine]]
-            full[mine, :, :3] = -x[mine]
-            full[mine, :, 3:6] = np.cross(P.T[mine][:, None], D[:, :, :3])
-            full[mine, :, 6 : 6 + k] = D[:, :, 3:]
-            if type(model).in_front is SensorModel.in_front:
-                behind[mine] = ~(P[2, mine] < 0)
-        v = np.einsum("nij,nj->ni", self.W, v)
+        state = State(R, C, I, X)
+        v, D, P, flags = image_residuals(self.system, state, self.image, self.point, self.xy)
+        v, D = np.einsum("nij,nj->ni", self.whiten, v), self.whiten @ D
         length = np.linalg.norm(v, axis=1)
         rho = 0.5 * length**2
         if huber > 0:
             large = length > huber
             weight = np.sqrt(np.where(large, huber / np.maximum(length, 1e-300), 1.0))
             rho = np.where(large, huber * (length - 0.5 * huber), rho)
-            v, x, full = v * weight[:, None], x * weight[:, None, None], full * weight[:, None, None]
-        x = x * ~self.held[self.point][:, None]
-        rows, columns, entries = [], [], []
-        for code, (own, shared) in enumerate(self.patterns):
-            mine = np.flatnonzero(self.pattern[self.image] == code)
-            for local, node in ((own, self.own), (shared, self.shared)):
-                if not local or not len(mine):
-                    continue
-                at = self.offsets[node[self.image[mine]]][:, None] + np.arange(len(local))
-                for axis in range(2):
-                    rows.append(np.repeat(2 * mine + axis, len(local)))
-                    columns.append(at.ravel())
-                    entries.append(full[mine, axis][:, local].ravel())
-        kept = np.flatnonzero(self.node[self.point] >= 0)
-        for axis in range(2):
-            rows.append(np.repeat(2 * kept + axis, 3))
-            columns.append((self.offsets[self.node[self.point[kept]]][:, None] + np.arange(3)).ravel())
-            entries.append(x[kept, axis].ravel())
-        A = csr_matrix(
-            (np.concatenate(entries), (np.concatenate(rows), np.concatenate(columns))), shape=(2 * m, self.unknowns)
-        )
-        return _Linear(v, A, x, rho, behind, lost)
+            v, D = v * weight[:, None], D * weight[:, None, None]
+        # P = R (X - C), R <- (1 + [delta]x) R
+        by_point = D[:, :, :3]
+        x = by_point @ R[self.image]
+        full = np.zeros((m, 2, 10 + self.stride))
+        full[:, :, :3], full[:, :, 3:6], full[:, :, 6:-4] = -x, np.cross(P[:, None], by_point), D[:, :, 3:]
+        full[:, :, -4:-1] = x = x * ~self.held[self.point, None]
+        J = np.take_along_axis(full, self.local[:, None], axis=2)
+        rows = np.repeat(np.arange(2 * m), J.shape[2])
+        A = csr_matrix((J.ravel(), (rows, np.repeat(self.columns, 2, axis=0).ravel())), shape=(2 * m, self.unknowns))
+        return _Linear(v, J, A, x, rho, flags)
 
-    def _points(self, s: tuple[Array, ...], linear: _Linear, v: Array, damping: float) -> tuple[Array, Array, Array]:
-        """Inverse normal matrices (p, 3, 3), right sides (p, 3) and weak points of the eliminated points."""
-        _, C, _, X = s
-        p = len(X)
+    def _points(self, C: Array, X: Array, linear: _Linear, v: Array, damping: float) -> tuple[Array, Array, Array]:
+        """Inverse normal matrices (p, 3, 3), right sides (p, 3) and weak ones of the eliminated points."""
+        p, e = len(X), np.arange(3)
         V, b = np.zeros((p, 3, 3)), np.zeros((p, 3))
         np.add.at(V, self.point, np.einsum("nki,nkj->nij", linear.x, linear.x))
         np.add.at(b, self.point, np.einsum("nki,nk->ni", linear.x, v))
-        e = np.arange(3)
-        V[:, e, e] += self.weight
-        b += self.weight * (X - self.value)
-        used = np.bincount(self.point, minlength=p) > 0
-        eliminated = used & (self.node < 0)
-        V[:, e, e] = np.where(self.held, 1.0, V[:, e, e])
-        b = np.where(self.held, 0.0, b)
+        V[:, e, e] = np.where(self.held, 1.0, V[:, e, e] + self.weight)
+        b = np.where(self.held, 0.0, b + self.weight * (X - self.value))
         if damping > 0:
-            first = np.full(p, -1)
-            first[self.point[::-1]] = self.image[::-1]
-            u = X - C[np.maximum(first, 0)]
-            u = u / np.maximum(np.linalg.norm(u, axis=1), 1e-300)[:, None]
-            along = np.einsum("pi,pij,pj->p", u, V, u)
-            across = 0.5 * (np.trace(V, axis1=1, axis2=2) - along)
-            D = (np.maximum(along, 0) - across)[:, None, None] * u[:, :, None] * u[:, None, :]
-            D = D + across[:, None, None] * np.eye(3)
-            plain = self.held.any(axis=1)
-            D[plain] = V[plain] * np.eye(3)
-            V = V + damping * D
-        V[~eliminated], b[~eliminated] = np.eye(3), 0
-        scale = 1 / np.sqrt(np.maximum(V[:, e, e], 1e-300))
-        smallest = np.linalg.eigvalsh(V * scale[:, :, None] * scale[:, None, :])[:, 0]
-        weak = eliminated & ~(smallest > SINGULAR)
-        V[weak] += np.maximum(np.trace(V[weak], axis1=1, axis2=2), 1e-300)[:, None, None] * 1e-12 * np.eye(3)
-        return np.linalg.inv(V), b, np.flatnonzero(weak)
+            V = V + damping * self._point_damping(C, X, V)
+        solved = self.eliminated & (np.diff(self.first) > 0)
+        V[~solved], b[~solved] = np.eye(3), 0
+        inverse, weak = inverse_of_points(V)
+        return inverse, b, np.flatnonzero(weak & solved)
 
-    def _couplings(self, linear: _Linear) -> Array:
-        """W (N, 3 p) sparse: couplings of nodes with eliminated points."""
+    def _point_damping(self, C: Array, X: Array, V: Array) -> Array:
+        """Along and across the ray of the point's first image: (p, 3, 3)."""
+        seen = np.diff(self.first) > 0
+        D = V * np.eye(3)
+        mine = np.flatnonzero(seen & ~self.held.any(axis=1))
+        u = X[mine] - C[self.image[self.first[mine]]]
+        u = u / np.maximum(np.linalg.norm(u, axis=1), 1e-300)[:, None]
+        along = np.einsum("pi,pij,pj->p", u, V[mine], u)
+        across = 0.5 * (np.trace(V[mine], axis1=1, axis2=2) - along)
+        D[mine] = (np.maximum(along, 0) - across)[:, None, None] * u[:, :, None] * u[:, None, :]
+        D[mine] += across[:, None, None] * np.eye(3)
+        return D
+
+    def _couplings(self, linear: _Linear) -> Any:
+        """W (N, 3 p) sparse: couplings of the nodes with the eliminated points."""
         from scipy.sparse import csr_matrix  # noqa: PLC0415
 
         m, p = len(self.image), len(self.node)
-        x = linear.x * (self.node[self.point] < 0)[:, None, None]
-        rows = np.repeat(np.arange(2 * m), 3)
-        columns = (3 * self.point[:, None, None] + np.arange(3) + np.zeros((1, 2, 1), int)).ravel()
-        return linear.nodes.T @ csr_matrix((x.ravel(), (rows, columns)), shape=(2 * m, 3 * p))
+        x = linear.x * self.eliminated[self.point, None, None]
+        columns = np.broadcast_to(3 * self.point[:, None, None] + np.arange(3), (m, 2, 3))
+        return linear.A.T @ csr_matrix(
+            (x.ravel(), (np.repeat(np.arange(2 * m), 3), columns.ravel())), shape=(2 * m, 3 * p)
+        )
+
+    def _totals(self, linear: _Linear, X: Array) -> tuple[float, int, int]:
+        """Half the weighted square sum, observations behind the sensor, observations without a projection."""
+        prior = self.eliminated[:, None] * self.weight * (X - self.value) ** 2
+        behind, lost = (int(np.count_nonzero(linear.flags & flag)) for flag in (BEHIND, LOST))
+        return float(linear.rho.sum() + 0.5 * prior.sum()), behind, lost
 
     def reduce(
         self, R: Array, C: Array, I: Array, X: Array, huber: float, damping: float, threads: int, values: Array,
         right: Array, diagonal: Array,
     ) -> tuple[float, int, int, list[int]]:  # fmt: skip
-        """Form the reduced normal matrix; returns cost, behind, without projection, weak points."""
+        """Form the reduced normal equations; returns cost, behind, without projection, weak points."""
         del threads
         linear = self._linearise(R, C, I, X, huber)
-        inverse, b, weak = self._points((R, C, I, X), linear, linear.v, damping)
+        inverse, b, weak = self._points(C, X, linear, linear.v, damping)
         W = self._couplings(linear)
-        S = (linear.nodes.T @ linear.nodes).toarray()
-        diagonal[:] = np.diagonal(S)
         Y = W @ _block_diagonal(inverse)
-        self._to_blocks(S - (Y @ W.T).toarray(), values)
-        right[:] = -(linear.nodes.T @ linear.v.ravel()) + Y @ b.ravel()
-        return self._cost(linear, X), int(linear.behind.sum()), int(linear.lost.sum()), [int(p) for p in weak]
-
-    def _cost(self, linear: _Linear, X: Array) -> float:
-        mine = (self.node < 0)[:, None]
-        return float(linear.rho.sum() + 0.5 * np.sum(mine * self.weight * (X - self.value) ** 2))
+        S = (linear.A.T @ linear.A).toarray()
+        diagonal[:] = np.diagonal(S)
+        values[:] = (S - (Y @ W.T).toarray()).ravel()[self.place]
+        right[:] = Y @ b.ravel() - linear.A.T @ linear.v.ravel()
+        return *self._totals(linear, X), [int(p) for p in weak]
 
     def back_substitute(
         self, R: Array, C: Array, I: Array, X: Array, huber: float, damping: float, threads: int, step: Array,
         points: Array,
     ) -> float:  # fmt: skip
-        """Step of the points; returns the linearised cost."""
+        """Step of the points (p, 3) that belongs to a step of the nodes (N,); returns the linearised cost."""
         del threads
         linear = self._linearise(R, C, I, X, huber)
-        v = linear.v + (linear.nodes @ step).reshape(-1, 2)
-        inverse, b, _ = self._points((R, C, I, X), linear, v, damping)
+        v = linear.v + (linear.A @ step).reshape(-1, 2)
+        inverse, b, _ = self._points(C, X, linear, v, damping)
         points[:] = -np.einsum("pij,pj->pi", inverse, b)
-        kept = np.flatnonzero(self.node >= 0)
-        points[kept] = 0
-        v = v + np.einsum("nki,ni->nk", linear.x, points[self.point])
-        mine = (self.node < 0)[:, None]
-        cost = 0.5 * float(np.sum(v * v)) + 0.5 * float(np.sum(mine * self.weight * (X + points - self.value) ** 2))
-        points[kept] = step[self.offsets[self.node[kept]][:, None] + np.arange(3)]
-        return cost
+        v = v + np.einsum("nki,ni->nk", linear.x, points[self.point] * self.eliminated[self.point, None])
+        prior = self.eliminated[:, None] * self.weight * (X + points - self.value) ** 2
+        kept = np.flatnonzero(~self.eliminated)
+        points[kept] = step[self._retained(kept)]
+        return 0.5 * float(np.sum(v * v) + prior.sum())
 
     def evaluate(
         self, R: Array, C: Array, I: Array, X: Array, huber: float, threads: int, residuals: Array, behind: Array
     ) -> tuple[float, int, int]:
-        """Cost; whitened residuals and flags where arrays are given for them."""
+        """Cost, behind, without projection; whitened residuals and flags where arrays are given for them."""
         del threads
         linear = self._linearise(R, C, I, X, huber)
         if residuals.size:
             residuals[:] = linear.v
         if behind.size:
-            behind[:] = linear.behind + 2 * linear.lost
-        return self._cost(linear, X), int(linear.behind.sum()), int(linear.lost.sum())
+            behind[:] = linear.flags
+        return self._totals(linear, X)
 
     def factorise(self, values: Array, added: Array) -> int:
-        """Cholesky factor of the scaled matrix; 0, or 1 + the unknown at which it stops."""
-        from scipy.linalg.lapack import dpotrf  # noqa: PLC0415
+        """Cholesky factor of the matrix scaled to a unit diagonal; 0, or 1 + the unknown at which it stops.
 
-        S = self._to_dense(values)
+        Unknowns stand in the system's order here and are reordered in the compiled factor, so the two may stop at
+        different unknowns and their smallest pivots differ.
+        """
+        from scipy.linalg import get_lapack_funcs  # noqa: PLC0415
+
+        S = self._dense(values)
         if added.size:
             S[np.diag_indices_from(S)] += added
         d = np.diagonal(S)
         if not (d > 0).all():
             return int(np.flatnonzero(~(d > 0))[0]) + 1
         self.scale = 1 / np.sqrt(d)
-        L, info = dpotrf(S * np.outer(self.scale, self.scale), lower=1)
+        potrf: Any = get_lapack_funcs(("potrf",), (S,))[0]
+        self.L, info = potrf(S * np.outer(self.scale, self.scale), lower=1, clean=1)
         if info:
             return int(info)
-        self.L = np.tril(L)
         pivots = np.diagonal(self.L) ** 2
         self.smallest_pivot_at = int(pivots.argmin()) if len(pivots) else -1
         self.smallest_pivot = float(pivots.min(initial=1.0))
@@ -363,17 +390,17 @@ class Solver:
         """The inverse, in the layout of the matrix."""
         inverse = np.eye(self.unknowns)
         self.solve(inverse, self.unknowns)
-        self._to_blocks((inverse + inverse.T) / 2, values)
+        values[:] = ((inverse + inverse.T) / 2).ravel()[self.place]
 
     def condense(self, R: Array, C: Array, I: Array, X: Array, threads: int, given: Array, columns: int) -> Array:
         """Reduced right sides (N, columns) of right sides (p, 3, columns) for the points."""
         del threads
         linear = self._linearise(R, C, I, X, 0.0)
-        inverse, _, _ = self._points((R, C, I, X), linear, linear.v, 0.0)
-        mine = (self.node < 0)[:, None, None]
-        right = -(self._couplings(linear) @ (inverse @ (given * mine)).reshape(-1, columns))
-        kept = np.flatnonzero(self.node >= 0)
-        right[(self.offsets[self.node[kept]][:, None] + np.arange(3)).ravel()] += given[kept].reshape(-1, columns)
+        inverse, _, _ = self._points(C, X, linear, linear.v, 0.0)
+        mine = given * self.eliminated[:, None, None]
+        right = np.asarray(-(self._couplings(linear) @ (inverse @ mine).reshape(-1, columns)))
+        kept = np.flatnonzero(~self.eliminated)
+        right[self._retained(kept).ravel()] += given[kept].reshape(-1, columns)
         return right
 
     def expand(
@@ -382,59 +409,85 @@ class Solver:
         """Points (p, 3, columns) that belong to solutions (N, columns) for the nodes."""
         del threads
         linear = self._linearise(R, C, I, X, 0.0)
-        inverse, _, _ = self._points((R, C, I, X), linear, linear.v, 0.0)
+        inverse, _, _ = self._points(C, X, linear, linear.v, 0.0)
         right = -(self._couplings(linear).T @ nodes).reshape(-1, 3, columns)
-        if given.size:
-            right = right + given
-        points = inverse @ (right * ~self.held[:, :, None])
-        kept = np.flatnonzero(self.node >= 0)
-        points[kept] = nodes[self.offsets[self.node[kept]][:, None] + np.arange(3)]
-        points[(np.bincount(self.point, minlength=len(X)) == 0) & (self.node < 0)] = 0
+        points = inverse @ (right + given if given.size else right) * ~self.held[:, :, None]
+        kept = np.flatnonzero(~self.eliminated)
+        points[kept] = nodes[self._retained(kept)]
         return points
 
     def statistics(
         self, R: Array, C: Array, I: Array, X: Array, threads: int, inverse: Array, datum: int, gauge_nodes: Array,
         gauge_points: Array, gauge_middle: Array, point_gauge: Array,
     ) -> tuple[Array, Array, Array]:  # fmt: skip
-        """Point cofactors (p, 3, 3), diagonal blocks of A Q A' (m, 3) and effects of unit blunders (m, 3, 2)."""
+        """Point cofactors (p, 3, 3), A Q A' (m: 00, 11, 01) and effects of unit blunders on the points (m, 3, 2).
+
+        inverse   (values,) of the reduced normal matrix
+        gauge_..  of the S-transformation by `datum` columns: H = Q B G for nodes (N, d) and points (p, 3, d), the
+                  middle (d, d) and G for the points (p, 3, d); nothing is transformed where datum is 0
+        """
         del threads
         linear = self._linearise(R, C, I, X, 0.0)
-        Vi, _, _ = self._points((R, C, I, X), linear, linear.v, 0.0)
-        Z = self._to_dense(inverse)
-        Y = np.asarray((self._couplings(linear) @ _block_diagonal(Vi)).toarray())
-        T = Z @ Y
+        Vi, _, _ = self._points(C, X, linear, linear.v, 0.0)
+        Z, Y = self._dense(inverse), (self._couplings(linear) @ _block_diagonal(Vi)).tocsc()
         p, m = len(X), len(self.image)
-        cofactor = np.zeros((p, 3, 3))
-        for k in range(p):
-            at = slice(3 * k, 3 * k + 3)
-            cofactor[k] = Vi[k] + Y[:, at].T @ T[:, at]
-            if self.node[k] >= 0:
-                o = self.offsets[self.node[k]]
-                cofactor[k] = Z[o : o + 3, o : o + 3]
-        cofactor *= ~self.held[:, :, None] * ~self.held[:, None, :]
-        A = linear.nodes
-        x = linear.x * (self.node[self.point] < 0)[:, None, None]
-        QA = Z @ A.T.toarray()  # (N, 2 m)
-        hat, effect = np.zeros((m, 3)), np.zeros((m, 3, 2))
-        dense = A.toarray().reshape(m, 2, -1)
-        for i in range(m):
-            at = slice(3 * self.point[i], 3 * self.point[i] + 3)
-            CP = -T[:, at]  # cov(nodes, point)
-            Qx = cofactor[self.point[i]] @ x[i].T + CP.T @ dense[i].T
-            Qn = QA[:, 2 * i : 2 * i + 2] + CP @ x[i].T
-            H = dense[i] @ Qn + x[i] @ Qx
-            hat[i] = H[0, 0], H[1, 1], (H[0, 1] + H[1, 0]) / 2
-            if self.node[self.point[i]] >= 0:
-                o = self.offsets[self.node[self.point[i]]]
-                Qx = Qn[o : o + 3]
-            effect[i] = Qx
-            if datum:
-                u = dense[i] @ gauge_nodes + x[i] @ gauge_points[self.point[i]]
-                effect[i] -= point_gauge[self.point[i]] @ gauge_middle @ u.T
+        cofactor, hat, effect = np.zeros((p, 3, 3)), np.zeros((m, 3)), np.zeros((m, 3, 2))
+        for begin in range(0, p, _CHUNK):
+            mine = np.arange(begin, min(begin + _CHUNK, p))
+            y = Y[:, 3 * mine[0] : 3 * mine[-1] + 3].toarray()
+            T = Z @ y  # minus the cofactors between nodes and points
+            Q = Vi[mine] + np.einsum("npi,npj->pij", *(a.reshape(-1, len(mine), 3) for a in (y, T)))
+            kept = np.flatnonzero(~self.eliminated[mine])
+            at = self._retained(mine[kept])
+            Q[kept] = Z[at[:, :, None], at[:, None]]
+            cofactor[mine] = Q * ~self.held[mine, :, None] * ~self.held[mine, None]
+            rows = slice(self.first[mine[0]], self.first[mine[-1] + 1])
+            local = self.point[rows] - begin
+            hat[rows], effect[rows] = self._redundancy(linear, rows, Z, T, cofactor[self.point[rows]], local)
+        if datum:
+            u = np.einsum("mrk,mkd->mrd", linear.J, gauge_nodes[self.columns])
+            u += linear.x @ (gauge_points[self.point] * self.eliminated[self.point, None, None])
+            effect -= point_gauge[self.point] @ gauge_middle @ np.swapaxes(u, 1, 2)
         return cofactor, hat, effect
 
+    def _redundancy(
+        self, linear: _Linear, rows: slice, Z: Array, T: Array, Q: Array, local: Array
+    ) -> tuple[Array, Array]:
+        """A Q A' (n, 3) and the effect on the point (n, 3, 2) of consecutive observations.
 
-def _block_diagonal(blocks: Array) -> Array:
+        Z (N, N) inverse, T (N, 3 c) minus the cofactors of nodes and points, Q (n, 3, 3) of each observation's
+        point, local (n,) its position among the c points.
+        """
+        J, columns = linear.J[rows], self.columns[rows]
+        kept = ~self.eliminated[self.point[rows]]
+        x = linear.x[rows] * ~kept[:, None, None]
+        nodes_points = -T.reshape(len(T), -1, 3)[columns, local[:, None]]
+        to_nodes = Z[columns[:, :, None], columns[:, None]] @ np.swapaxes(J, 1, 2) + nodes_points @ np.swapaxes(x, 1, 2)
+        to_point = Q @ np.swapaxes(x, 1, 2) + np.swapaxes(J @ nodes_points, 1, 2)
+        H = J @ to_nodes + x @ to_point
+        hat = np.stack([H[:, 0, 0], H[:, 1, 1], (H[:, 0, 1] + H[:, 1, 0]) / 2], axis=1)
+        return hat, np.where(kept[:, None, None], to_nodes[:, -3:], to_point)
+
+
+def inverse_of_points(V: Array) -> tuple[Array, Mask]:
+    """Inverse (p, 3, 3) of normal matrices (p, 3, 3) by Cholesky, and which of them are singular (p,).
+
+    A vanishing pivot gives way to the diagonal itself, so that a point without depth stays where it is.
+    """
+    L, weak = np.zeros_like(V), np.zeros(len(V), bool)
+    for i in range(3):
+        for j in range(i):
+            L[:, i, j] = (V[:, i, j] - np.einsum("pk,pk->p", L[:, i, :j], L[:, j, :j])) / L[:, j, j]
+        whole = V[:, i, i]
+        pivot = whole - np.einsum("pk,pk->p", L[:, i, :i], L[:, i, :i])
+        fine = (pivot > SINGULAR * whole) & (pivot > 0)
+        weak |= ~fine
+        L[:, i, i] = np.sqrt(np.where(fine, pivot, np.where(whole > 0, whole, 1.0)))
+    inverse = np.linalg.inv(L)
+    return np.swapaxes(inverse, 1, 2) @ inverse, weak
+
+
+def _block_diagonal(blocks: Array) -> Any:
     """Sparse block diagonal matrix (3 p, 3 p) of blocks (p, 3, 3)."""
     from scipy.sparse import bsr_matrix  # noqa: PLC0415
 

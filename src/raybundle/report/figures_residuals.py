@@ -35,6 +35,8 @@ from raybundle.report.view import View
 NORMAL = NormalDist()
 MOST_VECTORS = 500
 """Vectors that are drawn in one image."""
+MOST_TITLES = 1500
+"""Images whose column in a chart shows its value under the pointer."""
 GREEN, ORANGE = (46, 125, 90), (181, 83, 42)
 
 
@@ -155,7 +157,7 @@ def normal_quantiles(tests: Array, y_label: str, what: str) -> Drawing:
     rows = np.unique(np.concatenate([tail, rows, len(t) - 1 - tail]))
     expected = np.array([NORMAL.inv_cdf((k + 0.5) / len(t)) for k in rows.tolist()])
     reach = float(min(max(np.abs(t).max(initial=3.0), 4.0) * 1.05, 12.0))
-    plot = fitted(Plot(width=300, height=250, x_range=(-4.6, 4.6), y_range=(-reach, reach)))
+    plot = fitted(Plot(width=320, height=250, x_range=(-4.6, 4.6), y_range=(-reach, reach)))
     ends = np.array([-4.5, 4.5])
     parts = [
         axes(plot, "expected quantile", y_label, grid="xy", x_count=9),
@@ -177,7 +179,7 @@ def image_columns(ids: Sequence[str], values: Array, y_label: str, what: str, da
             y_range=span(values, np.array([dashed]), zero=True),
         )
     )
-    titles = [f"{i}: {significant(v)}" for i, v in zip(ids, values.tolist(), strict=True)]
+    titles = [f"{i}: {significant(v)}" for i, v in zip(ids, values.tolist(), strict=True)] if n <= MOST_TITLES else []
     name = "image" if few else "image, in the order of the block"
     parts = [
         axes(plot, name, y_label, x_count=0 if few else 12),

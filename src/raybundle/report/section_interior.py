@@ -38,12 +38,12 @@ def interior_section(view: View) -> Section:
     if any(i.image is not None for i in a.interior):
         parts += [_per_image(view)]
     for k, result in enumerate(a.interior):
+        if k >= MOST_DRAWN and result.image is not None:
+            break
         own: list[Part] = [Heading(text=_title(view, result)), parameter_table(result)]
         if k < MOST_DRAWN:
             own += _details(view, result)
-        if result.image is not None:
-            own = [Folded(summary=name_of(result), parts=tuple(own))]
-        parts += own if k < MOST_DRAWN or result.image is None else []
+        parts += own if result.image is None else [Folded(summary=name_of(result), parts=tuple(own))]
     if len(a.interior) > MOST_DRAWN:
         what = f"Figures are drawn for {MOST_DRAWN} of {grouped(len(a.interior))} interior orientations."
         parts.append(Paragraph(text=what, note=True))

@@ -15,6 +15,9 @@ from raybundle.report.parts import Figure, Figures, Folded, Paragraph, Part, Sec
 from raybundle.report.svg import histogram
 from raybundle.report.view import View, rms
 
+MOST_PAIRS = 300
+"""Image pairs that are listed."""
+
 
 def precision_section(view: View) -> Section:
     """Standard deviations of the object points."""
@@ -204,20 +207,21 @@ def _roll_words(view: View, roll: Array) -> str:
 
 
 def _pairs(view: View, n: NetworkFigures) -> list[Part]:
-    if not len(n.base_to_depth):
+    count = len(n.base_to_depth)
+    if not count:
         return [Paragraph(text="No two images share six points or more.", note=True)]
     ids = view.given.images.ids
-    order = np.argsort(-n.pair_points, kind="stable")
+    order = np.argsort(-n.pair_points, kind="stable")[:MOST_PAIRS]
+    cut = f" {grouped(len(order))} of {grouped(count)} pairs are shown." if len(order) < count else ""
     body = table(
         (text("image"), text("image"), number("common points"), number("base-to-depth")),
         (
             pick(n.pair_images[order, 0], ids), pick(n.pair_images[order, 1], ids),
             [grouped(float(k)) for k in n.pair_points[order]], cells(n.base_to_depth[order].tolist(), 3),
         ),
-        most=300,
-        note="Pairs in the order of their common points.",
+        note=f"Pairs in the order of their common points.{cut}",
     )  # fmt: skip
-    return [Folded(summary=f"{counted(len(order), 'image pair')}", parts=(body,))]
+    return [Folded(summary=f"{counted(count, 'image pair')}", parts=(body,))]
 
 
 def _coverage(view: View, n: NetworkFigures) -> list[Part]:

@@ -296,7 +296,7 @@ def _blunders(view: View) -> str:
         if lost
         else "No observation was rejected."
     )
-    if a.precision is None or a.redundancy == 0:
+    if a.precision is None or not math.isfinite(a.critical_tau):
         return text + " Blunders were not tested."
     if beyond:
         text += (

@@ -1,0 +1,25 @@
+"""An adjusted system with its factor: what statistics, decisions and later questions work on."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from raybundle.adjustment.assemble import State, System
+from raybundle.adjustment.datum import Datum
+from raybundle.adjustment.normals import Normals
+from raybundle.adjustment.precision import Cofactors
+from raybundle.adjustment.solve import Solution
+
+
+@dataclass(slots=True)
+class Work:
+    """An adjusted system with its factor, for statistics and decisions."""
+
+    system: System
+    normals: Normals
+    datum: Datum
+    solution: Solution
+    found: Cofactors | None
+    parts: int
+    state: State | None = None
+    """Adjusted values in the frame of the result, at which the factor stands"""
