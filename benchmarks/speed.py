@@ -82,7 +82,8 @@ def problem(name: str) -> Path:
     path = WORK / f"{name}.npz"
     if not path.exists():
         WORK.mkdir(exist_ok=True)
-        subprocess.run([PEER, str(BENCH / "generate_block.py"), *PROBLEMS[name], str(path)], check=True, cwd=WORK)
+        command = [PEER, str(BENCH / "generate_block.py"), *PROBLEMS[name], str(path)]
+        subprocess.run(command, check=True, cwd=WORK, capture_output=True)
     return path
 
 
@@ -158,7 +159,7 @@ def growth(repeat: int) -> list[dict]:
 def main() -> None:
     """Print and return the figures as JSON."""
     parser = argparse.ArgumentParser()
-    parser.add_argument("--repeat", type=int, default=3)
+    parser.add_argument("--repeat", type=int, default=int(os.environ.get("RAYBUNDLE_BENCH_REPEAT", "3")))
     parser.add_argument("--problems", nargs="*", default=["ladybug49", "uav200", "uav1000", "community500"])
     options = parser.parse_args()
     result = {"adjustment": [compare(n, options.repeat) for n in options.problems]}

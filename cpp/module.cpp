@@ -5,8 +5,10 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include <cstdlib>
 #include <memory>
 #include <stdexcept>
+#include <string>
 
 #include "factor.hpp"
 #include "problem.hpp"
@@ -16,13 +18,20 @@ using namespace raybundle;
 
 namespace raybundle {
 
+// The widest instruction set of this processor; RAYBUNDLE_NATIVE=avx2 or =baseline stays below it.
 const Kernels& kernels() {
 #ifdef RB_X86
-  static const Kernels& best = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")
-                                   ? avx512::table
-                               : __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? avx2::table
-                                                                                                : baseline::table;
-  return best;
+  static const Kernels& chosen = []() -> const Kernels& {
+    const char* text = std::getenv("RAYBUNDLE_NATIVE");
+    const std::string limit = text ? text : "";
+    const bool avx2_here = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    const bool avx512_here = avx2_here && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+                             __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
+    if (avx512_here && limit != "avx2" && limit != "baseline") return avx512::table;
+    if (avx2_here && limit != "baseline") return avx2::table;
+    return baseline::table;
+  }();
+  return chosen;
 #else
   return baseline::table;
 #endif

@@ -12,6 +12,7 @@ from raybundle.io.block_folder import read_block
 from raybundle.report.document import write_report
 from raybundle.report.numbers import fixed, grouped, significant
 from raybundle.report.parts import MOST_ROWS
+from raybundle.report.section_control import control_section
 from raybundle.report.section_tables import tables_section
 from raybundle.report.view import view_of
 from raybundle.workflows.adjust import adjust
@@ -190,3 +191,25 @@ def test_a_large_block_is_reported_quickly_and_briefly(blocks, tmp_path):
     assert time.process_time() - began < 4.0
     assert (tmp_path / "roma.html").stat().st_size < 6e6
     assert "of 26\u202f321 points" in (tmp_path / "roma.html").read_text(encoding="utf-8")
+
+
+def test_long_groups_of_observations_are_folded_below_their_largest(case):
+    a = case("rich")
+    stations = next(g for g in a.groups if g.kind == "station")
+    times = np.arange(4 * len(stations.ids)) % len(stations.ids)
+    arrays = ("given", "sigma", "adjusted", "adjusted_std", "residual", "redundancy", "w", "t", "mdb")
+    longer = replace(
+        stations,
+        ids=tuple(f"{stations.ids[k]}/{n}" for n, k in enumerate(times)),
+        component=tuple(stations.component[k] for k in times),
+        rejected=("",) * len(times),
+        **{name: getattr(stations, name)[times] for name in arrays},
+    )
+    parts = control_section(view_of(replace(a, groups=(longer,)))).parts
+    tables = [p for p in parts if p.kind == "table" and p.caption == "The largest |w|"]
+    assert len(tables) == 1
+    shown = [float(row[8].replace("−", "-")) for row in tables[0].rows]
+    assert abs(shown[0]) == pytest.approx(np.nanmax(np.abs(longer.w)), abs=0.005)
+    assert [abs(w) for w in shown] == sorted((abs(w) for w in shown), reverse=True)
+    folded = [p for p in parts if p.kind == "folded"]
+    assert len(folded[0].parts[0].rows) == len(times)

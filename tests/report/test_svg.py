@@ -1,5 +1,7 @@
 """Drawing: round ticks, intervals, escaped words, thinning that is always the same."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -80,3 +82,14 @@ def test_thinning_is_even_and_keeps_both_ends():
     assert rows[0] == 0
     assert rows[-1] == 999
     assert np.ptp(np.diff(rows)) <= 1
+
+
+def test_labels_do_not_overlap_in_a_narrow_plot():
+    narrow = axes(Plot(width=136, x_range=(-600.0, 1100.0), y_range=(0, 1)), "x", "y")
+    wide = axes(Plot(width=500, x_range=(-600.0, 1100.0), y_range=(0, 1)), "x", "y")
+
+    def labelled(drawn):
+        return [float(x) for x in re.findall(r'x="([\d.]+)" y="[\d.]+" text-anchor="middle">[−\d]', drawn)]
+
+    assert len(labelled(wide)) > len(labelled(narrow)) >= 1
+    assert min(np.diff(labelled(narrow)), default=100) > 28

@@ -17,6 +17,7 @@ import numpy as np
 from raybundle.adjustment.assemble import State, System
 from raybundle.block import Block
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.platforms.station import sensor_from_object, station_partials
 from raybundle.sensors import SensorModel
 
 SINGULAR = 1e-13
@@ -31,7 +32,7 @@ _CHUNK = 400
 def is_explicit(model: SensorModel) -> bool:
     """Whether the condition reads x - f(X, Y, Z, parameters), so that projection needs no iteration."""
     with np.errstate(all="ignore"):
-        _, J = model.condition_and_jacobian(1.3, 0.7, 0.3, 0.2, -1.5, *model.typical)
+        _, J = model.condition_and_jacobian(1.3, 0.7, 0.3, 0.2, -1.5, *np.linspace(0.4, 0.6, len(model.symbols)))
     return bool(np.array_equal(J[:, :2], np.eye(2)))
 
 
@@ -96,7 +97,7 @@ def image_residuals(
                   points P (m, 3); flags (m,), BEHIND + LOST
     """
     m = len(image)
-    P = np.einsum("nij,nj->ni", state.rotation[image], state.xyz[point] - state.centre[image])
+    P = sensor_from_object(state.rotation[image], state.centre[image], state.xyz[point])
     v, D, flags = np.zeros((m, 2)), np.zeros((m, 2, 3 + system.stride)), np.zeros(m, np.uint8)
     models = list(dict.fromkeys(row.model for row in system.interior))
     model_of_row = np.array([models.index(row.model) for row in system.interior])
@@ -108,10 +109,10 @@ def image_residuals(
             mine = np.flatnonzero((model_of_row[row] == code) & (corrected == form))
             if not len(mine):
                 continue
-            values, local = state.interior[row[mine], :k].T, P[mine].T
+            values, local = state.interior[row[mine], :k].T, P[:, mine]
             v[mine], D[mine, :, : 3 + k], lost = residuals_and_partials(model, xy[mine], local, values, corrected=form)
             flags[mine] = BEHIND * ~model.in_front(local, xy[mine].T, values) + LOST * lost
-    return v, D, P, flags
+    return v, D, P.T, flags
 
 
 def external_rows(system: System, state: State, mask: Mask) -> Array:
@@ -210,7 +211,8 @@ class Solver:
     def _place_columns(self) -> None:
         """Unknowns (m, k) that each observation touches, and its local columns (m, k); padded by a column of zeros."""
         nothing, m = 9 + self.stride, len(self.image)
-        width = max((len(own) + len(shared) for own, shared in self.patterns), default=0) + 3
+        kept = np.flatnonzero(~self.eliminated[self.point])
+        width = max((len(own) + len(shared) for own, shared in self.patterns), default=0) + 3 * (len(kept) > 0)
         self.columns, self.local = np.zeros((m, width), np.int64), np.full((m, width), nothing)
         for code, (own, shared) in enumerate(self.patterns):
             mine = np.flatnonzero(self.pattern[self.image] == code)
@@ -218,7 +220,6 @@ class Solver:
             self.local[mine, :b] = own + shared
             self.columns[mine, :a] = self.offsets[self.own[self.image[mine]], None] + np.arange(a)
             self.columns[mine, a:b] = self.offsets[self.shared[self.image[mine]], None] + np.arange(b - a)
-        kept = np.flatnonzero(~self.eliminated[self.point])
         self.local[kept, -3:] = 6 + self.stride + np.arange(3)
         self.columns[kept, -3:] = self._retained(self.point[kept])
 
@@ -255,12 +256,9 @@ class Solver:
             weight = np.sqrt(np.where(large, huber / np.maximum(length, 1e-300), 1.0))
             rho = np.where(large, huber * (length - 0.5 * huber), rho)
             v, D = v * weight[:, None], D * weight[:, None, None]
-        # P = R (X - C), R <- (1 + [delta]x) R
-        by_point = D[:, :, :3]
-        x = by_point @ R[self.image]
-        full = np.zeros((m, 2, 10 + self.stride))
-        full[:, :, :3], full[:, :, 3:6], full[:, :, 6:-4] = -x, np.cross(P[:, None], by_point), D[:, :, 3:]
-        full[:, :, -4:-1] = x = x * ~self.held[self.point, None]
+        by_station, x = station_partials(R[self.image], P[:, None], D[:, :, :3])
+        x = x * ~self.held[self.point, None]
+        full = np.concatenate([by_station, D[:, :, 3:], x, np.zeros((m, 2, 1))], axis=2)
         J = np.take_along_axis(full, self.local[:, None], axis=2)
         rows = np.repeat(np.arange(2 * m), J.shape[2])
         A = csr_matrix((J.ravel(), (rows, np.repeat(self.columns, 2, axis=0).ravel())), shape=(2 * m, self.unknowns))

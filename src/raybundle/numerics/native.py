@@ -8,7 +8,10 @@ from types import ModuleType
 
 @cache
 def module() -> ModuleType | None:
-    """The extension module, or None where it was not built or is switched off by RAYBUNDLE_NATIVE=0."""
+    """The extension module, or None where it was not built or is switched off by RAYBUNDLE_NATIVE=0.
+
+    RAYBUNDLE_NATIVE=avx2 or =baseline leaves wider instruction sets unused.
+    """
     import os  # noqa: PLC0415
 
     if os.environ.get("RAYBUNDLE_NATIVE") == "0":

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -20,6 +21,9 @@ KINDS = (
     ("station", "Observed projection centres", "image", "stations.csv"),
     ("parameter", "Observed parameters of the interior orientation", "camera", "result.json"),
 )
+
+OPEN_ROWS, LARGEST = 60, 15
+"""Longer tables are folded, and their largest values shown."""
 
 
 def control_section(view: View) -> Section:
@@ -52,8 +56,22 @@ def _group(view: View, g: ObservationGroup, what: str, rest: str) -> list[Part]:
         parts.append(Paragraph(text=f"{head}; {size.strip()}."))
     else:
         parts.append(Paragraph(text=f"{head}. All are needed to fix the datum: nothing controls them."))
-    parts.append(_group_table(view, g, what, rest, factor, unit))
-    return parts
+    whole = _group_table(view, g, what, rest, factor, unit)
+    if len(g.ids) <= OPEN_ROWS:
+        return [*parts, whole]
+    order = np.argsort(-np.nan_to_num(np.abs(g.w)), kind="stable")[:LARGEST]
+    worst = replace(_group_table(view, _rows_of(g, order), what, rest, factor, unit), caption="The largest |w|")
+    return [*parts, worst, Folded(summary=f"All {counted(len(g.ids), 'row')}", parts=(whole,))]
+
+
+def _rows_of(g: ObservationGroup, rows: Array) -> ObservationGroup:
+    """A group's observations at these positions."""
+    arrays = {
+        name: getattr(g, name)[rows]
+        for name in ("given", "sigma", "adjusted", "adjusted_std", "residual", "redundancy", "w", "t", "mdb")
+    }
+    ids, component, rejected = (tuple(pick(rows, v)) for v in (g.ids, g.component, g.rejected))
+    return ObservationGroup(kind=g.kind, ids=ids, component=component, rejected=rejected, **arrays)
 
 
 def _held_table(view: View, g: ObservationGroup) -> Table:
@@ -132,7 +150,9 @@ def _check(view: View) -> list[Part]:
         rest="check.csv",
         marked=np.flatnonzero(np.max(np.nan_to_num(ratio), axis=1) > 3.29).tolist(),
     )  # fmt: skip
-    return [Heading(text="Check points"), _check_summary(difference, std, view.unit), body]
+    folded = Folded(summary=f"All {counted(len(rows), 'check point')}", parts=(body,))
+    shown = body if len(rows) <= OPEN_ROWS else folded
+    return [Heading(text="Check points"), _check_summary(difference, std, view.unit), shown]
 
 
 def _check_summary(difference: Array, std: Array, unit: str) -> Table:

@@ -144,7 +144,7 @@ def axes(plot: Plot, x_label: str, y_label: str, *, grid: str = "y", x_count: in
     parts = [f'<rect class="frame" x="{x0:.1f}" y="{y0:.1f}" width="{w:.1f}" height="{h:.1f}"/>']
     values = ticks(plot.x_range, x_count) if x_count else []
     labels = tick_labels(values)
-    while len(values) > 2 and max(len(s) for s in labels) * CHARACTER > 0.9 * w / (len(values) - 1):
+    while len(values) > 1 and max(len(s) for s in labels) * CHARACTER > 0.9 * (plot.x(values[1]) - plot.x(values[0])):
         values, labels = values[::2], labels[::2]
     for value, words in zip(values, labels, strict=True):
         x = float(plot.x(value))

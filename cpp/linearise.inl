@@ -1,0 +1,279 @@
+// Observations linearised in lanes of V, whitened.  Included by kernels.cpp within its namespace.
+
+constexpr int V = 8;  // observations evaluated side by side
+
+namespace models {
+
+static RB_INLINE double angle_ratio(double r2, double w) {
+  if (r2 < 1e-8 * w * w && w > 0) return (1 - r2 / (3 * w * w)) / w;
+  const double r = std::sqrt(r2);
+  return std::atan2(r, w) / r;
+}
+
+static RB_INLINE double angle_ratio_slope(double r2, double w) {
+  if (r2 < 1e-4 * w * w && w > 0) {
+    const double q = r2 / (w * w);
+    return (-1.0 / 3 + q * (2.0 / 5 - q * (3.0 / 7 - q * (4.0 / 9 - q * 5.0 / 11)))) / (w * w * w);
+  }
+  return (w / (r2 + w * w) - angle_ratio(r2, w)) / (2 * r2);
+}
+
+using std::cos;
+using std::sin;
+#include "generated_models.inl"
+
+}  // namespace models
+
+constexpr int kStride = 32;  // of the couplings: kMaxNode padded
+static_assert(kStride >= kMaxNode);
+
+// Linearised observations of one chunk, whitened.
+struct Chunk {
+  std::vector<double> v;  // (2)
+  std::vector<double> x;  // (2, 3) by the object point
+  std::vector<double> j;  // (2, stride) by the selected columns: own node, then shared node
+  std::vector<uint8_t> behind, diverged;
+  std::vector<double> rho;  // robust cost of the observation
+  int stride = 0;
+
+  void resize(int64_t n, int columns) {
+    stride = columns;
+    if (static_cast<int64_t>(behind.size()) < n) {
+      v.resize(2 * n);
+      x.resize(6 * n);
+      behind.resize(n);
+      diverged.resize(n);
+      rho.resize(n);
+    }
+    if (static_cast<int64_t>(j.size()) < 2 * n * columns) j.resize(2 * n * columns);
+  }
+};
+
+enum class Want { value, jacobian };
+
+// Whether the sensor-frame point lies on the side that the sensor sees, as `in_front` of the Python model: along -Z,
+// everywhere but at the projection centre, or in front of the line at the turn at which it was measured.
+template <class M> struct Side {
+  static bool in_front(const double* P, const double*, const double*) { return P[2] < 0; }
+};
+template <> struct Side<models::fisheye> {
+  static bool in_front(const double* P, const double*, const double*) { return P[0] != 0 || P[1] != 0 || P[2] != 0; }
+};
+template <> struct Side<models::panorama> {
+  static bool in_front(const double* P, const double* xy, const double* io) {
+    const double turn = xy[0] / io[0];
+    return std::sin(turn) * P[0] - std::cos(turn) * P[2] - io[2] > 0;
+  }
+};
+
+// Held coordinates are no unknowns: their partial derivatives vanish.
+static inline void hold(uint8_t held, double* x) {
+  if (held)
+    for (int e = 0; e < 3; ++e)
+      if (held & (1 << e)) x[e] = x[3 + e] = 0;
+}
+
+template <class M, Want W>
+static void linearise_lanes(const Problem& q, const State& s, const int64_t* row, int count, int64_t base, Chunk& out) {
+  constexpr int K = M::parameters, A = 5 + K;
+  alignas(64) double in[A][V], o[2 + 2 * A][V], measured[2][V], d[3][V];
+  const double* R[V];
+  for (int l = 0; l < V; ++l) {
+    const int64_t i = row[l < count ? l : 0];
+    const int f = q.image[i];
+    R[l] = s.rotation + 9 * int64_t(f);
+    const double* C = s.centre + 3 * int64_t(f);
+    const double* P = s.xyz + 3 * int64_t(q.point[i]);
+    measured[0][l] = in[0][l] = q.xy[2 * i];
+    measured[1][l] = in[1][l] = q.xy[2 * i + 1];
+    for (int e = 0; e < 3; ++e) d[e][l] = P[e] - C[e];
+    const double* io = s.interior + int64_t(q.interior[f]) * q.interior_stride;
+    for (int e = 0; e < K; ++e) in[5 + e][l] = io[e];
+  }
+  for (int l = 0; l < V; ++l)
+    for (int e = 0; e < 3; ++e) in[2 + e][l] = R[l][3 * e] * d[0][l] + R[l][3 * e + 1] * d[1][l] + R[l][3 * e + 2] * d[2][l];
+
+  const bool direct = M::explicit_image || q.corrected[q.image[row[0]]] != 0;
+  bool lost[V] = {};
+  if (!direct) {
+    alignas(64) double g[6][V], relative[V] = {};
+    for (int it = 0; it < 25; ++it) {
+      M::by_image(in, g);
+      double worst = 0;
+      for (int l = 0; l < V; ++l) {
+        const double det = g[2][l] * g[5][l] - g[3][l] * g[4][l];
+        double dx = (g[5][l] * g[0][l] - g[3][l] * g[1][l]) / det, dy = (g[2][l] * g[1][l] - g[4][l] * g[0][l]) / det;
+        const double size = std::abs(dx) + std::abs(dy), scale = std::abs(in[0][l]) + std::abs(in[1][l]) + 1;
+        if (!(size < 1e3 * scale) || !(det > 0)) {
+          lost[l] = true;
+          in[0][l] = measured[0][l];
+          in[1][l] = measured[1][l];
+          continue;
+        }
+        if (lost[l]) continue;
+        in[0][l] -= dx;
+        in[1][l] -= dy;
+        relative[l] = size / scale;
+        worst = std::max(worst, relative[l]);
+      }
+      if (worst < 1e-14) break;
+      if (it == 24)
+        for (int l = 0; l < V; ++l)
+          if (!lost[l] && relative[l] > 1e-9) {
+            lost[l] = true;
+            in[0][l] = measured[0][l];
+            in[1][l] = measured[1][l];
+          }
+    }
+  }
+  M::evaluate(in, o);
+
+  for (int l = 0; l < count; ++l) {
+    const int64_t i = row[l], n = i - base;
+    const int f = q.image[i];
+    const Pattern& pattern = q.patterns[q.pattern[f]];
+    double v[2], D[2][3 + K];
+    if (direct || lost[l]) {
+      // lost: no image point fulfils the condition; the linearised one stands in until the state has moved
+      for (int c = 0; c < 2; ++c) {
+        v[c] = -o[c][l];
+        for (int e = 0; e < 3 + K; ++e) D[c][e] = -o[2 + A * c + 2 + e][l];
+      }
+    } else {
+      const double a = o[2][l], b = o[3][l], c0 = o[2 + A][l], d0 = o[3 + A][l], det = a * d0 - b * c0;
+      v[0] = in[0][l] - measured[0][l];
+      v[1] = in[1][l] - measured[1][l];
+      for (int e = 0; e < 3 + K; ++e) {
+        const double g0 = o[4 + e][l], g1 = o[4 + A + e][l];
+        D[0][e] = -(d0 * g0 - b * g1) / det;
+        D[1][e] = -(a * g1 - c0 * g0) / det;
+      }
+    }
+    out.diverged[n] = lost[l];
+    const double P[3] = {in[2][l], in[3][l], in[4][l]};
+    out.behind[n] = !Side<M>::in_front(P, &q.xy[2 * i], s.interior + int64_t(q.interior[f]) * q.interior_stride);
+    const double* w = &q.whiten[3 * i];
+    const double v0 = w[0] * v[0], v1 = w[1] * v[0] + w[2] * v[1];
+    double weight = 1, rho = 0.5 * (v0 * v0 + v1 * v1);
+    if (s.huber > 0) {
+      const double length = std::sqrt(v0 * v0 + v1 * v1);
+      if (length > s.huber) {
+        weight = std::sqrt(s.huber / length);
+        rho = s.huber * (length - 0.5 * s.huber);
+      }
+    }
+    out.rho[n] = rho;
+    out.v[2 * n] = weight * v0;
+    out.v[2 * n + 1] = weight * v1;
+    if constexpr (W == Want::jacobian) {
+      double full[2][6 + K];
+      for (int c = 0; c < 2; ++c) {
+        double T[3 + K];
+        if (c == 0)
+          for (int e = 0; e < 3 + K; ++e) T[e] = weight * w[0] * D[0][e];
+        else
+          for (int e = 0; e < 3 + K; ++e) T[e] = weight * (w[1] * D[0][e] + w[2] * D[1][e]);
+        const double px = in[2][l], py = in[3][l], pz = in[4][l];
+        for (int e = 0; e < 3; ++e) {
+          const double by = T[0] * R[l][e] + T[1] * R[l][3 + e] + T[2] * R[l][6 + e];
+          out.x[6 * n + 3 * c + e] = by;
+          full[c][e] = -by;
+        }
+        full[c][3] = py * T[2] - pz * T[1];
+        full[c][4] = pz * T[0] - px * T[2];
+        full[c][5] = px * T[1] - py * T[0];
+        for (int e = 0; e < K; ++e) full[c][6 + e] = T[3 + e];
+      }
+      hold(q.held[q.owner[i]], &out.x[6 * n]);
+      for (int c = 0; c < 2; ++c) {
+        double* j = &out.j[(2 * n + c) * out.stride];
+        for (int e : pattern.own) *j++ = full[c][e];
+        for (int e : pattern.shared) *j++ = full[c][e];
+      }
+    }
+  }
+}
+
+// A model that is not compiled: v and the partial derivatives were computed outside.
+static void linearise_external(const Problem& q, const State& s, int64_t i, int64_t base, Want want, Chunk& out) {
+  const int64_t n = i - base;
+  const int f = q.image[i];
+  const int K = q.parameters[f], width = 9 + 2 * q.interior_stride;
+  const double* e = s.external + int64_t(q.external_row[i]) * width;
+  const double* R = s.rotation + 9 * int64_t(f);
+  const double* C = s.centre + 3 * int64_t(f);
+  const double* X = s.xyz + 3 * int64_t(q.point[i]);
+  const double* w = &q.whiten[3 * i];
+  double P[3];
+  for (int a = 0; a < 3; ++a) P[a] = R[3 * a] * (X[0] - C[0]) + R[3 * a + 1] * (X[1] - C[1]) + R[3 * a + 2] * (X[2] - C[2]);
+  const int flags = static_cast<int>(e[width - 1]);
+  out.behind[n] = flags & 1;
+  out.diverged[n] = (flags >> 1) & 1;
+  const double v0 = w[0] * e[0], v1 = w[1] * e[0] + w[2] * e[1];
+  double weight = 1, rho = 0.5 * (v0 * v0 + v1 * v1);
+  if (s.huber > 0) {
+    const double length = std::sqrt(v0 * v0 + v1 * v1);
+    if (length > s.huber) {
+      weight = std::sqrt(s.huber / length);
+      rho = s.huber * (length - 0.5 * s.huber);
+    }
+  }
+  out.rho[n] = rho;
+  out.v[2 * n] = weight * v0;
+  out.v[2 * n + 1] = weight * v1;
+  if (want == Want::value) return;
+  const double* D[2] = {e + 2, e + 5};
+  const double* I[2] = {e + 8, e + 8 + q.interior_stride};
+  double full[2][kMaxNode];
+  for (int c = 0; c < 2; ++c) {
+    double T[3 + kMaxParameters];
+    for (int a = 0; a < 3 + K; ++a) {
+      const double t0 = a < 3 ? D[0][a] : I[0][a - 3], t1 = a < 3 ? D[1][a] : I[1][a - 3];
+      T[a] = weight * (c == 0 ? w[0] * t0 : w[1] * t0 + w[2] * t1);
+    }
+    for (int a = 0; a < 3; ++a) {
+      const double by = T[0] * R[a] + T[1] * R[3 + a] + T[2] * R[6 + a];
+      out.x[6 * n + 3 * c + a] = by;
+      full[c][a] = -by;
+    }
+    full[c][3] = P[1] * T[2] - P[2] * T[1];
+    full[c][4] = P[2] * T[0] - P[0] * T[2];
+    full[c][5] = P[0] * T[1] - P[1] * T[0];
+    for (int a = 0; a < K; ++a) full[c][6 + a] = T[3 + a];
+  }
+  hold(q.held[q.owner[i]], &out.x[6 * n]);
+  const Pattern& pattern = q.patterns[q.pattern[f]];
+  for (int c = 0; c < 2; ++c) {
+    double* j = &out.j[(2 * n + c) * out.stride];
+    for (int a : pattern.own) *j++ = full[c][a];
+    for (int a : pattern.shared) *j++ = full[c][a];
+  }
+}
+
+using Lanes = void (*)(const Problem&, const State&, const int64_t*, int, int64_t, Chunk&);
+
+template <Want W> static const Lanes* lanes_table() {
+#define RB_ENTRY(name) &linearise_lanes<models::name, W>,
+  static const Lanes table[] = {RB_MODELS(RB_ENTRY)};
+#undef RB_ENTRY
+  return table;
+}
+
+template <Want W> static void linearise(const Problem& q, const State& s, int64_t begin, int64_t end, Chunk& out) {
+  int stride = 0;
+  for (const Pattern& p : q.patterns) stride = std::max(stride, int(p.own.size() + p.shared.size()));
+  out.resize(end - begin, std::max(stride, 1));
+  const Lanes* table = lanes_table<W>();
+  int64_t row[V];
+  int64_t i = begin;
+  while (i < end) {
+    const int f = q.image[i], model = q.model[f], corrected = q.corrected[f];
+    if (model < 0) {
+      linearise_external(q, s, i++, begin, W, out);
+      continue;
+    }
+    int n = 0;
+    while (i < end && n < V && q.model[q.image[i]] == model && q.corrected[q.image[i]] == corrected) row[n++] = i++;
+    table[model](q, s, row, n, begin, out);
+  }
+}

@@ -1,0 +1,207 @@
+// Statistics from the selected inverse.  Included by kernels.cpp within its namespace.
+
+// t += Z' y for a block Z (rows, C); three columns, kStride apart.
+template <int C>
+static RB_INLINE void multiply_fixed(const double* RB_RESTRICT z, int rows, const double* RB_RESTRICT y, double* RB_RESTRICT t) {
+  double sum[3][C] = {};
+  for (int r = 0; r < rows; ++r, z += C) {
+    const double f0 = y[r], f1 = y[kStride + r], f2 = y[2 * kStride + r];
+    RB_SIMD
+    for (int x = 0; x < C; ++x) sum[0][x] += f0 * z[x];
+    RB_SIMD
+    for (int x = 0; x < C; ++x) sum[1][x] += f1 * z[x];
+    RB_SIMD
+    for (int x = 0; x < C; ++x) sum[2][x] += f2 * z[x];
+  }
+  for (int e = 0; e < 3; ++e)
+    for (int x = 0; x < C; ++x) t[e * kStride + x] += sum[e][x];
+}
+
+static RB_INLINE void multiply(const double* z, int rows, int cols, const double* y, double* t) {
+  switch (cols) {
+#define RB_CASE(n) case n: multiply_fixed<n>(z, rows, y, t); return;
+    RB_CASE(1) RB_CASE(2) RB_CASE(3) RB_CASE(4) RB_CASE(5) RB_CASE(6) RB_CASE(7) RB_CASE(8)
+    RB_CASE(9) RB_CASE(10) RB_CASE(11) RB_CASE(12) RB_CASE(13) RB_CASE(14) RB_CASE(15) RB_CASE(16)
+#undef RB_CASE
+    default:
+      for (int r = 0; r < rows; ++r)
+        for (int e = 0; e < 3; ++e)
+          for (int x = 0; x < cols; ++x) t[e * kStride + x] += z[r * cols + x] * y[e * kStride + r];
+  }
+}
+
+// From the selected inverse Z of the reduced normal matrix: cofactors of the object points, the 2 x 2
+// diagonal blocks A Q A' of every observation, and the effect of a unit blunder on its own point.
+// gauge_*: H = Q B G and M = (G'BG)^-1 of the S-transformation, datum columns; datum = 0 without.
+static void statistics(const Problem& q, const State& s, int threads, const double* inverse, int datum, const double* gauge_nodes,
+                       const double* gauge_points, const double* gauge_middle, double* point_cofactor, double* hat, double* effect,
+                       double* point_gauge) {
+  std::vector<double> turned(q.block_start.back());  // every block transposed, so that both products run along memory
+  for (size_t k = 0; k < q.block_row.size(); ++k) {
+    const int rows = q.size[q.block_row[k]], cols = q.size[q.block_col[k]];
+    const double* from = inverse + q.block_start[k];
+    double* to = turned.data() + q.block_start[k];
+    for (int r = 0; r < rows; ++r)
+      for (int x = 0; x < cols; ++x) to[x * rows + r] = from[r * cols + x];
+  }
+  for_threads(threads, q, [&](int, int begin, int end) {
+    Chunk c;
+    const int64_t room = int64_t(q.largest_point_nodes) * 3 * kStride;
+    std::vector<double> y(room), tt(room);
+    for_runs(q, begin, end, [&](int pb, int pe, int64_t base) {
+      linearise<Want::jacobian>(q, s, base, q.first[pe], c);
+      for (int p = pb; p < pe; ++p) {
+        const int64_t nb = q.point_nodes_first[p], k = q.point_nodes_first[p + 1] - nb;
+        const int32_t* blocks = q.pair_block.data() + q.point_pairs_first[p];
+        const bool kept = q.node_of_point[p] >= 0;
+        double Q[9] = {};
+        if (kept) {
+          if (q.first[p + 1] > q.first[p]) {
+            const int64_t slot = q.slot_point[q.first[p]];
+            std::memcpy(Q, inverse + q.block_start[blocks[pair_index(k, slot, slot)]], sizeof Q);
+          }
+        } else {
+          PointNormal n;
+          gather_point(q, s, p, base, c, n);
+          gather_couplings(q, p, base, c, y.data());
+          // V^-1 from the factor
+          double I[3][3];
+          for (int e = 0; e < 3; ++e) {
+            double column[3];
+            n.solve(e == 0, e == 1, e == 2, column);
+            for (int f = 0; f < 3; ++f) I[f][e] = column[f];
+          }
+          for (int64_t a = 0; a < k; ++a) {
+            double *y0 = &y[a * 3 * kStride], *y1 = y0 + kStride, *y2 = y1 + kStride;
+            const int size = q.size[q.point_nodes[nb + a]];
+            RB_SIMD
+            for (int e = 0; e < size; ++e) {
+              const double w0 = y0[e], w1 = y1[e], w2 = y2[e];
+              y0[e] = w0 * I[0][0] + w1 * I[1][0] + w2 * I[2][0];
+              y1[e] = w0 * I[0][1] + w1 * I[1][1] + w2 * I[2][1];
+              y2[e] = w0 * I[0][2] + w1 * I[1][2] + w2 * I[2][2];
+            }
+          }
+          std::memset(tt.data(), 0, sizeof(double) * k * 3 * kStride);
+          const int32_t* block = blocks;
+          for (int64_t a = 0; a < k; ++a) {
+            const int rows = q.size[q.point_nodes[nb + a]];
+            double* ta = &tt[a * 3 * kStride];
+            const double* ya = &y[a * 3 * kStride];
+            for (int64_t b = a; b < k; ++b, ++block) {
+              const int cols = q.size[q.point_nodes[nb + b]];
+              const double* z = inverse + q.block_start[*block];
+              const double* yb = &y[b * 3 * kStride];
+              double* tb = &tt[b * 3 * kStride];
+              multiply(z, rows, cols, ya, tb);
+              if (a != b) multiply(turned.data() + q.block_start[*block], cols, rows, yb, ta);
+            }
+          }
+          for (int e = 0; e < 3; ++e)
+            for (int f = 0; f < 3; ++f) {
+              double sum = I[e][f];
+              for (int64_t a = 0; a < k; ++a) {
+                const double *ye = &y[(3 * a + e) * kStride], *tf = &tt[(3 * a + f) * kStride];
+                const int size = q.size[q.point_nodes[nb + a]];
+                for (int x = 0; x < size; ++x) sum += ye[x] * tf[x];
+              }
+              Q[3 * e + f] = sum;
+            }
+          for (int e = 0; e < 3; ++e)
+            if (q.held[p] & (1 << e))
+              for (int f = 0; f < 3; ++f) Q[3 * e + f] = Q[3 * f + e] = 0;
+        }
+        std::memcpy(point_cofactor + 9 * int64_t(q.id[p]), Q, sizeof Q);
+
+        for (int64_t i = q.first[p]; i < q.first[p + 1]; ++i) {
+          const int64_t n = i - base;
+          const int f = q.image[i];
+          const Pattern& pattern = q.patterns[q.pattern[f]];
+          const int own = int(pattern.own.size()), shared = int(pattern.shared.size()), size = own + shared;
+          double x[2][3];
+          for (int r = 0; r < 2; ++r)
+            for (int e = 0; e < 3; ++e) x[r][e] = c.x[6 * n + 3 * r + e];
+          const double* j[2] = {&c.j[2 * n * c.stride], &c.j[(2 * n + 1) * c.stride]};
+          // local cofactor of (own, shared) and their covariance with the point
+          double H[2][2] = {}, E[3][2];
+          double QJ[kMaxNode][2] = {}, QX[3][2];  // cov(local, l), cov(point, l)
+          double CP[kMaxNode][3];                 // cov(local, point)
+          const int32_t slots[3] = {q.slot_own[i], q.slot_shared[i], q.slot_point[i]};
+          const int sizes[2] = {own, shared}, starts[2] = {0, own};
+          // element (r, c) of the block between two slots: p[r * rows + c * cols]
+          struct View { const double* p; int rows, cols; };
+          const auto view = [&](int32_t sa, int32_t sb) -> View {
+            const int32_t low = std::min(sa, sb), high = std::max(sa, sb);
+            const double* block = inverse + q.block_start[blocks[pair_index(k, low, high)]];
+            const int width = q.size[q.point_nodes[nb + high]];
+            return sa <= sb ? View{block, width, 1} : View{block, 1, width};
+          };
+          for (int sa = 0; sa < 2; ++sa) {
+            if (!sizes[sa]) continue;
+            for (int sb = 0; sb < 2; ++sb) {
+              if (!sizes[sb]) continue;
+              // symmetric: rows run along memory
+              const View z = view(slots[sb], slots[sa]);
+              for (int b = 0; b < sizes[sb]; ++b) {
+                const double j0 = j[0][starts[sb] + b], j1 = j[1][starts[sb] + b];
+                const double* row = z.p + b * z.rows;
+                for (int a = 0; a < sizes[sa]; ++a) {
+                  QJ[starts[sa] + a][0] += row[a * z.cols] * j0;
+                  QJ[starts[sa] + a][1] += row[a * z.cols] * j1;
+                }
+              }
+            }
+            const View point = kept ? view(slots[sa], slots[2]) : View{};
+            for (int a = 0; a < sizes[sa]; ++a)
+              for (int e = 0; e < 3; ++e) {
+                const double c_ae = kept ? point.p[a * point.rows + e * point.cols] : -tt[(3 * int64_t(slots[sa]) + e) * kStride + a];
+                CP[starts[sa] + a][e] = c_ae;
+                QJ[starts[sa] + a][0] += c_ae * x[0][e];
+                QJ[starts[sa] + a][1] += c_ae * x[1][e];
+              }
+          }
+          for (int e = 0; e < 3; ++e)
+            for (int r = 0; r < 2; ++r) {
+              double sum = Q[3 * e] * x[r][0] + Q[3 * e + 1] * x[r][1] + Q[3 * e + 2] * x[r][2];
+              for (int a = 0; a < size; ++a) sum += CP[a][e] * j[r][a];
+              QX[e][r] = sum;
+            }
+          for (int r = 0; r < 2; ++r)
+            for (int t = 0; t < 2; ++t) {
+              double sum = 0;
+              for (int a = 0; a < size; ++a) sum += j[r][a] * QJ[a][t];
+              for (int e = 0; e < 3; ++e) sum += x[r][e] * QX[e][t];
+              H[r][t] = sum;
+            }
+          double* h = hat + 3 * q.row[i];
+          h[0] = H[0][0];
+          h[1] = H[1][1];
+          h[2] = 0.5 * (H[0][1] + H[1][0]);
+          for (int e = 0; e < 3; ++e)
+            for (int r = 0; r < 2; ++r) E[e][r] = QX[e][r];
+          if (datum > 0) {
+            // S-transformation: minus G_p M (A_i H)'
+            for (int r = 0; r < 2; ++r) {
+              double u[7];
+              for (int g = 0; g < datum; ++g) {
+                double sum = 0;
+                for (int a = 0; a < own; ++a) sum += j[r][a] * gauge_nodes[(q.offset[q.own_node[f]] + a) * datum + g];
+                for (int a = 0; a < shared; ++a) sum += j[r][own + a] * gauge_nodes[(q.offset[q.shared_node[f]] + a) * datum + g];
+                for (int e = 0; e < 3; ++e) sum += x[r][e] * gauge_points[(3 * int64_t(q.id[p]) + e) * datum + g];
+                u[g] = sum;
+              }
+              for (int e = 0; e < 3; ++e)
+                for (int g = 0; g < datum; ++g) {
+                  double m = 0;
+                  for (int h = 0; h < datum; ++h) m += gauge_middle[g * datum + h] * u[h];
+                  E[e][r] -= point_gauge[(3 * int64_t(q.id[p]) + e) * datum + g] * m;
+                }
+            }
+          }
+          for (int e = 0; e < 3; ++e)
+            for (int r = 0; r < 2; ++r) effect[6 * q.row[i] + 2 * e + r] = E[e][r];
+        }
+      }
+    });
+  });
+}
