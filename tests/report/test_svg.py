@@ -85,8 +85,8 @@ def test_thinning_is_even_and_keeps_both_ends():
 
 
 def test_labels_do_not_overlap_in_a_narrow_plot():
-    narrow = axes(Plot(width=136, x_range=(-600.0, 1100.0), y_range=(0, 1)), "x", "y")
-    wide = axes(Plot(width=500, x_range=(-600.0, 1100.0), y_range=(0, 1)), "x", "y")
+    narrow = axes(Plot(width=136, x_range=(-700.0, 1350.0), y_range=(0, 1)), "x", "y")
+    wide = axes(Plot(width=500, x_range=(-700.0, 1350.0), y_range=(0, 1)), "x", "y")
 
     def labelled(drawn):
         return [float(x) for x in re.findall(r'x="([\d.]+)" y="[\d.]+" text-anchor="middle">[−\d]', drawn)]

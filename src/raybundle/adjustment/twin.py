@@ -220,8 +220,9 @@ class Solver:
             self.local[mine, :b] = own + shared
             self.columns[mine, :a] = self.offsets[self.own[self.image[mine]], None] + np.arange(a)
             self.columns[mine, a:b] = self.offsets[self.shared[self.image[mine]], None] + np.arange(b - a)
-        self.local[kept, -3:] = 6 + self.stride + np.arange(3)
-        self.columns[kept, -3:] = self._retained(self.point[kept])
+        if len(kept):
+            self.local[kept, -3:] = 6 + self.stride + np.arange(3)
+            self.columns[kept, -3:] = self._retained(self.point[kept])
 
     def _retained(self, points: Array) -> Array:
         """Unknowns (n, 3) of retained points."""
@@ -459,7 +460,7 @@ class Solver:
         J, columns = linear.J[rows], self.columns[rows]
         kept = ~self.eliminated[self.point[rows]]
         x = linear.x[rows] * ~kept[:, None, None]
-        nodes_points = -T.reshape(len(T), -1, 3)[columns, local[:, None]]
+        nodes_points = -T.reshape(len(T), T.shape[1] // 3, 3)[columns, local[:, None]]
         to_nodes = Z[columns[:, :, None], columns[:, None]] @ np.swapaxes(J, 1, 2) + nodes_points @ np.swapaxes(x, 1, 2)
         to_point = Q @ np.swapaxes(x, 1, 2) + np.swapaxes(J @ nodes_points, 1, 2)
         H = J @ to_nodes + x @ to_point
