@@ -75,7 +75,7 @@ def correlated(block):
 
 
 CASES = {
-    "inner constraints": lambda: block_of(),
+    "inner constraints": block_of,
     "held control": lambda: block_of(control=5),
     "weighted control, heights held": lambda: block_of(control=5, control_sigma=(1e-4, 1e-4, 0.0)),
     "control in X and Y only": lambda: without_heights(block_of(control=6)),

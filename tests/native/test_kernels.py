@@ -139,7 +139,9 @@ def test_inverse_and_statistics(pair, datum):
         inverse = np.zeros_like(normals.values)
         normals.solver.selected_inverse(inverse)
         inverses.append(inverse)
-        found.append(normals.solver.statistics(*normals.arguments(state), 2, inverse, datum, nodes, points, middle, gauge))
+        found.append(
+            normals.solver.statistics(*normals.arguments(state), 2, inverse, datum, nodes, points, middle, gauge)
+        )
     blocks_agree(compiled, twin, *inverses, 1e-8)
     free = compiled.system.points_used[:, None] & ~compiled.system.held
     cofactors = [f[0] * free[:, :, None] * free[:, None] for f in found]
@@ -172,7 +174,7 @@ def test_the_diagonal_of_a_q_a_is_that_of_the_definition(pair):
 
 
 def whole_design(normals, state):
-    """A of image and other observations by differences of the residuals; 3 point + axis of each column, -1 for nodes."""
+    """A of all observations by differences of their residuals, and of each column 3 point + axis, -1 for nodes."""
     system = normals.system
     zero, still = np.zeros(len(normals.right)), np.zeros_like(state.xyz)
 
@@ -258,9 +260,7 @@ def test_a_point_without_depth_is_named_by_both():
     tie = next(p for p in range(len(block.points)) if not block.points.is_control[p].any() and block.ray_count[p] > 2)
     keep = np.ones(len(o), bool)
     keep[np.flatnonzero(o.point == tie)[1:]] = False
-    fewer = replace(
-        o, image=o.image[keep], point=o.point[keep], xy_px=o.xy_px[keep], cov_px2=o.cov_px2[keep]
-    )
+    fewer = replace(o, image=o.image[keep], point=o.point[keep], xy_px=o.xy_px[keep], cov_px2=o.cov_px2[keep])
     block = replace(block, observations=fewer)
     (compiled, state), (twin, _) = (setting(block, compiled=c) for c in (True, False))
     weak = [n.reduce(state)[2] for n in (compiled, twin)]

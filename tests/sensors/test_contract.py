@@ -7,6 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from raybundle.numerics import native
+from raybundle.numerics.derive import derive
 from raybundle.sensors import ProjectionDiverged, SensorModel, sensor_models
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -23,10 +25,6 @@ def scene(model, count=400):
     return points
 
 
-def numeric(f, x, h):
-    return (f(x + h) - f(x - h)) / (2 * h)
-
-
 @models
 def test_statement(model):
     assert len(set(model.symbols)) == len(model.symbols)
@@ -34,6 +32,9 @@ def test_statement(model):
     assert model.parameters[0].kind == "scale"
     assert model.__doc__
     assert type(model).condition.__doc__
+    assert all(p.typical or p.default for p in model.parameters), "a contract at zero proves nothing"
+    assert np.isfinite(model.defaults).all()
+    assert model.defaults[0] > 0
 
 
 @models
@@ -101,11 +102,57 @@ def test_points_ahead_are_in_front(model):
 
 
 @models
-def test_it_is_compiled_and_its_kernel_up_to_date(model):
-    from raybundle.numerics import native
+def test_what_vanishes_behind_is_not_in_front(model):
+    """The condition is often fulfilled by the mirrored point as well; then `in_front` has to tell the two apart."""
+    points = scene(model)
+    values = np.where([p.unit == "length" for p in model.parameters], 0.0, model.typical)
+    image, _ = model.project(points, values)
+    fulfilled = np.abs(model.condition_at(image, -points, values)).max(axis=0) < 1e-9
+    assert not model.in_front(-points, image, values)[fulfilled].any()
+    frame_like = model.name in {"brown", "radial", "aicon"}
+    assert not frame_like or fulfilled.all()
 
-    if native.available():
-        assert model.native
+
+@models
+def test_start_and_in_front_take_one_value_or_one_for_each_point(model):
+    points = scene(model)
+    each = np.repeat(model.typical[:, None], points.shape[1], axis=1)
+    image, by_point = model.project(points, model.typical)
+    np.testing.assert_array_equal(model.start(points, each), model.start(points, model.typical))
+    np.testing.assert_array_equal(model.in_front(points, image, each), model.in_front(points, image, model.typical))
+    np.testing.assert_allclose(model.project(points, each)[0], image, rtol=0, atol=1e-13)
+    assert by_point.shape == (2, 3, points.shape[1])
+
+
+@models
+def test_the_residual_is_the_way_to_the_projection(model):
+    """To first order -B^-1 g at a nearby point leads to the projection, with the weights' B (Gauss-Helmert)."""
+    points = scene(model)
+    image, _ = model.project(points, model.typical)
+    offset = np.array([[3e-5], [-2e-5]])
+    values = np.repeat(model.typical[:, None], points.shape[1], axis=1)
+    g, J = model.condition_and_jacobian(*(image + offset), *points, *values)
+    v = -np.linalg.solve(np.moveaxis(J[:, :2], 2, 0), g.T[..., None])[..., 0].T
+    np.testing.assert_allclose(v, np.broadcast_to(-offset, v.shape), rtol=0, atol=1e-9)
+
+
+@models
+def test_it_is_compiled(model):
+    if not native.available():
+        pytest.skip("the kernels are not compiled")
+    assert model.native
+
+
+@models
+def test_the_derivation_is_what_was_generated(model):
+    """The committed NumPy function against one derived anew."""
+    points = scene(model, 20)
+    image, _ = model.project(points, model.typical)
+    arguments = (*image, *points, *np.repeat(model.typical[:, None], 20, axis=1))
+    g, J = derive(type(model).condition, model.symbols)(*arguments)
+    generated = model.condition_and_jacobian(*arguments)
+    np.testing.assert_allclose(generated[0], g, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(generated[1], J, rtol=1e-12, atol=1e-12)
 
 
 def test_generated_files_are_what_the_generator_writes():
@@ -113,6 +160,57 @@ def test_generated_files_are_what_the_generator_writes():
         [sys.executable, "tools/generate_kernels.py", "--check"], cwd=ROOT, capture_output=True, text=True, check=False
     )
     assert done.returncode == 0, done.stdout
+
+
+NEW_MODEL = """
+from raybundle.sensors import Parameter, SensorModel
+
+
+class Division(SensorModel):
+    \"\"\"Division model of radial distortion (Fitzgibbon 2001).\"\"\"
+
+    name = "division"
+    parameters = (
+        Parameter("c", "mm", "camera constant", 20.0, kind="scale"),
+        Parameter("L", "mm^-2", "radial distortion", typical=1e-4, kind="radial"),
+    )
+
+    @staticmethod
+    def condition(x, y, X, Y, Z, c, L):
+        \"\"\"Undistorted image point minus central projection.\"\"\"
+        scale = 1 / (1 + L * (x * x + y * y))
+        return x * scale + c * X / Z, y * scale + c * Y / Z
+"""
+USE_IT = """
+import importlib, sys
+import numpy as np
+import raybundle.sensors as sensors
+before = set(sensors.sensor_models)
+sensors.__spec__.submodule_search_locations.append(sys.argv[1])
+importlib.reload(sensors)
+assert set(sensors.sensor_models) - before == {"division"}, sensors.sensor_models
+from dataclasses import replace
+from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.adjustment.engine import adjust_block
+scene = field_scene(TargetField(rows=4, columns=5, stations=4, frontal=1))
+camera = replace(scene.camera, model="division", values={"c": 20.4, "L": 2e-4}, estimate=("c", "L"))
+survey = Survey(control=6, points="exact", orientation="exact", interior="exact")
+block = simulate(replace(scene, camera=camera), survey).observed
+result = adjust_block(block)
+found = result.interior[0].parameters["L"]
+assert abs(found.value - 2e-4) < 4 * found.std < 1e-4, found
+assert 0.7 < result.sigma0 < 1.3, result.sigma0
+print("adjusted")
+"""
+
+
+def test_a_new_file_is_a_new_model(tmp_path):
+    """One file among the sensors: registered, derived and adjusted without any other change."""
+    (tmp_path / "division.py").write_text(NEW_MODEL)
+    done = subprocess.run(
+        [sys.executable, "-c", USE_IT, str(tmp_path)], capture_output=True, text=True, check=False, timeout=120
+    )
+    assert done.stdout.strip() == "adjusted", done.stderr
 
 
 def test_a_statement_that_contradicts_itself_is_refused():

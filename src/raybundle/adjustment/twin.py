@@ -465,7 +465,9 @@ class Solver:
         to_point = Q @ np.swapaxes(x, 1, 2) + np.swapaxes(J @ nodes_points, 1, 2)
         H = J @ to_nodes + x @ to_point
         hat = np.stack([H[:, 0, 0], H[:, 1, 1], (H[:, 0, 1] + H[:, 1, 0]) / 2], axis=1)
-        return hat, np.where(kept[:, None, None], to_nodes[:, -3:], to_point)
+        if kept.any():
+            to_point[kept] = to_nodes[kept, -3:]
+        return hat, to_point
 
 
 def inverse_of_points(V: Array) -> tuple[Array, Mask]:
