@@ -27,23 +27,10 @@ class Rays:
 
 
 def camera_rays(camera: Camera, xy_px: Array) -> Array:
-    """Unit viewing directions (n, 3) in the sensor frame of image points (n, 2) [px].
-
-    Rays to far points: an eccentricity of the projection centre does not show in them.
-    """
+    """Unit viewing directions (n, 3) in the sensor frame of image points (n, 2) [px]."""
     model = sensor_models[camera.model]
-    values = np.array([0.0 if p.unit == "length" else camera.values[p.symbol] for p in model.parameters])
-    image = camera.image_from_pixel(xy_px).T
-    ray = model.ray(image, values)
-    turned = ~model.in_front(ray, image, values)
-    if turned.any():  # a condition holds along the whole line; the side is the model's to say
-        ray[:, turned] = model.ray(image[:, turned], values, start=-ray[:, turned])
-    return ray.T
-
-
-def pixel_angle(camera: Camera) -> float:
-    """Size of one pixel as an angle [rad], at the centre of the format."""
-    return float(np.mean(camera.pixel_mm)) / abs(camera.values[sensor_models[camera.model].symbols[0]])
+    values = np.array([camera.values[s] for s in model.symbols])
+    return model.ray(camera.image_from_pixel(xy_px).T, values).T
 
 
 def rays_of(block: Block) -> Rays:
@@ -57,7 +44,7 @@ def rays_of(block: Block) -> Rays:
         if not len(mine):
             continue
         direction[mine] = camera_rays(cam, observations.xy_px[mine])
-        px[mine] = pixel_angle(cam)
+        px[mine] = np.mean(cam.pixel_mm) / abs(cam.values[sensor_models[cam.model].symbols[0]])
     return Rays(observations.image, observations.point, direction, px)
 
 

@@ -12,8 +12,7 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block, Camera, Images, Observations, Points
 from raybundle.errors import NoOrientation
 from raybundle.numerics.arrays import Array, Mask
-from raybundle.orientation.candidates import Pose
-from raybundle.orientation.pairs import relative_all
+from raybundle.orientation.candidates import Pose, relative_all
 from raybundle.orientation.rays import camera_rays, intersect_linear, object_rays
 
 

@@ -6,9 +6,8 @@ import numpy as np
 from scipy.sparse import coo_matrix
 
 from raybundle.numerics.arrays import Array, Mask
-from raybundle.orientation.candidates import Pose, resect_all
+from raybundle.orientation.candidates import Pose, relative_all, resect_all
 from raybundle.orientation.growth import Growth
-from raybundle.orientation.pairs import relative_all
 from raybundle.orientation.rays import angular_residuals, intersect_linear, object_rays
 
 PAIRS = 12
