@@ -186,8 +186,8 @@ import importlib, sys
 import numpy as np
 import raybundle.sensors as sensors
 before = set(sensors.sensor_models)
-sensors.__spec__.submodule_search_locations.append(sys.argv[1])
-importlib.reload(sensors)
+sensors.__path__.append(sys.argv[1])
+importlib.import_module("raybundle.sensors.division")
 assert set(sensors.sensor_models) - before == {"division"}, sensors.sensor_models
 from dataclasses import replace
 from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
