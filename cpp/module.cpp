@@ -246,20 +246,22 @@ NB_MODULE(_native, m) {
              return points;
            })
       .def("statistics", [](Solver& s, Const R, Const C, Const I, Const X, int threads, Const inverse, int datum, Const gauge_nodes,
-                            Const gauge_points, Const gauge_middle, Doubles point_gauge) {
+                            Const gauge_given, Const gauge_points, Const gauge_middle) {
         const State state = s.state(R, C, I, X, 0, 0);
+        const size_t rows = size_t(3 * s.q.points) * datum;
         s.check(inverse.size() == size_t(s.q.block_start.back()), "inverse has the wrong size");
-        s.check(gauge_nodes.size() == size_t(s.q.unknowns) * datum && gauge_points.size() == size_t(3 * s.q.points) * datum &&
-                    point_gauge.size() == size_t(3 * s.q.points) * datum && gauge_middle.size() == size_t(datum) * datum && datum <= 7,
+        s.check(gauge_nodes.size() == size_t(s.q.unknowns) * datum && gauge_given.size() == rows && gauge_points.size() == rows &&
+                    gauge_middle.size() == size_t(datum) * datum && datum <= 7,
                 "datum arrays have the wrong size");
         Doubles cofactor = make({size_t(s.q.points), 3, 3}), hat = make({size_t(s.q.observations), 3}),
-                effect = make({size_t(s.q.observations), 3, 2});
-        double *c = cofactor.data(), *h = hat.data(), *e = effect.data(), *g = point_gauge.data();
-        const double *z = inverse.data(), *gn = gauge_nodes.data(), *gp = gauge_points.data(), *gm = gauge_middle.data();
+                effect = make({size_t(s.q.observations), 3, 2}), point_h = make({size_t(s.q.points), 3, size_t(datum)});
+        double *c = cofactor.data(), *h = hat.data(), *e = effect.data(), *p = point_h.data();
+        const double *z = inverse.data(), *gn = gauge_nodes.data(), *gg = gauge_given.data(), *gp = gauge_points.data(),
+                     *gm = gauge_middle.data();
         {
           nb::gil_scoped_release release;
-          kernels().statistics(s.q, state, threads, z, datum, gn, gp, gm, c, h, e, g);
+          kernels().statistics(s.q, state, threads, z, datum, gn, gg, gp, gm, c, h, e, p);
         }
-        return nb::make_tuple(cofactor, hat, effect);
+        return nb::make_tuple(cofactor, hat, effect, point_h);
       });
 }

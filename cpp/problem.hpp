@@ -89,8 +89,8 @@ struct Kernels {
   Totals (*back_substitute)(const Problem&, const State&, int threads, const double* step, double* points);
   Totals (*evaluate)(const Problem&, const State&, int threads, double* residuals, uint8_t* behind);
   void (*statistics)(const Problem&, const State&, int threads, const double* inverse, int datum, const double* gauge_nodes,
-                     const double* gauge_points, const double* gauge_middle, double* point_cofactor, double* hat,
-                     double* effect, double* point_gauge);
+                     const double* gauge_given, const double* gauge_points, const double* gauge_middle, double* point_cofactor,
+                     double* hat, double* effect, double* point_h);
   void (*condense)(const Problem&, const State&, int threads, int columns, const double* given, double* right);
   void (*expand)(const Problem&, const State&, int threads, int columns, const double* nodes, const double* given, double* points);
 };

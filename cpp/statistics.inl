@@ -32,10 +32,14 @@ static RB_INLINE void multiply(const double* z, int rows, int cols, const double
 
 // From the selected inverse Z of the reduced normal matrix: cofactors of the object points, the 2 x 2
 // diagonal blocks A Q A' of every observation, and the effect of a unit blunder on its own point.
-// gauge_*: H = Q B G and M = (G'BG)^-1 of the S-transformation, datum columns; datum = 0 without.
-static void statistics(const Problem& q, const State& s, int threads, const double* inverse, int datum, const double* gauge_nodes,
-                       const double* gauge_points, const double* gauge_middle, double* point_cofactor, double* hat, double* effect,
-                       double* point_gauge) {
+// gauge_*: of the S-transformation, datum columns: H = Q B G of the nodes, B G and G of the points, M = (G'BG)^-1;
+// datum = 0 without.  H of the points comes back in point_h.
+// D the number of datum columns where it is known when compiled, or -1.
+template <int D>
+static void statistics_of(const Problem& q, const State& s, int threads, const double* inverse, int columns, const double* gauge_nodes,
+                       const double* gauge_given, const double* gauge_points, const double* gauge_middle, double* point_cofactor,
+                       double* hat, double* effect, double* point_h) {
+  const int datum = D >= 0 ? D : columns;
   std::vector<double> turned(q.block_start.back());  // every block transposed, so that both products run along memory
   for (size_t k = 0; k < q.block_row.size(); ++k) {
     const int rows = q.size[q.block_row[k]], cols = q.size[q.block_col[k]];
@@ -60,6 +64,9 @@ static void statistics(const Problem& q, const State& s, int threads, const doub
             const int64_t slot = q.slot_point[q.first[p]];
             std::memcpy(Q, inverse + q.block_start[blocks[pair_index(k, slot, slot)]], sizeof Q);
           }
+          if (datum > 0)
+            std::memcpy(point_h + 3 * int64_t(q.id[p]) * datum, gauge_nodes + q.offset[q.node_of_point[p]] * datum,
+                        sizeof(double) * 3 * datum);
         } else {
           PointNormal n;
           gather_point(q, s, p, base, c, n);
@@ -107,11 +114,38 @@ static void statistics(const Problem& q, const State& s, int threads, const doub
               }
               Q[3 * e + f] = sum;
             }
+          if (datum > 0) {
+            const double* given = gauge_given + 3 * int64_t(q.id[p]) * datum;
+            double* out = point_h + 3 * int64_t(q.id[p]) * datum;
+            for (int e = 0; e < 3; ++e)
+              for (int g = 0; g < datum; ++g)
+                out[e * datum + g] = I[e][0] * given[g] + I[e][1] * given[datum + g] + I[e][2] * given[2 * datum + g];
+            for (int64_t a = 0; a < k; ++a) {
+              const int node = q.point_nodes[nb + a];
+              const double* row = gauge_nodes + q.offset[node] * datum;
+              const double* ya = &y[a * 3 * kStride];
+              for (int x = 0; x < q.size[node]; ++x, row += datum)
+                for (int e = 0; e < 3; ++e) {
+                  const double factor = ya[e * kStride + x];
+                  RB_SIMD
+                  for (int g = 0; g < datum; ++g) out[e * datum + g] -= factor * row[g];
+                }
+            }
+          }
           for (int e = 0; e < 3; ++e)
             if (q.held[p] & (1 << e))
               for (int f = 0; f < 3; ++f) Q[3 * e + f] = Q[3 * f + e] = 0;
         }
         std::memcpy(point_cofactor + 9 * int64_t(q.id[p]), Q, sizeof Q);
+        for (int e = 0; e < 3; ++e)
+          if (q.held[p] & (1 << e))
+            for (int g = 0; g < datum; ++g) point_h[(3 * int64_t(q.id[p]) + e) * datum + g] = 0;
+        double moved[3][8] = {};  // G_p M
+        for (int e = 0; e < 3 && datum > 0; ++e)
+          for (int h = 0; h < datum; ++h) {
+            const double factor = gauge_points[(3 * int64_t(q.id[p]) + e) * datum + h];
+            for (int g = 0; g < datum; ++g) moved[e][g] += factor * gauge_middle[h * datum + g];
+          }
 
         for (int64_t i = q.first[p]; i < q.first[p + 1]; ++i) {
           const int64_t n = i - base;
@@ -182,20 +216,21 @@ static void statistics(const Problem& q, const State& s, int threads, const doub
           if (datum > 0) {
             // S-transformation: minus G_p M (A_i H)'
             for (int r = 0; r < 2; ++r) {
-              double u[7];
-              for (int g = 0; g < datum; ++g) {
+              double u[8] = {};
+              const auto add = [&](double factor, const double* row) {
+                RB_SIMD
+                for (int g = 0; g < datum; ++g) u[g] += factor * row[g];
+              };
+              if (own)
+                for (int a = 0; a < own; ++a) add(j[r][a], gauge_nodes + (q.offset[q.own_node[f]] + a) * datum);
+              if (shared)
+                for (int a = 0; a < shared; ++a) add(j[r][own + a], gauge_nodes + (q.offset[q.shared_node[f]] + a) * datum);
+              for (int e = 0; e < 3; ++e) add(x[r][e], point_h + (3 * int64_t(q.id[p]) + e) * datum);
+              for (int e = 0; e < 3; ++e) {
                 double sum = 0;
-                for (int a = 0; a < own; ++a) sum += j[r][a] * gauge_nodes[(q.offset[q.own_node[f]] + a) * datum + g];
-                for (int a = 0; a < shared; ++a) sum += j[r][own + a] * gauge_nodes[(q.offset[q.shared_node[f]] + a) * datum + g];
-                for (int e = 0; e < 3; ++e) sum += x[r][e] * gauge_points[(3 * int64_t(q.id[p]) + e) * datum + g];
-                u[g] = sum;
+                for (int g = 0; g < datum; ++g) sum += moved[e][g] * u[g];
+                E[e][r] -= sum;
               }
-              for (int e = 0; e < 3; ++e)
-                for (int g = 0; g < datum; ++g) {
-                  double m = 0;
-                  for (int h = 0; h < datum; ++h) m += gauge_middle[g * datum + h] * u[h];
-                  E[e][r] -= point_gauge[(3 * int64_t(q.id[p]) + e) * datum + g] * m;
-                }
             }
           }
           for (int e = 0; e < 3; ++e)
@@ -204,4 +239,11 @@ static void statistics(const Problem& q, const State& s, int threads, const doub
       }
     });
   });
+}
+
+static void statistics(const Problem& q, const State& s, int threads, const double* inverse, int datum, const double* gauge_nodes,
+                       const double* gauge_given, const double* gauge_points, const double* gauge_middle, double* point_cofactor,
+                       double* hat, double* effect, double* point_h) {
+  const auto run = datum == 0 ? &statistics_of<0> : datum == 7 ? &statistics_of<7> : &statistics_of<-1>;
+  run(q, s, threads, inverse, datum, gauge_nodes, gauge_given, gauge_points, gauge_middle, point_cofactor, hat, effect, point_h);
 }

@@ -1,4 +1,7 @@
-"""Every example of the documentation runs: python blocks in one session per page, console lines through the shell."""
+"""Every example of the documentation runs: python blocks and command lines of a page in one session.
+
+A command line may begin with environment variables; a line `# prints: TEXT` after it says what its output holds.
+"""
 
 import os
 import re
@@ -11,6 +14,17 @@ import pytest
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 FENCE = re.compile(r"^```(python|console)\n(.*?)^```", re.MULTILINE | re.DOTALL)
+RUN = """
+import os, subprocess, sys
+
+
+def run(words, variables):
+    done = subprocess.run(
+        [sys.executable, "-m", *words], env={**os.environ, **variables}, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, (words, done.stderr)
+    return done.stdout + done.stderr
+"""
 PAGES = [
     p
     for p in sorted(DOCS.rglob("*.md"))
@@ -20,16 +34,20 @@ PAGES = [
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda p: p.stem)
 def test_page(page, tmp_path):
-    script = ["import subprocess, sys"]
+    script = [RUN]
     for kind, text in FENCE.findall(page.read_text()):
         if kind == "python":
             script.append(text)
         else:
             for line in text.strip().splitlines():
-                assert line.startswith("raybundle "), line
-                script.append(
-                    f"subprocess.run([sys.executable, '-m', {', '.join(map(repr, shlex.split(line)))}], check=True)"
-                )
+                if line.startswith("# prints: "):
+                    script.append(f"assert {line.removeprefix('# prints: ')!r} in printed, printed")
+                    continue
+                words = shlex.split(line)
+                program = words.index("raybundle")
+                assert all(re.fullmatch(r"[A-Z_]+=\S*", w) for w in words[:program]), line
+                variables = dict(w.split("=", 1) for w in words[:program])
+                script.append(f"printed = run({words[program:]!r}, {variables!r})")
     file = tmp_path / "page.py"
     file.write_text("\n".join(script))
     done = subprocess.run(

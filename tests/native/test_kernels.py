@@ -127,10 +127,7 @@ def test_inverse_and_statistics(pair, datum):
     compiled, twin, state = pair
     rng = np.random.default_rng(4)
     N, p = len(compiled.right), len(state.xyz)
-    nodes, points = rng.normal(size=(N, datum)), rng.normal(size=(p, 3, datum))
-    retained = np.flatnonzero(compiled.system.point_node >= 0)
-    at = compiled.system.offsets[compiled.system.point_node[retained]][:, None] + np.arange(3)
-    points[retained] = nodes[at]
+    nodes, given = rng.normal(size=(N, datum)), rng.normal(size=(p, 3, datum))
     middle, gauge = rng.normal(size=(datum, datum)), rng.normal(size=(p, 3, datum))
     inverses, found = [], []
     for normals in (compiled, twin):
@@ -140,7 +137,7 @@ def test_inverse_and_statistics(pair, datum):
         normals.solver.selected_inverse(inverse)
         inverses.append(inverse)
         found.append(
-            normals.solver.statistics(*normals.arguments(state), 2, inverse, datum, nodes, points, middle, gauge)
+            normals.solver.statistics(*normals.arguments(state), 2, inverse, datum, nodes, given, gauge, middle)
         )
     blocks_agree(compiled, twin, *inverses, 1e-8)
     free = compiled.system.points_used[:, None] & ~compiled.system.held
@@ -149,6 +146,7 @@ def test_inverse_and_statistics(pair, datum):
     close(*cofactors, 1e-8)
     close(found[0][1], found[1][1], 1e-8)
     close(found[0][2], found[1][2], 1e-8)
+    close(found[0][3], found[1][3], 1e-8)
 
 
 def test_the_diagonal_of_a_q_a_is_that_of_the_definition(pair):
@@ -159,7 +157,7 @@ def test_the_diagonal_of_a_q_a_is_that_of_the_definition(pair):
     inverse = np.zeros_like(twin.values)
     twin.solver.selected_inverse(inverse)
     none = np.zeros(0)
-    cofactor, hat, _ = twin.solver.statistics(*twin.arguments(state), 1, inverse, 0, none, none, none, none)
+    cofactor, hat, _, _ = twin.solver.statistics(*twin.arguments(state), 1, inverse, 0, none, none, none, none)
     A, free = whole_design(twin, state)
     Q = np.linalg.pinv(A.T @ A, rcond=1e-15, hermitian=True) if A.shape[1] else np.zeros((0, 0))
     m = len(twin.system.rows)

@@ -8,7 +8,7 @@ points that carry the datum.  Residuals do not depend on it.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -87,7 +87,7 @@ def node_generators(system: System, state: State, datum: Datum) -> Array:
         for k, position in enumerate(row.free):
             if row.model.parameters[position].unit == "length":
                 G[system.offsets[row.node] + row.start + k, 6] = state.interior[r, position]
-    return G @ datum.basis
+    return G if datum.defect == 7 else G @ datum.basis
 
 
 def analyse(system: System, state: State, options: AdjustmentOptions) -> Datum:
@@ -214,6 +214,8 @@ class Transformation:
     """G (N, d)"""
     points: Array
     """G (p, 3, d)"""
+    given: Array
+    """B G (p, 3, d)"""
     nodes_h: Array
     """H = Q B G (N, d)"""
     points_h: Array
@@ -223,38 +225,54 @@ class Transformation:
     inner: Array
     """K = G'BH (d, d)"""
 
+    def with_points(self, points_h: Array) -> Transformation:
+        """The transformation with H of the points, which the statistics bring."""
+        d = len(self.middle)
+        inner = self.given.reshape(-1, d).T @ points_h.reshape(-1, d)
+        return replace(self, points_h=points_h, inner=(inner + inner.T) / 2)
+
     def apply(self, block: Array, Ga: Array, Ha: Array, Gb: Array, Hb: Array) -> Array:
         """Transform cofactor blocks (..., a, b) with the rows of G and H that belong to their unknowns."""
-        M = self.middle
-        first = Ga @ M @ np.swapaxes(Hb, -1, -2)
-        second = Ha @ M.T @ np.swapaxes(Gb, -1, -2)
-        third = Ga @ (M @ self.inner @ M.T) @ np.swapaxes(Gb, -1, -2)
-        return block - first - second + third
+        first = Ga @ np.swapaxes(self._half(Gb, Hb), -1, -2)
+        second = self._half(Ga, Ha) @ np.swapaxes(Gb, -1, -2)
+        return block - first - second
+
+    def apply_own(self, block: Array) -> Array:
+        """Transform the (p, 3, 3) cofactors of the object points; the same as `apply`, with half the work."""
+        first = self.points @ np.swapaxes(self._half(self.points, self.points_h), -1, -2)
+        return block - first - np.swapaxes(first, -1, -2)
+
+    def _half(self, G: Array, H: Array) -> Array:
+        """H M' - 1/2 G M K M', the factor that stands beside G in either half of the symmetric form."""
+        d = len(self.middle)
+        flat = H.reshape(-1, d) @ self.middle.T - G.reshape(-1, d) @ (self.middle @ self.inner @ self.middle.T / 2)
+        return flat.reshape(H.shape)
 
 
 def transformation(normals: Normals, state: State, datum: Datum) -> Transformation | None:
-    """The S-transformation from the minimal datum of the factor to inner constraints over the carriers."""
+    """The S-transformation from the minimal datum of the factor to inner constraints over the carriers.
+
+    H of the points and K are still missing: `with_points`.
+    """
     if datum.defect == 0 or datum.kind != "inner":
         return None
     system = normals.system
     used = system.points_used
-    G = point_generators(state.xyz, datum.centre, datum.extent) @ datum.basis
-    G[~used] = 0
-    G[system.control_held] = 0
-    BG = G * datum.carriers[:, None, None]
+    d = datum.defect
+    G = point_generators(state.xyz, datum.centre, datum.extent)
+    if d < 7:
+        G = (G.reshape(-1, 7) @ datum.basis).reshape(-1, 3, d)
+    if not used.all():
+        G[~used] = 0
+    if system.control_held.any():
+        G[system.control_held] = 0
+    BG = G if datum.carriers.all() else G * datum.carriers[:, None, None]
     nodes = node_generators(system, state, datum)
-    BG_nodes = np.zeros_like(nodes)
-    retained = np.flatnonzero(system.point_node >= 0)
-    eliminated = BG.copy()
-    for p in retained:
-        # `solve` adds what is given for retained points to their nodes
-        at = system.offsets[system.point_node[p]]
-        BG_nodes[at : at + 3] = 0
-    nodes_h, points_h = normals.solve(state, BG_nodes, eliminated)
-    points_h[system.held] = 0
-    middle = np.linalg.inv(np.einsum("pcd,pce->de", BG, G))
-    inner = np.einsum("pcd,pce->de", BG, points_h)
-    return Transformation(nodes, G, nodes_h, points_h, middle, inner)
+    # what is given for retained points is added to their nodes
+    nodes_h = normals.solve_nodes(state, np.zeros_like(nodes), BG)
+    middle = np.linalg.inv(BG.reshape(-1, d).T @ G.reshape(-1, d))
+    none = np.zeros((0, 3, d))
+    return Transformation(nodes, G, BG, nodes_h, none, middle, np.zeros((d, d)))
 
 
 def fit_to_given(system: System, state: State, given: State, datum: Datum) -> State:

@@ -257,14 +257,27 @@ class Normals:
         self.solver.evaluate(*self.arguments(state), 0.0, self.threads, v, flags)
         return v, flags
 
+    def solve_nodes(self, state: State, nodes: Array, points: Array) -> Array:
+        """The nodes' part (N, k) of N^-1 applied to right sides for nodes (N, k) and points (p, 3, k)."""
+        columns = nodes.shape[1]
+        condensed = self.solver.condense(*self.arguments(state), self.threads, self._free_rows(points), columns)
+        right = np.ascontiguousarray(nodes + condensed)
+        self.solver.solve(right, columns)
+        return right
+
+    def solve_points(self, state: State, nodes: Array, points: Array) -> Array:
+        """The points' part (p, 3, k) that belongs to the nodes' part (N, k) of a solution."""
+        points = self._free_rows(points)
+        return self.solver.expand(*self.arguments(state), self.threads, nodes, points, nodes.shape[1])
+
     def solve(self, state: State, nodes: Array, points: Array) -> tuple[Array, Array]:
         """N^-1 applied to right sides for nodes (N, k) and points (p, 3, k), with the last factor."""
-        columns = nodes.shape[1]
-        points = np.ascontiguousarray(points * ~self.system.held[:, :, None])
-        right = nodes + self.solver.condense(*self.arguments(state), self.threads, points, columns)
-        right = np.ascontiguousarray(right)
-        self.solver.solve(right, columns)
-        return right, self.solver.expand(*self.arguments(state), self.threads, right, points, columns)
+        right = self.solve_nodes(state, nodes, points)
+        return right, self.solve_points(state, right, points)
+
+    def _free_rows(self, points: Array) -> Array:
+        held = self.system.held
+        return np.ascontiguousarray(points * ~held[:, :, None] if held.any() else points)
 
     def node_block(self, inverse: Array, a: int, b: int) -> Array:
         """Block (a, b) of a matrix in the layout of the normal matrix."""

@@ -39,21 +39,23 @@ def cofactors(normals: Normals, state: State, datum: Datum) -> Cofactors:
     change = transformation(normals, state, datum)
     d = 0 if change is None else datum.defect
     none = np.zeros(0)
-    points_minimal, hat, effect = normals.solver.statistics(
+    points_minimal, hat, effect, points_h = normals.solver.statistics(
         *normals.arguments(state),
         normals.threads,
         inverse,
         d,
         none if change is None else np.ascontiguousarray(change.nodes_h),
-        none if change is None else np.ascontiguousarray(change.points_h),
+        none if change is None else change.given,
+        none if change is None else change.points,
         none if change is None else np.ascontiguousarray(change.middle),
-        none if change is None else np.ascontiguousarray(change.points),
     )
     held = system.held
-    points_minimal = points_minimal * ~held[:, :, None] * ~held[:, None, :]
+    if held.any():
+        points_minimal = points_minimal * ~held[:, :, None] * ~held[:, None, :]
     points = points_minimal
     if change is not None:
-        points = change.apply(points_minimal, change.points, change.points_h, change.points, change.points_h)
+        change = change.with_points(points_h)
+        points = change.apply_own(points_minimal)
     return Cofactors(inverse, change, points_minimal, points, hat, effect)
 
 

@@ -75,7 +75,10 @@ def precision_in_datum(result: Adjustment, datum_points: tuple[str, ...]) -> Pre
     change = transformation(work.normals, state, datum)
     assert change is not None
     assert work.found is not None
-    points = change.apply(work.found.points_minimal, change.points, change.points_h, change.points, change.points_h)
+    points_h = work.normals.solve_points(state, change.nodes_h, change.given)
+    points_h[work.normals.system.held] = 0
+    change = change.with_points(points_h)
+    points = change.apply_own(work.found.points_minimal)
     found = Cofactors(work.found.inverse, change, work.found.points_minimal, points, work.found.hat, work.found.effect)
     return precision(work.normals, state, found, _variance(result))
 

@@ -417,13 +417,14 @@ class Solver:
 
     def statistics(
         self, R: Array, C: Array, I: Array, X: Array, threads: int, inverse: Array, datum: int, gauge_nodes: Array,
-        gauge_points: Array, gauge_middle: Array, point_gauge: Array,
-    ) -> tuple[Array, Array, Array]:  # fmt: skip
-        """Point cofactors (p, 3, 3), A Q A' (m: 00, 11, 01) and effects of unit blunders on the points (m, 3, 2).
+        gauge_given: Array, gauge_points: Array, gauge_middle: Array,
+    ) -> tuple[Array, Array, Array, Array]:  # fmt: skip
+        """Point cofactors (p, 3, 3), A Q A' (m: 00, 11, 01), effects of unit blunders (m, 3, 2) and H (p, 3, d).
 
         inverse   (values,) of the reduced normal matrix
-        gauge_..  of the S-transformation by `datum` columns: H = Q B G for nodes (N, d) and points (p, 3, d), the
-                  middle (d, d) and G for the points (p, 3, d); nothing is transformed where datum is 0
+        gauge_..  of the S-transformation by `datum` columns: H = Q B G for the nodes (N, d), B G and G for the
+                  points (p, 3, d), and the middle (d, d); nothing is transformed where datum is 0
+        returns   the effects are those on the observation's own point; H = Q B G for the points
         """
         del threads
         linear = self._linearise(R, C, I, X, 0.0)
@@ -443,11 +444,14 @@ class Solver:
             rows = slice(self.first[mine[0]], self.first[mine[-1] + 1])
             local = self.point[rows] - begin
             hat[rows], effect[rows] = self._redundancy(linear, rows, Z, T, cofactor[self.point[rows]], local)
-        if datum:
-            u = np.einsum("mrk,mkd->mrd", linear.J, gauge_nodes[self.columns])
-            u += linear.x @ (gauge_points[self.point] * self.eliminated[self.point, None, None])
-            effect -= point_gauge[self.point] @ gauge_middle @ np.swapaxes(u, 1, 2)
-        return cofactor, hat, effect
+        if not datum:
+            return cofactor, hat, effect, np.zeros((p, 3, 0))
+        point_h = self.expand(R, C, I, X, 1, gauge_nodes, gauge_given * ~self.held[:, :, None], datum)
+        point_h[self.held] = 0
+        u = np.einsum("mrk,mkd->mrd", linear.J, gauge_nodes[self.columns])
+        u += linear.x @ (point_h[self.point] * self.eliminated[self.point, None, None])
+        effect -= gauge_points[self.point] @ gauge_middle @ np.swapaxes(u, 1, 2)
+        return cofactor, hat, effect, point_h
 
     def _redundancy(
         self, linear: _Linear, rows: slice, Z: Array, T: Array, Q: Array, local: Array
