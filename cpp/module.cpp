@@ -5,12 +5,14 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <memory>
 #include <stdexcept>
 #include <string>
 
 #include "factor.hpp"
+#include "imaging.hpp"
 #include "problem.hpp"
 
 namespace nb = nanobind;
@@ -19,22 +21,37 @@ using namespace raybundle;
 namespace raybundle {
 
 // The widest instruction set of this processor; RAYBUNDLE_NATIVE=avx2 or =baseline stays below it.
-const Kernels& kernels() {
+enum class Width { baseline, avx2, avx512 };
+
+static Width width() {
 #ifdef RB_X86
-  static const Kernels& chosen = []() -> const Kernels& {
-    const char* text = std::getenv("RAYBUNDLE_NATIVE");
-    const std::string limit = text ? text : "";
-    const bool avx2_here = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    const bool avx512_here = avx2_here && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-                             __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
-    if (avx512_here && limit != "avx2" && limit != "baseline") return avx512::table;
-    if (avx2_here && limit != "baseline") return avx2::table;
-    return baseline::table;
-  }();
-  return chosen;
-#else
-  return baseline::table;
+  const char* text = std::getenv("RAYBUNDLE_NATIVE");
+  const std::string limit = text ? text : "";
+  const bool avx2_here = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  const bool avx512_here = avx2_here && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+                           __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
+  if (avx512_here && limit != "avx2" && limit != "baseline") return Width::avx512;
+  if (avx2_here && limit != "baseline") return Width::avx2;
 #endif
+  return Width::baseline;
+}
+
+const Kernels& kernels() {
+  static const Width chosen = width();
+#ifdef RB_X86
+  if (chosen == Width::avx512) return avx512::table;
+  if (chosen == Width::avx2) return avx2::table;
+#endif
+  return baseline::table;
+}
+
+const ImagingKernels& imaging_kernels() {
+  static const Width chosen = width();
+#ifdef RB_X86
+  if (chosen == Width::avx512) return avx512::imaging;
+  if (chosen == Width::avx2) return avx2::imaging;
+#endif
+  return baseline::imaging;
 }
 
 }  // namespace raybundle
@@ -49,12 +66,51 @@ using Const = nb::ndarray<const double, nb::numpy, nb::c_contig, nb::device::cpu
 
 template <class T, class A> std::vector<T> copy(const A& a) { return std::vector<T>(a.data(), a.data() + a.size()); }
 
-Doubles make(std::vector<size_t> shape) {
+template <class T> nb::ndarray<T, nb::numpy, nb::c_contig, nb::device::cpu> array(std::vector<size_t> shape) {
   size_t n = 1;
   for (size_t s : shape) n *= s;
-  double* data = new double[n]();
-  nb::capsule owner(data, [](void* p) noexcept { delete[] static_cast<double*>(p); });
-  return Doubles(data, shape.size(), shape.data(), owner);
+  T* data = new T[n]();
+  nb::capsule owner(data, [](void* p) noexcept { delete[] static_cast<T*>(p); });
+  return {data, shape.size(), shape.data(), owner};
+}
+Doubles make(std::vector<size_t> shape) { return array<double>(std::move(shape)); }
+
+using Floats = nb::ndarray<const float, nb::ndim<2>, nb::numpy, nb::c_contig, nb::device::cpu>;
+using Image = nb::ndarray<const uint16_t, nb::ndim<2>, nb::numpy, nb::c_contig, nb::device::cpu>;
+
+nb::tuple best(Floats a, Floats b) {
+  if (a.shape(1) != b.shape(1)) throw std::invalid_argument("descriptors have different lengths");
+  const int n = int(a.shape(0)), m = int(b.shape(0)), k = int(a.shape(1));
+  auto first = array<int32_t>({a.shape(0)}), reverse = array<int32_t>({b.shape(0)});
+  auto value = array<float>({a.shape(0)}), second = array<float>({a.shape(0)});
+  const float *da = a.data(), *db = b.data();
+  int32_t *f = first.data(), *r = reverse.data();
+  float *v = value.data(), *s = second.data();
+  {
+    nb::gil_scoped_release release;
+    imaging_kernels().best(da, n, db, m, k, f, v, s, r);
+  }
+  return nb::make_tuple(first, value, second, reverse);
+}
+
+nb::tuple match_windows(Image reference, Image target, Const xy_reference, Const xy_start, Const affine_start, int half, double sigma,
+                        int iterations, double step, double reach) {
+  const size_t n = xy_reference.size() / 2;
+  if (xy_start.size() != 2 * n || affine_start.size() != 4 * n || half < 2) throw std::invalid_argument("windows have the wrong size");
+  auto xy = make({n, 2}), affine = make({n, 2, 2}), covariance = make({n, 3}), correlation = make({n});
+  auto outcome = array<int32_t>({n});
+  std::copy_n(xy_start.data(), 2 * n, xy.data());
+  std::copy_n(affine_start.data(), 4 * n, affine.data());
+  const Grey from{reference.data(), int(reference.shape(1)), int(reference.shape(0))};
+  const Grey to{target.data(), int(target.shape(1)), int(target.shape(0))};
+  const double* c = xy_reference.data();
+  double *p = xy.data(), *B = affine.data(), *Q = covariance.data(), *r = correlation.data();
+  int32_t* o = outcome.data();
+  {
+    nb::gil_scoped_release release;
+    imaging_kernels().match(from, to, {half, sigma, iterations, step, reach}, 0, int(n), c, p, B, Q, r, o);
+  }
+  return nb::make_tuple(xy, affine, covariance, correlation, outcome);
 }
 
 struct Solver {
@@ -77,6 +133,8 @@ struct Solver {
 
 NB_MODULE(_native, m) {
   m.doc() = "Compiled kernels: observations, reduced normal matrix, sparse factor, selected inverse.";
+  m.def("best_matches", &best);
+  m.def("match_windows", &match_windows);
   m.def("instruction_set", [] { return std::string(kernels().name); });
   m.def("sensor_models", [] {
     std::vector<std::string> names;

@@ -1,0 +1,39 @@
+// Kernels on image contents: descriptor matching and least-squares matching.
+#pragma once
+#include <cstdint>
+
+namespace raybundle {
+
+// A grey image: 16 bit, rows of `width` values.
+struct Grey {
+  const uint16_t* data;
+  int width, height;
+};
+
+// How a patch is matched.
+struct Patch {
+  int half;           // window of (2 half + 1)^2 positions
+  double sigma;       // of the Gaussian weight [px]
+  int iterations;
+  double step;        // the iteration ends below this shift [px]
+  double reach;       // largest shift from the start [px]
+};
+
+// What became of a point: see least_squares.py.
+enum Outcome : int32_t { matched = 0, outside = 1, flat = 2, moved = 3, unsteady = 4 };
+
+struct ImagingKernels {
+  // For rows of a (n, k): position and value of the largest inner product with rows of b (m, k), the second
+  // largest; for rows of b: position of the largest.  k a multiple of 4.
+  void (*best)(const float* a, int n, const float* b, int m, int k, int32_t* first, float* value, float* second, int32_t* reverse);
+  // Affine least-squares matching of points of a reference image in a target image.
+  void (*match)(const Grey& reference, const Grey& target, const Patch& patch, int begin, int end, const double* xy_reference,
+                double* xy, double* affine, double* covariance, double* correlation, int32_t* outcome);
+};
+
+namespace baseline { extern const ImagingKernels imaging; }
+namespace avx2 { extern const ImagingKernels imaging; }
+namespace avx512 { extern const ImagingKernels imaging; }
+const ImagingKernels& imaging_kernels();
+
+}  // namespace raybundle

@@ -1,0 +1,99 @@
+"""A block as named arrays, for the cache of a project: exact, quick, without objects."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import asdict
+from typing import Any
+
+import numpy as np
+
+from raybundle.block import Block, Camera, Distances, Images, Observations, Points, Stations
+from raybundle.numerics.arrays import Array
+
+
+def arrays_of_block(block: Block) -> dict[str, Array]:
+    """The arrays; `block_of_arrays` makes the equal block of them."""
+    head = {
+        "name": block.name,
+        "about": block.about,
+        "source": block.source,
+        "licence": block.licence,
+        "length_unit": block.length_unit,
+        "sigma0_apriori": block.sigma0_apriori,
+        "residuals": block.residuals,
+        "cameras": [{**asdict(c), "values": dict(c.values), "sigma": dict(c.sigma)} for c in block.cameras],
+        "interior": {str(k): dict(v) for k, v in block.images.interior.items()},
+        "held": block.images.held is not None,
+    }
+    i, o, p, d, s = block.images, block.observations, block.points, block.distances, block.stations
+    return {
+        "head": np.array(json.dumps(head)),
+        "image_ids": np.array(i.ids, dtype=np.str_),
+        "image_file": np.array(i.file, dtype=np.str_),
+        "image_camera": i.camera,
+        "centre": i.centre,
+        "rotation": i.rotation,
+        "image_held": np.zeros(0, bool) if i.held is None else i.held,
+        "observation_image": o.image,
+        "observation_point": o.point,
+        "xy_px": o.xy_px,
+        "cov_px2": o.cov_px2,
+        "point_ids": np.array(p.ids, dtype=np.str_),
+        "role": p.role,
+        "xyz": p.xyz,
+        "sigma": p.sigma,
+        "distance_start": d.start,
+        "distance_end": d.end,
+        "distance_length": d.length,
+        "distance_sigma": d.sigma,
+        "station_image": s.image,
+        "station_xyz": s.xyz,
+        "station_sigma": s.sigma,
+    }
+
+
+def block_of_arrays(a: dict[str, Array]) -> Block:
+    """The block that `arrays_of_block` was given."""
+    head: dict[str, Any] = json.loads(str(a["head"]))
+    return Block(
+        name=head["name"],
+        about=head["about"],
+        source=head["source"],
+        licence=head["licence"],
+        length_unit=head["length_unit"],
+        sigma0_apriori=head["sigma0_apriori"],
+        residuals=head["residuals"],
+        cameras=tuple(_camera(c) for c in head["cameras"]),
+        images=Images(
+            ids=tuple(a["image_ids"].tolist()),
+            camera=a["image_camera"],
+            file=tuple(a["image_file"].tolist()),
+            centre=a["centre"],
+            rotation=a["rotation"],
+            held=a["image_held"] if head["held"] else None,
+            interior={int(k): v for k, v in head["interior"].items()},
+        ),
+        observations=Observations(
+            image=a["observation_image"], point=a["observation_point"], xy_px=a["xy_px"], cov_px2=a["cov_px2"]
+        ),
+        points=Points(ids=tuple(a["point_ids"].tolist()), role=a["role"], xyz=a["xyz"], sigma=a["sigma"]),
+        distances=Distances(
+            start=a["distance_start"], end=a["distance_end"], length=a["distance_length"], sigma=a["distance_sigma"]
+        ),
+        stations=Stations(image=a["station_image"], xyz=a["station_xyz"], sigma=a["station_sigma"]),
+    )
+
+
+def _camera(values: dict[str, Any]) -> Camera:
+    return Camera(
+        id=values["id"],
+        model=values["model"],
+        width_px=values["width_px"],
+        height_px=values["height_px"],
+        pixel_mm=(values["pixel_mm"][0], values["pixel_mm"][1]),
+        values=values["values"],
+        estimate="auto" if values["estimate"] == "auto" else tuple(values["estimate"]),
+        sigma=values["sigma"],
+        interior=values["interior"],
+    )

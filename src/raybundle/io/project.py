@@ -1,0 +1,298 @@
+"""Project folders: one SQLite file and a cache by content hash, safe to be killed at any instant.
+
+    PROJECT/project.toml     inputs and settings, as given
+    PROJECT/project.db       stages, photographs, verified pairs (SQLite)
+    PROJECT/cache/xx/KEY.npz products of stages; a key is the hash of everything that the product depends on
+    PROJECT/result/          the result folder
+
+Nothing is ever changed in place: a product is written beside its place and renamed, a row is inserted in a
+transaction.  What is there is complete; what is missing is made again.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import hashlib
+import json
+import os
+import sqlite3
+import time
+import uuid
+import zipfile
+from collections.abc import Generator, Iterable, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array
+
+SCHEMA = 1
+_TABLES = """
+CREATE TABLE IF NOT EXISTS about (name TEXT PRIMARY KEY, value TEXT NOT NULL);
+CREATE TABLE IF NOT EXISTS stages (
+  position INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE, key TEXT NOT NULL, seconds REAL NOT NULL,
+  cpu_seconds REAL NOT NULL, peak_memory_mb REAL NOT NULL, from_cache INTEGER NOT NULL, finished TEXT NOT NULL,
+  summary TEXT NOT NULL);
+CREATE TABLE IF NOT EXISTS pairs (key TEXT PRIMARY KEY, facts TEXT NOT NULL, matches BLOB NOT NULL) WITHOUT ROWID;
+"""
+
+
+def key_of(*parts: object) -> str:
+    """The hash of everything a product depends on: texts, numbers, tuples and mappings of them."""
+    text = json.dumps(parts, sort_keys=True, ensure_ascii=False, allow_nan=True, separators=(",", ":"), default=_plain)
+    return hashlib.sha256(text.encode()).hexdigest()[:40]
+
+
+def _plain(value: object) -> object:
+    if isinstance(value, Mapping):
+        return dict(value)
+    if isinstance(value, np.ndarray):
+        return hashlib.sha256(np.ascontiguousarray(value).tobytes()).hexdigest()
+    if isinstance(value, np.generic):
+        return value.item()
+    if isinstance(value, Path):
+        return str(value)
+    raise TypeError(f"{type(value).__name__} cannot be part of a key")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StageRecord:
+    """What a stage took, and when."""
+
+    name: str
+    key: str
+    seconds: float
+    cpu_seconds: float
+    """of all threads of this process"""
+    peak_memory_mb: float
+    """of the process up to the end of the stage"""
+    from_cache: bool
+    finished: str = ""
+    summary: str = ""
+
+
+@dataclass(slots=True)
+class Stage:
+    """A stage in work; `from_cache` and `summary` are set by its body."""
+
+    name: str
+    key: str = ""
+    from_cache: bool = True
+    summary: str = ""
+
+
+@dataclass(slots=True)
+class Project:
+    """An open project folder."""
+
+    folder: Path
+    db: sqlite3.Connection
+    records: list[StageRecord] = field(default_factory=list[StageRecord])
+    """of this run"""
+
+    @classmethod
+    def open(cls, folder: Path, *, create: bool = True) -> Project:
+        """Open a project folder, or begin one.
+
+        raises  InputError where something else stands there or nothing can be written
+        """
+        file = folder / "project.db"
+        if not file.exists():
+            if not create:
+                raise InputError(
+                    "is no project folder (project.db is missing); begin one with `raybundle orient PHOTOS --out`",
+                    file=folder,
+                )
+            if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+                raise InputError("exists and is neither empty nor a project folder; choose another --out", file=folder)
+        with writing(folder):
+            (folder / "cache").mkdir(parents=True, exist_ok=True)
+            try:
+                db = sqlite3.connect(file, timeout=30, isolation_level=None, check_same_thread=False)
+                db.execute("PRAGMA journal_mode=WAL")
+                db.execute("PRAGMA synchronous=NORMAL")
+                db.execute("PRAGMA trusted_schema=OFF")
+                db.executescript(_TABLES)
+                found = db.execute("SELECT value FROM about WHERE name = 'schema'").fetchone()
+                if found is None:
+                    db.execute("INSERT OR IGNORE INTO about VALUES ('schema', ?)", (str(SCHEMA),))
+                elif found[0] != str(SCHEMA):
+                    raise InputError(
+                        f"was written by another version (schema {found[0]}, this program reads {SCHEMA}); "
+                        "orient into a new folder",
+                        file=folder,
+                    )
+            except sqlite3.DatabaseError as error:
+                raise InputError(
+                    f"cannot be opened: {error}; close other programs that use the project, or choose another --out",
+                    file=file,
+                ) from None
+        return cls(folder, db)
+
+    def close(self) -> None:
+        """Close the database."""
+        self.db.close()
+
+    # products
+
+    def _path(self, key: str) -> Path:
+        return self.folder / "cache" / key[:2] / f"{key}.npz"
+
+    def has(self, key: str) -> bool:
+        """Whether a product is there."""
+        return self._path(key).exists()
+
+    def load(self, key: str) -> dict[str, Array] | None:
+        """A product, or None where it is missing or damaged."""
+        path = self._path(key)
+        try:
+            with np.load(path, allow_pickle=False) as file:
+                return {name: file[name] for name in file.files}
+        except FileNotFoundError:
+            return None
+        except (OSError, ValueError, EOFError, zipfile.BadZipFile, KeyError):
+            with contextlib.suppress(OSError):
+                path.unlink()
+            return None
+
+    def store(self, key: str, product: Mapping[str, Array]) -> None:
+        """Keep a product; it appears whole or not at all."""
+        path = self._path(key)
+        with writing(self.folder):
+            path.parent.mkdir(parents=True, exist_ok=True)
+            temporary = path.with_name(f".{key}.{uuid.uuid4().hex[:8]}")
+            try:
+                with temporary.open("wb") as file:
+                    np.savez(file, **product)  # pyright: ignore[reportArgumentType]
+                temporary.replace(path)
+            finally:
+                temporary.unlink(missing_ok=True)
+
+    def forget(self, keys: Iterable[str]) -> None:
+        """Remove products."""
+        for key in keys:
+            with contextlib.suppress(OSError):
+                self._path(key).unlink(missing_ok=True)
+
+    # pairs
+
+    def pairs(self, keys: Sequence[str]) -> dict[str, tuple[dict[str, Any], Array]]:
+        """The verified pairs among these keys: facts and matches (k, 2)."""
+        found: dict[str, tuple[dict[str, Any], Array]] = {}
+        for begin in range(0, len(keys), 500):
+            part = keys[begin : begin + 500]
+            marks = ",".join("?" * len(part))
+            rows = self.db.execute(f"SELECT key, facts, matches FROM pairs WHERE key IN ({marks})", part)  # noqa: S608
+            for key, facts, blob in rows:
+                if len(blob) % 8:
+                    continue
+                found[key] = (json.loads(facts), np.frombuffer(blob, np.int32).reshape(-1, 2))
+        return found
+
+    def store_pairs(self, rows: Sequence[tuple[str, Mapping[str, Any], Array]]) -> None:
+        """Keep verified pairs, all or none."""
+        with writing(self.folder), self._transaction():
+            self.db.executemany(
+                "INSERT OR REPLACE INTO pairs VALUES (?, ?, ?)",
+                [(key, json.dumps(facts), np.ascontiguousarray(m, np.int32).tobytes()) for key, facts, m in rows],
+            )
+
+    def forget_pairs(self) -> None:
+        """Remove all verified pairs."""
+        with writing(self.folder):
+            self.db.execute("DELETE FROM pairs")
+
+    # stages
+
+    @contextmanager
+    def stage(self, name: str) -> Generator[Stage]:
+        """Time a stage and record it when its body ends without an error."""
+        began, cpu = time.perf_counter(), _cpu_seconds()
+        stage = Stage(name)
+        yield stage
+        record = StageRecord(
+            name=name,
+            key=stage.key,
+            seconds=time.perf_counter() - began,
+            cpu_seconds=_cpu_seconds() - cpu,
+            peak_memory_mb=_peak_memory_mb(),
+            from_cache=stage.from_cache,
+            finished=time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime()),
+            summary=stage.summary,
+        )
+        self.records.append(record)
+        with writing(self.folder), self._transaction():
+            self.db.execute("DELETE FROM stages WHERE name = ? OR position = ?", (name, len(self.records)))
+            self.db.execute(
+                "INSERT INTO stages VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)",
+                (
+                    len(self.records), name, record.key, record.seconds, record.cpu_seconds, record.peak_memory_mb,
+                    int(record.from_cache), record.finished, record.summary,
+                ),
+            )  # fmt: skip
+
+    def stages(self) -> list[StageRecord]:
+        """The stages of the last run, in order."""
+        rows = self.db.execute(
+            "SELECT name, key, seconds, cpu_seconds, peak_memory_mb, from_cache, finished, summary FROM stages "
+            "ORDER BY position"
+        )
+        return [
+            StageRecord(
+                name=r[0], key=r[1], seconds=r[2], cpu_seconds=r[3], peak_memory_mb=r[4], from_cache=bool(r[5]),
+                finished=r[6], summary=r[7],
+            )
+            for r in rows
+        ]  # fmt: skip
+
+    def write_settings(self, text: str) -> None:
+        """project.toml, whole or not at all."""
+        with writing(self.folder):
+            temporary = self.folder / f".project.toml.{uuid.uuid4().hex[:8]}"
+            try:
+                temporary.write_text(text, encoding="utf-8")
+                temporary.replace(self.folder / "project.toml")
+            finally:
+                temporary.unlink(missing_ok=True)
+
+    @contextmanager
+    def _transaction(self) -> Generator[None]:
+        self.db.execute("BEGIN IMMEDIATE")
+        try:
+            yield
+        except BaseException:
+            self.db.execute("ROLLBACK")
+            raise
+        self.db.execute("COMMIT")
+
+
+@contextmanager
+def writing(folder: Path) -> Generator[None]:
+    """Turn a full disk, a read-only folder and the like into a message that says what to do."""
+    try:
+        yield
+    except (OSError, sqlite3.OperationalError) as error:
+        full = getattr(error, "errno", None) == errno.ENOSPC or "full" in str(error)
+        what = "no space is left" if full else str(getattr(error, "strerror", None) or error)
+        advice = "free space and run the same command again" if full else "choose a folder that can be written"
+        raise InputError(
+            f"cannot be written: {what}; {advice}. What is finished is kept, the run continues there", file=folder
+        ) from None
+
+
+def _cpu_seconds() -> float:
+    t = os.times()
+    return t.user + t.system + t.children_user + t.children_system
+
+
+def _peak_memory_mb() -> float:
+    try:
+        import resource  # noqa: PLC0415  (not on Windows)
+    except ImportError:
+        return 0.0
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024

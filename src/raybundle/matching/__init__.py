@@ -1,0 +1,1 @@
+"""Tie points from image contents: features, pairs, verification, tracks, least-squares matching."""

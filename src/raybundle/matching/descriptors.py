@@ -1,0 +1,63 @@
+"""Candidate matches: pairs of features that are each other's nearest, clearly nearer than the next."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from raybundle.numerics import native
+from raybundle.numerics.arrays import Array, Index
+
+CHUNK = 2048
+
+
+def best_matches(a: Array, b: Array) -> tuple[Index, Array, Array, Index]:
+    """Nearest neighbours by inner product.
+
+    a, b     (n, k), (m, k) unit vectors, float32
+    returns  for rows of a: position of the largest product in b, that product, the second largest product;
+             for rows of b: position of the largest product in a
+    """
+    module = native.module()
+    if module is not None:
+        found = module.best_matches(np.ascontiguousarray(a, np.float32), np.ascontiguousarray(b, np.float32))
+        return tuple(found)  # pyright: ignore[reportReturnType]
+    return best_matches_twin(a, b)
+
+
+def best_matches_twin(a: Array, b: Array) -> tuple[Index, Array, Array, Index]:
+    """The same with NumPy."""
+    n, m = len(a), len(b)
+    first = np.full(n, -1, np.int32)
+    value, second = np.full(n, -np.inf, np.float32), np.full(n, -np.inf, np.float32)
+    reverse, column = np.full(m, -1, np.int32), np.full(m, -np.inf, np.float32)
+    if not n or not m:
+        return first, value, second, reverse
+    for begin in range(0, n, CHUNK):
+        rows = slice(begin, min(begin + CHUNK, n))
+        products = a[rows] @ b.T
+        at = np.argmax(products, axis=0)
+        top = products[at, np.arange(m)]
+        better = top > column
+        column[better], reverse[better] = top[better], at[better] + begin
+        first[rows] = np.argmax(products, axis=1)
+        here = np.arange(products.shape[0])
+        value[rows] = products[here, first[rows]]
+        products[here, first[rows]] = -np.inf
+        second[rows] = products.max(axis=1)
+    return first, value, second, reverse
+
+
+def mutual_matches(a: Array, b: Array, ratio: float = 0.85, farthest: float = 0.8) -> tuple[Index, Array]:
+    """Matches (k, 2) of unit vectors and their distances (k,).
+
+    ratio     the distance to the nearest must be smaller than this share of that to the second (Lowe 2004)
+    farthest  largest distance of unit vectors
+    """
+    if len(a) < 2 or len(b) < 2:
+        return np.zeros((0, 2), np.int32), np.zeros(0)
+    first, value, second, reverse = best_matches(a, b)
+    distance = np.sqrt(np.maximum(2 - 2 * value.astype(float), 0))
+    next_distance = np.sqrt(np.maximum(2 - 2 * second.astype(float), 0))
+    rows = np.arange(len(a))
+    good = (reverse[first] == rows) & (distance < ratio * next_distance) & (distance < farthest)
+    return np.column_stack([rows[good], first[good]]).astype(np.int32), distance[good]

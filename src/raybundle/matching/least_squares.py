@@ -1,0 +1,205 @@
+"""Least-squares matching: an image point measured again in another image, to a few hundredths of a pixel.
+
+The window of a reference image is brought onto the target image by an affine map, brightness and contrast free
+(Förstner 1982; Ackermann 1984; Gruen 1985), iterated in the inverse-compositional form (Baker and Matthews 2004), in
+which the normal equations belong to the reference window and stay.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+
+import numpy as np
+
+from raybundle.numerics import native
+from raybundle.numerics.arrays import Array, Index
+
+
+class Outcome(IntEnum):
+    """What became of a point."""
+
+    MATCHED = 0
+    OUTSIDE = 1
+    FLAT = 2
+    MOVED = 3
+    UNSTEADY = 4
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class WindowOptions:
+    """The window and the iteration."""
+
+    half: int = 8
+    """window of (2 half + 1)^2 positions, one pixel of the reference apart"""
+    sigma: float = 4.8
+    """of the Gaussian weight [px]"""
+    iterations: int = 20
+    step: float = 0.003
+    """shift below which the iteration ends [px]"""
+    reach: float = 2.0
+    """largest shift from the starting point [px]"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class WindowMatches:
+    """Measured points; rows that are not MATCHED hold the last iterate."""
+
+    xy_px: Array
+    """(n, 2) in the target"""
+    affine: Array
+    """(n, 2, 2) target_from_reference of small vectors"""
+    cov_px2: Array
+    """(n, 3) variances of x and y and their covariance, from grey values alone"""
+    correlation: Array
+    """(n,) of the two windows, weighted"""
+    outcome: Index
+    """(n,) `Outcome`"""
+
+
+def match_windows(
+    reference: Array, target: Array, xy_reference: Array, xy_start: Array, affine_start: Array, options: WindowOptions
+) -> WindowMatches:
+    """Match windows of a reference image in a target image.
+
+    reference, target      (h, w) uint16
+    xy_reference, xy_start (n, 2) pixel frame
+    affine_start           (n, 2, 2) target_from_reference
+
+    What the covariance does not tell: grey values of neighbouring pixels are correlated, and a surface that is not
+    plane within the window moves the result; variance components of the block decide how much is to be added.
+    """
+    module = native.module()
+    arguments = (
+        np.ascontiguousarray(reference),
+        np.ascontiguousarray(target),
+        np.ascontiguousarray(xy_reference, float),
+        np.ascontiguousarray(xy_start, float),
+        np.ascontiguousarray(affine_start, float),
+    )
+    if module is None:
+        return match_windows_twin(*arguments, options)
+    o = options
+    xy, affine, covariance, correlation, outcome = module.match_windows(
+        *arguments, o.half, o.sigma, o.iterations, o.step, o.reach
+    )
+    return WindowMatches(xy_px=xy, affine=affine, cov_px2=covariance, correlation=correlation, outcome=outcome)
+
+
+def match_windows_twin(
+    reference: Array, target: Array, xy_reference: Array, xy_start: Array, affine_start: Array, options: WindowOptions
+) -> WindowMatches:
+    """The same with NumPy, point by point."""
+    n = len(xy_reference)
+    result = WindowMatches(
+        xy_px=xy_start.copy(), affine=affine_start.copy(), cov_px2=np.zeros((n, 3)), correlation=np.zeros(n),
+        outcome=np.full(n, Outcome.UNSTEADY, np.int32),
+    )  # fmt: skip
+    side = np.arange(-options.half, options.half + 1.0)
+    u = np.stack(np.meshgrid(side, side), axis=-1).reshape(-1, 2)
+    w = np.exp(-(u**2).sum(axis=1) / (2 * options.sigma**2))
+    for i in range(n):
+        window = _Window.of(reference, xy_reference[i], u, w)
+        if isinstance(window, Outcome):
+            result.outcome[i] = window
+            continue
+        _match_one(window, target, i, result, options)
+    return result
+
+
+@dataclass(slots=True)
+class _Window:
+    """A reference window: positions, weights, normalised grey values, design matrix, inverse normal matrix."""
+
+    u: Array
+    w: Array
+    T: Array
+    J: Array
+    Q: Array
+
+    @classmethod
+    def of(cls, image: Array, centre: Array, u: Array, w: Array) -> _Window | Outcome:
+        if not _inside(image, centre + u[[0, -1]]):
+            return Outcome.OUTSIDE
+        T, gx, gy = _sample(image, centre + u)
+        T, contrast = _normalised(T, w)
+        if contrast == 0:
+            return Outcome.FLAT
+        gx, gy = gx / contrast, gy / contrast
+        J = np.stack([gx, gy, gx * u[:, 0], gx * u[:, 1], gy * u[:, 0], gy * u[:, 1], np.ones_like(T), T], axis=1)
+        N = J.T @ (w[:, None] * J)
+        scale = np.sqrt(np.diagonal(N))
+        if (scale == 0).any() or np.linalg.cond(N / np.outer(scale, scale)) > 1e9:
+            return Outcome.FLAT
+        return cls(u, w, T, J, np.linalg.inv(N))
+
+
+def _match_one(o: _Window, target: Array, i: int, result: WindowMatches, options: WindowOptions) -> None:
+    p, B = result.xy_px[i].copy(), result.affine[i].copy()
+    start, total, h = p.copy(), o.w.sum(), options.half
+    outcome = Outcome.UNSTEADY
+    for _ in range(options.iterations):
+        at = p + o.u @ B.T
+        if not _inside(target, p + h * np.array([[1, 1], [1, -1], [-1, 1], [-1, -1]]) @ B.T):
+            outcome = Outcome.OUTSIDE
+            break
+        G, contrast = _normalised(_sample(target, at)[0], o.w)
+        if contrast == 0:
+            outcome = Outcome.FLAT
+            break
+        e = G - o.T
+        square = float(o.w @ e**2)
+        d = o.Q @ (o.J.T @ (o.w * e))
+        longest = float(max(np.abs(d[:2]).max(), h * np.abs(d[2:6]).max()))
+        if longest > h / 4:
+            d = d * (h / 4 / longest)
+        A = np.eye(2) + d[2:6].reshape(2, 2)
+        if not abs(np.linalg.det(A)) > 0.1:
+            break
+        B = B @ np.linalg.inv(A)
+        shift = B @ d[:2]
+        p = p - shift
+        result.correlation[i] = 1 - square / (2 * total)
+        if np.hypot(*(p - start)) > options.reach:
+            outcome = Outcome.MOVED
+            break
+        if np.hypot(*shift) < options.step and longest <= h / 4:
+            outcome = Outcome.MATCHED
+            variance = square / total * len(o.u) / (len(o.u) - 8)
+            C = variance * B @ o.Q[:2, :2] @ B.T
+            result.cov_px2[i] = C[0, 0], C[1, 1], C[0, 1]
+            break
+    result.xy_px[i], result.affine[i], result.outcome[i] = p, B, outcome
+
+
+def _inside(image: Array, xy: Array) -> bool:
+    h, w = image.shape
+    return bool((xy >= 2.5).all() and (xy <= [w - 2.5, h - 2.5]).all())
+
+
+def _normalised(a: Array, w: Array) -> tuple[Array, float]:
+    """Weighted mean 0, weighted variance 1; contrast 0 where there is none."""
+    a = a - w @ a / w.sum()
+    scale = float(np.sqrt(w @ a**2 / w.sum()))
+    return (a / scale, scale) if scale > 1e-6 else (a, 0.0)
+
+
+def _sample(image: Array, xy: Array) -> tuple[Array, Array, Array]:
+    """Grey values and gradient by cubic convolution (Keys 1981, a = -1/2) at (n, 2) of the pixel frame."""
+    at = xy - 0.5
+    whole = np.floor(at).astype(int)
+    (wx, dx), (wy, dy) = (_cubic(at[:, k] - whole[:, k]) for k in (0, 1))
+    offset = np.arange(-1, 3)
+    grey = image[(whole[:, 1, None] + offset)[:, :, None], (whole[:, 0, None] + offset)[:, None]].astype(float)
+    return (
+        np.einsum("nj,ni,nji->n", wy, wx, grey),
+        np.einsum("nj,ni,nji->n", wy, dx, grey),
+        np.einsum("nj,ni,nji->n", dy, wx, grey),
+    )
+
+
+def _cubic(t: Array) -> tuple[Array, Array]:
+    t2, t3 = t**2, t**3
+    w = [-0.5 * t3 + t2 - 0.5 * t, 1.5 * t3 - 2.5 * t2 + 1, -1.5 * t3 + 2 * t2 + 0.5 * t, 0.5 * t3 - 0.5 * t2]
+    d = [-1.5 * t2 + 2 * t - 0.5, 4.5 * t2 - 5 * t, -4.5 * t2 + 4 * t + 0.5, 1.5 * t2 - t]
+    return np.stack(w, axis=1), np.stack(d, axis=1)
