@@ -214,6 +214,11 @@ static void match(const Grey& reference, const Grey& target, const Patch& patch,
     double* p = xy + 2 * n;
     double* B = affine + 4 * n;
     const double start[2] = {p[0], p[1]};
+    const double given[4] = {B[0], B[1], B[2], B[3]}, size = given[0] * given[3] - given[1] * given[2];
+    if (!(std::abs(size) > 1e-3)) {
+      outcome[n] = flat;
+      continue;
+    }
     correlation[n] = 0;
     const double unit[4] = {1, 0, 0, 1};
     if (!window_inside(reference, c, unit, h)) {
@@ -248,10 +253,7 @@ static void match(const Grey& reference, const Grey& target, const Patch& patch,
         for (int i = 0; i < count; ++i) sum += w[i] * J[a * count + i] * J[b * count + i];
         N[a][b] = sum;
       }
-    if (!cholesky(N)) {
-      outcome[n] = flat;
-      continue;
-    }
+    double L[kUnknowns][kUnknowns];
     outcome[n] = unsteady;
     for (int iteration = 0; iteration < patch.iterations; ++iteration) {
       if (!window_inside(target, p, B, h)) {
@@ -264,18 +266,29 @@ static void match(const Grey& reference, const Grey& target, const Patch& patch,
         outcome[n] = flat;
         break;
       }
-      double d[kUnknowns] = {}, product = 0;
+      double d[kUnknowns], square = 0;
       for (int i = 0; i < count; ++i) G[i] -= T[i];
+      for (int i = 0; i < count; ++i) square += w[i] * G[i] * G[i];
+      const double product = 1 - square / (2 * o.total);  // correlation of two normalised windows
       for (int a = 0; a < kUnknowns; ++a) {
         double sum = 0;
         for (int i = 0; i < count; ++i) sum += w[i] * J[a * count + i] * G[i];
         d[a] = sum;
       }
-      double square = 0;
-      for (int i = 0; i < count; ++i) square += w[i] * G[i] * G[i];
-      product = 1 - square / (2 * o.total);  // correlation of two normalised windows
-      solve(N, d);
-      // the sum of squares after this step: w e'e - d' J' w e, per degree of freedom
+      // the given affine map is an observation: deviation D = given^-1 B - 1, weight relative to a grey value
+      const double weight = std::max(square / o.total, 1e-4) / (patch.loose * patch.loose);
+      const double D[4] = {(given[3] * B[0] - given[1] * B[2]) / size - 1, (given[3] * B[1] - given[1] * B[3]) / size,
+                           (given[0] * B[2] - given[2] * B[0]) / size, (given[0] * B[3] - given[2] * B[1]) / size - 1};
+      std::memcpy(L, N, sizeof L);
+      for (int k = 0; k < 4; ++k) {
+        L[2 + k][2 + k] += weight;
+        d[2 + k] += weight * D[k];
+      }
+      if (!cholesky(L)) {
+        outcome[n] = flat;
+        break;
+      }
+      solve(L, d);
       const double limit = 0.25 * h;
       const double longest = std::max({std::abs(d[0]), std::abs(d[1]), h * std::abs(d[2]), h * std::abs(d[3]), h * std::abs(d[4]),
                                        h * std::abs(d[5])});
@@ -302,7 +315,7 @@ static void match(const Grey& reference, const Grey& target, const Patch& patch,
         for (int k = 0; k < 2; ++k) {
           double unit_vector[kUnknowns] = {};
           unit_vector[k] = 1;
-          solve(N, unit_vector);
+          solve(L, unit_vector);
           Q[k][0] = unit_vector[0];
           Q[k][1] = unit_vector[1];
         }

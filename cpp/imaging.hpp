@@ -17,6 +17,7 @@ struct Patch {
   int iterations;
   double step;        // the iteration ends below this shift [px]
   double reach;       // largest shift from the start [px]
+  double loose;       // standard deviation of the affine map that is given
 };
 
 // What became of a point: see least_squares.py.

@@ -94,7 +94,7 @@ nb::tuple best(Floats a, Floats b) {
 }
 
 nb::tuple match_windows(Image reference, Image target, Const xy_reference, Const xy_start, Const affine_start, int half, double sigma,
-                        int iterations, double step, double reach) {
+                        int iterations, double step, double reach, double loose) {
   const size_t n = xy_reference.size() / 2;
   if (xy_start.size() != 2 * n || affine_start.size() != 4 * n || half < 2) throw std::invalid_argument("windows have the wrong size");
   auto xy = make({n, 2}), affine = make({n, 2, 2}), covariance = make({n, 3}), correlation = make({n});
@@ -108,7 +108,7 @@ nb::tuple match_windows(Image reference, Image target, Const xy_reference, Const
   int32_t* o = outcome.data();
   {
     nb::gil_scoped_release release;
-    imaging_kernels().match(from, to, {half, sigma, iterations, step, reach}, 0, int(n), c, p, B, Q, r, o);
+    imaging_kernels().match(from, to, {half, sigma, iterations, step, reach, loose}, 0, int(n), c, p, B, Q, r, o);
   }
   return nb::make_tuple(xy, affine, covariance, correlation, outcome);
 }

@@ -14,7 +14,7 @@ Each message says what is wrong, in which object, the number against its limit, 
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 
@@ -70,3 +70,8 @@ class NoConvergence(NotSolvable):
 
 class NoOrientation(NotSolvable):
     """Approximate values were not found; names the images and why."""
+
+    def __init__(self, message: str, *, images: Mapping[str, str] | None = None) -> None:
+        super().__init__(message)
+        self.images: Mapping[str, str] = dict(images or {})
+        """Images that could not be oriented, with the reason; the others could be."""

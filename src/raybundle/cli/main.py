@@ -16,6 +16,8 @@ import click
 from raybundle.errors import RaybundleError
 
 COMMANDS = {
+    "orient": "Orient photographs: calibrated cameras, object points, report.",
+    "status": "Show the stages of a project folder.",
     "adjust": "Adjust a block and write a result folder with its report.",
     "compare": "Put two results side by side.",
     "simulate": "Write a simulated block and its truth.",

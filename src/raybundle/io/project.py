@@ -2,7 +2,7 @@
 
     PROJECT/project.toml     inputs and settings, as given
     PROJECT/project.db       stages, photographs, verified pairs (SQLite)
-    PROJECT/cache/xx/KEY.npz products of stages; a key is the hash of everything that the product depends on
+    PROJECT/cache/xx/KEY.npz products of stages; a key holds the hash of everything that the product depends on
     PROJECT/result/          the result folder
 
 Nothing is ever changed in place: a product is written beside its place and renamed, a row is inserted in a
@@ -20,7 +20,7 @@ import sqlite3
 import time
 import uuid
 import zipfile
-from collections.abc import Generator, Iterable, Mapping, Sequence
+from collections.abc import Generator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -42,10 +42,10 @@ CREATE TABLE IF NOT EXISTS pairs (key TEXT PRIMARY KEY, facts TEXT NOT NULL, mat
 """
 
 
-def key_of(*parts: object) -> str:
-    """The hash of everything a product depends on: texts, numbers, tuples and mappings of them."""
+def key_of(kind: str, *parts: object) -> str:
+    """The kind of a product and the hash of everything it depends on: texts, numbers, arrays, mappings of them."""
     text = json.dumps(parts, sort_keys=True, ensure_ascii=False, allow_nan=True, separators=(",", ":"), default=_plain)
-    return hashlib.sha256(text.encode()).hexdigest()[:40]
+    return f"{kind}-{hashlib.sha256(text.encode()).hexdigest()[:40]}"
 
 
 def _plain(value: object) -> object:
@@ -141,7 +141,7 @@ class Project:
     # products
 
     def _path(self, key: str) -> Path:
-        return self.folder / "cache" / key[:2] / f"{key}.npz"
+        return self.folder / "cache" / key[-2:] / f"{key}.npz"
 
     def has(self, key: str) -> bool:
         """Whether a product is there."""
@@ -173,11 +173,11 @@ class Project:
             finally:
                 temporary.unlink(missing_ok=True)
 
-    def forget(self, keys: Iterable[str]) -> None:
-        """Remove products."""
-        for key in keys:
+    def forget_kind(self, kind: str) -> None:
+        """Remove all products whose key begins with this word."""
+        for path in (self.folder / "cache").glob(f"*/{kind}-*.npz"):
             with contextlib.suppress(OSError):
-                self._path(key).unlink(missing_ok=True)
+                path.unlink()
 
     # pairs
 

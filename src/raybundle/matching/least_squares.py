@@ -39,6 +39,8 @@ class WindowOptions:
     """shift below which the iteration ends [px]"""
     reach: float = 2.0
     """largest shift from the starting point [px]"""
+    loose: float = 0.1
+    """standard deviation of the elements of the affine map that is given: it is an observation, too"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -81,7 +83,7 @@ def match_windows(
         return match_windows_twin(*arguments, options)
     o = options
     xy, affine, covariance, correlation, outcome = module.match_windows(
-        *arguments, o.half, o.sigma, o.iterations, o.step, o.reach
+        *arguments, o.half, o.sigma, o.iterations, o.step, o.reach, o.loose
     )
     return WindowMatches(xy_px=xy, affine=affine, cov_px2=covariance, correlation=correlation, outcome=outcome)
 
@@ -109,13 +111,13 @@ def match_windows_twin(
 
 @dataclass(slots=True)
 class _Window:
-    """A reference window: positions, weights, normalised grey values, design matrix, inverse normal matrix."""
+    """A reference window: positions, weights, normalised grey values, design matrix, normal matrix."""
 
     u: Array
     w: Array
     T: Array
     J: Array
-    Q: Array
+    N: Array
 
     @classmethod
     def of(cls, image: Array, centre: Array, u: Array, w: Array) -> _Window | Outcome:
@@ -128,10 +130,7 @@ class _Window:
         gx, gy = gx / contrast, gy / contrast
         J = np.stack([gx, gy, gx * u[:, 0], gx * u[:, 1], gy * u[:, 0], gy * u[:, 1], np.ones_like(T), T], axis=1)
         N = J.T @ (w[:, None] * J)
-        scale = np.sqrt(np.diagonal(N))
-        if (scale == 0).any() or np.linalg.cond(N / np.outer(scale, scale)) > 1e9:
-            return Outcome.FLAT
-        return cls(u, w, T, J, np.linalg.inv(N))
+        return cls(u, w, T, J, N)
 
 
 def _match_one(o: _Window, target: Array, i: int, result: WindowMatches, options: WindowOptions) -> None:
@@ -149,7 +148,16 @@ def _match_one(o: _Window, target: Array, i: int, result: WindowMatches, options
             break
         e = G - o.T
         square = float(o.w @ e**2)
-        d = o.Q @ (o.J.T @ (o.w * e))
+        result.correlation[i] = 1 - square / (2 * total)
+        weight = max(square / total, 1e-4) / options.loose**2
+        prior = np.concatenate([[0, 0], np.full(4, weight), [0, 0]])
+        deviation = np.concatenate([[0, 0], (np.linalg.inv(result.affine[i]) @ B - np.eye(2)).ravel(), [0, 0]])
+        try:
+            Q = np.linalg.inv(o.N + np.diag(prior))
+        except np.linalg.LinAlgError:
+            outcome = Outcome.FLAT
+            break
+        d = Q @ (o.J.T @ (o.w * e) + prior * deviation)
         longest = float(max(np.abs(d[:2]).max(), h * np.abs(d[2:6]).max()))
         if longest > h / 4:
             d = d * (h / 4 / longest)
@@ -159,14 +167,13 @@ def _match_one(o: _Window, target: Array, i: int, result: WindowMatches, options
         B = B @ np.linalg.inv(A)
         shift = B @ d[:2]
         p = p - shift
-        result.correlation[i] = 1 - square / (2 * total)
         if np.hypot(*(p - start)) > options.reach:
             outcome = Outcome.MOVED
             break
         if np.hypot(*shift) < options.step and longest <= h / 4:
             outcome = Outcome.MATCHED
             variance = square / total * len(o.u) / (len(o.u) - 8)
-            C = variance * B @ o.Q[:2, :2] @ B.T
+            C = variance * B @ Q[:2, :2] @ B.T
             result.cov_px2[i] = C[0, 0], C[1, 1], C[0, 1]
             break
     result.xy_px[i], result.affine[i], result.outcome[i] = p, B, outcome

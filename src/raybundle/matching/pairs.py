@@ -40,13 +40,13 @@ def choose_pairs(
 
 
 def _nearest_in_space(positions: Array) -> set[tuple[int, int]]:
-    from scipy.spatial import cKDTree  # noqa: PLC0415
+    from scipy.spatial import KDTree  # noqa: PLC0415
 
     known = np.flatnonzero(np.isfinite(positions[:, :2]).all(axis=1))
     if len(known) < 2:
         return set()
     k = min(NEIGHBOURS + 1, len(known))
-    _, near = cKDTree(positions[known, :2]).query(positions[known, :2], k=k)
+    _, near = KDTree(positions[known, :2]).query(positions[known, :2], k=k)
     return {_ordered(int(known[a]), int(known[b])) for a, row in enumerate(near) for b in np.atleast_1d(row) if a != b}
 
 

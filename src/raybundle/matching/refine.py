@@ -14,6 +14,14 @@ from raybundle.numerics.progress import Progress, silent
 
 CORRELATION = 0.85
 """Least correlation of two windows that are believed to show the same."""
+NEIGHBOURS_FROM = 20
+"""Common points of two images from which on neighbours give the affine map."""
+WINDOWS = (
+    WindowOptions(half=8, sigma=4.8, step=0.01, reach=2.5),
+    WindowOptions(half=12, sigma=7.2, step=0.01, reach=3.0),
+    WindowOptions(half=16, sigma=9.6, step=0.01, reach=5.0),
+)
+"""By the size of the feature."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -60,46 +68,135 @@ def refine_tracks(
     points: TrackPoints,
     image: Callable[[int], Array],
     *,
-    rows: Mask | None = None,
-    options: WindowOptions | None = None,
     threads: int = 1,
     progress: Progress = silent,
 ) -> Refined:
     """Measure the points of tracks again.
 
     image    gives image i as (h, w) uint16, slightly smoothed (`smoothed`)
-    rows     (m,) rows to measure; None = all
     """
     m = len(points.image)
-    options = options or WindowOptions()
     reference = choose_references(points)
-    wanted = np.ones(m, bool) if rows is None else rows.copy()
-    wanted &= reference != np.arange(m)
+    rows = np.flatnonzero(reference != np.arange(m))
+    start = Candidates(
+        reference=reference[rows],
+        image=points.image[rows],
+        point=points.point[rows],
+        xy_px=points.xy_px[rows],
+        row=rows,
+    )
+    found = match_candidates(points, start, image, threads=threads, progress=progress)
     xy, cov = points.xy_px.copy(), np.zeros((m, 3))
     measured, correlation = np.zeros(m, bool), np.zeros(m)
-    pair = points.image[reference].astype(np.int64) * (int(points.image.max(initial=0)) + 1) + points.image
-    todo = np.flatnonzero(wanted)
-    todo = todo[np.argsort(pair[todo], kind="stable")]
-    groups = np.split(todo, np.flatnonzero(np.diff(pair[todo])) + 1) if len(todo) else []
-
-    def run(group: Index) -> None:
-        r = reference[group]
-        affine = similarity(points, r, group)
-        source, target = image(int(points.image[r[0]])), image(int(points.image[group[0]]))
-        found = match_windows(source, target, points.xy_px[r], points.xy_px[group], affine, options)
-        good = (found.outcome == Outcome.MATCHED) & (found.correlation > CORRELATION)
-        mine = group[good]
-        xy[mine], cov[mine], measured[mine] = found.xy_px[good], found.cov_px2[good], True
-        correlation[group] = found.correlation
-
-    with ThreadPoolExecutor(max(threads, 1)) as pool:
-        for k, _ in enumerate(pool.map(run, groups)):
-            progress("least-squares matching", (k + 1) / max(len(groups), 1))
+    xy[rows[found.good]], cov[rows[found.good]] = found.xy_px[found.good], found.cov_px2[found.good]
+    measured[rows], correlation[rows] = found.good, found.correlation
     references = np.unique(reference[measured])
     measured[references], correlation[references] = True, 1.0
     is_reference = np.zeros(m, bool)
     is_reference[references] = True
     return Refined(xy_px=xy, cov_px2=cov, measured=measured, reference=is_reference, correlation=correlation)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Candidates:
+    """Places where a point of a reference row is looked for."""
+
+    reference: Index
+    """(k,) row of the track points"""
+    image: Index
+    """(k,)"""
+    point: Index
+    """(k,)"""
+    xy_px: Array
+    """(k, 2) where to begin"""
+    row: Index
+    """(k,) row of the track points that begins there; -1 where none does"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CandidateMatches:
+    """What was found at the candidates."""
+
+    good: Mask
+    xy_px: Array
+    cov_px2: Array
+    correlation: Array
+
+
+def match_candidates(
+    points: TrackPoints,
+    candidates: Candidates,
+    image: Callable[[int], Array],
+    *,
+    threads: int = 1,
+    progress: Progress = silent,
+) -> CandidateMatches:
+    """Least-squares matching of all candidates, one pair of images after the other.
+
+    The affine map to begin with is that of the neighbours which both images see; where they are too few, the
+    similarity of the two features.  Large features get large windows.
+    """
+    k = len(candidates.image)
+    good, xy, cov, correlation = np.zeros(k, bool), candidates.xy_px.copy(), np.zeros((k, 3)), np.zeros(k)
+    source = points.image[candidates.reference]
+    pair = source.astype(np.int64) * (int(points.image.max(initial=0)) + 1) + candidates.image
+    order = np.argsort(pair, kind="stable")
+    groups = np.split(order, np.flatnonzero(np.diff(pair[order])) + 1) if k else []
+    rows_of_image = [np.flatnonzero(points.image == i) for i in range(int(points.image.max(initial=-1)) + 1)]
+
+    def run(group: Index) -> None:
+        a, b = int(source[group[0]]), int(candidates.image[group[0]])
+        reference = candidates.reference[group]
+        affine = _affine(points, rows_of_image[a], rows_of_image[b], reference, candidates.row[group])
+        size = points.scale_px[reference]
+        classes = np.select([size > 6, size > 4], [2, 1], 0)
+        for c in np.unique(classes[np.isfinite(affine).all(axis=(1, 2))]):
+            mine = np.flatnonzero((classes == c) & np.isfinite(affine).all(axis=(1, 2)))
+            found = match_windows(
+                image(a),
+                image(b),
+                points.xy_px[reference[mine]],
+                candidates.xy_px[group[mine]],
+                affine[mine],
+                WINDOWS[c],
+            )
+            fine = (found.outcome == Outcome.MATCHED) & (found.correlation > CORRELATION)
+            at = group[mine]
+            correlation[at] = found.correlation
+            good[at[fine]] = True
+            xy[at[fine]], cov[at[fine]] = found.xy_px[fine], found.cov_px2[fine]
+
+    with ThreadPoolExecutor(max(threads, 1)) as pool:
+        for n, _ in enumerate(pool.map(run, groups)):
+            progress("least-squares matching", (n + 1) / max(len(groups), 1))
+    return CandidateMatches(good=good, xy_px=xy, cov_px2=cov, correlation=correlation)
+
+
+def _affine(points: TrackPoints, rows_a: Index, rows_b: Index, reference: Index, row: Index) -> Array:
+    """target_from_reference (n, 2, 2) where to begin; NaN where nothing is known."""
+    _, in_a, in_b = np.intersect1d(points.point[rows_a], points.point[rows_b], return_indices=True)
+    if len(in_a) >= NEIGHBOURS_FROM:
+        p, q = points.xy_px[rows_a[in_a]], points.xy_px[rows_b[in_b]]
+        return local_affine(p, q, points.xy_px[reference])
+    result = np.full((len(reference), 2, 2), np.nan)
+    own = row >= 0
+    result[own] = similarity(points, reference[own], row[own])
+    return result
+
+
+def local_affine(p: Array, q: Array, at: Array, neighbours: int = 12) -> Array:
+    """Affine maps (n, 2, 2) q_from_p around places `at` (n, 2), from the nearest of the common points p, q (m, 2)."""
+    from scipy.spatial import KDTree  # noqa: PLC0415
+
+    distance, index = KDTree(p).query(at, k=min(neighbours, len(p)))
+    weight = 1 / (distance + distance.mean(axis=1, keepdims=True) + 1e-9)
+    weight /= weight.sum(axis=1, keepdims=True)
+    P, Q = p[index], q[index]
+    P = P - np.einsum("nk,nki->ni", weight, P)[:, None]
+    Q = Q - np.einsum("nk,nki->ni", weight, Q)[:, None]
+    M = np.einsum("nk,nki,nkj->nij", weight, P, P)
+    M += 1e-6 * np.trace(M, axis1=1, axis2=2)[:, None, None] * np.eye(2) + 1e-12 * np.eye(2)
+    return np.einsum("nk,nki,nkj->nij", weight, Q, P) @ np.linalg.inv(M)
 
 
 def similarity(points: TrackPoints, source: Index, target: Index) -> Array:

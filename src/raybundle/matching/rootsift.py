@@ -69,7 +69,7 @@ def _detect(grey: Array, reduction: int, count: int) -> _Raw:
     step = TILE_PX * reduction
     margin = OVERLAP_PX * reduction
     parts: list[tuple[Array, Array]] = []
-    detector: Any = cv2.SIFT_create(0, 3, CONTRAST, EDGE, 1.6, enable_precise_upscale=True)
+    detector: Any = cv2.SIFT.create(0, 3, CONTRAST, EDGE, 1.6, enable_precise_upscale=True)  # pyright: ignore[reportAttributeAccessIssue]
     for y in range(0, h, step):
         for x in range(0, w, step):
             y0, x0 = max(0, y - margin), max(0, x - margin)

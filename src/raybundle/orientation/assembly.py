@@ -60,7 +60,8 @@ def approximate_values(block: Block, progress: Progress = silent) -> Approximate
             raise NoOrientation(
                 f"no approximate orientation for {len(left)} of {int(observed.sum())} images:\n"
                 + "\n".join(lines) + more
-                + "\n  Measure more common points, or give approximate values in images.csv."
+                + "\n  Measure more common points, or give approximate values in images.csv.",
+                images={block.images.ids[i]: failures.reasons.get(i, "not connected") for i in left},
             )  # fmt: skip
     growth.intersect(everything=True)
     growth.restore_control()

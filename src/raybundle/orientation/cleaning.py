@@ -97,5 +97,5 @@ def _without_single_rays(block: Block, mask: Mask) -> Mask:
     """Rows of tie points that are left with fewer than two rays leave as well."""
     point = block.observations.point
     rays = np.bincount(point[~mask], minlength=len(block.points))
-    control = block.points.is_control.any(axis=1)
+    control: Mask = np.asarray(block.points.is_control).any(axis=1)
     return mask | ((rays[point] < 2) & ~control[point])

@@ -113,11 +113,13 @@ def write_result(
     path: str | Path,
     *,
     report: Literal["html", "none"] = "html",
+    additions: Mapping[str, object] | None = None,
     progress: Progress = silent,
 ) -> None:
     """Write a result folder, whole or not at all; an older result there is replaced when the new one is complete.
 
-    raises  InputError where something else stands at `path`
+    additions  further keys of result.json
+    raises     InputError where something else stands at `path`
     """
     check_target(path)
     with new_folder(Path(path)) as folder:
@@ -127,7 +129,7 @@ def write_result(
         progress("writing tables", 0.2)
         for name, columns in result_tables(adjustment).items():
             write_table(folder / f"{name}.csv", columns)
-        text = json.dumps(_clean(result_json(adjustment)), indent=1, ensure_ascii=False, allow_nan=False)
+        text = json.dumps(_clean({**result_json(adjustment), **(additions or {})}), indent=1, ensure_ascii=False, allow_nan=False)
         (folder / "result.json").write_text(text + "\n", encoding="utf-8")
         progress("writing tables", 1.0)
         if report == "html":

@@ -52,7 +52,8 @@ class FeatureStore:
         a = self.project.load(self.keys[i])
         if a is None:
             raise InputError(
-                "a product of the features stage is damaged or gone; run the same command again", file=self.project.folder
+                "a product of the features stage is damaged or gone; run the same command again",
+                file=self.project.folder,
             )
         return Features(xy_px=a["xy_px"], scale_px=a["scale_px"], angle=a["angle"], descriptors=a["descriptors"])
 
@@ -69,7 +70,7 @@ def find_features(
     """Features of every photograph; also the photographs whose pixels could not be read, with the reason."""
     keys = tuple(feature_key(p, method, count) for p in photos)
     missing = [i for i, key in enumerate(keys) if not project.has(key)]
-    stage.key = key_of(keys)
+    stage.key = key_of("features", keys)
     stage.from_cache = not missing
     failed: dict[int, str] = {}
 
@@ -107,7 +108,7 @@ def match_pairs(
     keys = [key_of("pair", VERIFICATION, store.keys[i], store.keys[j]) for i, j in pairs]
     known = project.pairs(keys)
     todo = [(k, i, j) for k, (i, j) in zip(keys, pairs, strict=True) if k not in known]
-    stage.key = key_of(keys)
+    stage.key = key_of("matching", keys)
     stage.from_cache = not todo
 
     @lru_cache(maxsize=96)

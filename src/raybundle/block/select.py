@@ -1,0 +1,51 @@
+"""Parts of a block."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from raybundle.block.block import Block, Role
+from raybundle.numerics.arrays import Array, Mask
+
+
+def with_rows(block: Block, keep: Mask) -> Block:
+    """The block with these image observations (m,) only; tie points left without any leave it.
+
+    Control points, check points and end points of distances stay, images stay.
+    """
+    o = block.observations
+    seen = np.bincount(o.point[keep], minlength=len(block.points)) > 0
+    seen |= np.asarray(block.points.role) != Role.TIE
+    seen[block.distances.start] = seen[block.distances.end] = True
+    new = np.cumsum(seen) - 1
+    p, d = block.points, block.distances
+    return replace(
+        block,
+        observations=replace(
+            o,
+            image=o.image[keep],
+            point=new[o.point[keep]].astype(np.int32),
+            xy_px=o.xy_px[keep],
+            cov_px2=o.cov_px2[keep],
+        ),
+        points=replace(
+            p,
+            ids=tuple(name for name, s in zip(p.ids, seen, strict=True) if s),
+            role=p.role[seen],
+            xyz=p.xyz[seen],
+            sigma=p.sigma[seen],
+        ),
+        distances=replace(d, start=new[d.start].astype(np.int32), end=new[d.end].astype(np.int32)),
+    )
+
+
+def transformed(block: Block, scale: float, R: Array, t: Array) -> Block:
+    """The block after X -> scale R X + t: coordinates of points and centres, rotations; control, too."""
+    images, points = block.images, block.points
+    return replace(
+        block,
+        images=replace(images, centre=scale * images.centre @ R.T + t, rotation=images.rotation @ R.T),
+        points=replace(points, xyz=scale * points.xyz @ R.T + t),
+    )

@@ -1,0 +1,41 @@
+"""`raybundle status`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER
+
+
+@click.command("status", context_settings=COMMAND_SETTINGS)
+@click.argument("project", type=FOLDER)
+@click.option(
+    "--traceback", is_flag=True, expose_value=False, help="After an error, show where in the program it arose."
+)
+def command(project: Path) -> None:
+    """Show the stages of a project folder: what the last run made, how long it took, what came from the cache.
+
+    \b
+    Example:
+      raybundle status facade-project
+    """  # noqa: D301
+    from raybundle.io.project import Project  # noqa: PLC0415
+    from raybundle.workflows.orient import STAGES  # noqa: PLC0415
+
+    opened = Project.open(project, create=False)
+    try:
+        records = {r.name: r for r in opened.stages()}
+    finally:
+        opened.close()
+    click.echo(f" {'stage':12s} {'seconds':>8s} {'CPU s':>8s} {'memory':>8s}  finished")
+    for name in STAGES:
+        r = records.get(name)
+        if r is None:
+            click.echo(f" {name:12s} {'-':>8s} {'-':>8s} {'-':>8s}  not done")
+            continue
+        source = "from cache" if r.from_cache else r.finished.replace("T", " ").rstrip("Z")
+        click.echo(
+            f" {name:12s} {r.seconds:8.1f} {r.cpu_seconds:8.1f} {r.peak_memory_mb:6.0f}MB  {source}  {r.summary}".rstrip()
+        )

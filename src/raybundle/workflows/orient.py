@@ -1,0 +1,338 @@
+"""From photographs to an oriented block with its report: stages that can be stopped and continued at any time."""
+
+from __future__ import annotations
+
+import os
+from collections import OrderedDict
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass, field, replace
+from pathlib import Path
+from threading import Lock
+from typing import Literal
+
+import numpy as np
+
+from raybundle.adjustment.decide import decide
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.block import Block, Camera
+from raybundle.errors import InputError
+from raybundle.io.block_arrays import arrays_of_block, block_of_arrays
+from raybundle.io.photos.cameras import CameraGroup, camera_groups, camera_of
+from raybundle.io.photos.photo import Photo, find_photos
+from raybundle.io.project import Project, Stage, StageRecord, key_of
+from raybundle.matching.features import feature_method
+from raybundle.matching.refine import smoothed
+from raybundle.matching.tracks import tracks_of
+from raybundle.matching.verify import VerifiedPair
+from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.progress import Progress, silent
+from raybundle.workflows.tie_block import (
+    PreciseBlock,
+    TieBlock,
+    Weights,
+    block_of_tracks,
+    image_sigma_px,
+    refine,
+    start,
+)
+from raybundle.workflows.tie_points import FeatureStore, find_features, grey_of, match_pairs, pairs_of
+
+START, PRECISION = 1, 3
+"""Versions of the stages' results."""
+STAGES = ("photographs", "features", "matching", "start", "precision", "adjustment", "report")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class OrientOptions:
+    """How photographs are oriented.  The defaults need no change."""
+
+    features: str = "rootsift"
+    """feature method"""
+    feature_count: int = 10_000
+    """features of a photograph, at most"""
+    precise: bool = True
+    """False leaves out least-squares matching: quick, and several times less precise"""
+    jobs: int = 0
+    """photographs or pairs worked on at the same time; 0 = processors"""
+    memory_gb: float = 4.0
+    """memory that image pixels may take while points are measured"""
+    redo_from: Literal["", "photographs", "features", "matching", "start", "precision", "adjustment", "report"] = ""
+    """stage from which on everything is done again"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Orientation:
+    """What came of the photographs."""
+
+    adjustment: Adjustment
+    photos: tuple[Photo, ...]
+    groups: tuple[CameraGroup, ...]
+    refused: tuple[tuple[str, str], ...]
+    """files that are no usable photographs, and why"""
+    not_oriented: tuple[tuple[str, str], ...]
+    """photographs without orientation, and why"""
+    pairs: tuple[VerifiedPair, ...]
+    stages: tuple[StageRecord, ...]
+    sigma_px: float
+    """standard deviation of an image coordinate, from the residuals"""
+    weights: Weights | None
+    components: int = 1
+    remarks: tuple[str, ...] = field(default=())
+
+    @property
+    def oriented(self) -> int:
+        """Number of photographs with an orientation."""
+        return len(self.photos) - len(self.not_oriented)
+
+    def additions(self) -> dict[str, object]:
+        """What result.json says beside the adjustment."""
+        lost = [{"file": f, "reason": r} for f, r in (*self.refused, *self.not_oriented)]
+        return {
+            "images": {
+                "given": len(self.photos) + len(self.refused),
+                "oriented": self.oriented,
+                "not_oriented": lost,
+            },
+            "components": self.components,
+            "stages": [
+                {k: v for k, v in asdict(s).items() if k in _STAGE_FIELDS} for s in self.stages
+            ],
+            "image_sigma_px": self.sigma_px,
+        }  # fmt: skip
+
+
+_STAGE_FIELDS = ("name", "seconds", "cpu_seconds", "peak_memory_mb", "from_cache")
+
+
+def orient(
+    inputs: Sequence[Path],
+    folder: Path,
+    options: OrientOptions | None = None,
+    *,
+    calibration: Sequence[Camera] = (),
+    progress: Progress = silent,
+) -> Orientation:
+    """Orient photographs within a project folder; finished stages are taken from there.
+
+    inputs       folders and files
+    folder       project folder; begun, or continued
+    calibration  cameras whose interior orientation is known (`estimate` () holds it)
+    raises       InputError, NoOrientation
+
+    What it does not tell: without control or scale bars the position, orientation and scale of the result are
+    arbitrary; and a set of photographs whose parts look alike can be oriented wrongly with small residuals.
+    """
+    options = options or OrientOptions()
+    jobs = options.jobs or os.cpu_count() or 1
+    method = feature_method(options.features)
+    project = Project.open(folder)
+    try:
+        with project.stage("photographs") as stage:
+            found = find_photos(inputs, progress=progress)
+            if len(found.photos) < 2:
+                raise _too_few(inputs, found.photos, [(p.name, r) for p, r in found.refused])
+            stage.from_cache = False
+            stage.key = key_of("photographs", [p.sha256 for p in found.photos])
+            stage.summary = f"{len(found.photos)} photographs, {len(found.refused)} refused"
+        photos, refused = found.photos, [(p.name, r) for p, r in found.refused]
+        _forget(project, options)
+        with project.stage("features") as stage:
+            store, failed = find_features(project, stage, photos, method, options.feature_count, jobs, progress)
+        if failed:
+            refused += [(photos[i].name, reason) for i, reason in failed.items()]
+            kept = [i for i in range(len(photos)) if i not in failed]
+            photos = tuple(photos[i] for i in kept)
+            store = FeatureStore(project, tuple(store.keys[i] for i in kept))
+            if len(photos) < 2:
+                raise _too_few(inputs, photos, refused)
+        groups = camera_groups(photos, calibration)
+        with project.stage("matching") as stage:
+            pairs = match_pairs(
+                project, stage, photos, store, method, pairs_of(photos, store, method, _positions(photos), progress),
+                jobs, progress,
+            )  # fmt: skip
+        with project.stage("start") as stage:
+            tie = _start(project, stage, folder.name, photos, groups, pairs, store, jobs, progress)
+        weights: Weights | None = None
+        block = tie.block
+        if options.precise:
+            with project.stage("precision") as stage:
+                block, weights = _precision(project, stage, tie, photos, options, jobs, progress)
+        with project.stage("adjustment") as stage:
+            adjustment = _adjust(block, groups, jobs, progress, [*found.remarks])
+            stage.from_cache = False
+            stage.summary = f"sigma0 {adjustment.sigma0:.3f}"
+        return Orientation(
+            adjustment=adjustment,
+            photos=photos,
+            groups=groups,
+            refused=tuple(refused),
+            not_oriented=tie.not_oriented,
+            pairs=tuple(pairs),
+            stages=tuple(project.records),
+            sigma_px=image_sigma_px(adjustment),
+            weights=weights,
+            remarks=tuple(found.remarks),
+        )
+    finally:
+        project.close()
+
+
+def _too_few(inputs: Sequence[Path], photos: Sequence[Photo], refused: Sequence[tuple[str, str]]) -> InputError:
+    lines = [f"{len(photos)} usable photograph{'' if len(photos) == 1 else 's'}, at least 2 are needed"]
+    lines += [f"  {name}: {reason}" for name, reason in refused[:20]]
+    if len(refused) > 20:
+        lines.append(f"  and {len(refused) - 20} more")
+    return InputError("\n".join(lines), file=", ".join(str(p) for p in inputs))
+
+
+def _forget(project: Project, options: OrientOptions) -> None:
+    """Remove the products of the stages that are to be done again."""
+    if not options.redo_from:
+        return
+    again = STAGES[STAGES.index(options.redo_from) :]
+    if "matching" in again:
+        project.forget_pairs()
+    for name in ("features", "start", "precision"):
+        if name in again:
+            project.forget_kind(name)
+
+
+def _positions(photos: Sequence[Photo]) -> Array | None:
+    """(n, 3) rough metres by GPS for the choice of pairs; None where fewer than two photographs have any."""
+    result = np.full((len(photos), 3), np.nan)
+    for i, photo in enumerate(photos):
+        gps = photo.metadata.gps
+        if gps is not None:
+            result[i] = gps.latitude_deg, gps.longitude_deg, gps.altitude_m or 0.0
+    known = np.isfinite(result[:, 0])
+    if known.sum() < 2:
+        return None
+    result[:, 1] *= np.cos(np.radians(np.nanmean(result[:, 0])))
+    result[:, :2] *= 111_000
+    return result[:, [1, 0, 2]]
+
+
+def _cameras(groups: Sequence[CameraGroup], count: int) -> tuple[tuple[Camera, ...], Index]:
+    cameras: list[Camera] = []
+    of_photo = np.zeros(count, np.int32)
+    for k, group in enumerate(groups):
+        camera = camera_of(group)
+        cameras.append(camera if group.stored is not None else replace(camera, estimate="auto"))
+        of_photo[list(group.photos)] = k
+    return tuple(cameras), of_photo
+
+
+def _start(
+    project: Project,
+    stage: Stage,
+    name: str,
+    photos: Sequence[Photo],
+    groups: Sequence[CameraGroup],
+    pairs: Sequence[VerifiedPair],
+    store: FeatureStore,
+    jobs: int,
+    progress: Progress,
+) -> TieBlock:
+    cameras, of_photo = _cameras(groups, len(photos))
+    # names are part of the block
+    stage.key = key_of(
+        "start", START, store.keys, [(p.first, p.second) for p in pairs], [p.name for p in photos],
+        [asdict(c) for c in cameras], of_photo,
+    )  # fmt: skip
+    kept = project.load(stage.key)
+    if kept is not None:
+        lost = tuple(zip(kept["lost"].tolist(), kept["reasons"].tolist(), strict=True))
+        tie = TieBlock(block=block_of_arrays(kept), scale_px=kept["scale_px"], angle=kept["angle"], not_oriented=lost)
+    else:
+        stage.from_cache = False
+        features = [store.of(i) for i in range(len(photos))]
+        tracks = tracks_of(pairs, [f.xy_px for f in features])
+        raw = block_of_tracks(name, photos, cameras, of_photo, [f.xy_px for f in features], tracks)
+        scale, angle = np.empty(len(tracks.image)), np.empty(len(tracks.image))
+        for i, f in enumerate(features):
+            mine = tracks.image == i
+            scale[mine], angle[mine] = f.scale_px[tracks.feature[mine]], f.angle[tracks.feature[mine]]
+        tie = start(raw, scale, angle, jobs, progress)
+        lost = tie.not_oriented
+        project.store(
+            stage.key,
+            {
+                **arrays_of_block(tie.block), "scale_px": tie.scale_px, "angle": tie.angle,
+                "lost": np.array([n for n, _ in lost], dtype=np.str_),
+                "reasons": np.array([r for _, r in lost], dtype=np.str_),
+            },
+        )  # fmt: skip
+    stage.summary = (
+        f"{len(photos) - len(tie.not_oriented)} of {len(photos)} photographs, {len(tie.block.points)} points"
+    )
+    return tie
+
+
+def _precision(
+    project: Project,
+    stage: Stage,
+    tie: TieBlock,
+    photos: Sequence[Photo],
+    options: OrientOptions,
+    jobs: int,
+    progress: Progress,
+) -> tuple[Block, Weights]:
+    stage.key = key_of("precision", PRECISION, arrays_of_block(tie.block), tie.scale_px, tie.angle)
+    kept = project.load(stage.key)
+    if kept is not None:
+        block, w = block_of_arrays(kept), kept["weights"].tolist()
+        weights = Weights(factor=w[0], floor_px2=w[1], reference_px2=w[2])
+    else:
+        stage.from_cache = False
+        cache = _GreyCache(photos, options.memory_gb)
+        precise: PreciseBlock = refine(tie, cache.of, jobs, progress)
+        block, weights = precise.block, precise.weights
+        w = weights
+        project.store(
+            stage.key,
+            {
+                **arrays_of_block(block), "weights": np.array([w.factor, w.floor_px2, w.reference_px2]),
+                "counts": np.array([precise.offered, precise.measured, precise.added]),
+            },
+        )  # fmt: skip
+        kept = {"counts": np.array([precise.offered, precise.measured, precise.added])}
+    offered, measured, added = kept["counts"].tolist()
+    stage.summary = (
+        f"{measured} of {offered} features measured again, {added} rays added, {len(block.observations)} used"
+    )
+    return block, weights
+
+
+class _GreyCache:
+    """Smoothed photographs, the latest used ones within a limit of memory."""
+
+    def __init__(self, photos: Sequence[Photo], limit_gb: float) -> None:
+        self.photos = photos
+        self.limit = limit_gb * 1e9
+        self.held: OrderedDict[int, Array] = OrderedDict()
+        self.lock = Lock()
+
+    def of(self, i: int) -> Array:
+        """Photograph i, (h, w) uint16."""
+        with self.lock:
+            if i in self.held:
+                self.held.move_to_end(i)
+                return self.held[i]
+        image = smoothed(grey_of(self.photos[i]))
+        with self.lock:
+            self.held[i] = image
+            while len(self.held) > 2 and sum(a.nbytes for a in self.held.values()) > self.limit:
+                self.held.popitem(last=False)
+        return image
+
+
+def _adjust(
+    block: Block, groups: Sequence[CameraGroup], jobs: int, progress: Progress, remarks: Sequence[str]
+) -> Adjustment:
+    """The final adjustment: parameters by significance and determinability, blunders by data snooping."""
+    notices = [Notice(code="photographs", message=r) for r in remarks]
+    notices += [Notice(code="camera", message=f"camera {g.id}: {r}", ids=(g.id,)) for g in groups for r in g.remarks]
+    options = AdjustmentOptions(threads=jobs, reject="snooping")
+    return decide(block, options, progress, notices=tuple(notices))
