@@ -18,8 +18,11 @@ from raybundle.errors import RaybundleError
 COMMANDS = {
     "orient": "Orient photographs: calibrated cameras, object points, report.",
     "status": "Show the stages of a project folder.",
+    "photos": "Show what is known about photographs before they are oriented.",
+    "frames": "Take frames from a video: sharp ones, far enough apart.",
     "adjust": "Adjust a block and write a result folder with its report.",
     "compare": "Put two results side by side.",
+    "convert": "Convert to and from the formats of other programs.",
     "simulate": "Write a simulated block and its truth.",
     "demo": "Simulate a calibration field, calibrate it, show truth beside estimate.",
     "doctor": "Say what is installed, what is missing and what it would bring.",

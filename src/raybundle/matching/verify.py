@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -12,6 +13,10 @@ from raybundle.numerics.arrays import Array, Index, Mask
 Geometry = Literal["general", "planar", "rotation", "watermark", "none"]
 FEWEST = 15
 """Inliers below which a pair is not believed."""
+STRONG, SHARE = 40, 0.3
+"""Inliers, and their share of the candidates, from which a pair is trusted by itself."""
+LINKS = 3
+"""Strong pairs that make an image independent of its weak ones."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -81,6 +86,28 @@ def verify(
         apart = np.linalg.norm((p - half1) - (q - half2), axis=1)[planar]
         return result(planar | general, "planar" if np.median(apart) > 1 else "rotation", share)
     return result(general, "general", share)
+
+
+def trusted(pairs: Sequence[VerifiedPair], images: int) -> list[VerifiedPair]:
+    """The pairs from which tracks are made: strong ones, and of images with few of them the best weak ones.
+
+    Repeated windows, columns or tiles make pairs that an epipolar geometry explains with few of many candidates;
+    where an image has better neighbours, such pairs only do harm.
+    """
+    good = [p for p in pairs if len(p.matches)]
+    strong = [p for p in good if len(p.matches) >= STRONG and len(p.matches) >= SHARE * p.candidates]
+    links = np.zeros(images, int)
+    for p in strong:
+        links[[p.first, p.second]] += 1
+    chosen = {(p.first, p.second): p for p in strong}
+    weak = sorted(
+        (p for p in good if (p.first, p.second) not in chosen), key=lambda p: (-len(p.matches), p.first, p.second)
+    )
+    for p in weak:
+        if min(links[p.first], links[p.second]) < LINKS:
+            chosen[p.first, p.second] = p
+            links[[p.first, p.second]] += 1
+    return [chosen[k] for k in sorted(chosen)]
 
 
 def _is_watermark(p: Array, q: Array, size1: tuple[int, int], size2: tuple[int, int], inliers: Mask) -> bool:

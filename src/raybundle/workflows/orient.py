@@ -24,7 +24,7 @@ from raybundle.io.project import Project, Stage, StageRecord, key_of
 from raybundle.matching.features import feature_method
 from raybundle.matching.refine import smoothed
 from raybundle.matching.tracks import tracks_of
-from raybundle.matching.verify import VerifiedPair
+from raybundle.matching.verify import VerifiedPair, trusted
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.progress import Progress, silent
 from raybundle.workflows.tie_block import (
@@ -38,7 +38,7 @@ from raybundle.workflows.tie_block import (
 )
 from raybundle.workflows.tie_points import FeatureStore, find_features, grey_of, match_pairs, pairs_of
 
-START, PRECISION = 1, 3
+START, PRECISION = 2, 3
 """Versions of the stages' results."""
 STAGES = ("photographs", "features", "matching", "start", "precision", "adjustment", "report")
 
@@ -248,7 +248,7 @@ def _start(
     else:
         stage.from_cache = False
         features = [store.of(i) for i in range(len(photos))]
-        tracks = tracks_of(pairs, [f.xy_px for f in features])
+        tracks = tracks_of(trusted(pairs, len(photos)), [f.xy_px for f in features])
         raw = block_of_tracks(name, photos, cameras, of_photo, [f.xy_px for f in features], tracks)
         scale, angle = np.empty(len(tracks.image)), np.empty(len(tracks.image))
         for i, f in enumerate(features):

@@ -1,0 +1,124 @@
+"""`raybundle photos`."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, counted
+
+if TYPE_CHECKING:
+    from raybundle.io.photos.cameras import CameraGroup
+    from raybundle.io.photos.photo import Found, Photo
+
+SHOWN = 100
+"""Photographs that the table lists."""
+
+
+@click.command("photos", context_settings=COMMAND_SETTINGS)
+@click.argument("inputs", type=FOLDER, nargs=-1, required=True, metavar="PHOTOS...")
+@click.option("--calibration", type=FOLDER, metavar="CAMERAS.toml", help="Stored calibrations to be matched.")
+@click.option("--json", "as_json", is_flag=True, help="Everything as JSON.")
+@common_options
+def command(inputs: tuple[Path, ...], calibration: Path | None, as_json: bool, progress: str) -> int:  # noqa: FBT001
+    """Say what raybundle knows about some photographs: cameras, starting values, positions, files left out.
+
+    Exit status 2 if none can be used.
+
+    \b
+    Example:
+      raybundle photos images/
+      raybundle photos images/ --json
+    """  # noqa: D301
+    from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.io.block_toml import read_cameras  # noqa: PLC0415
+    from raybundle.io.photos.cameras import camera_groups  # noqa: PLC0415
+    from raybundle.io.photos.photo import find_photos  # noqa: PLC0415
+
+    with reporting(progress) as tell:
+        found = find_photos(inputs, progress=tell)
+    groups = camera_groups(found.photos, () if calibration is None else read_cameras(calibration))
+    click.echo(json.dumps(report(found, groups), indent=1) if as_json else "\n".join(lines(found, groups)))
+    return 0 if found.photos else 2
+
+
+def report(found: Found, groups: Sequence[CameraGroup]) -> dict[str, Any]:
+    """What is known, for JSON."""
+    return {
+        "cameras": [
+            {
+                "id": g.id, "name": g.name, "photos": len(g.photos), "width_px": g.width_px, "height_px": g.height_px,
+                "pixel_mm": list(g.pixel_mm), "c_mm": g.c_mm, "sigma_c_mm": g.sigma_c_mm, "c_px": g.c_px,
+                "sigma_c_px": g.sigma_c_px, "source": g.source, "remarks": list(g.remarks),
+            }
+            for g in groups
+        ],
+        "photos": [
+            _photo(p, next(g.id for g in groups if k in g.photos)) for k, p in enumerate(found.photos)
+        ],
+        "refused": [{"file": str(path), "reason": reason} for path, reason in found.refused],
+        "remarks": list(found.remarks),
+    }  # fmt: skip
+
+
+def _photo(photo: Photo, camera: str) -> dict[str, Any]:
+    m = photo.metadata
+    position = None
+    if m.gps is not None:
+        sigma = None if m.gps.sigma_m is None else [None if math.isnan(s) else s for s in m.gps.sigma_m]
+        position = {
+            "latitude_deg": m.gps.latitude_deg, "longitude_deg": m.gps.longitude_deg, "altitude_m": m.gps.altitude_m,
+            "altitude_reference": m.gps.altitude_reference, "sigma_m": sigma, "fix": m.gps.fix,
+        }  # fmt: skip
+    return {
+        "name": photo.name, "file": str(photo.path), "camera": camera, "width_px": photo.width_px,
+        "height_px": photo.height_px, "orientation": photo.orientation, "bits": photo.bits, "sha256": photo.sha256,
+        "make": m.make, "model": m.model, "serial": m.serial, "lens": m.lens, "focal_mm": m.focal_mm,
+        "focal35_mm": m.focal35_mm, "taken": None if m.taken is None else m.taken.isoformat(), "position": position,
+        "gimbal_deg": m.gimbal, "flight_deg": m.flight, "remarks": list(m.remarks),
+    }  # fmt: skip
+
+
+def lines(found: Found, groups: Sequence[CameraGroup]) -> list[str]:
+    """What is known, for a terminal."""
+    text = [f" {counted(len(found.photos), 'photograph')}, {counted(len(groups), 'camera')}"]
+    for g in groups:
+        text += [
+            f" camera {g.id}: {g.name}, {counted(len(g.photos), 'photograph')} of {g.width_px} x {g.height_px} px",
+            f"   c = {g.c_px:.1f} +- {g.sigma_c_px:.1f} px = {g.c_mm:.4g} mm ({g.source})",
+        ]
+        text += [f"   remark: {r}" for r in g.remarks]
+    text += _table(found, groups)
+    text += [f" remark: {r}" for r in found.remarks]
+    text += [f" left out: {path.name}: {reason}" for path, reason in found.refused]
+    return text
+
+
+def _table(found: Found, groups: Sequence[CameraGroup]) -> list[str]:
+    of = {k: g.id for g in groups for k in g.photos}
+    rows = [("photograph", "camera", "turn", "taken", "position", "sigma")]
+    for k, p in enumerate(found.photos[:SHOWN]):
+        m = p.metadata
+        taken = "" if m.taken is None else m.taken.strftime("%Y-%m-%d %H:%M:%S")
+        turn = {1: "", 3: "180", 6: "90", 8: "270"}.get(p.orientation, "mirror")
+        rows.append((p.name, of[k], turn, taken, *_position(p)))
+    used = [c for c in range(len(rows[0])) if any(r[c] for r in rows[1:])]
+    widths = {c: max(len(r[c]) for r in rows) for c in used}
+    text = ["   " + "  ".join(r[c].ljust(widths[c]) for c in used).rstrip() for r in rows if len(rows) > 1]
+    more = len(found.photos) - SHOWN
+    return text + ([f"   and {counted(more, 'photograph')} more; --json lists them all"] if more > 0 else [])
+
+
+def _position(photo: Photo) -> tuple[str, str]:
+    gps = photo.metadata.gps
+    if gps is None:
+        return "", ""
+    height = "" if gps.altitude_m is None else f" {gps.altitude_m:.1f} m"
+    fix = f" ({gps.fix})" if gps.fix else ""
+    sigma = "" if gps.sigma_m is None else " ".join("?" if math.isnan(s) else f"{s:.3g}" for s in gps.sigma_m) + " m"
+    return f"{gps.latitude_deg:.6f} {gps.longitude_deg:.6f}{height}{fix}", sigma

@@ -1,0 +1,374 @@
+"""Control and check points from files: gcp_list.txt (OpenDroneMap), CSV, or the points of a block folder.
+
+gcp_list.txt    first line the coordinate system, then  X Y Z x_px y_px image [name]  a line, separated by tabs or
+                blanks; '#' begins a comment; pixels count from the outer corner of the first one
+CSV             point,X,Y,Z[,sX,sY,sZ][,role], and beside it or in a second file  image,point,x_px,y_px
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+
+from raybundle.block import Role
+from raybundle.errors import InputError
+from raybundle.io.block_folder import ROLES
+from raybundle.io.coordinate_systems import parse_crs
+from raybundle.io.tables import SHOWN, Column, Problem, fail, read_table, shown
+from raybundle.numerics.arrays import Array, Index
+
+FILE_BYTES = 1 << 28
+XYZ, SIGMA = ("X", "Y", "Z"), ("sX", "sY", "sZ")
+GCP_COLUMNS = ("X", "Y", "Z", "x_px", "y_px", "image")
+MEASUREMENTS = "measurements"
+"""What a second CSV is called if it lies beside the first: NAME-measurements.csv."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Measurements:
+    """Image measurements of control and check points, one row each."""
+
+    image: tuple[str, ...]
+    """(m,) names as they stand in the file."""
+    point: Index
+    """(m,) position in `ControlFile.ids`."""
+    xy_px: Array
+    """(m, 2) pixel frame of BLOCK_FORMAT; NaN nowhere."""
+    line: Index
+    """(m,) line of the file, for messages."""
+
+    def __len__(self) -> int:
+        return len(self.image)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ControlFile:
+    """What a file says about control and check points."""
+
+    path: Path
+    crs: str | None
+    """Coordinate system as the file names it; None where it names none."""
+    ids: tuple[str, ...]
+    xyz: Array
+    """(n, 3) in that system, x east or longitude; NaN where not known."""
+    sigma: Array
+    """(n, 3) 0 = held; NaN where the coordinate is not known."""
+    role: Index
+    """(n,) `Role`; CONTROL unless the file says otherwise."""
+    measurements: Measurements
+    remarks: tuple[str, ...] = ()
+    """What was assumed."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ControlDefaults:
+    """Standard deviations where a file tells none, in the unit of its coordinates."""
+
+    plan: float = 0.01
+    height: float = 0.02
+    role: Literal["control", "check"] = "control"
+
+
+DEFAULTS = ControlDefaults()
+
+
+def read_control(
+    path: str | Path, *, measurements: str | Path | None = None, defaults: ControlDefaults = DEFAULTS
+) -> ControlFile:
+    """Control and check points of a file.
+
+    path          gcp_list.txt, a CSV file, or a block folder (its points.csv and observations.csv)
+    measurements  a CSV of image measurements; None: NAME-measurements.csv beside a CSV, if there is one
+    raises        InputError with file, line and column
+    What it does not tell: whether the images exist; names are as they stand there.
+    """
+    path = Path(path)
+    if path.is_dir():
+        return _read_block_points(path, defaults)
+    if path.suffix.lower() == ".csv":
+        return _read_csv(path, None if measurements is None else Path(measurements), defaults)
+    if measurements is not None:
+        raise InputError(
+            f"a file of measurements ({measurements}) belongs to a CSV; this file holds its own", file=path
+        )
+    return read_gcp_list(path, defaults=defaults)
+
+
+def read_gcp_list(path: str | Path, *, defaults: ControlDefaults = DEFAULTS) -> ControlFile:
+    """A gcp_list.txt: lines with the same name are one point; without names, lines with the same X Y Z.
+
+    Heights that are 0 throughout are taken as unknown, and a remark says so.
+    """
+    path = Path(path)
+    lines = _content(path)
+    first, crs = next(lines, (0, ""))
+    if not crs:
+        raise InputError(
+            "the file is empty; its first line names the coordinate system, each other one X Y Z x y image",
+            file=path,
+            line=1,
+        )
+    if len(crs.split()) >= len(GCP_COLUMNS) and _is_number(crs.split()[0]):
+        raise InputError(
+            "the first line must name the coordinate system: EPSG:32611, WGS84 UTM 11N or a PROJ string",
+            file=path,
+            line=first,
+        )
+    try:
+        parse_crs(crs)
+    except InputError as error:
+        raise InputError(str(error), file=path, line=first) from None
+    rows, problems = _gcp_rows(lines)
+    if problems:
+        fail(path, problems)
+    if not rows:
+        raise InputError("there is no point after the first line; add lines X Y Z x y image", file=path, line=first)
+    result = _grouped(path, crs, rows, defaults)
+    return _with_unknown_heights(result)
+
+
+@dataclass(frozen=True, slots=True)
+class _Row:
+    line: int
+    xyz: tuple[float, float, float]
+    xy: tuple[float, float]
+    image: str
+    name: str
+
+
+def _content(path: Path) -> Iterator[tuple[int, str]]:
+    """Lines that are neither empty nor comments, with their numbers."""
+    try:
+        if path.stat().st_size > FILE_BYTES:
+            raise InputError(f"larger than {FILE_BYTES >> 20} MiB: this is no list of control points", file=path)
+        data = path.read_bytes()
+    except OSError as error:
+        raise InputError(f"cannot be read: {error.strerror}; check the path and the permissions", file=path) from None
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = data.count(b"\n", 0, error.start) + 1
+        raise InputError(
+            f"byte 0x{data[error.start]:02x} is not UTF-8; save the file with the encoding UTF-8", file=path, line=line
+        ) from None
+    for number, line in enumerate(text.replace("\r\n", "\n").replace("\r", "\n").split("\n"), 1):
+        content = line.strip()
+        if content and not content.startswith("#"):
+            yield number, content
+
+
+def _is_number(word: str) -> bool:
+    try:
+        return bool(np.isfinite(float(word))) and "_" not in word and word.isascii()
+    except ValueError:
+        return False
+
+
+def _gcp_rows(lines: Iterator[tuple[int, str]]) -> tuple[list[_Row], list[Problem]]:
+    rows: list[_Row] = []
+    problems: list[Problem] = []
+    for line, text in lines:
+        if len(problems) > SHOWN:
+            break
+        # with tabs a name of an image may hold blanks
+        words = [w.strip() for w in text.split("\t")] if text.count("\t") >= 5 else text.split()
+        if len(words) < len(GCP_COLUMNS):
+            message = f"{len(words)} columns, {', '.join(GCP_COLUMNS)} and perhaps a name are needed: {shown(text)}"
+            problems.append(Problem(line, None, message))
+            continue
+        bad = [(c, w) for c, w in zip(GCP_COLUMNS[:5], words, strict=False) if not _is_number(w) and not _unknown(c, w)]
+        if bad:
+            hint = " (the decimal sign is a point)" if "," in bad[0][1] else ""
+            problems.append(Problem(line, bad[0][0], f"{shown(bad[0][1])} is not a finite number{hint}"))
+            continue
+        if not words[5] or not "".join(words[5:7]).isprintable():
+            problems.append(Problem(line, "image", f"{shown(words[5])} is no name of an image"))
+            continue
+        X, Y, Z, x, y = (float(w) for w in words[:5])
+        rows.append(_Row(line, (X, Y, Z), (x, y), words[5], words[6] if len(words) > 6 else ""))
+    return rows, problems
+
+
+def _unknown(column: str, word: str) -> bool:
+    """A height may be given as NaN."""
+    return column == "Z" and word.lower() == "nan"
+
+
+def _grouped(path: Path, crs: str, rows: Sequence[_Row], defaults: ControlDefaults) -> ControlFile:
+    named = [bool(r.name) for r in rows]
+    if any(named) and not all(named):
+        row = rows[named.index(False)]
+        message = "this line has no name of a point, others have; give all of them one, or none"
+        raise InputError(message, file=path, line=row.line, column="name")
+    points: dict[object, int] = {}
+    first: list[_Row] = []
+    index: list[int] = []
+    problems: list[Problem] = []
+    seen: dict[tuple[int, str], int] = {}
+    for row in rows:
+        key: object = row.name or repr(row.xyz)
+        k = points.setdefault(key, len(points))
+        if k == len(first):
+            first.append(row)
+        elif not np.array_equal(first[k].xyz, row.xyz, equal_nan=True):
+            message = f"point {shown(row.name)} has other coordinates in line {first[k].line}; correct one of the two"
+            problems.append(Problem(row.line, "X", message))
+        if (k, row.image) in seen:
+            message = f"this point stands in image {shown(row.image)} already, in line {seen[k, row.image]}; delete one"
+            problems.append(Problem(row.line, "image", message))
+        seen[k, row.image] = row.line
+        index.append(k)
+    if problems:
+        fail(path, problems)
+    xyz = np.array([r.xyz for r in first])
+    return ControlFile(
+        path=path,
+        crs=crs,
+        ids=tuple(r.name or f"gcp{k:02d}" for k, r in enumerate(first)),
+        xyz=xyz,
+        sigma=_default_sigma(xyz, defaults),
+        role=np.full(len(first), ROLES[defaults.role], np.int32),
+        measurements=Measurements(
+            image=tuple(r.image for r in rows),
+            point=np.array(index, np.int32),
+            xy_px=np.array([r.xy for r in rows]),
+            line=np.array([r.line for r in rows], np.int32),
+        ),
+        remarks=()
+        if any(named)
+        else ("the file has no names; lines with the same X Y Z are one point: gcp00, gcp01 ...",),
+    )
+
+
+def _default_sigma(xyz: Array, defaults: ControlDefaults) -> Array:
+    sigma = np.tile([defaults.plan, defaults.plan, defaults.height], (len(xyz), 1))
+    return np.where(np.isfinite(xyz), sigma, np.nan)
+
+
+def _with_unknown_heights(control: ControlFile) -> ControlFile:
+    """Heights that are all exactly 0 were not measured."""
+    heights = control.xyz[:, 2]
+    if len(heights) < 2 or not (heights == 0).all():
+        return control
+    unknown = np.array([1.0, 1.0, np.nan])
+    remark = (
+        f"all {len(heights)} heights are exactly 0 and are taken as unknown: the points control plan alone; "
+        "give one of them a height other than 0 if they were measured"
+    )
+    return replace(
+        control, xyz=control.xyz * unknown, sigma=control.sigma * unknown, remarks=(*control.remarks, remark)
+    )
+
+
+def _read_csv(path: Path, measurements: Path | None, defaults: ControlDefaults) -> ControlFile:
+    table = read_table(
+        path,
+        (
+            Column(name="point", kind="id"),
+            *(Column(name=n, kind="number", empty=True) for n in XYZ),
+            *(Column(name=n, kind="number", empty=True, optional=True, limit=">= 0") for n in SIGMA),
+            Column(name="role", kind="text", optional=True, empty=True),
+        ),
+    )
+    ids, xyz, sigma = table.text["point"], table.numbers(*XYZ), table.numbers(*SIGMA)
+    roles = table.text.get("role", ("",) * len(ids))
+    known = {"": ROLES[defaults.role], **ROLES}
+    problems = [
+        Problem(k + 2, "role", f"{shown(r)} is not one of control, check, tie")
+        for k, r in enumerate(roles)
+        if r not in known
+    ]
+    bare = np.isfinite(sigma) & ~np.isfinite(xyz)
+    problems += [
+        Problem(int(k) + 2, SIGMA[a], f"point {shown(ids[k])} has {SIGMA[a]} but no {XYZ[a]}; give the coordinate too")
+        for k, a in np.argwhere(bare)
+    ]
+    empty = np.flatnonzero(~np.isfinite(xyz).any(axis=1))
+    problems += [
+        Problem(int(k) + 2, "X", f"point {shown(ids[k])} has no coordinate; give one, or delete the line")
+        for k in empty
+        if known.get(roles[k]) != Role.TIE
+    ]
+    if problems:
+        fail(path, problems[: SHOWN + 1])
+    given = np.isfinite(sigma)
+    remarks: tuple[str, ...] = ()
+    if (np.isfinite(xyz) & ~given).any():
+        remarks = (f"coordinates without a sigma get {defaults.plan:g} in plan and {defaults.height:g} in height",)
+    beside = path.with_name(f"{path.stem}-{MEASUREMENTS}.csv")
+    file = measurements or (beside if beside.is_file() else None)
+    return ControlFile(
+        path=path,
+        crs=None,
+        ids=ids,
+        xyz=xyz,
+        sigma=np.where(given, sigma, _default_sigma(xyz, defaults)),
+        role=np.array([known[r] for r in roles], np.int32),
+        measurements=_no_measurements() if file is None else read_measurements(file, ids, str(path)),
+        remarks=remarks,
+    )
+
+
+def _no_measurements() -> Measurements:
+    none = np.zeros(0, np.int32)
+    return Measurements(image=(), point=none, xy_px=np.zeros((0, 2)), line=none)
+
+
+def read_measurements(path: str | Path, ids: Sequence[str], where: str) -> Measurements:
+    """The image measurements `image,point,x_px,y_px` of a CSV file.
+
+    ids     names of the points that it may refer to; where: the file that holds them, for the message
+    raises  InputError with line and column, also where a point stands twice in an image
+    """
+    images: dict[str, int] = {}
+    table = read_table(
+        Path(path),
+        (
+            Column(name="image", kind="new_reference", known=images),
+            Column(name="point", kind="reference", known={p: k for k, p in enumerate(ids)}, where=where),
+            Column(name="x_px", kind="number"),
+            Column(name="y_px", kind="number"),
+        ),
+        unique=("image", "point"),
+    )
+    names = list(images)
+    return Measurements(
+        image=tuple(names[k] for k in table.index["image"].tolist()),
+        point=table.index["point"],
+        xy_px=table.numbers("x_px", "y_px"),
+        line=np.arange(table.rows, dtype=np.int32) + 2,
+    )
+
+
+def _read_block_points(folder: Path, defaults: ControlDefaults) -> ControlFile:
+    """Control and check points of a block folder, with their image observations."""
+    from raybundle.io.block_folder import read_block  # noqa: PLC0415  (a whole block, which the other ways do not need)
+
+    del defaults  # a block says everything
+    block = read_block(folder)
+    named = np.flatnonzero(block.points.role != Role.TIE)
+    if len(named) == 0:
+        raise InputError("the block holds neither control nor check points", file=folder / "points.csv")
+    position = np.full(len(block.points), -1, np.int32)
+    position[named] = np.arange(len(named))
+    o = block.observations
+    rows = np.flatnonzero(position[o.point] >= 0)
+    files = [f or i for f, i in zip(block.images.file, block.images.ids, strict=True)]
+    return ControlFile(
+        path=folder,
+        crs=None,
+        ids=tuple(block.points.ids[k] for k in named.tolist()),
+        xyz=block.points.xyz[named],
+        sigma=block.points.sigma[named],
+        role=np.asarray(block.points.role)[named],
+        measurements=Measurements(
+            image=tuple(files[k] for k in o.image[rows].tolist()),
+            point=position[o.point[rows]],
+            xy_px=o.xy_px[rows],
+            line=rows.astype(np.int32) + 2,
+        ),
+    )

@@ -1,0 +1,408 @@
+"""Coordinate systems of the earth, and the local east-north-up frame in which a block is adjusted.
+
+A map projection bends straight lines and changes lengths; a bundle needs a Cartesian frame.  `LocalFrame` is
+the plane through one point of the ellipsoid, axes east, north, up there.  Its heights are those above that
+plane, not above the ellipsoid: 1 km from the origin the two differ by 8 cm.
+
+Coordinates of a coordinate system stand in the order x = east or longitude, y = north or latitude, z = height;
+longitude and latitude in degrees, the rest in the unit of the system.  Conversion to geocentric coordinates:
+Hofmann-Wellenhof, Lichtenegger and Wasle 2008, section 8.2.
+"""
+
+from __future__ import annotations
+
+import re
+import warnings
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array
+from raybundle.numerics.rotation import nearest_rotation
+
+if TYPE_CHECKING:
+    from pyproj import CRS, Transformer
+
+WGS84 = "EPSG:4979"
+_UTM = re.compile(r"^(?:EPSG\s+)?WGS\s*_?84\s*[/,]?\s*UTM\s*(?:zone)?\s*(\d{1,2})\s*([NS])$", re.IGNORECASE)
+STEP_M = 1.0
+"""Half the base of numeric derivatives."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LocalFrame:
+    """A local east-north-up frame at a point; lengths in metres.
+
+    Heights: `crs_from_local` gives back heights of the kind that went in.  Where the geoid is not known, heights
+    above the geoid are taken as if they stood on the ellipsoid; a constant undulation changes lengths by
+    1 / 6 400 000 a metre, and the slope of the geoid (to 1 : 10 000 in mountains) tilts the frame.
+    """
+
+    crs: str
+    """As it was given: EPSG:25832, EPSG:25832+7837, a PROJ string or WKT."""
+    origin: tuple[float, float, float]
+    """In that system; the height counts as 0 where it was not known."""
+    undulation_m: float = 0.0
+    """Height of the geoid above the ellipsoid at the origin, added to heights that no grid converts."""
+    remarks: tuple[str, ...] = ()
+    """What is assumed about heights and datum."""
+
+    def local_from_crs(self, xyz: Array) -> Array:
+        """Local coordinates (n, 3) of coordinates (n, 3); an unknown height (NaN) stays unknown.
+
+        Plan coordinates of a point without height are taken at the height of the origin; 100 m of height
+        move them by 1.6 cm at 1 km from the origin.
+        raises  InputError where a point lies outside the area of the system
+        """
+        xyz = _rows(xyz)
+        unknown = np.isnan(xyz[:, 2])
+        filled = np.where(unknown[:, None] & [False, False, True], self.origin[2], xyz)
+        local = (_geocentric_from_crs(self, filled) - self._place[0]) @ self._place[1].T
+        local[unknown, 2] = np.nan
+        return local
+
+    def crs_from_local(self, xyz: Array) -> Array:
+        """Coordinates (n, 3) of local coordinates (n, 3); an unknown height (NaN) stays unknown."""
+        xyz = _rows(xyz)
+        unknown = np.isnan(xyz[:, 2])
+        filled = xyz.copy()
+        # without a height: on the surface through the origin that runs parallel to the ellipsoid
+        radius = np.linalg.norm(self._place[0])
+        square = np.sum(xyz[:, :2] ** 2, axis=1)
+        filled[unknown, 2] = (np.sqrt(np.maximum(radius**2 - square, 0)) - radius)[unknown]
+        for _ in range(3 if unknown.any() else 0):
+            height = _crs_from_geocentric(self, filled @ self._place[1] + self._place[0])[:, 2]
+            filled[unknown, 2] -= (height[unknown] - self.origin[2]) * _unit(self.crs)[1]
+        result = _crs_from_geocentric(self, filled @ self._place[1] + self._place[0])
+        result[unknown, 2] = np.nan
+        return result
+
+    def wgs84_from_local(self, xyz: Array) -> Array:
+        """Longitude, latitude [deg] and height [m] (n, 3) in WGS 84; a datum shift is pyproj's best without grids."""
+        geographic = _geographic_from_geocentric(_rows(xyz) @ self._place[1] + self._place[0], _horizontal(self.crs))
+        return _transformed(_to_wgs84(self.crs), geographic)
+
+    def jacobian(self, xyz: Array) -> Array:
+        """(n, 3, 3) derivatives of local coordinates by those of the system, at (n, 3) in the system."""
+        xyz = _rows(xyz)
+        filled = np.where(np.isnan(xyz) & [False, False, True], self.origin[2], xyz)
+        plan, height = _unit(self.crs)
+        columns: list[Array] = []
+        for axis, unit in enumerate((plan, plan, height)):
+            step = np.zeros(3)
+            step[axis] = STEP_M / unit
+            difference = self.local_from_crs(filled + step) - self.local_from_crs(filled - step)
+            columns.append(difference / (2 * step[axis]))
+        return np.stack(columns, axis=2)
+
+    def local_covariance(self, xyz: Array, covariance: Array) -> Array:
+        """Covariances (n, 3, 3) in the local frame of covariances (n, 3, 3) in the system, at (n, 3) there.
+
+        The scale of the projection and the convergence of its grid are in it.  Unknown heights: the plan part
+        is right, what has to do with the height is NaN in and out.
+        """
+        J = self.jacobian(xyz)
+        return _propagated(J, covariance)
+
+    def crs_covariance(self, xyz: Array, covariance: Array) -> Array:
+        """Covariances (n, 3, 3) in the system of covariances (n, 3, 3) in the local frame, at (n, 3) in the system."""
+        return _propagated(np.linalg.inv(self.jacobian(xyz)), covariance)
+
+    def local_from_enu(self, xyz: Array) -> Array:
+        """Rotations (n, 3, 3) from east, north, up at points (n, 3) of the system to the axes of this frame."""
+        geographic = _geographic(self, _rows(xyz))
+        return self._place[1] @ np.swapaxes(_enu_from_geocentric(geographic), -1, -2)
+
+    def crs_from_local_rotation(self, xyz: Array) -> Array:
+        """Rotations (n, 3, 3) from the axes of this frame to those of the system's grid, at points (n, 3) of it.
+
+        For attitudes: R(object axes to image axes) in the grid = R(local) @ result.T.  Geographic systems: to
+        east, north, up.
+        """
+        xyz = _rows(xyz)
+        if _horizontal(self.crs).is_geographic:
+            return np.swapaxes(self.local_from_enu(xyz), -1, -2)
+        return np.swapaxes(nearest_rotation(self.jacobian(xyz)), -1, -2)
+
+    def scale_and_convergence(self, xyz: Array) -> Array:
+        """(n, 2) of a projected system at (n, 3): length in the grid / length in space, and convergence [rad].
+
+        The scale holds at the point's height.  The convergence is the direction of grid north, counted
+        clockwise from north.
+        """
+        J = np.swapaxes(self.local_from_enu(xyz), -1, -2) @ self.jacobian(xyz)
+        plan = J[:, :2, :2] * (1 / _unit(self.crs)[0])
+        return np.stack([1 / np.sqrt(np.linalg.det(plan)), np.arctan2(plan[:, 0, 1], plan[:, 1, 1])], axis=1)
+
+    def as_mapping(self) -> dict[str, Any]:
+        """What a file needs to make the same frame again with `local_frame`."""
+        return {"crs": self.crs, "origin": list(self.origin), "undulation_m": self.undulation_m}
+
+    @property
+    def _place(self) -> tuple[Array, Array]:
+        """Geocentric coordinates (3,) of the origin, and the rotation (3, 3) to east, north, up there."""
+        return _place(self.crs, self.origin, self.undulation_m)
+
+
+def local_frame(
+    crs: str, origin: tuple[float, float, float] | Array, *, undulation_m: float | None = None
+) -> LocalFrame:
+    """The local frame at a point of a coordinate system.
+
+    crs           "EPSG:25832", "EPSG:25832+7837" (plan + heights), a PROJ string, WKT or "WGS84 UTM 32N"
+    origin        x, y, z there (longitude before latitude); a height of NaN counts as 0, and is said in a remark
+    undulation_m  height of the geoid above the ellipsoid; None: by pyproj's grid where it is there, else 0
+    raises        InputError for an unknown system or an origin outside its area
+    """
+    x, y, z = (float(v) for v in origin)
+    remarks = height_remarks(crs, undulation_m)
+    if np.isnan(z):
+        z = 0.0
+        remarks += ("the height of the origin is not known and counts as 0",)
+    frame = LocalFrame(crs=crs, origin=(x, y, z), undulation_m=undulation_m or 0.0, remarks=remarks)
+    frame.local_from_crs(np.array([[x, y, z]]))
+    return frame
+
+
+def frame_from_mapping(values: Mapping[str, Any]) -> LocalFrame:
+    """The frame that `LocalFrame.as_mapping` described; raises InputError where a value is missing or wrong."""
+    try:
+        x, y, z = (float(v) for v in values["origin"])
+        crs, undulation = str(values["crs"]), float(values.get("undulation_m") or 0.0)
+    except (KeyError, TypeError, ValueError):
+        raise InputError(
+            'the coordinate system is not complete; give crs = "EPSG:..." and origin = [east, north, height]'
+        ) from None
+    return local_frame(crs, (x, y, z), undulation_m=undulation or None)
+
+
+def height_remarks(crs: str, undulation_m: float | None = None) -> tuple[str, ...]:
+    """What is assumed about the heights of a system, in words."""
+    system = parse_crs(crs)
+    if system.is_geocentric or (system.is_geographic and len(system.axis_info) == 3 and not system.is_compound):
+        return ()
+    if not system.is_compound:
+        unit = system.axis_info[0].unit_name if system.is_projected else "metre"
+        above = "as heights above the ellipsoid"
+        if undulation_m is not None:
+            above = f"as heights above a geoid {undulation_m:g} m above the ellipsoid"
+        name = system.name if system.name != "unknown" else crs[:60]
+        return (f"{name} says nothing about heights; they are taken in {unit}, {above}",)
+    vertical = system.sub_crs_list[1].name
+    if undulation_m is not None:
+        return (f"{vertical}: heights above the geoid; a constant undulation of {undulation_m:g} m is added",)
+    transformer, grid = _vertical(crs)
+    if transformer is not None:
+        return ()
+    need = f" (grid {grid})" if grid else ""
+    message = (
+        f"{vertical}: the geoid{need} is not installed; heights above the geoid are taken as if they stood on the "
+        "ellipsoid. Lengths change by 1 : 6 400 000 for each metre between the two; give the undulation, or install "
+        "the grid with `pyproj sync`"
+    )
+    return (message,)
+
+
+@lru_cache(maxsize=64)
+def parse_crs(text: str) -> CRS:
+    """The coordinate system that a text names: EPSG:code, EPSG:code+code, PROJ string, WKT, WGS84 UTM 11N.
+
+    raises  InputError where it names none, or one without a place on the earth
+    """
+    from pyproj import CRS  # noqa: PLC0415  (only where a coordinate system is used)
+    from pyproj.exceptions import CRSError  # noqa: PLC0415
+
+    text = text.strip()
+    if utm := _UTM.match(text):
+        zone = int(utm[1])
+        if not 1 <= zone <= 60:
+            raise InputError(f"UTM zone {zone} is not between 1 and 60")
+        text = f"EPSG:{(32600 if utm[2].upper() == 'N' else 32700) + zone}"
+    try:
+        system = CRS.from_user_input(text)
+    except CRSError:
+        raise InputError(
+            f"{text[:60]!r} is no coordinate system that pyproj knows; give EPSG:code, a PROJ string or WKT"
+        ) from None
+    if system.geodetic_crs is None or (system.is_vertical and not system.is_compound):
+        raise InputError(f"{text[:60]!r} has no place on the earth; give a projected, geographic or geocentric system")
+    return system
+
+
+@lru_cache(maxsize=64)
+def _horizontal(crs: str) -> CRS:
+    system = parse_crs(crs)
+    if system.is_compound:
+        system = system.sub_crs_list[0]
+    while system.is_bound and system.source_crs is not None:
+        system = system.source_crs
+    return system
+
+
+@lru_cache(maxsize=64)
+def _plan(crs: str) -> Transformer:
+    """From plan coordinates to longitude and latitude on the same datum: a conversion, exact."""
+    from pyproj import Transformer  # noqa: PLC0415
+
+    system = _horizontal(crs)
+    flat = system.to_2d() if len(system.axis_info) == 3 else system
+    base = flat.geodetic_crs
+    assert base is not None
+    return Transformer.from_crs(flat, base.to_2d(), always_xy=True)
+
+
+@lru_cache(maxsize=64)
+def _vertical(crs: str) -> tuple[Transformer | None, str]:
+    """From heights above the geoid to ellipsoidal ones by a grid, or None and the name of the grid that lacks."""
+    from pyproj.transformer import TransformerGroup  # noqa: PLC0415
+
+    system = parse_crs(crs)
+    if not system.is_compound:
+        return None, ""
+    base = _horizontal(crs).geodetic_crs
+    assert base is not None
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        group = TransformerGroup(system, base.to_3d(), always_xy=True)
+    best = group.transformers[0] if group.transformers else None
+    if best is not None and "ballpark" not in best.description.lower():
+        return best, ""
+    grids = [g.short_name for o in group.unavailable_operations for g in o.grids]
+    return None, grids[0] if grids else ""
+
+
+@lru_cache(maxsize=64)
+def _to_wgs84(crs: str) -> Transformer:
+    from pyproj import Transformer  # noqa: PLC0415
+
+    base = _horizontal(crs).geodetic_crs
+    assert base is not None
+    return Transformer.from_crs(base.to_3d(), WGS84, always_xy=True)
+
+
+@lru_cache(maxsize=64)
+def _unit(crs: str) -> tuple[float, float]:
+    """Metres in a unit of plan and height; for degrees a metre at the equator, good enough for steps."""
+    system = parse_crs(crs)
+    plan = _horizontal(crs).axis_info[0].unit_conversion_factor
+    if system.is_compound:
+        height = system.sub_crs_list[1].axis_info[0].unit_conversion_factor
+    elif len(system.axis_info) == 3:
+        height = system.axis_info[2].unit_conversion_factor
+    else:
+        height = plan if system.is_projected else 1.0
+    return (plan * 6378137.0 if _horizontal(crs).is_geographic else plan), height
+
+
+@lru_cache(maxsize=64)
+def _place(crs: str, origin: tuple[float, float, float], undulation_m: float) -> tuple[Array, Array]:
+    at = LocalFrame(crs=crs, origin=origin, undulation_m=undulation_m)
+    geographic = _geographic(at, np.array([origin]))
+    return _geocentric_from_geographic(geographic, _horizontal(crs))[0], _enu_from_geocentric(geographic)[0]
+
+
+def _rows(xyz: Array) -> Array:
+    rows = np.asarray(xyz, float)
+    if rows.ndim != 2 or rows.shape[1] != 3:
+        raise InputError(f"coordinates of shape (n, 3) are needed, not {rows.shape}")
+    return rows
+
+
+def _geographic(frame: LocalFrame, xyz: Array) -> Array:
+    """Longitude, latitude [deg] and ellipsoidal height [m] (n, 3), on the datum of the system."""
+    if _horizontal(frame.crs).is_geocentric:
+        return _geographic_from_geocentric(xyz, _horizontal(frame.crs))
+    transformer = None if frame.undulation_m else _vertical(frame.crs)[0]
+    if transformer is not None:
+        return _transformed(transformer, xyz)
+    lon, lat = _plan(frame.crs).transform(xyz[:, 0], xyz[:, 1])
+    result = np.stack([lon, lat, xyz[:, 2] * _unit(frame.crs)[1] + frame.undulation_m], axis=1)
+    return _checked(result, xyz, frame.crs)
+
+
+def _geocentric_from_crs(frame: LocalFrame, xyz: Array) -> Array:
+    system = _horizontal(frame.crs)
+    return xyz if system.is_geocentric else _geocentric_from_geographic(_geographic(frame, xyz), system)
+
+
+def _crs_from_geocentric(frame: LocalFrame, xyz: Array) -> Array:
+    from pyproj.enums import TransformDirection  # noqa: PLC0415
+
+    system = _horizontal(frame.crs)
+    if system.is_geocentric:
+        return xyz
+    geographic = _geographic_from_geocentric(xyz, system)
+    transformer = None if frame.undulation_m else _vertical(frame.crs)[0]
+    if transformer is not None:
+        return np.stack(transformer.transform(*geographic.T, direction=TransformDirection.INVERSE), axis=1)
+    x, y = _plan(frame.crs).transform(geographic[:, 0], geographic[:, 1], direction=TransformDirection.INVERSE)
+    result = np.stack([x, y, (geographic[:, 2] - frame.undulation_m) / _unit(frame.crs)[1]], axis=1)
+    return _checked(result, xyz, frame.crs)
+
+
+def _transformed(transformer: Transformer, xyz: Array) -> Array:
+    height = np.nan_to_num(xyz[:, 2])
+    result = np.stack(transformer.transform(xyz[:, 0], xyz[:, 1], height), axis=1)
+    result[np.isnan(xyz[:, 2]), 2] = np.nan
+    return result
+
+
+def _checked(result: Array, given: Array, crs: str) -> Array:
+    bad = np.flatnonzero(np.isinf(result).any(axis=1))
+    if len(bad):
+        x, y = given[bad[0], :2]
+        raise InputError(
+            f"point {bad[0]} at {x:.10g}, {y:.10g} lies outside the area of {crs[:60]}; check the coordinate system "
+            "and the order of the coordinates (east or longitude first)"
+        )
+    return result
+
+
+def _ellipsoid(system: CRS) -> tuple[float, float]:
+    """Semi-major axis [m] and squared eccentricity."""
+    ellipsoid = system.ellipsoid
+    assert ellipsoid is not None
+    f = 1 / ellipsoid.inverse_flattening if ellipsoid.inverse_flattening else 0.0
+    return ellipsoid.semi_major_metre, f * (2 - f)
+
+
+def _geocentric_from_geographic(geographic: Array, system: CRS) -> Array:
+    a, e2 = _ellipsoid(system)
+    lon, lat, h = np.radians(geographic[:, 0]), np.radians(geographic[:, 1]), geographic[:, 2]
+    N = a / np.sqrt(1 - e2 * np.sin(lat) ** 2)
+    plane = (N + h) * np.cos(lat)
+    return np.stack([plane * np.cos(lon), plane * np.sin(lon), (N * (1 - e2) + h) * np.sin(lat)], axis=1)
+
+
+def _geographic_from_geocentric(xyz: Array, system: CRS) -> Array:
+    """Fixed-point iteration on the latitude; converges to 1e-13 rad within a few steps for any height on earth."""
+    a, e2 = _ellipsoid(system)
+    plane = np.hypot(xyz[:, 0], xyz[:, 1])
+    lat = np.arctan2(xyz[:, 2], plane * (1 - e2))
+    for _ in range(10):
+        N = a / np.sqrt(1 - e2 * np.sin(lat) ** 2)
+        lat = np.arctan2(xyz[:, 2] + e2 * N * np.sin(lat), plane)
+    N = a / np.sqrt(1 - e2 * np.sin(lat) ** 2)
+    h = plane * np.cos(lat) + xyz[:, 2] * np.sin(lat) - a * a / N
+    return np.stack([np.degrees(np.arctan2(xyz[:, 1], xyz[:, 0])), np.degrees(lat), h], axis=1)
+
+
+def _enu_from_geocentric(geographic: Array) -> Array:
+    """Rotations (n, 3, 3) from geocentric axes to east, north, up."""
+    lon, lat = np.radians(geographic[:, 0]), np.radians(geographic[:, 1])
+    so, co, sa, ca = np.sin(lon), np.cos(lon), np.sin(lat), np.cos(lat)
+    rows = [[-so, co, np.zeros_like(so)], [-sa * co, -sa * so, ca], [ca * co, ca * so, sa]]
+    return np.moveaxis(np.array(rows), (0, 1), (-2, -1))
+
+
+def _propagated(J: Array, covariance: Array) -> Array:
+    """J C J' where a row and column of NaN (an unknown height) stays NaN and the rest is right."""
+    C = np.asarray(covariance, float)
+    unknown = np.isnan(np.diagonal(C, axis1=-2, axis2=-1))
+    filled = np.where(unknown[..., :, None] | unknown[..., None, :], 0.0, C)
+    result = J @ filled @ np.swapaxes(J, -1, -2)
+    return np.where(unknown[..., :, None] | unknown[..., None, :], np.nan, result)

@@ -1,0 +1,348 @@
+"""What a foreign format is, and the view of a block that all writers share."""
+
+from __future__ import annotations
+
+import shutil
+import tempfile
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+
+from raybundle.block import Block, Camera, Images, Observations, Points, Role
+from raybundle.errors import InputError
+from raybundle.io.conversions import interiors, parameter_vector
+from raybundle.io.coordinate_systems import LocalFrame
+from raybundle.io.folders import new_folder
+from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.sensors import ProjectionDiverged, sensor_models
+
+SENSOR_FROM_CV = np.diag([1.0, -1.0, -1.0])
+"""Computer vision's camera axes are x right, y down, z forward; ours x right, y up, the view along -Z."""
+GREY = 128
+SIGMA_PX = 1.0
+"""Standard deviation given to image observations of formats that tell none."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Export:
+    """What a writer is given."""
+
+    block: Block
+    """With adjusted coordinates; a point or image without them is left out."""
+    colours: Array | None = None
+    """(p, 3) red, green, blue, 0 to 255; None: grey."""
+    sigma: Array | None = None
+    """(p, 3) standard deviations of the object points, unit of the block; NaN where not known."""
+    station_sigma: Array | None = None
+    """(n, 3) standard deviations of the projection centres."""
+    frame: LocalFrame | None = None
+    """Where the block stands on the earth."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Import:
+    """What a reader returns."""
+
+    block: Block
+    colours: Array | None = None
+    """(p, 3) red, green, blue, 0 to 255."""
+    remarks: tuple[str, ...] = ()
+    """What was left out, approximated or assumed."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Written:
+    """What a writer wrote."""
+
+    files: tuple[Path, ...]
+    remarks: tuple[str, ...] = ()
+    deviation_px: float = 0.0
+    """Largest deviation of the written cameras from ours, over the whole format."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Draft:
+    """What a writer says about what it wrote into its folder."""
+
+    remarks: tuple[str, ...] = ()
+    deviation_px: float = 0.0
+
+
+Writer = Callable[[Export, Path], Draft]
+"""Writes to the path, in a temporary folder: a new file or, for formats that are folders, an empty folder."""
+Reader = Callable[[Path], Import]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Format:
+    """A foreign format."""
+
+    name: str
+    title: str
+    kind: Literal["file", "folder"]
+    suffix: str = ""
+    """Of a file, with its point."""
+    write: Writer | None = None
+    read: Reader | None = None
+    needs_frame: bool = False
+    """Whether it can only be written where the block's coordinate system is known."""
+
+
+formats: dict[str, Format] = {}
+
+
+def register(format_: Format) -> Format:
+    """Make a format known under its name."""
+    formats[format_.name] = format_
+    return format_
+
+
+def format_named(name: str) -> Format:
+    """The format of this name; raises InputError, which lists the known ones."""
+    if name not in formats:
+        raise InputError(f"unknown format {name!r}; known: {', '.join(sorted(formats))}")
+    return formats[name]
+
+
+def read_format(name: str, path: str | Path) -> Import:
+    """What stands in a file or folder of this format.
+
+    raises  InputError with file and place for anything that cannot be read, and for formats that are only written
+    """
+    format_, path = format_named(name), Path(path)
+    if format_.read is None:
+        readable = ", ".join(sorted(f.name for f in formats.values() if f.read))
+        raise InputError(f"format {name} is only written, not read; readable: {readable}", file=path)
+    if not path.exists():
+        raise InputError("there is no such file or folder; check the path", file=path)
+    return format_.read(path)
+
+
+def write_format(name: str, export: Export, path: str | Path) -> Written:
+    """Write a block in this format, whole or not at all.
+
+    path    a new file, or a new or empty folder; what stands there is never overwritten
+    raises  InputError where something stands at `path`, or the block cannot be written in this format
+    """
+    format_, path = format_named(name), Path(path)
+    if format_.write is None:
+        raise InputError(f"format {name} is only read, not written", file=path)
+    if format_.needs_frame and export.frame is None:
+        raise InputError(
+            f"format {name} needs the place on the earth; give the coordinate system of the block: --crs EPSG:25832, "
+            "and --origin E N H if the block stands in a local frame",
+            file=path,
+        )
+    if path.exists() and (not path.is_dir() or any(path.iterdir())):
+        raise InputError("stands there already and is not overwritten; choose another name", file=path)
+    if format_.kind == "folder":
+        with new_folder(path) as folder:
+            draft = format_.write(export, folder)
+            names = sorted(p.relative_to(folder) for p in folder.rglob("*") if p.is_file())
+        files = tuple(path / n for n in names)
+        return Written(files=files, remarks=draft.remarks, deviation_px=draft.deviation_px)
+    return _write_files(format_.write, export, path)
+
+
+def _write_files(write: Writer, export: Export, path: Path) -> Written:
+    if path.is_dir():
+        raise InputError("is a folder; give the name of a file", file=path)
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        temporary = Path(tempfile.mkdtemp(prefix=f".{path.name}.", suffix=".partial", dir=path.parent))
+    except OSError as error:
+        raise InputError(f"cannot be written: {error.strerror}; choose another folder", file=path) from None
+    try:
+        draft = write(export, temporary / path.name)
+        made = sorted(temporary.iterdir())
+        for file in made:
+            if (path.parent / file.name).exists():
+                raise InputError("stands there already and is not overwritten", file=path.parent / file.name)
+        for file in made:
+            file.rename(path.parent / file.name)
+    except OSError as error:
+        raise InputError(f"cannot be written: {error.strerror}; free space or choose another", file=path) from None
+    finally:
+        shutil.rmtree(temporary, ignore_errors=True)
+    files = tuple(path.parent / f.name for f in made)
+    return Written(files=files, remarks=draft.remarks, deviation_px=draft.deviation_px)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Scene:
+    """The oriented images, the known points and the observations between them, as writers need them."""
+
+    cameras: tuple[Camera, ...]
+    """One interior orientation each."""
+    names: tuple[str, ...]
+    """(n,) file names; ids where there are none or they repeat."""
+    camera: Index
+    """(n,) position in `cameras`."""
+    rotation: Array
+    """(n, 3, 3) object axes to image axes, as everywhere here."""
+    centre: Array
+    """(n, 3)"""
+    source: Index
+    """(n,) position of the image in the block."""
+    points: Index
+    """(p,) position of the point in the block."""
+    xyz: Array
+    """(p, 3)"""
+    colours: Array
+    """(p, 3) uint8"""
+    image: Index
+    """(m,) position of the observation's image in this scene; rows are sorted by it."""
+    point: Index
+    """(m,) position of the observation's point in this scene."""
+    xy_px: Array
+    """(m, 2)"""
+    error_px: Array
+    """(m,) distance between the observation and the projected point; NaN where it has no image."""
+    remarks: tuple[str, ...] = field(default=())
+
+
+def scene(export: Export) -> Scene:
+    """The part of a block that a foreign format can take; raises InputError if no image is oriented."""
+    block = export.block
+    oriented: Mask = block.images.oriented
+    known: Mask = np.all(np.isfinite(block.points.xyz), axis=1)
+    if not oriented.any():
+        raise InputError(f"block {block.name}: no image is oriented; orient or adjust it first")
+    used, camera_of = interiors(block)
+    new_image, new_point = _positions(oriented), _positions(known)
+    o = block.observations
+    rows = np.flatnonzero(oriented[o.image] & known[o.point])
+    rows = rows[np.argsort(new_image[o.image[rows]], kind="stable")]
+    image, point = new_image[o.image[rows]], new_point[o.point[rows]]
+    s = Scene(
+        cameras=used,
+        names=_names(block.images, oriented),
+        camera=camera_of[oriented],
+        rotation=block.images.rotation[oriented],
+        centre=block.images.centre[oriented],
+        source=np.flatnonzero(oriented),
+        points=np.flatnonzero(known),
+        xyz=block.points.xyz[known],
+        colours=_colours(export.colours, known),
+        image=image,
+        point=point,
+        xy_px=o.xy_px[rows],
+        error_px=np.zeros(0),
+        remarks=tuple(_left_out(block, oriented, known)),
+    )
+    return replace(s, error_px=_errors(s))
+
+
+def _positions(kept: Mask) -> Index:
+    return np.where(kept, np.cumsum(kept) - 1, -1)
+
+
+def _colours(colours: Array | None, known: Mask) -> Array:
+    if colours is None:
+        return np.full((int(known.sum()), 3), GREY, np.uint8)
+    return np.clip(np.rint(np.nan_to_num(np.asarray(colours, float), nan=GREY)), 0, 255).astype(np.uint8)[known]
+
+
+def _names(images: Images, kept: Mask) -> tuple[str, ...]:
+    files = [f or i for f, i in zip(images.file, images.ids, strict=True)]
+    if len(set(files)) < len(files):
+        files = list(images.ids)
+    return tuple(files[k] for k in np.flatnonzero(kept).tolist())
+
+
+def _left_out(block: Block, oriented: Mask, known: Mask) -> list[str]:
+    remarks: list[str] = []
+    if not oriented.all():
+        ids = [block.images.ids[k] for k in np.flatnonzero(~oriented).tolist()]
+        remarks.append(f"{len(ids)} of {len(oriented)} images are not oriented and are left out: {listed(ids)}")
+    if not known.all():
+        ids = [block.points.ids[k] for k in np.flatnonzero(~known).tolist()]
+        remarks.append(f"{len(ids)} of {len(known)} points have no coordinates and are left out: {listed(ids)}")
+    return remarks
+
+
+def listed(ids: Sequence[str], most: int = 5) -> str:
+    """The first few ids, for a message."""
+    return ", ".join(ids[:most]) + (" ..." if len(ids) > most else "")
+
+
+def _errors(s: Scene) -> Array:
+    error = np.full(len(s.image), np.nan)
+    for k, camera in enumerate(s.cameras):
+        rows = np.flatnonzero(s.camera[s.image] == k)
+        if len(rows) == 0:
+            continue
+        at, model, values = s.image[rows], sensor_models[camera.model], parameter_vector(camera)
+        local = np.einsum("nij,nj->in", s.rotation[at], s.xyz[s.point[rows]] - s.centre[at])
+        measured = camera.image_from_pixel(s.xy_px[rows]).T
+        try:
+            image, _ = model.solve(local, values, measured)
+        except (ProjectionDiverged, np.linalg.LinAlgError):
+            continue
+        error[rows] = np.linalg.norm(camera.pixel_from_image(image.T) - s.xy_px[rows], axis=1)
+    return error
+
+
+def cv_pose(s: Scene) -> tuple[Array, Array]:
+    """Rotations (n, 3, 3) from object axes to computer vision's camera axes, and translations (n, 3)."""
+    R = SENSOR_FROM_CV @ s.rotation
+    return R, -np.einsum("nij,nj->ni", R, s.centre)
+
+
+def deviation_remark(deviations: Sequence[tuple[str, str, float]]) -> tuple[tuple[str, ...], float]:
+    """Remarks on fitted cameras (id, model, deviation in px), and the largest deviation."""
+    remarks = tuple(
+        f"camera {id_} is written as {model}, fitted over the format: largest deviation {d:.3g} px"
+        for id_, model, d in deviations
+        if d > 1e-9
+    )
+    return remarks, max((d for _, _, d in deviations), default=0.0)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Tracks:
+    """Points and observations as a reader found them; positions are checked by `block_of`."""
+
+    point_ids: tuple[str, ...]
+    xyz: Array
+    image: Index
+    point: Index
+    xy_px: Array
+
+
+def block_of(
+    *, name: str, source: str, cameras: tuple[Camera, ...], images: Images, tracks: Tracks
+) -> tuple[Block, tuple[str, ...]]:
+    """A block of what a reader found, and remarks: doubled observations are left out, the sigma is assumed."""
+    key = tracks.image.astype(np.int64) * max(1, len(tracks.point_ids)) + tracks.point
+    _, first = np.unique(key, return_index=True)
+    keep = np.sort(first)
+    remarks: list[str] = []
+    if len(keep) < len(key):
+        doubled = len(key) - len(keep)
+        remarks.append(f"{doubled} observations show a point a second time in one image and are left out")
+    if len(keep):
+        remarks.append(f"image observations are given a standard deviation of {SIGMA_PX:g} px; the format tells none")
+    count = len(tracks.point_ids)
+    block = Block(
+        name=name or "block",
+        source=source,
+        cameras=cameras,
+        images=images,
+        observations=Observations(
+            image=tracks.image[keep].astype(np.int32),
+            point=tracks.point[keep].astype(np.int32),
+            xy_px=tracks.xy_px[keep],
+            cov_px2=np.tile([SIGMA_PX**2, SIGMA_PX**2, 0.0], (len(keep), 1)),
+        ),
+        points=Points(
+            ids=tracks.point_ids,
+            role=np.full(count, Role.TIE, np.int32),
+            xyz=tracks.xyz,
+            sigma=np.full((count, 3), np.nan),
+        ),
+    )
+    return block, tuple(remarks)

@@ -1,0 +1,166 @@
+"""nerfstudio: transforms.json, written and read.
+
+The camera frame is ours (x right, y up, the view along -z), and so is the pixel frame; `transform_matrix` turns
+and shifts camera axes to object axes.  There are no tracks in this format.
+"""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from raybundle.block import Block, Camera, Images
+from raybundle.errors import InputError
+from raybundle.io.conversions import FISHEYE, camera_from_forward, forward_fit, pinhole_of, terms_for
+from raybundle.io.formats.base import (
+    Draft,
+    Export,
+    Format,
+    Import,
+    Tracks,
+    block_of,
+    deviation_remark,
+    register,
+    scene,
+)  # fmt: skip
+from raybundle.io.formats.ply import write_vertices
+from raybundle.io.formats.reading import Json, read_json, shown
+from raybundle.io.forward_camera import ForwardCamera
+from raybundle.numerics.arrays import Array
+from raybundle.numerics.rotation import nearest_rotation
+
+TERMS = ("fx", "fy", "cx", "cy", "k1", "k2", "k3", "k4", "p1", "p2")
+KEYS = {"fx": "fl_x", "fy": "fl_y"}
+FOLDER = "images/"
+NOTE = "nerfstudio looks for the photographs in images/ beside the file"
+
+
+def _camera_out(camera: Camera) -> tuple[dict[str, Any], str, float]:
+    if camera.model == "fisheye":
+        fit = forward_fit(camera, terms_for(camera, FISHEYE), projection="equidistant")
+        forward, name, deviation = fit.camera, "OPENCV_FISHEYE", fit.deviation_px
+    else:
+        exact = pinhole_of(camera)
+        fit = None if exact else forward_fit(camera, terms_for(camera, TERMS))
+        forward = exact or (fit.camera if fit else exact)
+        name, deviation = ("OPENCV", fit.deviation_px) if fit else ("PINHOLE", 0.0)
+    assert forward is not None
+    values = {KEYS.get(t, t): float(getattr(forward, t)) for t in TERMS}
+    return {"camera_model": name, "w": camera.width_px, "h": camera.height_px, **values}, name, deviation
+
+
+def write(export: Export, path: Path) -> Draft:
+    """Write transforms.json, and the object points beside it as sparse_pc.ply."""
+    s = scene(export)
+    cameras: list[dict[str, Any]] = []
+    deviations: list[tuple[str, str, float]] = []
+    for camera in s.cameras:
+        values, name, deviation = _camera_out(camera)
+        cameras.append(values)
+        deviations.append((camera.id, name, deviation))
+    if len({c["camera_model"] for c in cameras}) > 1:
+        if "OPENCV_FISHEYE" in {c["camera_model"] for c in cameras}:
+            raise InputError(
+                "a transforms.json holds one camera model, this block has fisheye and frame cameras; export them apart"
+            )
+        for values in cameras:
+            values["camera_model"] = "OPENCV"
+    frames: list[dict[str, Any]] = []
+    for k, name in enumerate(s.names):
+        M = np.eye(4)
+        M[:3, :3], M[:3, 3] = s.rotation[k].T, s.centre[k]
+        own = {key: v for key, v in cameras[int(s.camera[k])].items() if key != "camera_model"}
+        frames.append({"file_path": FOLDER + name, "transform_matrix": M.tolist(), **(own if len(cameras) > 1 else {})})
+    head = cameras[0] if len(cameras) == 1 else {"camera_model": cameras[0]["camera_model"]}
+    cloud = path.with_name("sparse_pc.ply" if path.stem == "transforms" else f"{path.stem}-sparse_pc.ply")
+    write_vertices(cloud, s.xyz, s.colours)
+    text = json.dumps({**head, "frames": frames, "ply_file_path": cloud.name}, indent=1, ensure_ascii=False)
+    path.write_text(text + "\n", encoding="utf-8")
+    remarks, largest = deviation_remark(deviations)
+    return Draft(
+        remarks=(*s.remarks, *remarks, "nerfstudio looks for the photographs in images/"), deviation_px=largest
+    )
+
+
+def read(path: Path) -> Import:
+    """Cameras and images of a transforms.json; it holds neither points nor observations."""
+    if path.is_dir():
+        path = path / "transforms.json"
+    top = read_json(path)
+    frames = top.get("frames").items()
+    if not frames:
+        top.get("frames").fail("there is no frame")
+    forward: list[ForwardCamera] = []
+    index: list[int] = []
+    names: list[str] = []
+    matrices = np.zeros((len(frames), 4, 4))
+    for k, frame in enumerate(frames):
+        camera = _camera_in(top, frame)
+        if camera not in forward:
+            forward.append(camera)
+        index.append(forward.index(camera))
+        names.append(frame.get("file_path").text().removeprefix("./").removeprefix(FOLDER))
+        matrices[k] = np.array([row.numbers(4) for row in frame.get("transform_matrix").items()[:4]])
+        _check_rotation(frame.get("transform_matrix"), matrices[k, :3, :3])
+    if len(set(names)) < len(names):
+        top.get("frames").fail("a file_path stands twice")
+    remarks: list[str] = []
+    cameras: list[Camera] = []
+    for k, camera in enumerate(forward, 1):
+        fit = camera_from_forward(camera, str(k), where=f"{path}: ")
+        cameras.append(fit.camera)
+        if fit.deviation_px > 1e-9:
+            words = f"camera {k} is read as {fit.camera.model}, fitted over the format"
+            remarks.append(f"{words}: largest deviation {fit.deviation_px:.3g} px")
+    images = Images(
+        ids=tuple(names),
+        camera=np.array(index, np.int32),
+        file=tuple(names),
+        centre=matrices[:, :3, 3].copy(),
+        rotation=np.swapaxes(nearest_rotation(matrices[:, :3, :3]), -1, -2),
+    )
+    return Import(block=_bare(path, tuple(cameras), images), remarks=(*remarks, "the format holds no observations"))
+
+
+def _bare(path: Path, cameras: tuple[Camera, ...], images: Images) -> Block:
+    none = np.zeros(0, np.int64)
+    tracks = Tracks(point_ids=(), xyz=np.zeros((0, 3)), image=none, point=none, xy_px=np.zeros((0, 2)))
+    return block_of(name=path.parent.name, source="nerfstudio", cameras=cameras, images=images, tracks=tracks)[0]
+
+
+def _check_rotation(place: Json, R: Array) -> None:
+    if np.abs(R @ R.T - np.eye(3)).max() > 1e-3 or np.linalg.det(R) < 0:
+        place.fail("its 3 x 3 part is no rotation")
+
+
+def _camera_in(top: Json, frame: Json) -> ForwardCamera:
+    def place(key: str) -> Json:
+        return frame if frame.has(key) else top
+
+    model = top.get("camera_model").text() if top.has("camera_model") else "OPENCV"
+    if model not in {"OPENCV", "PINHOLE", "SIMPLE_PINHOLE", "OPENCV_FISHEYE"}:
+        top.get("camera_model").fail(f"{shown(model)} is not read; known: OPENCV, PINHOLE, OPENCV_FISHEYE")
+    width, height = (place(k).get(k).whole() for k in ("w", "h"))
+    fx = place("fl_x").get("fl_x").number()
+    fy = place("fl_y").optional("fl_y", fx)
+    if not (fx > 0 and fy > 0):
+        frame.fail(f"a focal length of {fx:g}, {fy:g} px cannot be; it must be positive")
+    terms = () if "PINHOLE" in model else ("k1", "k2", "k3", "k4") + (("p1", "p2") if model == "OPENCV" else ())
+    return ForwardCamera(
+        width_px=width,
+        height_px=height,
+        projection="equidistant" if model == "OPENCV_FISHEYE" else "central",
+        fx=fx,
+        fy=fy,
+        cx=place("cx").optional("cx", width / 2),
+        cy=place("cy").optional("cy", height / 2),
+        **{t: place(t).optional(t) for t in terms},
+    )
+
+
+register(
+    Format(name="nerfstudio", title="nerfstudio transforms.json", kind="file", suffix=".json", write=write, read=read)
+)

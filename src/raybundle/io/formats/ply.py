@@ -1,0 +1,59 @@
+"""PLY point clouds: object points with colour and standard deviations, and the stations in a file beside."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from raybundle.io.formats.base import Draft, Export, Format, register, scene
+from raybundle.numerics.arrays import Array
+
+STATION_COLOUR = (220, 40, 40)
+TYPES = {"f8": "double", "f4": "float", "u1": "uchar", "i4": "int"}
+
+
+def write_vertices(path: Path, xyz: Array, colours: Array, extra: dict[str, Array] | None = None) -> None:
+    """Write a binary PLY file of vertices (n, 3) with colours (n, 3) and more properties (n,) each, float."""
+    more = extra or {}
+    layout: list[Any] = [(axis, "<f8") for axis in "xyz"]
+    layout += [(name, "u1") for name in ("red", "green", "blue")]
+    layout += [(name, "<i4" if v.dtype.kind in "iu" else "<f4") for name, v in more.items()]
+    rows = np.zeros(len(xyz), np.dtype(layout))
+    for k, axis in enumerate("xyz"):
+        rows[axis] = xyz[:, k]
+    for k, name in enumerate(("red", "green", "blue")):
+        rows[name] = colours[:, k]
+    for name, values in more.items():
+        rows[name] = values
+    properties = [f"property {TYPES[t.lstrip('<')]} {n}" for n, t in layout]
+    head = ["ply", "format binary_little_endian 1.0", f"element vertex {len(rows)}", *properties, "end_header"]
+    with path.open("wb") as file:
+        file.write(("\n".join(head) + "\n").encode("ascii"))
+        file.write(rows.tobytes())
+
+
+def write(export: Export, path: Path) -> Draft:
+    """Write the points, and the projection centres to NAME-stations.ply; sigma is NaN where it is not known."""
+    s = scene(export)
+    rays = np.bincount(s.point, minlength=len(s.xyz)).astype(np.int32)
+    sigma = np.full((len(s.xyz), 3), np.nan) if export.sigma is None else export.sigma[s.points]
+    names = ("sigma_x", "sigma_y", "sigma_z")
+    write_vertices(path, s.xyz, s.colours, {**{n: sigma[:, k] for k, n in enumerate(names)}, "rays": rays})
+    red = np.tile(np.array(STATION_COLOUR, np.uint8), (len(s.centre), 1))
+    sigma = np.full((len(s.centre), 3), np.nan) if export.station_sigma is None else export.station_sigma[s.source]
+    stations = path.with_name(f"{path.stem}-stations{path.suffix}")
+    write_vertices(stations, s.centre, red, {n: sigma[:, k] for k, n in enumerate(names)})
+    return Draft(remarks=s.remarks)
+
+
+register(
+    Format(
+        name="ply",
+        title="PLY points with colour and sigma; stations beside",
+        kind="file",
+        suffix=".ply",
+        write=write,
+    )
+)

@@ -1,0 +1,1 @@
+"""Photographs: files, metadata, cameras with their starting values, frames of a video."""

@@ -1,0 +1,216 @@
+"""Cameras of a set of photographs: which photographs share an interior orientation, and where it starts."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from raybundle.block import Camera
+from raybundle.errors import InputError
+from raybundle.io.photos.metadata import Metadata
+from raybundle.io.photos.photo import Photo
+from raybundle.io.photos.start import DEFAULT_SOURCE, Start, starting_value
+from raybundle.sensors import sensor_models
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CameraGroup:
+    """Photographs that share one interior orientation: one camera, one lens, one zoom setting, one format."""
+
+    id: str
+    name: str
+    """The camera in words, for people."""
+    photos: tuple[int, ...]
+    """Positions among the photographs."""
+    width_px: int
+    height_px: int
+    pixel_mm: tuple[float, float]
+    c_mm: float
+    """Camera constant to start with."""
+    sigma_c_mm: float
+    """Its standard deviation; 0 where a stored calibration holds it."""
+    source: str
+    """Where the camera constant comes from, in words."""
+    remarks: tuple[str, ...] = ()
+    stored: Camera | None = None
+    """The calibration that was given for this camera."""
+
+    @property
+    def c_px(self) -> float:
+        """The camera constant in pixel widths."""
+        return self.c_mm / self.pixel_mm[0]
+
+    @property
+    def sigma_c_px(self) -> float:
+        """Its standard deviation in pixel widths."""
+        return self.sigma_c_mm / self.pixel_mm[0]
+
+
+def camera_groups(photos: Sequence[Photo], stored: Sequence[Camera] = ()) -> tuple[CameraGroup, ...]:
+    """The cameras of some photographs, in the order of their first photograph.
+
+    stored  calibrations to be used, as `read_cameras` reads them; each must fit a camera by its id or, where
+            only one camera has its format, by that
+    raises  InputError where a stored calibration fits none, or more than one could be meant
+    Photographs belong together by make, model, serial number, lens, focal length, digital zoom and format as
+    stored; turning the camera changes nothing.  Photographs without metadata belong together by their format.
+    What it does not tell: whether a zoom or the focus was moved between photographs with the same entry.
+    """
+    members: dict[tuple[object, ...], list[int]] = {}
+    for k, photo in enumerate(photos):
+        members.setdefault(_key(photo), []).append(k)
+    names = _ids([photos[m[0]] for m in members.values()])
+    groups = [_group(id_, photos, m) for id_, m in zip(names, members.values(), strict=True)]
+    return tuple(_with_remarks(g, groups, photos) for g in _with_stored(groups, stored))
+
+
+def camera_of(group: CameraGroup) -> Camera:
+    """The camera of a group, with starting values; what is estimated is for the caller to say.
+
+    A stored calibration is taken as it is; otherwise model "brown" with everything but c zero.
+    """
+    if group.stored is not None:
+        s = group.stored
+        return Camera(
+            id=group.id, model=s.model, width_px=s.width_px, height_px=s.height_px, pixel_mm=s.pixel_mm,
+            values=s.values, estimate=s.estimate, sigma=s.sigma, interior=s.interior,
+        )  # fmt: skip
+    values = {p.symbol: 0.0 for p in sensor_models["brown"].parameters}
+    return Camera(
+        id=group.id,
+        model="brown",
+        width_px=group.width_px,
+        height_px=group.height_px,
+        pixel_mm=group.pixel_mm,
+        values={**values, "c": group.c_mm},
+    )
+
+
+def _key(photo: Photo) -> tuple[object, ...]:
+    m = photo.metadata
+    zoom = m.zoom_ratio if m.zoom_ratio is not None and m.zoom_ratio > 1 else 1.0
+    focal = m.focal_mm if m.focal_mm is not None else m.focal35_mm
+    setting = None if focal is None else round(focal, 3)
+    return m.make, m.model, m.serial, m.lens, setting, round(zoom, 3), photo.width_px, photo.height_px
+
+
+def _group(id_: str, photos: Sequence[Photo], members: Sequence[int]) -> CameraGroup:
+    photo = photos[members[0]]
+    start: Start = starting_value(photo.metadata, photo.width_px, photo.height_px)
+    return CameraGroup(
+        id=id_,
+        name=_name(photo.metadata),
+        photos=tuple(members),
+        width_px=photo.width_px,
+        height_px=photo.height_px,
+        pixel_mm=(start.pixel_mm, start.pixel_mm),
+        c_mm=start.c_mm,
+        sigma_c_mm=start.c_mm * start.sigma,
+        source=start.source,
+        remarks=start.remarks,
+    )
+
+
+def _name(metadata: Metadata) -> str:
+    make, model = metadata.make.strip(), metadata.model.strip()
+    body = model if make and model.lower().startswith(make.split()[0].lower()) else f"{make} {model}".strip()
+    focal = "" if metadata.focal_mm is None else f"{metadata.focal_mm:g} mm"
+    return ", ".join(t for t in (body or "unknown camera", metadata.lens, focal) if t)
+
+
+def _ids(photos: Sequence[Photo]) -> list[str]:
+    """Short readable ids: model and focal length, then what tells equal ones apart."""
+    ids: list[str] = []
+    for photo in photos:
+        m = photo.metadata
+        focal = "" if m.focal_mm is None else f"{m.focal_mm:g}mm"
+        plain = [_slug(m.model) or "camera", focal] if m.model or m.focal_mm else []
+        size = f"{photo.width_px}x{photo.height_px}"
+        steps = [plain, [*plain, size], [*plain, size, _slug(m.serial)], [*plain, size, _slug(m.serial), _slug(m.lens)]]
+        names = ["-".join(p for p in step if p) for step in steps]
+        new = next((n for n in names if n and n not in ids), "")
+        number = 2
+        while not new or new in ids:
+            new, number = f"{names[-1]}-{number}", number + 1
+        ids.append(new)
+    return ids
+
+
+def _slug(text: str) -> str:
+    return re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-")[:40]
+
+
+def _with_stored(groups: Sequence[CameraGroup], stored: Sequence[Camera]) -> list[CameraGroup]:
+    """Give each stored calibration to the camera that it fits."""
+    result = {g.id: g for g in groups}
+    for camera in stored:
+        fitting = [g for g in groups if (g.width_px, g.height_px) == (camera.width_px, camera.height_px)]
+        named = [g for g in fitting if g.id == camera.id]
+        known = ", ".join(f"{g.id} ({g.width_px} x {g.height_px} px)" for g in groups)
+        if not fitting:
+            raise InputError(
+                f"the stored calibration {camera.id!r} is for {camera.width_px} x {camera.height_px} px; the "
+                f"photographs have none of that format: {known}"
+            )
+        if not named and len(fitting) > 1:
+            raise InputError(
+                f"the stored calibration {camera.id!r} fits {len(fitting)} cameras; give it the id of one: {known}"
+            )
+        group = (named or fitting)[0]
+        if result[group.id].stored is not None:
+            raise InputError(f"two stored calibrations fit camera {group.id}; give each the id of its camera: {known}")
+        result[group.id] = _from_stored(group, camera)
+    return list(result.values())
+
+
+def _from_stored(group: CameraGroup, camera: Camera) -> CameraGroup:
+    c = next(p.symbol for p in sensor_models[camera.model].parameters if p.kind == "scale")
+    c_px, own = camera.values[c] / camera.pixel_mm[0], group.c_px
+    remarks: tuple[str, ...] = ()
+    if group.source != DEFAULT_SOURCE and abs(c_px / own - 1) > 0.1:
+        says = f"the stored calibration says c = {c_px:.0f} px, {group.source} {own:.0f} px"
+        remarks = (f"{says}; the calibration is taken",)
+    return CameraGroup(
+        id=group.id,
+        name=group.name,
+        photos=group.photos,
+        width_px=group.width_px,
+        height_px=group.height_px,
+        pixel_mm=camera.pixel_mm,
+        c_mm=camera.values[c],
+        sigma_c_mm=camera.sigma.get(c, 0.0),
+        source=f"stored calibration {camera.id}",
+        remarks=remarks,
+        stored=camera,
+    )
+
+
+def _with_remarks(group: CameraGroup, groups: Sequence[CameraGroup], photos: Sequence[Photo]) -> CameraGroup:
+    """Add what only the whole set shows."""
+    m = photos[group.photos[0]].metadata
+    remarks = list(group.remarks)
+    turned = [
+        g.id
+        for g in groups
+        if g.name == group.name and (g.width_px, g.height_px) == (group.height_px, group.width_px) and g.id != group.id
+    ]
+    if turned and group.width_px < group.height_px:
+        remarks.append(
+            f"upright photographs were turned by a program and no longer have the sensor's axes; they get an interior "
+            f"orientation of their own beside {turned[0]}; give the originals instead"
+        )
+    unknown = {i for i in group.photos if not photos[i].metadata.model}
+    if unknown and len(groups) > 1 and any(photos[g.photos[0]].metadata.model for g in groups):
+        remarks.append("no metadata, the other photographs have some: perhaps from another source")
+    if m.focal_range_mm is not None and m.focal_range_mm[1] > m.focal_range_mm[0] * 1.01 and len(group.photos) > 1:
+        low, high = m.focal_range_mm
+        remarks.append(
+            f"zoom lens {low:g} to {high:g} mm: photographs with the same entry {m.focal_mm or 0:g} mm may have been "
+            "taken at slightly different settings"
+        )
+    return CameraGroup(
+        id=group.id, name=group.name, photos=group.photos, width_px=group.width_px, height_px=group.height_px,
+        pixel_mm=group.pixel_mm, c_mm=group.c_mm, sigma_c_mm=group.sigma_c_mm, source=group.source,
+        remarks=tuple(remarks), stored=group.stored,
+    )  # fmt: skip

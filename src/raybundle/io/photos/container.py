@@ -1,0 +1,330 @@
+"""Image files: what kind a file is, its size without decoding, the metadata it carries, its pixels.
+
+Only the decoders named here are ever reached, and the size is read before anything is decoded.
+HEIC needs the extra `raybundle[heic]`, camera raw files `raybundle[raw]`.
+"""
+
+from __future__ import annotations
+
+import mmap
+import struct
+import threading
+import warnings
+from dataclasses import dataclass
+from importlib import import_module
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.io.photos.exif import read_tags
+from raybundle.numerics.arrays import Array
+
+Kind = Literal["jpeg", "png", "tiff", "webp", "heic", "raw"]
+RAW_SUFFIXES = {".dng", ".nef", ".nrw", ".cr2", ".cr3", ".crw", ".arw", ".raf", ".rw2", ".orf", ".pef", ".srw", ".3fr"}
+JPEG_SUFFIXES = {".jpg", ".jpeg", ".jpe"}
+HEIC_SUFFIXES = {".heic", ".heif", ".hif"}
+SUFFIXES = {".png", ".tif", ".tiff", ".webp", *JPEG_SUFFIXES, *HEIC_SUFFIXES, *RAW_SUFFIXES}
+HEIC_BRANDS = {b"heic", b"heix", b"heim", b"heis", b"hevc", b"hevx", b"mif1", b"msf1"}
+SEGMENT_BYTES = 1 << 22
+WHOLE_BYTES = 1 << 26
+"""A TIFF's directories may stand anywhere in it; longer files are mapped into memory, not read."""
+_opening = threading.Lock()
+
+
+class Unusable(Exception):
+    """A file that is no photograph raybundle can read; the text is the reason."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Header:
+    """What a file says before its pixels are decoded."""
+
+    kind: Kind
+    width_px: int
+    """As stored, before any rotation that the metadata ask for."""
+    height_px: int
+    bits: int
+    exif: bytes | memoryview | None = None
+    xmp: bytes | None = None
+
+
+def kind_of(path: Path, head: bytes) -> Kind:
+    """The kind by the first bytes of the file (raw files by their suffix); raises Unusable."""
+    if path.suffix.lower() in RAW_SUFFIXES:
+        return "raw"
+    if head[:3] == b"\xff\xd8\xff":
+        return "jpeg"
+    if head[:8] == b"\x89PNG\r\n\x1a\n":
+        return "png"
+    if head[:4] in {b"II*\0", b"MM\0*"}:
+        return "tiff"
+    if head[:4] == b"RIFF" and head[8:12] == b"WEBP":
+        return "webp"
+    if head[4:8] == b"ftyp" and head[8:12] in HEIC_BRANDS:
+        return "heic"
+    if not head:
+        raise Unusable("the file is empty (0 bytes); copy it again from the camera")
+    shown = "".join(chr(b) if 32 <= b < 127 else "." for b in head[:12])
+    raise Unusable(f"this is no image of a kind that raybundle reads (it begins with {shown!r})")
+
+
+def read_header(path: Path, *, limit_pixels: int) -> Header:
+    """Kind, size, depth and metadata of a file; raises Unusable with the reason, or OSError."""
+    with path.open("rb") as file:
+        head = file.read(32)
+    kind = kind_of(path, head)
+    if kind == "webp":
+        _check_size(*_webp_size(path), limit_pixels)
+    try:
+        image = _open(path, kind)
+    except Unusable:
+        raise
+    except Exception as error:  # noqa: BLE001  (decoders raise anything on a damaged file; it costs that file only)
+        raise Unusable(f"the header cannot be read ({_first_line(error)})") from None
+    try:
+        width, height = _stored_size(image, kind)
+        _check_size(width, height, limit_pixels)
+        exif, xmp = _embedded(path, kind, image)
+        return Header(kind=kind, width_px=width, height_px=height, bits=_bits(image, kind, path), exif=exif, xmp=xmp)
+    finally:
+        _close(image)
+
+
+def _close(image: Any) -> None:
+    """Close what can be closed; a HEIC image holds no file."""
+    if hasattr(image, "close"):
+        image.close()
+
+
+def _check_size(width: int, height: int, limit_pixels: int) -> None:
+    if width < 1 or height < 1:
+        raise Unusable(f"the header says {width} x {height} px")
+    if width * height > limit_pixels:
+        raise Unusable(
+            f"{width} x {height} px are {width * height / 1e6:.0f} million pixels, the limit is "
+            f"{limit_pixels / 1e6:.0f} million; not decoded"
+        )
+
+
+def _open(path: Path, kind: Kind) -> Any:
+    """An image whose pixels are not decoded yet: Pillow's, or rawpy's."""
+    if kind == "raw":
+        return _extra("rawpy", "raw").imread(str(path))
+    with _opening, warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        if kind == "heic":
+            return _extra("pillow_heif", "heic").open_heif(str(path), convert_hdr_to_8bit=True)
+        plugin = import_module(f"PIL.{_PLUGINS[kind][0]}")
+        return getattr(plugin, _PLUGINS[kind][1])(str(path))
+
+
+_PLUGINS: dict[str, tuple[str, str]] = {
+    "jpeg": ("JpegImagePlugin", "JpegImageFile"),
+    "png": ("PngImagePlugin", "PngImageFile"),
+    "tiff": ("TiffImagePlugin", "TiffImageFile"),
+    "webp": ("WebPImagePlugin", "WebPImageFile"),
+}
+
+
+def _extra(module: str, extra: str) -> Any:
+    try:
+        return import_module(module)
+    except ImportError:
+        raise Unusable(f"needs the extra {extra}: pip install 'raybundle[{extra}]'") from None
+
+
+def _stored_size(image: Any, kind: Kind) -> tuple[int, int]:
+    if kind == "raw":
+        return int(image.sizes.iwidth), int(image.sizes.iheight)
+    return int(image.size[0]), int(image.size[1])
+
+
+def _bits(image: Any, kind: Kind, path: Path) -> int:
+    if kind == "png":
+        with path.open("rb") as file:
+            return 16 if file.read(25)[24] == 16 else 8
+    if kind == "tiff":
+        bits = image.tag_v2.get(258, (8,))
+        deepest = max(bits) if isinstance(bits, tuple) else int(bits)
+        if deepest > 16 or image.mode == "F":
+            raise Unusable(f"{deepest} bits per channel; 8 and 16 can be read")
+        return 16 if deepest > 8 else 8
+    return 8
+
+
+def _webp_size(path: Path) -> tuple[int, int]:
+    """Canvas size from the first chunk (RFC 9649); the decoder allocates it on opening."""
+    with path.open("rb") as file:
+        head = file.read(40)
+    chunk, body = head[12:16], head[20:]
+    if chunk == b"VP8X" and len(body) >= 10:
+        return 1 + int.from_bytes(body[4:7], "little"), 1 + int.from_bytes(body[7:10], "little")
+    if chunk == b"VP8L" and len(body) >= 5:
+        word = int.from_bytes(body[1:5], "little")
+        return 1 + (word & 0x3FFF), 1 + (word >> 14 & 0x3FFF)
+    if chunk == b"VP8 " and len(body) >= 10:
+        width, height = struct.unpack_from("<HH", body, 6)
+        return width & 0x3FFF, height & 0x3FFF
+    raise Unusable("the WebP header is damaged")
+
+
+def _embedded(path: Path, kind: Kind, image: Any) -> tuple[bytes | memoryview | None, bytes | None]:
+    """EXIF and XMP as they stand in the file."""
+    if kind == "jpeg":
+        return _jpeg_segments(path)
+    if kind in {"tiff", "raw"}:
+        return _tiff_structure(path), None
+    info = image.info
+    exif, xmp = info.get("exif"), info.get("xmp")
+    if kind == "png" and exif is None and "Raw profile type exif" in info:
+        exif = _png_profile(info["Raw profile type exif"])
+    if xmp is None:
+        xmp = info.get("XML:com.adobe.xmp")
+    if isinstance(xmp, str):
+        xmp = xmp.encode()
+    return exif if isinstance(exif, bytes) else None, xmp if isinstance(xmp, bytes) else None
+
+
+def _whole(path: Path) -> bytes | memoryview:
+    """The bytes of a file, without holding a long one in memory."""
+    with path.open("rb") as file:
+        if path.stat().st_size <= WHOLE_BYTES:
+            return file.read()
+        return memoryview(mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ))
+
+
+def _tiff_structure(path: Path) -> bytes | memoryview | None:
+    data = _whole(path)
+    return data if bytes(data[:2]) in {b"II", b"MM"} else None
+
+
+def _png_profile(text: str) -> bytes | None:
+    """ImageMagick's hexadecimal EXIF in a text chunk."""
+    try:
+        return bytes.fromhex("".join(text.split()[2:]))
+    except ValueError:
+        return None
+
+
+def _jpeg_segments(path: Path) -> tuple[bytes | None, bytes | None]:
+    """The first EXIF and the first XMP segment (ISO 10918-1 markers up to the first scan)."""
+    exif: bytes | None = None
+    xmp: bytes | None = None
+    with path.open("rb") as file:
+        data = file.read(SEGMENT_BYTES)
+    at = 2
+    while at + 4 <= len(data) and data[at] == 0xFF:
+        marker = data[at + 1]
+        if marker == 0xFF:
+            at += 1
+            continue
+        if marker in {0xDA, 0xD9}:
+            break
+        length = int.from_bytes(data[at + 2 : at + 4], "big")
+        if length < 2:
+            break
+        body = data[at + 4 : at + 2 + length]
+        if marker == 0xE1 and exif is None and body[:5] == b"Exif\0":
+            exif = body[6:]
+        elif marker == 0xE1 and xmp is None and body[:29] == b"http://ns.adobe.com/xap/1.0/\0":
+            xmp = body[29:]
+        at += 2 + length
+    return exif, xmp
+
+
+def check_pixels(path: Path, kind: Kind) -> None:
+    """Raise Unusable where the pixel data end too early.
+
+    A file that ends as its kind should is believed; any other is decoded once to find out.
+    """
+    with path.open("rb") as file:
+        size = file.seek(0, 2)
+        file.seek(max(0, size - 64))
+        tail = file.read()
+    if kind == "raw":
+        return  # developing takes seconds; `decode` finds out
+    if kind == "jpeg" and tail.rstrip(b"\0").endswith(b"\xff\xd9"):
+        return
+    if kind == "png" and b"IEND" in tail[-16:]:
+        return
+    if kind == "tiff" and _tiff_complete(path, size):
+        return
+    try:
+        decode(path, kind, "grey")
+    except InputError as error:
+        raise Unusable(str(error).removeprefix(f"{path}: ")) from None
+
+
+def _tiff_complete(path: Path, size: int) -> bool:
+    """Whether the strips or tiles of the first image lie within the file."""
+    tags = read_tags(_whole(path))
+    offsets, counts = tags.numbers(273) or tags.numbers(324), tags.numbers(279) or tags.numbers(325)
+    if not offsets or len(offsets) != len(counts):
+        return False
+    return all(offset + count <= size and count > 0 for offset, count in zip(offsets, counts, strict=True))
+
+
+def decode(path: Path, kind: Kind, mode: Literal["grey", "colour"]) -> Array:
+    """Pixels as stored: (h, w) uint8 or uint16, or (h, w, 3) uint8; raises InputError where they cannot be read."""
+    try:
+        if kind == "raw":
+            return _decode_raw(path, mode)
+        image = _open(path, kind)
+        try:
+            return _decode(path, kind, image, mode)
+        finally:
+            _close(image)
+    except InputError:
+        raise
+    except Exception as error:  # noqa: BLE001  (decoders raise anything on a damaged file; it costs that file only)
+        reason = "the disk or the card cannot be read" if type(error) is PermissionError else "copy it again"
+        raise InputError(f"the pixels cannot be decoded ({_first_line(error)}); {reason}", file=path) from None
+
+
+def _decode(path: Path, kind: Kind, image: Any, mode: Literal["grey", "colour"]) -> Array:
+    if kind == "heic":
+        image = image.to_pillow()
+    if kind == "jpeg" and mode == "grey":
+        image.draft("L", image.size)
+    if kind in {"png", "tiff"} and _bits(image, kind, path) == 16:
+        return _decode_16(path, image, mode)
+    pixels = np.asarray(image.convert("L" if mode == "grey" else "RGB"))
+    return np.ascontiguousarray(pixels, np.uint8)
+
+
+def _decode_16(path: Path, image: Any, mode: Literal["grey", "colour"]) -> Array:
+    """Pillow keeps 16 bits of grey images only; OpenCV keeps them of colour images too."""
+    if image.mode.startswith("I"):
+        pixels: Array = np.asarray(image).astype(np.uint16)
+    else:
+        import cv2  # noqa: PLC0415  (slow to load, and seldom needed here)
+
+        data = np.frombuffer(path.read_bytes(), np.uint8)
+        found: Array | None = cv2.imdecode(data, cv2.IMREAD_UNCHANGED)
+        if found is None or found.shape[:2] != image.size[::-1]:
+            raise InputError("the 16-bit pixels cannot be decoded; save the file as 8-bit TIFF or PNG", file=path)
+        pixels = np.asarray(found)[..., :3]
+        if pixels.ndim == 3 and pixels.shape[2] == 3:
+            pixels = pixels[..., ::-1]
+            if mode == "grey":
+                pixels = np.round(pixels @ np.array([0.299, 0.587, 0.114])).astype(pixels.dtype)
+    if mode == "grey":
+        return np.ascontiguousarray(pixels.reshape(pixels.shape[:2]))
+    if pixels.dtype == np.uint16:
+        pixels = pixels >> max(0, int(pixels.max(initial=0)).bit_length() - 8)
+    colour = np.broadcast_to(pixels.reshape(*pixels.shape[:2], -1), (*pixels.shape[:2], 3))
+    return np.ascontiguousarray(colour, np.uint8)
+
+
+def _decode_raw(path: Path, mode: Literal["grey", "colour"]) -> Array:
+    with _extra("rawpy", "raw").imread(str(path)) as raw:
+        colour = raw.postprocess(use_camera_wb=True, no_auto_bright=True, output_bps=8, user_flip=0)
+    if mode == "colour":
+        return np.ascontiguousarray(colour)
+    return np.round(colour @ np.array([0.299, 0.587, 0.114])).astype(np.uint8)
+
+
+def _first_line(error: BaseException) -> str:
+    return str(error).strip().partition("\n")[0] or type(error).__name__

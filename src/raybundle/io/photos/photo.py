@@ -1,0 +1,309 @@
+"""Photographs: found, checked one by one, and read.
+
+The measurement frame of a photograph is that of its pixels AS STORED: the sensor's own.  An EXIF orientation
+only says which way up it is to be shown.  So a camera turned on its side keeps its interior orientation,
+and `stored_from_upright` brings over what was measured in a picture that a viewer had turned.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import re
+import stat
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.io.photos.container import (
+    HEIC_SUFFIXES,
+    JPEG_SUFFIXES,
+    RAW_SUFFIXES,
+    SUFFIXES,
+    Header,
+    Kind,
+    Unusable,
+    check_pixels,
+    decode,
+    read_header,
+)
+from raybundle.io.photos.metadata import Gps, Metadata
+from raybundle.io.photos.read_metadata import read_metadata
+from raybundle.numerics.arrays import Array
+from raybundle.numerics.progress import Progress, silent
+
+__all__ = [
+    "LIMIT_PIXELS", "Found", "Gps", "Metadata", "Photo", "find_photos", "read_colour", "read_grey", "read_photo",
+    "stored_from_upright", "upright", "upright_from_stored",
+]  # fmt: skip
+
+LIMIT_PIXELS = 600_000_000
+"""Pixels that a photograph may have; the largest aerial frame cameras stay below."""
+SMALLEST_SIDE = 32
+THUMBNAIL = (400, 1 / 16)
+"""Longest side [px], and share of the median number of pixels, below both of which a photograph is a thumbnail."""
+_DIGITS = re.compile(r"(\d+)")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Photo:
+    """One photograph; its pixels are read when they are asked for."""
+
+    path: Path
+    name: str
+    """File name; where names repeat among the inputs, the path from their common folder."""
+    width_px: int
+    """As stored (see `orientation`)."""
+    height_px: int
+    orientation: int = 1
+    """EXIF: 1 as stored, 3 to be turned by 180 deg, 6 by 90 deg clockwise, 8 counter-clockwise; 2, 4, 5, 7 mirrored."""
+    bits: int = 8
+    """Per channel, 8 or 16."""
+    kind: Kind = "jpeg"
+    sha256: str
+    metadata: Metadata
+
+    @property
+    def upright_size(self) -> tuple[int, int]:
+        """Width and height [px] when shown the right way up."""
+        turned = self.orientation >= 5
+        return (self.height_px, self.width_px) if turned else (self.width_px, self.height_px)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Found:
+    """The photographs among some files, and what became of the others."""
+
+    photos: tuple[Photo, ...]
+    refused: tuple[tuple[Path, str], ...]
+    """Files and the reason why each is left out."""
+    remarks: tuple[str, ...]
+
+
+def find_photos(inputs: Sequence[Path], *, limit_pixels: int = LIMIT_PIXELS, progress: Progress = silent) -> Found:
+    """The photographs in folders and files, in the order of their names (numbers within names count as numbers).
+
+    inputs        folders (looked into, not their subfolders) and files
+    limit_pixels  a file whose header says more is not decoded
+    raises        InputError for an input that does not exist or a folder that cannot be listed
+    A file that cannot be used costs that file only and is listed with its reason: empty, truncated, no image,
+    too large, not readable, a thumbnail beside photographs, the same content as another file.
+    What it does not tell: whether the pixels in the middle of a file are damaged; `read_grey` finds that.
+    """
+    files, remarks = _files(inputs)
+    names = _names(files)
+    photos: list[Photo] = []
+    refused: list[tuple[Path, str]] = []
+    first: dict[str, str] = {}
+    for k, (path, name) in enumerate(zip(files, names, strict=True)):
+        progress("reading photographs", k / len(files))
+        try:
+            photo = read_photo(path, name=name, limit_pixels=limit_pixels)
+        except InputError as error:
+            refused.append((path, str(error).removeprefix(f"{path}: ")))
+            continue
+        if photo.sha256 in first:
+            refused.append((path, f"the same content as {first[photo.sha256]}, byte for byte"))
+            continue
+        first[photo.sha256] = name
+        photos.append(photo)
+    kept, thumbnails = _without_thumbnails(photos)
+    progress("reading photographs", 1.0)
+    return Found(photos=kept, refused=tuple(sorted(refused + thumbnails)), remarks=tuple(remarks))
+
+
+def read_photo(path: Path, *, name: str = "", limit_pixels: int = LIMIT_PIXELS) -> Photo:
+    """One photograph with its metadata; its pixels are only checked for being complete.
+
+    raises  InputError with the reason where it cannot be used
+    """
+    try:
+        header, digest = _examined(path, limit_pixels)
+    except Unusable as error:
+        raise InputError(str(error), file=path) from None
+    except OSError as error:
+        raise InputError(f"cannot be read: {error.strerror or error}; check the permissions", file=path) from None
+    metadata, orientation = read_metadata(header.exif, header.xmp)
+    photo = Photo(
+        path=path,
+        name=name or path.name,
+        width_px=header.width_px,
+        height_px=header.height_px,
+        orientation=orientation,
+        bits=header.bits,
+        kind=header.kind,
+        sha256=digest,
+        metadata=metadata,
+    )
+    return _as_sensor(photo, header)
+
+
+def _examined(path: Path, limit_pixels: int) -> tuple[Header, str]:
+    """Header and SHA-256 of a file that can be used; raises Unusable or OSError."""
+    mode = path.stat().st_mode
+    if not stat.S_ISREG(mode):
+        raise Unusable("is a folder" if stat.S_ISDIR(mode) else "is not a regular file")
+    header = read_header(path, limit_pixels=limit_pixels)
+    if min(header.width_px, header.height_px) < SMALLEST_SIDE:
+        raise Unusable(f"{header.width_px} x {header.height_px} px are too few to measure in")
+    check_pixels(path, header.kind)
+    with path.open("rb") as file:
+        return header, hashlib.file_digest(file, "sha256").hexdigest()
+
+
+def _as_sensor(photo: Photo, header: Header) -> Photo:
+    """A HEIC decoder turns the picture upright itself; the size is given as the sensor has it."""
+    if header.kind == "heic" and photo.orientation >= 5:
+        return replace(photo, width_px=header.height_px, height_px=header.width_px)
+    return photo
+
+
+def _files(inputs: Sequence[Path]) -> tuple[list[Path], list[str]]:
+    """Candidates in natural order, each once, and remarks on what was passed over."""
+    remarks: list[str] = []
+    files: dict[Path, None] = {}
+    for given in inputs:
+        path = Path(given)
+        if path.is_dir():
+            files.update(dict.fromkeys(_in_folder(path, remarks)))
+        elif path.exists() or path.is_symlink():
+            files[path] = None
+        else:
+            raise InputError("there is no such file or folder", file=path)
+    seen: dict[str, Path] = {}
+    for path in files:
+        seen.setdefault(os.path.realpath(path), path)
+    return sorted(seen.values(), key=_natural), remarks
+
+
+def _in_folder(folder: Path, remarks: list[str]) -> list[Path]:
+    try:
+        entries = sorted(p for p in folder.iterdir() if not p.name.startswith("."))
+    except OSError as error:
+        raise InputError(f"cannot be listed: {error.strerror}; check the permissions", file=folder) from None
+    files = [p for p in entries if p.suffix.lower() in SUFFIXES and (p.is_symlink() or not p.is_dir())]
+    jpegs = {p.stem.lower() for p in files if p.suffix.lower() in JPEG_SUFFIXES}
+    doubles = [p for p in files if p.suffix.lower() in (RAW_SUFFIXES | HEIC_SUFFIXES) and p.stem.lower() in jpegs]
+    if doubles:
+        remarks.append(
+            f"{folder}: {len(doubles)} files have a JPEG of the same name beside them, which is taken "
+            f"({doubles[0].name}, ...)"
+        )
+        files = [p for p in files if p not in set(doubles)]
+    others = [p for p in entries if p.suffix.lower() not in SUFFIXES and not p.is_dir()]
+    if others:
+        suffixes = ", ".join(sorted({p.suffix.lower() or "(none)" for p in others}))
+        remarks.append(f"{folder}: {len(others)} other files are not looked at ({suffixes})")
+    folders = [p for p in entries if p.is_dir()]
+    if folders:
+        remarks.append(
+            f"{folder}: {len(folders)} subfolders are not looked into ({folders[0].name}, ...); give them too"
+        )
+    return files
+
+
+def _natural(path: Path) -> tuple[list[str | int], str]:
+    parts = _DIGITS.split(path.name.lower())
+    return [int(p) if k % 2 else p for k, p in enumerate(parts)], str(path)
+
+
+def _names(files: Sequence[Path]) -> list[str]:
+    names = [p.name for p in files]
+    if len(set(names)) == len(names):
+        return names
+    common = Path(os.path.commonpath([p.parent.absolute() for p in files]))
+    return [p.absolute().relative_to(common).as_posix() for p in files]
+
+
+def _without_thumbnails(photos: Sequence[Photo]) -> tuple[tuple[Photo, ...], list[tuple[Path, str]]]:
+    """Leave out what is much smaller than the other photographs."""
+    if len(photos) < 2:
+        return tuple(photos), []
+    pixels = np.array([p.width_px * p.height_px for p in photos])
+    longest = np.array([max(p.width_px, p.height_px) for p in photos])
+    typical = float(np.median(pixels))
+    small = (longest < THUMBNAIL[0]) & (pixels < THUMBNAIL[1] * typical)
+    refused = [
+        (
+            p.path,
+            f"{p.width_px} x {p.height_px} px: a thumbnail beside photographs of {typical / 1e6:.1f} million pixels",
+        )
+        for p, s in zip(photos, small, strict=True)
+        if s
+    ]
+    return tuple(p for p, s in zip(photos, small, strict=True) if not s), refused
+
+
+def read_grey(photo: Photo) -> Array:
+    """Grey values (h, w) as stored, uint8 or uint16, C-contiguous.
+
+    0.299 R + 0.587 G + 0.114 B of the values in the file (ITU-R BT.601, the Y of a JPEG): not linear in light.
+    Raises InputError where the pixels cannot be decoded, or the file has changed its size since.
+    """
+    return _checked(photo, decode(photo.path, photo.kind, "grey"))
+
+
+def read_colour(photo: Photo) -> Array:
+    """Red, green, blue (h, w, 3) as stored, uint8; 16-bit values are brought to 8 by leaving out low bits.
+
+    Raises InputError as `read_grey`.
+    """
+    return _checked(photo, decode(photo.path, photo.kind, "colour"))
+
+
+def _checked(photo: Photo, pixels: Array) -> Array:
+    if photo.kind == "heic":
+        pixels = np.ascontiguousarray(_TURNS[_INVERSE[photo.orientation]](pixels))
+    if pixels.shape[:2] != (photo.height_px, photo.width_px):
+        raise InputError(
+            f"has {pixels.shape[1]} x {pixels.shape[0]} px, its header said {photo.width_px} x {photo.height_px}; "
+            "was it exchanged during the work?",
+            file=photo.path,
+        )
+    return pixels
+
+
+_TURNS = {
+    1: lambda a: a,
+    2: lambda a: a[:, ::-1],
+    3: lambda a: a[::-1, ::-1],
+    4: lambda a: a[::-1],
+    5: lambda a: a.swapaxes(0, 1),
+    6: lambda a: a.swapaxes(0, 1)[:, ::-1],
+    7: lambda a: a[::-1, ::-1].swapaxes(0, 1),
+    8: lambda a: a.swapaxes(0, 1)[::-1],
+}
+_INVERSE = {1: 1, 2: 2, 3: 3, 4: 4, 5: 5, 6: 8, 7: 7, 8: 6}
+
+
+def upright(pixels: Array, orientation: int) -> Array:
+    """Pixels (h, w) or (h, w, 3) the right way up, for showing."""
+    return np.ascontiguousarray(_TURNS[orientation](pixels))
+
+
+def upright_from_stored(xy_px: Array, photo: Photo) -> Array:
+    """Pixel frame (n, 2) of the upright picture, of points (n, 2) in the photograph as stored."""
+    return _turned(np.asarray(xy_px, float), photo.orientation, photo.width_px, photo.height_px)
+
+
+def stored_from_upright(xy_px: Array, photo: Photo) -> Array:
+    """Pixel frame (n, 2) of the photograph as stored, of points (n, 2) measured in the upright picture."""
+    return _turned(np.asarray(xy_px, float), _INVERSE[photo.orientation], *photo.upright_size)
+
+
+def _turned(xy: Array, orientation: int, width: int, height: int) -> Array:
+    x, y = xy[:, 0], xy[:, 1]
+    new = {
+        1: (x, y),
+        2: (width - x, y),
+        3: (width - x, height - y),
+        4: (x, height - y),
+        5: (y, x),
+        6: (height - y, x),
+        7: (height - y, width - x),
+        8: (y, width - x),
+    }[orientation]
+    return np.stack(new, axis=1)

@@ -1,0 +1,204 @@
+"""Metadata of a photograph from its EXIF and XMP."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping
+from datetime import datetime, timedelta, timezone
+
+from raybundle.io.photos.exif import Tags, read_tags
+from raybundle.io.photos.metadata import Gps, Metadata
+from raybundle.io.photos.xmp import read_xmp
+
+MM_PER_UNIT = {2: 25.4, 3: 10.0, 4: 1.0, 5: 0.001}
+"""EXIF FocalPlaneResolutionUnit; inch where it is absent (4 and 5 are not in the standard but are written)."""
+RTK_FIX = {0: "none", 16: "single", 34: "rtk float", 50: "rtk fixed"}
+NAN = math.nan
+
+
+def read_metadata(exif: bytes | memoryview | None, xmp: bytes | None) -> tuple[Metadata, int]:
+    """Metadata and EXIF orientation (1 to 8; 1 where not known) from the segments of a file.
+
+    Never raises on bad data: what cannot be used is not known, and `Metadata.remarks` says why.
+    EXIF stands before XMP where both say something, but for positions, which XMP gives with more digits.
+    """
+    tags = read_tags(exif) if exif else Tags()
+    if xmp is None and isinstance(found := tags.main.get(700), bytes | tuple):
+        xmp = found if isinstance(found, bytes) else bytes(int(v) & 255 for v in found)
+    entries, xmp_remarks = read_xmp(xmp) if xmp else ({}, ())
+    remarks = [*tags.remarks, *xmp_remarks]
+    orientation = int(tags.number(0x0112) or _number(entries, "tiff:Orientation") or 1)
+    if not 1 <= orientation <= 8:
+        remarks.append(f"the EXIF orientation {orientation} is not one of 1 to 8; taken as 1")
+        orientation = 1
+    width, height = tags.positive(0xA002), tags.positive(0xA003)
+    return Metadata(
+        make=tags.text(0x010F) or entries.get("tiff:Make", ""),
+        model=tags.text(0x0110) or entries.get("tiff:Model", ""),
+        serial=_serial(tags, entries),
+        lens=tags.text(0xA434) or entries.get("exifEX:LensModel", "") or entries.get("aux:Lens", ""),
+        software=tags.text(0x0131) or entries.get("xmp:CreatorTool", ""),
+        focal_mm=tags.positive(0x920A) or _positive(entries, "exif:FocalLength"),
+        focal35_mm=tags.positive(0xA405) or _positive(entries, "exif:FocalLengthIn35mmFilm"),
+        focal_plane_px_per_mm=_focal_plane(tags),
+        exif_width=None if width is None else int(width),
+        exif_height=None if height is None else int(height),
+        zoom_ratio=tags.positive(0xA404),
+        focal_range_mm=_focal_range(tags),
+        subject_distance_m=_distance(tags),
+        taken=_taken(tags),
+        gps=_gps(tags, entries),
+        gimbal=_angles(entries, "drone-dji:Gimbal{}Degree") or _angles(entries, "Camera:{}"),
+        flight=_angles(entries, "drone-dji:Flight{}Degree"),
+        xmp=entries,
+        remarks=tuple(remarks),
+    ), orientation
+
+
+def _number(entries: Mapping[str, str], *keys: str) -> float | None:
+    """The first entry that is a finite number, also one written as a fraction "585/100"."""
+    for key in keys:
+        head, _, below = entries.get(key, "").partition("/")
+        try:
+            number = float(head) / (float(below) if below else 1.0)
+        except (ValueError, ZeroDivisionError):
+            continue
+        if math.isfinite(number):
+            return number
+    return None
+
+
+def _positive(entries: Mapping[str, str], *keys: str) -> float | None:
+    number = _number(entries, *keys)
+    return number if number is not None and 0 < number < 1e9 else None
+
+
+def _serial(tags: Tags, entries: Mapping[str, str]) -> str:
+    written = tags.text(0xA431, 0xC62F)
+    keys = ("exifEX:BodySerialNumber", "aux:SerialNumber", "drone-dji:CameraSerialNumber")
+    serial = written or next((entries[k] for k in keys if entries.get(k)), "")
+    return serial if re.search(r"[1-9A-Za-z]", serial) else ""
+
+
+def _focal_plane(tags: Tags) -> tuple[float, float] | None:
+    unit = MM_PER_UNIT.get(int(tags.number(0xA210) or 2))
+    x, y = tags.positive(0xA20E), tags.positive(0xA20F)
+    if unit is None or (x is None and y is None):
+        return None
+    return (x or y or NAN) / unit, (y or x or NAN) / unit
+
+
+def _focal_range(tags: Tags) -> tuple[float, float] | None:
+    limits = tags.numbers(0xA432)
+    if len(limits) >= 2 and 0 < limits[0] <= limits[1] < 1e5:
+        return limits[0], limits[1]
+    return None
+
+
+def _distance(tags: Tags) -> float | None:
+    distance = tags.positive(0x9206)
+    return distance if distance is not None and distance < 4e6 else None  # 0xFFFFFFFF: infinity
+
+
+def _taken(tags: Tags) -> datetime | None:
+    for date, fraction, zone in ((0x9003, 0x9291, 0x9011), (0x9004, 0x9292, 0x9012), (0x0132, 0x9290, 0x9010)):
+        found = re.fullmatch(r"(\d{4})[:-](\d\d)[:-](\d\d)[ T](\d\d):(\d\d):(\d\d)(?:\.\d+)?", tags.text(date))
+        if not found:
+            continue
+        year, month, day, hour, minute, second = (int(g) for g in found.groups())
+        digits = tags.text(fraction)
+        micro = int(digits[:6].ljust(6, "0")) if digits.isascii() and digits.isdigit() else 0
+        try:
+            return datetime(year, month, day, hour, minute, second, micro, tzinfo=_zone(tags.text(zone)))
+        except ValueError:
+            continue
+    return None
+
+
+def _zone(text: str) -> timezone | None:
+    found = re.fullmatch(r"([+-])(\d\d):(\d\d)", text)
+    if not found or int(found[2]) > 14 or int(found[3]) > 59:
+        return None
+    offset = timedelta(hours=int(found[2]), minutes=int(found[3]))
+    return timezone(-offset if found[1] == "-" else offset)
+
+
+def _angles(entries: Mapping[str, str], pattern: str) -> tuple[float, float, float] | None:
+    found = [_number(entries, pattern.format(name)) for name in ("Yaw", "Pitch", "Roll")]
+    if any(v is None or abs(v) > 360 for v in found):
+        return None
+    yaw, pitch, roll = (float(v) for v in found if v is not None)
+    return yaw, pitch, roll
+
+
+def _gps(tags: Tags, entries: Mapping[str, str]) -> Gps | None:
+    position = _position(tags, entries)
+    if position is None:
+        return None
+    flag = _number(entries, "drone-dji:RtkFlag")
+    altitude, reference = _altitude(tags, entries)
+    return Gps(
+        latitude_deg=position[0],
+        longitude_deg=position[1],
+        altitude_m=altitude,
+        altitude_reference=reference,
+        sigma_m=_sigma(tags, entries),
+        fix="" if flag is None else RTK_FIX.get(int(flag), ""),
+    )
+
+
+def _position(tags: Tags, entries: Mapping[str, str]) -> tuple[float, float] | None:
+    """Latitude and longitude [deg]; XMP's digits where they agree with EXIF, which rounds to some centimetres."""
+    latitude = _angle(tags, 1, 2, "S", 90)
+    longitude = _angle(tags, 3, 4, "W", 180)
+    fine = (
+        _number(entries, "drone-dji:GpsLatitude"),
+        _number(entries, "drone-dji:GpsLongitude", "drone-dji:GpsLongtitude"),
+    )
+    if fine[0] is not None and fine[1] is not None and abs(fine[0]) <= 90 and abs(fine[1]) <= 180:
+        near = latitude is None or longitude is None or max(abs(fine[0] - latitude), abs(fine[1] - longitude)) < 1e-3
+        if near and any(fine):
+            return fine[0], fine[1]
+    if latitude is None or longitude is None or (latitude == 0 and longitude == 0):
+        return None  # 0, 0 is what a receiver without a fix writes
+    return latitude, longitude
+
+
+def _angle(tags: Tags, reference: int, tag: int, negative: str, limit: float) -> float | None:
+    parts = tags.numbers(tag, gps=True)
+    if not parts or not 1 <= len(parts) <= 3:
+        return None
+    degrees = sum(v / 60**k for k, v in enumerate(parts))
+    if not math.isfinite(degrees) or not 0 <= degrees <= limit:
+        return None
+    return -degrees if tags.text(reference, gps=True).upper().startswith(negative) else degrees
+
+
+def _altitude(tags: Tags, entries: Mapping[str, str]) -> tuple[float | None, str]:
+    """Altitude [m] and what it is above; EXIF 3.0 for references 2 and 3, DJI writes AltitudeType RtkAlt."""
+    ellipsoid = entries.get("drone-dji:AltitudeType", "") == "RtkAlt"
+    absolute = _number(entries, "drone-dji:AbsoluteAltitude")
+    if absolute is not None:
+        return absolute, "ellipsoid" if ellipsoid else "sea level"
+    altitude = tags.number(6, gps=True)
+    if altitude is None:
+        return None, ""
+    code = tags.gps.get(5, (0.0,))
+    reference = code[0] if isinstance(code, bytes) and code else code[0] if isinstance(code, tuple) and code else 0
+    sign = -1.0 if reference in {1, 3} else 1.0
+    return sign * altitude, "ellipsoid" if ellipsoid or reference in {2, 3} else "sea level"
+
+
+def _sigma(tags: Tags, entries: Mapping[str, str]) -> tuple[float, float, float] | None:
+    """East, north, up [m]."""
+    rtk = [_positive(entries, f"drone-dji:RtkStd{axis}") for axis in ("Lon", "Lat", "Hgt")]
+    if any(v is not None for v in rtk):
+        east, north, up = (NAN if v is None else v for v in rtk)
+        return east, north, up
+    plan, height = _positive(entries, "Camera:GPSXYAccuracy"), _positive(entries, "Camera:GPSZAccuracy")
+    if plan is not None or height is not None:
+        return plan or NAN, plan or NAN, height or NAN
+    radius = tags.positive(31, gps=True)
+    # GPSHPositioningError is the radius of a circle; phones write that of 68 %: 1.515 sigma of each axis
+    return None if radius is None else (radius / 1.515, radius / 1.515, NAN)

@@ -1,0 +1,201 @@
+"""The camera constant to start with, and how far to trust it.
+
+In this order: XMP of the manufacturer, focal plane resolution, table of sensor sizes, 35 mm equivalent,
+default.  A stored calibration stands above all and is dealt with in `cameras`.  Sources that contradict each
+other are compared by the sensor width that they imply, in which the entry for the focal length cancels.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from raybundle.io.photos.metadata import Metadata
+from raybundle.io.photos.sensor_sizes import sensor_size
+
+DIAGONAL_35MM = math.hypot(36, 24)
+DEFAULT_SOURCE = "default: 1.2 times the longer side"
+NOMINAL_PIXEL_MM = 0.001
+SIGMA = {"xmp": 0.01, "focal plane": 0.02, "table": 0.02, "35 mm": 0.05, "default": 0.4}
+"""Relative standard deviations: the nominal focal length alone is good to one or two per cent."""
+SHOWN = {"focal plane": "focal plane resolution", "table": "sensor size table", "35 mm": "35 mm equivalent"}
+SENSOR_WIDTH_MM = (2.0, 75.0)
+SAME_SENSOR = 0.015
+"""Relative difference of two sensor widths up to which they are the same."""
+SAME_EQUIVALENT = 0.12
+"""Relative difference up to which a 35 mm equivalent supports another source: rounding, width for diagonal."""
+SAME_CAMERA = 0.15
+"""Relative difference up to which a calibration in XMP can belong to the focal length."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Start:
+    """Camera constant with the pixel size that it goes with."""
+
+    c_mm: float
+    pixel_mm: float
+    sigma: float
+    """Relative standard deviation of c in pixels."""
+    source: str
+    remarks: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Taken:
+    """The image as the camera took it, before a program made it smaller."""
+
+    long: int
+    short: int
+    ratio: float = 1.0
+    """Its pixels by those of the file."""
+    doubt: float = 0.0
+    """Relative sigma of the above."""
+
+
+def starting_value(metadata: Metadata, width_px: int, height_px: int) -> Start:
+    """Where the camera constant starts, for photographs of this size as stored.
+
+    What it does not tell: the effect of the focus; close up c is longer than the focal length by f / distance.
+    """
+    remarks: list[str] = []
+    if metadata.xmp.get("GPano:ProjectionType"):
+        kind = metadata.xmp["GPano:ProjectionType"]
+        remarks.append(f"XMP says {kind} panorama: no central projection; give a stored calibration of another model")
+    taken = _taken(metadata, width_px, height_px, remarks)
+    density, doubt = _densities(metadata, taken, remarks)
+    best = next(iter(density), "")
+    zoom = metadata.zoom_ratio if metadata.zoom_ratio is not None and 1.01 < metadata.zoom_ratio < 100 else 1.0
+    if zoom > 1:
+        remarks.append(f"digital zoom {zoom:g}: the camera constant in pixels grows with it")
+    focal, c = metadata.focal_mm, None
+    if best and focal is not None:
+        c = focal * (zoom if best != "35 mm" else 1.0) * density[best] / taken.ratio
+    pixel = taken.ratio / density[best] if best else NOMINAL_PIXEL_MM
+    found = _from_xmp(metadata, taken, density.get(best))
+    if found is not None and c is not None and abs(math.log(found / c)) > SAME_CAMERA:
+        remarks.append(f"XMP gives {found:.0f} px where {c:.0f} px are to be expected; XMP is not taken")
+    elif found is not None:
+        return _start(found, pixel, math.hypot(SIGMA["xmp"], taken.doubt), "XMP calibration", remarks)
+    if c is not None:
+        sigma = math.hypot(SIGMA[best], _focus(metadata, remarks), taken.doubt, doubt)
+        return _start(c, pixel, sigma, SHOWN[best], remarks)
+    diagonal = math.hypot(taken.long, taken.short) / taken.ratio
+    if metadata.focal35_mm is not None:
+        c = metadata.focal35_mm * diagonal / DIAGONAL_35MM
+        sigma = math.hypot(SIGMA["35 mm"], taken.doubt)
+        return _start(c, DIAGONAL_35MM / diagonal, sigma, "35 mm equivalent", remarks)
+    if focal is not None:
+        remarks.append(f"a focal length of {focal:g} mm without a sensor size says nothing about the camera constant")
+    return _start(1.2 * max(width_px, height_px), NOMINAL_PIXEL_MM, SIGMA["default"], DEFAULT_SOURCE, remarks)
+
+
+def _start(c_px: float, pixel_mm: float, sigma: float, source: str, remarks: list[str]) -> Start:
+    return Start(c_mm=c_px * pixel_mm, pixel_mm=pixel_mm, sigma=sigma, source=source, remarks=tuple(remarks))
+
+
+def _taken(metadata: Metadata, width: int, height: int, remarks: list[str]) -> _Taken:
+    """Size of the image as taken; that of the file where EXIF does not say."""
+    file_long, file_short = max(width, height), min(width, height)
+    same = _Taken(long=file_long, short=file_short)
+    if metadata.exif_width is None or metadata.exif_height is None:
+        return same
+    long, short = max(metadata.exif_width, metadata.exif_height), min(metadata.exif_width, metadata.exif_height)
+    if max(abs(long - file_long), abs(short - file_short)) <= 16:
+        return same
+    size = f"EXIF says {metadata.exif_width} x {metadata.exif_height} px, the file has {width} x {height}"
+    by_long, by_short = long / file_long, short / file_short
+    if abs(math.log(by_long / by_short)) < 0.015:
+        remarks.append(f"{size}: a copy, its size divided by {by_long:.4g}")
+        return _Taken(long=long, short=short, ratio=by_long)
+    remarks.append(f"{size}: cropped; the principal point may be far from the centre")
+    if min(by_long, by_short) < 1:
+        return _Taken(long=file_long, short=file_short, doubt=0.2)
+    ratio = min(by_long, by_short)
+    # cut to another shape after a reduction by a whole number, or else only cut
+    whole = round(ratio) if ratio > 1.9 and abs(ratio - round(ratio)) < 0.005 else 1.0
+    return _Taken(long=long, short=short, ratio=whole, doubt=0.15)
+
+
+def _densities(m: Metadata, taken: _Taken, remarks: list[str]) -> tuple[dict[str, float], float]:
+    """Pixels per mm of the image as taken, by source in the order of trust, contradictions resolved.
+
+    The second value is the relative sigma that a contradiction which cannot be resolved adds.
+    """
+    long, short = taken.long, taken.short
+    doubt = 0.0
+    plane = _focal_plane(m, long, remarks)
+    size = sensor_size(m)
+    table = None if size is None else max(long / size[0], short / size[1])
+    equivalent = None
+    if m.focal35_mm is not None and m.focal_mm is not None:
+        equivalent = m.focal35_mm / DIAGONAL_35MM * math.hypot(long, short) / m.focal_mm
+    if plane is not None and table is not None and abs(math.log(plane / table)) > SAME_SENSOR:
+        remarks.append(
+            f"EXIF's focal plane resolution makes the sensor {long / plane:.2f} mm wide, the table says "
+            f"{long / table:.2f} mm; the table is taken"
+        )
+        plane = None
+    if plane is not None and table is None and equivalent is not None and _far(plane, equivalent):
+        remarks.append(
+            f"EXIF's focal plane resolution makes the sensor {long / plane:.2f} mm wide, the 35 mm equivalent "
+            f"{long / equivalent:.2f} mm; the latter is taken"
+        )
+        plane = None
+    if table is not None and equivalent is not None and _far(table, equivalent):
+        remarks.append(
+            f"the 35 mm equivalent makes the sensor {long / equivalent:.2f} mm wide, the table says "
+            f"{long / table:.2f} mm: cropped in the camera, or one of the two is wrong; the table is taken with a "
+            "larger sigma"
+        )
+        doubt = abs(math.log(table / equivalent)) / 2
+    named = (("focal plane", plane), ("table", table), ("35 mm", equivalent))
+    return {name: density for name, density in named if density is not None}, doubt
+
+
+def _far(a: float, b: float) -> bool:
+    return abs(math.log(a / b)) > SAME_EQUIVALENT
+
+
+def _focal_plane(m: Metadata, long: int, remarks: list[str]) -> float | None:
+    """Pixels per mm from the focal plane resolution, which belongs to the image as taken."""
+    if m.focal_plane_px_per_mm is None:
+        return None
+    x, y = m.focal_plane_px_per_mm
+    if not SENSOR_WIDTH_MM[0] <= long / x <= SENSOR_WIDTH_MM[1]:
+        remarks.append(f"EXIF's focal plane resolution makes the sensor {long / x:.3g} mm wide; it is not taken")
+        return None
+    if abs(math.log(x / y)) > 0.008:
+        remarks.append(f"EXIF's focal plane resolutions differ by {abs(x / y - 1):.1%}; pixels are taken as square")
+    return math.sqrt(x * y)
+
+
+def _from_xmp(m: Metadata, taken: _Taken, density: float | None) -> float | None:
+    """Camera constant [px of the file] as the manufacturer wrote it.
+
+    DJI: DewarpData or CalibratedFocalLength [px]; Pix4D's camera tags: PerspectiveFocalLength [mm].
+    """
+    values = m.xmp.get("drone-dji:DewarpData", "").partition(";")[2].split(",")
+    candidates = [(values[0], 1.0)] if len(values) >= 9 else []
+    candidates.append((m.xmp.get("drone-dji:CalibratedFocalLength", ""), 1.0))
+    if density is not None:
+        candidates.append((m.xmp.get("Camera:PerspectiveFocalLength", ""), density))
+    for text, px in candidates:
+        try:
+            c = float(text) * px
+        except ValueError:
+            continue
+        if 0.2 * taken.long < c < 50 * taken.long:
+            return c / taken.ratio
+    return None
+
+
+def _focus(m: Metadata, remarks: list[str]) -> float:
+    """Relative uncertainty of c from the focus; noted where it matters."""
+    if m.subject_distance_m is None or m.focal_mm is None:
+        return 0.0
+    share = m.focal_mm / 1000 / m.subject_distance_m
+    if share < 0.01:
+        return 0.0
+    share = min(share, 1.0)
+    remarks.append(f"focused at {m.subject_distance_m:g} m: c may be longer than the focal length by up to {share:.0%}")
+    return share

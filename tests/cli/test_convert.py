@@ -1,0 +1,213 @@
+"""`raybundle convert`: between block and result folders and foreign formats, with what was assumed printed."""
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from raybundle import adjust
+from raybundle.block.simulate import (
+    AerialStrips,
+    Survey,
+    TargetField,
+    aerial_scene,
+    brown_camera,
+    field_scene,
+    simulate,
+)
+from raybundle.cli.convert import command
+from raybundle.errors import InputError
+from raybundle.io.block_folder import read_block, write_block
+from raybundle.report.result_folder import write_result
+
+LENS = {"K1": 3e-5, "K2": -4e-8, "K3": 0.0, "P1": 2e-6, "P2": -1e-6}
+FIELD = TargetField(camera=brown_camera(values=LENS), stations=4, frontal=1, rows=4, columns=5)
+SMALL = brown_camera(values=LENS | {"x0": 0.1}, size_px=(600, 400), pixel_mm=0.04)
+
+
+def convert(*words):
+    command.main([str(w) for w in words], standalone_mode=False)
+
+
+@pytest.fixture(scope="module")
+def block():
+    return simulate(field_scene(FIELD), Survey()).truth
+
+
+@pytest.fixture
+def folder(block, tmp_path):
+    write_block(block, tmp_path / "b")
+    return tmp_path / "b"
+
+
+def test_there_and_back_by_the_command_line(folder, block, tmp_path, capsys):
+    convert(folder, "--to", "colmap", "--out", tmp_path / "model")
+    printed = capsys.readouterr().out
+    assert f"5 oriented images, {len(block.points)} points, {len(block.observations)} image obs" in printed
+    assert "written as OPENCV" in printed or "written as FULL_OPENCV" in printed
+    assert "cameras: largest deviation 0.0" in printed
+    convert(tmp_path / "model", "--to", "block", "--out", tmp_path / "again")
+    again = read_block(tmp_path / "again")
+    np.testing.assert_allclose(again.images.centre, block.images.centre, atol=1e-12)
+    assert len(again.observations) == len(block.observations)
+    assert adjust(again).sigma0 < 0.05
+
+
+@pytest.mark.parametrize(
+    ("target", "name"),
+    [("opf", "p"), ("metashape", "c.xml"), ("nerfstudio", "t.json"), ("opensfm", "r.json"), ("colmap-text", "m")],
+)
+def test_inputs_are_recognised(target, name, folder, tmp_path, capsys):
+    convert(folder, "--to", target, "--out", tmp_path / "x" / name)
+    convert(tmp_path / "x" / name, "--to", "ply", "--out", tmp_path / "again.ply")
+    assert "5 oriented images" in capsys.readouterr().out
+    assert (tmp_path / "again-stations.ply").is_file()
+
+
+def test_a_result_gives_its_adjusted_values(tmp_path, capsys):
+    plan = replace(FIELD, rows=7, columns=9, stations=8)
+    given = simulate(field_scene(plan), Survey(gross_share=0.02, gross_px=50)).observed
+    from raybundle import AdjustmentOptions
+
+    result = adjust(given, AdjustmentOptions(reject="snooping"))
+    write_result(result, tmp_path / "r", report="none")
+    convert(tmp_path / "r", "--to", "ply", "--out", tmp_path / "p.ply")
+    assert "rejected image observation" in capsys.readouterr().out
+    data = (tmp_path / "p.ply").read_bytes()
+    head, _, body = data.partition(b"end_header\n")
+    assert b"property float sigma_x" in head
+    row = np.dtype([("xyz", "<f8", 3), ("rgb", "u1", 3), ("sigma", "<f4", 3), ("rays", "<i4")])
+    vertices = np.frombuffer(body, row)
+    np.testing.assert_allclose(vertices["xyz"], result.adjusted.points.xyz, atol=1e-12)
+    np.testing.assert_allclose(vertices["sigma"], result.precision.object_point_std, rtol=1e-5)
+    used = result.image_observations.used
+    assert vertices["rays"].sum() == used.sum() < len(given.observations)
+
+
+def flight():
+    """A block whose coordinates stand in UTM zone 32."""
+    block = simulate(aerial_scene(AerialStrips(images_per_strip=4, points_per_image=30)), Survey()).truth
+    shift = np.array([500_000.0, 5_400_000.0, 400.0])
+    return replace(
+        block,
+        images=replace(block.images, centre=block.images.centre + shift),
+        points=replace(block.points, xyz=block.points.xyz + shift),
+    )
+
+
+def test_stations_on_a_map(tmp_path, capsys):
+    write_block(flight(), tmp_path / "b")
+    convert(tmp_path / "b", "--to", "geojson", "--out", tmp_path / "s.geojson", "--crs", "EPSG:32632")
+    printed = capsys.readouterr().out
+    assert "says nothing about heights" in printed
+    stations = json.loads((tmp_path / "s.geojson").read_text())["features"]
+    from pyproj import Transformer
+
+    change = Transformer.from_crs("EPSG:4326", "EPSG:32632", always_xy=True)
+    block = read_block(tmp_path / "b")
+    for k, station in enumerate(stations):
+        lon, lat, h = station["geometry"]["coordinates"]
+        np.testing.assert_allclose(change.transform(lon, lat), block.images.centre[k, :2], atol=1e-4)
+        assert h == pytest.approx(block.images.centre[k, 2], abs=1e-3)
+        assert station["properties"]["nadir_deg"] < 10
+    convert(tmp_path / "b", "--to", "kml", "--out", tmp_path / "s.kml", "--crs", "EPSG:32632")
+    from raybundle.io.formats.reading import read_xml
+
+    marks = list(read_xml(tmp_path / "s.kml", "kml").get("Document").all("Placemark"))
+    assert len(marks) == len(stations)
+    assert marks[0].get("Point", "coordinates").content.startswith("9.0")
+
+
+def test_las_with_its_system(tmp_path):
+    laspy = pytest.importorskip("laspy", reason="LAS needs the extra [las]")
+    write_block(flight(), tmp_path / "b")
+    convert(tmp_path / "b", "--to", "las", "--out", tmp_path / "p.las", "--crs", "EPSG:32632")
+    cloud = laspy.read(tmp_path / "p.las")
+    block = read_block(tmp_path / "b")
+    np.testing.assert_allclose(cloud.xyz, block.points.xyz, atol=1e-3)
+    assert cloud.header.parse_crs().to_epsg() == 32632
+
+
+@pytest.fixture
+def photographs(tmp_path):
+    """Photographs of a block: grey ramps, so that every pixel says where it lay."""
+    from PIL import Image
+
+    block = simulate(field_scene(replace(FIELD, camera=SMALL)), Survey()).truth
+    names = tuple(f"{k}.png" for k in range(len(block.images)))
+    block = replace(block, images=replace(block.images, file=names))
+    (tmp_path / "photos").mkdir()
+    x, y = np.meshgrid(np.arange(600), np.arange(400))
+    pixels = np.stack([x * 255 / 599, y * 255 / 399, np.full(x.shape, 90)], axis=2)
+    for name in names[1:]:
+        Image.fromarray(np.rint(pixels).astype(np.uint8)).save(tmp_path / "photos" / name)
+    write_block(block, tmp_path / "b")
+    return block
+
+
+def test_photographs_without_distortion(photographs, tmp_path, capsys):
+    convert(
+        tmp_path / "b", "--to", "colmap-text", "--out", tmp_path / "dense" / "sparse",
+        "--photos", tmp_path / "photos", "--undistort", "inside",
+    )  # fmt: skip
+    printed = capsys.readouterr().out
+    assert "0.png is left out" in printed
+    from PIL import Image
+
+    cameras = (tmp_path / "dense" / "sparse" / "cameras.txt").read_text().split("\n")[1].split()
+    assert cameras[1] == "PINHOLE"
+    straight = np.asarray(Image.open(tmp_path / "dense" / "images" / "1.png")).astype(float)
+    assert straight.shape[:2] == (int(cameras[3]), int(cameras[2]))
+    # a pixel of the new image shows what its ray showed in the photograph
+    from raybundle.io.undistort import undistorted
+
+    change = undistorted(photographs.cameras[0])
+    for row, column in ((5, 7), (200, 300), (380, 590)):
+        expected = [(change.map_x[row, column] - 0.5) * 255 / 599, (change.map_y[row, column] - 0.5) * 255 / 399, 90]
+        np.testing.assert_allclose(straight[row, column], expected, atol=1.5)
+    assert straight[..., 2].min() >= 89
+
+
+def test_points_take_their_colours_from_the_photographs(photographs, tmp_path):
+    convert(tmp_path / "b", "--to", "ply", "--out", tmp_path / "p.ply", "--photos", tmp_path / "photos")
+    body = (tmp_path / "p.ply").read_bytes().partition(b"end_header\n")[2]
+    row = np.dtype([("xyz", "<f8", 3), ("rgb", "u1", 3), ("sigma", "<f4", 3), ("rays", "<i4")])
+    o = photographs.observations
+    seen = o.image > 0
+    for k, colour in enumerate(np.frombuffer(body, row)["rgb"]):
+        xy = o.xy_px[seen & (o.point == k)]
+        assert colour[2] == 90
+        assert abs(colour[0] - np.floor(xy[:, 0]).mean() * 255 / 599) < 1.5
+
+
+CASES = {
+    "stands there": (["{b}", "--to", "colmap", "--out", "{b}"], "not overwritten"),
+    "no input": (["{b}x", "--to", "colmap", "--out", "{o}"], "no such file"),
+    "not recognised": (["{b}/images.csv", "--to", "colmap", "--out", "{o}"], "not recognised"),
+    "suffix": (["{b}", "--to", "kml", "--out", "{o}.txt", "--crs", "EPSG:32632"], "ends in .kml"),
+    "no system": (["{b}", "--to", "kml", "--out", "{o}.kml"], "--crs"),
+    "origin alone": (["{b}", "--to", "ply", "--out", "{o}.ply", "--origin", "1", "2", "3"], "give --crs too"),
+    "no photographs": (["{b}", "--to", "colmap", "--out", "{o}", "--undistort", "all"], "--photos FOLDER"),
+    "wrong folder": (
+        ["{b}", "--to", "colmap", "--out", "{o}", "--undistort", "all", "--photos", "{b}"],
+        "no photograph of the block could be read",
+    ),
+    "system": (["{b}", "--to", "kml", "--out", "{o}.kml", "--crs", "EPSG:1"], "no coordinate system"),
+}
+
+
+@pytest.mark.parametrize("case", CASES.values(), ids=CASES)
+def test_what_is_wrong_is_said_and_nothing_is_left(case, folder, tmp_path):
+    words, message = case
+    words = [w.format(b=folder, o=tmp_path / "out") for w in words]
+    before = sorted(p.name for p in tmp_path.rglob("*"))
+    with pytest.raises(InputError, match=message):
+        convert(*words)
+    assert sorted(p.name for p in tmp_path.rglob("*")) == before
+
+
+def test_a_block_needs_observations(folder, tmp_path):
+    convert(folder, "--to", "nerfstudio", "--out", tmp_path / "t.json")
+    with pytest.raises(InputError, match="has no image observations"):
+        convert(tmp_path / "t.json", "--to", "block", "--out", tmp_path / "again")

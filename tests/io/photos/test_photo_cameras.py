@@ -1,0 +1,203 @@
+"""Which photographs share an interior orientation, and where its camera constant starts."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from tests.conftest import DATA
+
+from raybundle.block import Camera
+from raybundle.errors import InputError
+from raybundle.io.photos.cameras import camera_groups, camera_of
+from raybundle.io.photos.metadata import Metadata
+from raybundle.io.photos.photo import Photo, find_photos
+from raybundle.io.photos.start import starting_value
+from raybundle.sensors import sensor_models
+
+BODY = Metadata(make="Canon", model="Canon EOS 5D Mark II", focal_mm=24.0)
+
+
+def photo(name="a.jpg", width=5616, height=3744, metadata=BODY, **more):
+    values = {"path": Path(name), "name": name, "width_px": width, "height_px": height, "sha256": name}
+    return Photo(**values, metadata=metadata, **more)
+
+
+def stored(id_, width=5616, height=3744, c=25.0):
+    values = dict.fromkeys(sensor_models["brown"].symbols, 0.0) | {"c": c}
+    return Camera(id=id_, model="brown", width_px=width, height_px=height, pixel_mm=(0.00641, 0.00641), values=values)
+
+
+# ---- groups
+
+
+def test_a_camera_on_its_side_is_the_same_camera():
+    (group,) = camera_groups([photo(), photo("b.jpg", orientation=6), photo("c.jpg", orientation=8)])
+    assert group.photos == (0, 1, 2)
+    assert (group.width_px, group.height_px) == (5616, 3744)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"make": "Other"},
+        {"model": "Other"},
+        {"serial": "7"},
+        {"lens": "macro"},
+        {"focal_mm": 35.0},
+        {"zoom_ratio": 2.0},
+    ],
+)
+def test_what_tells_cameras_apart(change):
+    groups = camera_groups([photo(), photo("b.jpg", metadata=replace(BODY, **change)), photo("c.jpg")])
+    assert [g.photos for g in groups] == [(0, 2), (1,)]
+    assert len({g.id for g in groups}) == 2
+
+
+def test_another_size_is_another_camera_and_one_without_metadata_is_named():
+    groups = camera_groups([photo(), photo("b.jpg", 2808, 1872), photo("c.jpg", metadata=Metadata())])
+    assert [g.id for g in groups] == ["canon-eos-5d-mark-ii-24mm", "canon-eos-5d-mark-ii-24mm-2808x1872", "5616x3744"]
+    assert "another source" in groups[2].remarks[-1]
+
+
+def test_photographs_turned_by_a_program_get_a_camera_of_their_own_and_a_remark():
+    groups = camera_groups([photo(), photo("b.jpg", 3744, 5616)])
+    assert len(groups) == 2
+    assert groups[0].c_px == pytest.approx(groups[1].c_px)
+    assert "give the originals" in groups[1].remarks[0]
+
+
+def test_a_zoom_lens_is_remarked():
+    zoom = replace(BODY, focal_range_mm=(24.0, 70.0))
+    (group,) = camera_groups([photo(metadata=zoom), photo("b.jpg", metadata=zoom)])
+    assert "24 to 70 mm" in group.remarks[-1]
+
+
+def test_the_camera_of_a_group_is_a_brown_camera_with_the_starting_value():
+    (group,) = camera_groups([photo()])
+    camera = camera_of(group)
+    assert (camera.model, camera.width_px, camera.values["c"]) == ("brown", 5616, 24.0)
+    assert set(camera.values) == set(sensor_models["brown"].symbols)
+    assert camera.pixel_mm[0] == pytest.approx(36 / 5616)
+
+
+# ---- stored calibrations
+
+
+def test_a_stored_calibration_is_taken_by_format():
+    (group,) = camera_groups([photo()], [stored("mine")])
+    assert group.source == "stored calibration mine"
+    assert (group.c_mm, group.sigma_c_mm) == (25.0, 0.0)
+    assert camera_of(group).values["c"] == 25.0
+    assert camera_of(group).id == group.id
+
+
+def test_a_stored_calibration_is_taken_by_name_where_two_fit():
+    photos = [photo(), photo("b.jpg", metadata=replace(BODY, serial="7"))]
+    with pytest.raises(InputError, match="fits 2 cameras"):
+        camera_groups(photos, [stored("mine")])
+    names = [g.id for g in camera_groups(photos)]
+    groups = camera_groups(photos, [stored(names[1])])
+    assert [g.stored is not None for g in groups] == [False, True]
+
+
+def test_a_stored_calibration_that_fits_nothing_is_an_error():
+    with pytest.raises(InputError, match="none of that format"):
+        camera_groups([photo()], [stored("mine", 100, 100)])
+    with pytest.raises(InputError, match="two stored calibrations"):
+        camera_groups([photo()], [stored("mine"), stored("yours")])
+
+
+def test_a_stored_calibration_far_from_the_metadata_is_remarked():
+    (group,) = camera_groups([photo()], [stored("mine", c=50.0)])
+    assert "the calibration is taken" in group.remarks[0]
+
+
+# ---- starting values
+
+
+def px(metadata, width, height):
+    start = starting_value(metadata, width, height)
+    return start.c_mm / start.pixel_mm, start
+
+
+def test_the_order_of_sources():
+    steps = {
+        "XMP calibration": {"xmp": {"drone-dji:CalibratedFocalLength": "4625.0"}},
+        "focal plane resolution": {"focal_plane_px_per_mm": (156.0, 156.0)},
+        "sensor size table": {"make": "Canon", "model": "Canon EOS 5D Mark II"},
+        "35 mm equivalent": {"focal35_mm": 30.0},
+        "default: 1.2 times the longer side": {},
+    }
+    names = list(steps)
+    sigmas = []
+    for k, name in enumerate(names):
+        fields = {key: v for n in names[k:] for key, v in steps[n].items()}
+        c, start = px(Metadata(focal_mm=30.0, **fields), 5616, 3744)
+        assert start.source == name
+        assert abs(c / 4680 - 1) < 2 * start.sigma
+        sigmas.append(start.sigma)
+    assert sigmas == sorted(sigmas)
+
+
+def test_a_focal_plane_width_that_contradicts_the_body_gives_way():
+    wrong = replace(BODY, focal_plane_px_per_mm=(3849.21 / 25.4, 3908.14 / 25.4))
+    c, start = px(wrong, 5616, 3744)
+    assert c == pytest.approx(24 * 5616 / 36.0)
+    assert any("36.78 mm wide, the table says 36.00 mm" in r for r in start.remarks)
+
+
+def test_a_reduced_copy_keeps_the_sensor():
+    small = replace(BODY, focal_plane_px_per_mm=(156.0, 156.0), exif_width=5616, exif_height=3744)
+    c, start = px(small, 1404, 936)
+    assert c == pytest.approx(24 * 156 / 4)
+    assert "divided by 4" in start.remarks[0]
+    turned, _ = px(small, 936, 1404)
+    assert turned == pytest.approx(c)
+
+
+def test_a_cut_copy_keeps_the_scale_with_a_large_sigma():
+    cut = replace(BODY, exif_width=5616, exif_height=3744)
+    c, start = px(cut, 3000, 3000)
+    assert c == pytest.approx(3744)
+    assert start.sigma > 0.1
+    assert "cropped" in start.remarks[0]
+
+
+def test_the_equivalent_is_taken_by_the_diagonal():
+    c, _ = px(Metadata(focal_mm=4.25, focal35_mm=26.0), 4032, 3024)
+    assert c == pytest.approx(26 * 5040 / 43.2666, rel=1e-5)
+    without, start = px(Metadata(focal35_mm=26.0), 4032, 3024)
+    assert without == pytest.approx(c)
+    assert start.source == "35 mm equivalent"
+
+
+def test_digital_zoom_and_near_focus():
+    c, start = px(replace(BODY, zoom_ratio=2.0), 5616, 3744)
+    assert c == pytest.approx(2 * 3744)
+    near = starting_value(replace(BODY, focal_mm=100.0, subject_distance_m=0.5), 5616, 3744)
+    assert near.sigma > 0.2
+    assert "focused at 0.5 m" in near.remarks[0]
+    assert "digital zoom" in start.remarks[0]
+
+
+def test_xmp_that_cannot_be_meant_is_left_out():
+    c, start = px(replace(BODY, xmp={"drone-dji:CalibratedFocalLength": "9000"}), 5616, 3744)
+    assert c == pytest.approx(3744)
+    assert "XMP is not taken" in start.remarks[0]
+
+
+def test_a_panorama_is_remarked():
+    _, start = px(Metadata(xmp={"GPano:ProjectionType": "equirectangular"}), 8000, 4000)
+    assert "equirectangular panorama: no central projection" in start.remarks[0]
+
+
+@pytest.mark.parametrize(("folder", "count", "truth_px"), [("sceaux-castle", 11, 2905.88), ("copr-uav", 41, 2843.0)])
+def test_public_sets_start_within_their_sigma(folder, count, truth_px):
+    images = DATA / "photos" / folder / "images"
+    if not images.is_dir():
+        pytest.skip("no public data: set RAYBUNDLE_DATA to the folder that holds photos/")
+    found = find_photos([images])
+    (group,) = camera_groups(found.photos)
+    assert len(group.photos) == count
+    assert abs(group.c_px - truth_px) < group.sigma_c_px
+    assert group.sigma_c_px < 0.03 * truth_px

@@ -1,0 +1,189 @@
+"""Coordinate systems: known geocentric points, round trips, scale of the grid, heights said plainly."""
+
+import numpy as np
+import pytest
+
+from raybundle.errors import InputError
+from raybundle.io.coordinate_systems import _vertical, frame_from_mapping, local_frame, parse_crs
+
+BONN = (7.0, 50.7, 100.0)
+SYSTEMS = {
+    # system: (origin, 1 m in its plan units)
+    "EPSG:25832": ((365_000.0, 5_620_000.0, 120.0), 1.0),
+    "EPSG:32632": ((500_000.0, 5_400_000.0, 500.0), 1.0),
+    "EPSG:2056": ((2_600_000.0, 1_200_000.0, 550.0), 1.0),
+    "EPSG:4979": (BONN, 1 / 111_000),
+    "EPSG:4326": (BONN, 1 / 111_000),
+    "EPSG:4978": ((4_018_000.0, 493_000.0, 4_913_000.0), 1.0),
+    "EPSG:2263": ((980_000.0, 200_000.0, 30.0), 3.28),
+    "+proj=utm +zone=11 +ellps=WGS84 +datum=WGS84 +units=m +no_defs": ((235_263.0, 3_811_208.0, 0.0), 1.0),
+    "EPSG:25832+7837": ((365_000.0, 5_620_000.0, 120.0), 1.0),
+}
+
+
+@pytest.mark.parametrize("crs", SYSTEMS)
+def test_there_and_back(crs):
+    origin, metre = SYSTEMS[crs]
+    frame = local_frame(crs, origin)
+    rng = np.random.default_rng(1)
+    xyz = np.array(origin) + rng.uniform(-1, 1, (50, 3)) * np.array([3000 * metre, 3000 * metre, 200])
+    local = frame.local_from_crs(xyz)
+    np.testing.assert_allclose(frame.local_from_crs(frame.crs_from_local(local)), local, rtol=0, atol=1e-6)
+    metres = (frame.crs_from_local(local) - xyz) / [metre, metre, 1]
+    np.testing.assert_allclose(metres, 0, atol=1e-6)
+    np.testing.assert_allclose(frame.local_from_crs(np.array([origin])), 0, atol=1e-8)
+
+
+def test_known_geocentric_points():
+    """Equator and pole of WGS 84 (NIMA TR8350.2: a = 6 378 137 m, b = 6 356 752.3142 m)."""
+    frame = local_frame("EPSG:4978", (6378137.0, 0.0, 0.0))
+    east_north_up = frame.local_from_crs(
+        np.array([[6378137.0, 10.0, 0.0], [6378137.0, 0.0, 10.0], [6378147.0, 0.0, 0.0]])
+    )
+    np.testing.assert_allclose(east_north_up, np.eye(3) * 10, atol=1e-9)
+    pole = local_frame("EPSG:4979", (0.0, 90.0, 0.0)).local_from_crs(np.array([[0.0, 0.0, 0.0]]))
+    np.testing.assert_allclose(np.abs(pole[0]), [0.0, 6378137.0, 6356752.3142], atol=1e-4)
+
+
+def test_a_geographic_and_a_geocentric_system_make_the_same_frame():
+    geographic = local_frame("EPSG:4979", BONN)
+    at = np.array([[7.001, 50.702, 130.0]])
+    from pyproj import Transformer
+
+    change = Transformer.from_crs("EPSG:4979", "EPSG:4978", always_xy=True)
+    geocentric = local_frame("EPSG:4978", change.transform(*BONN))
+    expected = geographic.local_from_crs(at)
+    np.testing.assert_allclose(geocentric.local_from_crs(np.array([change.transform(*at[0])])), expected, atol=1e-6)
+
+
+def test_the_scale_of_the_grid_is_seen():
+    frame = local_frame("EPSG:32632", (500_000.0, 5_400_000.0, 0.0))
+    on_the_meridian, off = frame.scale_and_convergence(np.array([[500_000.0, 5_400_000, 0], [600_000, 5_400_000, 0]]))
+    np.testing.assert_allclose(on_the_meridian, [0.9996, 0.0], atol=1e-8)
+    # k = k0 (1 + (x / k0)^2 / 2 R^2), R the mean radius of curvature
+    assert off[0] == pytest.approx(0.9996 * (1 + (1e5 / 0.9996) ** 2 / 2 / 6_382_000**2), abs=2e-7)
+    assert off[1] > 0.01
+    line = frame.local_from_crs(np.array([[500_000.0, 5_400_000, 0], [501_000, 5_400_000, 0]]))
+    assert np.linalg.norm(line[1] - line[0]) == pytest.approx(1000 / 0.9996, abs=1e-3)
+    high = frame.scale_and_convergence(np.array([[500_000.0, 5_400_000, 1000.0]]))
+    assert high[0, 0] == pytest.approx(0.9996 * (1 - 1000 / 6_382_000), abs=1e-6)
+
+
+def test_the_frame_turns_with_the_place():
+    frame = local_frame("EPSG:4979", BONN)
+    R = frame.local_from_enu(np.array([BONN, (7.1, 50.7, 100.0)]))
+    np.testing.assert_allclose(R[0], np.eye(3), atol=1e-12)
+    # up there leans to the east by about 0.1 deg cos(latitude)
+    assert R[1, 0, 2] == pytest.approx(np.radians(0.1) * np.cos(np.radians(50.7)), rel=1e-4)
+
+
+def test_attitudes_in_the_grid():
+    """The convergence is the difference of the azimuths in the local frame and in the grid."""
+    frame = local_frame("EPSG:32632", (600_000.0, 5_400_000.0, 0.0))
+    at = np.array([[600_000.0, 5_400_000.0, 0.0]])
+    grid_from_local = frame.crs_from_local_rotation(at)[0]
+    north_of_grid = grid_from_local.T @ [0, 1, 0]
+    assert np.arctan2(north_of_grid[0], north_of_grid[1]) == pytest.approx(frame.scale_and_convergence(at)[0, 1])
+
+
+@pytest.mark.parametrize("crs", ["EPSG:32632", "EPSG:4979", "EPSG:2263"])
+def test_covariances_go_both_ways_and_agree_with_simulation(crs):
+    origin, metre = SYSTEMS[crs]
+    frame = local_frame(crs, origin)
+    at = np.add([origin], [[2000 * metre, 1000 * metre, 50.0]])
+    rng = np.random.default_rng(3)
+    A = rng.normal(size=(3, 3)) * np.array([[metre], [metre], [1.0]]) * 0.01
+    given = (A @ A.T)[None]
+    local = frame.local_covariance(at, given)
+    np.testing.assert_allclose(frame.crs_covariance(at, local), given, rtol=1e-9, atol=1e-25)
+    draws = frame.local_from_crs(at + rng.multivariate_normal(np.zeros(3), given[0], 20_000))
+    np.testing.assert_allclose(np.cov(draws.T), local[0], atol=0.04 * np.abs(local).max())
+
+
+def test_plan_without_heights():
+    frame = local_frame("EPSG:32611", (235_263.0, 3_811_208.0, np.nan))
+    assert any("height of the origin is not known" in r for r in frame.remarks)
+    plan = np.array([[235_269.88, 3_811_198.11, np.nan], [236_263.0, 3_812_208.0, np.nan]])
+    local = frame.local_from_crs(plan)
+    assert np.isnan(local[:, 2]).all()
+    np.testing.assert_allclose(np.diff(local[:, :2], axis=0), np.diff(plan[:, :2], axis=0), rtol=0.05)
+    np.testing.assert_allclose(frame.crs_from_local(local)[:, :2], plan[:, :2], atol=1e-6)
+    C = np.diag([0.01, 0.04, np.nan])[None]
+    turned = frame.local_covariance(plan[:1], C)[0]
+    assert np.isfinite(turned[:2, :2]).all()
+    assert np.isnan(turned[2]).all()
+
+
+@pytest.mark.parametrize(
+    ("crs", "words"),
+    [
+        ("EPSG:25832", "says nothing about heights"),
+        ("EPSG:25832+7837", "is not installed"),
+        ("EPSG:4979", None),
+        ("EPSG:4978", None),
+    ],
+)
+def test_heights_are_said_plainly(crs, words):
+    if words == "is not installed" and _vertical(crs)[0] is not None:
+        pytest.skip("this machine has the geoid")
+    remarks = " ".join(local_frame(crs, SYSTEMS[crs][0]).remarks)
+    if words is None:
+        assert not remarks
+    else:
+        assert words in remarks
+
+
+def test_a_given_undulation_raises_the_frame():
+    crs, origin = "EPSG:25832+7837", SYSTEMS["EPSG:25832+7837"][0]
+    frame = local_frame(crs, origin, undulation_m=46.0)
+    assert "46" in frame.remarks[0]
+    line = np.array([origin, (origin[0] + 10_000, origin[1], origin[2])])
+    length = np.linalg.norm(np.diff(frame.local_from_crs(line), axis=0))
+    flat = np.linalg.norm(np.diff(local_frame("EPSG:25832", origin).local_from_crs(line), axis=0))
+    assert length / flat - 1 == pytest.approx(46.0 / 6_385_000, rel=0.01)
+    assert frame.wgs84_from_local(np.zeros((1, 3)))[0, 2] == pytest.approx(166.0, abs=1e-6)
+
+
+def test_longitude_and_latitude():
+    frame = local_frame("EPSG:32632", (500_000.0, 5_400_000.0, 300.0))
+    lon, lat, h = frame.wgs84_from_local(np.zeros((1, 3)))[0]
+    assert lon == pytest.approx(9.0, abs=1e-10)
+    assert 48.7 < lat < 48.8
+    assert h == pytest.approx(300.0, abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("WGS84 UTM 11N", "WGS 84 / UTM zone 11N"),
+        ("WGS84 UTM 32S", "WGS 84 / UTM zone 32S"),
+        ("EPSG:25832", "ETRS89 / UTM zone 32N"),
+    ],
+)
+def test_names_of_systems(text, name):
+    assert parse_crs(text).name == name
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("nonsense", "no coordinate system"),
+        ("EPSG:5773", "no place on the earth"),
+        ("WGS84 UTM 61N", "between 1 and 60"),
+    ],
+)
+def test_what_is_no_system_is_refused(text, words):
+    with pytest.raises(InputError, match=words):
+        parse_crs(text)
+
+
+def test_a_place_outside_is_refused():
+    with pytest.raises(InputError, match="outside the area"):
+        local_frame("EPSG:32632", (1e9, 1e9, 0.0))
+
+
+def test_a_frame_is_stored_and_made_again():
+    frame = local_frame("EPSG:32632", (500_000.0, 5_400_000.0, 300.0), undulation_m=40.0)
+    assert frame_from_mapping(frame.as_mapping()) == frame
+    with pytest.raises(InputError, match="not complete"):
+        frame_from_mapping({"crs": "EPSG:32632"})
