@@ -143,7 +143,7 @@ static bool window_inside(const Grey& g, const double* p, const double* B, doubl
   return true;
 }
 
-constexpr int kUnknowns = 8;
+constexpr int kUnknowns = 10;  // shift, affine map, brightness, contrast, slope of the illumination in x and y
 
 // L L' = N in place (lower); false where N is not positive definite beyond rounding.
 static bool cholesky(double N[kUnknowns][kUnknowns]) {
@@ -176,7 +176,7 @@ static void solve(const double L[kUnknowns][kUnknowns], double* b) {
 
 struct Window {
   int count;
-  std::vector<double> u, v, w, T, G, J;  // J (8, count)
+  std::vector<double> u, v, w, T, G, J;  // J (kUnknowns, count)
   double total;
 };
 
@@ -195,9 +195,11 @@ static void match(const Grey& reference, const Grey& target, const Patch& patch,
     o.total += o.w[i];
   }
   const double* w = o.w.data();
-  // weighted mean to 0, weighted variance to 1; false where there is no contrast
+  // weighted mean to 0, weighted variance to 1; 0 where there is no contrast
+  double mean = 0;
   const auto normalise = [&](double* a) {
-    double mean = 0, square = 0;
+    double square = 0;
+    mean = 0;
     for (int i = 0; i < count; ++i) mean += w[i] * a[i];
     mean /= o.total;
     for (int i = 0; i < count; ++i) {
@@ -237,6 +239,7 @@ static void match(const Grey& reference, const Grey& target, const Patch& patch,
       outcome[n] = flat;
       continue;
     }
+    const double level = mean / contrast;
     for (int i = 0; i < count; ++i) {
       const double gx = J[i] /= contrast, gy = J[count + i] /= contrast;
       J[2 * count + i] = gx * o.u[i];
@@ -245,6 +248,8 @@ static void match(const Grey& reference, const Grey& target, const Patch& patch,
       J[5 * count + i] = gy * o.v[i];
       J[6 * count + i] = 1;
       J[7 * count + i] = T[i];
+      J[8 * count + i] = o.u[i] * (T[i] + level) / h;
+      J[9 * count + i] = o.v[i] * (T[i] + level) / h;
     }
     double N[kUnknowns][kUnknowns];
     for (int a = 0; a < kUnknowns; ++a)

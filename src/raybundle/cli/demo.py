@@ -20,9 +20,16 @@ if TYPE_CHECKING:
 
 @click.command("demo", context_settings=COMMAND_SETTINGS)
 @click.option("--out", type=FOLDER, default=Path("demo"), show_default=True, metavar="FOLDER", help="Where it writes.")
+@click.option(
+    "--set",
+    "photographs",
+    type=FOLDER,
+    metavar="FOLDER",
+    help="Orient the photographs of a set with known truth instead: photos/, measured.csv, truth/.",
+)
 @click.option("--seed", type=click.IntRange(0), default=1, show_default=True, help="Of the random errors.")
 @common_options
-def command(out: Path, seed: int, progress: str) -> None:
+def command(out: Path, photographs: Path | None, seed: int, progress: str) -> None:
     """Simulate a calibration field, calibrate the camera, and print truth beside estimate and sigma.
 
     Given are image coordinates and one scale bar, and nothing else: no orientations, no object coordinates, a camera
@@ -31,7 +38,13 @@ def command(out: Path, seed: int, progress: str) -> None:
     \b
     Example:
       raybundle demo --out demo
+      raybundle demo --set demo_data/portal --out portal
     """  # noqa: D301
+    if photographs is not None:
+        from raybundle.cli.demo_set import run  # noqa: PLC0415
+
+        run(photographs, out, progress)
+        return
     from raybundle.block import simulate as s  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.cli.progress import reporting  # noqa: PLC0415
     from raybundle.cli.summary import summary_lines  # noqa: PLC0415

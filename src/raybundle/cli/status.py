@@ -36,6 +36,5 @@ def command(project: Path) -> None:
             click.echo(f" {name:12s} {'-':>8s} {'-':>8s} {'-':>8s}  not done")
             continue
         source = "from cache" if r.from_cache else r.finished.replace("T", " ").rstrip("Z")
-        click.echo(
-            f" {name:12s} {r.seconds:8.1f} {r.cpu_seconds:8.1f} {r.peak_memory_mb:6.0f}MB  {source}  {r.summary}".rstrip()
-        )
+        figures = f"{r.seconds:8.1f} {r.cpu_seconds:8.1f} {r.peak_memory_mb:6.0f}MB"
+        click.echo(f" {name:12s} {figures}  {source}  {r.summary}".rstrip())

@@ -1,8 +1,10 @@
 """Least-squares matching: an image point measured again in another image, to a few hundredths of a pixel.
 
-The window of a reference image is brought onto the target image by an affine map, brightness and contrast free
-(Förstner 1982; Ackermann 1984; Gruen 1985), iterated in the inverse-compositional form (Baker and Matthews 2004), in
-which the normal equations belong to the reference window and stay.
+The window of a reference image is brought onto the target image by an affine map (Förstner 1982; Ackermann 1984; Gruen
+1985), brightness, contrast and a slope of the illumination free: without the slope the fall-off of light towards the
+corners moves points by a hundredth of a pixel, all of them outwards, and that looks like distortion.  Iterated
+in the inverse-compositional form (Baker and Matthews 2004), in which the normal equations belong to the reference
+window and stay.
 """
 
 from __future__ import annotations
@@ -14,6 +16,8 @@ import numpy as np
 
 from raybundle.numerics import native
 from raybundle.numerics.arrays import Array, Index
+
+UNKNOWNS = 10
 
 
 class Outcome(IntEnum):
@@ -124,11 +128,14 @@ class _Window:
         if not _inside(image, centre + u[[0, -1]]):
             return Outcome.OUTSIDE
         T, gx, gy = _sample(image, centre + u)
+        level = w @ T / w.sum()
         T, contrast = _normalised(T, w)
         if contrast == 0:
             return Outcome.FLAT
         gx, gy = gx / contrast, gy / contrast
-        J = np.stack([gx, gy, gx * u[:, 0], gx * u[:, 1], gy * u[:, 0], gy * u[:, 1], np.ones_like(T), T], axis=1)
+        slope = u * (T + level / contrast)[:, None] / u.max()
+        columns = [gx, gy, gx * u[:, 0], gx * u[:, 1], gy * u[:, 0], gy * u[:, 1], np.ones_like(T), T, *slope.T]
+        J = np.stack(columns, axis=1)
         N = J.T @ (w[:, None] * J)
         return cls(u, w, T, J, N)
 
@@ -150,8 +157,9 @@ def _match_one(o: _Window, target: Array, i: int, result: WindowMatches, options
         square = float(o.w @ e**2)
         result.correlation[i] = 1 - square / (2 * total)
         weight = max(square / total, 1e-4) / options.loose**2
-        prior = np.concatenate([[0, 0], np.full(4, weight), [0, 0]])
-        deviation = np.concatenate([[0, 0], (np.linalg.inv(result.affine[i]) @ B - np.eye(2)).ravel(), [0, 0]])
+        prior = np.concatenate([[0, 0], np.full(4, weight), np.zeros(UNKNOWNS - 6)])
+        D = np.linalg.inv(result.affine[i]) @ B - np.eye(2)
+        deviation = np.concatenate([[0, 0], D.ravel(), np.zeros(UNKNOWNS - 6)])
         try:
             Q = np.linalg.inv(o.N + np.diag(prior))
         except np.linalg.LinAlgError:
@@ -172,7 +180,7 @@ def _match_one(o: _Window, target: Array, i: int, result: WindowMatches, options
             break
         if np.hypot(*shift) < options.step and longest <= h / 4:
             outcome = Outcome.MATCHED
-            variance = square / total * len(o.u) / (len(o.u) - 8)
+            variance = square / total * len(o.u) / (len(o.u) - UNKNOWNS)
             C = variance * B @ Q[:2, :2] @ B.T
             result.cov_px2[i] = C[0, 0], C[1, 1], C[0, 1]
             break

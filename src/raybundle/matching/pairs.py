@@ -46,8 +46,8 @@ def _nearest_in_space(positions: Array) -> set[tuple[int, int]]:
     if len(known) < 2:
         return set()
     k = min(NEIGHBOURS + 1, len(known))
-    _, near = KDTree(positions[known, :2]).query(positions[known, :2], k=k)
-    return {_ordered(int(known[a]), int(known[b])) for a, row in enumerate(near) for b in np.atleast_1d(row) if a != b}
+    near: Array = np.reshape(KDTree(positions[known, :2]).query(positions[known, :2], k=k)[1], (len(known), k))
+    return {_ordered(int(known[a]), int(known[b])) for a, row in enumerate(near) for b in row if a != b}
 
 
 def _most_similar(signatures: Array) -> set[tuple[int, int]]:

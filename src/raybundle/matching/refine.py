@@ -16,12 +16,8 @@ CORRELATION = 0.85
 """Least correlation of two windows that are believed to show the same."""
 NEIGHBOURS_FROM = 20
 """Common points of two images from which on neighbours give the affine map."""
-WINDOWS = (
-    WindowOptions(half=8, sigma=4.8, step=0.01, reach=2.5),
-    WindowOptions(half=12, sigma=7.2, step=0.01, reach=3.0),
-    WindowOptions(half=16, sigma=9.6, step=0.01, reach=5.0),
-)
-"""By the size of the feature."""
+WINDOW = WindowOptions(half=8, sigma=4.8, step=0.01, reach=2.5)
+"""Small: on relief larger windows give smaller residuals and a worse block (they are not plane, and they overlap)."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -134,7 +130,7 @@ def match_candidates(
     """Least-squares matching of all candidates, one pair of images after the other.
 
     The affine map to begin with is that of the neighbours which both images see; where they are too few, the
-    similarity of the two features.  Large features get large windows.
+    similarity of the two features.
     """
     k = len(candidates.image)
     good, xy, cov, correlation = np.zeros(k, bool), candidates.xy_px.copy(), np.zeros((k, 3)), np.zeros(k)
@@ -148,23 +144,15 @@ def match_candidates(
         a, b = int(source[group[0]]), int(candidates.image[group[0]])
         reference = candidates.reference[group]
         affine = _affine(points, rows_of_image[a], rows_of_image[b], reference, candidates.row[group])
-        size = points.scale_px[reference]
-        classes = np.select([size > 6, size > 4], [2, 1], 0)
-        for c in np.unique(classes[np.isfinite(affine).all(axis=(1, 2))]):
-            mine = np.flatnonzero((classes == c) & np.isfinite(affine).all(axis=(1, 2)))
-            found = match_windows(
-                image(a),
-                image(b),
-                points.xy_px[reference[mine]],
-                candidates.xy_px[group[mine]],
-                affine[mine],
-                WINDOWS[c],
-            )
-            fine = (found.outcome == Outcome.MATCHED) & (found.correlation > CORRELATION)
-            at = group[mine]
-            correlation[at] = found.correlation
-            good[at[fine]] = True
-            xy[at[fine]], cov[at[fine]] = found.xy_px[fine], found.cov_px2[fine]
+        mine = np.flatnonzero(np.isfinite(affine).all(axis=(1, 2)))
+        at = group[mine]
+        found = match_windows(
+            image(a), image(b), points.xy_px[reference[mine]], candidates.xy_px[at], affine[mine], WINDOW
+        )
+        fine = (found.outcome == Outcome.MATCHED) & (found.correlation > CORRELATION)
+        correlation[at] = found.correlation
+        good[at[fine]] = True
+        xy[at[fine]], cov[at[fine]] = found.xy_px[fine], found.cov_px2[fine]
 
     with ThreadPoolExecutor(max(threads, 1)) as pool:
         for n, _ in enumerate(pool.map(run, groups)):

@@ -15,7 +15,7 @@ FEWEST = 15
 """Inliers below which a pair is not believed."""
 STRONG, SHARE = 40, 0.3
 """Inliers, and their share of the candidates, from which a pair is trusted by itself."""
-LINKS = 3
+LINKS = 1
 """Strong pairs that make an image independent of its weak ones."""
 
 
@@ -89,10 +89,10 @@ def verify(
 
 
 def trusted(pairs: Sequence[VerifiedPair], images: int) -> list[VerifiedPair]:
-    """The pairs from which tracks are made: strong ones, and of images with few of them the best weak ones.
+    """The pairs from which tracks are made: strong ones, and of images without any the best weak ones.
 
     Repeated windows, columns or tiles make pairs that an epipolar geometry explains with few of many candidates;
-    where an image has better neighbours, such pairs only do harm.
+    where an image has a better neighbour, such pairs only do harm.
     """
     good = [p for p in pairs if len(p.matches)]
     strong = [p for p in good if len(p.matches) >= STRONG and len(p.matches) >= SHARE * p.candidates]

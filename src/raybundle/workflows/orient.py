@@ -18,6 +18,7 @@ from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Block, Camera
 from raybundle.errors import InputError
 from raybundle.io.block_arrays import arrays_of_block, block_of_arrays
+from raybundle.io.coordinate_systems import LocalFrame
 from raybundle.io.photos.cameras import CameraGroup, camera_groups, camera_of
 from raybundle.io.photos.photo import Photo, find_photos
 from raybundle.io.project import Project, Stage, StageRecord, key_of
@@ -27,6 +28,7 @@ from raybundle.matching.tracks import tracks_of
 from raybundle.matching.verify import VerifiedPair, trusted
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.progress import Progress, silent
+from raybundle.workflows.georeference import Georeferenced, Given, accuracy, georeference, rejected_marks
 from raybundle.workflows.tie_block import (
     PreciseBlock,
     TieBlock,
@@ -38,8 +40,10 @@ from raybundle.workflows.tie_block import (
 )
 from raybundle.workflows.tie_points import FeatureStore, find_features, grey_of, match_pairs, pairs_of
 
-START, PRECISION = 2, 3
+START, PRECISION = 4, 8
 """Versions of the stages' results."""
+FINAL = 1e-4
+"""Last step of the final adjustment, in standard deviations of the unknowns."""
 STAGES = ("photographs", "features", "matching", "start", "precision", "adjustment", "report")
 
 
@@ -77,6 +81,8 @@ class Orientation:
     sigma_px: float
     """standard deviation of an image coordinate, from the residuals"""
     weights: Weights | None
+    frame: LocalFrame | None
+    """coordinate system of object space; None: a free system"""
     components: int = 1
     remarks: tuple[str, ...] = field(default=())
 
@@ -99,6 +105,8 @@ class Orientation:
                 {k: v for k, v in asdict(s).items() if k in _STAGE_FIELDS} for s in self.stages
             ],
             "image_sigma_px": self.sigma_px,
+            **({} if self.frame is None else {"frame": self.frame.as_mapping()}),
+            **accuracy(self.adjustment),
         }  # fmt: skip
 
 
@@ -111,6 +119,7 @@ def orient(
     options: OrientOptions | None = None,
     *,
     calibration: Sequence[Camera] = (),
+    given: Given | None = None,
     progress: Progress = silent,
 ) -> Orientation:
     """Orient photographs within a project folder; finished stages are taken from there.
@@ -118,6 +127,7 @@ def orient(
     inputs       folders and files
     folder       project folder; begun, or continued
     calibration  cameras whose interior orientation is known (`estimate` () holds it)
+    given        control, check points, scale bars; GPS positions of the photographs are used where there is no control
     raises       InputError, NoOrientation
 
     What it does not tell: without control or scale bars the position, orientation and scale of the result are
@@ -160,7 +170,8 @@ def orient(
             with project.stage("precision") as stage:
                 block, weights = _precision(project, stage, tie, photos, options, jobs, progress)
         with project.stage("adjustment") as stage:
-            adjustment = _adjust(block, groups, jobs, progress, [*found.remarks])
+            placed = georeference(block, photos, given or Given())
+            adjustment = _adjust(placed, groups, jobs, progress, found.remarks)
             stage.from_cache = False
             stage.summary = f"sigma0 {adjustment.sigma0:.3f}"
         return Orientation(
@@ -173,6 +184,7 @@ def orient(
             stages=tuple(project.records),
             sigma_px=image_sigma_px(adjustment),
             weights=weights,
+            frame=placed.frame,
             remarks=tuple(found.remarks),
         )
     finally:
@@ -329,10 +341,12 @@ class _GreyCache:
 
 
 def _adjust(
-    block: Block, groups: Sequence[CameraGroup], jobs: int, progress: Progress, remarks: Sequence[str]
+    placed: Georeferenced, groups: Sequence[CameraGroup], jobs: int, progress: Progress, remarks: Sequence[str]
 ) -> Adjustment:
     """The final adjustment: parameters by significance and determinability, blunders by data snooping."""
     notices = [Notice(code="photographs", message=r) for r in remarks]
     notices += [Notice(code="camera", message=f"camera {g.id}: {r}", ids=(g.id,)) for g in groups for r in g.remarks]
-    options = AdjustmentOptions(threads=jobs, reject="snooping")
-    return decide(block, options, progress, notices=tuple(notices))
+    options = AdjustmentOptions(threads=jobs, reject="snooping", tolerance=FINAL)
+    result = decide(placed.block, options, progress, notices=(*notices, *placed.notices))
+    marks = rejected_marks(result, placed.marked[result.given.observations.point])
+    return replace(result, notices=(*marks, *result.notices)) if marks else result

@@ -27,6 +27,7 @@ from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.orientation.assembly import approximate_values
 from raybundle.orientation.cleaning import clean
+from raybundle.orientation.rays import intersect_linear, object_rays, rays_of
 from raybundle.platforms.station import sensor_from_object
 
 FEATURE_SIGMA_PX = 0.5
@@ -38,9 +39,11 @@ FIRST_FREE = ("c", "K1", "K2")
 FREE = ("c", "x0", "y0", "K1", "K2", "K3", "P1", "P2", "A", "S")
 
 
+FLAT = 1.0e-4
+"""Eigenvalue ratio of an intersection below which it has no depth: rays parallel to about 1.2 degrees."""
 WEAK_PX = 0.4
 """Standard deviation above which a match says nothing beside the others and is left out."""
-SURE = 0.92
+SURE = 0.95
 """Least correlation of a point measured where no feature was found."""
 NEAR_PX = 2.0
 """Largest distance of such a point from its predicted place."""
@@ -138,7 +141,7 @@ def start(raw: Block, scale_px: Array, angle: Array, threads: int, progress: Pro
     options = AdjustmentOptions(threads=threads, statistics=False)
     free = {c.id: free_at_start(c) for c in raw.cameras}
     cleaned = clean(found, options, free, progress=progress)
-    keep = ~cleaned.rejected
+    keep = ~cleaned.rejected & ~flat_points(cleaned.block)[cleaned.block.observations.point]
     names = {cleaned.block.images.ids[i] for i in np.unique(cleaned.block.observations.image[keep])}
     for name in raw.images.ids:
         if name not in names:
@@ -151,6 +154,15 @@ def start(raw: Block, scale_px: Array, angle: Array, threads: int, progress: Pro
         angle=angle[rows[keep]],
         not_oriented=tuple((n, failed[n]) for n in raw.images.ids if n in failed),
     )
+
+
+def flat_points(block: Block) -> Mask:
+    """(p,) tie points whose rays are nearly parallel: they say nothing of the object and hinder convergence."""
+    rays = rays_of(block)
+    direction = object_rays(block.images.rotation[rays.image], rays.direction)
+    p = len(block.points)
+    _, count, ratio = intersect_linear(block.images.centre[rays.image], direction, rays.point, p)
+    return (count < 2) | (ratio < FLAT) | ~np.isfinite(block.points.xyz).all(axis=1)
 
 
 def _with_estimate(values: Sequence[Camera], wishes: Sequence[Camera]) -> tuple[Camera, ...]:
@@ -237,7 +249,8 @@ def refine(
         block=block, grey=found.cov_px2[keep], reference=found.reference[keep], weights=Weights(),
         rejected=np.zeros(len(block.observations), bool), scale_px=tie.scale_px[keep], angle=tie.angle[keep],
     )  # fmt: skip
-    options = AdjustmentOptions(threads=threads)
+    # weights and blunders need no more: the final adjustment converges fully
+    options = AdjustmentOptions(threads=threads, tolerance=1e-2)
     result = _settle(work, options, first=20)
     progress("weights", 1 / 3)
     added = _complete(work, image, threads, progress)

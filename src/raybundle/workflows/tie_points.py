@@ -24,11 +24,21 @@ from raybundle.numerics.progress import Progress
 VERIFICATION = 1
 """Raised with every change of what matching and verification give."""
 SAVE_EVERY_S = 2.0
+PIXELS_EACH = 400
+"""Pixels of a photograph for each feature."""
 
 
 def feature_key(photo: Photo, method: FeatureMethod, count: int) -> str:
     """What the features of a photograph depend on."""
     return key_of("features", photo.sha256, method.name, method.version, count)
+
+
+def feature_count(photo: Photo, most: int) -> int:
+    """Features of a photograph: so many that the windows by which they are measured hardly overlap.
+
+    Measurements from the same pixels are not independent, and their number would promise too much precision.
+    """
+    return min(most, max(500, int(photo.width_px * photo.height_px / PIXELS_EACH)))
 
 
 def grey_of(photo: Photo) -> Array:
@@ -68,7 +78,8 @@ def find_features(
     progress: Progress,
 ) -> tuple[FeatureStore, dict[int, str]]:
     """Features of every photograph; also the photographs whose pixels could not be read, with the reason."""
-    keys = tuple(feature_key(p, method, count) for p in photos)
+    counts = [feature_count(p, count) for p in photos]
+    keys = tuple(feature_key(p, method, n) for p, n in zip(photos, counts, strict=True))
     missing = [i for i, key in enumerate(keys) if not project.has(key)]
     stage.key = key_of("features", keys)
     stage.from_cache = not missing
@@ -76,7 +87,7 @@ def find_features(
 
     def work(i: int) -> str:
         try:
-            f = method.detect(grey_of(photos[i]), count)
+            f = method.detect(grey_of(photos[i]), counts[i])
         except InputError as error:
             return str(error)
         project.store(

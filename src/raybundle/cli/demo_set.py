@@ -1,0 +1,127 @@
+"""The demonstration on photographs whose truth is known: `raybundle demo --set FOLDER`."""
+
+from __future__ import annotations
+
+import csv
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from raybundle.cli.common import counted, significant
+from raybundle.cli.demo import rigid_difference, together
+
+if TYPE_CHECKING:
+    from raybundle.adjustment.result import Adjustment
+    from raybundle.block import Block
+    from raybundle.numerics.arrays import Array
+    from raybundle.workflows.georeference import Given
+
+
+def run(folder: Path, out: Path, progress: str) -> None:
+    """Orient the photographs of a set and print truth beside estimate.
+
+    folder  photos/, measured.csv (marked targets) and truth/ (a block folder with the scale bar)
+    """
+    from raybundle.cli.orient import write_orientation  # noqa: PLC0415
+    from raybundle.cli.progress import reporting  # noqa: PLC0415
+    from raybundle.cli.summary import summary_lines  # noqa: PLC0415
+    from raybundle.errors import InputError  # noqa: PLC0415
+    from raybundle.io.block_folder import read_block  # noqa: PLC0415
+    from raybundle.report.result_folder import check_target  # noqa: PLC0415
+    from raybundle.workflows.orient import orient  # noqa: PLC0415
+
+    for name in ("photos", "measured.csv", "truth"):
+        if not (folder / name).exists():
+            raise InputError(f"{name} is missing; a set holds photos/, measured.csv and truth/", file=folder)
+    truth = read_block(folder / "truth")
+    result = out / "result"
+    check_target(result)
+    given = given_of(folder, truth)
+    bars = ", ".join(f"{b.length:.4f} m with sigma {b.sigma * 1000:g} mm" for b in given.scale_bars)
+    click.echo(f" given: {counted(len(truth.images), 'photograph')} and one scale bar, {bars}")
+    with reporting(progress) as tell:
+        done = orient([folder / "photos"], out, given=given, progress=tell)
+        write_orientation(done, result, report="html", progress=tell)
+    a = done.adjustment
+    click.echo("\n".join(["", *interior_lines(truth, a), "", *place_lines(truth, a), ""]))
+    click.echo(f" {done.oriented} of {counted(len(done.photos), 'photograph')} oriented")
+    click.echo("\n".join(summary_lines(a)))
+    click.echo(f" image points: sigma {done.sigma_px:.3f} px")
+    click.echo(f" result: {result}, report: {result / 'report.html'}")
+
+
+def given_of(folder: Path, truth: Block) -> Given:
+    """The marked targets of a set, without coordinates, and its scale bars."""
+    import numpy as np  # noqa: PLC0415
+
+    from raybundle.block import Role  # noqa: PLC0415
+    from raybundle.io.control_files import ControlFile, read_measurements  # noqa: PLC0415
+    from raybundle.workflows.georeference import Given, ScaleBar  # noqa: PLC0415
+
+    marks = folder / "measured.csv"
+    with marks.open(encoding="utf-8", newline="") as file:
+        ids = tuple(dict.fromkeys(row["point"] for row in csv.DictReader(file)))
+    nothing = np.full((len(ids), 3), np.nan)
+    control = ControlFile(
+        path=marks, crs=None, ids=ids, xyz=nothing, sigma=nothing.copy(),
+        role=np.full(len(ids), Role.CONTROL, np.int32), measurements=read_measurements(marks, ids, marks.name),
+    )  # fmt: skip
+    names, d = truth.points.ids, truth.distances
+    bars = tuple(
+        ScaleBar(start=names[a], end=names[b], length=float(length), sigma=float(sigma))
+        for a, b, length, sigma in zip(d.start, d.end, d.length, d.sigma, strict=True)
+    )
+    return Given(control=(control,), scale_bars=bars, gps=False, mark_px=0.05)
+
+
+def interior_lines(truth: Block, a: Adjustment) -> list[str]:
+    """Truth, estimate, sigma and their ratio for each parameter."""
+    true = truth.cameras[0].values
+    lines = [f" {'parameter':12}{'truth':>16}{'estimate':>16}{'sigma':>12}{'error / sigma':>16}"]
+    for interior in a.interior:
+        for p in interior.parameters.values():
+            if p.std is None or not p.std > 0:
+                continue
+            texts = together((true[p.symbol], p.value, p.std), p.std)
+            ratio = (p.value - true[p.symbol]) / p.std
+            lines.append(f" {p.symbol:4}{p.unit:8}{texts[0]:>16}{texts[1]:>16}{texts[2]:>12}{ratio:>16.2f}")
+    return lines
+
+
+def place_lines(truth: Block, a: Adjustment) -> list[str]:
+    """Errors of targets and projection centres beside their stated standard deviations."""
+    lines = [" in the frame of the targets: rms error, and standard deviation as stated (rms)"]
+    for what, error, covariance in errors(truth, a):
+        rms = 1000 * math.sqrt(float((error**2).mean()))
+        std = 1000 * math.sqrt(float(covariance.diagonal(axis1=1, axis2=2).mean()))
+        lines.append(f"   {what:22}{significant(rms):>8} mm {significant(std):>8} mm")
+    return lines
+
+
+def errors(truth: Block, a: Adjustment) -> list[tuple[str, Array, Array]]:
+    """Errors (n, 3) and covariances (n, 3, 3) of targets and projection centres.
+
+    Both in the frame of the targets: a rigid motion onto their true places, covariances under inner constraints over
+    them.
+    """
+    import numpy as np  # noqa: PLC0415
+
+    from raybundle.adjustment.queries import precision_in_datum  # noqa: PLC0415
+
+    found = {name: k for k, name in enumerate(a.adjusted.points.ids)}
+    targets = tuple(n for n in truth.points.ids if n in found)
+    t = np.array([truth.points.ids.index(n) for n in targets])
+    mine = np.array([found[n] for n in targets])
+    estimate, true = a.adjusted.points.xyz[mine], truth.points.xyz[t]
+    error, turn = rigid_difference(estimate, true)
+    precision = precision_in_datum(a, targets)
+    files = {f: k for k, f in enumerate(truth.images.file)}
+    images = [k for k, f in enumerate(a.adjusted.images.file) if f in files and a.adjusted.images.oriented[k]]
+    there = truth.images.centre[[files[a.adjusted.images.file[k]] for k in images]]
+    centres = (a.adjusted.images.centre[images] - estimate.mean(axis=0)) @ turn.T + true.mean(axis=0) - there
+    return [
+        ("targets", error, turn @ precision.object_points[mine] @ turn.T),
+        ("projection centres", centres, turn @ precision.images[images, :3, :3] @ turn.T),
+    ]
