@@ -42,7 +42,7 @@ endif
 	touch $@
 
 demo: setup
-	$(BIN)/raybundle demo --out demo
+	$(BIN)/raybundle demo --set demo_data/portal --out demo
 
 test: setup-dev
 	$(BIN)/python -m pytest -n 2

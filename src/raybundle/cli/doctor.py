@@ -15,8 +15,11 @@ import click
 
 from raybundle.cli.common import COMMAND_SETTINGS
 
-REQUIRED = ("numpy", "scipy", "click", "rich", "msgspec", "jinja2", "poselib")
+REQUIRED = ("numpy", "scipy", "click", "rich", "msgspec", "jinja2", "poselib", "cv2", "PIL", "pyproj")
 OPTIONAL = {
+    "laspy": ("point clouds in LAS and LAZ", "pip install 'raybundle[las]'"),
+    "pillow_heif": ("photographs in HEIC", "pip install 'raybundle[heic]'"),
+    "rawpy": ("photographs in raw formats", "pip install 'raybundle[raw]'"),
     "sympy": ("sensor models of your own, derived from their condition equation", "pip install 'raybundle[models]'"),
 }
 

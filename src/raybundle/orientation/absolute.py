@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from itertools import product
+from typing import Literal
 
 import numpy as np
 
@@ -13,6 +14,9 @@ from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.rotation import rotation_from_angles, rotation_from_vector
 from raybundle.numerics.transform import robust_similarity
 from raybundle.orientation.growth import Growth
+
+LEAST_COMMON = 4
+"""Points by which one part is brought onto another."""
 
 
 def onto_control(growth: Growth, before: Mask) -> bool:
@@ -25,10 +29,7 @@ def onto_control(growth: Growth, before: Mask) -> bool:
         return True
     block = growth.block
     images = growth.oriented & ~before
-    rows = images[growth.rays.image]
-    seen = np.zeros(len(growth.known), bool)
-    seen[growth.rays.point[rows]] = True
-    mine = np.flatnonzero(seen & growth.known)
+    mine = _points_of(growth, images)
     target_points, given = block_control(growth)
     part = mine[given[mine].any(axis=1)]
     source = [growth.block.points.xyz[part]]
@@ -57,6 +58,36 @@ def onto_control(growth: Growth, before: Mask) -> bool:
     return True
 
 
+def onto_points(growth: Growth, before: Mask, placed: Array) -> Literal["joined", "apart", "contradiction"]:
+    """Bring the part oriented since `before` onto its points' coordinates `placed` (p, 3) by earlier parts or as given.
+
+    apart          fewer than four points in common: nothing is done
+    contradiction  no similarity brings half of the common points together: nothing is done
+    """
+    images = growth.oriented & ~before
+    mine = _points_of(growth, images)
+    common = mine[np.isfinite(placed[mine]).all(axis=1)]
+    if len(common) < LEAST_COMMON:
+        return "apart"
+    target = placed[common]
+    extent = float(np.linalg.norm(np.percentile(target, 90, axis=0) - np.percentile(target, 10, axis=0)))
+    try:
+        s, agree = robust_similarity(growth.block.points.xyz[common], target, 0.05 * extent)
+    except InputError:
+        return "apart"
+    if agree.sum() < max(LEAST_COMMON, 0.5 * len(common)):
+        return "contradiction"
+    _apply(growth, images, mine, s.scale, s.rotation, s.translation)
+    return "joined"
+
+
+def _points_of(growth: Growth, images: Mask) -> Array:
+    """Positions of the known points that these images see."""
+    seen = np.zeros(len(growth.known), bool)
+    seen[growth.rays.point[images[growth.rays.image]]] = True
+    return np.flatnonzero(seen & growth.known)
+
+
 def block_control(growth: Growth) -> tuple[Array, Mask]:
     """Given control coordinates (p, 3) and which of them are given; the part's own coordinates stand in the block."""
     return growth.given_xyz, growth.given_control
@@ -68,10 +99,7 @@ def onto_scale(growth: Growth, before: Mask) -> None:
         return
     block = growth.block
     images = growth.oriented & ~before
-    rows = images[growth.rays.image]
-    seen = np.zeros(len(growth.known), bool)
-    seen[growth.rays.point[rows]] = True
-    mine = np.flatnonzero(seen & growth.known)
+    mine = _points_of(growth, images)
     inside = np.zeros(len(growth.known), bool)
     inside[mine] = True
     factors = [

@@ -4,36 +4,54 @@ Images are added to what is oriented already, those with the most and best sprea
 after each round the bundle adjustment (robust, without statistics) smooths what has grown, interior
 orientation included, so that an unknown distortion does not bend the block.  The start is control in
 single images (both poses that four coplanar points leave are kept until the common points decide), or
-the best pair.  Unconnected parts are assembled each by itself.
+the best pair.  Parts that do not grow together are joined by their common points or by control, else each
+stays by itself.  A large block is oriented by a skeleton of its points; the others follow at the end.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from raybundle.adjustment.result import Notice
-from raybundle.block import Block
+from raybundle.block import Block, Role
+from raybundle.block.select import with_rows
 from raybundle.errors import NoOrientation
-from raybundle.numerics.arrays import Mask
+from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.progress import Progress, silent
-from raybundle.orientation.absolute import onto_control, onto_scale
+from raybundle.orientation.absolute import onto_control, onto_points, onto_scale
+from raybundle.orientation.camera_constant import with_camera_constants
 from raybundle.orientation.candidates import Pose, resect_all, resect_robust
+from raybundle.orientation.completion import Completed, complete
 from raybundle.orientation.growth import Growth
 from raybundle.orientation.rays import rays_of
+from raybundle.orientation.skeleton import skeleton
 from raybundle.orientation.start import start_from_control, start_from_pair
 
 LEAST = 6
 """Known points from which on an image without control is resected."""
+MOST, FEW = 0.5, 0.2
+"""Shares of its known points that an image must bring together, at first and if there is no other way."""
+FEWEST = 20
+"""Points that a minority must have."""
+SETTLE, STILL = 4, 0.005
+"""Adjustments at most at the end of a part, and relative change of the camera constant at which they end."""
+AGAIN = 1.2
+"""Growth of its known points after which an image that was refused is tried again."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ApproximateValues:
-    """A block with every orientation and coordinate filled, and what there is to say about it."""
+    """A block with orientations and coordinates filled, and what there is to say about it."""
 
     block: Block
     notices: tuple[Notice, ...]
+    outliers: Mask
+    """(m,) image observations that do not fit the others of their point by far; still in the block"""
+    not_oriented: Mapping[str, str]
+    """Images without orientation, and why; their observations are still in the block"""
 
 
 @dataclass(slots=True)
@@ -47,44 +65,107 @@ def approximate_values(block: Block, progress: Progress = silent) -> Approximate
     What is given is used and kept (it is refined by the adjustment, not here).
     Raises NoOrientation, which names each image that could not be oriented, and why.
     """
-    growth = Growth.of(block, rays_of(block))
+    found = possible_values(block, progress)
+    left = found.not_oriented
+    if left:
+        observed = len(np.unique(block.observations.image))
+        lines = [f"  image {name}: {reason}" for name, reason in list(left.items())[:20]]
+        more = "" if len(left) <= 20 else f"\n  and {len(left) - 20} more"
+        raise NoOrientation(
+            f"no approximate orientation for {len(left)} of {observed} images:\n" + "\n".join(lines) + more
+            + "\n  Measure more common points, or give approximate values in images.csv.",
+            images=left,
+        )  # fmt: skip
+    return found
+
+
+def possible_values(block: Block, progress: Progress = silent) -> ApproximateValues:
+    """Fill the orientations and coordinates that can be filled; like `approximate_values`, but without an error.
+
+    Images that could not be oriented, and points that only they see, keep what was given, NaN for the most part.
+    """
     observed = np.bincount(block.observations.image, minlength=len(block.images)) > 0
     missing = observed & ~block.images.oriented
-    notices: list[Notice] = []
-    if missing.any():
-        failures = _assemble(growth, missing, progress)
-        left = [int(i) for i in np.flatnonzero(observed & ~growth.oriented)]
-        if left:
-            lines = [f"  image {block.images.ids[i]}: {failures.reasons.get(i, 'not connected')}" for i in left[:20]]
-            more = "" if len(left) <= 20 else f"\n  and {len(left) - 20} more"
-            raise NoOrientation(
-                f"no approximate orientation for {len(left)} of {int(observed.sum())} images:\n"
-                + "\n".join(lines) + more
-                + "\n  Measure more common points, or give approximate values in images.csv.",
-                images={block.images.ids[i]: failures.reasons.get(i, "not connected") for i in left},
-            )  # fmt: skip
-    growth.intersect(everything=True)
-    growth.restore_control()
-    notices += growth.notices()
-    progress("orienting", 1.0)
-    return ApproximateValues(block=growth.block, notices=tuple(notices))
-
-
-def _assemble(growth: Growth, missing: Mask, progress: Progress) -> _Failures:
-    """Orient all missing images, part by part."""
     failures = _Failures()
-    total = int(missing.sum())
-    grown_any = bool(growth.oriented.any())
-    if grown_any:
+    block, constants = with_camera_constants(block)
+    growth = _oriented(block, missing, failures, progress) if missing.any() else Growth.of(block, rays_of(block))
+    limits = 2 * growth.limits(growth.oriented)
+    found = complete(growth.block, growth.rays, ~growth.given, limits)
+    xyz = np.where(growth.given_control, growth.given_xyz, found.xyz)
+    progress("orienting", 1.0)
+    ids = block.images.ids
+    left = np.flatnonzero(observed & ~growth.oriented)
+    return ApproximateValues(
+        block=replace(growth.block, points=replace(growth.block.points, xyz=xyz)),
+        notices=(*constants, *_notices(block, found)),
+        outliers=found.outliers,
+        not_oriented={ids[i]: failures.reasons.get(int(i), "not connected") for i in left},
+    )
+
+
+def _oriented(block: Block, missing: Mask, failures: _Failures, progress: Progress) -> Growth:
+    """The block with all orientations that its skeleton, or else all of its points give."""
+    chosen = skeleton(block)
+    keep = chosen[block.observations.point]
+    if keep.all():
+        growth = Growth.of(block, rays_of(block))
+        _assemble(growth, failures, progress, int(missing.sum()))
+        return growth
+    seen = np.bincount(block.observations.point, keep, minlength=len(block.points)) > 0
+    seen |= np.asarray(block.points.role) != Role.TIE
+    seen[block.distances.start] = seen[block.distances.end] = True
+    numbers = np.flatnonzero(seen)
+    part = with_rows(block, keep)
+    thin = Growth.of(part, rays_of(part))
+    _assemble(thin, failures, progress, int(missing.sum()))
+    xyz = block.points.xyz.copy()
+    xyz[numbers] = thin.block.points.xyz
+    growth = Growth.of(
+        replace(block, cameras=thin.block.cameras, images=thin.block.images, points=replace(block.points, xyz=xyz)),
+        rays_of(replace(block, cameras=thin.block.cameras)),
+    )
+    # what the skeleton found counts as found, not as given
+    growth.given = np.all(np.isfinite(block.points.xyz), axis=1)
+    growth.given_xyz, growth.given_control = block.points.xyz.copy(), block.points.is_control
+    growth.calibrated, growth.remarks = thin.calibrated, thin.remarks
+    growth.known = np.zeros(len(xyz), bool)
+    growth.known[numbers] = thin.known
+    if (missing & ~growth.oriented).any():
+        _assemble(growth, failures, progress, int(missing.sum()))
+    return growth
+
+
+def _notices(block: Block, found: Completed) -> tuple[Notice, ...]:
+    """Points that could only be given a makeshift coordinate."""
+    notices: list[Notice] = []
+    for mask, code, text in (
+        (found.behind, "start_behind", "rays that meet behind a camera"),
+        (found.weak, "start_parallel", "nearly parallel rays"),
+    ):
+        names = tuple(block.points.ids[i] for i in np.flatnonzero(mask))
+        if names:
+            more = " ..." if len(names) > 10 else ""
+            message = f"{len(names)} points with {text} at the start: {', '.join(names[:10])}{more}"
+            notices.append(Notice(code=code, message=message, ids=names[:100]))
+    return tuple(notices)
+
+
+def _assemble(growth: Growth, failures: _Failures, progress: Progress, total: int) -> None:
+    """Orient all missing images, part by part."""
+    placed = np.where(growth.given[:, None], growth.given_xyz, np.nan)
+    if growth.oriented.any():
         growth.intersect()
         _grow(growth, failures, progress, total)
+        _settle(growth)
+        placed[growth.known] = growth.block.points.xyz[growth.known]
     while (left := growth.waiting()).any():
         part = growth.begin_part()
         if not _begin(growth, left, failures):
             break
         _grow(growth, failures, progress, total)
-        _place(growth, part)
-    return failures
+        _settle(growth)
+        _place(growth, part, placed, failures)
+        placed[growth.known] = growth.block.points.xyz[growth.known]
 
 
 def _begin(growth: Growth, left: Mask, failures: _Failures) -> bool:
@@ -101,48 +182,70 @@ def _begin(growth: Growth, left: Mask, failures: _Failures) -> bool:
 
 
 def _grow(growth: Growth, failures: _Failures, progress: Progress, total: int) -> None:
-    """Add images until none is left that sees enough known points."""
+    """Add images until none is left that sees enough known points.
+
+    An image is believed that brings half of its known points together; where none of those is left, one that
+    brings a clear minority together, as among the wrong matches of repeated structures.
+    """
     refused: dict[int, int] = {}
-    while True:
-        waiting = np.flatnonzero(growth.waiting())
-        scores = np.array([growth.score(int(i)) for i in waiting])
-        worth = [
-            int(i)
-            for i, s in zip(waiting, scores, strict=True)
-            if s > 0 and s >= 0.6 * scores.max() and refused.get(int(i)) != growth.known_points(int(i))
-        ]
+    share, loose = MOST, False
+    while growth.waiting().any():
+        worth = _worth(growth, refused)
         if not worth:
-            worth = [
-                int(i)
-                for i, s in zip(waiting, scores, strict=True)
-                if s > 0 and refused.get(int(i)) != growth.known_points(int(i))
-            ]
-        if not worth:
-            return
-        # not too many at once: what is added rests on what has been adjusted
-        worth.sort(key=lambda i: -growth.score(i))
-        worth = worth[: max(3, int(0.75 * growth.active.sum()))]
+            if loose:
+                growth.adjust(final=True)
+                growth.intersect()
+                loose = False
+            elif share > FEW and refused:
+                share = FEW
+            else:
+                return
+            refused.clear()
+            continue
         added = 0
         for i in worth:
-            pose = _resect(growth, i)
+            pose = _resect(growth, i, share)
             if pose is None:
                 known = growth.known_points(i)
                 refused[i] = known
                 failures.reasons[i] = (
                     f"{known} points in common with the rest, {LEAST} needed"
                     if known < LEAST
-                    else f"{known} points in common with the rest, but no pose that fits half of them"
+                    else f"{known} points in common with the rest, but no pose that fits {share:.0%} of them"
                 )
                 continue
             growth.set_pose(i, pose)
             added += 1
         progress("orienting", 1 - len(np.flatnonzero(growth.waiting())) / max(total, 1))
         if added:
+            share = MOST
             growth.intersect()
-            growth.adjust()
+            loose = not growth.adjust()
 
 
-def _resect(growth: Growth, image: int) -> Pose | None:
+def _settle(growth: Growth) -> None:
+    """Adjust a part again while its camera constants still move."""
+    for _ in range(SETTLE):
+        if growth.moved < STILL:
+            break
+        growth.adjust(final=True)
+        growth.intersect()
+
+
+def _worth(growth: Growth, refused: dict[int, int]) -> list[int]:
+    """Waiting images with the most and best spread known points, the best first; of those refused, with new points.
+
+    Not too many at once: what is added rests on what has been adjusted.
+    """
+    waiting = [int(i) for i in np.flatnonzero(growth.waiting())]
+    scores = {i: growth.score(i) for i in waiting}
+    fresh = [i for i in waiting if scores[i] > 0 and growth.known_points(i) > AGAIN * refused.get(i, 0)]
+    good = [i for i in fresh if scores[i] >= 0.6 * max(scores.values())] or fresh
+    return sorted(good, key=lambda i: -scores[i])[: max(3, int(0.75 * growth.active.sum()))]
+
+
+def _resect(growth: Growth, image: int, share: float) -> Pose | None:
+    """Pose of an image on the known points, if at least this share of them fits."""
     direction, xyz, control = growth.known_rays(image)
     if len(xyz) < (3 if control.sum() >= 3 else 4):
         return None
@@ -150,15 +253,28 @@ def _resect(growth: Growth, image: int) -> Pose | None:
     if len(xyz) < LEAST:
         poses = resect_all(direction, xyz)
         return poses[0] if poses and poses[0].rms < limit else None
-    pose = resect_robust(direction, xyz, limit)
-    if pose is None or pose.inliers.sum() < max(4, 0.5 * len(xyz)):
-        wider = resect_robust(direction, xyz, 4 * limit)
-        pose = wider if wider is not None and wider.inliers.sum() >= max(6, 0.5 * len(xyz)) else None
-    return pose
+    for factor, least in ((1, 4), (4, LEAST)) if share == MOST else ((1, FEWEST),):
+        pose = resect_robust(direction, xyz, factor * limit)
+        if pose is not None and pose.inliers.sum() >= max(least, share * len(xyz)):
+            return pose
+    return None
 
 
-def _place(growth: Growth, part: Mask) -> None:
-    """Bring a part that was assembled in a system of its own onto control, stations or scale."""
-    if not onto_control(growth, part):
-        onto_scale(growth, part)
+def _place(growth: Growth, before: Mask, placed: Array, failures: _Failures) -> None:
+    """Bring a part that was assembled in a system of its own onto control, stations, other parts or scale."""
+    if growth.local and not onto_control(growth, before):
+        fit = onto_points(growth, before, placed)
+        if fit == "apart":
+            onto_scale(growth, before)
+        if fit == "contradiction":
+            part = growth.oriented & ~before
+            growth.give_up(part)
+            for i in np.flatnonzero(part):
+                failures.reasons[int(i)] = (
+                    f"oriented with {int(part.sum()) - 1} others, but their points contradict those of the other images"
+                )
+        if fit == "joined":
+            growth.end_part()
+            growth.known |= np.isfinite(placed).all(axis=1)
+            growth.adjust(final=True)
     growth.end_part()

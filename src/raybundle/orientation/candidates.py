@@ -10,10 +10,15 @@ import numpy as np
 
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.rotation import nearest_rotation
+from raybundle.orientation.bearings import is_wide, relative_bearings, resect_bearings
 from raybundle.orientation.rays import FLIP, angular_residuals, intersect_linear, object_rays, refine_pose
 
-STEEP = 0.15
-"""Rays with less than this cosine to the axis are left out of the plane solvers."""
+PLANE = {"model": "SIMPLE_PINHOLE", "width": 1, "height": 1, "params": [1.0, 0.0, 0.0]}
+"""The camera of the plane at unit distance."""
+
+
+REFINED = 16
+"""Solutions of triples that are refined, the best ones."""
 
 
 @dataclass(slots=True)
@@ -52,59 +57,75 @@ def resect_all(direction: Array, xyz: Array, *, keep: float = 4.0) -> list[Pose]
     triples = list(combinations(range(n), 3))
     if len(triples) > 30:
         triples = [tuple(t) for t in (rng.choice(n, 3, replace=False) for _ in range(30))]
-    found: list[Pose] = []
+    starts: list[tuple[float, Array, Array]] = []
     for triple in triples:
         t = list(triple)
         for solution in poselib.p3p(direction[t] * FLIP, xyz[t]):
-            if not (np.isfinite(solution.R).all() and np.isfinite(solution.t).all()):
-                continue
-            R, C = pose_from_solver(solution)
-            try:
-                R, C, angle = refine_pose(R, C, xyz, direction)
-            except np.linalg.LinAlgError:
-                continue
-            if not np.isfinite(angle).all() or (angle > 1.0).any():
-                continue
-            pose = Pose(R, C, float(np.sqrt(np.mean(angle**2))), np.ones(n, bool))
-            if not any(_same(pose, other, xyz) for other in found):
-                found.append(pose)
+            if np.isfinite(solution.R).all() and np.isfinite(solution.t).all():
+                R, C = pose_from_solver(solution)
+                starts.append((float(np.median(_pose_angles(R, C, xyz, direction))), R, C))
+    found: list[Pose] = []
+    tried = 0
+    for _, R0, C0 in sorted(starts, key=lambda s: s[0]):
+        if tried == REFINED:
+            break
+        if any(_same(Pose(R0, C0, 0.0, other.inliers), other, xyz, 3.0) for other in found):
+            continue
+        tried += 1
+        try:
+            R, C, angle = refine_pose(R0, C0, xyz, direction)
+        except np.linalg.LinAlgError:
+            continue
+        if not np.isfinite(angle).all() or (angle > 1.0).any():
+            continue
+        pose = Pose(R, C, float(np.sqrt(np.mean(angle**2))), np.ones(n, bool))
+        if not any(_same(pose, other, xyz) for other in found):
+            found.append(pose)
     found.sort(key=lambda p: p.rms)
     return [p for p in found if p.rms <= max(keep * found[0].rms, found[0].rms + 0.02)][:6]
 
 
-def _same(a: Pose, b: Pose, xyz: Array) -> bool:
+def _same(a: Pose, b: Pose, xyz: Array, factor: float = 1.0) -> bool:
     distance = float(np.mean(np.linalg.norm(xyz - a.centre, axis=1)))
     turn = np.arccos(np.clip((np.trace(a.rotation @ b.rotation.T) - 1) / 2, -1, 1))
-    return turn < 1e-3 and float(np.linalg.norm(a.centre - b.centre)) < 2e-3 * distance
+    return turn < factor * 1e-3 and float(np.linalg.norm(a.centre - b.centre)) < factor * 2e-3 * distance
 
 
 def resect_robust(direction: Array, xyz: Array, limit: float) -> Pose | None:
     """Pose of an image from rays (n, 3) and known points (n, 3) with outliers (LO-RANSAC); None if there is none.
 
     limit  largest angle of an inlier [rad]
+    Wide images are solved on bearings, others on the plane.
     """
-    import poselib  # noqa: PLC0415
-
-    usable = -direction[:, 2] > STEEP
-    if usable.sum() < 4:
+    if len(xyz) < 4:
         return None
-    camera = {"model": "SIMPLE_PINHOLE", "width": 1, "height": 1, "params": [1.0, 0.0, 0.0]}
-    options = {"max_reproj_error": limit, "min_iterations": 50, "max_iterations": 2000, "seed": 1}
-    result, info = poselib.estimate_absolute_pose(
-        np.ascontiguousarray(plane_points(direction[usable])), np.ascontiguousarray(xyz[usable]), camera, options, {}
-    )
-    inliers = np.zeros(len(xyz), bool)
-    inliers[np.flatnonzero(usable)[np.asarray(info["inliers"], bool)]] = True
+    start = resect_bearings(direction, xyz, limit) if is_wide(direction) else _resect_plane(direction, xyz, limit)
+    if start is None:
+        return None
+    R, C = start
+    inliers = _pose_angles(R, C, xyz, direction) < 1.5 * limit
     if inliers.sum() < 4:
         return None
-    R, C = pose_from_solver(result)
     R, C, _ = refine_pose(R, C, xyz[inliers], direction[inliers], scale=limit / 2)
-    shape = (len(xyz), 3, 3)
-    angle = angular_residuals(np.broadcast_to(R, shape), np.broadcast_to(C, xyz.shape), xyz, direction)
+    angle = _pose_angles(R, C, xyz, direction)
     inliers = angle < limit
     if inliers.sum() < 4:
         return None
     return Pose(R, C, float(np.sqrt(np.mean(angle[inliers] ** 2))), inliers)
+
+
+def _pose_angles(R: Array, C: Array, xyz: Array, direction: Array) -> Array:
+    return angular_residuals(np.broadcast_to(R, (len(xyz), 3, 3)), np.broadcast_to(C, xyz.shape), xyz, direction)
+
+
+def _resect_plane(direction: Array, xyz: Array, limit: float) -> tuple[Array, Array] | None:
+    import poselib  # noqa: PLC0415
+
+    options = {"max_reproj_error": limit, "min_iterations": 50, "max_iterations": 2000, "seed": 1}
+    result, info = poselib.estimate_absolute_pose(
+        np.ascontiguousarray(plane_points(direction)), np.ascontiguousarray(xyz), PLANE, options, {}
+    )
+    return pose_from_solver(result) if np.sum(info["inliers"]) >= 4 else None
 
 
 def relative_all(first: Array, second: Array, limit: float) -> list[Pose]:
@@ -113,29 +134,13 @@ def relative_all(first: Array, second: Array, limit: float) -> list[Pose]:
     first, second  (n, 3) rays of common points
     limit          largest angle of an inlier [rad]
     Essential matrix (Nistér 2004, LO-RANSAC) and the decomposition of a homography (Malis and Vargas 2007), so
-    that a plane is no special case; candidates stay that explain nearly as many points in front of both images.
+    that a plane is no special case; on bearings where one of the images is a wide one.  Candidates stay that
+    explain nearly as many points in front of both images.
     """
-    import poselib  # noqa: PLC0415
-
-    usable = (-first[:, 2] > STEEP) & (-second[:, 2] > STEEP)
-    if usable.sum() < 6:
+    if len(first) < 6:
         return []
-    a, b = (np.ascontiguousarray(plane_points(d[usable])) for d in (first, second))
-    camera = {"model": "SIMPLE_PINHOLE", "width": 1, "height": 1, "params": [1.0, 0.0, 0.0]}
-    options = {
-        "max_epipolar_error": limit,
-        "max_reproj_error": limit,
-        "min_iterations": 100,
-        "max_iterations": 3000,
-        "seed": 1,
-    }
-    starts: list[tuple[Array, Array]] = []
-    result, _ = poselib.estimate_relative_pose(a, b, camera, camera, options, {})
-    R, C = pose_from_solver(result)
-    starts.append((R * FLIP, FLIP * C))  # the object system is the first image's own
-    H, info = poselib.estimate_homography(a, b, options, {})
-    if np.mean(np.asarray(info["inliers"], float)) > 0.5:
-        starts += _from_homography(np.asarray(H, float))
+    wide = is_wide(first) or is_wide(second)
+    starts = relative_bearings(first, second, limit) if wide else _relative_plane(first, second, limit)
     poses: list[Pose] = []
     for R, C in starts:
         length = float(np.linalg.norm(C))
@@ -150,6 +155,26 @@ def relative_all(first: Array, second: Array, limit: float) -> list[Pose]:
             poses.append(pose)
     poses.sort(key=lambda p: (-int(p.inliers.sum()), p.rms))
     return [p for p in poses if p.inliers.sum() >= 0.7 * poses[0].inliers.sum()]
+
+
+def _relative_plane(first: Array, second: Array, limit: float) -> list[tuple[Array, Array]]:
+    import poselib  # noqa: PLC0415
+
+    a, b = (np.ascontiguousarray(plane_points(d)) for d in (first, second))
+    options = {
+        "max_epipolar_error": limit,
+        "max_reproj_error": limit,
+        "min_iterations": 100,
+        "max_iterations": 3000,
+        "seed": 1,
+    }
+    result, _ = poselib.estimate_relative_pose(a, b, PLANE, PLANE, options, {})
+    R, C = pose_from_solver(result)
+    starts = [(R * FLIP, FLIP * C)]  # the object system is the first image's own
+    H, info = poselib.estimate_homography(a, b, options, {})
+    if np.mean(np.asarray(info["inliers"], float)) > 0.5:
+        starts += _from_homography(np.asarray(H, float))
+    return starts
 
 
 def evaluate_pair(R: Array, C: Array, first: Array, second: Array, limit: float) -> Pose | None:

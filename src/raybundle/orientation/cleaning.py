@@ -18,10 +18,10 @@ from raybundle.block import Block
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.progress import Progress, silent
 
-FIRST = 30.0
+FIRST = 46.0
 ROUNDS = 14
-MEDIAN = 1 / 0.6745
-"""Standard deviation of a normal variable by the median of its magnitude."""
+MEDIAN = 1 / 1.0518
+"""Standard deviation of two normal variables by the median of the larger of their magnitudes."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -42,7 +42,7 @@ def clean(
     free: dict[str, tuple[str, ...]],
     *,
     rejected: Mask | None = None,
-    limit: float = 4.5,
+    limit: float = 7.0,
     first: float = FIRST,
     progress: Progress = silent,
 ) -> Cleaned:
@@ -97,5 +97,5 @@ def _without_single_rays(block: Block, mask: Mask) -> Mask:
     """Rows of tie points that are left with fewer than two rays leave as well."""
     point = block.observations.point
     rays = np.bincount(point[~mask], minlength=len(block.points))
-    control: Mask = np.asarray(block.points.is_control).any(axis=1)
+    control = np.atleast_1d(block.points.is_control.any(axis=1))
     return mask | ((rays[point] < 2) & ~control[point])

@@ -8,8 +8,8 @@ import numpy as np
 
 from raybundle.adjustment.engine import estimate_only, free_parameters
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.result import Notice
 from raybundle.block import Block, Role
+from raybundle.block.block import no_distances, no_stations
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.orientation.candidates import Pose
@@ -19,6 +19,8 @@ START_PX = 0.006
 """Largest error of an inlier at the start, as a share of the format's diagonal: distortion is still unknown."""
 LATER_PX = 0.0015
 """The same once the interior orientation has been estimated."""
+WRONG = 4.0
+"""Rays off by so many limits are wrong and take no part in an adjustment; they may return."""
 SMALL_ANGLE = 2.0e-4
 """Eigenvalue ratio of an intersection (about sin^2 of half the angle, 1.6 degrees) from which a point is known."""
 
@@ -48,8 +50,10 @@ class Growth:
     bad_rows: Mask = field(default_factory=lambda: np.zeros(0, bool))
     by_image: list[Array] = field(default_factory=list[Array])
     last_adjusted: int = 0
-    weak: Mask = field(default_factory=lambda: np.zeros(0, bool))
-    behind: Mask = field(default_factory=lambda: np.zeros(0, bool))
+    moved: float = 0.0
+    """Largest relative change of a camera constant in the last adjustment"""
+    given_up: Mask = field(default_factory=lambda: np.zeros(0, bool))
+    """(n,) images that are not tried again"""
     remarks: dict[int, str] = field(default_factory=dict[int, str])
     """Why an image could not serve at the start"""
 
@@ -61,20 +65,20 @@ class Growth:
         check = block.points.role == Role.CHECK
         order = np.argsort(rays.image, kind="stable")
         first = np.searchsorted(rays.image[order], np.arange(len(block.images) + 1))
-        p, m, n = len(block.points), len(block.observations), len(block.images)
+        m, n = len(block.observations), len(block.images)
         return cls(
             block=block, rays=rays, oriented=block.images.oriented.copy(), known=coordinates & ~check,
             given=coordinates.copy(), control=control,
             given_xyz=block.points.xyz.copy(), given_control=block.points.is_control,
             active=block.images.oriented.copy(),
-            bad_rows=np.zeros(m, bool), by_image=[order[first[i] : first[i + 1]] for i in range(n)],
-            weak=np.zeros(p, bool), behind=np.zeros(p, bool),
+            bad_rows=np.zeros(m, bool), given_up=np.zeros(n, bool),
+            by_image=[order[first[i] : first[i + 1]] for i in range(n)],
         )  # fmt: skip
 
     def waiting(self) -> Mask:
         """Images that are observed and not oriented."""
         seen = np.array([len(rows) > 0 for rows in self.by_image])
-        return seen & ~self.oriented
+        return seen & ~self.oriented & ~self.given_up
 
     def begin_part(self) -> Mask:
         """A new part: none of its images is oriented yet, control is known."""
@@ -125,6 +129,10 @@ class Growth:
         pixels = max(share * float(np.hypot(camera.width_px, camera.height_px)), 6 * sigma)
         return pixels * float(np.mean(self.rays.px[rows]))
 
+    def limits(self, images: Mask) -> Array:
+        """(n,) the same of several images; 0 of the others."""
+        return np.array([self.limit(i) if wanted else 0.0 for i, wanted in enumerate(images)])
+
     def set_pose(self, image: int, pose: Pose) -> None:
         """Give an image an orientation."""
         centre, rotation = self.block.images.centre.copy(), self.block.images.rotation.copy()
@@ -132,14 +140,11 @@ class Growth:
         self.block = replace(self.block, images=replace(self.block.images, centre=centre, rotation=rotation))
         self.oriented[image] = self.active[image] = True
 
-    def intersect(self, *, everything: bool = False) -> None:
-        """Intersect points that are not known from the images of the part; `everything`: any coordinate will do."""
+    def intersect(self) -> None:
+        """Intersect points that are not known from the images of the part."""
         block = self.block
-        images = self.oriented if everything else self.active
-        rows = np.flatnonzero(images[self.rays.image])
-        point = self.rays.point[rows]
-        wanted = ~np.all(np.isfinite(block.points.xyz), axis=1) if everything else ~self.known & ~self._kept()
-        rows = rows[wanted[point]]
+        rows = np.flatnonzero(self.active[self.rays.image])
+        rows = rows[(~self.known & ~self._kept())[self.rays.point[rows]]]
         if not len(rows):
             return
         point, image = self.rays.point[rows], self.rays.image[rows]
@@ -149,85 +154,89 @@ class Growth:
         xyz, count, ratio = intersect_linear(centre, direction, index.astype(np.int32), len(numbers))
         along = np.einsum("ni,ni->n", xyz[index] - centre, direction)
         behind = np.bincount(index, along <= 0, minlength=len(numbers)) > 0
+        angle = angular_residuals(rotation, centre, xyz[index], self.rays.direction[rows])
+        wrong = np.bincount(index, angle > 2 * self.limits(self.active)[image], minlength=len(numbers))
+        good = (count >= 2) & (ratio > SMALL_ANGLE) & ~behind & (wrong <= 0.25 * count)
         values = block.points.xyz.copy()
-        if everything:
-            weak = (count < 2) | (ratio < 1e-8) | behind
-            if weak.any():
-                xyz[weak] = self._on_rays(index, centre, direction, len(numbers))[weak]
-            values[numbers] = xyz
-            self.weak[numbers] = weak & ~behind & (count > 1)
-            self.behind[numbers] = behind
-        else:
-            angle = angular_residuals(rotation, centre, xyz[index], self.rays.direction[rows])
-            limits = np.array([self.limit(int(i)) if n else 0.0 for i, n in enumerate(images)])[image]
-            wrong = np.bincount(index, angle > 2 * limits, minlength=len(numbers))
-            good = (count >= 2) & (ratio > SMALL_ANGLE) & ~behind & (wrong <= 0.25 * count)
-            values[numbers[good]] = xyz[good]
-            self.known[numbers[good]] = True
+        values[numbers[good]] = xyz[good]
+        self.known[numbers[good]] = True
         self.block = replace(block, points=replace(block.points, xyz=values))
 
     def _kept(self) -> Mask:
         """Points whose given coordinates are used as they are."""
         return np.zeros_like(self.given) if self.local else self.given
 
-    def _on_rays(self, index: Array, centre: Array, direction: Array, count: int) -> Array:
-        """A place for points that cannot be intersected: on the mean ray, at the median distance of the others."""
-        rays = np.maximum(np.bincount(index, minlength=count), 1)
-        mean = (
-            np.stack([np.bincount(index, direction[:, k], minlength=count) for k in range(3)], axis=1) / rays[:, None]
-        )
-        start = np.stack([np.bincount(index, centre[:, k], minlength=count) for k in range(3)], axis=1) / rays[:, None]
-        finite = np.isfinite(self.block.points.xyz).all(axis=1)
-        used = self.block.images.oriented
-        distance = 1.0
-        if finite.any() and used.any():
-            middle = np.median(self.block.points.xyz[finite], axis=0)
-            distance = float(np.median(np.linalg.norm(self.block.images.centre[used] - middle, axis=1)))
-        norm = np.maximum(np.linalg.norm(mean, axis=1), 1e-12)[:, None]
-        return start + distance * mean / norm
-
-    def adjust(self, *, final: bool = False) -> None:
-        """Smooth the current part by the bundle adjustment, once it has grown by a third."""
+    def adjust(self, *, final: bool = False) -> bool:
+        """Smooth the current part by the bundle adjustment, once it has grown by a third; whether it was time to."""
         count = int(self.active.sum())
         if not final and count < max(3, 1.34 * self.last_adjusted) and self.waiting().any():
-            return
+            return False
         self.last_adjusted = count
-        rows = self.active[self.rays.image] & self.known[self.rays.point]
+        rows = self._fitting_rows()
+        held: dict[str, tuple[str, ...]] = {c.id: () for c in self.block.cameras}
+        free = held
+        if int(rows.sum()) > 60 and count >= 3:
+            free = {c.id: _first_parameters(free_parameters(c)) for c in self.block.cameras}
+        block, bad = self._estimate(rows, free)
+        if free != held and not _sane(block, self.block):
+            # a weak block lets the camera constant run away
+            free = held
+            block, bad = self._estimate(rows, free)
+        if not _sane(block, self.block):
+            return True
+        self.moved = _change(block, self.block)
+        self.block, self.bad_rows = block, bad
+        if free != held:
+            self.calibrated = True
+            self.rays = rays_of(self.block)
+        self._forget(rows)
+        return True
+
+    def _fitting_rows(self) -> Mask:
+        """(m,) observations of the current part that take part in its adjustment."""
+        rows: Mask = self.active[self.rays.image] & self.known[self.rays.point]
+        index = np.flatnonzero(rows)
+        rows[index] = self._angles(index) < WRONG * self.limits(self.active)[self.rays.image[index]]
         rays = np.bincount(self.rays.point[rows], minlength=len(self.known))
         control = self.control & ~np.full_like(self.control, self.local)
         rows &= ((rays >= 2) | control)[self.rays.point]
         per_image = np.bincount(self.rays.image[rows], minlength=len(self.active))
-        rows &= (per_image >= 4)[self.rays.image]
-        free: dict[str, tuple[str, ...]] = {c.id: () for c in self.block.cameras}
-        enough = int(rows.sum()) > 60 and count >= 3
-        if enough:
-            free = {c.id: _first_parameters(free_parameters(c)) for c in self.block.cameras}
+        return rows & (per_image >= 4)[self.rays.image]
+
+    def _estimate(self, rows: Mask, free: dict[str, tuple[str, ...]]) -> tuple[Block, Mask]:
+        """The block adjusted by these rows, and the rows that ended behind a camera; unchanged where it fails."""
         options = AdjustmentOptions(
             datum="inner" if self.local else "auto", robust_start=True, statistics=False, max_iterations=12
         )
+        given, block = self.block, self.block
+        if self.local:
+            # a part in a system of its own knows no control, no stations and no lengths
+            loose = replace(
+                given.points, role=np.zeros_like(given.points.role), sigma=np.full_like(given.points.sigma, np.nan)
+            )
+            block = replace(given, points=loose, distances=no_distances(), stations=no_stations())
         try:
-            block, bad = estimate_only(self.block, options, free, ~rows)
+            found, bad = estimate_only(block, options, free, ~rows)
         except (InputError, np.linalg.LinAlgError):
-            return
-        if not _sane(block, self.block):
-            return
-        self.block = block
-        self.bad_rows = bad
-        self.calibrated = self.calibrated or enough
-        if enough:
-            self.rays = rays_of(self.block)
-        self._forget(rows)
+            return given, self.bad_rows
+        points = replace(given.points, xyz=found.points.xyz)
+        return replace(found, points=points, distances=given.distances, stations=given.stations), bad
+
+    def _angles(self, rows: Array) -> Array:
+        """Angles [rad] between rays and the directions to their points as they stand."""
+        image, images = self.rays.image[rows], self.block.images
+        return angular_residuals(
+            images.rotation[image],
+            images.centre[image],
+            self.block.points.xyz[self.rays.point[rows]],
+            self.rays.direction[rows],
+        )
 
     def _forget(self, rows: Mask) -> None:
         """Points left with large residuals are no longer known, images full of them no longer oriented."""
         index = np.flatnonzero(rows)
         image, point = self.rays.image[index], self.rays.point[index]
-        angle = angular_residuals(
-            self.block.images.rotation[image], self.block.images.centre[image], self.block.points.xyz[point],
-            self.rays.direction[index],
-        )  # fmt: skip
-        limits = np.array([self.limit(i) if a else 0.0 for i, a in enumerate(self.active)])[image]
-        far = angle > 2 * limits
+        far = self._angles(index) > 2 * self.limits(self.active)[image]
         seen = np.bincount(image, minlength=len(self.active))
         lost = self.active & (np.bincount(image, far, minlength=len(self.active)) > 0.5 * seen) & (seen > 0)
         if lost.any() and lost.sum() < 0.5 * self.active.sum():
@@ -238,6 +247,11 @@ class Growth:
         wrong = np.bincount(point, far, minlength=len(self.known)) > 0.3 * rays
         self.known &= ~(wrong & ~self._kept())
 
+    def give_up(self, images: Mask) -> None:
+        """Images that stay without orientation."""
+        self._drop(images)
+        self.given_up |= images
+
     def _drop(self, lost: Mask) -> None:
         """Take back the orientation of images that contradict most of their points; they are tried again later."""
         centre, rotation = self.block.images.centre.copy(), self.block.images.rotation.copy()
@@ -246,35 +260,16 @@ class Growth:
         self.oriented &= ~lost
         self.active &= ~lost
 
-    def restore_control(self) -> None:
-        """Given control coordinates, single ones included, stand as they were given."""
-        xyz = np.where(self.given_control, self.given_xyz, self.block.points.xyz)
-        self.block = replace(self.block, points=replace(self.block.points, xyz=xyz))
-
-    def notices(self) -> tuple[Notice, ...]:
-        """Points that could only be given a makeshift coordinate."""
-        found: list[Notice] = []
-        ids = self.block.points.ids
-        for mask, code, text in (
-            (self.behind, "start_behind", "rays that meet behind a camera"),
-            (self.weak, "start_parallel", "nearly parallel rays"),
-        ):
-            names = tuple(ids[i] for i in np.flatnonzero(mask))
-            if names:
-                more = " ..." if len(names) > 10 else ""
-                found.append(
-                    Notice(
-                        code=code,
-                        message=f"{len(names)} points with {text} at the start: {', '.join(names[:10])}{more}",
-                        ids=names[:100],
-                    )
-                )
-        return tuple(found)
-
 
 def _first_parameters(free: tuple[str, ...]) -> tuple[str, ...]:
     """What is worth freeing while the block grows: camera constant, principal point, first radial terms."""
     return tuple(s for s in free if s in {"c", "x0", "y0", "K1", "K2", "k1", "k2"})
+
+
+def _change(new: Block, old: Block) -> float:
+    """Largest relative change of a camera constant."""
+    pairs = [(a.values["c"], b.values["c"]) for a, b in zip(new.cameras, old.cameras, strict=True) if "c" in a.values]
+    return max((abs(a / b - 1) for a, b in pairs), default=0.0)
 
 
 def _sane(new: Block, old: Block) -> bool:

@@ -9,6 +9,7 @@ import numpy as np
 from raybundle.block import Block, Camera
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.sensors import sensor_models
+from raybundle.sensors.model import SensorModel
 
 FLIP = np.array([1.0, -1.0, -1.0])
 """Our image axes (y up, view along -Z) to those of the minimal solvers (y down, view along +Z)."""
@@ -27,10 +28,37 @@ class Rays:
 
 
 def camera_rays(camera: Camera, xy_px: Array) -> Array:
-    """Unit viewing directions (n, 3) in the sensor frame of image points (n, 2) [px]."""
+    """Unit viewing directions (n, 3) in the sensor frame of image points (n, 2) [px].
+
+    Where Newton's method from the central projection ends on the side that the sensor does not see, as for the
+    back half of a panorama, it starts again from the nearest of a sphere of directions.
+    """
     model = sensor_models[camera.model]
     values = np.array([camera.values[s] for s in model.symbols])
-    return model.ray(camera.image_from_pixel(xy_px).T, values).T
+    image = camera.image_from_pixel(xy_px).T
+    with np.errstate(all="ignore"):
+        direction = model.ray(image, values)
+        g = np.abs(np.stack(model.condition(*image, *direction, *values))).max(axis=0)
+    lost = ~(g < 1e-6 * abs(values[0])) | ~model.in_front(direction, image, values)
+    if lost.any():
+        start = _nearest_direction(model, image[:, lost], values)
+        with np.errstate(all="ignore"):
+            direction[:, lost] = model.ray(image[:, lost], values, start)
+    return direction.T
+
+
+def _nearest_direction(model: SensorModel, image: Array, values: Array, count: int = 4000) -> Array:
+    """Of directions spread evenly over the sphere those (3, n) whose image by `model.start` is nearest."""
+    from scipy.spatial import KDTree  # noqa: PLC0415
+
+    k = np.arange(count) + 0.5
+    z, turn = 1 - 2 * k / count, np.pi * (1 + np.sqrt(5)) * k
+    sphere = np.stack([np.sqrt(1 - z * z) * np.cos(turn), np.sqrt(1 - z * z) * np.sin(turn), z])
+    with np.errstate(all="ignore"):
+        places = model.start(sphere, values)
+    seen = np.isfinite(places).all(axis=0) & model.in_front(sphere, places, values)
+    _, nearest = KDTree(places[:, seen].T).query(image.T)
+    return sphere[:, seen][:, nearest]
 
 
 def rays_of(block: Block) -> Rays:
@@ -125,9 +153,29 @@ def refine_pose(
         step = np.linalg.solve(N / np.outer(d, d) + 1e-9 * np.eye(6), g / d) / d
         C = C + step[:3]
         R = rotation_from_vector(step[3:]) @ R
-        if np.linalg.norm(step[3:]) < 1e-12:
+        if np.linalg.norm(step[3:]) < 1e-8:
             break
     return R, C, angular_residuals(np.broadcast_to(R, (len(xyz), 3, 3)), np.broadcast_to(C, xyz.shape), xyz, direction)
+
+
+def image_pairs(image: Index, point: Index, chosen: Mask, points: int, most: int = 200) -> list[tuple[int, int, int]]:
+    """Pairs (a, b, common points) of the chosen images (n,), most common points first, by observations (m,)."""
+    from scipy.sparse import coo_matrix  # noqa: PLC0415
+
+    rows = chosen[image]
+    ones = np.ones(int(rows.sum()), np.int32)
+    seen = coo_matrix((ones, (image[rows], point[rows])), shape=(len(chosen), points)).tocsr()
+    common = (seen @ seen.T).tocoo()
+    keep = common.row < common.col
+    order = np.argsort(-common.data[keep], kind="stable")[:most]
+    table = np.stack([common.row[keep], common.col[keep], common.data[keep]], axis=1)[order]
+    return [(int(a), int(b), int(c)) for a, b, c in table]
+
+
+def common_rows(first: Index, second: Index, point: Index) -> tuple[Index, Index]:
+    """Rows of the common points among the rows of two images; point (m,) of every observation."""
+    _, ia, ib = np.intersect1d(point[first], point[second], return_indices=True)
+    return first[ia], second[ib]
 
 
 def in_front(rotation: Array, centre: Array, xyz: Array, direction: Array) -> Mask:

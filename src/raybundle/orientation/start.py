@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.sparse import coo_matrix
 
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.orientation.candidates import Pose, relative_all, resect_all
 from raybundle.orientation.growth import Growth
-from raybundle.orientation.rays import angular_residuals, intersect_linear, object_rays
+from raybundle.orientation.rays import angular_residuals, common_rows, image_pairs, intersect_linear, object_rays
 
 PAIRS = 12
 """Pairs that are tried at the start."""
@@ -66,24 +65,11 @@ def _three_points(growth: Growth, left: Mask) -> bool:
 
 
 def _pairs(growth: Growth, left: Mask) -> list[tuple[int, int, int]]:
-    """Image pairs (a, b, common points) among these images, most common points first."""
-    rows = left[growth.rays.image]
-    n, p = len(left), len(growth.known)
-    seen = coo_matrix(
-        (np.ones(int(rows.sum()), np.int32), (growth.rays.image[rows], growth.rays.point[rows])), shape=(n, p)
-    ).tocsr()
-    common = (seen @ seen.T).tocoo()
-    keep = common.row < common.col
-    order = np.argsort(-common.data[keep], kind="stable")
-    table = np.stack([common.row[keep], common.col[keep], common.data[keep]], axis=1)[order]
-    return [(int(a), int(b), int(c)) for a, b, c in table[:200]]
+    return image_pairs(growth.rays.image, growth.rays.point, left, len(growth.known))
 
 
 def _common(growth: Growth, a: int, b: int) -> tuple[Array, Array]:
-    """Rows of the observations of the common points in two images."""
-    ra, rb = growth.by_image[a], growth.by_image[b]
-    _, ia, ib = np.intersect1d(growth.rays.point[ra], growth.rays.point[rb], return_indices=True)
-    return ra[ia], rb[ib]
+    return common_rows(growth.by_image[a], growth.by_image[b], growth.rays.point)
 
 
 def _agreement(growth: Growth, a: int, pa: Pose, b: int, pb: Pose) -> float | None:

@@ -15,6 +15,7 @@ from raybundle.report.parts import Section
 from raybundle.report.section_control import control_section
 from raybundle.report.section_interior import interior_section
 from raybundle.report.section_network import network_section, precision_section
+from raybundle.report.section_photographs import PhotographFacts, photograph_sections
 from raybundle.report.section_reliability import reliability_section
 from raybundle.report.section_residuals import residual_section
 from raybundle.report.section_result import result_section, summary_section
@@ -48,11 +49,17 @@ def page(*, title: str, subtitle: str, headline: str, grade: str, sections: tupl
     return environment().get_template("page.html.j2").render(context)
 
 
-def write_report(adjustment: Adjustment, path: str | Path, progress: Progress = silent) -> None:
+def write_report(
+    adjustment: Adjustment,
+    path: str | Path,
+    progress: Progress = silent,
+    photographs: PhotographFacts | None = None,
+) -> None:
     """Write report.html: one file that needs no other, no network and no font.
 
-    adjustment  any result: without statistics, control or redundancy the parts that need them say so
-    path        the file; its folder exists; an older file is overwritten
+    adjustment   any result: without statistics, control or redundancy the parts that need them say so
+    path         the file; its folder exists; an older file is overwritten
+    photographs  what is known of the photographs that the adjustment comes from; None: those sections are left out
 
     Long tables and dense figures are thinned evenly and say so; the result folder's tables hold every row.
     """
@@ -75,6 +82,9 @@ def write_report(adjustment: Adjustment, path: str | Path, progress: Progress = 
         progress(f"report: {name}", k / len(steps))
         sections.append(make())
     block = adjustment.given
+    if photographs is not None:
+        # after result and summary: a client looks for the photographs first
+        sections[2:2] = photograph_sections(view, photographs)
     html = page(
         title=f"Adjustment of {block.name}",
         subtitle=block.about or block.source,

@@ -129,7 +129,8 @@ def write_result(
         progress("writing tables", 0.2)
         for name, columns in result_tables(adjustment).items():
             write_table(folder / f"{name}.csv", columns)
-        text = json.dumps(_clean({**result_json(adjustment), **(additions or {})}), indent=1, ensure_ascii=False, allow_nan=False)
+        contents = {**result_json(adjustment), **(additions or {})}
+        text = json.dumps(_clean(contents), indent=1, ensure_ascii=False, allow_nan=False)
         (folder / "result.json").write_text(text + "\n", encoding="utf-8")
         progress("writing tables", 1.0)
         if report == "html":

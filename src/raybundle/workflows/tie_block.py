@@ -41,7 +41,7 @@ FREE = ("c", "x0", "y0", "K1", "K2", "K3", "P1", "P2", "A", "S")
 
 FLAT = 1.0e-4
 """Eigenvalue ratio of an intersection below which it has no depth: rays parallel to about 1.2 degrees."""
-WEAK_PX = 0.4
+WEAK_PX = 0.5
 """Standard deviation above which a match says nothing beside the others and is left out."""
 SURE = 0.95
 """Least correlation of a point measured where no feature was found."""
@@ -251,11 +251,11 @@ def refine(
     )  # fmt: skip
     # weights and blunders need no more: the final adjustment converges fully
     options = AdjustmentOptions(threads=threads, tolerance=1e-2)
-    result = _settle(work, options, first=20)
+    result = _settle(work, options, first=31)
     progress("weights", 1 / 3)
     added = _complete(work, image, threads, progress)
     for k in range(2):
-        result = _settle(work, options, first=4.5)
+        result = _settle(work, options, first=7.0)
         progress("weights", (k + 2) / 3)
     strong = work.grey[:, :2].max(axis=1) * work.weights.factor < WEAK_PX**2
     block = _weighted(work.block, work.weights.covariance(work.grey.copy(), work.reference))

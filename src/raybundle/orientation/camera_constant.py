@@ -1,0 +1,159 @@
+"""Camera constants that are not given (0): from control, from pairs of images, else a guess from the format."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from raybundle.adjustment.result import Notice
+from raybundle.block import Block, Camera
+from raybundle.errors import NoOrientation
+from raybundle.numerics.arrays import Array, Mask
+from raybundle.orientation.dlt import dlt
+from raybundle.orientation.rays import common_rows, image_pairs
+from raybundle.sensors import sensor_models
+from raybundle.sensors.model import SensorModel
+
+PAIRS = 20
+"""Pairs of images of one camera that are asked."""
+COMMON = 20
+"""Common points that such a pair needs."""
+MANY = 400
+"""Common points of a pair of which each second, third ... is left out."""
+FLAT = 0.85
+"""Share of the points in one plane beyond which a pair says nothing."""
+NARROW, WIDE = 0.3, 12.0
+"""Camera constants in widths of the format that are believed."""
+POOR = 0.02
+"""Residuals of a DLT in widths of the format beyond which it is not believed."""
+
+
+def with_camera_constants(block: Block) -> tuple[Block, tuple[Notice, ...]]:
+    """The block with a camera constant for each camera that has none, and what was done.
+
+    Tried in turn: the direct linear transformation of images with six control points that are not in a plane;
+    the homography of images of a control plane (Zhang 2000); pairs of images by the relative orientation with
+    unknown camera constant (Stewénius et al. 2005); the larger side of the format.
+    raises  NoOrientation for a sensor other than a frame camera: there the camera constant must be given
+    """
+    notices: list[Notice] = []
+    cameras = list(block.cameras)
+    for k, camera in enumerate(block.cameras):
+        model = sensor_models[camera.model]
+        symbol = model.symbols[0]
+        images = np.asarray(block.images.camera) == k
+        if camera.values.get(symbol, 0.0) != 0 or not images[block.observations.image].any():
+            continue
+        if type(model).start is not SensorModel.start:
+            raise NoOrientation(
+                f"camera {camera.id}: the camera constant {symbol} is 0; of a sensor of model {camera.model} it must "
+                "be given. Write it in block.toml."
+            )
+        value, source = _found(block, camera, images)
+        cameras[k] = replace(camera, values={**camera.values, symbol: value})
+        notices.append(
+            Notice(
+                code="camera_constant",
+                message=f"camera {camera.id}: no camera constant was given; the start {value:.4g} mm comes from "
+                f"{source}. Free {symbol} unless it is known, and check it in the result.",
+                ids=(camera.id,),
+            )
+        )
+    return replace(block, cameras=tuple(cameras)), tuple(notices)
+
+
+def _found(block: Block, camera: Camera, images: Mask) -> tuple[float, str]:
+    """Camera constant [mm] and where it comes from."""
+    size = float(camera.size_mm.max())
+    by_dlt, by_plane = _from_control(block, camera, images)
+    sources: tuple[tuple[Callable[[], list[float]], str], ...] = (
+        (lambda: by_dlt, "control points (direct linear transformation)"),
+        (lambda: by_plane, "control points in a plane"),
+        (lambda: _from_pairs(block, camera, images), "pairs of images"),
+    )
+    for values, source in sources:
+        good = [c for c in values() if NARROW * size < c < WIDE * size]
+        if good:
+            return float(np.median(good)), f"{source} ({len(good)} values)"
+    return size, "the larger side of the format"
+
+
+def _from_control(block: Block, camera: Camera, images: Mask) -> tuple[list[float], list[float]]:
+    """Camera constants by DLT and by the homography of a plane, one of each image that allows it."""
+    control: Mask = np.all(block.points.is_control, axis=1)
+    o = block.observations
+    by_dlt: list[float] = []
+    by_plane: list[float] = []
+    for i in np.flatnonzero(images):
+        rows = np.flatnonzero((o.image == i) & control[o.point])
+        if len(rows) < 4:
+            continue
+        xy, xyz = camera.image_from_pixel(o.xy_px[rows]), block.points.xyz[o.point[rows]]
+        spread = np.linalg.svd(xyz - xyz.mean(axis=0), compute_uv=False)
+        if spread[2] < 0.01 * spread[0]:
+            c = _of_plane(xy, xyz)
+            by_plane += [] if c is None else [c]
+            continue
+        try:
+            found = dlt(xy, xyz)
+        except NoOrientation:
+            continue
+        if not found.sigma0_mm > POOR * float(camera.size_mm.max()):
+            by_dlt.append(found.c)
+    return by_dlt, by_plane
+
+
+def _of_plane(xy: Array, xyz: Array) -> float | None:
+    """Camera constant by an image (n, 2) [mm] of points (n, 3) in a plane; None where the view is too square.
+
+    The images of the plane's axes are at right angles and of equal length in space: two equations for 1 / c^2
+    with the principal point in the middle.
+    """
+    _, _, axes = np.linalg.svd(xyz - xyz.mean(axis=0))
+    plane = (xyz - xyz.mean(axis=0)) @ axes[:2].T
+    plane = plane / np.abs(plane).max()
+    scale = float(np.abs(xy).max())
+    H = _homography(plane, xy / scale)
+    a, b = H[:, 0], H[:, 1]
+    # (a1 b1 + a2 b2) w + a3 b3 = 0 and (a1^2 + a2^2 - b1^2 - b2^2) w + a3^2 - b3^2 = 0, w = 1 / c^2
+    A = np.array([a[:2] @ b[:2], a[:2] @ a[:2] - b[:2] @ b[:2]])
+    right = -np.array([a[2] * b[2], a[2] ** 2 - b[2] ** 2])
+    tilt = float(np.linalg.norm(right)) / max(float(a[2] ** 2 + b[2] ** 2 + (a[:2] @ a[:2] + b[:2] @ b[:2])), 1e-300)
+    w = float(A @ right) / max(float(A @ A), 1e-300)
+    return scale / float(np.sqrt(w)) if w > 0 and tilt > 1e-3 else None
+
+
+def _homography(source: Array, target: Array) -> Array:
+    """(3, 3) homography of points (n, 2) onto points (n, 2), linear; both of a size near 1."""
+    n = len(source)
+    h = np.concatenate([source, np.ones((n, 1))], axis=1)
+    A = np.zeros((2 * n, 9))
+    A[0::2, :3], A[1::2, 3:6] = h, h
+    A[0::2, 6:], A[1::2, 6:] = -target[:, :1] * h, -target[:, 1:] * h
+    return np.linalg.svd(A)[2][-1].reshape(3, 3)
+
+
+def _from_pairs(block: Block, camera: Camera, images: Mask) -> list[float]:
+    """Camera constants of pairs of images of this camera, one of each pair that determines it."""
+    import poselib  # noqa: PLC0415
+
+    found: list[float] = []
+    error = 0.002 * float(np.hypot(camera.width_px, camera.height_px))
+    options: dict[str, Any] = {"max_epipolar_error": error, "max_iterations": 1000, "seed": 1}
+    half = np.array([camera.width_px, camera.height_px]) / 2
+    o = block.observations
+    for a, b, common in image_pairs(o.image, o.point, images, len(block.points), PAIRS):
+        rows = common_rows(np.flatnonzero(o.image == a), np.flatnonzero(o.image == b), o.point)
+        xa, xb = (np.ascontiguousarray(o.xy_px[r[:: len(r) // MANY + 1]] - half) for r in rows)
+        if common < COMMON or np.median(np.linalg.norm(xa - xb, axis=1)) < 0.02 * float(half.max()):
+            continue
+        _, plane = poselib.estimate_homography(xa, xb, {**options, "max_reproj_error": error}, {})
+        if np.mean(plane["inliers"]) > FLAT:
+            continue
+        pair, info = poselib.estimate_shared_focal_relative_pose(xa, xb, [0.0, 0.0], options, {})
+        if np.mean(info["inliers"]) > 0.5 and np.sum(plane["inliers"]) < FLAT * np.sum(info["inliers"]):
+            found.append(float(pair.camera1.focal()) * float(np.mean(camera.pixel_mm)))
+    return found

@@ -1,0 +1,104 @@
+"""Project folders: complete products or none, and a message where nothing can be written."""
+
+import numpy as np
+import pytest
+
+from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.errors import InputError
+from raybundle.io.block_arrays import arrays_of_block, block_of_arrays
+from raybundle.io.project import Project, key_of, writing
+
+
+@pytest.fixture
+def project(tmp_path):
+    opened = Project.open(tmp_path / "p")
+    yield opened
+    opened.close()
+
+
+def test_products_come_back_equal(project):
+    key = key_of("features", 1)
+    assert project.load(key) is None
+    project.store(key, {"a": np.arange(5.0), "b": np.array(["x", "yy"])})
+    found = project.load(key)
+    assert (found["a"] == np.arange(5.0)).all()
+    assert found["b"].tolist() == ["x", "yy"]
+
+
+@pytest.mark.parametrize("size", [0, 10, 200])
+def test_a_damaged_product_is_made_again(project, size):
+    key = key_of("start", 1)
+    project.store(key, {"a": np.arange(100.0)})
+    (file,) = (project.folder / "cache").glob("*/start-*.npz")
+    file.write_bytes(file.read_bytes()[:size])
+    assert project.load(key) is None
+    assert not project.has(key)
+
+
+def test_a_write_that_fails_leaves_nothing(project, monkeypatch):
+    def full(*_, **__):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(np, "savez", full)
+    with pytest.raises(InputError, match="no space is left; free space and run the same command again"):
+        project.store(key_of("start", 2), {"a": np.zeros(3)})
+    assert not list((project.folder / "cache").glob("*/*"))
+
+
+def test_pairs_are_kept_with_their_facts(project):
+    matches = np.array([[1, 2], [3, 4]], np.int32)
+    project.store_pairs([("k1", {"candidates": 7}, matches), ("k2", {"candidates": 0}, matches[:0])])
+    found = project.pairs(["k1", "k2", "k3"])
+    assert set(found) == {"k1", "k2"}
+    assert found["k1"][0] == {"candidates": 7}
+    assert (found["k1"][1] == matches).all()
+    project.forget_pairs()
+    assert not project.pairs(["k1"])
+
+
+def test_a_stage_is_recorded_only_when_it_ends(project):
+    with project.stage("features") as stage:
+        stage.summary = "3 photographs"
+    with pytest.raises(ZeroDivisionError), project.stage("matching"):
+        1 / 0
+    assert [r.name for r in project.stages()] == ["features"]
+    assert project.stages()[0].summary == "3 photographs"
+
+
+def test_something_else_is_not_overwritten(tmp_path):
+    (tmp_path / "letter.txt").write_text("dear")
+    with pytest.raises(InputError, match="neither empty nor a project folder"):
+        Project.open(tmp_path)
+    with pytest.raises(InputError, match="no project folder"):
+        Project.open(tmp_path / "new", create=False)
+
+
+def test_a_file_that_is_no_database_is_named(tmp_path):
+    (tmp_path / "project.db").write_text("no database, but long enough to be read as one" * 100)
+    with pytest.raises(InputError, match=r"project\.db"):
+        Project.open(tmp_path)
+
+
+def test_keys_depend_on_everything():
+    assert key_of("a", 1, {"x": 2.0}) == key_of("a", 1, {"x": 2.0})
+    others = {key_of("a", 1, np.zeros(2)), key_of("a", 1, np.ones(2)), key_of("a", 2, np.zeros(2)), key_of("b", 1)}
+    assert len(others) == 4
+    with pytest.raises(TypeError):
+        key_of("a", object())
+
+
+def test_a_read_only_place_is_named(tmp_path):
+    with pytest.raises(InputError, match="choose a folder that can be written"), writing(tmp_path):
+        raise OSError(30, "Read-only file system")
+
+
+def test_a_block_as_arrays_comes_back_equal(project):
+    block = simulate(field_scene(TargetField()), Survey(scale_bars=2, control=5, station_sigma=0.1)).observed
+    key = key_of("block", 1)
+    project.store(key, arrays_of_block(block))
+    again = block_of_arrays(project.load(key))
+    assert again.cameras == block.cameras
+    for name in ("images", "observations", "points", "distances", "stations"):
+        a, b = getattr(again, name), getattr(block, name)
+        for field in a.__dataclass_fields__:
+            np.testing.assert_array_equal(getattr(a, field), getattr(b, field))

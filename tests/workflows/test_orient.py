@@ -1,0 +1,259 @@
+"""From photographs to an oriented block: right, stopped and continued, added to, done again."""
+
+import json
+import shutil
+import subprocess
+import sys
+from collections import Counter
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from raybundle.cli.main import main
+from raybundle.errors import InputError
+from raybundle.io.block_folder import read_block
+from raybundle.io.project import Project
+from raybundle.workflows import tie_points
+from raybundle.workflows.orient import OrientOptions, orient
+
+PORTAL = Path(__file__).resolve().parents[2] / "demo_data/portal"
+pytestmark = pytest.mark.skipif(
+    not PORTAL.is_dir(), reason="demo_data/portal is part of the repository, not of the package"
+)
+NAMES = [f"portal_{k:02d}.jpg" for k in (1, 2, 3, 4, 5)]
+COUNT = 800
+QUICK = OrientOptions(feature_count=COUNT, precise=False, jobs=2)
+
+
+def command(photos, out, *more):
+    return ["orient", str(photos), "--out", str(out), "--feature-count", str(COUNT), "--jobs", "2", "--no-report", *more]
+
+
+def numbers(project):
+    """result.json without what a clock or the cache says."""
+    result = json.loads((project / "result/result.json").read_text())
+    for name in ("seconds", "stages"):
+        del result[name]
+    return result
+
+
+def stages(project):
+    return {s["name"]: s for s in json.loads((project / "result/result.json").read_text())["stages"]}
+
+
+def tables(project):
+    return {p.name: p.read_text() for p in sorted((project / "result").glob("*.csv"))}
+
+
+@pytest.fixture(scope="module")
+def photos(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("photos")
+    for name in NAMES:
+        shutil.copy(PORTAL / "photos" / name, folder)
+    return folder
+
+
+@pytest.fixture(scope="module")
+def done(photos, tmp_path_factory):
+    """One uninterrupted run."""
+    out = tmp_path_factory.mktemp("orient") / "project"
+    assert main(command(photos, out)) == 0
+    return out
+
+
+@pytest.fixture
+def project(done, tmp_path):
+    """A copy of the finished project."""
+    return Path(shutil.copytree(done, tmp_path / done.name))
+
+
+def test_the_result_says_what_the_format_asks_for(done):
+    result = json.loads((done / "result/result.json").read_text())
+    assert result["images"] == {"given": 5, "oriented": 5, "not_oriented": []}
+    assert result["components"] == 1
+    assert [s["name"] for s in result["stages"]] == [
+        "photographs", "features", "matching", "start", "precision", "adjustment"
+    ]  # fmt: skip
+    for s in result["stages"]:
+        assert set(s) == {"name", "seconds", "cpu_seconds", "peak_memory_mb", "from_cache"}
+        assert s["seconds"] > 0
+        assert s["from_cache"] is False
+    assert result["converged"] is True
+    assert result["sigma0"] == pytest.approx(1.0, abs=0.15)
+    assert 0.02 < result["image_sigma_px"] < 0.3
+    with (done / "result/images.csv").open() as file:
+        assert [line.split(",")[2] for line in file][1:] == NAMES
+
+
+def test_the_result_is_true(done):
+    truth = read_block(PORTAL / "truth")
+    adjusted = read_block(done / "result/block")
+    interior = json.loads((done / "result/result.json").read_text())["cameras"]
+    (camera,) = interior.values()
+    (true,) = truth.cameras
+    (nominal,) = adjusted.cameras
+    scale = true.pixel_mm[0] / nominal.pixel_mm[0]
+    assert abs(camera["c"]["value"] - true.values["c"] / scale) < 5 * camera["c"]["std"]
+    rows = [truth.images.file.index(name) for name in adjusted.images.file]
+    known = truth.images.centre[rows]
+    m, R, t = similarity(adjusted.images.centre, known)
+    error = m * adjusted.images.centre @ R.T + t - known
+    assert np.abs(error).max() < 0.03  # metres, at about 6 m from the object and with few points
+    angle = adjusted.images.rotation @ R.T @ truth.images.rotation[rows].transpose(0, 2, 1)
+    assert np.degrees(np.arccos(np.clip((np.trace(angle, axis1=1, axis2=2) - 1) / 2, -1, 1))).max() < 0.3
+
+
+def similarity(source, target):
+    """Scale, rotation and shift, target_from_source (Umeyama 1991)."""
+    a, b = source - source.mean(axis=0), target - target.mean(axis=0)
+    u, d, vt = np.linalg.svd(b.T @ a)
+    turn = np.diag([1, 1, np.sign(np.linalg.det(u @ vt))])
+    R = u @ turn @ vt
+    m = np.trace(np.diag(d) @ turn) / (a**2).sum()
+    return m, R, target.mean(axis=0) - m * R @ source.mean(axis=0)
+
+
+def test_a_second_run_takes_every_stage_from_the_cache_and_changes_no_number(project, photos, capsys):
+    before = numbers(project), tables(project)
+    assert main(command(photos, project)) == 0
+    cached = {name: s["from_cache"] for name, s in stages(project).items()}
+    assert [name for name, c in cached.items() if c] == ["features", "matching", "start", "precision"]
+    assert numbers(project) == before[0]
+    assert tables(project) == before[1]
+    capsys.readouterr()
+    assert main(["status", str(project)]) == 0
+    lines = {line.split()[0]: line for line in capsys.readouterr().out.splitlines()}
+    assert "from cache" in lines["features"]
+    assert "10 pairs" in lines["matching"]
+
+
+STOPS = (("features", 0.3), ("features", 0.7), ("matching", 0.2), ("least-squares matching", 0.1), ("weights", 0.3))
+
+
+def kill_at(arguments, stage, share):
+    """Start the program and kill it with SIGKILL when it reports this; whether it came so far."""
+    call = [sys.executable, "-m", "raybundle", *arguments, "--progress", "json"]
+    with subprocess.Popen(call, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as running:
+        assert running.stderr is not None
+        for line in running.stderr:
+            told = json.loads(line)
+            if told.get("stage") == stage and told.get("share", told.get("done", 0)) >= share:
+                running.kill()
+                running.wait()
+                return True
+    assert running.returncode == 0
+    return False
+
+
+def test_a_run_that_is_killed_again_and_again_gives_the_same_numbers(done, photos, tmp_path):
+    out = tmp_path / done.name
+    killed = [kill_at(command(photos, out), *stop) for stop in STOPS]
+    assert sum(killed) >= 4, killed
+    assert not (out / "result").exists()
+    assert main(command(photos, out)) == 0
+    assert stages(out)["features"]["from_cache"]
+    assert stages(out)["matching"]["from_cache"]
+    assert numbers(out) == numbers(done)
+    assert tables(out) == tables(done)
+
+
+@pytest.fixture
+def counted(monkeypatch):
+    """How often pairs are verified and features detected."""
+    count = Counter()
+    for module, name in ((tie_points, "verify"), (tie_points, "grey_of")):
+        original = getattr(module, name)
+
+        def wrapper(*arguments, original=original, name=name):
+            count[name] += 1
+            return original(*arguments)
+
+        monkeypatch.setattr(module, name, wrapper)
+    return count
+
+
+def test_photographs_that_are_added_are_matched_with_the_others_and_only_they(project, photos, tmp_path, counted):
+    more = tmp_path / "more"
+    more.mkdir()
+    shutil.copy(PORTAL / "photos/portal_06.jpg", more)
+    result = orient([photos, more], project, QUICK)
+    assert counted == {"grey_of": 1, "verify": 5}
+    assert len(result.photos) == 6
+    assert len(result.pairs) == 15
+    assert result.not_oriented == ()
+    again = orient([photos], project, QUICK)
+    assert counted == {"grey_of": 1, "verify": 5}
+    assert len(again.pairs) == 10
+
+
+@pytest.mark.parametrize(
+    ("first", "kept"),
+    [("start", {"features", "matching"}), ("matching", {"features"}), ("adjustment", {"features", "matching", "start"})],
+)
+def test_from_a_stage_on_everything_is_done_again(project, photos, first, kept):
+    plain = orient([photos], project, QUICK)  # fills the cache of `start`
+    assert {s.name for s in plain.stages if s.from_cache} == {"features", "matching", "start"}
+    result = orient([photos], project, replace(QUICK, redo_from=first))
+    assert {s.name for s in result.stages if s.from_cache} == kept
+    assert result.adjustment.sigma0 == plain.adjustment.sigma0
+    np.testing.assert_array_equal(result.adjustment.adjusted.points.xyz, plain.adjustment.adjusted.points.xyz)
+
+
+def products(project, kind):
+    found = sorted((project / "cache").glob(f"*/{kind}-*.npz"))
+    assert found
+    return found
+
+
+def test_a_damaged_product_is_made_again(project, photos):
+    before = numbers(project)
+    for kind in ("start", "precision"):
+        for path in products(project, kind):
+            path.write_bytes(path.read_bytes()[:1000])
+    assert main(command(photos, project)) == 0
+    assert numbers(project) == before
+    assert {n for n, s in stages(project).items() if s["from_cache"]} == {"features", "matching"}
+
+
+def test_damaged_features_say_what_to_do_and_the_next_run_heals_them(project, photos):
+    path = products(project, "features")[2]
+    path.write_bytes(b"damaged")
+    options = replace(QUICK, redo_from="matching")
+    with pytest.raises(InputError, match="features stage is damaged or gone; run the same command again"):
+        orient([photos], project, options)
+    assert orient([photos], project, options).oriented == 5
+
+
+def test_the_number_of_jobs_changes_no_number(project, photos):
+    a, b = (orient([photos], project, replace(QUICK, jobs=k, redo_from="matching")) for k in (1, 3))
+    assert a.adjustment.sigma0 == b.adjustment.sigma0
+    np.testing.assert_array_equal(a.adjustment.adjusted.points.xyz, b.adjustment.adjusted.points.xyz)
+    assert [p.matches.tolist() for p in a.pairs] == [p.matches.tolist() for p in b.pairs]
+
+
+def test_a_photograph_that_changed_is_a_new_one(project, photos, tmp_path, counted):
+    changed = Path(shutil.copytree(photos, tmp_path / "changed"))
+    data = (PORTAL / "photos/portal_07.jpg").read_bytes()
+    (changed / NAMES[0]).write_bytes(data)
+    result = orient([changed], project, QUICK)
+    assert counted == {"grey_of": 1, "verify": 4}
+    assert result.photos[0].name == NAMES[0]
+
+
+def test_originals_are_never_touched(done, photos):
+    for name in NAMES:
+        assert (photos / name).read_bytes() == (PORTAL / "photos" / name).read_bytes()
+    assert sorted(p.name for p in photos.iterdir()) == NAMES
+
+
+def test_the_project_holds_no_leftovers(done):
+    opened = Project.open(done, create=False)
+    try:
+        assert [r.name for r in opened.stages()][:6] == [
+            "photographs", "features", "matching", "start", "precision", "adjustment"
+        ]  # fmt: skip
+    finally:
+        opened.close()
+    assert not [p for p in done.rglob(".*") if p.is_file()]
