@@ -170,3 +170,8 @@ def case():
 @pytest.fixture(params=list(MAKERS))
 def any_case(request):
     return made(request.param)
+
+
+@pytest.fixture
+def free_case():
+    return made("free")

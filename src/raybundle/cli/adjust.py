@@ -48,7 +48,7 @@ DEFAULT = AdjustmentOptions()
 @click.option(
     "--threads", type=click.IntRange(0), default=DEFAULT.threads, show_default=True, help="0: all processors."
 )
-@click.option("--no-report", is_flag=True, help="Leave out report.html.")
+@click.option("--no-report", is_flag=True, help="Leave out report.html and network.html.")
 @common_options
 def command(
     block: Path,
@@ -101,4 +101,7 @@ def run(block: Path, out: Path, options: AdjustmentOptions, report: Literal["htm
         adjustment = adjust(read_block(block, progress=tell), options, tell)
         write_result(adjustment, out, report=report, progress=tell)
     click.echo("\n".join(summary_lines(adjustment)))
-    click.echo(f" result: {out}" + (f", report: {out / 'report.html'}" if report == "html" else ""))
+    click.echo(
+        f" result: {out}"
+        + (f", report: {out / 'report.html'}, in 3D: {out / 'network.html'}" if report == "html" else "")
+    )

@@ -63,7 +63,7 @@ STAGES = ("photographs", "features", "matching", "start", "precision", "adjustme
     help="Memory that the pixels of photographs may take while points are measured.",
 )  # fmt: skip
 @click.option("--from", "redo_from", type=click.Choice(STAGES), help="Do this stage and all after it again.")
-@click.option("--no-report", is_flag=True, help="Leave out report.html.")
+@click.option("--no-report", is_flag=True, help="Leave out report.html and network.html.")
 @common_options
 def command(
     photos: tuple[Path, ...],
@@ -134,11 +134,22 @@ def command(
         click.echo(f"   {name}: {reason}")
     click.echo("\n".join(summary_lines(done.adjustment)))
     click.echo(f" image points: sigma {done.sigma_px:.3f} px")
-    click.echo(f" result: {result}" + ("" if no_report else f", report: {result / 'report.html'}"))
+    click.echo(
+        f" result: {result}"
+        + ("" if no_report else f", report: {result / 'report.html'}, in 3D: {result / 'network.html'}")
+    )
 
 
 def write_orientation(done: Orientation, result: Path, *, report: Literal["html", "none"], progress: Progress) -> None:
     """Write the result folder of oriented photographs."""
+    from raybundle.cli.photograph_facts import photograph_facts  # noqa: PLC0415
     from raybundle.report.result_folder import write_result  # noqa: PLC0415
 
-    write_result(done.adjustment, result, report=report, additions=done.additions(), progress=progress)
+    write_result(
+        done.adjustment,
+        result,
+        report=report,
+        additions=done.additions(),
+        photographs=photograph_facts(done),
+        progress=progress,
+    )

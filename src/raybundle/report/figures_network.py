@@ -75,7 +75,7 @@ def network_views(view: View) -> NetworkViews | None:
             f"{grouped(factor)} times"
         )
     size = 0.045 * max(high - low for low, high in limits) / max(1.0, math.sqrt(len(drawn_images) / 40))
-    frames = _frusta(view, drawn_images, size)
+    frames = frusta(view, drawn_images, size)
     parts: list[str] = []
     for plot, a, b in panels:
         parts.append(axes(plot, f"{'XYZ'[a]} [{view.length_unit}]", f"{'XYZ'[b]} [{view.length_unit}]", grid="xy"))
@@ -133,7 +133,7 @@ def _panels(limits: list[Interval]) -> tuple[list[Panel], float, float, float]:
     return [(plan, 0, 1), (side, 2, 1), (front, 0, 2)], width, height, scale
 
 
-def _frusta(view: View, images: Index, size: float) -> Array:
+def frusta(view: View, images: Index, size: float) -> Array:
     """Projection centre and four corners of the format before it (n, 5, 3) in object space."""
     corners = np.zeros((len(images), 5, 3))
     for k, i in enumerate(images):

@@ -7,7 +7,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from typing import Any, Literal, cast
+from typing import TYPE_CHECKING, Any, Literal, cast
 
 import numpy as np
 
@@ -30,6 +30,9 @@ from raybundle.io.folders import new_folder
 from raybundle.io.tables import Column, Table, read_table, write_table
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent
+
+if TYPE_CHECKING:
+    from raybundle.report.section_photographs import PhotographFacts
 
 Columns = dict[str, Sequence[str] | Array]
 
@@ -55,7 +58,7 @@ TABLES: Mapping[str, tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]] =
     "stations": (("image",), STATIONS, ()),
 }
 """Table -> text columns, numbers, text columns at the end."""
-ENTRIES = {"block", "result.json", "report.html", *(f"{name}.csv" for name in TABLES)}
+ENTRIES = {"block", "result.json", "report.html", "network.html", *(f"{name}.csv" for name in TABLES)}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -114,12 +117,15 @@ def write_result(
     *,
     report: Literal["html", "none"] = "html",
     additions: Mapping[str, object] | None = None,
+    photographs: PhotographFacts | None = None,
     progress: Progress = silent,
 ) -> None:
     """Write a result folder, whole or not at all; an older result there is replaced when the new one is complete.
 
-    additions  further keys of result.json
-    raises     InputError where something else stands at `path`
+    report       "html": report.html and network.html, the network in three dimensions
+    additions    further keys of result.json
+    photographs  what is known of the photographs that the adjustment comes from
+    raises       InputError where something else stands at `path`
     """
     check_target(path)
     with new_folder(Path(path)) as folder:
@@ -135,8 +141,10 @@ def write_result(
         progress("writing tables", 1.0)
         if report == "html":
             from raybundle.report.document import write_report  # noqa: PLC0415  (Jinja2 only where it is used)
+            from raybundle.report.network_page import write_network_page  # noqa: PLC0415
 
-            write_report(adjustment, folder / "report.html", progress)
+            write_report(adjustment, folder / "report.html", progress, photographs)
+            write_network_page(adjustment, folder / "network.html")
 
 
 def _block_again(adjustment: Adjustment) -> Block:

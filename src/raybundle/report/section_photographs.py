@@ -182,7 +182,13 @@ def _photo_table(view: View, facts: PhotographFacts, images: Index, common: Arra
     rows: list[list[str]] = []
     marked: list[int] = []
     for k, p in enumerate(facts.photographs):
-        about = [p.name, p.camera, f"{p.width_px} × {p.height_px}", p.taken or NONE, p.position or NONE]
+        about = [
+            p.name,
+            p.camera,
+            f"{p.width_px}\u00a0×\u00a0{p.height_px}",
+            p.taken.replace(" ", "\u00a0") or NONE,
+            p.position or NONE,
+        ]
         if p.name not in row_of:
             rows.append([*about, *[NONE] * 5])
             marked.append(k)
@@ -194,19 +200,23 @@ def _photo_table(view: View, facts: PhotographFacts, images: Index, common: Arra
             marked.append(k)
         numbers = [grouped(float(count[i])), per_cent(many[i] / max(count[i], 1)), grouped(partners)]
         rows.append([*about, *numbers, fixed(float(residual[i]), 2), per_cent(share)])
+    columns = (
+        text("photograph"), text("camera"), text("size [px]"), text("taken"), text("position"),
+        number("image points"), number("in 3 images or more"), number("neighbours"), number("rms residual", "px"),
+        number("format covered"),
+    )  # fmt: skip
+    cut = list(zip(*rows, strict=True)) if rows else [() for _ in columns]
+    # what no photograph states needs no column
+    shown = [k for k, cells_ in enumerate(cut) if k not in (3, 4) or set(cells_) - {NONE}]
     return table(
-        (
-            text("photograph"), text("camera"), text("size [px]"), text("taken"), text("position"),
-            number("image points"), number("in 3 images or more"), number("neighbours"), number("rms residual", "px"),
-            number("format covered"),
-        ),
-        zip(*rows, strict=True) if rows else [[] for _ in range(10)],
+        [columns[k] for k in shown],
+        [cut[k] for k in shown],
         note=f"Neighbours: photographs with {FEW} common points or more. Format covered: share of 10 × 10 cells that "
         f"hold an image point. Marked: without orientation, without neighbours, or less than {per_cent(THIN)} covered; "
         "distortion is known there only where there are points.",
         rest="images.csv",
         marked=marked,
-    )  # fmt: skip
+    )
 
 
 def _left_out(facts: PhotographFacts) -> list[Part]:
@@ -272,7 +282,7 @@ def _connection_words(view: View, facts: PhotographFacts, images: Index, common:
             "joined",
             (
                 f"{counted(joined, 'pair')} of images share points in the result; an image has "
-                f"{significant(float(np.median(partners)), 2) if len(partners) else 0} neighbours (median) with {FEW} "
+                f"{grouped(float(np.median(partners))) if len(partners) else 0} neighbours (median) with {FEW} "
                 "common points or more."
             ),
         )
@@ -357,7 +367,7 @@ def coverage_section(view: View, plan: Plan) -> Section:
     count = cells_found[1]
     seen = count[count > 0]
     thin = float((seen < 3).mean())
-    words = f"Half of the mapped parts of the object lie in {significant(float(np.median(seen)), 2)} images or more; "
+    words = f"Half of the mapped parts of the object lie in {grouped(float(np.median(seen)))} images or more; "
     words += f"{per_cent(thin)} of them in fewer than 3."
     if thin > 0.1:
         words += (

@@ -1,0 +1,235 @@
+"""The network in three dimensions: one HTML file that needs no other and no network access."""
+
+from __future__ import annotations
+
+import json
+import math
+from base64 import b64encode
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from markupsafe import Markup
+
+from raybundle.adjustment.result import Adjustment
+from raybundle.block import Role
+from raybundle.numerics.arrays import Array, Index
+from raybundle.report.document import environment
+from raybundle.report.figures_network import frusta
+from raybundle.report.numbers import counted, grouped
+from raybundle.report.svg import spread_rows
+from raybundle.report.view import View, view_of
+from raybundle.report.words import datum_words
+
+MOST_POINTS, MOST_ELLIPSOIDS, MOST_IMAGES = 50_000, 2_000, 5_000
+"""Points, error ellipsoids and images that a page holds; control and check points are all there."""
+
+
+def write_network_page(adjustment: Adjustment, path: str | Path) -> None:
+    """Write the network view: object points, images, control, scale bars, error ellipsoids and rays, to be turned.
+
+    adjustment  any result; what it lacks (statistics, control, scale bars) is left out
+    path        the HTML file; its folder exists; an older file is overwritten
+
+    Points, ellipsoids and images beyond what a page can hold are thinned evenly, and the page says so.  What it does
+    not tell: an ellipsoid describes random errors in the datum of the result; one that is enlarged is no distance.
+    """
+    view = view_of(adjustment)
+    contents = network_contents(view)
+    words: list[str] = contents.pop("remarks")
+    html = (
+        environment()
+        .get_template("network.html.j2")
+        .render(
+            title=f"Network of {view.given.name}",
+            remarks=words,
+            data=Markup(_json(contents)),  # noqa: S704  (what could end the element is escaped by _json)
+            program=Markup(_program()),  # noqa: S704  (our own script, built from web/network)
+        )
+    )
+    Path(path).write_text(html, encoding="utf-8")
+
+
+def _program() -> str:
+    """The page's script: three.js and our own code, built by `npm run build` in the folder web."""
+    return (files("raybundle.report") / "templates" / "network.js").read_text(encoding="utf-8")
+
+
+def _json(contents: dict[str, Any]) -> str:
+    """JSON that cannot end the script element it stands in."""
+    plain = json.dumps(contents, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+    return plain.replace("&", "\\u0026").replace("<", "\\u003c").replace(">", "\\u003e")
+
+
+def _packed(values: Array, kind: str) -> str:
+    """An array as base64 of its little-endian bytes; the page knows shape and kind."""
+    return b64encode(np.ascontiguousarray(values, dtype=kind).tobytes()).decode("ascii")
+
+
+def network_contents(view: View) -> dict[str, Any]:
+    """All that the page draws, relative to `origin`, and the sentences to be said beside it ("remarks")."""
+    points, images = shown_points(view), shown_images(view)
+    xyz, centre = view.adjusted.points.xyz[points], view.adjusted.images.centre[images]
+    every = xyz if len(xyz) else centre
+    origin = np.median(every, axis=0) if len(every) else np.zeros(3)
+    extent = _extent(xyz - origin)
+    ellipsoids, axes_ = _ellipsoids(view, points)
+    starts, seen = _rays(view, points, images)
+    bars = _bars(view, points)
+    sigma = np.full((len(points), 3), np.nan) if view.std is None else view.std[points]
+    decimals = max(0, 4 - math.floor(math.log10(extent)))
+    return {
+        "remarks": _remarks(view, points, images, len(ellipsoids)),
+        "unit": view.length_unit,
+        "sigmaUnit": view.unit,
+        "decimals": min(decimals, 9),
+        "origin": origin.tolist(),
+        "extent": extent,
+        "basis": _basis(view, images, xyz).ravel().tolist(),
+        "points": {
+            "id": [view.given.points.ids[i] for i in points],
+            "xyz": _packed(xyz - origin, "<f4"),
+            "role": _packed(view.given.points.role[points], "u1"),
+            "rays": _packed(np.minimum(view.rays[points], 65535), "<u2"),
+            "sigma": _packed(sigma, "<f4"),
+            "starts": _packed(starts, "<u4"),
+            "seen": _packed(seen, "<u4"),
+        },
+        "images": {
+            "id": [view.given.images.ids[i] for i in images],
+            "frusta": _packed(frusta(view, images, 1.0) - origin, "<f4"),
+            "size": 0.06 * extent / max(1.0, math.sqrt(len(images) / 40)),
+        },
+        "ellipsoids": {
+            "point": _packed(ellipsoids, "<u4"),
+            "axes": _packed(axes_, "<f4"),
+            "enlarged": _enlarged(axes_, extent),
+        },
+        "bars": _packed(bars, "<u4"),
+    }
+
+
+def shown_points(view: View) -> Index:
+    """Rows of the object points of the page: every control and check point, and tie points evenly thinned."""
+    known = (view.rays > 0) & np.isfinite(view.adjusted.points.xyz).all(axis=1)
+    role = np.asarray(view.given.points.role)
+    ends = np.zeros(len(role), bool)
+    ends[view.given.distances.start] = True
+    ends[view.given.distances.end] = True
+    special = np.flatnonzero(known & ((role != Role.TIE) | ends))
+    tie = np.flatnonzero(known & (role == Role.TIE) & ~ends)
+    room = max(MOST_POINTS - len(special), 0)
+    kept = tie[spread_rows(len(tie), room)] if room else tie[:0]
+    return np.sort(np.concatenate([special, kept])).astype(np.int32)
+
+
+def shown_images(view: View) -> Index:
+    """Rows of the images of the page: oriented, and with a used observation."""
+    taken = np.zeros(len(view.given.images), bool)
+    taken[view.given.observations.image[view.used]] = True
+    rows = np.flatnonzero(taken & view.adjusted.images.oriented)
+    return rows[spread_rows(len(rows), MOST_IMAGES)].astype(np.int32)
+
+
+def _extent(xyz: Array) -> float:
+    """Length that holds most of the points; 1 where they have none."""
+    if not len(xyz):
+        return 1.0
+    low, high = np.quantile(xyz, [0.02, 0.98], axis=0)
+    size = float(np.linalg.norm(high - low))
+    return size if size > 0 else 1.0
+
+
+def _basis(view: View, images: Index, xyz: Array) -> Array:
+    """Right, back and up of the first view (3, 3).
+
+    Up is Z; where the rotation of the system is arbitrary, the mean upward direction of the images.  The view looks
+    as the images do in the mean.
+    """
+    up = np.array([0.0, 0.0, 1.0])
+    R = view.adjusted.images.rotation[images]
+    if len(images) and any(part.startswith("rotation") for part in view.adjustment.datum_defect):
+        mean = R[:, 1].mean(axis=0)
+        if np.linalg.norm(mean) > 0.5:
+            up = mean / np.linalg.norm(mean)
+    back = R[:, 2].mean(axis=0) if len(images) else np.array([0.0, -1.0, 0.0])
+    back = back - up * (back @ up)
+    if np.linalg.norm(back) < 0.2 and len(images) and len(xyz):
+        back = np.array([0.0, -1.0, 0.0])
+        back = back - up * (back @ up)
+    if np.linalg.norm(back) < 1e-6:
+        back = np.cross(up, [1.0, 0.0, 0.0])
+    back = back / np.linalg.norm(back)
+    return np.stack([np.cross(up, -back) * -1.0, back, up])
+
+
+def _ellipsoids(view: View, points: Index) -> tuple[Index, Array]:
+    """Positions among the shown points (k,), and half axes (k, 3, 3), one in each row, of their 1 sigma ellipsoids."""
+    precision = view.adjustment.precision
+    if precision is None or not len(points):
+        return np.zeros(0, np.int32), np.zeros((0, 3, 3))
+    C = precision.object_points[points]
+    known = np.flatnonzero(np.isfinite(C).all(axis=(1, 2)) & (np.trace(C, axis1=1, axis2=2) > 0))
+    special = known[np.asarray(view.given.points.role)[points[known]] != Role.TIE]
+    tie = np.setdiff1d(known, special)
+    room = max(MOST_ELLIPSOIDS - len(special), 0)
+    rows = np.sort(np.concatenate([special, tie[spread_rows(len(tie), room)] if room else tie[:0]])).astype(np.int32)
+    values, vectors = np.linalg.eigh(C[rows])
+    return rows, np.swapaxes(vectors * np.sqrt(np.maximum(values, 0))[:, None, :], 1, 2)
+
+
+def _enlarged(axes_: Array, extent: float) -> float:
+    """A round factor that makes a typical ellipsoid about a hundredth of the extent."""
+    if not len(axes_):
+        return 1.0
+    major = float(np.quantile(np.linalg.norm(axes_[:, 2], axis=1), 0.75))
+    wanted = 0.01 * extent / major if major > 0 else 1.0
+    return max(1.0, 10.0 ** round(math.log10(wanted)))
+
+
+def _rays(view: View, points: Index, images: Index) -> tuple[Array, Array]:
+    """Images (positions among the shown ones) of every shown point: starts (p + 1,) and the images (m,)."""
+    point_of = np.full(len(view.given.points), -1)
+    point_of[points] = np.arange(len(points))
+    image_of = np.full(len(view.given.images), -1)
+    image_of[images] = np.arange(len(images))
+    o = view.given.observations
+    p, i = point_of[o.point[view.used]], image_of[o.image[view.used]]
+    keep = (p >= 0) & (i >= 0)
+    p, i = p[keep], i[keep]
+    order = np.lexsort((i, p))
+    starts = np.concatenate([[0], np.cumsum(np.bincount(p, minlength=len(points)))])
+    return starts, i[order]
+
+
+def _bars(view: View, points: Index) -> Array:
+    """Ends (k, 2) of the scale bars, positions among the shown points."""
+    row = np.full(len(view.given.points), -1)
+    row[points] = np.arange(len(points))
+    d = view.given.distances
+    ends = np.stack([row[d.start], row[d.end]], axis=1)
+    return ends[(ends >= 0).all(axis=1)]
+
+
+def _remarks(view: View, points: Index, images: Index, ellipsoids: int) -> list[str]:
+    """What the page holds and leaves out, in sentences."""
+    known = int(((view.rays > 0) & np.isfinite(view.adjusted.points.xyz).all(axis=1)).sum())
+    taken = len(np.unique(view.given.observations.image[view.used]))
+
+    def part(shown: int, total: int, noun: str) -> str:
+        return counted(total, noun) if shown == total else f"{grouped(shown)} of {counted(total, noun)} (evenly chosen)"
+
+    words = [f"{part(len(points), known, 'object point')}, {part(len(images), taken, 'image')}."]
+    if ellipsoids:
+        words.append(
+            f"Error ellipsoids (1 sigma; a point lies within with 20 %) of {counted(ellipsoids, 'point')}, enlarged."
+        )
+    elif view.adjustment.precision is None:
+        words.append("Standard deviations were not computed (statistics are off).")
+    words.append(f"Datum: {datum_words(view).rstrip('.')}.")
+    if view.arbitrary_scale:
+        words.append("The scale is arbitrary: lengths have no absolute unit.")
+    if not known:
+        words.append("No object point has coordinates: there is nothing to show.")
+    return words

@@ -1,0 +1,77 @@
+"""The network view: one file without network access, with exactly the numbers of the result."""
+
+import base64
+import json
+import re
+import shutil
+import subprocess
+
+import numpy as np
+import pytest
+
+from raybundle.report import network_page
+from raybundle.report.network_page import network_contents, write_network_page
+from raybundle.report.view import view_of
+
+DATA = re.compile(r'<script type="application/json" id="network-data">(.*?)</script>', re.DOTALL)
+
+
+def array(text, kind, *shape):
+    return np.frombuffer(base64.b64decode(text), dtype=kind).reshape(shape)
+
+
+def contents_of(adjustment, folder):
+    write_network_page(adjustment, folder / "network.html")
+    html = (folder / "network.html").read_text(encoding="utf-8")
+    return html, json.loads(DATA.search(html).group(1))
+
+
+def test_every_state_gives_a_page_that_asks_for_nothing(any_case, tmp_path):
+    html, data = contents_of(any_case, tmp_path)
+    assert not re.findall(r'(?:src|href)\s*=\s*["\'][^"\']', html.replace(DATA.search(html).group(0), ""))
+    assert not re.findall(r"@import|\bimport\s*\(", html)
+    n = len(data["points"]["id"])
+    xyz = array(data["points"]["xyz"], "<f4", n, 3)
+    assert np.isfinite(xyz).all()
+    starts = array(data["points"]["starts"], "<u4", -1)
+    assert len(starts) == n + 1
+    assert len(array(data["points"]["seen"], "<u4", -1)) == starts[-1]
+    assert html.count("</script>") == 2  # the data and the program
+
+
+def test_coordinates_and_rays_are_those_of_the_result(free_case, tmp_path):
+    _, data = contents_of(free_case, tmp_path)
+    ids, adjusted = data["points"]["id"], free_case.adjusted.points
+    xyz = array(data["points"]["xyz"], "<f4", -1, 3) + np.array(data["origin"])
+    row = {name: k for k, name in enumerate(adjusted.ids)}
+    expected = adjusted.xyz[[row[i] for i in ids]]
+    assert abs(xyz - expected).max() < 1e-5 * data["extent"]
+    starts, seen = array(data["points"]["starts"], "<u4", -1), array(data["points"]["seen"], "<u4", -1)
+    view = view_of(free_case)
+    o, images = view.given.observations, data["images"]["id"]
+    for k in (0, len(ids) // 2, len(ids) - 1):
+        told = {images[i] for i in seen[starts[k] : starts[k + 1]]}
+        mine = view.used & (o.point == row[ids[k]])
+        assert told == {view.given.images.ids[i] for i in o.image[mine]}
+
+
+def test_ellipsoids_have_the_size_of_the_covariance(free_case):
+    view = view_of(free_case)
+    data = network_contents(view)
+    axes = array(data["ellipsoids"]["axes"], "<f4", -1, 3, 3).astype(float)
+    rows = network_page.shown_points(view)[array(data["ellipsoids"]["point"], "<u4", -1)]
+    C = free_case.precision.object_points[rows]
+    np.testing.assert_allclose(np.einsum("nki,nkj->nij", axes, axes), C, rtol=0, atol=1e-5 * abs(C).max())
+
+
+def test_too_many_points_are_thinned_and_it_is_said(free_case, monkeypatch):
+    monkeypatch.setattr(network_page, "MOST_POINTS", 10)
+    data = network_contents(view_of(free_case))
+    assert len(data["points"]["id"]) == 10
+    assert any("10 of" in words and "evenly chosen" in words for words in data["remarks"])
+
+
+@pytest.mark.skipif(shutil.which("node") is None, reason="no JavaScript engine here")
+def test_the_program_is_valid_script(tmp_path):
+    (tmp_path / "program.js").write_text(network_page._program(), encoding="utf-8")
+    subprocess.run(["node", "--check", "program.js"], cwd=tmp_path, check=True)

@@ -1,0 +1,109 @@
+"""Sections about photographs: whole for every state of a result, escaped, with the numbers of the block."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from raybundle.report.document import write_report
+from raybundle.report.figures_photographs import common_points, edges_of, overlap_cells, plan_of, taken_images
+from raybundle.report.section_photographs import CameraFact, PairFact, PhotoFact, PhotographFacts, StageFact
+from raybundle.report.view import view_of
+from tests.report.conftest import HOSTILE
+from tests.report.test_document import parsed
+
+SECTIONS = ("photographs", "connections", "coverage", "tie-points", "cameras-start")
+
+
+def facts_of(adjustment, **changes):
+    block = adjustment.given
+    cameras = {c.id: c for c in block.cameras}
+    photographs = tuple(
+        PhotoFact(
+            name=name, camera=block.cameras[c].id, width_px=int(block.cameras[c].width_px or 0),
+            height_px=int(block.cameras[c].height_px or 0),
+        )
+        for name, c in zip(block.images.ids, block.images.camera, strict=True)
+    )  # fmt: skip
+    kept = PhotographFacts(
+        photographs=photographs,
+        cameras=tuple(
+            CameraFact(camera=k, name=k, photographs=3, source="EXIF", c_px=1000.0, sigma_c_px=20.0) for k in cameras
+        ),
+    )
+    return replace(kept, **changes)
+
+
+def page(adjustment, facts, folder):
+    write_report(adjustment, folder / "report.html", photographs=facts)
+    return (folder / "report.html").read_text(encoding="utf-8")
+
+
+def test_every_state_gives_the_sections(any_case, tmp_path):
+    seen = parsed(page(any_case, facts_of(any_case), tmp_path))
+    assert [i for i in seen.ids if i in SECTIONS] == list(SECTIONS)
+    bad = [v for _, k, v in seen.attributes if k in {"d", "x", "y", "width", "height"} and ("nan" in v or "inf" in v)]
+    assert not bad
+    assert "processing" not in seen.ids  # no stage is known
+
+
+def test_what_was_left_out_is_told_and_escaped(free_case, tmp_path):
+    html = page(
+        free_case,
+        facts_of(
+            free_case,
+            refused=((HOSTILE, "0 bytes"),),
+            not_oriented=((free_case.given.images.ids[0], "fits no other photograph"),),
+            stages=(
+                StageFact(name="features", seconds=12.0, cpu_seconds=20.0, peak_memory_mb=300.0, from_cache=False),
+                StageFact(name="matching", seconds=3.0, cpu_seconds=4.0, peak_memory_mb=512.0, from_cache=True),
+            ),
+            pairs=(PairFact(first=HOSTILE, second="b", candidates=900, verified=720, geometry="general"),),
+        ),
+        tmp_path,
+    )
+    words = " ".join(" ".join(parsed(html).text).split())
+    assert HOSTILE not in html
+    assert HOSTILE in words
+    assert "fits no other photograph" in words
+    assert "15.0 s" in words
+    assert "512 MB" in words
+    assert "80 %" in words  # verified of candidates
+    assert "kept from an earlier run" in words
+
+
+def test_a_camera_far_from_its_start_is_remarked(free_case, tmp_path):
+    camera = free_case.given.cameras[0].id
+    far = CameraFact(camera=camera, name="x", photographs=3, source="EXIF", c_px=10.0, sigma_c_px=1.0)
+    text = " ".join(parsed(page(free_case, facts_of(free_case, cameras=(far,)), tmp_path)).text)
+    assert "differs from its starting value by" in text
+
+
+def test_common_points_are_counted_as_the_observations_say(free_case):
+    view = view_of(free_case)
+    images = taken_images(view)
+    common = common_points(view, images)
+    o = view.given.observations
+    sets = [set(o.point[view.used & (o.image == i)].tolist()) for i in images]
+    expected = np.array([[len(a & b) for b in sets] for a in sets])
+    np.testing.assert_array_equal(common, expected)
+    first, _ = edges_of(common)
+    assert len(first) == int((np.triu(expected, 1) > 0).sum())
+
+
+def test_overlap_counts_images_not_points(free_case):
+    view = view_of(free_case)
+    found = overlap_cells(view, plan_of(view))
+    assert found is not None
+    _, count, _ = found
+    assert 1 <= count.max() <= len(taken_images(view))
+    # every cell with a point is seen by two images at least, because a point has two rays
+    assert count[count > 0].min() >= 2
+
+
+@pytest.mark.parametrize("kept", [0, 1, 2])
+def test_few_photographs_give_a_whole_page(free_case, tmp_path, kept):
+    facts = facts_of(free_case)
+    facts = replace(facts, photographs=facts.photographs[:kept], cameras=(), sigma_px=math.nan)
+    assert [i for i in parsed(page(free_case, facts, tmp_path)).ids if i in SECTIONS] == list(SECTIONS)

@@ -1,0 +1,83 @@
+// What the page carries: arrays as base64 of little-endian bytes, lengths relative to `origin` in object units.
+
+export interface Packed {
+  unit: string;
+  sigmaUnit: string;
+  decimals: number;
+  origin: [number, number, number];
+  extent: number;
+  basis: number[];
+  points: { id: string[]; xyz: string; role: string; rays: string; sigma: string; starts: string; seen: string };
+  images: { id: string[]; frusta: string; size: number };
+  ellipsoids: { point: string; axes: string; enlarged: number };
+  bars: string;
+}
+
+export const ROLES = ["tie", "control", "check"] as const;
+
+function bytes(text: string): ArrayBuffer {
+  const raw = atob(text);
+  const out = new Uint8Array(raw.length);
+  for (let i = 0; i < raw.length; i++) out[i] = raw.charCodeAt(i);
+  return out.buffer;
+}
+
+export const floats = (text: string): Float32Array<ArrayBuffer> => new Float32Array(bytes(text));
+export const words32 = (text: string): Uint32Array<ArrayBuffer> => new Uint32Array(bytes(text));
+export const words16 = (text: string): Uint16Array<ArrayBuffer> => new Uint16Array(bytes(text));
+export const words8 = (text: string): Uint8Array<ArrayBuffer> => new Uint8Array(bytes(text));
+
+export class Network {
+  readonly xyz: Float32Array<ArrayBuffer>;
+  readonly role: Uint8Array<ArrayBuffer>;
+  readonly rays: Uint16Array<ArrayBuffer>;
+  readonly sigma: Float32Array<ArrayBuffer>;
+  readonly starts: Uint32Array<ArrayBuffer>;
+  readonly seen: Uint32Array<ArrayBuffer>;
+  readonly frusta: Float32Array<ArrayBuffer>;
+  readonly ellipsoid: Uint32Array<ArrayBuffer>;
+  readonly axes: Float32Array<ArrayBuffer>;
+  readonly bars: Uint32Array<ArrayBuffer>;
+
+  constructor(readonly packed: Packed) {
+    this.xyz = floats(packed.points.xyz);
+    this.role = words8(packed.points.role);
+    this.rays = words16(packed.points.rays);
+    this.sigma = floats(packed.points.sigma);
+    this.starts = words32(packed.points.starts);
+    this.seen = words32(packed.points.seen);
+    this.frusta = floats(packed.images.frusta);
+    this.ellipsoid = words32(packed.ellipsoids.point);
+    this.axes = floats(packed.ellipsoids.axes);
+    this.bars = words32(packed.bars);
+    // corners lie one object unit from the centre; bring them to the drawn size
+    const size = packed.images.size;
+    for (let k = 0; k < this.frusta.length; k += 15)
+      for (let j = 3; j < 15; j++) {
+        const c = this.frusta[k + (j % 3)];
+        this.frusta[k + j] = c + (this.frusta[k + j] - c) * size;
+      }
+  }
+
+  get points(): number {
+    return this.role.length;
+  }
+
+  get images(): number {
+    return this.frusta.length / 15;
+  }
+
+  imagesOf(point: number): Uint32Array {
+    return this.seen.subarray(this.starts[point], this.starts[point + 1]);
+  }
+
+  /** Length of the standard deviation of a point, or NaN. */
+  sigmaOf(point: number): number {
+    return Math.hypot(this.sigma[3 * point], this.sigma[3 * point + 1], this.sigma[3 * point + 2]);
+  }
+
+  coordinates(point: number): string {
+    const { origin, decimals } = this.packed;
+    return [0, 1, 2].map((a) => (this.xyz[3 * point + a] + origin[a]).toFixed(decimals)).join(", ");
+  }
+}

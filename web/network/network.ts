@@ -1,0 +1,169 @@
+// The network in three dimensions: turn, zoom, pick a point or an image and see its rays.
+import * as THREE from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { byRays, byRole, bySigma, Colouring } from "./colours";
+import { Network, Packed, ROLES } from "./data";
+import { Drawn } from "./scene";
+
+const element = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
+
+function start(): void {
+  const net = new Network(JSON.parse(element("network-data").textContent!) as Packed);
+  const stage = element<HTMLDivElement>("stage");
+  let renderer: THREE.WebGLRenderer;
+  try {
+    renderer = new THREE.WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
+  } catch {
+    stage.textContent =
+      "This browser shows no 3D graphics (WebGL is switched off). The report and the PLY file hold the same network.";
+    return;
+  }
+  renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+  stage.append(renderer.domElement);
+  const scene = new THREE.Scene();
+  scene.background = new THREE.Color(0xf7f5f0);
+  scene.add(new THREE.HemisphereLight(0xffffff, 0x9a8f80, 3));
+  const drawn = new Drawn(net);
+  scene.add(...drawn.all());
+
+  const { extent, basis } = net.packed;
+  const axis = (k: number) => new THREE.Vector3(basis[3 * k], basis[3 * k + 1], basis[3 * k + 2]);
+  const camera = new THREE.PerspectiveCamera(40, 1, extent / 1000, extent * 200);
+  camera.up.copy(axis(2));
+  const controls = new OrbitControls(camera, renderer.domElement);
+  controls.zoomToCursor = true;
+  const home = () => {
+    camera.position.set(0, 0, 0).addScaledVector(axis(1), 1.7 * extent).addScaledVector(axis(2), 0.55 * extent)
+      .addScaledVector(axis(0), 0.5 * extent);
+    controls.target.set(0, 0, 0);
+    controls.update();
+  };
+  const render = () => renderer.render(scene, camera);
+  const size = () => {
+    renderer.setSize(stage.clientWidth, stage.clientHeight);
+    camera.aspect = stage.clientWidth / Math.max(stage.clientHeight, 1);
+    camera.updateProjectionMatrix();
+    render();
+  };
+  controls.addEventListener("change", render);
+  addEventListener("resize", size);
+
+  panel(net, drawn, render, home);
+  picking(net, drawn, camera, renderer.domElement, render);
+  home();
+  size();
+}
+
+function panel(net: Network, drawn: Drawn, render: () => void, home: () => void): void {
+  const choices: Record<string, Colouring | null> = { role: byRole(net), rays: byRays(net), sigma: bySigma(net) };
+  const select = element<HTMLSelectElement>("colouring");
+  if (!choices.sigma) select.querySelector('option[value="sigma"]')!.remove();
+  const colour = () => {
+    const chosen = choices[select.value]!;
+    drawn.colour(chosen.rgb);
+    element("legend").replaceChildren(
+      ...chosen.legend.map(([hex, words]) => {
+        const item = document.createElement("li");
+        const dot = document.createElement("span");
+        dot.style.background = hex;
+        item.append(dot, words);
+        return item;
+      }),
+    );
+    render();
+  };
+  select.addEventListener("change", colour);
+  colour();
+
+  const shown: [string, THREE.Object3D[], number][] = [
+    ["show-points", [drawn.points], net.points],
+    ["show-images", [drawn.frames], net.images],
+    ["show-known", [drawn.special], net.role.some((r) => r > 0) ? 1 : 0],
+    ["show-bars", [drawn.bars], net.bars.length],
+    ["show-ellipsoids", [drawn.ellipsoids], net.ellipsoid.length],
+  ];
+  for (const [id, objects, count] of shown) {
+    const box = element<HTMLInputElement>(id);
+    if (!count) box.closest("label")!.remove();
+    const apply = () => {
+      objects.forEach((o) => (o.visible = box.checked));
+      render();
+    };
+    box.addEventListener("change", apply);
+    apply();
+  }
+
+  const slider = element<HTMLInputElement>("enlarged");
+  if (!net.ellipsoid.length) slider.closest("label")!.remove();
+  const start = net.packed.ellipsoids.enlarged;
+  const scale = () => {
+    const factor = start * 10 ** (Number(slider.value) / 10);
+    drawn.enlarge(factor);
+    element("enlarged-words").textContent = `${Number(factor.toPrecision(2)).toLocaleString("en")} ×`;
+    render();
+  };
+  slider.addEventListener("input", scale);
+  if (net.ellipsoid.length) scale();
+  element("home").addEventListener("click", () => {
+    home();
+    render();
+  });
+}
+
+function picking(net: Network, drawn: Drawn, camera: THREE.Camera, canvas: HTMLCanvasElement, render: () => void): void {
+  let down = [0, 0];
+  canvas.addEventListener("pointerdown", (e) => (down = [e.clientX, e.clientY]));
+  canvas.addEventListener("pointerup", (e) => {
+    if (Math.hypot(e.clientX - down[0], e.clientY - down[1]) > 4) return;
+    const box = canvas.getBoundingClientRect();
+    const at: [number, number] = [e.clientX - box.left, e.clientY - box.top];
+    const point = drawn.points.visible ? nearest(net.xyz, 3, camera, box, at) : null;
+    const image = drawn.frames.visible ? nearest(net.frusta, 15, camera, box, at) : null;
+    const told = element("picked");
+    // the image's centre is the smaller aim: it goes first where both are near
+    if (image !== null) {
+      drawn.selectImage(image);
+      told.textContent = `image ${net.packed.images.id[image]}`;
+    } else if (point !== null) {
+      drawn.select(point);
+      told.textContent = pointWords(net, point);
+    } else {
+      drawn.select(null);
+      told.textContent = "Click a point or an image to see its rays.";
+    }
+    render();
+  });
+}
+
+function pointWords(net: Network, point: number): string {
+  const { unit, sigmaUnit } = net.packed;
+  const s = [0, 1, 2].map((a) => net.sigma[3 * point + a]);
+  const lines = [
+    `${ROLES[Math.min(net.role[point], 2)]} point ${net.packed.points.id[point]}`,
+    `X, Y, Z  ${net.coordinates(point)} ${unit}`,
+    s.every((v) => v >= 0) ? `sigma    ${s.map((v) => v.toPrecision(2)).join(", ")} ${sigmaUnit}` : "",
+    `${net.rays[point]} rays: ${[...net.imagesOf(point)].map((i) => net.packed.images.id[i]).join(", ")}`,
+  ];
+  return lines.filter((l) => l).join("\n");
+}
+
+/** Row of the position (every `stride` numbers) nearest to a place on the canvas, within 9 px; null: none is. */
+function nearest(
+  xyz: Float32Array, stride: number, camera: THREE.Camera, box: DOMRect, at: [number, number],
+): number | null {
+  const v = new THREE.Vector3();
+  let best: number | null = null;
+  let least = 9;
+  for (let k = 0; k < xyz.length; k += stride) {
+    v.set(xyz[k], xyz[k + 1], xyz[k + 2]).project(camera);
+    if (v.z > 1) continue;
+    const d = Math.hypot(((v.x + 1) / 2) * box.width - at[0], ((1 - v.y) / 2) * box.height - at[1]);
+    if (d < least) {
+      least = d;
+      best = k / stride;
+    }
+  }
+  return best;
+}
+
+start();

@@ -1,0 +1,148 @@
+// The drawn objects: points, frusta of the images, scale bars, error ellipsoids, and the rays of one point.
+import * as THREE from "three";
+import { Network } from "./data";
+
+function disc(): THREE.Texture {
+  const canvas = document.createElement("canvas");
+  canvas.width = canvas.height = 64;
+  const pen = canvas.getContext("2d")!;
+  pen.fillStyle = "#fff";
+  pen.beginPath();
+  pen.arc(32, 32, 30, 0, 7);
+  pen.fill();
+  return new THREE.CanvasTexture(canvas);
+}
+
+export class Drawn {
+  readonly points: THREE.Points;
+  readonly special: THREE.Points;
+  readonly frames: THREE.LineSegments;
+  readonly bars: THREE.LineSegments;
+  readonly ellipsoids: THREE.InstancedMesh;
+  readonly rays: THREE.LineSegments;
+  readonly mark: THREE.Points;
+  private readonly specialRows: number[];
+
+  constructor(private readonly net: Network) {
+    const map = disc();
+    const material = (size: number) =>
+      new THREE.PointsMaterial({ size, map, alphaTest: 0.4, sizeAttenuation: false, vertexColors: true });
+    this.specialRows = [...net.role.keys()].filter((i) => net.role[i] > 0);
+    this.points = new THREE.Points(positions(net.xyz), material(3.5));
+    const special = new Float32Array(3 * this.specialRows.length);
+    this.specialRows.forEach((i, k) => special.set(net.xyz.subarray(3 * i, 3 * i + 3), 3 * k));
+    this.special = new THREE.Points(positions(special), material(11));
+    this.frames = new THREE.LineSegments(
+      positions(edges(net.frusta)),
+      new THREE.LineBasicMaterial({ color: 0x3d4f60, transparent: true, opacity: 0.75 }),
+    );
+    this.bars = new THREE.LineSegments(
+      positions(joined(net)),
+      new THREE.LineBasicMaterial({ color: 0x2e8b57, linewidth: 2 }),
+    );
+    this.ellipsoids = new THREE.InstancedMesh(
+      new THREE.SphereGeometry(1, 16, 12),
+      new THREE.MeshLambertMaterial({ color: 0xb5532a, transparent: true, opacity: 0.45, depthWrite: false }),
+      net.ellipsoid.length,
+    );
+    this.ellipsoids.frustumCulled = false;
+    this.rays = new THREE.LineSegments(
+      new THREE.BufferGeometry(),
+      new THREE.LineBasicMaterial({ color: 0xd08a1d, transparent: true, opacity: 0.9 }),
+    );
+    this.mark = new THREE.Points(
+      new THREE.BufferGeometry(),
+      new THREE.PointsMaterial({ size: 14, map, alphaTest: 0.4, sizeAttenuation: false, color: 0xd08a1d }),
+    );
+    this.rays.frustumCulled = this.mark.frustumCulled = false;
+    this.enlarge(net.packed.ellipsoids.enlarged);
+  }
+
+  all(): THREE.Object3D[] {
+    return [this.points, this.special, this.frames, this.bars, this.ellipsoids, this.rays, this.mark];
+  }
+
+  colour(rgb: Float32Array<ArrayBuffer>): void {
+    this.points.geometry.setAttribute("color", new THREE.BufferAttribute(rgb, 3));
+    const special = new Float32Array(3 * this.specialRows.length);
+    this.specialRows.forEach((i, k) => special.set(rgb.subarray(3 * i, 3 * i + 3), 3 * k));
+    this.special.geometry.setAttribute("color", new THREE.BufferAttribute(special, 3));
+  }
+
+  /** Draw the ellipsoids this many times their 1 sigma size. */
+  enlarge(factor: number): void {
+    const { axes, ellipsoid, xyz } = this.net;
+    const m = new THREE.Matrix4();
+    for (let k = 0; k < ellipsoid.length; k++) {
+      const a = axes.subarray(9 * k, 9 * k + 9);
+      const p = 3 * ellipsoid[k];
+      // the half axes are the rows of `a` and the columns of the matrix
+      m.set(
+        a[0] * factor, a[3] * factor, a[6] * factor, xyz[p],
+        a[1] * factor, a[4] * factor, a[7] * factor, xyz[p + 1],
+        a[2] * factor, a[5] * factor, a[8] * factor, xyz[p + 2],
+        0, 0, 0, 1,
+      );
+      this.ellipsoids.setMatrixAt(k, m);
+    }
+    this.ellipsoids.instanceMatrix.needsUpdate = true;
+  }
+
+  /** Show the rays of a point to the images that measured it. */
+  select(point: number | null): void {
+    const { frusta, xyz } = this.net;
+    if (point === null) {
+      this.rays.geometry = new THREE.BufferGeometry();
+      this.mark.geometry = new THREE.BufferGeometry();
+      return;
+    }
+    const here = xyz.subarray(3 * point, 3 * point + 3);
+    const seen = this.net.imagesOf(point);
+    const ends = new Float32Array(6 * seen.length);
+    seen.forEach((image, k) => {
+      ends.set(here, 6 * k);
+      ends.set(frusta.subarray(15 * image, 15 * image + 3), 6 * k + 3);
+    });
+    this.rays.geometry = positions(ends);
+    this.mark.geometry = positions(here.slice());
+  }
+
+  /** Show the points that an image measured. */
+  selectImage(image: number): void {
+    const rows: number[] = [];
+    for (let p = 0; p < this.net.points; p++) if (this.net.imagesOf(p).includes(image)) rows.push(p);
+    const centre = this.net.frusta.subarray(15 * image, 15 * image + 3);
+    const ends = new Float32Array(6 * Math.min(rows.length, 3000));
+    const step = rows.length / (ends.length / 6);
+    for (let k = 0; k < ends.length / 6; k++) {
+      const p = rows[Math.floor(k * step)];
+      ends.set(centre, 6 * k);
+      ends.set(this.net.xyz.subarray(3 * p, 3 * p + 3), 6 * k + 3);
+    }
+    this.rays.geometry = positions(ends);
+    this.mark.geometry = positions(centre.slice());
+  }
+}
+
+function positions(xyz: Float32Array<ArrayBuffer>): THREE.BufferGeometry {
+  return new THREE.BufferGeometry().setAttribute("position", new THREE.BufferAttribute(xyz, 3));
+}
+
+/** Edges of the pyramids: centre to corners, corners to each other, and a tick that shows the upper side. */
+function edges(frusta: Float32Array): Float32Array<ArrayBuffer> {
+  const pairs = [0, 1, 0, 2, 0, 3, 0, 4, 1, 2, 2, 3, 3, 4, 4, 1];
+  const n = frusta.length / 15;
+  const out = new Float32Array(n * pairs.length * 3);
+  for (let i = 0; i < n; i++)
+    pairs.forEach((corner, k) => {
+      const from = 15 * i + 3 * corner;
+      out.set(frusta.subarray(from, from + 3), 3 * (i * pairs.length + k));
+    });
+  return out;
+}
+
+function joined(net: Network): Float32Array<ArrayBuffer> {
+  const out = new Float32Array(3 * net.bars.length);
+  net.bars.forEach((p, k) => out.set(net.xyz.subarray(3 * p, 3 * p + 3), 3 * k));
+  return out;
+}
