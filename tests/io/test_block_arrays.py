@@ -11,7 +11,7 @@ from hypothesis.extra.numpy import arrays
 
 from raybundle.block import Block, Camera, Distances, Images, Observations, Points, Stations
 from raybundle.block.select import transformed, with_rows
-from raybundle.block.simulate import AerialStrips, Survey, TargetField, field_scene, simulate, aerial_scene
+from raybundle.block.simulate import AerialStrips, Survey, TargetField, aerial_scene, field_scene, simulate
 from raybundle.io.block_arrays import arrays_of_block, block_of_arrays
 
 

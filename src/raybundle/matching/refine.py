@@ -12,12 +12,18 @@ from raybundle.matching.least_squares import Outcome, WindowOptions, match_windo
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent
 
-CORRELATION = 0.85
+CORRELATION = 0.75
 """Least correlation of two windows that are believed to show the same."""
 NEIGHBOURS_FROM = 20
 """Common points of two images from which on neighbours give the affine map."""
-WINDOW = WindowOptions(half=8, sigma=4.8, step=0.01, reach=2.5)
-"""Small: on relief larger windows give smaller residuals and a worse block (they are not plane, and they overlap)."""
+WINDOWS = (
+    WindowOptions(half=5, sigma=3.0, step=0.01, reach=2.5),
+    WindowOptions(half=8, sigma=4.8, step=0.01, reach=2.5),
+)
+"""The first that promises enough: on relief larger windows give smaller residuals and a worse block, because they
+are not plane and overlap; in weak texture smaller ones say too little."""
+ENOUGH_PX = 0.15
+"""Standard deviation from grey values alone from which on a larger window is tried."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -146,13 +152,17 @@ def match_candidates(
         affine = _affine(points, rows_of_image[a], rows_of_image[b], reference, candidates.row[group])
         mine = np.flatnonzero(np.isfinite(affine).all(axis=(1, 2)))
         at = group[mine]
-        found = match_windows(
-            image(a), image(b), points.xy_px[reference[mine]], candidates.xy_px[at], affine[mine], WINDOW
-        )
-        fine = (found.outcome == Outcome.MATCHED) & (found.correlation > CORRELATION)
-        correlation[at] = found.correlation
-        good[at[fine]] = True
-        xy[at[fine]], cov[at[fine]] = found.xy_px[fine], found.cov_px2[fine]
+        for window in WINDOWS:
+            found = match_windows(
+                image(a), image(b), points.xy_px[reference[mine]], candidates.xy_px[at], affine[mine], window
+            )
+            fine = (found.outcome == Outcome.MATCHED) & (found.correlation > CORRELATION)
+            correlation[at[fine]] = found.correlation[fine]
+            good[at[fine]] = True
+            xy[at[fine]], cov[at[fine]] = found.xy_px[fine], found.cov_px2[fine]
+            # what a small window cannot match is an edge of the relief, or the wrong place
+            again = good[at] & (cov[at, :2].max(axis=1) > ENOUGH_PX**2)
+            mine, at = mine[again], at[again]
 
     with ThreadPoolExecutor(max(threads, 1)) as pool:
         for n, _ in enumerate(pool.map(run, groups)):

@@ -40,7 +40,7 @@ from raybundle.workflows.tie_block import (
 )
 from raybundle.workflows.tie_points import FeatureStore, find_features, grey_of, match_pairs, pairs_of
 
-START, PRECISION = 5, 11
+START, PRECISION = 5, 14
 """Versions of the stages' results."""
 FINAL = 1e-4
 """Last step of the final adjustment, in standard deviations of the unknowns."""
