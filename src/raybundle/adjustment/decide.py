@@ -274,10 +274,16 @@ def _drop_insignificant(
     block: Block, options: AdjustmentOptions, choices: Decisions, automatic: list[str], result: Adjustment,
     progress: Progress,
 ) -> bool:  # fmt: skip
-    """Drop the group with the largest probability of being nil if BIC agrees; False if none leaves."""
+    """Drop the group with the largest probability of being nil if BIC agrees; False if none leaves.
+
+    A group stays, however uncertain, where it could move image points by more than their standard deviation: that it
+    is not significant then says that the block cannot tell, and without it the others would be biased and their
+    standard deviations too small.
+    """
     from scipy.stats import f as fisher  # noqa: PLC0415
 
     weakest: tuple[float, str, tuple[str, ...]] | None = None
+    sigma_px = float(np.median(np.sqrt(block.observations.cov_px2[:, :2]))) * result.sigma0
     for interior in result.interior:
         if interior.camera not in automatic or interior.image is not None or result.precision is None:
             continue
@@ -287,6 +293,8 @@ def _drop_insignificant(
             x = np.array([interior.parameters[s].value for s in group])
             F = float(x @ np.linalg.solve(C[np.ix_(k, k)], x) / len(k))
             p = float(fisher.sf(F, len(k), max(result.redundancy, 1)))
+            if _hidden(interior, group) > sigma_px:
+                continue
             if p > options.significance and (weakest is None or p > weakest[0]):
                 weakest = (p, interior.camera, group)
     if weakest is None:
@@ -306,17 +314,23 @@ def _drop_insignificant(
         choices.free = before
         return False
     choices.not_significant += [(camera, s) for s in group]
-    effect = max(result.interior[0].parameters[s].effect_px or 0.0 for s in group)
+    own = next(i for i in result.interior if i.camera == camera)
     choices.notices.append(
         Notice(
             code="not_significant",
             message=f"camera {camera}: {', '.join(group)} left out: probability {probability:.2g} of such values by "
             f"chance, "
-            f"BIC lower by {gain:.1f} without; effect {effect:.2g} px at most",
+            f"BIC lower by {gain:.1f} without; they could move image points by {_hidden(own, group):.2g} px at most",
             ids=(camera, *group),
         )
     )
     return True
+
+
+def _hidden(interior: InteriorResult, group: tuple[str, ...]) -> float:
+    """Largest displacement [px] in the format that these parameters could still have, two standard deviations up."""
+    parts = [interior.parameters[s] for s in group]
+    return max((p.effect_px or 0.0) + 2 * (p.effect_std_px or 0.0) for p in parts)
 
 
 def _with_zero(block: Block, camera: str, group: tuple[str, ...]) -> Block:
