@@ -27,6 +27,8 @@ FLAT = 0.85
 """Share of the points in one plane beyond which a pair says nothing."""
 NARROW, WIDE = 0.3, 12.0
 """Camera constants in widths of the format that are believed."""
+LEAST_PAIRS = 5
+"""Pairs from which on their median is believed against a camera constant that is free."""
 POOR = 0.02
 """Residuals of a DLT in widths of the format beyond which it is not believed."""
 
@@ -63,6 +65,30 @@ def with_camera_constants(block: Block) -> tuple[Block, tuple[Notice, ...]]:
             )
         )
     return replace(block, cameras=tuple(cameras)), tuple(notices)
+
+
+def checked_by_pairs(block: Block) -> Block:
+    """The block with the camera constant of pairs of images where a free one contradicts them.
+
+    A start from nothing but the size of the format may be a third off: rotations between images are then off as much.
+    Taken where the median of five pairs or more differs by three of its standard deviations.
+    """
+    cameras = list(block.cameras)
+    for k, camera in enumerate(block.cameras):
+        model = sensor_models[camera.model]
+        symbol = model.symbols[0]
+        if type(model).start is not SensorModel.start or symbol not in camera.estimate:
+            continue
+        size = float(camera.size_mm.max())
+        values = np.array(_from_pairs(block, camera, np.asarray(block.images.camera) == k))
+        values = values[(values > NARROW * size) & (values < WIDE * size)]
+        if len(values) < LEAST_PAIRS:
+            continue
+        median = float(np.median(values))
+        sigma = 1.4826 * float(np.median(np.abs(values - median))) * 1.25 / np.sqrt(len(values))
+        if abs(median - camera.values[symbol]) > 3 * sigma:
+            cameras[k] = replace(camera, values={**camera.values, symbol: median})
+    return replace(block, cameras=tuple(cameras))
 
 
 def _found(block: Block, camera: Camera, images: Mask) -> tuple[float, str]:

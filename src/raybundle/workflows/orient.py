@@ -40,7 +40,7 @@ from raybundle.workflows.tie_block import (
 )
 from raybundle.workflows.tie_points import FeatureStore, find_features, grey_of, match_pairs, pairs_of
 
-START, PRECISION = 5, 14
+START, PRECISION = 6, 14
 """Versions of the stages' results."""
 FINAL = 1e-4
 """Last step of the final adjustment, in standard deviations of the unknowns."""
@@ -55,6 +55,8 @@ class OrientOptions:
     """feature method"""
     feature_count: int = 10_000
     """features of a photograph, at most"""
+    start: Literal["auto", "growing", "averaging"] = "auto"
+    """growing: image by image; averaging: all pairs at once; auto: growing, averaging where that leaves images"""
     precise: bool = True
     """False leaves out least-squares matching: quick, and several times less precise"""
     jobs: int = 0
@@ -163,7 +165,7 @@ def orient(
                 jobs, progress,
             )  # fmt: skip
         with project.stage("start") as stage:
-            tie = _start(project, stage, folder.name, photos, groups, pairs, store, jobs, progress)
+            tie = _start(project, stage, folder.name, photos, groups, pairs, store, options.start, jobs, progress)
         weights: Weights | None = None
         block = tie.block
         if options.precise:
@@ -244,13 +246,14 @@ def _start(
     groups: Sequence[CameraGroup],
     pairs: Sequence[VerifiedPair],
     store: FeatureStore,
+    method: Literal["auto", "growing", "averaging"],
     jobs: int,
     progress: Progress,
 ) -> TieBlock:
     cameras, of_photo = _cameras(groups, len(photos))
     # names are part of the block
     stage.key = key_of(
-        "start", START, store.keys, [(p.first, p.second) for p in pairs], [p.name for p in photos],
+        "start", START, method, store.keys, [(p.first, p.second) for p in pairs], [p.name for p in photos],
         [asdict(c) for c in cameras], of_photo,
     )  # fmt: skip
     kept = project.load(stage.key)
@@ -266,7 +269,7 @@ def _start(
         for i, f in enumerate(features):
             mine = tracks.image == i
             scale[mine], angle[mine] = f.scale_px[tracks.feature[mine]], f.angle[tracks.feature[mine]]
-        tie = start(raw, scale, angle, jobs, progress)
+        tie = start(raw, scale, angle, jobs, progress, method)
         lost = tie.not_oriented
         project.store(
             stage.key,

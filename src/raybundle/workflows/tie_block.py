@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from typing import Literal
 
 import numpy as np
 
@@ -25,7 +26,9 @@ from raybundle.matching.refine import (
 from raybundle.matching.tracks import Tracks
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent
-from raybundle.orientation.assembly import approximate_values
+from raybundle.orientation.assembly import approximate_values, possible_values
+from raybundle.orientation.averaging import average_start
+from raybundle.orientation.camera_constant import checked_by_pairs
 from raybundle.orientation.cleaning import clean
 from raybundle.orientation.rays import intersect_linear, object_rays, rays_of
 from raybundle.platforms.station import sensor_from_object
@@ -39,6 +42,8 @@ FIRST_FREE = ("c", "K1", "K2")
 FREE = ("c", "x0", "y0", "K1", "K2", "K3", "P1", "P2", "A", "S")
 
 
+LEFT = 0.1
+"""Share of the images left by the first kind of start from which on the second is tried."""
 FLAT = 1.0e-4
 """Eigenvalue ratio of an intersection below which it has no depth: rays parallel to about 1.2 degrees."""
 WEAK_PX = 0.5
@@ -116,44 +121,101 @@ def block_of_tracks(
     )
 
 
-def start(raw: Block, scale_px: Array, angle: Array, threads: int, progress: Progress = silent) -> TieBlock:
-    """Approximate values of a block of tracks; wrong rays and images that cannot be oriented leave."""
+def start(
+    raw: Block,
+    scale_px: Array,
+    angle: Array,
+    threads: int,
+    progress: Progress = silent,
+    method: Literal["auto", "growing", "averaging"] = "auto",
+) -> TieBlock:
+    """Approximate values of a block of tracks; wrong rays and images that cannot be oriented leave.
+
+    method  growing: image by image; averaging: all pairs at once; auto: growing, and averaging where images are left
+    """
     block = replace(raw, cameras=tuple(replace(c, estimate=free_at_start(c)) for c in raw.cameras))
+    ways = {"growing": (_by_growing,), "averaging": (_by_averaging,), "auto": (_by_growing, _by_averaging)}[method]
+    best: tuple[Block, Index, dict[str, str]] | None = None
+    problem: NoOrientation | None = None
+    for way in ways:
+        try:
+            found = _cleaned(raw, way(block, progress), threads, progress)
+        except NoOrientation as error:
+            problem = problem or error
+            continue
+        # the images that both kinds of start leave are not worth a second look
+        if best is None or len(found[2]) < len(best[2]):
+            best = found
+        if len(best[2]) <= LEFT * len(raw.images):
+            break
+    if best is None:
+        assert problem is not None
+        raise problem
+    result, rows, failed = best
+    result = replace(result, cameras=_with_estimate(result.cameras, raw.cameras))
+    return TieBlock(
+        block=result,
+        scale_px=scale_px[rows],
+        angle=angle[rows],
+        not_oriented=tuple((n, failed[n]) for n in raw.images.ids if n in failed),
+    )
+
+
+def _by_growing(block: Block, progress: Progress) -> tuple[Block, Index, dict[str, str]]:
+    """Orientations image by image; the block, its rows, and the images that are left with the reasons."""
     rows = np.arange(len(block.observations))
     failed: dict[str, str] = {}
     while True:
-        keep = _connected(block, failed)
-        block, rows = with_rows(block, keep), rows[keep]
-        if len(np.unique(block.observations.image)) < 2:
-            raise NoOrientation(
-                "no two photographs could be oriented to each other: too few points are common to them.\n"
-                "  Take photographs that overlap by 60 % or more and differ little in direction, and look whether "
-                "they are sharp."
-            )
+        block, rows = _kept(block, rows, failed)
         try:
-            found = approximate_values(block, progress).block
-            break
+            return approximate_values(block, progress).block, rows, failed
         except NoOrientation as error:
             new = {n: r for n, r in error.images.items() if n not in failed}
             if not new:
                 raise
             failed.update(new)
+
+
+def _by_averaging(block: Block, progress: Progress) -> tuple[Block, Index, dict[str, str]]:
+    """Orientations of all images at once; as `_by_growing`."""
+    rows = np.arange(len(block.observations))
+    failed: dict[str, str] = {}
+    block, rows = _kept(block, rows, failed)
+    found = average_start(checked_by_pairs(block), progress)
+    seen = np.bincount(block.observations.image, minlength=len(block.images)) > 0
+    for i in np.flatnonzero(seen & ~found.images.oriented):
+        failed[found.images.ids[i]] = "its relative orientations contradict those of the other photographs"
+    found, rows = _kept(found, rows, failed)
+    return possible_values(found, progress).block, rows, failed
+
+
+def _kept(block: Block, rows: Index, failed: dict[str, str]) -> tuple[Block, Index]:
+    """The largest connected part of a block and its rows."""
+    keep = _connected(block, failed)
+    block, rows = with_rows(block, keep), rows[keep]
+    if len(np.unique(block.observations.image)) < 2:
+        raise NoOrientation(
+            "no two photographs could be oriented to each other: too few points are common to them.\n"
+            "  Take photographs that overlap by 60 % or more and differ little in direction, and look whether "
+            "they are sharp."
+        )
+    return block, rows
+
+
+def _cleaned(
+    raw: Block, found: tuple[Block, Index, dict[str, str]], threads: int, progress: Progress
+) -> tuple[Block, Index, dict[str, str]]:
+    """The block without wrong rays, points without depth, and images that lose all of theirs."""
+    block, rows, failed = found
     options = AdjustmentOptions(threads=threads, statistics=False)
     free = {c.id: free_at_start(c) for c in raw.cameras}
-    cleaned = clean(found, options, free, progress=progress)
+    cleaned = clean(block, options, free, progress=progress)
     keep = ~cleaned.rejected & ~flat_points(cleaned.block)[cleaned.block.observations.point]
     names = {cleaned.block.images.ids[i] for i in np.unique(cleaned.block.observations.image[keep])}
     for name in raw.images.ids:
         if name not in names:
             failed.setdefault(name, "its points contradict those of the other photographs")
-    result = with_rows(cleaned.block, keep)
-    result = replace(result, cameras=_with_estimate(result.cameras, raw.cameras))
-    return TieBlock(
-        block=result,
-        scale_px=scale_px[rows[keep]],
-        angle=angle[rows[keep]],
-        not_oriented=tuple((n, failed[n]) for n in raw.images.ids if n in failed),
-    )
+    return with_rows(cleaned.block, keep), rows[keep], failed
 
 
 def flat_points(block: Block) -> Mask:
