@@ -15,6 +15,7 @@ import numpy as np
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.adjustment.structure import structure_notice
 from raybundle.block import Block, Camera
 from raybundle.errors import InputError
 from raybundle.io.block_arrays import arrays_of_block, block_of_arrays
@@ -351,5 +352,7 @@ def _adjust(
     notices += [Notice(code="camera", message=f"camera {g.id}: {r}", ids=(g.id,)) for g in groups for r in g.remarks]
     options = AdjustmentOptions(threads=jobs, reject="snooping", tolerance=FINAL)
     result = decide(placed.block, options, progress, notices=(*notices, *placed.notices))
-    marks = rejected_marks(result, placed.marked[result.given.observations.point])
-    return replace(result, notices=(*marks, *result.notices)) if marks else result
+    first = list(rejected_marks(result, placed.marked[result.given.observations.point]))
+    structure = structure_notice(result)
+    first += [structure] if structure is not None else []
+    return replace(result, notices=(*first, *result.notices)) if first else result
