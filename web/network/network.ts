@@ -33,8 +33,8 @@ function start(): void {
   const controls = new OrbitControls(camera, renderer.domElement);
   controls.zoomToCursor = true;
   const home = () => {
-    camera.position.set(0, 0, 0).addScaledVector(axis(1), 1.7 * extent).addScaledVector(axis(2), 0.55 * extent)
-      .addScaledVector(axis(0), 0.5 * extent);
+    camera.position.set(0, 0, 0).addScaledVector(axis(1), 1.35 * extent).addScaledVector(axis(2), 0.45 * extent)
+      .addScaledVector(axis(0), 0.4 * extent);
     controls.target.set(0, 0, 0);
     controls.update();
   };
@@ -60,7 +60,7 @@ function panel(net: Network, drawn: Drawn, render: () => void, home: () => void)
   if (!choices.sigma) select.querySelector('option[value="sigma"]')!.remove();
   const colour = () => {
     const chosen = choices[select.value]!;
-    drawn.colour(chosen.rgb);
+    drawn.colour(chosen.rgb, choices.role!.rgb);
     element("legend").replaceChildren(
       ...chosen.legend.map(([hex, words]) => {
         const item = document.createElement("li");

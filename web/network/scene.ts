@@ -62,10 +62,11 @@ export class Drawn {
     return [this.points, this.special, this.frames, this.bars, this.ellipsoids, this.rays, this.mark];
   }
 
-  colour(rgb: Float32Array<ArrayBuffer>): void {
+  /** Colours of all points, and of the control and check points that are drawn larger. */
+  colour(rgb: Float32Array<ArrayBuffer>, roles: Float32Array<ArrayBuffer>): void {
     this.points.geometry.setAttribute("color", new THREE.BufferAttribute(rgb, 3));
     const special = new Float32Array(3 * this.specialRows.length);
-    this.specialRows.forEach((i, k) => special.set(rgb.subarray(3 * i, 3 * i + 3), 3 * k));
+    this.specialRows.forEach((i, k) => special.set(roles.subarray(3 * i, 3 * i + 3), 3 * k));
     this.special.geometry.setAttribute("color", new THREE.BufferAttribute(special, 3));
   }
 

@@ -47,7 +47,8 @@ def image_statistics(
     redundancy = np.diagonal(L @ R @ W, axis1=1, axis2=2).copy()
     test = np.diagonal(np.swapaxes(W, 1, 2) @ R @ W, axis1=1, axis2=2)
     weighted = np.einsum("nji,nj->ni", W, whitened)
-    controlled = redundancy > UNCONTROLLED
+    # of an observation that nearly stands alone rounding leaves a negative number
+    controlled = (redundancy > UNCONTROLLED) & (test > 0)
     safe = np.sqrt(np.where(controlled, test, 1.0))
     w = np.where(controlled, weighted / safe, np.nan) * np.sign(system.pixel_mm)
     mdb_mm = np.where(controlled, DELTA0 / safe, np.nan)

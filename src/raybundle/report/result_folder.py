@@ -32,6 +32,7 @@ from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent
 
 if TYPE_CHECKING:
+    from raybundle.io.coordinate_systems import LocalFrame
     from raybundle.report.section_photographs import PhotographFacts
 
 Columns = dict[str, Sequence[str] | Array]
@@ -58,7 +59,7 @@ TABLES: Mapping[str, tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]] =
     "stations": (("image",), STATIONS, ()),
 }
 """Table -> text columns, numbers, text columns at the end."""
-ENTRIES = {"block", "result.json", "report.html", "network.html", *(f"{name}.csv" for name in TABLES)}
+ENTRIES = {"block", "result.json", "report.html", "network.html", "map.csv", *(f"{name}.csv" for name in TABLES)}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -118,6 +119,7 @@ def write_result(
     report: Literal["html", "none"] = "html",
     additions: Mapping[str, object] | None = None,
     photographs: PhotographFacts | None = None,
+    frame: LocalFrame | None = None,
     progress: Progress = silent,
 ) -> None:
     """Write a result folder, whole or not at all; an older result there is replaced when the new one is complete.
@@ -125,6 +127,7 @@ def write_result(
     report       "html": report.html and network.html, the network in three dimensions
     additions    further keys of result.json
     photographs  what is known of the photographs that the adjustment comes from
+    frame        the coordinate system in which the local frame of the adjustment stands; map.csv is in that system
     raises       InputError where something else stands at `path`
     """
     check_target(path)
@@ -135,6 +138,10 @@ def write_result(
         progress("writing tables", 0.2)
         for name, columns in result_tables(adjustment).items():
             write_table(folder / f"{name}.csv", columns)
+        if frame is not None:
+            from raybundle.report.map_table import map_table  # noqa: PLC0415  (pyproj only where it is used)
+
+            write_table(folder / "map.csv", map_table(adjustment, frame))
         contents = {**result_json(adjustment), **(additions or {})}
         text = json.dumps(_clean(contents), indent=1, ensure_ascii=False, allow_nan=False)
         (folder / "result.json").write_text(text + "\n", encoding="utf-8")
