@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
 
+from raybundle.adjustment.calibration import UncertaintyMap
+from raybundle.block import Camera
 from raybundle.numerics.arrays import Array
 from raybundle.report.distortion import Curve, Interior, field
 from raybundle.report.numbers import fixed, significant
@@ -139,6 +142,32 @@ def correction_field(interior: Interior, what: str) -> tuple[Drawing, float]:
     a, b = float(plot.x(pp[0])), float(plot.y(pp[1]))
     parts.append(f'<path class="mark" d="M{a - 5:.1f} {b:.1f}h10M{a:.1f} {b - 5:.1f}v10"/>')
     return drawing(plot.width, plot.height, parts, what), largest
+
+
+def uncertainty_figure(camera: Camera, found: UncertaintyMap) -> Drawing:
+    """Standard deviation of projection over the format, as cells of colour with a key."""
+    plot, parts = format_plot(camera.size_mm, 400)
+    std, most = found.std, found.largest
+    rows, columns = std.shape
+    left, top, width, height = plot.box
+    w, h = width / columns, height / rows
+    fine = columns * rows <= 600
+    for j in range(rows):
+        for i in range(columns):
+            if not math.isfinite(std[j, i]):
+                continue
+            title = f"<title>{significant(float(std[j, i]), 2)} px</title>" if fine else ""
+            parts.append(
+                f'<rect x="{left + i * w:.1f}" y="{top + j * h:.1f}" width="{w + 0.3:.1f}" height="{h + 0.3:.1f}" '
+                f'fill="{mixed(0.05 + 0.95 * float(std[j, i]) / most if most > 0 else 0.0, POSITIVE)}">{title}</rect>'
+            )
+    y = plot.height - 12
+    parts += [
+        f'<rect x="{4 + 9 * k}" y="{y:.1f}" width="9" height="8" fill="{mixed(0.05 + 0.95 * k / 9, POSITIVE)}"/>'
+        for k in range(10)
+    ]
+    parts.append(label(100, y + 8, f"0 … {significant(most, 2)} px", "t"))
+    return drawing(plot.width, plot.height, parts, "standard deviation of projection over the format")
 
 
 def format_plot(size: Array, width: float, foot: float = 22.0) -> tuple[Plot, list[str]]:

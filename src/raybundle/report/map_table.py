@@ -1,4 +1,4 @@
-"""Adjusted coordinates in the coordinate system that was asked for, beside those in the local frame of the adjustment."""
+"""Adjusted coordinates in the coordinate system of the control, beside those in the frame of the adjustment."""
 
 from __future__ import annotations
 

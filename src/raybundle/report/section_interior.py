@@ -6,10 +6,11 @@ import math
 
 import numpy as np
 
+from raybundle.adjustment.calibration import projection_uncertainty
 from raybundle.adjustment.result import InteriorResult, ParameterResult
 from raybundle.numerics.arrays import Array
 from raybundle.report.distortion import Curve, Interior, balanced, decentring_curve, radial_curve
-from raybundle.report.figures_interior import correction_field, curves, heat_map, sigma_curve
+from raybundle.report.figures_interior import correction_field, curves, heat_map, sigma_curve, uncertainty_figure
 from raybundle.report.numbers import NONE, fixed, grouped, probability, significant, unit_text, with_sigma
 from raybundle.report.parts import (
     Figure,
@@ -129,6 +130,7 @@ def _details(view: View, result: InteriorResult) -> list[Part]:
             )
         )
     parts += _correlations(view, result)
+    parts += _uncertainty(view, result)
     interior = adjusted_interior(view, result)
     reach = _reach(view, result, interior)
     if any(interior.has(k) for k in ("radial", "decentring", "affinity")):
@@ -184,6 +186,40 @@ def _reach(view: View, result: InteriorResult, interior: Interior) -> float:
         return math.nan
     offset = interior.camera.image_from_pixel(o.xy_px[mine]) - interior.principal_point
     return float(np.linalg.norm(offset, axis=1).max())
+
+
+def _uncertainty(view: View, result: InteriorResult) -> list[Part]:
+    """What the errors of the interior orientation amount to in the image, at infinity and at the objects' distance."""
+    precision = view.adjustment.precision
+    C = None if precision is None else precision.interior.get(result.camera)
+    if C is None or result.image is not None or not len(result.free) or not np.isfinite(C).all():
+        return []
+    camera = next(c for c in view.adjusted.cameras if c.id == result.camera)
+    figures: list[Figure] = []
+    for distance in (None, _typical_distance(view)):
+        if distance is not None and not distance > 0:
+            continue
+        found = projection_uncertainty(camera, result.free, C, distance=distance, columns=30, rows=20)
+        if not math.isfinite(found.largest):
+            continue
+        where = "infinity" if distance is None else f"a distance of {significant(distance, 2)} {view.length_unit}"
+        figures.append(
+            Figure(
+                drawing=uncertainty_figure(camera, found),
+                caption=f"Uncertainty of projection at {where}: standard deviation of the image of a ray by errors of "
+                "the interior orientation, after the exterior orientation has taken up what it can. The largest is "
+                f"{significant(found.largest, 2)} px.",
+            )
+        )
+    return [Figures(figures=tuple(figures))] if figures else []
+
+
+def _typical_distance(view: View) -> float:
+    """Median distance between projection centres and the points they see."""
+    o = view.given.observations
+    apart = view.adjusted.points.xyz[o.point[view.used]] - view.adjusted.images.centre[o.image[view.used]]
+    length = np.linalg.norm(apart, axis=1)
+    return float(np.median(length[np.isfinite(length)])) if np.isfinite(length).any() else math.nan
 
 
 def _distortion(interior: Interior, reach: float, name: str) -> list[Part]:

@@ -1,0 +1,213 @@
+"""What a calibration is worth in the image: uncertainty of projection, and the difference of two calibrations.
+
+Interior orientation is never used alone.  A shift of the principal point looks like a rotation of the camera, and
+whoever uses the calibration estimates that rotation anew.  Both maps are therefore given after the rotation (and for
+objects at a distance the translation) that a user's exterior orientation takes up.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from raybundle.adjustment.result import Adjustment
+from raybundle.block import Camera
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.rotation import cross_matrix, rotation_from_vector, vector_from_rotation
+from raybundle.sensors import sensor_models
+
+STEPS = 8
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class UncertaintyMap:
+    """Standard deviation of projection over the format."""
+
+    xy_px: Array
+    """(rows, columns, 2) image points"""
+    covariance: Array
+    """(rows, columns, 2, 2) [px^2]; NaN outside the field of the model"""
+    distance: float | None
+    """Object distance in length units of the block; None: infinity"""
+
+    @property
+    def std(self) -> Array:
+        """(rows, columns) root of the mean variance of the two coordinates [px]."""
+        return np.sqrt(np.trace(self.covariance, axis1=2, axis2=3) / 2)
+
+    @property
+    def largest(self) -> float:
+        """Largest standard deviation of the map [px]."""
+        return float(np.nanmax(self.std))
+
+
+def projection_uncertainty(
+    camera: Camera,
+    free: tuple[str, ...],
+    covariance: Array,
+    *,
+    distance: float | None = None,
+    columns: int = 60,
+    rows: int = 40,
+) -> UncertaintyMap:
+    """Covariance of the image of a fixed ray by the errors of an interior orientation.
+
+    camera      with the adjusted values
+    free        symbols of the estimated parameters, in the order of `covariance` (u, u)
+    distance    of the object along each ray; None: infinitely far.  Nearer, the user's exterior orientation takes up
+                a translation too
+    The image of a ray moves by -B^-1 (dg/dp dp); the rotation that fits this field best over the whole format is taken
+    out.  What it does not tell: errors of a model that does not fit the lens.
+    """
+    model, values = sensor_models[camera.model], _values(camera)
+    xy, image = _grid(camera, columns, rows)
+    points = model.ray(image, values) * (distance or 1.0)
+    B, by_point, by_parameter = _derivatives(camera, image, points, values)
+    seen: Mask = np.asarray(np.isfinite(B).all(axis=(1, 2)) & np.isfinite(points).all(axis=0))
+    position = [model.symbols.index(s) for s in free]
+    shift = _in_pixels(camera, B[seen], by_parameter[seen][:, :, position])
+    motion = _in_pixels(camera, B[seen], by_point[seen] @ _motions(points[:, seen].T, distance))
+    flat = motion.reshape(-1, motion.shape[2])
+    taken, *_ = np.linalg.lstsq(flat, shift.reshape(-1, len(free)), rcond=None)
+    left = shift - motion @ taken
+    full = np.full((len(seen), 2, 2), np.nan)
+    full[seen] = left @ np.asarray(covariance) @ np.swapaxes(left, 1, 2)
+    return UncertaintyMap(xy_px=xy, covariance=full.reshape(rows, columns, 2, 2), distance=distance)
+
+
+def uncertainty_of(result: Adjustment, camera: str, *, distance: float | None = None) -> UncertaintyMap:
+    """The uncertainty map of a camera of an adjustment; raises InputError where it has no estimated parameters."""
+    interior = next((i for i in result.interior if i.camera == camera and i.image is None), None)
+    if interior is None or result.precision is None or not interior.free:
+        raise InputError(f"camera {camera}: no parameter of its interior orientation was estimated with statistics")
+    adjusted = next(c for c in result.adjusted.cameras if c.id == camera)
+    return projection_uncertainty(adjusted, interior.free, result.precision.interior[camera], distance=distance)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CalibrationDifference:
+    """How far two calibrations of one camera place the image of the same ray apart."""
+
+    xy_px: Array
+    """(rows, columns, 2) image points of the first"""
+    shift_px: Array
+    """(rows, columns, 2) second minus first after the best rotation; NaN where one of them sees nothing"""
+    rotation: Array
+    """(3,) rotation vector that was taken out [rad]"""
+    translation: Array
+    """(3,) in length units; zero at infinity"""
+
+    @property
+    def rms(self) -> float:
+        """Root mean square length of the shift [px]."""
+        return float(np.sqrt(np.nanmean(np.sum(self.shift_px**2, axis=2))))
+
+    @property
+    def largest(self) -> float:
+        """Largest length of the shift [px]."""
+        return float(np.sqrt(np.nanmax(np.sum(self.shift_px**2, axis=2))))
+
+
+def calibration_difference(
+    first: Camera, second: Camera, *, distance: float | None = None, columns: int = 60, rows: int = 40
+) -> CalibrationDifference:
+    """Compare two calibrations, of any two models, in pixels of the first over its format.
+
+    raises  InputError where the formats differ
+    """
+    if (first.width_px, first.height_px) != (second.width_px, second.height_px):
+        raise InputError(
+            f"calibrations of {first.width_px} x {first.height_px} and {second.width_px} x {second.height_px} px "
+            "cannot be compared; scale one of them first"
+        )
+    xy, image = _grid(first, columns, rows)
+    points = (sensor_models[first.model].ray(image, _values(first)) * (distance or 1.0)).T
+    values = _values(second)
+    turn, moved = np.eye(3), np.zeros(3)
+    there = second.image_from_pixel(xy.reshape(-1, 2)).T
+    shift = np.full((len(points), 2), np.nan)
+    for _ in range(STEPS):
+        P = points @ turn.T + moved
+        there, seen = _projected(second, P.T, values, there)
+        shift = np.where(seen[:, None], second.pixel_from_image(there.T) - xy.reshape(-1, 2), np.nan)
+        if seen.sum() < 6:
+            break
+        B, by_point, _ = _derivatives(second, there[:, seen], P[seen].T, values)
+        motion = _in_pixels(second, B, by_point @ _motions(P[seen], distance))
+        step, *_ = np.linalg.lstsq(motion.reshape(-1, motion.shape[2]), -shift[seen].ravel(), rcond=None)
+        small = rotation_from_vector(step[:3])
+        turn, moved = small @ turn, small @ moved
+        if distance is not None:
+            moved = moved + step[3:]
+        if np.abs(step).max() < 1e-12 * max(distance or 1.0, 1.0):
+            break
+    return CalibrationDifference(
+        xy_px=xy, shift_px=shift.reshape(rows, columns, 2), rotation=vector_from_rotation(turn), translation=moved
+    )
+
+
+def _values(camera: Camera) -> Array:
+    model = sensor_models[camera.model]
+    return np.array([camera.values.get(p.symbol, p.default) for p in model.parameters])
+
+
+def _grid(camera: Camera, columns: int, rows: int) -> tuple[Array, Array]:
+    """Image points (rows, columns, 2) [px] in the middles of equal cells, and (2, n) in the image frame."""
+    x = (np.arange(columns) + 0.5) / columns * camera.width_px
+    y = (np.arange(rows) + 0.5) / rows * camera.height_px
+    xy = np.stack(np.meshgrid(x, y), axis=2)
+    return xy, camera.image_from_pixel(xy.reshape(-1, 2)).T
+
+
+def _derivatives(camera: Camera, image: Array, points: Array, values: Array) -> tuple[Array, Array, Array]:
+    """dg/d(x, y) (n, 2, 2), dg/d(X, Y, Z) (n, 2, 3) and dg/dp (n, 2, u) at image (2, n) and points (3, n)."""
+    model = sensor_models[camera.model]
+    spread = np.repeat(values[:, None], image.shape[1], axis=1)
+    _, J = model.condition_and_jacobian(*image, *points, *spread)
+    J = np.moveaxis(J, 2, 0)
+    return J[:, :, :2], J[:, :, 2:5], J[:, :, 5:]
+
+
+def _in_pixels(camera: Camera, B: Array, by: Array) -> Array:
+    """(n, 2, k) motion of image points in the pixel frame, by dg/d(x, y) (n, 2, 2) and dg/d... (n, 2, k)."""
+    return -np.linalg.solve(B, by) / (np.array(camera.pixel_mm) * [1, -1])[:, None]
+
+
+def _projected(camera: Camera, points: Array, values: Array, start: Array) -> tuple[Array, Mask]:
+    """Images (2, n) of points (3, n) by Newton from `start`, and which (n,) of them there are."""
+    model = sensor_models[camera.model]
+    image, step = start.copy(), np.full_like(start, np.inf)
+    spread = np.repeat(values[:, None], image.shape[1], axis=1)
+    with np.errstate(all="ignore"):
+        for _ in range(30):
+            g, J = model.condition_and_jacobian(*image, *points, *spread)
+            det = J[0, 0] * J[1, 1] - J[0, 1] * J[1, 0]
+            step = np.stack([J[1, 1] * g[0] - J[0, 1] * g[1], J[0, 0] * g[1] - J[1, 0] * g[0]]) / det
+            image = image - step
+            if np.nanmax(np.abs(step), initial=0) < 1e-13 * abs(values[0]):
+                break
+        seen = np.isfinite(step).all(axis=0) & (np.abs(step).max(axis=0) < 1e-9 * abs(values[0]))
+        front = np.asarray(model.in_front(points, image, values))
+        return np.where(seen, image, start), seen & front
+
+
+def _motions(points: Array, distance: float | None) -> Array:
+    """(n, 3, 3) how points (n, 3) move by a small rotation; (n, 3, 6) where a translation moves them too."""
+    turn = -cross_matrix(points)
+    if distance is None:
+        return turn
+    return np.concatenate([turn, np.broadcast_to(np.eye(3), turn.shape)], axis=2)
+
+
+def scaled(camera: Camera, width_px: int, height_px: int) -> Camera:
+    """The same calibration for photographs reduced or enlarged as a whole; raises InputError for another shape."""
+    if abs(width_px * camera.height_px - height_px * camera.width_px) > max(camera.width_px, camera.height_px):
+        raise InputError(
+            f"{width_px} x {height_px} px is no reduced {camera.width_px} x {camera.height_px} px; "
+            "the format was cropped"
+        )
+    factor = camera.width_px / width_px
+    pixel = (camera.pixel_mm[0] * factor, camera.pixel_mm[1] * camera.height_px / height_px)
+    return replace(camera, width_px=width_px, height_px=height_px, pixel_mm=pixel)
