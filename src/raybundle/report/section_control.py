@@ -10,8 +10,22 @@ import numpy as np
 
 from raybundle.adjustment.result import ObservationGroup
 from raybundle.numerics.arrays import Array
+from raybundle.report.figures_control import marked_images, marks_figure
 from raybundle.report.numbers import NONE, cells, column_decimals, counted, fixed, grouped, significant
-from raybundle.report.parts import Folded, Heading, Paragraph, Part, Section, Table, number, pick, table, text
+from raybundle.report.parts import (
+    Figure,
+    Figures,
+    Folded,
+    Heading,
+    Paragraph,
+    Part,
+    Section,
+    Table,
+    number,
+    pick,
+    table,
+    text,
+)
 from raybundle.report.view import View, rms
 from raybundle.report.words import controlled, expected_check_std
 
@@ -34,10 +48,28 @@ def control_section(view: View) -> Section:
             if g.kind == kind and len(g.ids):
                 parts += [Heading(text=title), *_group(view, g, what, rest)]
     parts += _check(view)
+    parts += _marks(view)
     if not parts:
         parts.append(Paragraph(text="Neither control, check points, scale bars nor projection centres were given."))
     parts += _components(view)
     return Section(anchor="control", title="Control, check points and groups of observations", parts=tuple(parts))
+
+
+def _marks(view: View) -> list[Part]:
+    """Control and check points where they were measured in the images."""
+    drawn = marks_figure(view)
+    if drawn is None:
+        return []
+    figure, _ = drawn
+    rows, images = marked_images(view)
+    o = view.given.observations
+    all_images = len(np.unique(o.image[rows]))
+    which = "" if all_images == len(images) else f" The {len(images)} of {all_images} images with the most of them."
+    words = (
+        f"{counted(len(rows), 'measurement')} of control points (red) and check points (green) in "
+        f"{counted(all_images, 'image')}, residuals as vectors, adjusted minus measured; a cross: rejected.{which}"
+    )
+    return [Heading(text="Where they were measured"), Figures(figures=(Figure(drawing=figure, caption=words),))]
 
 
 def _group(view: View, g: ObservationGroup, what: str, rest: str) -> list[Part]:
