@@ -23,6 +23,8 @@ COMMANDS = {
     "adjust": "Adjust a block and write a result folder with its report.",
     "compare": "Put two results side by side.",
     "convert": "Convert to and from the formats of other programs.",
+    "datasets": "Fetch public sets of photographs, checked file by file.",
+    "rpc": "Satellite scenes: show, project, correct and make rational polynomials (RPC).",
     "simulate": "Write a simulated block and its truth.",
     "demo": "Simulate a calibration field, calibrate it, show truth beside estimate.",
     "doctor": "Say what is installed, what is missing and what it would bring.",
@@ -64,11 +66,12 @@ def _print_version(ctx: click.Context, _: click.Parameter, value: bool) -> None:
     "--version", is_flag=True, expose_value=False, is_eager=True, callback=_print_version, help="The version."
 )
 def cli() -> None:
-    """Survey-grade photogrammetry: blocks in, adjusted coordinates with true standard deviations and a report out.
+    """Survey-grade photogrammetry: photographs or blocks in, coordinates with true standard deviations out.
 
     \b
     Examples:
       raybundle demo                                  see it work
+      raybundle orient facade/ --out facade-project
       raybundle adjust camcal21 --out camcal21-result
       raybundle adjust --help
     """  # noqa: D301  (\b is click's mark for a paragraph that keeps its lines)

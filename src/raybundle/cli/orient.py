@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Generator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, cast
 
@@ -10,10 +12,20 @@ import click
 from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, counted
 
 if TYPE_CHECKING:
+    from raybundle.io.project import StageRecord
     from raybundle.numerics.progress import Progress
     from raybundle.workflows.orient import Orientation
 
 STAGES = ("photographs", "features", "matching", "start", "precision", "adjustment", "report")
+
+
+class StageName(click.Choice[str]):
+    """The name of a stage; its beginning is enough where no other stage begins so."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """The whole name."""
+        begun = [name for name in STAGES if name.startswith(str(value).lower())]
+        return super().convert(begun[0] if len(begun) == 1 else value, param, ctx)
 
 
 @click.command("orient", context_settings=COMMAND_SETTINGS)
@@ -56,13 +68,20 @@ STAGES = ("photographs", "features", "matching", "start", "precision", "adjustme
 @click.option(
     "--feature-count", type=click.IntRange(100), default=10_000, show_default=True, help="Features of a photograph."
 )
+@click.option(
+    "--start",
+    type=click.Choice(("auto", "growing", "averaging")),
+    default="auto",
+    show_default=True,
+    help="Image by image, or all pairs at once; auto: the second where the first leaves photographs.",
+)
 @click.option("--quick", is_flag=True, help="Leave out least-squares matching: several times less precise.")
 @click.option("--jobs", type=click.IntRange(0), default=0, show_default=True, help="0: all processors.")
 @click.option(
     "--memory", type=click.FloatRange(0.1), default=4.0, show_default=True, metavar="GB",
     help="Memory that the pixels of photographs may take while points are measured.",
 )  # fmt: skip
-@click.option("--from", "redo_from", type=click.Choice(STAGES), help="Do this stage and all after it again.")
+@click.option("--from", "redo_from", type=StageName(STAGES), help="Do this stage and all after it again.")
 @click.option("--no-report", is_flag=True, help="Leave out report.html and network.html.")
 @common_options
 def command(
@@ -77,13 +96,14 @@ def command(
     no_gps: bool,  # noqa: FBT001  (a flag of the command line)
     features: str,
     feature_count: int,
+    start: str,
     quick: bool,  # noqa: FBT001
     jobs: int,
     memory: float,
     redo_from: str | None,
     no_report: bool,  # noqa: FBT001
     progress: str,
-) -> None:
+) -> int:
     """Orient photographs: a folder or files in, calibrated cameras, oriented images, object points and a report out.
 
     No parameter is needed. A run that was stopped continues with the same command; photographs that are added
@@ -103,15 +123,17 @@ def command(
 
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.cli.summary import summary_lines  # noqa: PLC0415
+    from raybundle.errors import InputError  # noqa: PLC0415
     from raybundle.io.block_toml import read_cameras  # noqa: PLC0415
     from raybundle.io.control_files import DEFAULTS, ControlDefaults, read_control  # noqa: PLC0415
+    from raybundle.io.photos.photo import shown  # noqa: PLC0415
     from raybundle.report.result_folder import check_target  # noqa: PLC0415
     from raybundle.workflows.georeference import Given, ScaleBar  # noqa: PLC0415
-    from raybundle.workflows.orient import OrientOptions, orient  # noqa: PLC0415
+    from raybundle.workflows.orient import OrientOptions, orient, part_folder  # noqa: PLC0415
 
     options = OrientOptions(
-        features=features, feature_count=feature_count, precise=not quick, jobs=jobs, memory_gb=memory,
-        redo_from=cast("Any", redo_from or ""),
+        features=features, feature_count=feature_count, start=cast("Any", start), precise=not quick, jobs=jobs,
+        memory_gb=memory, redo_from=cast("Any", redo_from or ""),
     )  # fmt: skip
     cameras = read_cameras(calibration) if calibration is not None else ()
     plan, height = control_sigma or (DEFAULTS.plan, DEFAULTS.height)
@@ -125,25 +147,70 @@ def command(
         gps=not no_gps, defaults=usual, sigma_given=control_sigma is not None, mark_px=mark_sigma,
     )  # fmt: skip
     result = out / "result"
+    if shown(out) != out:
+        raise InputError("this name is no UTF-8, which the result is written in; choose another --out", file=shown(out))
     check_target(result)
-    with reporting(progress) as tell:
-        done = orient(photos, out, options, calibration=cameras, given=given, progress=tell)
-        write_orientation(done, result, report="none" if no_report else "html", progress=tell)
+    try:
+        with reporting(progress) as tell:
+            _keep_settings(out)
+            done = orient(photos, out, options, calibration=cameras, given=given, progress=tell)
+            with report_stage(out, done.stages):
+                write_orientation(done, result, report="none" if no_report else "html", progress=tell)
+    except KeyboardInterrupt:
+        click.echo(f"interrupted; what is finished is kept in {out}, the same command continues there", err=True)
+        return 130
     click.echo(f" {done.oriented} of {counted(len(done.photos), 'photograph')} oriented")
     for name, reason in (*done.refused, *done.not_oriented):
         click.echo(f"   {name}: {reason}")
+    for k, part in enumerate(done.parts):
+        click.echo(f"   {counted(len(part.photographs), 'photograph')} in a part of its own: {out / part_folder(k)}")
     click.echo("\n".join(summary_lines(done.adjustment)))
     click.echo(f" image points: sigma {done.sigma_px:.3f} px")
     click.echo(
         f" result: {result}"
         + ("" if no_report else f", report: {result / 'report.html'}, in 3D: {result / 'network.html'}")
     )
+    return 0
+
+
+def _keep_settings(out: Path) -> None:
+    """Write the command's arguments, as given or by default, into project.toml."""
+    import json  # noqa: PLC0415
+
+    from raybundle.io.project import Project  # noqa: PLC0415
+
+    values = {k: v for k, v in click.get_current_context().params.items() if v is not None}
+    lines = ["# what the last run was asked for; `raybundle status` shows what it did", "[orient]"]
+    # a JSON text or list is one of TOML
+    lines += [f"{name} = {json.dumps(value, default=str, ensure_ascii=False)}" for name, value in values.items()]
+    text = ("\n".join(lines) + "\n").encode("utf-8", "replace").decode()
+    project = Project.open(out)
+    try:
+        project.write_settings(text)
+    finally:
+        project.close()
+
+
+@contextmanager
+def report_stage(out: Path, before: Sequence[StageRecord]) -> Generator[None]:
+    """Record the writing of the result as the last stage of a run."""
+    from raybundle.io.project import Project  # noqa: PLC0415
+
+    project = Project.open(out)
+    try:
+        project.records += before
+        with project.stage("report") as stage:
+            stage.from_cache = False
+            yield
+    finally:
+        project.close()
 
 
 def write_orientation(done: Orientation, result: Path, *, report: Literal["html", "none"], progress: Progress) -> None:
     """Write the result folder of oriented photographs."""
     from raybundle.cli.photograph_facts import photograph_facts  # noqa: PLC0415
     from raybundle.report.result_folder import write_result  # noqa: PLC0415
+    from raybundle.workflows.orient import part_folder  # noqa: PLC0415
 
     write_result(
         done.adjustment,
@@ -151,5 +218,28 @@ def write_orientation(done: Orientation, result: Path, *, report: Literal["html"
         report=report,
         additions=done.additions(),
         photographs=photograph_facts(done),
+        frame=done.frame,
         progress=progress,
     )
+    for k, part in enumerate(done.parts):
+        write_result(part.adjustment, result.parent / part_folder(k), report=report, progress=progress)
+    _remove_older(result.parent, len(done.parts))
+
+
+def _remove_older(project: Path, parts: int) -> None:
+    """Remove results of parts that an earlier run had and this one has not."""
+    import shutil  # noqa: PLC0415
+
+    from raybundle.errors import InputError  # noqa: PLC0415
+    from raybundle.report.result_folder import check_target  # noqa: PLC0415
+    from raybundle.workflows.orient import part_folder  # noqa: PLC0415
+
+    older = project / part_folder(parts)
+    while older.is_dir():
+        try:
+            check_target(older)
+        except InputError:  # somebody's own files are in it
+            return
+        shutil.rmtree(older)
+        parts += 1
+        older = project / part_folder(parts)

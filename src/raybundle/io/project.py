@@ -6,7 +6,8 @@
     PROJECT/result/          the result folder
 
 Nothing is ever changed in place: a product is written beside its place and renamed, a row is inserted in a
-transaction.  What is there is complete; what is missing is made again.
+transaction.  What is there is complete; what is missing or damaged is made again.  One run at a time works in a
+project: its folder is locked while it is open (flock; not on Windows).
 """
 
 from __future__ import annotations
@@ -16,11 +17,12 @@ import errno
 import hashlib
 import json
 import os
+import shutil
 import sqlite3
 import time
 import uuid
 import zipfile
-from collections.abc import Generator, Mapping, Sequence
+from collections.abc import Callable, Generator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -32,6 +34,8 @@ from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
 
 SCHEMA = 1
+OWN = {"project.db", "project.db-wal", "project.db-shm", "project.toml", "cache", "result"}
+FULL = {errno.ENOSPC, errno.EDQUOT} if hasattr(errno, "EDQUOT") else {errno.ENOSPC}
 _TABLES = """
 CREATE TABLE IF NOT EXISTS about (name TEXT PRIMARY KEY, value TEXT NOT NULL);
 CREATE TABLE IF NOT EXISTS stages (
@@ -45,7 +49,7 @@ CREATE TABLE IF NOT EXISTS pairs (key TEXT PRIMARY KEY, facts TEXT NOT NULL, mat
 def key_of(kind: str, *parts: object) -> str:
     """The kind of a product and the hash of everything it depends on: texts, numbers, arrays, mappings of them."""
     text = json.dumps(parts, sort_keys=True, ensure_ascii=False, allow_nan=True, separators=(",", ":"), default=_plain)
-    return f"{kind}-{hashlib.sha256(text.encode()).hexdigest()[:40]}"
+    return f"{kind}-{hashlib.sha256(text.encode('utf-8', 'surrogatepass')).hexdigest()[:40]}"
 
 
 def _plain(value: object) -> object:
@@ -95,48 +99,35 @@ class Project:
     records: list[StageRecord] = field(default_factory=list[StageRecord])
     """of this run"""
 
+    lock: int | None = None
+    """file descriptor that holds the lock"""
+
     @classmethod
     def open(cls, folder: Path, *, create: bool = True) -> Project:
-        """Open a project folder, or begin one.
+        """Open a project folder for a run, or begin one; `create=False` only looks at one, and changes nothing.
 
-        raises  InputError where something else stands there or nothing can be written
+        raises  InputError where something else stands there, another run works there, or nothing can be written
         """
         file = folder / "project.db"
-        if not file.exists():
-            if not create:
-                raise InputError(
-                    "is no project folder (project.db is missing); begin one with `raybundle orient PHOTOS --out`",
-                    file=folder,
-                )
-            if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
-                raise InputError("exists and is neither empty nor a project folder; choose another --out", file=folder)
+        if not create:
+            return cls(folder, _opened(file, _connection_to_read))
+        if not file.exists() and folder.exists() and not _begun(folder):
+            raise InputError("exists and is neither empty nor a project folder; choose another --out", file=folder)
         with writing(folder):
             (folder / "cache").mkdir(parents=True, exist_ok=True)
+            lock = _locked(folder)
             try:
-                db = sqlite3.connect(file, timeout=30, isolation_level=None, check_same_thread=False)
-                db.execute("PRAGMA journal_mode=WAL")
-                db.execute("PRAGMA synchronous=NORMAL")
-                db.execute("PRAGMA trusted_schema=OFF")
-                db.executescript(_TABLES)
-                found = db.execute("SELECT value FROM about WHERE name = 'schema'").fetchone()
-                if found is None:
-                    db.execute("INSERT OR IGNORE INTO about VALUES ('schema', ?)", (str(SCHEMA),))
-                elif found[0] != str(SCHEMA):
-                    raise InputError(
-                        f"was written by another version (schema {found[0]}, this program reads {SCHEMA}); "
-                        "orient into a new folder",
-                        file=folder,
-                    )
-            except sqlite3.DatabaseError as error:
-                raise InputError(
-                    f"cannot be opened: {error}; close other programs that use the project, or choose another --out",
-                    file=file,
-                ) from None
-        return cls(folder, db)
+                _sweep(folder, locked=lock is not None)
+                return cls(folder, _opened(file, _connection_to_write), lock=lock)
+            except BaseException:
+                _unlock(lock)
+                raise
 
     def close(self) -> None:
-        """Close the database."""
+        """Close the database and give the lock back."""
         self.db.close()
+        _unlock(self.lock)
+        self.lock = None
 
     # products
 
@@ -144,15 +135,26 @@ class Project:
         return self.folder / "cache" / key[-2:] / f"{key}.npz"
 
     def has(self, key: str) -> bool:
-        """Whether a product is there."""
-        return self._path(key).exists()
+        """Whether a product is there and whole, by its check sums; a damaged one is removed."""
+        path = self._path(key)
+        try:
+            with zipfile.ZipFile(path) as file:
+                if file.testzip() is None:
+                    return True
+        except FileNotFoundError:
+            return False
+        except (OSError, ValueError, EOFError, zipfile.BadZipFile):
+            pass
+        with contextlib.suppress(OSError):
+            path.unlink()
+        return False
 
-    def load(self, key: str) -> dict[str, Array] | None:
-        """A product, or None where it is missing or damaged."""
+    def load(self, key: str, names: Sequence[str] = ()) -> dict[str, Array] | None:
+        """A product, or only some of its arrays; None where it is missing or damaged."""
         path = self._path(key)
         try:
             with path.open("rb") as opened, np.load(opened, allow_pickle=False) as file:
-                return {name: file[name] for name in file.files}
+                return {name: file[name] for name in names or file.files}
         except FileNotFoundError:
             return None
         except (OSError, ValueError, EOFError, zipfile.BadZipFile, KeyError):
@@ -187,11 +189,14 @@ class Project:
         for begin in range(0, len(keys), 500):
             part = keys[begin : begin + 500]
             marks = ",".join("?" * len(part))
-            rows = self.db.execute(f"SELECT key, facts, matches FROM pairs WHERE key IN ({marks})", part)  # noqa: S608
+            with _reading(self.folder / "project.db"):
+                rows = self.db.execute(
+                    f"SELECT key, facts, matches FROM pairs WHERE key IN ({marks})",  # noqa: S608
+                    part,
+                ).fetchall()
             for key, facts, blob in rows:
-                if len(blob) % 8:
-                    continue
-                found[key] = (json.loads(facts), np.frombuffer(blob, np.int32).reshape(-1, 2))
+                with contextlib.suppress(ValueError, TypeError):  # a damaged row is missing
+                    found[key] = (json.loads(facts), np.frombuffer(blob, np.int32).reshape(-1, 2))
         return found
 
     def store_pairs(self, rows: Sequence[tuple[str, Mapping[str, Any], Array]]) -> None:
@@ -227,7 +232,8 @@ class Project:
         )
         self.records.append(record)
         with writing(self.folder), self._transaction():
-            self.db.execute("DELETE FROM stages WHERE name = ? OR position = ?", (name, len(self.records)))
+            # the first stage of a run begins the list anew
+            self.db.execute("DELETE FROM stages WHERE name = ? OR position >= ?", (name, len(self.records)))
             self.db.execute(
                 "INSERT INTO stages VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)",
                 (
@@ -238,10 +244,11 @@ class Project:
 
     def stages(self) -> list[StageRecord]:
         """The stages of the last run, in order."""
-        rows = self.db.execute(
-            "SELECT name, key, seconds, cpu_seconds, peak_memory_mb, from_cache, finished, summary FROM stages "
-            "ORDER BY position"
-        )
+        with _reading(self.folder / "project.db"):
+            rows = self.db.execute(
+                "SELECT name, key, seconds, cpu_seconds, peak_memory_mb, from_cache, finished, summary FROM stages "
+                "ORDER BY position"
+            ).fetchall()
         return [
             StageRecord(
                 name=r[0], key=r[1], seconds=r[2], cpu_seconds=r[3], peak_memory_mb=r[4], from_cache=bool(r[5]),
@@ -266,7 +273,8 @@ class Project:
         try:
             yield
         except BaseException:
-            self.db.execute("ROLLBACK")
+            if self.db.in_transaction:  # a full disk has ended it already
+                self.db.execute("ROLLBACK")
             raise
         self.db.execute("COMMIT")
 
@@ -277,12 +285,136 @@ def writing(folder: Path) -> Generator[None]:
     try:
         yield
     except (OSError, sqlite3.OperationalError) as error:
-        full = getattr(error, "errno", None) == errno.ENOSPC or "full" in str(error)
+        full = getattr(error, "errno", None) in FULL or "full" in str(error)
         what = "no space is left" if full else str(getattr(error, "strerror", None) or error)
         advice = "free space and run the same command again" if full else "choose a folder that can be written"
         raise InputError(
             f"cannot be written: {what}; {advice}. What is finished is kept, the run continues there", file=folder
         ) from None
+
+
+@contextmanager
+def _reading(file: Path, *, writes: bool = False) -> Generator[None]:
+    """Turn a damaged database into a message that says what to do."""
+    try:
+        yield
+    except sqlite3.DatabaseError as error:
+        text = str(error)
+        if isinstance(error, sqlite3.OperationalError) and writes and "locked" not in text and "malformed" not in text:
+            raise  # nothing can be written: for `writing` to say
+        if any(word in text for word in ("malformed", "not a database", "encrypted", "corrupt")):
+            advice = "delete this file and run the same command again: features are kept, pairs are matched again"
+        else:
+            advice = "close other programs that use the project, or choose another --out"
+        raise InputError(f"cannot be read: {text}; {advice}", file=file) from None
+
+
+def _opened(file: Path, connect: Callable[[Path], sqlite3.Connection]) -> sqlite3.Connection:
+    """A connection whose schema is ours; raises InputError."""
+    with _reading(file, writes=connect is _connection_to_write):
+        db = connect(file)
+        try:
+            found = db.execute("SELECT value FROM about WHERE name = 'schema'").fetchone()
+        except BaseException:
+            db.close()
+            raise
+    schema = "none" if found is None else found[0]
+    if schema != str(SCHEMA):
+        db.close()
+        raise InputError(
+            f"was written by another version (schema {schema}, this program reads {SCHEMA}); orient into a new folder",
+            file=file.parent,
+        )
+    return db
+
+
+def _connection_to_write(file: Path) -> sqlite3.Connection:
+    db = sqlite3.connect(file, timeout=30, isolation_level=None, check_same_thread=False)
+    try:
+        db.execute("PRAGMA journal_mode=WAL")
+        db.execute("PRAGMA synchronous=NORMAL")
+        db.execute("PRAGMA trusted_schema=OFF")
+        db.executescript(_TABLES)
+        db.execute("INSERT OR IGNORE INTO about VALUES ('schema', ?)", (str(SCHEMA),))
+    except BaseException:
+        db.close()
+        raise
+    return db
+
+
+def _connection_to_read(file: Path) -> sqlite3.Connection:
+    """A connection that changes nothing, also where the folder cannot be written."""
+    if not file.is_file():
+        raise InputError(
+            "is no project folder (project.db is missing); begin one with `raybundle orient PHOTOS --out`",
+            file=file.parent,
+        )
+    running = file.with_name("project.db-wal").exists()
+    for mode in ("mode=ro", "mode=ro&immutable=1")[not running :]:  # the second takes no locks and writes nothing
+        db = sqlite3.connect(f"{file.absolute().as_uri()}?{mode}", uri=True, timeout=30, isolation_level=None)
+        try:
+            db.execute("PRAGMA trusted_schema=OFF")
+            db.execute("SELECT name FROM about").fetchall()
+        except sqlite3.OperationalError as error:
+            db.close()
+            if mode != "mode=ro" or "unable to open" not in str(error):
+                raise
+        except BaseException:
+            db.close()
+            raise
+        else:
+            return db
+    raise AssertionError
+
+
+def _begun(folder: Path) -> bool:
+    """Whether a folder is empty, or a project whose database was deleted."""
+    if not folder.is_dir():
+        return False
+    names = {p.name for p in folder.iterdir() if not _is_leftover(p.name)}
+    return not names or ("cache" in names and names <= OWN)
+
+
+def _is_leftover(name: str) -> bool:
+    return name.startswith((".result.", ".project.toml."))
+
+
+def _sweep(folder: Path, *, locked: bool) -> None:
+    """Remove what a killed run had begun to write; nobody else is writing here."""
+    if not locked:
+        return
+    begun = [p for p in folder.iterdir() if _is_leftover(p.name)]
+    for path in (*begun, *(folder / "cache").glob("*/.*-*")):
+        if path.is_dir():
+            shutil.rmtree(path, ignore_errors=True)
+        else:
+            with contextlib.suppress(OSError):
+                path.unlink()
+
+
+def _locked(folder: Path) -> int | None:
+    """A file descriptor that locks the folder; None where the system has no such lock."""
+    try:
+        import fcntl  # noqa: PLC0415  (not on Windows)
+    except ImportError:
+        return None
+    number = os.open(folder, os.O_RDONLY)
+    try:
+        fcntl.flock(number, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        os.close(number)
+        raise InputError(
+            "another run works in this project; wait for it, or choose another --out", file=folder
+        ) from None
+    except OSError:  # a file system without locks
+        os.close(number)
+        return None
+    return number
+
+
+def _unlock(lock: int | None) -> None:
+    if lock is not None:
+        os.close(lock)
 
 
 def _cpu_seconds() -> float:

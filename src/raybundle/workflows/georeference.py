@@ -66,6 +66,8 @@ class Georeferenced:
     notices: tuple[Notice, ...]
     marked: Mask
     """(p,) points that were marked in photographs"""
+    fixed: bool
+    """placed in the object system by control or positions"""
 
 
 @dataclass(slots=True)
@@ -103,7 +105,11 @@ def georeference(block: Block, photos: Sequence[Photo], given: Given) -> Georefe
     state.notices += [Notice(code="control_file", message=r) for c in given.control for r in c.remarks]
     marked = np.asarray(state.block.points.role) != Role.TIE
     return Georeferenced(
-        block=_without_empty_control(state.block), frame=frame, notices=tuple(state.notices), marked=marked
+        block=_without_empty_control(state.block),
+        frame=frame,
+        notices=tuple(state.notices),
+        marked=marked,
+        fixed=fixed,
     )
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections import OrderedDict
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from threading import Lock
@@ -17,7 +17,8 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.structure import structure_notice
 from raybundle.block import Block, Camera
-from raybundle.errors import InputError
+from raybundle.block.select import with_rows
+from raybundle.errors import InputError, NoConvergence
 from raybundle.io.block_arrays import arrays_of_block, block_of_arrays
 from raybundle.io.coordinate_systems import LocalFrame
 from raybundle.io.photos.cameras import CameraGroup, camera_groups, camera_of
@@ -29,22 +30,25 @@ from raybundle.matching.tracks import tracks_of
 from raybundle.matching.verify import VerifiedPair, trusted
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.progress import Progress, silent
-from raybundle.workflows.georeference import Georeferenced, Given, accuracy, georeference, rejected_marks
+from raybundle.workflows.georeference import Georeferenced, Given, accuracy, rejected_marks
+from raybundle.workflows.parts import Part, apart_notice, place_parts, start_parts
 from raybundle.workflows.tie_block import (
     PreciseBlock,
     TieBlock,
     Weights,
     block_of_tracks,
+    flat_points,
     image_sigma_px,
     refine,
-    start,
 )
 from raybundle.workflows.tie_points import FeatureStore, find_features, grey_of, match_pairs, pairs_of
 
-START, PRECISION = 6, 14
+START, PRECISION = 7, 15
 """Versions of the stages' results."""
 FINAL = 1e-4
 """Last step of the final adjustment, in standard deviations of the unknowns."""
+COARSE = 1e-2
+"""The same where that is not reached: still far below what a standard deviation can tell."""
 STAGES = ("photographs", "features", "matching", "start", "precision", "adjustment", "report")
 
 
@@ -86,12 +90,13 @@ class Orientation:
     weights: Weights | None
     frame: LocalFrame | None
     """coordinate system of object space; None: a free system"""
-    components: int = 1
+    parts: tuple[Part, ...] = ()
+    """further parts of the photographs that nothing joins to the first"""
     remarks: tuple[str, ...] = field(default=())
 
     @property
     def oriented(self) -> int:
-        """Number of photographs with an orientation."""
+        """Number of photographs with an orientation, in whatever part."""
         return len(self.photos) - len(self.not_oriented)
 
     def additions(self) -> dict[str, object]:
@@ -103,7 +108,7 @@ class Orientation:
                 "oriented": self.oriented,
                 "not_oriented": lost,
             },
-            "components": self.components,
+            "components": 1 + len(self.parts),
             "stages": [
                 {k: v for k, v in asdict(s).items() if k in _STAGE_FIELDS} for s in self.stages
             ],
@@ -166,15 +171,19 @@ def orient(
                 jobs, progress,
             )  # fmt: skip
         with project.stage("start") as stage:
-            tie = _start(project, stage, folder.name, photos, groups, pairs, store, options.start, jobs, progress)
-        weights: Weights | None = None
-        block = tie.block
+            ties = _start(project, stage, folder.name, photos, groups, pairs, store, options.start, jobs, progress)
+        weights: list[Weights] = []
+        blocks = [tie.block for tie in ties]
         if options.precise:
             with project.stage("precision") as stage:
-                block, weights = _precision(project, stage, tie, photos, options, jobs, progress)
+                blocks, weights = _precision(project, stage, ties, photos, options, jobs, progress)
         with project.stage("adjustment") as stage:
-            placed = georeference(block, photos, given or Given())
+            placed, apart = place_parts(blocks, photos, given or Given())
+            if apart:
+                told = apart_notice(placed.block, apart, [part_folder(k) for k in range(len(apart))])
+                placed = replace(placed, notices=(told, *placed.notices))
             adjustment = _adjust(placed, groups, jobs, progress, found.remarks)
+            parts = tuple(_part(p, groups, jobs, progress) for p in apart)
             stage.from_cache = False
             stage.summary = f"sigma0 {adjustment.sigma0:.3f}"
         return Orientation(
@@ -182,12 +191,13 @@ def orient(
             photos=photos,
             groups=groups,
             refused=tuple(refused),
-            not_oriented=tie.not_oriented,
+            not_oriented=ties[0].not_oriented,
             pairs=tuple(pairs),
             stages=tuple(project.records),
             sigma_px=image_sigma_px(adjustment),
-            weights=weights,
+            weights=weights[0] if weights else None,
             frame=placed.frame,
+            parts=parts,
             remarks=tuple(found.remarks),
         )
     finally:
@@ -250,7 +260,7 @@ def _start(
     method: Literal["auto", "growing", "averaging"],
     jobs: int,
     progress: Progress,
-) -> TieBlock:
+) -> tuple[TieBlock, ...]:
     cameras, of_photo = _cameras(groups, len(photos))
     # names are part of the block
     stage.key = key_of(
@@ -259,66 +269,86 @@ def _start(
     )  # fmt: skip
     kept = project.load(stage.key)
     if kept is not None:
-        lost = tuple(zip(kept["lost"].tolist(), kept["reasons"].tolist(), strict=True))
-        tie = TieBlock(block=block_of_arrays(kept), scale_px=kept["scale_px"], angle=kept["angle"], not_oriented=lost)
+        ties = tuple(_tie_of_arrays(a) for a in _unpacked(kept))
     else:
         stage.from_cache = False
-        features = [store.of(i) for i in range(len(photos))]
+        features = [store.places(i) for i in range(len(photos))]
         tracks = tracks_of(trusted(pairs, len(photos)), [f.xy_px for f in features])
         raw = block_of_tracks(name, photos, cameras, of_photo, [f.xy_px for f in features], tracks)
         scale, angle = np.empty(len(tracks.image)), np.empty(len(tracks.image))
         for i, f in enumerate(features):
             mine = tracks.image == i
             scale[mine], angle[mine] = f.scale_px[tracks.feature[mine]], f.angle[tracks.feature[mine]]
-        tie = start(raw, scale, angle, jobs, progress, method)
-        lost = tie.not_oriented
-        project.store(
-            stage.key,
-            {
-                **arrays_of_block(tie.block), "scale_px": tie.scale_px, "angle": tie.angle,
-                "lost": np.array([n for n, _ in lost], dtype=np.str_),
-                "reasons": np.array([r for _, r in lost], dtype=np.str_),
-            },
-        )  # fmt: skip
-    stage.summary = (
-        f"{len(photos) - len(tie.not_oriented)} of {len(photos)} photographs, {len(tie.block.points)} points"
-    )
-    return tie
+        ties = start_parts(raw, scale, angle, jobs, progress, method)
+        project.store(stage.key, _packed([_arrays_of_tie(t) for t in ties]))
+    oriented = sum(int(t.block.images.oriented.sum()) for t in ties)
+    split = f" in {len(ties)} parts" if len(ties) > 1 else ""
+    points = sum(len(t.block.points) for t in ties)
+    stage.summary = f"{oriented} of {len(photos)} photographs{split}, {points} points"
+    return ties
+
+
+def _arrays_of_tie(tie: TieBlock) -> dict[str, Array]:
+    lost = tie.not_oriented
+    return {
+        **arrays_of_block(tie.block), "scale_px": tie.scale_px, "angle": tie.angle,
+        "lost": np.array([n for n, _ in lost], dtype=np.str_),
+        "reasons": np.array([r for _, r in lost], dtype=np.str_),
+    }  # fmt: skip
+
+
+def _tie_of_arrays(a: dict[str, Array]) -> TieBlock:
+    lost = tuple(zip(a["lost"].tolist(), a["reasons"].tolist(), strict=True))
+    return TieBlock(block=block_of_arrays(a), scale_px=a["scale_px"], angle=a["angle"], not_oriented=lost)
+
+
+def _packed(parts: Sequence[dict[str, Array]]) -> dict[str, Array]:
+    """The arrays of some parts under names of their own."""
+    return {f"{k}:{name}": values for k, part in enumerate(parts) for name, values in part.items()}
+
+
+def _unpacked(arrays: Mapping[str, Array]) -> list[dict[str, Array]]:
+    found: dict[int, dict[str, Array]] = {}
+    for key, values in arrays.items():
+        k, name = key.split(":", 1)
+        found.setdefault(int(k), {})[name] = values
+    return [found[k] for k in sorted(found)]
 
 
 def _precision(
     project: Project,
     stage: Stage,
-    tie: TieBlock,
+    ties: Sequence[TieBlock],
     photos: Sequence[Photo],
     options: OrientOptions,
     jobs: int,
     progress: Progress,
-) -> tuple[Block, Weights]:
-    stage.key = key_of("precision", PRECISION, arrays_of_block(tie.block), tie.scale_px, tie.angle)
+) -> tuple[list[Block], list[Weights]]:
+    stage.key = key_of("precision", PRECISION, *((arrays_of_block(t.block), t.scale_px, t.angle) for t in ties))
     kept = project.load(stage.key)
-    if kept is not None:
-        block, w = block_of_arrays(kept), kept["weights"].tolist()
-        weights = Weights(factor=w[0], floor_px2=w[1], reference_px2=w[2])
-    else:
+    if kept is None:
         stage.from_cache = False
         cache = _GreyCache(photos, options.memory_gb)
-        precise: PreciseBlock = refine(tie, cache.of, jobs, progress)
-        block, weights = precise.block, precise.weights
-        w = weights
-        project.store(
-            stage.key,
-            {
-                **arrays_of_block(block), "weights": np.array([w.factor, w.floor_px2, w.reference_px2]),
-                "counts": np.array([precise.offered, precise.measured, precise.added]),
-            },
-        )  # fmt: skip
-        kept = {"counts": np.array([precise.offered, precise.measured, precise.added])}
-    offered, measured, added = kept["counts"].tolist()
-    stage.summary = (
-        f"{measured} of {offered} features measured again, {added} rays added, {len(block.observations)} used"
-    )
-    return block, weights
+        arrays: list[dict[str, Array]] = []
+        for tie in ties:
+            precise: PreciseBlock = refine(tie, cache.of, jobs, progress)
+            w = precise.weights
+            arrays.append(
+                {
+                    **arrays_of_block(precise.block),
+                    "weights": np.array([w.factor, w.floor_px2, w.reference_px2]),
+                    "counts": np.array([precise.offered, precise.measured, precise.added]),
+                }
+            )
+        kept = _packed(arrays)
+        project.store(stage.key, kept)
+    parts = _unpacked(kept)
+    blocks = [block_of_arrays(a) for a in parts]
+    weights = [Weights(factor=w[0], floor_px2=w[1], reference_px2=w[2]) for w in (a["weights"].tolist() for a in parts)]
+    offered, measured, added = np.sum([a["counts"] for a in parts], axis=0).tolist()
+    used = sum(len(b.observations) for b in blocks)
+    stage.summary = f"{measured} of {offered} features measured again, {added} rays added, {used} used"
+    return blocks, weights
 
 
 class _GreyCache:
@@ -351,8 +381,33 @@ def _adjust(
     notices = [Notice(code="photographs", message=r) for r in remarks]
     notices += [Notice(code="camera", message=f"camera {g.id}: {r}", ids=(g.id,)) for g in groups for r in g.remarks]
     options = AdjustmentOptions(threads=jobs, reject="snooping", tolerance=FINAL)
-    result = decide(placed.block, options, progress, notices=(*notices, *placed.notices))
+    block, flat = placed.block, flat_points(placed.block) & ~placed.marked
+    flat &= ~placed.block.points.is_control.any(axis=1)
+    flat &= np.bincount(block.observations.point, minlength=len(block.points)) > 0
+    if flat.any():
+        block = with_rows(block, ~flat[block.observations.point])
+        message = f"{int(flat.sum())} tie points with parallel rays are left out: they have no depth"
+        notices.append(Notice(code="parallel_rays", message=message))
+        kept = np.isin(placed.block.points.ids, block.points.ids)
+        placed = replace(placed, block=block, marked=placed.marked[kept])
+    try:
+        result = decide(placed.block, options, progress, notices=(*notices, *placed.notices))
+    except NoConvergence:
+        # two photographs, or a weak interior orientation: steps of a few thousandths of a sigma that do not end
+        result = decide(placed.block, replace(options, tolerance=COARSE), progress, notices=(*notices, *placed.notices))
     first = list(rejected_marks(result, placed.marked[result.given.observations.point]))
     structure = structure_notice(result)
     first += [structure] if structure is not None else []
     return replace(result, notices=(*first, *result.notices)) if first else result
+
+
+def part_folder(k: int) -> str:
+    """Folder of the result of the k-th further part."""
+    return f"result-{k + 2}"
+
+
+def _part(placed: Georeferenced, groups: Sequence[CameraGroup], jobs: int, progress: Progress) -> Part:
+    """The adjustment of a part that nothing joins to the others."""
+    images = placed.block.images
+    names = tuple(n for n, o in zip(images.ids, images.oriented, strict=True) if o)
+    return Part(adjustment=_adjust(placed, groups, jobs, progress, ()), photographs=names)

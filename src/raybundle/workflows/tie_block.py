@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from itertools import combinations
 from typing import Literal
 
 import numpy as np
@@ -42,6 +43,10 @@ FIRST_FREE = ("c", "K1", "K2")
 FREE = ("c", "x0", "y0", "K1", "K2", "K3", "P1", "P2", "A", "S")
 
 
+FEWEST_TRIPLE = 4
+"""Points that three images must share to carry the scale from two of them to the third."""
+MOST_RAYS = 8
+"""Rays of a point that are looked at for that."""
 LEFT = 0.1
 """Share of the images left by the first kind of start from which on the second is tried."""
 FLAT = 1.0e-4
@@ -135,6 +140,8 @@ def start(
     """
     block = replace(raw, cameras=tuple(replace(c, estimate=free_at_start(c)) for c in raw.cameras))
     ways = {"growing": (_by_growing,), "averaging": (_by_averaging,), "auto": (_by_growing, _by_averaging)}[method]
+    loose: dict[str, str] = {}
+    _connected(block, loose)
     best: tuple[Block, Index, dict[str, str]] | None = None
     problem: NoOrientation | None = None
     for way in ways:
@@ -143,10 +150,10 @@ def start(
         except NoOrientation as error:
             problem = problem or error
             continue
-        # the images that both kinds of start leave are not worth a second look
         if best is None or len(found[2]) < len(best[2]):
             best = found
-        if len(best[2]) <= LEFT * len(raw.images):
+        # no kind of start orients what has too little in common with the others
+        if len(best[2].keys() - loose.keys()) <= LEFT * len(raw.images):
             break
     if best is None:
         assert problem is not None
@@ -211,11 +218,68 @@ def _cleaned(
     free = {c.id: free_at_start(c) for c in raw.cameras}
     cleaned = clean(block, options, free, progress=progress)
     keep = ~cleaned.rejected & ~flat_points(cleaned.block)[cleaned.block.observations.point]
-    names = {cleaned.block.images.ids[i] for i in np.unique(cleaned.block.observations.image[keep])}
+    block, rows = with_rows(cleaned.block, keep), rows[keep]
+    # what wrong rays joined has fallen apart
+    for part in (_connected, rigid_part):
+        keep = part(block, failed)
+        block, rows = with_rows(block, keep), rows[keep]
+    names = {block.images.ids[i] for i in np.unique(block.observations.image)}
+    if len(names) < 2:
+        raise NoOrientation("no two photographs hold together once wrong matches are left out: too few points fit")
+    out = np.array([n not in names for n in block.images.ids])
     for name in raw.images.ids:
         if name not in names:
             failed.setdefault(name, "its points contradict those of the other photographs")
-    return with_rows(cleaned.block, keep), rows[keep], failed
+    images = replace(
+        block.images,
+        centre=np.where(out[:, None], np.nan, block.images.centre),
+        rotation=np.where(out[:, None, None], np.nan, block.images.rotation),
+    )
+    return replace(block, images=images), rows, failed
+
+
+def rigid_part(block: Block, failed: dict[str, str]) -> Mask:
+    """(m,) rows of the largest part whose scale is one; names the images that are left.
+
+    Two images and their common points have a scale of their own.  It is carried on to a third image only by points
+    that all three see.
+    """
+    o, n = block.observations, len(block.images)
+    order = np.lexsort((o.image, o.point))
+    rows = np.split(o.image[order], np.flatnonzero(np.diff(o.point[order])) + 1) if len(o) else []
+    triples: dict[tuple[int, int, int], int] = {}
+    for images in rows:
+        for triple in combinations(images[:MOST_RAYS].tolist(), 3):
+            triples[triple] = triples.get(triple, 0) + 1
+    root = {(a, b): (a, b) for a, b, c in triples} | {(a, c): (a, c) for a, b, c in triples}
+    root |= {(b, c): (b, c) for a, b, c in triples}
+
+    def find(pair: tuple[int, int]) -> tuple[int, int]:
+        while root[pair] != pair:
+            root[pair] = root[root[pair]]
+            pair = root[pair]
+        return pair
+
+    for (a, b, c), count in triples.items():
+        if count >= FEWEST_TRIPLE:
+            first = find((a, b))
+            root[find((a, c))] = first
+            root[find((b, c))] = first
+    members: dict[tuple[int, int], set[int]] = {}
+    for pair in root:
+        members.setdefault(find(pair), set()).update(pair)
+    largest = max(members.values(), key=len, default=set[int]())
+    used = np.unique(o.image)
+    if len(used) < 3 or len(largest) < 3:
+        return np.ones(len(o), bool)
+    inside = np.zeros(n, bool)
+    inside[list(largest)] = True
+    for i in used[~inside[used]]:
+        failed[block.images.ids[i]] = (
+            f"fewer than {FEWEST_TRIPLE} of its points are in two other photographs: its distance from them is not "
+            "determined; overlap by 60 % or more"
+        )
+    return inside[o.image]
 
 
 def flat_points(block: Block) -> Mask:

@@ -5,13 +5,14 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, NoOrientation
+from raybundle.io.photos.cameras import camera_groups
 from raybundle.io.photos.photo import Photo, read_grey
 from raybundle.io.project import Project, Stage, key_of
 from raybundle.matching.descriptors import mutual_matches
@@ -24,6 +25,10 @@ from raybundle.numerics.progress import Progress
 VERIFICATION = 1
 """Raised with every change of what matching and verification give."""
 SAVE_EVERY_S = 2.0
+HELD = 400_000
+"""Features whose vectors are held in memory while pairs are matched: 200 MB."""
+SCALES = np.linspace(-1.0, 1.0, 33)
+"""Camera constants tried, in standard deviations about the one that the photographs state."""
 PIXELS_EACH = 400
 """Pixels of a photograph for each feature."""
 
@@ -59,13 +64,23 @@ class FeatureStore:
 
     def of(self, i: int) -> Features:
         """The features of photograph i."""
-        a = self.project.load(self.keys[i])
-        if a is None:
+        a = self._loaded(i)
+        return Features(xy_px=a["xy_px"], scale_px=a["scale_px"], angle=a["angle"], descriptors=a["descriptors"])
+
+    def places(self, i: int) -> Features:
+        """The same without descriptors, which take nine tenths of the memory."""
+        a = self._loaded(i, "xy_px", "scale_px", "angle")
+        none = np.zeros((len(a["xy_px"]), 0), np.uint8)
+        return Features(xy_px=a["xy_px"], scale_px=a["scale_px"], angle=a["angle"], descriptors=none)
+
+    def _loaded(self, i: int, *names: str) -> dict[str, Array]:
+        found = self.project.load(self.keys[i], names)
+        if found is None:
             raise InputError(
                 "a product of the features stage is damaged or gone; run the same command again",
                 file=self.project.folder,
             )
-        return Features(xy_px=a["xy_px"], scale_px=a["scale_px"], angle=a["angle"], descriptors=a["descriptors"])
+        return found
 
 
 def find_features(
@@ -89,7 +104,7 @@ def find_features(
         try:
             f = method.detect(grey_of(photos[i]), counts[i])
         except InputError as error:
-            return str(error)
+            return str(error).removeprefix(f"{photos[i].path}: ")
         project.store(
             keys[i], {"xy_px": f.xy_px, "scale_px": f.scale_px, "angle": f.angle, "descriptors": f.descriptors}
         )
@@ -122,7 +137,9 @@ def match_pairs(
     stage.key = key_of("matching", keys)
     stage.from_cache = not todo
 
-    @lru_cache(maxsize=96)
+    each = len(store.places(todo[0][1]).xy_px) if todo else 1
+
+    @lru_cache(maxsize=max(4 * jobs + 2, HELD // max(each, 1)))
     def loaded(i: int) -> tuple[Array, Array]:
         f = store.of(i)
         return f.xy_px, method.vectors(f.descriptors)
@@ -159,7 +176,53 @@ def match_pairs(
             result.append(VerifiedPair(first=i, second=j, matches=matches, **facts))
     good = sum(1 for p in result if len(p.matches))
     stage.summary = f"{len(pairs)} pairs, {good} verified"
-    return result
+    if good and from_one_spot(result, photos, store):
+        raise NoOrientation(
+            f"the {good} pairs of photographs that match differ by a turn of the camera only: they were taken from "
+            "one spot, and without a base there is no depth.\n"
+            "  Take the photographs from different places: move sideways between them, by a tenth of the distance "
+            "to the object or more."
+        )
+    # a copy of a photograph, or one more from the same place: points that only these two show have no depth
+    return [replace(p, matches=p.matches[:0]) if p.geometry == "rotation" else p for p in result]
+
+
+def from_one_spot(pairs: Sequence[VerifiedPair], photos: Sequence[Photo], store: FeatureStore) -> bool:
+    """Whether a mere turn of the camera explains every pair that matches, within a thousandth of the format.
+
+    What is left beside the turn is all that there is to tell depth from.  The camera constant may lie anywhere
+    within one standard deviation of what the photographs state; strong distortion hides what this looks for.
+    """
+    groups = camera_groups(photos)
+    own = {i: g for g in groups for i in g.photos}
+    alive = np.ones(len(SCALES), bool)
+    for pair in pairs:
+        if not len(pair.matches):
+            continue
+        ends = ((pair.first, pair.matches[:, 0]), (pair.second, pair.matches[:, 1]))
+        some = slice(None, None, max(1, len(pair.matches) // 300))
+        xy = [store.places(i).xy_px[rows[some]] - (photos[i].width_px / 2, photos[i].height_px / 2) for i, rows in ends]
+        for k in np.flatnonzero(alive):
+            c = [own[i].c_px + SCALES[k] * own[i].sigma_c_px for i, _ in ends]
+            limit = float(np.hypot(photos[pair.first].width_px, photos[pair.first].height_px)) / 1000
+            alive[k] = min(c) > 0 and _beside_a_turn(xy[0], xy[1], c[0], c[1]) < max(limit, 1.0)
+        if not alive.any():
+            return False
+    return bool(alive.any())
+
+
+def _beside_a_turn(xy1: Array, xy2: Array, c1: float, c2: float) -> float:
+    """Median [px] of what the best rotation between two bundles of rays leaves (Arun et al. 1987), wrong ones apart."""
+    a, b = (np.column_stack([xy, np.full(len(xy), c)]) for xy, c in ((xy1, c1), (xy2, c2)))
+    a /= np.linalg.norm(a, axis=1, keepdims=True)
+    b /= np.linalg.norm(b, axis=1, keepdims=True)
+    keep, apart = np.ones(len(a), bool), np.zeros(len(a))
+    for _ in range(3):
+        u, _, vt = np.linalg.svd(b[keep].T @ a[keep])
+        R = u @ np.diag([1, 1, np.linalg.det(u @ vt)]) @ vt
+        apart = np.linalg.norm(b - a @ R.T, axis=1)
+        keep = apart <= np.quantile(apart, 0.8)
+    return float(np.median(apart)) * c2
 
 
 def _in_order(pool: ThreadPoolExecutor, work: Callable[[Any], Any], tasks: Sequence[Any], ahead: int) -> Any:

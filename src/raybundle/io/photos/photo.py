@@ -43,6 +43,9 @@ __all__ = [
 LIMIT_PIXELS = 600_000_000
 """Pixels that a photograph may have; the largest aerial frame cameras stay below."""
 SMALLEST_SIDE = 32
+EMPTIEST = (30_000_000, 250)
+"""Pixels, and pixels for each byte of the file, above both of which a file is made to burst a decoder: not even a
+black photograph is packed so densely."""
 THUMBNAIL = (400, 1 / 16)
 """Longest side [px], and share of the median number of pixels, below both of which a photograph is a thumbnail."""
 _DIGITS = re.compile(r"(\d+)")
@@ -103,10 +106,10 @@ def find_photos(inputs: Sequence[Path], *, limit_pixels: int = LIMIT_PIXELS, pro
         try:
             photo = read_photo(path, name=name, limit_pixels=limit_pixels)
         except InputError as error:
-            refused.append((path, str(error).removeprefix(f"{path}: ")))
+            refused.append((shown(path), str(error).removeprefix(f"{path}: ")))
             continue
         if photo.sha256 in first:
-            refused.append((path, f"the same content as {first[photo.sha256]}, byte for byte"))
+            refused.append((shown(path), f"the same content as {first[photo.sha256]}, byte for byte"))
             continue
         first[photo.sha256] = name
         photos.append(photo)
@@ -149,6 +152,11 @@ def _examined(path: Path, limit_pixels: int) -> tuple[Header, str]:
     header = read_header(path, limit_pixels=limit_pixels)
     if min(header.width_px, header.height_px) < SMALLEST_SIDE:
         raise Unusable(f"{header.width_px} x {header.height_px} px are too few to measure in")
+    pixels, size = header.width_px * header.height_px, path.stat().st_size
+    if pixels > EMPTIEST[0] and pixels > EMPTIEST[1] * size:
+        raise Unusable(
+            f"{header.width_px} x {header.height_px} px in a file of {size} bytes: this is no photograph; not decoded"
+        )
     check_pixels(path, header.kind)
     with path.open("rb") as file:
         return header, hashlib.file_digest(file, "sha256").hexdigest()
@@ -189,18 +197,19 @@ def _in_folder(folder: Path, remarks: list[str]) -> list[Path]:
     doubles = [p for p in files if p.suffix.lower() in (RAW_SUFFIXES | HEIC_SUFFIXES) and p.stem.lower() in jpegs]
     if doubles:
         remarks.append(
-            f"{folder}: {len(doubles)} files have a JPEG of the same name beside them, which is taken "
-            f"({doubles[0].name}, ...)"
+            f"{shown(folder)}: {len(doubles)} files have a JPEG of the same name beside them, which is taken "
+            f"({shown(doubles[0]).name}, ...)"
         )
         files = [p for p in files if p not in set(doubles)]
     others = [p for p in entries if p.suffix.lower() not in SUFFIXES and not p.is_dir()]
     if others:
-        suffixes = ", ".join(sorted({p.suffix.lower() or "(none)" for p in others}))
-        remarks.append(f"{folder}: {len(others)} other files are not looked at ({suffixes})")
+        suffixes = ", ".join(sorted({shown(p).suffix.lower() or "(none)" for p in others}))
+        remarks.append(f"{shown(folder)}: {len(others)} other files are not looked at ({suffixes})")
     folders = [p for p in entries if p.is_dir()]
     if folders:
         remarks.append(
-            f"{folder}: {len(folders)} subfolders are not looked into ({folders[0].name}, ...); give them too"
+            f"{shown(folder)}: {len(folders)} subfolders are not looked into ({shown(folders[0]).name}, ...); "
+            "give them too"
         )
     return files
 
@@ -211,11 +220,20 @@ def _natural(path: Path) -> tuple[list[str | int], str]:
 
 
 def _names(files: Sequence[Path]) -> list[str]:
-    names = [p.name for p in files]
+    names = [shown(p).name for p in files]
     if len(set(names)) == len(names):
         return names
     common = Path(os.path.commonpath([p.parent.absolute() for p in files]))
-    return [p.absolute().relative_to(common).as_posix() for p in files]
+    return [shown(p.absolute().relative_to(common)).as_posix() for p in files]
+
+
+def shown(path: Path) -> Path:
+    r"""The path as it can be shown and written: bytes that are no UTF-8 as \xff."""
+    try:
+        str(path).encode()
+    except UnicodeEncodeError:
+        return Path(os.fsencode(path).decode("utf-8", "backslashreplace"))
+    return path
 
 
 def _without_thumbnails(photos: Sequence[Photo]) -> tuple[tuple[Photo, ...], list[tuple[Path, str]]]:
@@ -228,7 +246,7 @@ def _without_thumbnails(photos: Sequence[Photo]) -> tuple[tuple[Photo, ...], lis
     small = (longest < THUMBNAIL[0]) & (pixels < THUMBNAIL[1] * typical)
     refused = [
         (
-            p.path,
+            shown(p.path),
             f"{p.width_px} x {p.height_px} px: a thumbnail beside photographs of {typical / 1e6:.1f} million pixels",
         )
         for p, s in zip(photos, small, strict=True)

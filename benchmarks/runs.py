@@ -1,0 +1,81 @@
+"""A command run by itself: wall time, CPU seconds and peak memory of it and its children; errors against a truth."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import tempfile
+import time
+from pathlib import Path
+
+import numpy as np
+
+
+def measured(command: list[str], *, cpus: int = 2, environment: dict[str, str] | None = None) -> dict:
+    """Run a command on so many processors; its output and what it took.  Raises RuntimeError where it fails."""
+    allowed = set(sorted(os.sched_getaffinity(0))[:cpus])
+    threads = {name: str(cpus) for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")}
+    with tempfile.TemporaryFile("w+") as out, tempfile.TemporaryFile("w+") as err:
+        began = time.perf_counter()
+        running = subprocess.Popen(
+            command, stdout=out, stderr=err, env={**os.environ, **threads, **(environment or {})},
+            preexec_fn=lambda: os.sched_setaffinity(0, allowed),  # noqa: PLW1509  (one thread here)
+        )  # fmt: skip
+        _, status, usage = os.wait4(running.pid, 0)
+        wall = time.perf_counter() - began
+        running.returncode = os.waitstatus_to_exitcode(status)
+        out.seek(0)
+        err.seek(0)
+        if running.returncode:
+            raise RuntimeError(f"{' '.join(command)} ended with {running.returncode}\n{err.read()[-2000:]}")
+        return {
+            "output": out.read(),
+            "wall_s": wall,
+            "cpu_s": usage.ru_utime + usage.ru_stime,
+            "memory_mb": usage.ru_maxrss / 1024,
+        }
+
+
+def similarity(source: np.ndarray, target: np.ndarray) -> tuple[float, np.ndarray, np.ndarray]:
+    """Scale, rotation and shift, target_from_source (Umeyama 1991)."""
+    a, b = source - source.mean(axis=0), target - target.mean(axis=0)
+    u, d, vt = np.linalg.svd(b.T @ a)
+    turn = np.diag([1, 1, np.sign(np.linalg.det(u @ vt))])
+    R = u @ turn @ vt
+    m = float((d * np.diag(turn)).sum() / (a**2).sum())
+    return m, R, target.mean(axis=0) - m * R @ source.mean(axis=0)
+
+
+def errors(images: dict[str, dict], truth: dict[str, dict]) -> dict:
+    """Errors of centres after a similarity, and of directions, over the images that both have.
+
+    images, truth  name -> centre (3), rotation (3, 3) object to camera, both of one camera frame
+    """
+    names = sorted(set(images) & set(truth))
+    if len(names) < 3:
+        return {}
+    found = np.array([images[n]["centre"] for n in names])
+    known = np.array([truth[n]["centre"] for n in names])
+    m, R, t = similarity(found, known)
+    apart = m * found @ R.T + t - known
+    turned = np.array([images[n]["rotation"] for n in names]) @ R.T
+    beside = turned @ np.array([truth[n]["rotation"] for n in names]).transpose(0, 2, 1)
+    angle = np.degrees(np.arccos(np.clip((np.trace(beside, axis1=1, axis2=2) - 1) / 2, -1, 1)))
+    return {
+        "compared": len(names),
+        "centres_rms_mm": 1000 * float(np.sqrt((apart**2).sum(axis=1).mean())),
+        "angles_mean_deg": float(angle.mean()),
+    }
+
+
+def of_block(folder: Path) -> dict[str, dict]:
+    """The images of a block folder, rotations as computer vision has them: y down, z forward."""
+    from raybundle.io.block_folder import read_block
+
+    images = read_block(folder).images
+    down = np.diag([1.0, -1.0, -1.0])
+    return {
+        name: {"centre": c.tolist(), "rotation": (down @ R).tolist()}
+        for name, c, R in zip(images.file, images.centre, images.rotation, strict=True)
+        if np.isfinite(c).all()
+    }

@@ -1,0 +1,60 @@
+"""`raybundle datasets`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, counted
+
+
+@click.group("datasets", context_settings=COMMAND_SETTINGS)
+def command() -> None:
+    """Fetch public sets of photographs, checked file by file.
+
+    \b
+    Example:
+      raybundle datasets list
+      raybundle datasets get sceaux-castle
+      raybundle orient sceaux-castle/images --out sceaux-project
+    """  # noqa: D301
+
+
+@command.command("list", context_settings=COMMAND_SETTINGS)
+@click.option(
+    "--traceback", is_flag=True, expose_value=False, help="After an error, show where in the program it arose."
+)
+def list_command() -> None:
+    """Show the sets: name, size, content, licence."""
+    from raybundle.io.datasets import known_datasets  # noqa: PLC0415
+
+    for one in known_datasets().values():
+        click.echo(f" {one.name:14s} {one.size / 1e6:6.0f} MB  {one.about}")
+        click.echo(f" {'':14s} {'':6s}     licence: {one.licence}")
+
+
+@command.command("get", context_settings=COMMAND_SETTINGS)
+@click.argument("name")
+@click.option("--out", type=FOLDER, metavar="FOLDER", help="Where to; by default a folder of the set's name.")
+@common_options
+def get_command(name: str, out: Path | None, progress: str) -> None:
+    """Fetch a set from its source and check every file; a fetch that was stopped continues with the same command.
+
+    \b
+    Example:
+      raybundle datasets get sceaux-castle
+      raybundle datasets get copr-uav --out flight
+    """  # noqa: D301
+    from raybundle.cli.progress import reporting  # noqa: PLC0415
+    from raybundle.io.datasets import dataset, fetch  # noqa: PLC0415
+
+    wanted = dataset(name)
+    folder = Path(name) if out is None else out
+    click.echo(f" {wanted.name}: {wanted.about}")
+    click.echo(f" source: {wanted.source}")
+    click.echo(f" licence: {wanted.licence}" + (f"; cite: {wanted.cite}" if wanted.cite else ""))
+    with reporting(progress) as tell:
+        done = fetch(wanted, folder, progress=tell)
+    before = f", {done.there} were there already" if done.there else ""
+    click.echo(f" {counted(done.fetched, 'file')} fetched and checked{before}: {folder}")

@@ -1,0 +1,188 @@
+"""Public sets of photographs: what is known of them, and how they are fetched, file by file and by check sum."""
+
+from __future__ import annotations
+
+import hashlib
+import tomllib
+import urllib.error
+import urllib.request
+from collections.abc import Mapping
+from dataclasses import dataclass
+from http.client import HTTPException
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+from urllib.parse import quote, urlsplit
+
+from raybundle.errors import InputError
+from raybundle.numerics.progress import Progress, silent
+
+TIMEOUT_S = 30.0
+CHUNK_BYTES = 1 << 18
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SetFile:
+    """One file of a set."""
+
+    path: str
+    """below the set's folder, with /"""
+    size: int
+    """bytes"""
+    sha256: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Dataset:
+    """A public set; it is fetched from its source, never from us."""
+
+    name: str
+    about: str
+    source: str
+    base: str
+    """address of the folder in which its files stand, at one commit"""
+    licence: str
+    cite: str
+    files: tuple[SetFile, ...]
+
+    @property
+    def size(self) -> int:
+        """Bytes of all files."""
+        return sum(f.size for f in self.files)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Fetched:
+    """What a fetch did."""
+
+    folder: Path
+    there: int
+    """files that were there already"""
+    fetched: int
+
+
+def known_datasets() -> Mapping[str, Dataset]:
+    """The sets by their names."""
+    content = tomllib.loads((files("raybundle.io") / "datasets.toml").read_text(encoding="utf-8"))
+    return {name: _dataset(name, entry) for name, entry in content.items()}
+
+
+def _dataset(name: str, entry: Mapping[str, Any]) -> Dataset:
+    listed = tuple(SetFile(path=path, size=size, sha256=digest) for path, size, digest in entry["files"])
+    texts = {key: str(entry[key]) for key in ("about", "source", "base", "licence", "cite")}
+    return Dataset(name=name, files=listed, **texts)
+
+
+def dataset(name: str) -> Dataset:
+    """A set by its name; raises InputError with the names that there are."""
+    known = known_datasets()
+    if name not in known:
+        raise InputError(f"there is no set {name!r}; known: {', '.join(known)}")
+    return known[name]
+
+
+def fetch(wanted: Dataset, folder: Path, *, progress: Progress = silent) -> Fetched:
+    """Bring a set into a folder; what is there and right is kept, what was begun is continued.
+
+    raises  InputError without a network, where nothing can be written, or where a file differs from its check sum
+    A file gets its name when it is complete and its SHA-256 is right; until then it is called NAME.part.
+    """
+    there = done = 0
+    for file in wanted.files:
+        target = folder / file.path
+        try:
+            if _is_right(target, file):
+                there += 1
+            else:
+                target.parent.mkdir(parents=True, exist_ok=True)
+                _fetch_file(
+                    wanted, file, target, lambda n, before=done: progress("fetching", (before + n) / wanted.size)
+                )
+        except OSError as error:
+            raise InputError(
+                f"cannot be written: {error.strerror or error}; free space or choose another --out. What has arrived "
+                "is kept",
+                file=target,
+            ) from None
+        done += file.size
+        progress("fetching", done / wanted.size)
+    return Fetched(folder=folder, there=there, fetched=len(wanted.files) - there)
+
+
+def _is_right(path: Path, file: SetFile) -> bool:
+    return path.is_file() and path.stat().st_size == file.size and _digest(path) == file.sha256
+
+
+def _digest(path: Path) -> str:
+    with path.open("rb") as opened:
+        return hashlib.file_digest(opened, "sha256").hexdigest()
+
+
+def _fetch_file(wanted: Dataset, file: SetFile, target: Path, tell: Any) -> None:
+    """One file, continued where an earlier run stopped, and once more from its beginning where that does not fit."""
+    part = target.with_name(f"{target.name}.part")
+    address = wanted.base + quote(file.path)
+    continued = part.exists() and 0 < part.stat().st_size <= file.size
+    if continued:
+        _receive(address, part, file.size, tell)
+    if not continued or not _is_right(part, file):
+        part.unlink(missing_ok=True)
+        _receive(address, part, file.size, tell)
+    if not _is_right(part, file):
+        found, size = _digest(part), part.stat().st_size
+        part.unlink()
+        raise InputError(
+            f"differs from what is known of it: {size} bytes, SHA-256 {found[:12]}..., expected {file.size} bytes, "
+            f"{file.sha256[:12]}...; a proxy may have changed it. Run the command again, or look at {wanted.source}",
+            file=address,
+        )
+    part.replace(target)
+
+
+def _receive(address: str, part: Path, size: int, tell: Any) -> None:
+    """Append to `part` what of the address is missing, never more than `size` bytes and one."""
+    have = part.stat().st_size if part.exists() else 0
+    if have == size:
+        return
+    # not compressed: lengths and positions are those of the file
+    request = urllib.request.Request(address, headers={"Accept-Encoding": "identity", "User-Agent": "raybundle"})  # noqa: S310
+    if have:
+        request.add_header("Range", f"bytes={have}-")
+    answer = _asked(request)
+    with answer:
+        have = have if answer.status == 206 else 0
+        with part.open("ab" if have else "wb") as file:
+            while have <= size:
+                try:
+                    data = answer.read(min(CHUNK_BYTES, size + 1 - have))
+                except (OSError, ValueError, HTTPException) as error:
+                    raise _broken(address, error) from None
+                if not data:
+                    break
+                file.write(data)
+                have += len(data)
+                tell(have)
+    if have < size:
+        raise _broken(address, f"it ended after {have} of {size} bytes")
+
+
+def _asked(request: urllib.request.Request) -> Any:
+    address = request.full_url
+    try:
+        return urllib.request.urlopen(request, timeout=TIMEOUT_S)  # noqa: S310  (addresses are those of datasets.toml)
+    except urllib.error.HTTPError as error:
+        error.close()
+        if error.code == 416:  # what is there is longer than what is offered
+            return _asked(urllib.request.Request(address, headers={"User-Agent": "raybundle"}))  # noqa: S310
+        advice = "try again later" if error.code in {429, 500, 502, 503, 504} else "it may have been moved"
+        raise InputError(f"the server answers {error.code} {error.reason}; {advice}", file=address) from None
+    except (OSError, ValueError, HTTPException) as error:
+        raise InputError(
+            f"no connection to {urlsplit(address).hostname} ({getattr(error, 'reason', error)}); check the network "
+            "(HTTPS_PROXY names a proxy) and run the same command again: what has arrived is kept",
+            file=address,
+        ) from None
+
+
+def _broken(address: str, why: object) -> InputError:
+    return InputError(f"the connection broke ({why}); run the same command again, it continues there", file=address)

@@ -1,0 +1,137 @@
+"""What a scene file is: the formats that describe where a satellite image looks."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.io.formats.reading import Element
+from raybundle.numerics.arrays import Array
+from raybundle.scenes.linescan import LineScene
+from raybundle.scenes.rpc import Rpc
+
+HEAD_BYTES = 4096
+"""What is read of a file to recognise it."""
+WIDER = 1.5
+"""An image more than so many times the size of what an RPC covers does not belong to it."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Scene:
+    """What one file tells about a satellite scene; pixels count from the outer corner of the first one."""
+
+    file: Path
+    format: str
+    rpc: Rpc | None = None
+    line: LineScene | None = None
+    """The rigorous model, where the file has one that is understood."""
+    width_px: int | None = None
+    height_px: int | None = None
+    sensor: str = ""
+    time: str = ""
+    """Of the first line, as the file writes it."""
+    remarks: tuple[str, ...] = ()
+    """What was assumed, converted or left out."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SceneFormat:
+    """A file format of scenes."""
+
+    name: str
+    title: str
+    recognises: Callable[[Path, bytes], bool]
+    """Whether a file with this name and beginning has the format."""
+    read: Callable[[Path], Scene]
+
+
+scene_formats: dict[str, SceneFormat] = {}
+
+
+def register(format_: SceneFormat) -> SceneFormat:
+    """Make a format known under its name."""
+    scene_formats[format_.name] = format_
+    return format_
+
+
+def read_scene(path: str | Path) -> Scene:
+    """What a file tells about a scene; its format is recognised by its contents.
+
+    raises  InputError where the file cannot be read, has no known format, or contradicts itself
+    """
+    path = Path(path)
+    if not path.is_file():
+        raise InputError("there is no such file; check the path", file=path)
+    try:
+        with path.open("rb") as file:
+            head = file.read(HEAD_BYTES)
+    except OSError as error:
+        raise InputError(f"cannot be read: {error.strerror}; check the permissions", file=path) from None
+    for format_ in scene_formats.values():
+        if format_.recognises(path, head):
+            return _placed(path, format_)
+    titles = "; ".join(f.title for f in scene_formats.values())
+    raise InputError(f"no scene format is recognised in it; known: {titles}", file=path)
+
+
+def _placed(path: Path, format_: SceneFormat) -> Scene:
+    """Read, and give errors of the numeric layer the name of the file."""
+    try:
+        scene = format_.read(path)
+    except InputError as error:
+        if error.file is not None:
+            raise
+        raise InputError(str(error), file=path) from None
+    if scene.rpc is None and scene.line is None:
+        reasons = "; ".join(scene.remarks) or "neither an RPC nor an orbit stands in it"
+        raise InputError(f"no geometry can be taken from it: {reasons}", file=path)
+    if scene.rpc is not None and scene.width_px and scene.height_px:
+        check_image(scene.rpc, scene.width_px, scene.height_px, path)
+    return scene
+
+
+def check_image(rpc: Rpc, width_px: int, height_px: int, file: Path | str) -> None:
+    """Raise InputError where an image cannot be the one that an RPC describes; a part of it may be."""
+    size = np.array([width_px, height_px], float)
+    low, high = rpc.image_offset - rpc.image_scale, rpc.image_offset + rpc.image_scale
+    covered = np.minimum(high, size) - np.maximum(low, 0)
+    if (size > WIDER * (high - low)).any() or (covered <= 0).any():
+        raise InputError(
+            f"an image of {width_px} x {height_px} px and an RPC for columns {low[0]:.0f} to {high[0]:.0f} and rows "
+            f"{low[1]:.0f} to {high[1]:.0f} do not belong together; give the RPC of this image (for a reduced or cut "
+            "image one with scaled or shifted offsets)",
+            file=file,
+        )
+
+
+def check_denominators(rpc: Rpc, file: Path | str) -> None:
+    """Raise InputError where a denominator vanishes inside the scene, at heights within half of the RPC's range."""
+    steps = np.linspace(-1, 1, 9)
+    u, v, w = (a.ravel() for a in np.meshgrid(steps, steps, steps / 2, indexing="ij"))
+    inside = rpc.ground_offset + rpc.ground_scale * np.stack([u, v, w], axis=1)
+    try:
+        xy = rpc.project(inside)
+    except InputError as error:
+        # loosely scaled RPCs (a whole degree for a small scene) may have poles outside the scene: look along its rays
+        try:
+            grid = rpc.image_offset + rpc.image_scale * np.stack([u, v], axis=1)
+            xy = rpc.project(rpc.localise(grid, float(rpc.ground_offset[2])))
+        except Exception:  # noqa: BLE001  (whatever fails along the rays, the first reason is the clearer one)
+            raise InputError(str(error), file=file) from None
+    if not np.isfinite(xy).all():
+        raise InputError("RPC: its projection is not finite inside the scene; the file is damaged", file=file)
+
+
+def element_text(root: Element, *names: str) -> str:
+    """The text of an element down this way of names, "" where there is none."""
+    found = root.find(*names)
+    return "" if found is None else found.content.strip()
+
+
+def numbers_of(element: Element) -> Array:
+    """All finite numbers in the content of an element; raises InputError with its line."""
+    return element.numbers(len(element.content.split()))

@@ -1,0 +1,61 @@
+"""DIMAP 2 XML of SPOT 6/7 and Pleiades: the RPC; the first pixel has the number that the file says (1)."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from raybundle.io.formats.reading import Element, read_xml
+from raybundle.io.scenes.base import Scene, SceneFormat, check_denominators, element_text, register
+from raybundle.numerics.arrays import Array
+from raybundle.scenes.rpc import Rpc
+
+POLYNOMIALS = ("LINE_NUM_COEFF", "LINE_DEN_COEFF", "SAMP_NUM_COEFF", "SAMP_DEN_COEFF")
+
+
+def read(path: Path) -> Scene:
+    """The RPC of a DIMAP file; its inverse model, that is from the ground to the image, is the RPC of everyone else."""
+    root = read_xml(path, "Dimap_Document")
+    model = root.find("Rational_Function_Model", "Global_RFM")
+    if model is None:
+        root.fail("no Rational_Function_Model/Global_RFM stands in it; give the file RPC_*.XML of the product")
+    validity = model.get("RFM_Validity")
+    domain = validity.get("Direct_Model_Validity_Domain")
+    first = np.array([domain.number("FIRST_COL"), domain.number("FIRST_ROW")])
+    last = np.array([domain.number("LAST_COL"), domain.number("LAST_ROW")])
+    size = np.round(last - first).astype(int) + 1
+    if (size < 2).any():
+        domain.fail(f"an image of {size[0]} x {size[1]} px; rows or columns are exchanged")
+    rpc = Rpc(
+        coefficients=np.stack([_coefficients(model.get("Inverse_Model"), name) for name in POLYNOMIALS]),
+        ground_offset=np.array([validity.number(f"{k}_OFF") for k in ("LONG", "LAT", "HEIGHT")]),
+        ground_scale=np.array([validity.number(f"{k}_SCALE") for k in ("LONG", "LAT", "HEIGHT")]),
+        image_offset=np.array([validity.number("SAMP_OFF"), validity.number("LINE_OFF")]) - first + 0.5,
+        image_scale=np.array([validity.number("SAMP_SCALE"), validity.number("LINE_SCALE")]),
+    )
+    check_denominators(rpc, path)
+    return Scene(
+        file=path,
+        format="dimap",
+        rpc=rpc,
+        width_px=int(size[0]),
+        height_px=int(size[1]),
+        sensor=element_text(root, "Metadata_Identification", "METADATA_PROFILE"),
+        remarks=(
+            "DIMAP states how well its RPC fits the orbit, not how well the orbit is known: no prior for the bias",
+        ),
+    )
+
+
+def _coefficients(model: Element, name: str) -> Array:
+    """(20,) coefficients NAME_1 to NAME_20."""
+    return np.array([model.number(f"{name}_{k}") for k in range(1, 21)])
+
+
+def _recognises(path: Path, head: bytes) -> bool:
+    del path
+    return b"<Dimap_Document" in head and b"METADATA_FORMAT version='1." not in head.replace(b'"', b"'")
+
+
+register(SceneFormat(name="dimap", title="DIMAP 2 XML (SPOT 6/7, Pleiades): RPC", recognises=_recognises, read=read))

@@ -1,0 +1,192 @@
+"""RPC as text: `_RPC.TXT` (KEY: value with or without units), `.RPB` (assignments) and OSSIM's `.geom`.
+
+All three count lines and samples from the centre of the first one (0, 0); ours is 0.5, 0.5.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.io.formats.reading import read_bytes, shown
+from raybundle.io.scenes.base import Scene, SceneFormat, check_denominators, register
+from raybundle.numerics.arrays import Array
+from raybundle.scenes.rpc import Rpc
+
+FILE_BYTES = 1 << 20
+SCALARS = {
+    "line_off": ("lineoffset", "lineoff"),
+    "samp_off": ("sampoffset", "sampoff"),
+    "lat_off": ("latoffset", "latoff"),
+    "long_off": ("longoffset", "longoff"),
+    "height_off": ("heightoffset", "heightoff"),
+    "line_scale": ("linescale",),
+    "samp_scale": ("sampscale",),
+    "lat_scale": ("latscale",),
+    "long_scale": ("longscale",),
+    "height_scale": ("heightscale",),
+    "err_bias": ("errbias", "biaserror", "ceerror"),
+    "err_rand": ("errrand", "randerror"),
+}
+"""Our key and its spellings, without underscores, in lower case."""
+POLYNOMIALS = ("linenumcoef", "linedencoef", "sampnumcoef", "sampdencoef")
+UNITS = {
+    "line_off": ("pixels", "pixel", "lines", "px"),
+    "samp_off": ("pixels", "pixel", "samples", "px"),
+    "lat_off": ("degrees", "degree", "deg"),
+    "long_off": ("degrees", "degree", "deg"),
+    "height_off": ("meters", "metres", "meter", "metre", "m"),
+}
+_NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eEdD][-+]?\d+)?"
+_PAIR = re.compile(rf"^\s*([A-Za-z]\w*)\s*[:=]\s*({_NUMBER})\s*([A-Za-z]*)\s*;?\s*$")
+_LIST = re.compile(r"([A-Za-z]\w*)\s*=\s*\(([^()]*)\)", re.DOTALL)
+_INDEXED = re.compile(r"^([a-z]+?)(\d+)$")
+
+
+def read(path: Path) -> Scene:
+    """The RPC of a text file; raises InputError that names the line of a bad value or the keys that lack."""
+    text = read_bytes(path, FILE_BYTES).decode("latin-1").replace("\r\n", "\n")
+    scalars, polynomials = _collected(path, text)
+    coefficients, remarks = _coefficients(path, polynomials, text)
+    needed = [k for k in SCALARS if not k.startswith("err_")]
+    lacking = [k.upper() for k in needed if k not in scalars]
+    if lacking:
+        raise InputError(f"{', '.join(lacking)} is missing; the RPC is not complete", file=path)
+
+    def pick(*keys: str) -> Array:
+        return np.array([scalars[k] for k in keys])
+
+    rpc = Rpc(
+        coefficients=coefficients,
+        ground_offset=pick("long_off", "lat_off", "height_off"),
+        ground_scale=pick("long_scale", "lat_scale", "height_scale"),
+        image_offset=pick("samp_off", "line_off") + 0.5,
+        image_scale=pick("samp_scale", "line_scale"),
+        err_bias_m=scalars.get("err_bias") or None,
+        err_rand_m=scalars.get("err_rand") or None,
+    )
+    check_denominators(rpc, path)
+    return Scene(file=path, format="rpc-text", rpc=rpc, remarks=remarks)
+
+
+def _collected(path: Path, text: str) -> tuple[dict[str, float], dict[str, dict[int, float]]]:
+    """Scalars by our keys, and coefficients by polynomial and position (0 to 19)."""
+    spelling = {s: k for k, all_ in SCALARS.items() for s in all_}
+    scalars: dict[str, float] = {}
+    polynomials: dict[str, dict[int, float]] = {}
+    for match in _LIST.finditer(text):
+        if (name := _polynomial(match[1])) is not None:
+            words = match[2].replace(",", " ").split()
+            line = text.count("\n", 0, match.start()) + 1
+            polynomials[name] = {k: _number(path, w, line, match[1]) for k, w in enumerate(words)}
+    first = 0 if re.search(r"coeff?_0?0\s*[:=]", text, re.IGNORECASE) else 1
+    for number, row in enumerate(text.split("\n"), 1):
+        match = _PAIR.match(row)
+        if match is None:
+            _check_unreadable(path, row, number, spelling)
+            continue
+        plain = match[1].replace("_", "").lower()
+        value = _number(path, match[2], number, match[1])
+        indexed = _INDEXED.match(plain)
+        if plain in spelling:
+            key = spelling[plain]
+            _check_unit(path, key, match[3], number)
+            scalars[key] = value
+        elif indexed and (name := _polynomial(indexed[1])) is not None:
+            polynomials.setdefault(name, {})[int(indexed[2]) - first] = value
+    return scalars, polynomials
+
+
+def _polynomial(name: str) -> str | None:
+    plain = name.replace("_", "").lower().replace("coeff", "coef")
+    return plain if plain in POLYNOMIALS else None
+
+
+def _number(path: Path, word: str, line: int, key: str) -> float:
+    try:
+        value = float(word.replace("D", "E").replace("d", "e"))
+    except ValueError:
+        raise InputError(f"{shown(word)} is not a number", file=path, line=line, column=key) from None
+    if not np.isfinite(value):
+        raise InputError(f"{shown(word)} is not a finite number", file=path, line=line, column=key)
+    return value
+
+
+def _check_unreadable(path: Path, row: str, line: int, spelling: dict[str, str]) -> None:
+    key, separator, value = row.replace("=", ":", 1).partition(":")
+    plain = key.strip().replace("_", "").lower()
+    if separator and plain in spelling:
+        raise InputError(f"{shown(value.strip())} is not a number", file=path, line=line, column=key.strip())
+
+
+def _check_unit(path: Path, key: str, unit: str, line: int) -> None:
+    kind = key if key in UNITS else key.replace("_scale", "_off")
+    if unit and kind in UNITS and unit.lower() not in UNITS[kind]:
+        raise InputError(
+            f"unit {unit!r} where {UNITS[kind][0]} are needed; convert the RPC",
+            file=path,
+            line=line,
+            column=key.upper(),
+        )
+
+
+def _coefficients(path: Path, polynomials: dict[str, dict[int, float]], text: str) -> tuple[Array, tuple[str, ...]]:
+    result = np.zeros((4, 20))
+    for k, name in enumerate(POLYNOMIALS):
+        found = polynomials.get(name, {})
+        if sorted(found) != list(range(20)):
+            raise InputError(
+                f"{name.upper()}: {len(found)} of 20 coefficients; the RPC is not complete or not in the form RPC00B",
+                file=path,
+            )
+        result[k] = [found[i] for i in range(20)]
+    specification = re.search(r'(?:specId\s*=\s*"?|polynomial_format\s*:\s*)(\w+)', text, re.IGNORECASE)
+    if specification is None or specification[1] in {"RPC00B", "B"}:
+        return result, ()
+    if specification[1] in {"RPC00A", "A"}:
+        from raybundle.io.scenes.maxar import RPC00A_IN_B  # noqa: PLC0415  (only for this old order)
+
+        ordered = np.zeros((4, 20))
+        ordered[:, list(RPC00A_IN_B)] = result
+        return ordered, ("RPC00A: terms were brought to the order of RPC00B",)
+    return result, (f"RPC of specification {specification[1]}, taken as RPC00B",)
+
+
+def write_rpc_text(rpc: Rpc, path: Path) -> None:
+    """Write `_RPC.TXT`, which GDAL and most programs read beside an image; numbers lose nothing."""
+    x, y = rpc.image_offset - 0.5
+    rows = [
+        ("LINE_OFF", y, "pixels"),
+        ("SAMP_OFF", x, "pixels"),
+        ("LAT_OFF", rpc.ground_offset[1], "degrees"),
+        ("LONG_OFF", rpc.ground_offset[0], "degrees"),
+        ("HEIGHT_OFF", rpc.ground_offset[2], "meters"),
+        ("LINE_SCALE", rpc.image_scale[1], "pixels"),
+        ("SAMP_SCALE", rpc.image_scale[0], "pixels"),
+        ("LAT_SCALE", rpc.ground_scale[1], "degrees"),
+        ("LONG_SCALE", rpc.ground_scale[0], "degrees"),
+        ("HEIGHT_SCALE", rpc.ground_scale[2], "meters"),
+    ]
+    lines = [f"{key}: {float(value)!r} {unit}" for key, value, unit in rows]
+    for name, polynomial in zip(("LINE_NUM", "LINE_DEN", "SAMP_NUM", "SAMP_DEN"), rpc.coefficients, strict=True):
+        lines += [f"{name}_COEFF_{k}: {float(c)!r}" for k, c in enumerate(polynomial, 1)]
+    errors = (("ERR_BIAS", rpc.err_bias_m), ("ERR_RAND", rpc.err_rand_m))
+    lines = [f"{key}: {value!r} meters" for key, value in errors if value] + lines
+    try:
+        path.write_text("\n".join(lines) + "\n", encoding="ascii")
+    except OSError as error:
+        raise InputError(f"cannot be written: {error.strerror}; choose another place", file=path) from None
+
+
+def _recognises(path: Path, head: bytes) -> bool:
+    del path
+    plain = head.replace(b"_", b"").lower()
+    if head.lstrip().startswith((b"<", b"{")) or b"\0" in head:
+        return False
+    return any(word in plain for word in (b"lineoff", b"linenumcoef", b"linedencoef"))
+
+
+register(SceneFormat(name="rpc-text", title="RPC as text (_RPC.TXT, .RPB, .geom)", recognises=_recognises, read=read))

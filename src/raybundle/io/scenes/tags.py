@@ -1,0 +1,178 @@
+"""RPC within images: the tag 50844 of GeoTIFF and the extensions RPC00A and RPC00B of NITF; read without GDAL.
+
+Both count from the centre of the first pixel (0, 0).  Only headers are read, never pixels.
+"""
+
+from __future__ import annotations
+
+import struct
+from dataclasses import dataclass
+from itertools import pairwise
+from pathlib import Path
+from typing import BinaryIO
+
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.io.scenes.base import Scene, SceneFormat, check_denominators, register
+from raybundle.io.scenes.maxar import RPC00A_IN_B
+from raybundle.numerics.arrays import Array
+from raybundle.scenes.rpc import Rpc
+
+RPC_TAG, WIDTH_TAG, HEIGHT_TAG = 50844, 256, 257
+TAG_BYTES = {3: ("H", 2), 4: ("I", 4), 12: ("d", 8), 16: ("Q", 8)}
+MOST_TAGS = 4096
+SUBHEADER_BYTES = 1 << 20
+NITF_FIELDS = (7, 7, 6, 5, 8, 9, 5, 6, 5, 8, 9, 5)
+"""Characters of ERR_BIAS, ERR_RAND, the five offsets and the five scales, after the digit SUCCESS."""
+NITF_LENGTH = 1 + sum(NITF_FIELDS) + 80 * 12
+
+
+def read_tiff(path: Path) -> Scene:
+    """The RPC in the tag of a GeoTIFF or BigTIFF, first image of the file."""
+    with path.open("rb") as file:
+        tags = _Tiff.of(path, file).tags()
+    if RPC_TAG not in tags:
+        raise InputError(
+            "no RPC (tag 50844) stands in this TIFF; give the file that came with it (_RPC.TXT, .RPB, .XML)", file=path
+        )
+    values = np.array(tags[RPC_TAG], float)
+    if len(values) != 92:
+        raise InputError(f"the RPC tag holds {len(values)} numbers, 92 are needed", file=path)
+    rpc = _rpc(values[:12], values[12:].reshape(4, 20), path)
+    width, height = (int(tags[t][0]) if t in tags else None for t in (WIDTH_TAG, HEIGHT_TAG))
+    return Scene(file=path, format="geotiff", rpc=rpc, width_px=width, height_px=height)
+
+
+def _rpc(scalars: Array, coefficients: Array, path: Path) -> Rpc:
+    """From ERR_BIAS, ERR_RAND, then line, sample, latitude, longitude, height: offsets, and scales."""
+    if not np.isfinite(scalars).all():
+        raise InputError("RPC: a number is not finite; the file is damaged", file=path)
+    _, _, line, sample, lat, lon, height, line_s, sample_s, lat_s, lon_s, height_s = scalars
+    bias, rand = (float(v) if v > 0 else None for v in scalars[:2])
+    rpc = Rpc(
+        coefficients=coefficients,
+        ground_offset=np.array([lon, lat, height]),
+        ground_scale=np.array([lon_s, lat_s, height_s]),
+        image_offset=np.array([sample, line]) + 0.5,
+        image_scale=np.array([sample_s, line_s]),
+        err_bias_m=bias,
+        err_rand_m=rand,
+    )
+    check_denominators(rpc, path)
+    return rpc
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Tiff:
+    """The first directory of a TIFF or BigTIFF."""
+
+    path: Path
+    file: BinaryIO
+    order: str
+    big: bool
+
+    @staticmethod
+    def of(path: Path, file: BinaryIO) -> _Tiff:
+        head = file.read(8)
+        order = {b"II": "<", b"MM": ">"}.get(head[:2])
+        if order is None or len(head) < 8:
+            raise InputError("this is not a TIFF file", file=path)
+        (magic,) = struct.unpack(order + "H", head[2:4])
+        if magic not in {42, 43}:
+            raise InputError(f"TIFF of version {magic}; 42 and 43 (BigTIFF) are read", file=path)
+        return _Tiff(path=path, file=file, order=order, big=magic == 43)
+
+    def tags(self) -> dict[int, tuple[float, ...]]:
+        """Numeric values of the tags that are needed."""
+        pointer, entry = ("Q", 20) if self.big else ("I", 12)
+        (at,) = self._take(pointer, 8 if self.big else 4)
+        (count,) = self._take("Q" if self.big else "H", int(at))
+        if count > MOST_TAGS:
+            raise InputError(f"{count} tags in the TIFF's directory; the file is damaged", file=self.path)
+        start = int(at) + (8 if self.big else 2)
+        found: dict[int, tuple[float, ...]] = {}
+        for k in range(int(count)):
+            tag, kind, number = self._take("HH" + pointer, start + k * entry)
+            if tag not in {RPC_TAG, WIDTH_TAG, HEIGHT_TAG} or kind not in TAG_BYTES or number > 1000:
+                continue
+            letter, size = TAG_BYTES[int(kind)]
+            inline = start + k * entry + (12 if self.big else 8)
+            place = inline if size * number <= (8 if self.big else 4) else int(self._take(pointer, inline)[0])
+            found[int(tag)] = self._take(letter * int(number), place)
+        return found
+
+    def _take(self, layout: str, at: int) -> tuple[float, ...]:
+        size = struct.calcsize(self.order + layout)
+        self.file.seek(at)
+        data = self.file.read(size)
+        if len(data) < size:
+            raise InputError(f"the TIFF ends before byte {at + size}; the file is not complete", file=self.path)
+        return struct.unpack(self.order + layout, data)
+
+
+def read_nitf(path: Path) -> Scene:
+    """The RPC in the first image subheader of a NITF 2.1 file (MIL-STD-2500C)."""
+    with path.open("rb") as file:
+        head = file.read(380)
+        length, images = _digits(path, head, 354, 6, "HL"), _digits(path, head, 360, 3, "NUMI")
+        if images == 0:
+            raise InputError("this NITF file holds no image", file=path)
+        size = _digits(path, head, 363, 6, "LISH001")
+        file.seek(length)
+        subheader = file.read(min(size, SUBHEADER_BYTES))
+    for name in ("RPC00B", "RPC00A"):
+        at = subheader.find(f"{name}{NITF_LENGTH:05d}".encode())
+        if at >= 0:
+            return _nitf_scene(path, name, subheader, subheader[at + 11 : at + 11 + NITF_LENGTH])
+    raise InputError(
+        "no RPC00B stands in the first image subheader of this NITF; give the file that came with it (.XML, .RPB)",
+        file=path,
+    )
+
+
+def _nitf_scene(path: Path, name: str, subheader: bytes, data: bytes) -> Scene:
+    text = data.decode("latin-1")
+    if len(text) < NITF_LENGTH or text[0] != "1":
+        raise InputError(f"{name} is cut off, or says itself that it failed (SUCCESS {text[:1]!r})", file=path)
+    ends = np.cumsum((1, *NITF_FIELDS, *([12] * 80)))
+    words = [text[a:b] for a, b in pairwise(ends.tolist())]
+    try:
+        values = np.array([float(w) for w in words])
+    except ValueError as error:
+        raise InputError(f"{name}: {error}; the file is damaged", file=path) from None
+    coefficients, remarks = values[12:].reshape(4, 20), ()
+    if name == "RPC00A":
+        ordered = np.zeros((4, 20))
+        ordered[:, list(RPC00A_IN_B)] = coefficients
+        coefficients, remarks = ordered, ("RPC00A: terms were brought to the order of RPC00B",)
+    rows, columns = (_digits(path, subheader, at, 8, key) for at, key in ((333, "NROWS"), (341, "NCOLS")))
+    return Scene(
+        file=path,
+        format="nitf",
+        rpc=_rpc(values[:12], coefficients, path),
+        width_px=columns,
+        height_px=rows,
+        remarks=remarks,
+    )
+
+
+def _digits(path: Path, data: bytes, at: int, count: int, key: str) -> int:
+    word = data[at : at + count]
+    if len(word) < count or not word.isdigit():
+        raise InputError(f"NITF field {key} is {word!r}, not {count} digits; the file is damaged", file=path)
+    return int(word)
+
+
+def _is_tiff(path: Path, head: bytes) -> bool:
+    del path
+    return head[:4] in {b"II*\0", b"MM\0*", b"II+\0", b"MM\0+"}
+
+
+def _is_nitf(path: Path, head: bytes) -> bool:
+    del path
+    return head.startswith((b"NITF02.10", b"NSIF01.00"))
+
+
+register(SceneFormat(name="geotiff", title="GeoTIFF with RPC (tag 50844)", recognises=_is_tiff, read=read_tiff))
+register(SceneFormat(name="nitf", title="NITF 2.1 with RPC00B", recognises=_is_nitf, read=read_nitf))

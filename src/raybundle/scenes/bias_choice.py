@@ -1,0 +1,144 @@
+"""Which bias an RPC needs, judged on control points: by significance, and by points that were left out."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array
+from raybundle.numerics.geodesy import metres_per_geographic
+from raybundle.scenes.bias import BIAS_PARAMETERS, BiasKind, bias_design
+from raybundle.scenes.rpc import Rpc
+
+SIGNIFICANCE = 0.01
+ENOUGH = 4
+"""Redundancy from which the scatter of the residuals itself says what is significant; below, the stated sigma does."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BiasFit:
+    """One bias model on the control points; all in px."""
+
+    kind: BiasKind
+    values: Array
+    """(k,) to be added to what the RPC projects, in the order of `BIAS_PARAMETERS`."""
+    covariance: Array
+    """(k, k) from the stated sigma of the points."""
+    residuals: Array
+    """(n, 2) measured - corrected projection."""
+    rms: Array
+    """(2,) x, y"""
+    left_out_rms: Array
+    """(2,) of each point by the others; NaN where too few are left."""
+    square_sum: float
+    """Weighted residuals."""
+    redundancy: int
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BiasAdvice:
+    """All models that the points allow, and the one to use."""
+
+    fits: tuple[BiasFit, ...]
+    advised: BiasFit
+    reason: str
+    prior_ratio: float | None
+    """Length of the advised shift in the middle of the RPC over the sigma that the vendor states (ERR_BIAS);
+    None without either.  Above 3 the points or the RPC deserve a second look."""
+
+
+def choose_bias(
+    rpc: Rpc, geographic: Array, xy_px: Array, *, sigma_px: float, sigma_ground_m: Array | None = None
+) -> BiasAdvice:
+    """The bias model for control points with longitude, latitude, height (n, 3) measured at (n, 2) [px].
+
+    sigma_px         standard deviation of a measured image coordinate
+    sigma_ground_m   (n, 3) of the points, east, north, up [m]; None: free of error
+    raises           InputError without a point, or where the points lie outside the RPC's denominators
+
+    The next larger model is taken only if it improves the fit with a significance of 1 % and predicts points that
+    were left out better.  Few points can hide a drift; the advice is no proof that there is none.
+    """
+    geographic, xy_px = np.asarray(geographic, float), np.asarray(xy_px, float)
+    if len(xy_px) == 0 or len(xy_px) != len(geographic):
+        raise InputError(f"{len(geographic)} ground points and {len(xy_px)} image points; at least one pair is needed")
+    if not sigma_px > 0:
+        raise InputError(f"sigma of the image points {sigma_px:g} px must be positive")
+    projected, by_ground = rpc.project_with_partials(geographic)
+    covariance = np.broadcast_to(np.eye(2) * sigma_px**2, (len(xy_px), 2, 2))
+    if sigma_ground_m is not None:
+        J = by_ground / metres_per_geographic(geographic)[:, None, :]
+        covariance = covariance + J @ (np.asarray(sigma_ground_m)[:, :, None] ** 2 * np.eye(3)) @ np.swapaxes(J, 1, 2)
+    uv = (projected - rpc.image_offset) / rpc.image_scale
+    difference = xy_px - projected
+    fits = tuple(f for kind in BIAS_PARAMETERS if (f := _fit(kind, uv, difference, covariance)) is not None)
+    advised, reason = _advised(fits, sigma_px)
+    prior, ratio = rpc.bias_sigma_px(), None
+    if prior is not None and advised.kind != "none":
+        shift = advised.values[[s in {"A0", "B0"} for s in BIAS_PARAMETERS[advised.kind]]]
+        ratio = float(np.sqrt(np.mean((shift / prior) ** 2)))
+    return BiasAdvice(fits=fits, advised=advised, reason=reason, prior_ratio=ratio)
+
+
+def _fit(kind: BiasKind, uv: Array, difference: Array, covariance: Array) -> BiasFit | None:
+    """Weighted least squares; None where the points do not determine the model."""
+    solved = _solve(kind, uv, difference, covariance)
+    if solved is None:
+        return None
+    values, Q, square_sum = solved
+    residuals = difference - bias_design(kind, uv) @ values
+    left_out = np.full(difference.shape, np.nan)
+    for i in range(len(uv)):
+        others = np.arange(len(uv)) != i
+        part = _solve(kind, uv[others], difference[others], covariance[others])
+        if part is not None and others.any():
+            left_out[i] = difference[i] - bias_design(kind, uv[i : i + 1])[0] @ part[0]
+    return BiasFit(
+        kind=kind,
+        values=values,
+        covariance=Q,
+        residuals=residuals,
+        rms=np.sqrt(np.mean(residuals**2, axis=0)),
+        left_out_rms=np.sqrt(np.mean(left_out**2, axis=0)),
+        square_sum=square_sum,
+        redundancy=2 * len(uv) - len(values),
+    )
+
+
+def _solve(kind: BiasKind, uv: Array, difference: Array, covariance: Array) -> tuple[Array, Array, float] | None:
+    design = bias_design(kind, uv)
+    k = design.shape[2]
+    if 2 * len(uv) < k:
+        return None
+    P = np.linalg.inv(covariance)
+    N = np.einsum("nia,nij,njb->ab", design, P, design)
+    if k and (np.linalg.matrix_rank(design.reshape(-1, k)) < k or np.linalg.cond(N) > 1e12):
+        return None
+    values = np.linalg.solve(N, np.einsum("nia,nij,nj->a", design, P, difference)) if k else np.zeros(0)
+    v = difference - design @ values
+    return values, np.linalg.inv(N) if k else np.zeros((0, 0)), float(np.einsum("ni,nij,nj->", v, P, v))
+
+
+def _advised(fits: tuple[BiasFit, ...], sigma_px: float) -> tuple[BiasFit, str]:
+    from scipy.stats import chi2, f  # noqa: PLC0415  (SciPy only where it is asked for)
+
+    chosen, reason = fits[0], f"none: the RPC agrees with the points within their sigma of {sigma_px:g} px"
+    for larger in fits[1:]:
+        more = len(larger.values) - len(chosen.values)
+        gain = chosen.square_sum - larger.square_sum
+        if larger.redundancy >= ENOUGH:
+            value = gain / more / max(larger.square_sum / larger.redundancy, 1e-300)
+            limit, test = float(f.isf(SIGNIFICANCE, more, larger.redundancy)), "F"
+        else:
+            value, limit, test = gain, float(chi2.isf(SIGNIFICANCE, more)), "chi-square"
+        before, after = (float(np.hypot(*fit.left_out_rms)) for fit in (chosen, larger))
+        if value > limit and not after >= before:
+            chosen = larger
+            reason = f"{larger.kind}: {test} {value:.3g} exceeds {limit:.3g}"
+            if np.isfinite(after):
+                reason += f", and points left out are predicted within {after:.3g} px (before: {before:.3g})"
+            else:
+                reason += "; too few points to leave one out"
+    return chosen, reason

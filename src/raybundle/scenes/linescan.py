@@ -1,0 +1,348 @@
+"""A line sensor on a trajectory: the rigorous model of a pushbroom scene.
+
+Line y of the image is taken at time t(y); element x of the line looks along (psi_x(x), psi_y(x), 1) in the
+detector's frame.  An object point X appears there if
+
+    w = R(t) u(X - P(t)),    w_x / w_z = psi_x(x),    w_y / w_z = psi_y(x)
+
+two equations in x and y: a root in time, found by Newton, with all derivatives by implicit differentiation.
+Two corrections, each 15 to 40 px from an orbit:
+
+aberration  the direction that the moving sensor sees is the geometric one turned towards its velocity,
+            u = s d + v / c_light with |u| = 1, v in the frame that turns with the body (light and detector share it)
+refraction  the ray meets the ground nearer to the nadir than in empty space, by (n0 - 1) 8400 m tan z / cos^2 z,
+            n0 - 1 = 2.9e-4 exp(-h / 8400 m), z the zenith angle at the ground; one exponential atmosphere
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from raybundle.errors import InputError, NoConvergence, NotSolvable
+from raybundle.numerics.arrays import Array
+from raybundle.numerics.geodesy import (
+    WGS84,
+    Ellipsoid,
+    LocalPlace,
+    enu_from_geocentric,
+    geocentric_from_geographic,
+    geographic_from_geocentric,
+)
+from raybundle.numerics.rotation import cross_matrix, rotation_from_vector
+from raybundle.scenes.rpc import Observed
+from raybundle.scenes.trajectory import CorrectionModel, Trajectory, left_jacobian, polynomial
+
+C_LIGHT = 299792458.0
+SCALE_HEIGHT_M = 8400.0
+REFRACTIVITY = 2.9e-4
+"""Of air at sea level, visible light."""
+NO_CORRECTION = CorrectionModel()
+MARGIN = 0.5
+"""Lines beyond the image, as a share of its height, up to which a point is followed."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class LineScene:
+    """A pushbroom scene with its vendor's orbit, attitude and detector."""
+
+    width_px: int
+    height_px: int
+    line_y: Array
+    """(k,) y [px] of the lines whose times are known, increasing; linear between and beyond them."""
+    line_times: Array
+    """(k,) [s], of the same clock as the trajectory."""
+    detector_x: Array
+    """(m,) x [px] of the elements whose viewing directions are known, increasing; linear between and beyond them."""
+    detector_look: Array
+    """(m, 2) psi_x, psi_y: tangents of the viewing directions in the detector's frame."""
+    trajectory: Trajectory
+    ellipsoid: Ellipsoid = WGS84
+    aberration: bool = True
+    refraction: bool = True
+
+    def __post_init__(self) -> None:
+        """Refuse tables that do not fit each other."""
+        for name, table, values in (
+            ("line times", self.line_y, self.line_times),
+            ("viewing directions", self.detector_x, self.detector_look),
+        ):
+            if len(table) < 2 or len(table) != len(values) or not (np.diff(table) > 0).all():
+                raise InputError(f"{name}: at least two entries in increasing order are needed, {len(table)} are given")
+        step = np.diff(self.line_times)
+        if not ((step > 0).all() or (step < 0).all()):
+            raise InputError("line times: they must all increase or all decrease along the image")
+        ends = self.time(np.array([0.5, self.height_px - 0.5]))[0]
+        self.trajectory.check_cover(float(ends.min()), float(ends.max()))
+
+    def without_corrections(self) -> LineScene:
+        """The same scene in empty space and with infinitely fast light; for comparison."""
+        return replace(self, aberration=False, refraction=False)
+
+    def time(self, y: Array) -> tuple[Array, Array]:
+        """Times (n,) [s] of lines y (n,) [px] and their derivatives."""
+        k = np.clip(np.searchsorted(self.line_y, y, side="right") - 1, 0, len(self.line_y) - 2)
+        slope = (np.diff(self.line_times) / np.diff(self.line_y))[k]
+        return self.line_times[k] + (y - self.line_y[k]) * slope, slope
+
+    def look(self, x: Array) -> tuple[Array, Array]:
+        """Tangents (n, 2) of the viewing directions of elements x (n,) [px] and their derivatives."""
+        k = np.clip(np.searchsorted(self.detector_x, x, side="right") - 1, 0, len(self.detector_x) - 2)
+        slope = (np.diff(self.detector_look, axis=0) / np.diff(self.detector_x)[:, None])[k]
+        return self.detector_look[k] + (x - self.detector_x[k])[:, None] * slope, slope
+
+    @cached_property
+    def middle_and_half(self) -> tuple[float, float]:
+        """Time at the middle of the image, and half the time that it took [s]."""
+        first, last = self.time(np.array([0.0, float(self.height_px)]))[0]
+        return float((first + last) / 2), float((last - first) / 2)
+
+    @cached_property
+    def track_axes(self) -> Array:
+        """(3, 3) rows along track, across track to the right, up at the middle of the scene, in body axes."""
+        P, V, _ = (v[0] for v in self.trajectory.position(np.array([self.middle_and_half[0]])))
+        up = P / np.linalg.norm(P)
+        across = np.cross(V, up)
+        across /= np.linalg.norm(across)
+        return np.stack([np.cross(up, across), across, up])
+
+    def rays(
+        self, xy_px: Array, model: CorrectionModel = NO_CORRECTION, values: Array | None = None
+    ) -> tuple[Array, Array]:
+        """Projection centres (n, 3) [m] and unit directions (n, 3) towards the ground of image points (n, 2).
+
+        The directions are geometric: aberration is taken off, refraction is left to the ground (`localise`).
+        """
+        at = _Pose.at(self, xy_px[:, 1], *model.split(_zeros(model, values)))
+        psi = self.look(xy_px[:, 0])[0]
+        w = np.concatenate([psi, np.ones((len(psi), 1))], axis=1)
+        u = np.einsum("nji,nj->ni", at.R, w / np.linalg.norm(w, axis=1)[:, None])
+        d = u - at.beta
+        return at.P, d / np.linalg.norm(d, axis=1)[:, None]
+
+    def localise(
+        self, xy_px: Array, height: Array | float, model: CorrectionModel = NO_CORRECTION, values: Array | None = None
+    ) -> Array:
+        """Longitude, latitude [deg], height [m] (n, 3) where the rays of image points (n, 2) meet heights (n,).
+
+        raises  NotSolvable where a ray passes the body by
+        """
+        xy_px = np.atleast_2d(np.asarray(xy_px, float))
+        P, d = self.rays(xy_px, model, values)
+        h = np.broadcast_to(np.asarray(height, float), len(P))
+        along = self._first_hit(xy_px, P, d, h)
+        X = new = P + along[:, None] * d
+        for _ in range(12):
+            geographic = geographic_from_geocentric(X, self.ellipsoid)
+            up = enu_from_geocentric(geographic)[:, 2]
+            # the ray in empty space through X + shift has its real end at X
+            shift = refraction_shift(X, P, geographic[:, 2], up)[0] if self.refraction else np.zeros_like(X)
+            along -= (geographic[:, 2] - h) / np.einsum("ni,ni->n", up, d)
+            new = P + along[:, None] * d - shift
+            if np.abs(new - X).max(initial=0.0) < 1e-12 * self.ellipsoid.a:
+                break
+            X = new
+        result = geographic_from_geocentric(new, self.ellipsoid)
+        result[:, 2] = h
+        return result
+
+    def _first_hit(self, xy_px: Array, P: Array, d: Array, h: Array) -> Array:
+        """Lengths (n,) of rays to the ellipsoid whose semi-axes are longer by the height."""
+        axes = np.stack([self.ellipsoid.a + h, self.ellipsoid.a + h, self.ellipsoid.b + h], axis=1)
+        p, q = P / axes, d / axes
+        a, b, c = np.sum(q * q, axis=1), np.sum(p * q, axis=1), np.sum(p * p, axis=1) - 1
+        root = b * b - a * c
+        if (root < 0).any():
+            k = int(np.argmin(root))
+            miss = np.linalg.norm(P[k] - np.dot(P[k], d[k]) * d[k]) - self.ellipsoid.a - h[k]
+            x, y = xy_px[k]
+            raise NotSolvable(
+                f"the ray of image point {x:.2f}, {y:.2f} px passes the body by {miss:.1f} m at height {h[k]:g} m; "
+                "the image looks past its limb there, or the attitude is wrong"
+            )
+        return (-b - np.sqrt(root)) / a
+
+    def project(self, geographic: Array, model: CorrectionModel = NO_CORRECTION, values: Array | None = None) -> Array:
+        """Image points (n, 2) [px] of longitude, latitude [deg], height [m] (n, 3); raises NoConvergence."""
+        return self.observe_geocentric(geocentric_from_geographic(geographic, self.ellipsoid), model, values).xy_px
+
+    def observe_geocentric(
+        self, xyz: Array, model: CorrectionModel = NO_CORRECTION, values: Array | None = None
+    ) -> Observed:
+        """Image points of points (n, 3) in body axes [m] and all partial derivatives.
+
+        values  (k,) parameters of `model`, in the order of its symbols; None: zero
+        raises  NoConvergence where a point was not seen between the first line and the last, margins included
+        """
+        values = _zeros(model, values)
+        seen = _Points.of(self, xyz)
+        xy = np.tile([self.width_px / 2, self.height_px / 2], (len(xyz), 1))
+        low, high = -MARGIN * self.height_px, (1 + MARGIN) * self.height_px
+        last, step = np.inf, np.zeros_like(xy)
+        for _ in range(30):
+            g, G, _ = self._condition(seen, xy, model, values)
+            step = np.linalg.solve(G, g[..., None])[..., 0]
+            xy = xy - step
+            xy[:, 1] = np.clip(xy[:, 1], low, high)
+            size = float(np.abs(step).max(initial=0.0))
+            if size < 1e-9 or (size < 1e-6 and size > 0.3 * last):
+                break
+            last = size
+        else:
+            k = int(np.argmax(np.abs(step).max(axis=1)))
+            lon, lat, h = seen.geographic[k]
+            raise NoConvergence(
+                f"point {k} at longitude {lon:.6f}, latitude {lat:.6f}, height {h:.1f} m was not seen by this scene "
+                f"(last line tried {xy[k, 1]:.1f} of {self.height_px}); check that point and scene belong together"
+            )
+        _, G, partials = self._condition(seen, xy, model, values)
+        solved = -np.linalg.solve(G, partials)
+        return Observed(xy_px=xy, by_point=solved[..., :3], by_parameters=solved[..., 3:])
+
+    def _condition(self, seen: _Points, xy: Array, model: CorrectionModel, values: Array) -> tuple[Array, Array, Array]:
+        """The condition g (n, 2), its derivatives (n, 2, 2) by x, y, and (n, 2, 3 + k) by point and parameters."""
+        position, attitude = model.split(values)
+        at = _Pose.at(self, xy[:, 1], position, attitude)
+        X, by_X, by_P = seen.xyz, np.broadcast_to(np.eye(3), (len(xy), 3, 3)), np.zeros((len(xy), 3, 3))
+        if self.refraction:
+            shift, shift_by_X, by_P = refraction_shift(seen.xyz, at.P, seen.geographic[:, 2], seen.up)
+            X, by_X = X + shift, by_X + shift_by_X
+        r = X - at.P
+        length = np.linalg.norm(r, axis=1)
+        d = r / length[:, None]
+        by_r = (np.eye(3) - d[:, :, None] * d[:, None, :]) / length[:, None, None]
+        u, u_by_d, u_by_beta = apparent_direction(d, at.beta)
+        w = np.einsum("nij,nj->ni", at.R, u)
+        psi, psi_slope = self.look(xy[:, 0])
+        g = w[:, :2] / w[:, 2:] - psi
+        by_w = np.zeros((len(xy), 2, 3))
+        by_w[:, 0, 0] = by_w[:, 1, 1] = 1 / w[:, 2]
+        by_w[:, :, 2] = -w[:, :2] / w[:, 2:] ** 2
+        to_g = by_w @ at.R @ u_by_d @ by_r
+        g_by_P = to_g @ (by_P - np.eye(3))
+        g_by_turn = -by_w @ cross_matrix(w)
+        dw = np.einsum("nij,nj->ni", at.dR, u) + np.einsum("nij,njk,nk->ni", at.R, u_by_beta, at.dbeta)
+        by_t = np.einsum("nij,nj->ni", g_by_P, at.dP) + np.einsum("nij,nj->ni", by_w, dw)
+        G = np.stack([-psi_slope, by_t * at.dt_dy[:, None]], axis=2)
+        powers = at.tau[:, None] ** np.arange(3)
+        g_by_turn = g_by_turn @ at.turn_jacobian
+        columns = [to_g @ by_X]
+        columns += [(g_by_P @ self.track_axes.T) * powers[:, k, None, None] for k in range(len(position))]
+        columns += [g_by_turn * powers[:, k, None, None] for k in range(len(attitude))]
+        return g, G, np.concatenate(columns, axis=2)
+
+
+def observe_line(scene: LineScene, place: LocalPlace, xyz: Array, model: CorrectionModel, values: Array) -> Observed:
+    """As `observe_rpc`: image points of local object points (n, 3) [m] and all partial derivatives.
+
+    values  (k,) corrections of the trajectory, in the order of `model.symbols`
+    """
+    seen = scene.observe_geocentric(place.geocentric_from_local(xyz), model, values)
+    by_point = seen.by_point @ place.local_from_geocentric_rotation().T
+    return Observed(xy_px=seen.xy_px, by_point=by_point, by_parameters=seen.by_parameters)
+
+
+def refraction_shift(xyz: Array, sensor: Array, height: Array, up: Array) -> tuple[Array, Array, Array]:
+    """From where a ray meets the ground to where it would in empty space (n, 3) [m], with derivatives by both.
+
+    xyz, sensor (n, 3) geocentric; height (n,) [m] and up (n, 3) unit vertical at xyz
+    returns  shift (n, 3); (n, 3, 3) by xyz; (n, 3, 3) by sensor
+
+    q = r / (r.up) - up is horizontal, of length tan z: smooth at the nadir.  Azimuth and weather are left out; the
+    remaining error is some centimetres.
+    """
+    r = sensor - xyz
+    vertical = np.einsum("ni,ni->n", r, up)[:, None]
+    q = r / vertical - up
+    k = (REFRACTIVITY * SCALE_HEIGHT_M * np.exp(-height / SCALE_HEIGHT_M))[:, None]
+    stretch = 1 + np.sum(q * q, axis=1)[:, None]
+    shift = -k * stretch * q
+    by_q = -k[..., None] * (stretch[..., None] * np.eye(3) + 2 * q[:, :, None] * q[:, None, :])
+    q_by_r = (np.eye(3) - r[:, :, None] * up[:, None, :] / vertical[..., None]) / vertical[..., None]
+    q_by_up = -r[:, :, None] * r[:, None, :] / vertical[..., None] ** 2 - np.eye(3)
+    horizontal = (np.eye(3) - up[:, :, None] * up[:, None, :]) / np.linalg.norm(xyz, axis=1)[:, None, None]
+    by_sensor = by_q @ q_by_r
+    by_xyz = -by_sensor + by_q @ q_by_up @ horizontal - shift[:, :, None] * up[:, None, :] / SCALE_HEIGHT_M
+    return shift, by_xyz, by_sensor
+
+
+def apparent_direction(d: Array, beta: Array) -> tuple[Array, Array, Array]:
+    """The unit direction u = s d + beta (n, 3) in which a moving sensor sees a source in direction d.
+
+    d (n, 3) unit; beta (n, 3) velocity / speed of light.  Also its derivatives (n, 3, 3) by d and by beta.
+    """
+    along = np.einsum("ni,ni->n", d, beta)
+    root = np.sqrt(along**2 + 1 - np.sum(beta * beta, axis=1))
+    s = root - along
+    pull = (along / root - 1)[:, None]
+    by_d = s[:, None, None] * np.eye(3) + d[:, :, None] * (pull * beta)[:, None, :]
+    by_beta = np.eye(3) + d[:, :, None] * (pull * d - beta / root[:, None])[:, None, :]
+    return s[:, None] * d + beta, by_d, by_beta
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Points:
+    """Object points with what the atmosphere needs of them."""
+
+    xyz: Array
+    geographic: Array
+    up: Array
+
+    @staticmethod
+    def of(scene: LineScene, xyz: Array) -> _Points:
+        """Heights and verticals of points (n, 3)."""
+        geographic = geographic_from_geocentric(xyz, scene.ellipsoid)
+        return _Points(xyz=xyz, geographic=geographic, up=enu_from_geocentric(geographic)[:, 2])
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Pose:
+    """The sensor at the time of each line, with derivatives by time."""
+
+    tau: Array
+    dt_dy: Array
+    P: Array
+    dP: Array
+    R: Array
+    """(n, 3, 3) body axes to detector axes, corrected."""
+    dR: Array
+    beta: Array
+    """(n, 3) velocity / speed of light, zero where aberration is off."""
+    dbeta: Array
+    turn_jacobian: Any
+
+    @staticmethod
+    def at(scene: LineScene, y: Array, position: Array, attitude: Array) -> _Pose:
+        """The pose at lines y (n,), with corrections (p, 3) and (q, 3)."""
+        t, dt_dy = scene.time(y)
+        middle, half = scene.middle_and_half
+        tau = (t - middle) / half
+        P, V, A = scene.trajectory.position(t)
+        moved, moving = polynomial(position, tau)
+        turned, turning = polynomial(attitude, tau)
+        R, dR = (np.swapaxes(m, 1, 2) for m in scene.trajectory.rotation(t))
+        jacobian: Any = np.eye(3)
+        if len(attitude):
+            turn, jacobian = rotation_from_vector(turned), left_jacobian(turned)
+            rate = np.einsum("nij,nj->ni", jacobian, turning / half)
+            R = turn @ R
+            dR = turn @ dR + cross_matrix(rate) @ R
+        factor = 1 / C_LIGHT if scene.aberration else 0.0
+        return _Pose(
+            tau=tau,
+            dt_dy=dt_dy,
+            P=P + moved @ scene.track_axes,
+            dP=V + moving / half @ scene.track_axes,
+            R=R,
+            dR=dR,
+            beta=V * factor,
+            dbeta=A * factor,
+            turn_jacobian=jacobian,
+        )
+
+
+def _zeros(model: CorrectionModel, values: Array | None) -> Array:
+    return np.zeros(len(model.symbols)) if values is None else values

@@ -1,0 +1,297 @@
+"""Rational polynomial coefficients (RPC00B): a scene's image point as two ratios of cubic polynomials.
+
+With L, P, H the longitude, latitude and height, centred and scaled,
+
+    v = line numerator / line denominator,  u = sample numerator / sample denominator
+    x = x_offset + x_scale u,               y = y_offset + y_scale v
+
+and 20 terms in each polynomial, in the order 1 L P H LP LH PH L2 P2 H2 PLH L3 LP2 LH2 L2P P3 PH2 L2H P2H H3
+(STDI-0002, appendix E).  Files count pixels from the centre of the first one or from 1; here, as everywhere in
+raybundle, the centre of the first pixel is 0.5, 0.5, and the readers convert.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from raybundle.errors import InputError, NoConvergence
+from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.geodesy import LocalPlace, metres_per_geographic
+from raybundle.scenes.bias import BiasKind, bias_design, bias_slope
+
+TERMS = (
+    "1", "L", "P", "H", "LP", "LH", "PH", "LL", "PP", "HH",
+    "LPH", "LLL", "LPP", "LHH", "LLP", "PPP", "PHH", "LLH", "PPH", "HHH",
+)  # fmt: skip
+"""The first ten are all monomials up to degree two, in which the derivatives of all twenty are written."""
+SHAPES = {
+    "coefficients": (4, 20),
+    "ground_offset": (3,),
+    "ground_scale": (3,),
+    "image_offset": (2,),
+    "image_scale": (2,),
+}
+CHUNK = 4096
+"""Points evaluated at once, so that all terms stay in the processor's cache."""
+LEAST_DENOMINATOR = 1e-3
+"""Share of its value at the centre below which a denominator counts as zero."""
+RANGE = 1.1
+"""Normalised coordinates up to which an RPC is taken to hold; vendors fit it for -1 to 1."""
+
+
+def _derivative_maps() -> Array:
+    """(3, 20, 10): the derivative of each term by L, P, H in the first ten terms."""
+    quadratic = {t: k for k, t in enumerate(TERMS[:10])}
+    maps = np.zeros((3, 20, 10))
+    for axis, letter in enumerate("LPH"):
+        for k, term in enumerate(TERMS):
+            if letter in term:
+                rest = term.replace(letter, "", 1) or "1"
+                maps[axis, k, quadratic[rest]] = term.count(letter)
+    return maps
+
+
+_DERIVATIVES = _derivative_maps()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Rpc:
+    """A scene's rational polynomials; the order of coordinates is longitude, latitude [deg], height [m]; x, y [px]."""
+
+    coefficients: Array
+    """(4, 20) line numerator, line denominator, sample numerator, sample denominator."""
+    ground_offset: Array
+    """(3,) [deg, deg, m]"""
+    ground_scale: Array
+    """(3,)"""
+    image_offset: Array
+    """(2,) x, y [px]; the centre of the first pixel is 0.5, 0.5."""
+    image_scale: Array
+    """(2,)"""
+    err_bias_m: float | None = None
+    """Standard deviation of the error that is common to the scene, on the ground [m] (ERR_BIAS, 68 %)."""
+    err_rand_m: float | None = None
+    """Standard deviation of the error that changes within the scene [m] (ERR_RAND, 68 %)."""
+
+    def __post_init__(self) -> None:
+        """Refuse shapes and numbers that make no RPC."""
+        for name, shape in SHAPES.items():
+            values = getattr(self, name)
+            if np.shape(values) != shape or not np.isfinite(values).all():
+                raise InputError(f"RPC: {name} must be {shape} finite numbers, not of shape {np.shape(values)}")
+        for name in ("ground_scale", "image_scale"):
+            if not (getattr(self, name) > 0).all():
+                raise InputError(f"RPC: {name} {getattr(self, name).tolist()} must be positive")
+        zero = np.flatnonzero(self.coefficients[[1, 3], 0] == 0)
+        if len(zero):
+            which = ("line", "sample")[int(zero[0])]
+            raise InputError(f"RPC: the {which} denominator is zero at the centre of the scene; the file is damaged")
+
+    def project(self, geographic: Array) -> Array:
+        """Image points (n, 2) [px] of longitude, latitude [deg], height [m] (n, 3).
+
+        raises  InputError where a denominator vanishes, far outside the scene or in a damaged RPC
+        """
+        geographic = _rows(geographic)
+        xy = np.empty((len(geographic), 2))
+        for part, (values, _) in self._evaluated(geographic, partials=False):
+            xy[part] = self._image(values[2] / values[3], values[0] / values[1])
+        return xy
+
+    def project_with_partials(self, geographic: Array) -> tuple[Array, Array]:
+        """Image points (n, 2) [px] and their derivatives (n, 2, 3) by longitude, latitude [1/deg] and height [1/m].
+
+        raises  InputError as `project`
+        """
+        geographic = _rows(geographic)
+        xy, by_ground = np.empty((len(geographic), 2)), np.empty((2, 3, len(geographic)))
+        to_image = self.image_scale[:, None] / self.ground_scale
+        for part, (values, slopes) in self._evaluated(geographic, partials=True):
+            for axis, top in ((0, 2), (1, 0)):  # x is the sample, y the line
+                inverse = 1 / values[top + 1]
+                ratio = values[top] * inverse
+                xy[part, axis] = self.image_offset[axis] + self.image_scale[axis] * ratio
+                slope = by_ground[axis, :, part]
+                np.multiply(ratio, slopes[:, top + 1], out=slope)
+                np.subtract(slopes[:, top], slope, out=slope)
+                slope *= inverse
+                slope *= to_image[axis][:, None]
+        return xy, np.moveaxis(by_ground, 2, 0)
+
+    def localise(self, xy_px: Array, height: Array | float) -> Array:
+        """Longitude, latitude, height (n, 3) of image points (n, 2) at heights (n,) or one height [m].
+
+        Newton on the projection with its own Jacobian, steps held within the scene's size.
+        raises  NoConvergence where the polynomials have no such point, as at heights far outside their range
+        """
+        xy_px = np.atleast_2d(np.asarray(xy_px, float))
+        geographic = np.empty((len(xy_px), 3))
+        geographic[:, :2], geographic[:, 2] = self.ground_offset[:2], height
+        left = np.arange(len(xy_px))
+        best = np.full(len(xy_px), np.inf)
+        for _ in range(60):
+            xy, J = self._project_anywhere(geographic[left])
+            miss = xy_px[left] - xy
+            size = np.abs(miss / self.image_scale).max(axis=1)
+            done = size < 1e-15 * 16
+            with np.errstate(all="ignore"):
+                det = J[:, 0, 0] * J[:, 1, 1] - J[:, 0, 1] * J[:, 1, 0]
+                step = np.stack(
+                    [
+                        (J[:, 1, 1] * miss[:, 0] - J[:, 0, 1] * miss[:, 1]) / det,
+                        (J[:, 0, 0] * miss[:, 1] - J[:, 1, 0] * miss[:, 0]) / det,
+                    ],
+                    axis=1,
+                )
+            longest = np.abs(step / self.ground_scale[:2]).max(axis=1)
+            # at the floor of rounding the step no longer shrinks
+            done |= (size < 1e-12) & (size >= 0.5 * best[left])
+            best[left] = np.minimum(best[left], size)
+            with np.errstate(invalid="ignore", divide="ignore"):
+                step *= np.minimum(1.0, 0.5 / longest)[:, None]
+            geographic[left, :2] += np.where(done[:, None] | ~np.isfinite(step), 0.0, step)
+            left = left[~done]
+            if len(left) == 0:
+                return geographic
+        k = int(left[0])
+        x, y = xy_px[k]
+        raise NoConvergence(
+            f"image point {x:.2f}, {y:.2f} px has no ground point at height {geographic[k, 2]:g} m in this RPC, which "
+            f"holds for {self._height_range()}; give a height within this range"
+        )
+
+    def pixel_on_ground(self) -> Array:
+        """(2, 2) metres east and north (columns) of one pixel in x and in y (rows), at the centre of the scene."""
+        centre = self.ground_offset[None]
+        by_ground = self.project_with_partials(centre)[1][0, :, :2]
+        return np.linalg.inv(by_ground / metres_per_geographic(centre)[0, :2]).T
+
+    def bias_sigma_px(self) -> Array | None:
+        """(2,) `err_bias_m` in px along x and y; None where the RPC tells none."""
+        if not self.err_bias_m:
+            return None
+        return self.err_bias_m / np.linalg.norm(self.pixel_on_ground(), axis=1)
+
+    def shifted(self, shift_px: Array) -> Rpc:
+        """The RPC with an image shift (2,) in its offsets: exact, and understood by every program."""
+        return replace(self, image_offset=self.image_offset + shift_px)
+
+    def outside(self, geographic: Array) -> Mask:
+        """(n,) whether a point lies outside the range for which the polynomials were fitted."""
+        from_centre = _rows(geographic) - self.ground_offset
+        from_centre[:, 0] -= 360 * np.round(from_centre[:, 0] / 360)
+        beyond: Mask = np.abs(from_centre / self.ground_scale) > RANGE
+        return np.logical_or.reduce(beyond, axis=1)
+
+    def _height_range(self) -> str:
+        low, high = self.ground_offset[2] + self.ground_scale[2] * np.array([-1, 1])
+        return f"heights of {low:g} to {high:g} m"
+
+    def _image(self, u: Array, v: Array) -> Array:
+        return self.image_offset + self.image_scale * np.stack([u, v], axis=1)
+
+    def _project_anywhere(self, geographic: Array) -> tuple[Array, Array]:
+        """As `project_with_partials`, but infinite or NaN beyond a pole."""
+        xy, J = np.empty((len(geographic), 2)), np.empty((len(geographic), 2, 3))
+        to_image = self.image_scale[:, None] / self.ground_scale
+        with np.errstate(all="ignore"):
+            for part, (values, slopes) in self._evaluated(geographic, partials=True, check=False):
+                u, v = values[2] / values[3], values[0] / values[1]
+                xy[part] = self._image(u, v)
+                J[part, 0] = ((slopes[:, 2] - u * slopes[:, 3]) / values[3]).T * to_image[0]
+                J[part, 1] = ((slopes[:, 0] - v * slopes[:, 1]) / values[1]).T * to_image[1]
+        return xy, J
+
+    def _evaluated(
+        self, geographic: Array, *, partials: bool, check: bool = True
+    ) -> Iterator[tuple[slice, tuple[Array, Array]]]:
+        """The four polynomials (4, m) and their slopes (3, 4, m) by L, P, H, chunk by chunk."""
+        c = self.coefficients
+        slopes_of = np.concatenate(c @ _DERIVATIVES)  # (12, 10)
+        terms = np.empty((20, CHUNK))
+        for start in range(0, len(geographic), CHUNK):
+            part = slice(start, min(start + CHUNK, len(geographic)))
+            m = part.stop - start
+            T = terms[:, :m]
+            from_centre = geographic[part] - self.ground_offset
+            from_centre[:, 0] -= 360 * np.round(from_centre[:, 0] / 360)  # across 180 degrees
+            fill_terms((from_centre / self.ground_scale).T, T)
+            values = c @ T
+            if check:
+                self._check_denominators(values, geographic, start)
+            slopes = (slopes_of @ T[:10]).reshape(3, 4, m) if partials else T
+            yield part, (values, slopes)
+
+    def _check_denominators(self, values: Array, geographic: Array, start: int) -> None:
+        for row, which in ((1, "line"), (3, "sample")):
+            relative = values[row] / self.coefficients[row, 0]
+            if (k := int(np.argmin(relative))) >= 0 and not relative[k] > LEAST_DENOMINATOR:
+                lon, lat, h = geographic[start + k]
+                raise InputError(
+                    f"RPC: the {which} denominator is {relative[k]:.2g} of its value at the centre (limit "
+                    f"{LEAST_DENOMINATOR:g}) at longitude {lon:.6f}, latitude {lat:.6f}, height {h:.1f} m; it lies "
+                    f"far outside the scene ({self._height_range()}), or the RPC is damaged"
+                )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Observed:
+    """An image observation, predicted, with everything an adjustment asks of it."""
+
+    xy_px: Array
+    """(n, 2) pixel frame."""
+    by_point: Array
+    """(n, 2, 3) derivatives by the object point [px/m]."""
+    by_parameters: Array
+    """(n, 2, k) derivatives by the scene's own parameters."""
+
+
+def observe_rpc(rpc: Rpc, place: LocalPlace, xyz: Array, kind: BiasKind, bias: Array) -> Observed:
+    """Image points of an RPC scene with its bias, and all partial derivatives.
+
+    place  where the local frame of the object points stands on the ellipsoid
+    xyz    (n, 3) object points, local [m];  bias (k,) [px], in the order of `BIAS_PARAMETERS`
+    raises  InputError where a denominator vanishes
+    """
+    geographic = place.geographic_from_local(xyz)
+    xy, by_geographic = rpc.project_with_partials(geographic)
+    by_point = by_geographic @ place.geographic_partials(geographic)
+    uv = (xy - rpc.image_offset) / rpc.image_scale
+    design = bias_design(kind, uv)
+    by_image = np.eye(2) + bias_slope(kind, bias) / rpc.image_scale
+    return Observed(xy_px=xy + design @ np.asarray(bias, float), by_point=by_image @ by_point, by_parameters=design)
+
+
+def correct_image(rpc: Rpc, xy_px: Array, kind: BiasKind, bias: Array) -> Array:
+    """Image points (n, 2) of the RPC that belong to measured ones (n, 2): the bias taken off again.
+
+    For rays and localisation: rpc.localise(correct_image(...), height).
+    """
+    slope = np.eye(2) + bias_slope(kind, bias) / rpc.image_scale
+    constant = bias_design(kind, np.zeros((1, 2)))[0] @ np.asarray(bias, float)
+    return rpc.image_offset + np.linalg.solve(slope, (xy_px - rpc.image_offset - constant).T).T
+
+
+def fill_terms(normalised: Array, out: Array) -> Array:
+    """The 20 terms (20, n) of normalised longitude, latitude, height (3, n), written to `out` and returned."""
+    T = out
+    T[0], T[1:4] = 1.0, normalised
+    L, P, H = T[1:4]
+    np.multiply(L, P, out=T[4])
+    np.multiply(T[1:3], H, out=T[5:7])
+    np.multiply(T[1:4], T[1:4], out=T[7:10])
+    np.multiply(T[4], H, out=T[10])
+    np.multiply(L, T[7:10], out=T[11:14])
+    np.multiply(P, T[7:10], out=T[14:17])
+    np.multiply(H, T[7:10], out=T[17:20])
+    return T
+
+
+def _rows(geographic: Array) -> Array:
+    rows = np.asarray(geographic, float)
+    if rows.ndim != 2 or rows.shape[1] != 3:
+        raise InputError(f"points of shape (n, 3) are needed (longitude, latitude, height), not {rows.shape}")
+    return rows

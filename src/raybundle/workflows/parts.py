@@ -1,0 +1,179 @@
+"""Photographs that do not hang together: every part is oriented, and control joins what it places."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+
+from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.block import Block, Distances, Role, Stations
+from raybundle.block.select import with_rows
+from raybundle.errors import InputError, NoOrientation
+from raybundle.io.photos.photo import Photo
+from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.progress import Progress, silent
+from raybundle.workflows.georeference import Georeferenced, Given, georeference
+from raybundle.workflows.tie_block import TieBlock, start
+
+FEWEST_IMAGES = 3
+"""Photographs of a part that is worth a result of its own."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Part:
+    """A part of the photographs that nothing joins to the others."""
+
+    adjustment: Adjustment
+    photographs: tuple[str, ...]
+
+
+def start_parts(
+    raw: Block,
+    scale_px: Array,
+    angle: Array,
+    threads: int,
+    progress: Progress = silent,
+    method: Literal["auto", "growing", "averaging"] = "auto",
+) -> tuple[TieBlock, ...]:
+    """Approximate values of every connected part, the largest first; what is in no part is listed with the first.
+
+    raises  NoOrientation where not even two photographs fit
+    """
+    parts = [start(raw, scale_px, angle, threads, progress, method)]
+    left, reasons = _left(raw, parts[0]), dict(parts[0].not_oriented)
+    while left.sum() >= FEWEST_IMAGES:
+        rows = np.flatnonzero(left[raw.observations.image])
+        try:
+            found = start(
+                with_rows(raw, left[raw.observations.image]), scale_px[rows], angle[rows], threads, progress, method
+            )
+        except NoOrientation:
+            break
+        oriented = found.block.images.oriented
+        if oriented.sum() < FEWEST_IMAGES:
+            break
+        parts.append(found)
+        left &= ~oriented
+    inside = {n for p in parts for n, o in zip(raw.images.ids, p.block.images.oriented, strict=True) if o}
+    lost = tuple((n, r) for n, r in reasons.items() if n not in inside)
+    return (replace(parts[0], not_oriented=lost), *(replace(p, not_oriented=()) for p in parts[1:]))
+
+
+def _left(raw: Block, first: TieBlock) -> Array:
+    """(n,) photographs with image points and without an orientation."""
+    seen = np.bincount(raw.observations.image, minlength=len(raw.images)) > 0
+    return seen & ~first.block.images.oriented
+
+
+def place_parts(
+    blocks: Sequence[Block], photos: Sequence[Photo], given: Given
+) -> tuple[Georeferenced, tuple[Georeferenced, ...]]:
+    """Bring every part to object space: the block of all that are placed there, and the parts that are not.
+
+    The first part leads: where nothing places it, no part is joined to it.
+    raises  InputError as `georeference` does for the first part
+    """
+    first = georeference(blocks[0], photos, given)
+    joined, apart = [first], list[Georeferenced]()
+    for block in blocks[1:]:
+        try:
+            placed = georeference(block, photos, given)
+        except InputError:
+            placed = georeference(block, photos, Given(gps=False))
+        (joined if placed.fixed and first.fixed else apart).append(placed)
+    if len(joined) == 1:
+        return first, tuple(apart)
+    notices = {n.message: n for p in joined for n in p.notices}
+    count = ", ".join(str(int(p.block.images.oriented.sum())) for p in joined)
+    told = Notice(
+        code="parts_joined",
+        message=f"the photographs fall into {len(joined)} parts ({count} photographs) without common points; "
+        "control or positions join them. Photographs that show two parts at once would make the joint firmer",
+    )
+    block = merged([p.block for p in joined])
+    marked = np.asarray(block.points.role) != Role.TIE
+    names = {n for p in joined for n, m in zip(p.block.points.ids, p.marked, strict=True) if m}
+    marked |= np.array([n in names for n in block.points.ids])
+    return replace(first, block=block, marked=marked, notices=(told, *notices.values())), tuple(apart)
+
+
+def merged(blocks: Sequence[Block]) -> Block:
+    """One block of blocks over the same images and cameras, each with other images oriented, in one object system.
+
+    Points of the same name are one point; a camera takes its values from the block with the most images.
+    """
+    base = max(blocks, key=lambda b: int(b.images.oriented.sum()))
+    centre, rotation = np.array(base.images.centre), np.array(base.images.rotation)
+    position: dict[str, int] = {}
+    xyz, sigma, role = list[Array](), list[Array](), list[int]()
+    image, point, xy, cov = list[Array](), list[Array](), list[Array](), list[Array]()
+    for block in blocks:
+        mine = block.images.oriented
+        centre[mine], rotation[mine] = block.images.centre[mine], block.images.rotation[mine]
+        p, number = block.points, np.empty(len(block.points), np.int64)
+        rays = np.bincount(block.observations.point, minlength=len(p))
+        for k, name in enumerate(p.ids):
+            if name not in position:
+                position[name] = len(xyz)
+                xyz.append(p.xyz[k])
+                sigma.append(p.sigma[k])
+                role.append(int(p.role[k]))
+            elif rays[k] > 1 and not p.is_control[k].all():
+                # the place by the part that sees it stands before that by one that does not
+                xyz[position[name]] = np.where(p.is_control[k], xyz[position[name]], p.xyz[k])
+            number[k] = position[name]
+        o = block.observations
+        image.append(o.image)
+        point.append(number[o.point])
+        xy.append(o.xy_px)
+        cov.append(o.cov_px2)
+    s = [b.stations for b in blocks]
+    return replace(
+        base,
+        images=replace(base.images, centre=centre, rotation=rotation),
+        points=replace(
+            base.points, ids=tuple(position), role=np.array(role, np.int32), xyz=np.array(xyz), sigma=np.array(sigma)
+        ),
+        observations=replace(
+            base.observations,
+            image=np.concatenate(image).astype(np.int32),
+            point=np.concatenate(point).astype(np.int32),
+            xy_px=np.vstack(xy),
+            cov_px2=np.vstack(cov),
+        ),
+        distances=_distances(base, position),
+        stations=Stations(
+            image=np.concatenate([x.image for x in s]).astype(np.int32),
+            xyz=np.vstack([x.xyz for x in s]),
+            sigma=np.vstack([x.sigma for x in s]),
+        ),
+    )
+
+
+def _distances(block: Block, position: dict[str, int]) -> Distances:
+    """Scale bars with the numbers of the merged points; all blocks have the same."""
+    d, ids = block.distances, block.points.ids
+
+    def at(rows: Index) -> Index:
+        return np.array([position[ids[k]] for k in rows.tolist()], np.int32)
+
+    return replace(d, start=at(d.start), end=at(d.end))
+
+
+def apart_notice(main: Block, apart: Sequence[Georeferenced], folders: Sequence[str]) -> Notice:
+    """What the result of the main part says of the others."""
+    names = [tuple(n for n, o in zip(p.block.images.ids, p.block.images.oriented, strict=True) if o) for p in apart]
+    told = "; ".join(
+        f"{len(n)} in {f} ({', '.join(n[:3])}{' ...' if len(n) > 3 else ''})"
+        for n, f in zip(names, folders, strict=True)
+    )
+    return Notice(
+        code="parts_apart",
+        message=f"the photographs fall into {len(apart) + 1} parts that nothing joins: "
+        f"{int(main.images.oriented.sum())} photographs are in this result, {told}. Take photographs that show both "
+        "sides of each gap, or mark three control points in each part",
+        ids=tuple(n for part in names for n in part),
+    )

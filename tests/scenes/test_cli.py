@@ -1,0 +1,100 @@
+"""`raybundle rpc`: what it says and writes."""
+
+import json
+import re
+
+import numpy as np
+import pytest
+
+from raybundle.cli.main import main
+from raybundle.io.scenes import read_scene
+from raybundle.io.scenes.rpc_text import write_rpc_text
+from raybundle.scenes.rpc import observe_rpc
+
+
+@pytest.fixture
+def file(rpc, tmp_path):
+    path = tmp_path / "scene_RPC.TXT"
+    write_rpc_text(rpc, path)
+    return path
+
+
+def table(path):
+    lines = path.read_text().splitlines()
+    names = lines[0].split(",")
+    return [dict(zip(names, row.split(","), strict=True)) for row in lines[1:]]
+
+
+def test_there_and_back(file, rpc, tmp_path, capsys):
+    points, image, ground = (tmp_path / f"{n}.csv" for n in ("points", "image", "ground"))
+    lon, lat, _ = rpc.ground_offset.tolist()
+    points.write_text(f"point,lon_deg,lat_deg,h_m\nA,{lon!r},{lat!r},120\nB,{lon + 0.001!r},{lat!r},1000\n")
+    assert main(["rpc", "project", str(file), str(points), "--out", str(image)]) == 0
+    assert "1 point outside the range" in capsys.readouterr().out
+    expected = rpc.project(np.array([[lon, lat, 120.0]]))[0]
+    rows = table(image)
+    assert [float(rows[0][k]) for k in ("x_px", "y_px")] == pytest.approx(expected, abs=1e-6)
+    lines = [f"{r['point']},{r['x_px']},{r['y_px']},{r['h_m']}" for r in rows]
+    points.write_text("\n".join(["point,x_px,y_px,h_m", *lines]) + "\n")
+    assert main(["rpc", "project", str(file), str(points), "--to-ground", "--out", str(ground)]) == 0
+    assert float(table(ground)[0]["lon_deg"]) == pytest.approx(lon, abs=1e-9)
+
+
+@pytest.mark.parametrize("bias", ["auto", "shift", "affine"])
+def test_correct(file, rpc, place, scene, tmp_path, capsys, bias):
+    rng = np.random.default_rng(1)
+    ground = rpc.localise(rng.uniform(0, [8000, 7000], (8, 2)), rng.uniform(0, 800, 8))
+    shift = np.array([12.0, -7.0])
+    seen = observe_rpc(rpc, place, place.local_from_geographic(ground), "shift", shift).xy_px + rng.normal(
+        0, 0.2, (8, 2)
+    )
+    pairs = zip(ground.tolist(), seen.tolist(), strict=True)
+    rows = [",".join([f"P{k}", *(repr(v) for v in (*g, *p))]) for k, (g, p) in enumerate(pairs)]
+    points, out = tmp_path / "control.csv", tmp_path / "new_RPC.TXT"
+    points.write_text("\n".join(["point,lon_deg,lat_deg,h_m,x_px,y_px", *rows]) + "\n")
+    assert main(["rpc", "correct", str(file), str(points), "--sigma", "0.2", "--bias", bias, "--out", str(out)]) == 0
+    said = capsys.readouterr().out
+    assert "advised: shift" in said
+    corrected = read_scene(out).rpc
+    assert np.abs(corrected.project(ground) - seen).max() < 1.0
+    assert ("refitted" in said) == (bias == "affine")
+
+
+def test_info_and_fit(sensors, tmp_path, capsys):
+    source, out = sensors / "maxar/dg_example1.xml", tmp_path / "new_RPC.TXT"
+    assert main(["rpc", "info", str(source)]) == 0
+    said = capsys.readouterr().out
+    assert "35170 x 23708 px" in said
+    assert "rigorous minus RPC" in said
+    assert main(["rpc", "fit", str(source), "--out", str(out)]) == 0
+    said = capsys.readouterr().out
+    largest = float(re.search(r"at most ([\d.]+) px", said)[1])
+    assert 0 < largest < 0.5
+    assert read_scene(out).rpc.image_scale[0] == pytest.approx(35170 / 2)
+    assert main(["rpc", "fit", str(source), "--out", str(out)]) == 2
+    assert "not overwritten" in capsys.readouterr().err
+
+
+def test_errors_in_words(file, tmp_path, capsys, sensors):
+    points = tmp_path / "p.csv"
+    points.write_text("point,lon_deg,lat_deg,h_m\nA,1,x,3\n")
+    out = tmp_path / "o.csv"
+    assert main(["rpc", "project", str(file), str(points), "--out", str(out)]) == 2
+    assert "line 2, column lat_deg" in capsys.readouterr().err
+    assert main(["rpc", "fit", str(file), "--out", str(tmp_path / "b.txt")]) == 2
+    assert "no rigorous model" in capsys.readouterr().err
+    assert main(["rpc", "project", str(file), str(points), "--model", "rigorous", "--out", str(out)]) == 2
+    assert "holds no rigorous model" in capsys.readouterr().err
+    isd = sensors / "usgscsm/orbitalLineScan.json"
+    assert main(["rpc", "fit", str(isd), "--out", str(tmp_path / "b.txt")]) == 2
+    assert "--heights LOW HIGH" in capsys.readouterr().err
+    assert main(["rpc", "correct", str(isd), str(points)]) == 2
+    assert "no RPC to be corrected" in capsys.readouterr().err
+    assert main(["rpc", "info", str(tmp_path / "none")]) == 2
+    assert json.loads(isd.read_text())["image_lines"] == 16
+    assert not out.exists()
+
+
+def test_help_names_the_conventions(capsys):
+    assert main(["rpc", "--help"]) == 0
+    assert "0.5, 0.5" in capsys.readouterr().out

@@ -1,0 +1,167 @@
+"""Photographs in parts: each is oriented, control joins what it places, and the rest stays apart and is told."""
+
+from dataclasses import replace
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from raybundle.adjustment.decide import decide
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.block import Role
+from raybundle.block.select import transformed, with_rows
+from raybundle.block.simulate import AerialStrips, Survey, aerial_scene, simulate
+from raybundle.io.control_files import ControlFile, Measurements
+from raybundle.numerics.rotation import rotation_from_angles
+from raybundle.workflows.georeference import Given
+from raybundle.workflows.parts import FEWEST_IMAGES, apart_notice, merged, place_parts, start_parts
+
+
+@pytest.fixture(scope="module")
+def flight():
+    """Two strips with points of their own only, each in a system of its own, and marks of points in both."""
+    scene = aerial_scene(AerialStrips(strips=2, images_per_strip=5, points_per_image=120, side_overlap=0.35))
+    simulation = simulate(scene, Survey(image_sigma_px=0.1, interior="exact"))
+    truth = simulation.truth
+    o = simulation.observed.observations
+    second = o.image >= 5
+    shared = np.intersect1d(o.point[second], o.point[~second])
+    free = replace(
+        truth,
+        observations=o,
+        points=replace(
+            truth.points,
+            role=np.zeros(len(truth.points), np.int32),
+            sigma=np.full_like(truth.points.xyz, np.nan),
+        ),
+    )
+    own = ~np.isin(o.point, shared)
+    parts = []
+    for k, mine in enumerate((~second, second)):
+        part = with_rows(free, own & mine)
+        there = np.arange(10) // 5 == k
+        part = replace(
+            part,
+            images=replace(
+                part.images,
+                centre=np.where(there[:, None], part.images.centre, np.nan),
+                rotation=np.where(there[:, None, None], part.images.rotation, np.nan),
+            ),
+        )
+        turn = rotation_from_angles(np.array([0.4, -0.3, 1.0 + k]))
+        parts.append(transformed(part, 0.01 * (k + 1), turn, np.array([k, 2.0, 3.0])))
+    photos = [
+        SimpleNamespace(
+            name=name, width_px=truth.cameras[0].width_px, height_px=truth.cameras[0].height_px,
+            metadata=SimpleNamespace(gps=None),
+        )
+        for name in truth.images.ids
+    ]  # fmt: skip
+    return SimpleNamespace(truth=truth, free=free, parts=parts, photos=photos, own=own, shared=shared)
+
+
+def control(flight, images):
+    """Control at points that these images see well: four of each strip, marked where they were observed."""
+    o = flight.free.observations
+    chosen: list[int] = []
+    for strip in (0, 1):
+        seen = np.isin(o.image, images) & (o.image // 5 == strip)
+        rays = np.bincount(o.point[seen], minlength=len(flight.truth.points))
+        candidates = np.flatnonzero(rays >= 3)
+        xyz = flight.truth.points.xyz[candidates]
+        corners = ([-1, -1], [1, 1], [-1, 1], [1, -1]) if len(candidates) else ()
+        chosen += [int(candidates[np.argmax((xyz[:, :2] * corner).sum(axis=1))]) for corner in corners]
+    chosen = list(dict.fromkeys(chosen))
+    rows = np.flatnonzero(np.isin(o.point, chosen) & np.isin(o.image, images))
+    return ControlFile(
+        path=Path("control.csv"), crs=None, ids=tuple(f"G{k}" for k in range(len(chosen))),
+        xyz=flight.truth.points.xyz[chosen], sigma=np.full((len(chosen), 3), 0.01),
+        role=np.full(len(chosen), Role.CONTROL, np.int32),
+        measurements=Measurements(
+            image=tuple(flight.truth.images.ids[i] for i in o.image[rows]),
+            point=np.array([chosen.index(p) for p in o.point[rows]], np.int32),
+            xy_px=o.xy_px[rows],
+            line=np.arange(len(rows), dtype=np.int32),
+        ),
+    )  # fmt: skip
+
+
+def test_control_in_both_parts_joins_them(flight):
+    given = Given(control=(control(flight, np.arange(10)),), sigma_given=True)
+    placed, apart = place_parts(flight.parts, flight.photos, given)
+    assert not apart
+    assert placed.block.images.oriented.all()
+    assert {"parts_joined"} <= {n.code for n in placed.notices}
+    assert np.linalg.norm(placed.block.images.centre - flight.truth.images.centre, axis=1).max() < 2.0
+    assert placed.marked.sum() == len(given.control[0].ids)
+    assert len(set(placed.block.points.ids)) == len(placed.block.points)
+    result = decide(placed.block, AdjustmentOptions(threads=1, reject="snooping"))
+    assert result.sigma0 == pytest.approx(1.0, abs=0.1)
+    error = result.adjusted.images.centre - flight.truth.images.centre
+    std = np.sqrt(np.diagonal(result.precision.images[:, :3, :3], axis1=1, axis2=2))
+    assert np.abs(error / std).max() < 4.5
+
+
+def test_a_part_without_control_stays_apart_and_is_told(flight):
+    given = Given(control=(control(flight, np.arange(5)),), sigma_given=True)
+    placed, apart = place_parts(flight.parts, flight.photos, given)
+    assert len(apart) == 1
+    assert placed.block.images.oriented.tolist() == [True] * 5 + [False] * 5
+    assert apart[0].block.images.oriented.tolist() == [False] * 5 + [True] * 5
+    assert not apart[0].fixed
+    told = apart_notice(placed.block, apart, ["result-2"])
+    assert "2 parts" in told.message
+    assert "5 in result-2" in told.message
+    assert set(told.ids) == set(flight.truth.images.ids[5:])
+    decide(apart[0].block, AdjustmentOptions(threads=1))
+
+
+def test_without_control_nothing_is_joined(flight):
+    _, apart = place_parts(flight.parts, flight.photos, Given())
+    assert len(apart) == 1
+
+
+def test_merging_keeps_every_observation_and_one_point_of_each_name(flight):
+    whole = merged([transformed(p, 1.0, np.eye(3), np.zeros(3)) for p in flight.parts])
+    assert len(whole.observations) == sum(len(p.observations) for p in flight.parts)
+    names = [n for p in flight.parts for n in p.points.ids]
+    assert set(whole.points.ids) == set(names)
+    o = whole.observations
+    first = flight.parts[0].observations
+    assert [whole.points.ids[k] for k in o.point[: len(first)]] == [flight.parts[0].points.ids[k] for k in first.point]
+
+
+def test_every_part_of_a_set_of_tracks_is_oriented(flight):
+    block = with_rows(flight.free, flight.own)
+    raw = replace(
+        block,
+        images=replace(
+            block.images, centre=np.full((10, 3), np.nan), rotation=np.full((10, 3, 3), np.nan)
+        ),
+        points=replace(block.points, xyz=np.full((len(block.points), 3), np.nan)),
+    )  # fmt: skip
+    ones = np.ones(len(raw.observations))
+    parts = start_parts(raw, ones, 0 * ones, 1)
+    assert len(parts) == 2
+    oriented = np.array([p.block.images.oriented for p in parts])
+    assert oriented.sum(axis=0).tolist() == [1] * 10
+    assert not parts[0].not_oriented
+    for p in parts:
+        assert len(p.scale_px) == len(p.block.observations)
+        assert p.block.images.oriented.sum() >= FEWEST_IMAGES
+
+
+def test_two_photographs_are_no_part(flight):
+    o = flight.free.observations
+    block = with_rows(flight.free, flight.own & np.isin(o.image, [0, 1, 2, 3, 4, 5, 6]))
+    raw = replace(
+        block,
+        images=replace(block.images, centre=np.full((10, 3), np.nan), rotation=np.full((10, 3, 3), np.nan)),
+        points=replace(block.points, xyz=np.full((len(block.points), 3), np.nan)),
+    )
+    ones = np.ones(len(raw.observations))
+    parts = start_parts(raw, ones, 0 * ones, 1)
+    assert len(parts) == 1
+    lost = dict(parts[0].not_oriented)
+    assert {flight.truth.images.ids[5], flight.truth.images.ids[6]} <= set(lost)
