@@ -209,8 +209,8 @@ def _null_space(normals: Normals, state: State) -> list[str]:
     return lines
 
 
-def no_convergence(system: System, state: State, iterations: int, step: float) -> NoConvergence:
-    """The error of an iteration that found no minimum, with what is most likely behind it."""
+def parallel_rays(system: System, state: State) -> tuple[Mask, Mask]:
+    """(p,) points whose rays are parallel within 0.2 degrees, and those with two rays or more."""
     block = system.block
     image, point = block.observations.image[system.rows], block.observations.point[system.rows]
     d = state.xyz[point] - state.centre[image]
@@ -220,9 +220,22 @@ def no_convergence(system: System, state: State, iterations: int, step: float) -
     # rays that spread by an angle a have a mean direction of length about 1 - a^2 / 8
     spread = np.sqrt(8 * np.maximum(1 - np.linalg.norm(mean, axis=1), 0))
     tied = system.points_used & (count > 1)
-    parallel = tied & (spread < np.radians(0.2))
+    return tied & (spread < np.radians(0.2)), tied
+
+
+def without_base(system: System, state: State) -> bool:
+    """Whether so many points have parallel rays that images have no base between them."""
+    parallel, tied = parallel_rays(system, state)
+    return bool(tied.any() and parallel.sum() > 0.3 * tied.sum())
+
+
+def no_convergence(system: System, state: State, iterations: int, step: float) -> NoConvergence:
+    """The error of an iteration that found no minimum, with what is most likely behind it."""
+    block = system.block
+    parallel, tied = parallel_rays(system, state)
+    image, point = block.observations.image[system.rows], block.observations.point[system.rows]
     head = f"no convergence after {iterations} iterations (last step {step:.2g} standard deviations). "
-    if tied.any() and parallel.sum() > 0.3 * tied.sum():
+    if without_base(system, state):
         images = name_some([block.images.ids[i] for i in np.unique(image[parallel[point]])])
         return NoConvergence(
             f"{head}The rays to {int(parallel.sum())} of {int(tied.sum())} object points are parallel within 0.2 "

@@ -71,6 +71,14 @@ def adjust_block(
     return result_of(work, block, options, reasons, notices, time.perf_counter() - began, progress)
 
 
+UNENDING = 0.05
+"""Steps, in standard deviations, that do not end but are so short that the standard deviations can be stated.
+
+Where a network hardly determines something, rounding keeps the iteration moving along it; its standard deviation then
+says more than an error would.
+"""
+
+
 def carry_out(
     block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]], reasons: tuple[str, ...],
     progress: Progress = silent,
@@ -92,7 +100,8 @@ def carry_out(
         reasons, mask = reject_single_rays(block, tuple(new), np.array([bool(r) for r in new]))
         defects.check_images(block, mask, free)
         work = _estimate(block, options, free, mask, progress)
-    if not work.solution.converged:
+    weak = not work.solution.step < UNENDING or defects.without_base(work.system, work.solution.state)
+    if not work.solution.converged and weak:
         raise defects.no_convergence(work.system, work.solution.state, work.solution.iterations, work.solution.step)
     _factor(work)
     if options.statistics:
@@ -240,6 +249,13 @@ def result_of(
         condition=1 / max(normals.solver.smallest_pivot, 1e-300),
         work=work if found is not None else None,
     )
+    if not solution.converged:
+        message = (
+            f"the iteration did not end: its steps stayed at {solution.step:.1g} standard deviations after "
+            f"{solution.iterations} iterations; something is hardly determined, see the standard deviations"
+        )
+        notices = (Notice(code="weak_convergence", message=message), *notices)
+        adjustment = replace(adjustment, notices=notices)
     own = notices_of(adjustment, None if found is None else redundancy_sum(observations, groups))
     return replace(adjustment, notices=notices + own, seconds=seconds + time.perf_counter() - began)
 

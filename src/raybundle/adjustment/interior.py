@@ -13,7 +13,7 @@ from raybundle.numerics.arrays import Array
 from raybundle.numerics.statistics import correlation
 
 JOINT = ("radial", "decentring", "affinity", "principal point")
-PLAUSIBLE = {"scale": 0.10, "principal point": 0.05}
+PLAUSIBLE = {"scale": 0.05, "principal point": 0.02}
 """Sigma beyond which a block says less about a parameter than one knows before: shares of c and of the format."""
 PLAUSIBLE_SHIFT = 0.05
 """The same for corrections: largest shift within the format, as a share of half its diagonal."""

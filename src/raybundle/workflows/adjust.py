@@ -12,7 +12,7 @@ from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Block
-from raybundle.errors import NotSolvable
+from raybundle.errors import NoConvergence, NotSolvable
 from raybundle.numerics.progress import Progress, silent
 
 POOR_FIT = 10.0
@@ -35,6 +35,8 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
         if twins:
             raise type(error)(f"{error}\n  {_twin_words(twins)}") from error
         raise
+    if twins and not result.converged:
+        raise NoConvergence(f"the iteration did not end.\n  {_twin_words(twins)}")
     if twins:
         warning = Notice(
             code="identical_images", message=_twin_words(twins), ids=tuple(i for pair in twins for i in pair)
