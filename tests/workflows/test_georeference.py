@@ -13,7 +13,8 @@ from raybundle.block.simulate import AerialStrips, Survey, aerial_scene, simulat
 from raybundle.errors import InputError
 from raybundle.io.control_files import ControlFile, Measurements
 from raybundle.numerics.rotation import rotation_from_angles
-from raybundle.workflows.georeference import Given, ScaleBar, georeference
+from raybundle.workflows.georeference import georeference
+from raybundle.workflows.marks import Given, ScaleBar
 
 NAMES = ("A", "B", "C", "D", "E", "F")
 

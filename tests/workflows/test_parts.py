@@ -14,7 +14,7 @@ from raybundle.block.select import transformed, with_rows
 from raybundle.block.simulate import AerialStrips, Survey, aerial_scene, simulate
 from raybundle.io.control_files import ControlFile, Measurements
 from raybundle.numerics.rotation import rotation_from_angles
-from raybundle.workflows.georeference import Given
+from raybundle.workflows.marks import Given
 from raybundle.workflows.parts import FEWEST_IMAGES, apart_notice, merged, place_parts, start_parts
 
 

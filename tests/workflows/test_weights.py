@@ -13,7 +13,8 @@ from raybundle.block.simulate import Survey, TargetField, brown_camera, field_sc
 from raybundle.errors import NoOrientation
 from raybundle.matching.refine import TrackPoints
 from raybundle.workflows import tie_block
-from raybundle.workflows.tie_block import Weights, candidates, estimate_weights, flat_points, image_sigma_px, start
+from raybundle.workflows.tie_block import Weights, candidates, estimate_weights, flat_points, image_sigma_px
+from raybundle.workflows.tie_start import start
 
 OPTIONS = AdjustmentOptions(threads=1)
 CAMERA = brown_camera(estimate=("c", "K1"))

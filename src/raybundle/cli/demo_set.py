@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
     from raybundle.block import Block
     from raybundle.numerics.arrays import Array
-    from raybundle.workflows.georeference import Given
+    from raybundle.workflows.marks import Given
 
 
 def run(folder: Path, out: Path, progress: str) -> None:
@@ -58,7 +58,7 @@ def given_of(folder: Path, truth: Block) -> Given:
 
     from raybundle.block import Role  # noqa: PLC0415
     from raybundle.io.control_files import ControlFile, read_measurements  # noqa: PLC0415
-    from raybundle.workflows.georeference import Given, ScaleBar  # noqa: PLC0415
+    from raybundle.workflows.marks import Given, ScaleBar  # noqa: PLC0415
 
     marks = folder / "measured.csv"
     with marks.open(encoding="utf-8", newline="") as file:

@@ -128,7 +128,7 @@ def command(
     from raybundle.io.control_files import DEFAULTS, ControlDefaults, read_control  # noqa: PLC0415
     from raybundle.io.photos.photo import shown  # noqa: PLC0415
     from raybundle.report.result_folder import check_target  # noqa: PLC0415
-    from raybundle.workflows.georeference import Given, ScaleBar  # noqa: PLC0415
+    from raybundle.workflows.marks import Given, ScaleBar  # noqa: PLC0415
     from raybundle.workflows.orient import OrientOptions, orient, part_folder  # noqa: PLC0415
 
     options = OrientOptions(

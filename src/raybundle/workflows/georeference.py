@@ -2,59 +2,35 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from itertools import combinations
-from pathlib import Path
 
 import numpy as np
 
-from raybundle.adjustment.predict import residuals_px
 from raybundle.adjustment.result import Adjustment, Notice
-from raybundle.block import Block, Distances, Role, Stations
+from raybundle.block import Block, Role, Stations
 from raybundle.block.select import transformed
 from raybundle.errors import InputError
-from raybundle.io.control_files import DEFAULTS, ControlDefaults, ControlFile
 from raybundle.io.coordinate_systems import WGS84, LocalFrame, local_frame
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.transform import similarity
-from raybundle.orientation.rays import intersect_linear, object_rays, rays_of
+from raybundle.workflows.marks import (
+    Given,
+    Placing,
+    add_bars,
+    add_points,
+    drop_gross_marks,
+    drop_single_marks,
+    intersected,
+)
 
-MARK_PX = 0.5
-"""Standard deviation of a point marked in a photograph."""
 GPS_M = (5.0, 5.0, 10.0)
 """Standard deviation of a GPS position that states none."""
 LEVEL = 0.05
 """Tangent of the angle to which a block is level by the viewing direction of its photographs."""
 TRIALS = 2000
-GROSS = 30.0
-"""Distance of a mark from the others' place, in standard deviations of a mark, from which it is wrong beyond doubt."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ScaleBar:
-    """A distance between two measured points."""
-
-    start: str
-    end: str
-    length: float
-    sigma: float
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Given:
-    """What is known of object space."""
-
-    control: tuple[ControlFile, ...] = ()
-    """control and check points with their places in the photographs; the role stands in the file"""
-    scale_bars: tuple[ScaleBar, ...] = ()
-    gps: bool = True
-    """use the positions that the photographs state, where there is no control"""
-    defaults: ControlDefaults = DEFAULTS
-    sigma_given: bool = False
-    """the standard deviations in `defaults` are known, not assumed"""
-    mark_px: float = MARK_PX
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -70,15 +46,6 @@ class Georeferenced:
     """placed in the object system by control or positions"""
 
 
-@dataclass(slots=True)
-class _State:
-    block: Block
-    notices: list[Notice] = field(default_factory=list[Notice])
-
-    def tell(self, code: str, message: str, *ids: str) -> None:
-        self.notices.append(Notice(code=code, message=message, ids=ids))
-
-
 def georeference(block: Block, photos: Sequence[Photo], given: Given) -> Georeferenced:
     """Add what is known of object space to a free block and bring the block there.
 
@@ -86,13 +53,13 @@ def georeference(block: Block, photos: Sequence[Photo], given: Given) -> Georefe
     them does not bend it; the adjustment afterwards tests each of them.
     raises  InputError for photographs, points or coordinate systems that do not fit together
     """
-    state = _State(block)
+    state = Placing(block)
     frame = _frame(photos, given)
-    _add_points(state, photos, given, frame)
-    _add_bars(state, given)
-    _drop_single_marks(state)
-    free = _intersected(state.block)
-    _drop_gross_marks(state, free, given.mark_px)
+    add_points(state, photos, given, frame)
+    add_bars(state, given)
+    drop_single_marks(state)
+    free = intersected(state.block)
+    drop_gross_marks(state, free, given.mark_px)
     control = _control_to_fit(state.block, free)
     fixed = _fix_by_control(state, free, control, given)
     if not fixed and frame is not None and given.gps:
@@ -151,223 +118,13 @@ def _gps(photos: Sequence[Photo]) -> dict[int, tuple[tuple[float, float, float],
     return found
 
 
-def _add_points(state: _State, photos: Sequence[Photo], given: Given, frame: LocalFrame | None) -> None:
-    """Control and check points with their image measurements."""
-    images = {p.name: i for i, p in enumerate(photos)}
-    block = state.block
-    ids, xyz, sigma, role = list[str](), list[Array](), list[Array](), list[int]()
-    image, point, xy = list[int](), list[int](), list[Array]()
-    for c in given.control:
-        local = c.xyz if frame is None or not c.crs else frame.local_from_crs(c.xyz)
-        for k, name in enumerate(c.ids):
-            if name in ids:
-                raise InputError(f"point {name} is given twice", file=c.path)
-            ids.append(name)
-            xyz.append(local[k])
-            sigma.append(np.where(np.isfinite(local[k]), c.sigma[k], np.nan))
-            role.append(int(c.role[k]))
-        unknown: dict[str, int] = {}
-        for name, k, at, line in zip(
-            c.measurements.image, c.measurements.point, c.measurements.xy_px, c.measurements.line, strict=True
-        ):
-            i = _photo(images, name)
-            if i is None:
-                unknown[name] = unknown.get(name, 0) + 1
-                continue
-            size = photos[i].width_px, photos[i].height_px
-            if not (0 <= at[0] <= size[0] and 0 <= at[1] <= size[1]):
-                raise InputError(
-                    f"{at[0]:g}, {at[1]:g} lies outside photograph {name} ({size[0]} x {size[1]} px); "
-                    "measure in the photograph at its full size",
-                    file=c.path, line=int(line),
-                )  # fmt: skip
-            if not block.images.oriented[i]:
-                continue
-            image.append(i)
-            point.append(ids.index(c.ids[int(k)]))
-            xy.append(at)
-        if unknown:
-            names = ", ".join(sorted(unknown)[:5])
-            state.tell(
-                "control_without_photograph",
-                f"{sum(unknown.values())} measurements of {c.path.name} are in photographs that are not here: {names}",
-            )
-    if not ids:
-        return
-    n, o, p = len(block.points), block.observations, block.points
-    variance = given.mark_px**2
-    state.block = replace(
-        block,
-        observations=replace(
-            o,
-            image=np.concatenate([o.image, np.array(image, np.int32)]),
-            point=np.concatenate([o.point, n + np.array(point, np.int32)]).astype(np.int32),
-            xy_px=np.vstack([o.xy_px, np.array(xy).reshape(-1, 2)]),
-            cov_px2=np.vstack([o.cov_px2, np.tile([variance, variance, 0.0], (len(image), 1))]),
-        ),
-        points=replace(
-            p,
-            ids=(*p.ids, *ids),
-            role=np.concatenate([p.role, np.array(role, np.int32)]).astype(np.int32),
-            xyz=np.vstack([p.xyz, np.array(xyz)]),
-            sigma=np.vstack([p.sigma, np.array(sigma)]),
-        ),
-    )
-
-
-def _drop_single_marks(state: _State) -> None:
-    """Points of which nothing is given and that are marked once cannot be determined."""
-    block = state.block
-    rays = np.bincount(block.observations.point, minlength=len(block.points))
-    special = np.asarray(block.points.role) != Role.TIE
-    single = special & ~block.points.is_control.any(axis=1) & (rays == 1)
-    if not single.any():
-        return
-    names = tuple(block.points.ids[k] for k in np.flatnonzero(single))
-    o, keep = block.observations, ~single[block.observations.point]
-    state.block = replace(
-        block,
-        observations=replace(o, image=o.image[keep], point=o.point[keep], xy_px=o.xy_px[keep], cov_px2=o.cov_px2[keep]),
-    )
-    state.tell("marked_once", f"marked in one photograph only, and so not determined: {', '.join(names)}", *names)
-
-
-def _drop_gross_marks(state: _State, free: Array, mark_px: float) -> None:
-    """Marks that lie far from where the other marks of their point meet: a wrong number, as a rule.
-
-    Tested in the free block, whose orientation does not depend on them; smaller errors are left to data snooping.
-    """
-    block, o = state.block, state.block.observations
-    special = np.asarray(block.points.role) != Role.TIE
-    rows = np.flatnonzero(special[o.point] & np.isfinite(free[o.point]).all(axis=1))
-    rays = np.bincount(o.point[rows], minlength=len(block.points))
-    rows = rows[rays[o.point[rows]] > 2]
-    if not len(rows):
-        return
-    xyz = np.where(np.isfinite(free), free, block.points.xyz)
-    v = residuals_px(replace(block, points=replace(block.points, xyz=xyz)), rows)
-    far = np.linalg.norm(v, axis=1)
-    limit = GROSS * mark_px
-    wrong = rows[~(far <= limit)]
-    for k in wrong:
-        name, file = block.points.ids[o.point[k]], block.images.ids[o.image[k]]
-        beside = rows_near(block, int(k), special, limit)
-        hint = f"; point {beside} is marked at the same place" if beside else ""
-        state.tell(
-            "mark_rejected",
-            f"the measurement of point {name} in {file} lies {far[rows == k][0]:.0f} px from where its other "
-            f"measurements put it (limit {limit:g} px) and is left out{hint}; look at it again",
-            name, file,
-        )  # fmt: skip
-    if len(wrong):
-        keep = np.ones(len(o), bool)
-        keep[wrong] = False
-        state.block = replace(
-            block,
-            observations=replace(
-                o, image=o.image[keep], point=o.point[keep], xy_px=o.xy_px[keep], cov_px2=o.cov_px2[keep]
-            ),
-        )
-
-
-def rows_near(block: Block, row: int, special: Mask, limit: float) -> str:
-    """Another control or check point that is marked in the same photograph at the same place; empty if none is."""
-    o = block.observations
-    others = np.flatnonzero(special[o.point] & (o.image == o.image[row]) & (o.point != o.point[row]))
-    if not len(others):
-        return ""
-    apart = np.linalg.norm(o.xy_px[others] - o.xy_px[row], axis=1)
-    return block.points.ids[o.point[others[apart.argmin()]]] if apart.min() < limit else ""
-
-
-def _photo(images: Mapping[str, int], name: str) -> int | None:
-    """The photograph that a file of measurements means: by its name, without folder, case or suffix if need be."""
-    if name in images:
-        return images[name]
-    plain = {Path(k).name.lower(): i for k, i in images.items()}
-    stems = {Path(k).stem.lower(): i for k, i in images.items()}
-    return plain.get(Path(name).name.lower(), stems.get(Path(name).stem.lower()))
-
-
-def _add_bars(state: _State, given: Given) -> None:
-    if not given.scale_bars:
-        return
-    index = {name: k for k, name in enumerate(state.block.points.ids)}
-    for bar in given.scale_bars:
-        for name in (bar.start, bar.end):
-            if name not in index:
-                raise InputError(
-                    f"scale bar {bar.start} - {bar.end}: point {name} is not measured in any photograph; "
-                    "give its image measurements with --control"
-                )
-    bars = given.scale_bars
-    state.block = replace(
-        state.block,
-        distances=Distances(
-            start=np.array([index[b.start] for b in bars], np.int32),
-            end=np.array([index[b.end] for b in bars], np.int32),
-            length=np.array([b.length for b in bars]),
-            sigma=np.array([b.sigma for b in bars]),
-        ),
-    )
-
-
-def _intersected(block: Block) -> Array:
-    """(p, 3) points of control and check in the frame of the free block; NaN with fewer than two rays."""
-    xyz = np.full((len(block.points), 3), np.nan)
-    special = np.asarray(block.points.role) != Role.TIE
-    ends = np.zeros(len(block.points), bool)
-    ends[block.distances.start] = ends[block.distances.end] = True
-    rows = np.flatnonzero((special | ends)[block.observations.point])
-    if not len(rows):
-        return xyz
-    rays = rays_of(block)
-    image = rays.image[rows]
-    direction = object_rays(block.images.rotation[image], rays.direction[rows])
-    point = rays.point[rows]
-    for k in np.unique(point):
-        mine = np.flatnonzero(point == k)
-        if len(mine) > 1:
-            xyz[k] = _meeting(block.images.centre[image[mine]], direction[mine])
-    return xyz
-
-
-def _meeting(centre: Array, direction: Array) -> Array:
-    """Where rays (n, 3) meet; with three or more, where most of them do: a ray of a wrong point does not bend it."""
-    n = len(centre)
-
-    def at(pick: Array) -> Array:
-        found, _, ratio = intersect_linear(centre[pick], direction[pick], np.zeros(len(pick), np.int32), 1)
-        return found[0] if ratio[0] > 1e-7 else np.full(3, np.nan)
-
-    def angles(X: Array) -> Array:
-        ray = X - centre
-        ray = ray / np.maximum(np.linalg.norm(ray, axis=1, keepdims=True), 1e-300)
-        return np.linalg.norm(ray - direction, axis=1)
-
-    everything = np.arange(n)
-    if n == 2:
-        return at(everything)
-    best, cost = at(everything), np.inf
-    for pair in combinations(range(n), 2):
-        X = at(np.array(pair))
-        if not np.isfinite(X).all():
-            continue
-        worth = float(np.sort(angles(X))[n // 2])
-        if worth < cost:
-            best, cost = X, worth
-    near = np.flatnonzero(angles(best) <= max(4 * cost, 1e-4)) if np.isfinite(cost) else everything
-    refined = at(near) if len(near) > 1 else best
-    return refined if np.isfinite(refined).all() else best
-
-
 def _control_to_fit(block: Block, free: Array) -> Index:
     """Control points with a place in the free block and at least a known plan position."""
     given = block.points.is_control
     return np.flatnonzero(given[:, 0] & given[:, 1] & np.isfinite(free).all(axis=1))
 
 
-def _fix_by_control(state: _State, free: Array, control: Index, given: Given) -> bool:
+def _fix_by_control(state: Placing, free: Array, control: Index, given: Given) -> bool:
     """Move the block onto the control; False where that does not suffice."""
     block = state.block
     if not block.points.is_control.any():
@@ -406,7 +163,7 @@ def _fix_by_control(state: _State, free: Array, control: Index, given: Given) ->
     return True
 
 
-def _apply(state: _State, free: Array, s: float, R: Array, t: Array) -> None:
+def _apply(state: Placing, free: Array, s: float, R: Array, t: Array) -> None:
     """Transform the block; control and check points keep what was given, the rest of them is intersected."""
     before = state.block.points
     moved = transformed(state.block, s, R, t)
@@ -424,7 +181,7 @@ def _apply(state: _State, free: Array, s: float, R: Array, t: Array) -> None:
     state.block = replace(moved, points=replace(moved.points, xyz=xyz))
 
 
-def _weigh_control(state: _State, given: Given, residual: Array) -> None:
+def _weigh_control(state: Placing, given: Given, residual: Array) -> None:
     """Where the file states no standard deviation and the points fit worse, the fit says how good they are."""
     block, d = state.block, given.defaults
     if given.sigma_given:
@@ -445,7 +202,7 @@ def _weigh_control(state: _State, given: Given, residual: Array) -> None:
     )
 
 
-def _guess_heights(state: _State) -> None:
+def _guess_heights(state: Placing) -> None:
     """Plan control alone hardly says what is level: the viewing direction does, to a few degrees."""
     block = state.block
     given = block.points.is_control
@@ -466,7 +223,7 @@ def _guess_heights(state: _State) -> None:
     )
 
 
-def _fix_by_gps(state: _State, photos: Sequence[Photo], frame: LocalFrame) -> bool:
+def _fix_by_gps(state: Placing, photos: Sequence[Photo], frame: LocalFrame) -> bool:
     """Move the block onto the positions that the photographs state, and observe them."""
     places = _gps(photos)
     images = [i for i in places if state.block.images.oriented[i]]
@@ -487,7 +244,7 @@ def _fix_by_gps(state: _State, photos: Sequence[Photo], frame: LocalFrame) -> bo
         t[2] = float(np.median((local - lifted)[heights, 2])) if heights.any() else 0.0
     if not s > 0:
         return False
-    _apply(state, _intersected(state.block), s, R, t)
+    _apply(state, intersected(state.block), s, R, t)
     state.block = replace(
         state.block,
         stations=Stations(
@@ -498,7 +255,7 @@ def _fix_by_gps(state: _State, photos: Sequence[Photo], frame: LocalFrame) -> bo
     return True
 
 
-def _fix_by_bars(state: _State, free: Array) -> None:
+def _fix_by_bars(state: Placing, free: Array) -> None:
     """A free block gets the scale of its bars, stands upright and has its middle at the origin."""
     block = state.block
     d = block.distances

@@ -30,7 +30,8 @@ from raybundle.matching.tracks import tracks_of
 from raybundle.matching.verify import VerifiedPair, trusted
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.progress import Progress, silent
-from raybundle.workflows.georeference import Georeferenced, Given, accuracy, rejected_marks
+from raybundle.workflows.georeference import Georeferenced, accuracy, rejected_marks
+from raybundle.workflows.marks import Given
 from raybundle.workflows.parts import Part, apart_notice, place_parts, start_parts
 from raybundle.workflows.tie_block import (
     PreciseBlock,

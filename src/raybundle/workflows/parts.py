@@ -15,8 +15,10 @@ from raybundle.errors import InputError, NoOrientation
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.progress import Progress, silent
-from raybundle.workflows.georeference import Georeferenced, Given, georeference
-from raybundle.workflows.tie_block import TieBlock, start
+from raybundle.workflows.georeference import Georeferenced, georeference
+from raybundle.workflows.marks import Given
+from raybundle.workflows.tie_block import TieBlock
+from raybundle.workflows.tie_start import start
 
 FEWEST_IMAGES = 3
 """Photographs of a part that is worth a result of its own."""

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from itertools import combinations
-from typing import Literal
 
 import numpy as np
 
@@ -15,7 +13,6 @@ from raybundle.adjustment.predict import residuals_px
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block, Camera, Images, Observations, Points
 from raybundle.block.select import with_rows
-from raybundle.errors import NoOrientation
 from raybundle.io.photos.photo import Photo
 from raybundle.matching.refine import (
     NEIGHBOURS_FROM,
@@ -27,28 +24,17 @@ from raybundle.matching.refine import (
 from raybundle.matching.tracks import Tracks
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent
-from raybundle.orientation.assembly import approximate_values, possible_values
-from raybundle.orientation.averaging import average_start
-from raybundle.orientation.camera_constant import checked_by_pairs
 from raybundle.orientation.cleaning import clean
 from raybundle.orientation.rays import intersect_linear, object_rays, rays_of
 from raybundle.platforms.station import sensor_from_object
 
 FEATURE_SIGMA_PX = 0.5
 """A-priori standard deviation of a feature; only the ratio to nothing else matters before the weights are known."""
-FEWEST_POINTS = 12
-"""Tracks below which an image is not oriented."""
 FIRST_FREE = ("c", "K1", "K2")
 """Free at the start, where nothing is precise yet."""
 FREE = ("c", "x0", "y0", "K1", "K2", "K3", "P1", "P2", "A", "S")
 
 
-FEWEST_TRIPLE = 4
-"""Points that three images must share to carry the scale from two of them to the third."""
-MOST_RAYS = 8
-"""Rays of a point that are looked at for that."""
-LEFT = 0.1
-"""Share of the images left by the first kind of start from which on the second is tried."""
 FLAT = 1.0e-4
 """Eigenvalue ratio of an intersection below which it has no depth: rays parallel to about 1.2 degrees."""
 WEAK_PX = 0.5
@@ -126,162 +112,6 @@ def block_of_tracks(
     )
 
 
-def start(
-    raw: Block,
-    scale_px: Array,
-    angle: Array,
-    threads: int,
-    progress: Progress = silent,
-    method: Literal["auto", "growing", "averaging"] = "auto",
-) -> TieBlock:
-    """Approximate values of a block of tracks; wrong rays and images that cannot be oriented leave.
-
-    method  growing: image by image; averaging: all pairs at once; auto: growing, and averaging where images are left
-    """
-    block = replace(raw, cameras=tuple(replace(c, estimate=free_at_start(c)) for c in raw.cameras))
-    ways = {"growing": (_by_growing,), "averaging": (_by_averaging,), "auto": (_by_growing, _by_averaging)}[method]
-    loose: dict[str, str] = {}
-    _connected(block, loose)
-    best: tuple[Block, Index, dict[str, str]] | None = None
-    problem: NoOrientation | None = None
-    for way in ways:
-        try:
-            found = _cleaned(raw, way(block, progress), threads, progress)
-        except NoOrientation as error:
-            problem = problem or error
-            continue
-        if best is None or len(found[2]) < len(best[2]):
-            best = found
-        # no kind of start orients what has too little in common with the others
-        if len(best[2].keys() - loose.keys()) <= LEFT * len(raw.images):
-            break
-    if best is None:
-        assert problem is not None
-        raise problem
-    result, rows, failed = best
-    result = replace(result, cameras=_with_estimate(result.cameras, raw.cameras))
-    return TieBlock(
-        block=result,
-        scale_px=scale_px[rows],
-        angle=angle[rows],
-        not_oriented=tuple((n, failed[n]) for n in raw.images.ids if n in failed),
-    )
-
-
-def _by_growing(block: Block, progress: Progress) -> tuple[Block, Index, dict[str, str]]:
-    """Orientations image by image; the block, its rows, and the images that are left with the reasons."""
-    rows = np.arange(len(block.observations))
-    failed: dict[str, str] = {}
-    while True:
-        block, rows = _kept(block, rows, failed)
-        try:
-            return approximate_values(block, progress).block, rows, failed
-        except NoOrientation as error:
-            new = {n: r for n, r in error.images.items() if n not in failed}
-            if not new:
-                raise
-            failed.update(new)
-
-
-def _by_averaging(block: Block, progress: Progress) -> tuple[Block, Index, dict[str, str]]:
-    """Orientations of all images at once; as `_by_growing`."""
-    rows = np.arange(len(block.observations))
-    failed: dict[str, str] = {}
-    block, rows = _kept(block, rows, failed)
-    found = average_start(checked_by_pairs(block), progress)
-    seen = np.bincount(block.observations.image, minlength=len(block.images)) > 0
-    for i in np.flatnonzero(seen & ~found.images.oriented):
-        failed[found.images.ids[i]] = "its relative orientations contradict those of the other photographs"
-    found, rows = _kept(found, rows, failed)
-    return possible_values(found, progress).block, rows, failed
-
-
-def _kept(block: Block, rows: Index, failed: dict[str, str]) -> tuple[Block, Index]:
-    """The largest connected part of a block and its rows."""
-    keep = _connected(block, failed)
-    block, rows = with_rows(block, keep), rows[keep]
-    if len(np.unique(block.observations.image)) < 2:
-        raise NoOrientation(
-            "no two photographs could be oriented to each other: too few points are common to them.\n"
-            "  Take photographs that overlap by 60 % or more and differ little in direction, and look whether "
-            "they are sharp."
-        )
-    return block, rows
-
-
-def _cleaned(
-    raw: Block, found: tuple[Block, Index, dict[str, str]], threads: int, progress: Progress
-) -> tuple[Block, Index, dict[str, str]]:
-    """The block without wrong rays, points without depth, and images that lose all of theirs."""
-    block, rows, failed = found
-    options = AdjustmentOptions(threads=threads, statistics=False)
-    free = {c.id: free_at_start(c) for c in raw.cameras}
-    cleaned = clean(block, options, free, progress=progress)
-    keep = ~cleaned.rejected & ~flat_points(cleaned.block)[cleaned.block.observations.point]
-    block, rows = with_rows(cleaned.block, keep), rows[keep]
-    # what wrong rays joined has fallen apart
-    for part in (_connected, rigid_part):
-        keep = part(block, failed)
-        block, rows = with_rows(block, keep), rows[keep]
-    names = {block.images.ids[i] for i in np.unique(block.observations.image)}
-    if len(names) < 2:
-        raise NoOrientation("no two photographs hold together once wrong matches are left out: too few points fit")
-    out = np.array([n not in names for n in block.images.ids])
-    for name in raw.images.ids:
-        if name not in names:
-            failed.setdefault(name, "its points contradict those of the other photographs")
-    images = replace(
-        block.images,
-        centre=np.where(out[:, None], np.nan, block.images.centre),
-        rotation=np.where(out[:, None, None], np.nan, block.images.rotation),
-    )
-    return replace(block, images=images), rows, failed
-
-
-def rigid_part(block: Block, failed: dict[str, str]) -> Mask:
-    """(m,) rows of the largest part whose scale is one; names the images that are left.
-
-    Two images and their common points have a scale of their own.  It is carried on to a third image only by points
-    that all three see.
-    """
-    o, n = block.observations, len(block.images)
-    order = np.lexsort((o.image, o.point))
-    rows = np.split(o.image[order], np.flatnonzero(np.diff(o.point[order])) + 1) if len(o) else []
-    triples: dict[tuple[int, int, int], int] = {}
-    for images in rows:
-        for triple in combinations(images[:MOST_RAYS].tolist(), 3):
-            triples[triple] = triples.get(triple, 0) + 1
-    root = {(a, b): (a, b) for a, b, c in triples} | {(a, c): (a, c) for a, b, c in triples}
-    root |= {(b, c): (b, c) for a, b, c in triples}
-
-    def find(pair: tuple[int, int]) -> tuple[int, int]:
-        while root[pair] != pair:
-            root[pair] = root[root[pair]]
-            pair = root[pair]
-        return pair
-
-    for (a, b, c), count in triples.items():
-        if count >= FEWEST_TRIPLE:
-            first = find((a, b))
-            root[find((a, c))] = first
-            root[find((b, c))] = first
-    members: dict[tuple[int, int], set[int]] = {}
-    for pair in root:
-        members.setdefault(find(pair), set()).update(pair)
-    largest = max(members.values(), key=len, default=set[int]())
-    used = np.unique(o.image)
-    if len(used) < 3 or len(largest) < 3:
-        return np.ones(len(o), bool)
-    inside = np.zeros(n, bool)
-    inside[list(largest)] = True
-    for i in used[~inside[used]]:
-        failed[block.images.ids[i]] = (
-            f"fewer than {FEWEST_TRIPLE} of its points are in two other photographs: its distance from them is not "
-            "determined; overlap by 60 % or more"
-        )
-    return inside[o.image]
-
-
 def flat_points(block: Block) -> Mask:
     """(p,) tie points whose rays are nearly parallel: they say nothing of the object and hinder convergence."""
     rays = rays_of(block)
@@ -289,44 +119,6 @@ def flat_points(block: Block) -> Mask:
     p = len(block.points)
     _, count, ratio = intersect_linear(block.images.centre[rays.image], direction, rays.point, p)
     return (count < 2) | (ratio < FLAT) | ~np.isfinite(block.points.xyz).all(axis=1)
-
-
-def _with_estimate(values: Sequence[Camera], wishes: Sequence[Camera]) -> tuple[Camera, ...]:
-    return tuple(replace(v, estimate=w.estimate) for v, w in zip(values, wishes, strict=True))
-
-
-def _connected(block: Block, failed: dict[str, str]) -> Mask:
-    """Rows of images that belong to the largest connected part and have enough points; names the others."""
-    from scipy.sparse import coo_matrix  # noqa: PLC0415
-    from scipy.sparse.csgraph import connected_components  # noqa: PLC0415
-
-    o, n = block.observations, len(block.images)
-    out = np.array([name in failed for name in block.images.ids])
-    while True:
-        keep = ~out[o.image]
-        rays = np.bincount(o.point[keep], minlength=len(block.points))
-        keep &= rays[o.point] > 1
-        count = np.bincount(o.image[keep], minlength=n)
-        weak = ~out & (count < FEWEST_POINTS)
-        if not weak.any():
-            break
-        for i in np.flatnonzero(weak):
-            few = "no point" if not count[i] else f"only {count[i]} points"
-            failed[block.images.ids[i]] = f"{few} in common with other photographs ({FEWEST_POINTS} are needed)"
-        out |= weak
-    a, b = o.image[keep], o.point[keep]
-    graph = coo_matrix((np.ones(len(a)), (a, n + b)), shape=(n + len(block.points),) * 2)
-    _, part = connected_components(graph, directed=False)
-    used = np.bincount(a, minlength=n) > 0
-    if not used.any():
-        return keep
-    sizes_ = np.bincount(part[:n][used])
-    largest = int(sizes_.argmax())
-    for i in np.flatnonzero(used & (part[:n] != largest)):
-        failed[block.images.ids[i]] = (
-            f"not connected with the largest part ({sizes_[largest]} photographs); its own part has {sizes_[part[i]]}"
-        )
-    return keep & (part[:n] == largest)[o.image]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

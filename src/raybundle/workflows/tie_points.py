@@ -13,10 +13,9 @@ import numpy as np
 
 from raybundle.errors import InputError, NoOrientation
 from raybundle.io.photos.cameras import camera_groups
-from raybundle.io.photos.photo import Photo, read_grey
+from raybundle.io.photos.photo import Photo, read_grey, stored_from_upright, upright, upright_from_stored
 from raybundle.io.project import Project, Stage, key_of
-from raybundle.matching.descriptors import mutual_matches
-from raybundle.matching.features import FeatureMethod, Features
+from raybundle.matching.features import Described, FeatureMethod, Features
 from raybundle.matching.pairs import ALL, choose_pairs, codebook, signature
 from raybundle.matching.verify import VerifiedPair, verify
 from raybundle.numerics.arrays import Array
@@ -53,6 +52,17 @@ def grey_of(photo: Photo) -> Array:
         return grey
     low, high = np.percentile(grey[::4, ::4], [0.1, 99.9])
     return np.clip((grey.astype(np.float32) - low) * (255 / max(high - low, 1)), 0, 255).astype(np.uint8)
+
+
+def detected(method: FeatureMethod, photo: Photo, count: int) -> Features:
+    """Features in the photograph as stored; a method that knows no directions finds them in the upright picture."""
+    grey = grey_of(photo)
+    if not method.upright:
+        return method.detect(grey, count)
+    f = method.detect(upright(grey, photo.orientation), count)
+    xy = stored_from_upright(f.xy_px, photo)
+    right = stored_from_upright(f.xy_px + np.column_stack([np.cos(f.angle), np.sin(f.angle)]), photo) - xy
+    return replace(f, xy_px=xy, angle=np.arctan2(right[:, 1], right[:, 0]))
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,7 +112,7 @@ def find_features(
 
     def work(i: int) -> str:
         try:
-            f = method.detect(grey_of(photos[i]), counts[i])
+            f = detected(method, photos[i], counts[i])
         except InputError as error:
             return str(error).removeprefix(f"{photos[i].path}: ")
         project.store(
@@ -140,15 +150,15 @@ def match_pairs(
     each = len(store.places(todo[0][1]).xy_px) if todo else 1
 
     @lru_cache(maxsize=max(4 * jobs + 2, HELD // max(each, 1)))
-    def loaded(i: int) -> tuple[Array, Array]:
-        f = store.of(i)
-        return f.xy_px, method.vectors(f.descriptors)
+    def loaded(i: int) -> tuple[Array, Described]:
+        f, photo = store.of(i), photos[i]
+        xy = upright_from_stored(f.xy_px, photo)
+        return f.xy_px, Described(xy_px=xy, vectors=method.vectors(f.descriptors), size_px=photo.upright_size)
 
     def work(task: tuple[str, int, int]) -> tuple[str, VerifiedPair]:
         key, i, j = task
-        (xy1, v1), (xy2, v2) = loaded(i), loaded(j)
-        matches, _ = mutual_matches(v1, v2)
-        return key, verify(i, j, xy1, xy2, matches, sizes[i], sizes[j])
+        (xy1, first), (xy2, second) = loaded(i), loaded(j)
+        return key, verify(i, j, xy1, xy2, method.match(first, second), sizes[i], sizes[j])
 
     waiting: list[tuple[str, dict[str, Any], Array]] = []
     saved = time.perf_counter()

@@ -1,0 +1,273 @@
+"""What is known of object space and measured in photographs: control and check points, scale bars, their marks."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import combinations
+from pathlib import Path
+
+import numpy as np
+
+from raybundle.adjustment.predict import residuals_px
+from raybundle.adjustment.result import Notice
+from raybundle.block import Block, Distances, Role
+from raybundle.errors import InputError
+from raybundle.io.control_files import DEFAULTS, ControlDefaults, ControlFile
+from raybundle.io.coordinate_systems import LocalFrame
+from raybundle.io.photos.photo import Photo
+from raybundle.numerics.arrays import Array, Mask
+from raybundle.orientation.rays import intersect_linear, object_rays, rays_of
+
+MARK_PX = 0.5
+"""Standard deviation of a point marked in a photograph."""
+GROSS = 30.0
+"""Distance of a mark from the others' place, in standard deviations of a mark, from which it is wrong beyond doubt."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ScaleBar:
+    """A distance between two measured points."""
+
+    start: str
+    end: str
+    length: float
+    sigma: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Given:
+    """What is known of object space."""
+
+    control: tuple[ControlFile, ...] = ()
+    """control and check points with their places in the photographs; the role stands in the file"""
+    scale_bars: tuple[ScaleBar, ...] = ()
+    gps: bool = True
+    """use the positions that the photographs state, where there is no control"""
+    defaults: ControlDefaults = DEFAULTS
+    sigma_given: bool = False
+    """the standard deviations in `defaults` are known, not assumed"""
+    mark_px: float = MARK_PX
+
+
+@dataclass(slots=True)
+class Placing:
+    """A block on its way to object space, and what there is to say."""
+
+    block: Block
+    notices: list[Notice] = field(default_factory=list[Notice])
+
+    def tell(self, code: str, message: str, *ids: str) -> None:
+        """Add a notice."""
+        self.notices.append(Notice(code=code, message=message, ids=ids))
+
+
+def add_points(state: Placing, photos: Sequence[Photo], given: Given, frame: LocalFrame | None) -> None:
+    """Control and check points with their image measurements."""
+    images = {p.name: i for i, p in enumerate(photos)}
+    block = state.block
+    ids, xyz, sigma, role = list[str](), list[Array](), list[Array](), list[int]()
+    image, point, xy = list[int](), list[int](), list[Array]()
+    for c in given.control:
+        local = c.xyz if frame is None or not c.crs else frame.local_from_crs(c.xyz)
+        for k, name in enumerate(c.ids):
+            if name in ids:
+                raise InputError(f"point {name} is given twice", file=c.path)
+            ids.append(name)
+            xyz.append(local[k])
+            sigma.append(np.where(np.isfinite(local[k]), c.sigma[k], np.nan))
+            role.append(int(c.role[k]))
+        unknown: dict[str, int] = {}
+        for name, k, at, line in zip(
+            c.measurements.image, c.measurements.point, c.measurements.xy_px, c.measurements.line, strict=True
+        ):
+            i = _photo(images, name)
+            if i is None:
+                unknown[name] = unknown.get(name, 0) + 1
+                continue
+            size = photos[i].width_px, photos[i].height_px
+            if not (0 <= at[0] <= size[0] and 0 <= at[1] <= size[1]):
+                raise InputError(
+                    f"{at[0]:g}, {at[1]:g} lies outside photograph {name} ({size[0]} x {size[1]} px); "
+                    "measure in the photograph at its full size",
+                    file=c.path, line=int(line),
+                )  # fmt: skip
+            if not block.images.oriented[i]:
+                continue
+            image.append(i)
+            point.append(ids.index(c.ids[int(k)]))
+            xy.append(at)
+        if unknown:
+            names = ", ".join(sorted(unknown)[:5])
+            state.tell(
+                "control_without_photograph",
+                f"{sum(unknown.values())} measurements of {c.path.name} are in photographs that are not here: {names}",
+            )
+    if not ids:
+        return
+    n, o, p = len(block.points), block.observations, block.points
+    variance = given.mark_px**2
+    state.block = replace(
+        block,
+        observations=replace(
+            o,
+            image=np.concatenate([o.image, np.array(image, np.int32)]),
+            point=np.concatenate([o.point, n + np.array(point, np.int32)]).astype(np.int32),
+            xy_px=np.vstack([o.xy_px, np.array(xy).reshape(-1, 2)]),
+            cov_px2=np.vstack([o.cov_px2, np.tile([variance, variance, 0.0], (len(image), 1))]),
+        ),
+        points=replace(
+            p,
+            ids=(*p.ids, *ids),
+            role=np.concatenate([p.role, np.array(role, np.int32)]).astype(np.int32),
+            xyz=np.vstack([p.xyz, np.array(xyz)]),
+            sigma=np.vstack([p.sigma, np.array(sigma)]),
+        ),
+    )
+
+
+def drop_single_marks(state: Placing) -> None:
+    """Points of which nothing is given and that are marked once cannot be determined."""
+    block = state.block
+    rays = np.bincount(block.observations.point, minlength=len(block.points))
+    special = np.asarray(block.points.role) != Role.TIE
+    single = special & ~block.points.is_control.any(axis=1) & (rays == 1)
+    if not single.any():
+        return
+    names = tuple(block.points.ids[k] for k in np.flatnonzero(single))
+    o, keep = block.observations, ~single[block.observations.point]
+    state.block = replace(
+        block,
+        observations=replace(o, image=o.image[keep], point=o.point[keep], xy_px=o.xy_px[keep], cov_px2=o.cov_px2[keep]),
+    )
+    state.tell("marked_once", f"marked in one photograph only, and so not determined: {', '.join(names)}", *names)
+
+
+def drop_gross_marks(state: Placing, free: Array, mark_px: float) -> None:
+    """Marks that lie far from where the other marks of their point meet: a wrong number, as a rule.
+
+    Tested in the free block, whose orientation does not depend on them; smaller errors are left to data snooping.
+    """
+    block, o = state.block, state.block.observations
+    special = np.asarray(block.points.role) != Role.TIE
+    rows = np.flatnonzero(special[o.point] & np.isfinite(free[o.point]).all(axis=1))
+    rays = np.bincount(o.point[rows], minlength=len(block.points))
+    rows = rows[rays[o.point[rows]] > 2]
+    if not len(rows):
+        return
+    xyz = np.where(np.isfinite(free), free, block.points.xyz)
+    v = residuals_px(replace(block, points=replace(block.points, xyz=xyz)), rows)
+    far = np.linalg.norm(v, axis=1)
+    limit = GROSS * mark_px
+    wrong = rows[~(far <= limit)]
+    for k in wrong:
+        name, file = block.points.ids[o.point[k]], block.images.ids[o.image[k]]
+        beside = rows_near(block, int(k), special, limit)
+        hint = f"; point {beside} is marked at the same place" if beside else ""
+        state.tell(
+            "mark_rejected",
+            f"the measurement of point {name} in {file} lies {far[rows == k][0]:.0f} px from where its other "
+            f"measurements put it (limit {limit:g} px) and is left out{hint}; look at it again",
+            name, file,
+        )  # fmt: skip
+    if len(wrong):
+        keep = np.ones(len(o), bool)
+        keep[wrong] = False
+        state.block = replace(
+            block,
+            observations=replace(
+                o, image=o.image[keep], point=o.point[keep], xy_px=o.xy_px[keep], cov_px2=o.cov_px2[keep]
+            ),
+        )
+
+
+def rows_near(block: Block, row: int, special: Mask, limit: float) -> str:
+    """Another control or check point that is marked in the same photograph at the same place; empty if none is."""
+    o = block.observations
+    others = np.flatnonzero(special[o.point] & (o.image == o.image[row]) & (o.point != o.point[row]))
+    if not len(others):
+        return ""
+    apart = np.linalg.norm(o.xy_px[others] - o.xy_px[row], axis=1)
+    return block.points.ids[o.point[others[apart.argmin()]]] if apart.min() < limit else ""
+
+
+def _photo(images: Mapping[str, int], name: str) -> int | None:
+    """The photograph that a file of measurements means: by its name, without folder, case or suffix if need be."""
+    if name in images:
+        return images[name]
+    plain = {Path(k).name.lower(): i for k, i in images.items()}
+    stems = {Path(k).stem.lower(): i for k, i in images.items()}
+    return plain.get(Path(name).name.lower(), stems.get(Path(name).stem.lower()))
+
+
+def add_bars(state: Placing, given: Given) -> None:
+    """Scale bars between measured points."""
+    if not given.scale_bars:
+        return
+    index = {name: k for k, name in enumerate(state.block.points.ids)}
+    for bar in given.scale_bars:
+        for name in (bar.start, bar.end):
+            if name not in index:
+                raise InputError(
+                    f"scale bar {bar.start} - {bar.end}: point {name} is not measured in any photograph; "
+                    "give its image measurements with --control"
+                )
+    bars = given.scale_bars
+    state.block = replace(
+        state.block,
+        distances=Distances(
+            start=np.array([index[b.start] for b in bars], np.int32),
+            end=np.array([index[b.end] for b in bars], np.int32),
+            length=np.array([b.length for b in bars]),
+            sigma=np.array([b.sigma for b in bars]),
+        ),
+    )
+
+
+def intersected(block: Block) -> Array:
+    """(p, 3) points of control and check in the frame of the free block; NaN with fewer than two rays."""
+    xyz = np.full((len(block.points), 3), np.nan)
+    special = np.asarray(block.points.role) != Role.TIE
+    ends = np.zeros(len(block.points), bool)
+    ends[block.distances.start] = ends[block.distances.end] = True
+    rows = np.flatnonzero((special | ends)[block.observations.point])
+    if not len(rows):
+        return xyz
+    rays = rays_of(block)
+    image = rays.image[rows]
+    direction = object_rays(block.images.rotation[image], rays.direction[rows])
+    point = rays.point[rows]
+    for k in np.unique(point):
+        mine = np.flatnonzero(point == k)
+        if len(mine) > 1:
+            xyz[k] = _meeting(block.images.centre[image[mine]], direction[mine])
+    return xyz
+
+
+def _meeting(centre: Array, direction: Array) -> Array:
+    """Where rays (n, 3) meet; with three or more, where most of them do: a ray of a wrong point does not bend it."""
+    n = len(centre)
+
+    def at(pick: Array) -> Array:
+        found, _, ratio = intersect_linear(centre[pick], direction[pick], np.zeros(len(pick), np.int32), 1)
+        return found[0] if ratio[0] > 1e-7 else np.full(3, np.nan)
+
+    def angles(X: Array) -> Array:
+        ray = X - centre
+        ray = ray / np.maximum(np.linalg.norm(ray, axis=1, keepdims=True), 1e-300)
+        return np.linalg.norm(ray - direction, axis=1)
+
+    everything = np.arange(n)
+    if n == 2:
+        return at(everything)
+    best, cost = at(everything), np.inf
+    for pair in combinations(range(n), 2):
+        X = at(np.array(pair))
+        if not np.isfinite(X).all():
+            continue
+        worth = float(np.sort(angles(X))[n // 2])
+        if worth < cost:
+            best, cost = X, worth
+    near = np.flatnonzero(angles(best) <= max(4 * cost, 1e-4)) if np.isfinite(cost) else everything
+    refined = at(near) if len(near) > 1 else best
+    return refined if np.isfinite(refined).all() else best
