@@ -14,6 +14,7 @@
 #include "factor.hpp"
 #include "imaging.hpp"
 #include "problem.hpp"
+#include "targets.hpp"
 
 namespace nb = nanobind;
 using namespace raybundle;
@@ -52,6 +53,15 @@ const ImagingKernels& imaging_kernels() {
   if (chosen == Width::avx2) return avx2::imaging;
 #endif
   return baseline::imaging;
+}
+
+const TargetKernels& target_kernels() {
+  static const Width chosen = width();
+#ifdef RB_X86
+  if (chosen == Width::avx512) return avx512::targets;
+  if (chosen == Width::avx2) return avx2::targets;
+#endif
+  return baseline::targets;
 }
 
 }  // namespace raybundle
@@ -113,6 +123,26 @@ nb::tuple match_windows(Image reference, Image target, Const xy_reference, Const
   return nb::make_tuple(xy, affine, covariance, correlation, outcome);
 }
 
+nb::tuple fit_dots(Image image, Const xy, Const shape, Const window, int iterations, double step, double reach, double slope) {
+  const size_t n = window.size();
+  if (xy.size() != 2 * n || shape.size() != 3 * n || !(slope > 0)) throw std::invalid_argument("dots have the wrong size");
+  auto values = make({n, size_t(kDotUnknowns)}), covariance = make({n, 3}), residual = make({n});
+  auto outcome = array<int32_t>({n});
+  for (size_t i = 0; i < n; ++i) {
+    std::copy_n(xy.data() + 2 * i, 2, values.data() + kDotUnknowns * i);
+    std::copy_n(shape.data() + 3 * i, 3, values.data() + kDotUnknowns * i + 2);
+  }
+  const Grey grey{image.data(), int(image.shape(1)), int(image.shape(0))};
+  const double* w = window.data();
+  double *v = values.data(), *Q = covariance.data(), *r = residual.data();
+  int32_t* o = outcome.data();
+  {
+    nb::gil_scoped_release release;
+    target_kernels().fit_dots(grey, {iterations, step, reach, slope}, 0, int(n), w, v, Q, r, o);
+  }
+  return nb::make_tuple(values, covariance, residual, outcome);
+}
+
 struct Solver {
   Problem q;
   std::unique_ptr<Factor> factor;
@@ -135,6 +165,7 @@ NB_MODULE(_native, m) {
   m.doc() = "Compiled kernels: observations, reduced normal matrix, sparse factor, selected inverse.";
   m.def("best_matches", &best);
   m.def("match_windows", &match_windows);
+  m.def("fit_dots", &fit_dots);
   m.def("instruction_set", [] { return std::string(kernels().name); });
   m.def("sensor_models", [] {
     std::vector<std::string> names;

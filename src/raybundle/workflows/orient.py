@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections import OrderedDict
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
@@ -18,7 +19,7 @@ from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.structure import structure_notice
 from raybundle.block import Block, Camera
 from raybundle.block.select import with_rows
-from raybundle.errors import InputError, NoConvergence
+from raybundle.errors import InputError, NoConvergence, RankDefect
 from raybundle.io.block_arrays import arrays_of_block, block_of_arrays
 from raybundle.io.coordinate_systems import LocalFrame
 from raybundle.io.photos.cameras import CameraGroup, camera_groups, camera_of
@@ -48,6 +49,8 @@ START, PRECISION = 7, 15
 """Versions of the stages' results."""
 FINAL = 1e-4
 """Last step of the final adjustment, in standard deviations of the unknowns."""
+MOST_LEFT = 8
+"""Photographs that the final adjustment may leave out one after the other."""
 COARSE = 1e-2
 """The same where that is not reached: still far below what a standard deviation can tell."""
 STAGES = ("photographs", "features", "matching", "start", "precision", "adjustment", "report")
@@ -192,7 +195,7 @@ def orient(
             photos=photos,
             groups=groups,
             refused=tuple(refused),
-            not_oriented=ties[0].not_oriented,
+            not_oriented=(*ties[0].not_oriented, *_left_out(adjustment, parts)),
             pairs=tuple(pairs),
             stages=tuple(project.records),
             sigma_px=image_sigma_px(adjustment),
@@ -391,15 +394,58 @@ def _adjust(
         notices.append(Notice(code="parallel_rays", message=message))
         kept = np.isin(placed.block.points.ids, block.points.ids)
         placed = replace(placed, block=block, marked=placed.marked[kept])
-    try:
-        result = decide(placed.block, options, progress, notices=(*notices, *placed.notices))
-    except NoConvergence:
-        # two photographs, or a weak interior orientation: steps of a few thousandths of a sigma that do not end
-        result = decide(placed.block, replace(options, tolerance=COARSE), progress, notices=(*notices, *placed.notices))
+    for _ in range(MOST_LEFT):
+        try:
+            result = _decided(placed.block, options, progress, (*notices, *placed.notices))
+            break
+        except RankDefect as error:
+            named = re.search(r"exterior orientation of image (.+?) \(\d+ %\)", str(error))
+            if named is None or int(placed.block.images.oriented.sum()) < 4:
+                raise
+            placed = _without_image(placed, named[1])
+            message = f"{named[1]} is left out: what is left of its points does not determine its orientation"
+            notices.append(Notice(code="image_left_out", message=message, ids=(named[1],)))
+    else:
+        result = _decided(placed.block, options, progress, (*notices, *placed.notices))
     first = list(rejected_marks(result, placed.marked[result.given.observations.point]))
     structure = structure_notice(result)
     first += [structure] if structure is not None else []
     return replace(result, notices=(*first, *result.notices)) if first else result
+
+
+def _left_out(adjustment: Adjustment, parts: Sequence[Part]) -> list[tuple[str, str]]:
+    """Photographs that the final adjustments left out, and why."""
+    notices = [n for a in (adjustment, *(p.adjustment for p in parts)) for n in a.notices]
+    return [(n.ids[0], n.message.split(": ", 1)[1]) for n in notices if n.code == "image_left_out"]
+
+
+def _decided(block: Block, options: AdjustmentOptions, progress: Progress, notices: tuple[Notice, ...]) -> Adjustment:
+    try:
+        return decide(block, options, progress, notices=notices)
+    except NoConvergence:
+        # two photographs, or a weak interior orientation: steps of a few thousandths of a sigma that do not end
+        return decide(block, replace(options, tolerance=COARSE), progress, notices=notices)
+
+
+def _without_image(placed: Georeferenced, name: str) -> Georeferenced:
+    """The block without the image points and the orientation of an image."""
+    block = placed.block
+    out = np.array([n == name for n in block.images.ids])
+    o = block.observations
+    keep = ~out[o.image]
+    rays = np.bincount(o.point[keep], minlength=len(block.points))
+    fixed = block.points.is_control.any(axis=1)
+    thin = with_rows(block, keep & ((rays > 1) | fixed)[o.point])
+    images = replace(
+        thin.images,
+        centre=np.where(out[:, None], np.nan, thin.images.centre),
+        rotation=np.where(out[:, None, None], np.nan, thin.images.rotation),
+    )
+    s = thin.stations
+    stay = ~out[s.image]
+    stations = replace(s, image=s.image[stay], xyz=s.xyz[stay], sigma=s.sigma[stay])
+    marked = placed.marked[np.isin(block.points.ids, thin.points.ids)]
+    return replace(placed, block=replace(thin, images=images, stations=stations), marked=marked)
 
 
 def part_folder(k: int) -> str:

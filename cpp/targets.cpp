@@ -1,0 +1,289 @@
+// The photometric fit of a dot, compiled once for every instruction set (RB_ARCH).
+//
+// The image of a disc blurred by a Gaussian is an integral along its edge (Green's theorem), and so are its derivatives:
+// for edge points r(t) with r' = (dx, dy) and Phi, phi of mean r and standard deviation s,
+//   f = sum Phi(x) phi(y) dy,   df/dp = sum phi(x) phi(y) (dr/dp x r').
+// The trapezoidal rule is exact to rounding on a closed smooth curve, and the sums separate into rows and columns.
+#include "targets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+namespace raybundle {
+namespace RB_ARCH {
+
+constexpr int kU = kDotUnknowns;
+constexpr double kFar = 5.5;          // standard deviations beyond which an edge is not felt
+constexpr double kNodes = 1.1;        // largest distance of edge points, in standard deviations
+constexpr double kSharpest = 0.3, kSoftest = 12.0;
+constexpr int kPasses = 2;            // the window follows the fitted ellipse once
+enum { X0, Y0, A, B, D, S, GROUND, CONTRAST, GX, GY };
+
+struct DotWork {
+  int x0 = 0, x1 = 0, y0 = 0, y1 = 0;   // pixels of the window, ends excluded
+  std::vector<int> left, right;         // of each row
+  std::vector<double> co, si, rx, ry, dx, dy, P, E, sums;
+  int nodes = 0, count = 0;
+};
+
+// Pixels whose centres lie within `window` radii of the ellipse; false where they leave the image.
+static bool place_window(const Grey& g, const double* v, double window, DotWork& w) {
+  const double c11 = v[A] * v[A], c22 = v[B] * v[B] + v[D] * v[D];
+  const double hx = window * std::sqrt(c11), hy = window * std::sqrt(c22);
+  if (!(v[X0] - hx > 0 && v[Y0] - hy > 0 && v[X0] + hx < g.width && v[Y0] + hy < g.height)) return false;
+  w.y0 = int(std::ceil(v[Y0] - hy - 0.5));
+  w.y1 = int(std::floor(v[Y0] + hy - 0.5)) + 1;
+  w.left.resize(std::max(0, w.y1 - w.y0));
+  w.right.resize(w.left.size());
+  w.x0 = g.width;
+  w.x1 = 0;
+  w.count = 0;
+  for (int y = w.y0; y < w.y1; ++y) {
+    // L^-1 (x, y): p = x / a, q = (y - b p) / d
+    const double q = y + 0.5 - v[Y0];
+    // p^2 + (q - b p)^2 / d^2 <= window^2
+    const double aa = 1 + v[B] * v[B] / (v[D] * v[D]), bb = -v[B] * q / (v[D] * v[D]), cc = q * q / (v[D] * v[D]) - window * window;
+    const double root = bb * bb - aa * cc;
+    int l = 0, r = 0;
+    if (root > 0) {
+      l = int(std::ceil(v[X0] + v[A] * (-bb - std::sqrt(root)) / aa - 0.5));
+      r = int(std::floor(v[X0] + v[A] * (-bb + std::sqrt(root)) / aa - 0.5)) + 1;
+      l = std::max(l, 0);
+      r = std::min(r, g.width);
+    }
+    if (r <= l) l = r = 0;
+    w.left[y - w.y0] = l;
+    w.right[y - w.y0] = r;
+    if (r > l) {
+      w.x0 = std::min(w.x0, l);
+      w.x1 = std::max(w.x1, r);
+      w.count += r - l;
+    }
+  }
+  return w.count > 0;
+}
+
+// Ground and contrast for a start: means of the outermost and the innermost pixels.
+static void start_levels(const Grey& g, double window, double* v, const DotWork& w) {
+  double in = 0, out = 0;
+  int n_in = 0, n_out = 0;
+  const double limit = 0.5 * (1 + window);
+  for (int y = w.y0; y < w.y1; ++y)
+    for (int x = w.left[y - w.y0]; x < w.right[y - w.y0]; ++x) {
+      const double p = (x + 0.5 - v[X0]) / v[A], q = (y + 0.5 - v[Y0] - v[B] * p) / v[D], r2 = p * p + q * q;
+      const double grey = g.data[int64_t(y) * g.width + x];
+      if (r2 < 0.36) in += grey, ++n_in;
+      if (r2 > limit * limit) out += grey, ++n_out;
+    }
+  v[GROUND] = n_out ? out / n_out : 0;
+  v[CONTRAST] = (n_in ? in / n_in : 0) - v[GROUND];
+}
+
+// Normal equations (lower triangle N, right-hand side b) and sum of squares at v.
+static double evaluate(const Grey& g, const double* v, DotWork& w, double N[kU][kU], double* b) {
+  constexpr double kRoot2Pi = 2.5066282746310002, kRoot2 = 1.4142135623730951, kPi = 3.141592653589793;
+  const double s = v[S];
+  const double trace = v[A] * v[A] + v[B] * v[B] + v[D] * v[D], det = v[A] * v[D];
+  const double major = std::sqrt(0.5 * (trace + std::sqrt(std::max(0.0, trace * trace - 4 * det * det))));
+  const int n = w.nodes = std::max(24, int(std::ceil(2 * kPi * major / (kNodes * s))));
+  const int width = w.x1 - w.x0;
+  for (auto* a : {&w.co, &w.si, &w.rx, &w.ry, &w.dx, &w.dy}) a->resize(n);
+  w.P.resize(size_t(n) * width);
+  w.E.resize(size_t(n) * width);
+  w.sums.resize(size_t(7) * width);
+  const double step = 2 * kPi / n;
+  for (int k = 0; k < n; ++k) {
+    const double c = w.co[k] = std::cos((k + 0.5) * step), q = w.si[k] = std::sin((k + 0.5) * step);
+    w.rx[k] = v[A] * c;
+    w.ry[k] = v[B] * c + v[D] * q;
+    w.dx[k] = -v[A] * q * step;
+    w.dy[k] = (-v[B] * q + v[D] * c) * step;
+    double *P = w.P.data() + size_t(k) * width, *E = w.E.data() + size_t(k) * width;
+    for (int x = 0; x < width; ++x) {
+      const double t = (w.rx[k] - (w.x0 + x + 0.5 - v[X0])) / s;
+      const bool near = std::abs(t) < kFar;
+      P[x] = near ? 0.5 * std::erfc(-t / kRoot2) : (t > 0 ? 1.0 : 0.0);
+      E[x] = near ? std::exp(-0.5 * t * t) / (s * kRoot2Pi) : 0.0;
+    }
+  }
+  for (int i = 0; i < kU; ++i) {
+    b[i] = 0;
+    for (int j = 0; j < kU; ++j) N[i][j] = 0;
+  }
+  double square = 0;
+  for (int y = w.y0; y < w.y1; ++y) {
+    const int l = w.left[y - w.y0] - w.x0, r = w.right[y - w.y0] - w.x0;
+    if (r <= l) continue;
+    const double v_ = y + 0.5 - v[Y0];
+    double* sums[7];
+    for (int i = 0; i < 7; ++i) {
+      sums[i] = w.sums.data() + size_t(i) * width;
+      std::fill(sums[i] + l, sums[i] + r, 0.0);
+    }
+    double *f = sums[0], *s1 = sums[1], *s2 = sums[2], *s3 = sums[3], *s4 = sums[4], *s5 = sums[5], *s6 = sums[6];
+    for (int k = 0; k < n; ++k) {
+      const double t = (w.ry[k] - v_) / s;
+      if (std::abs(t) >= kFar) continue;
+      const double e = std::exp(-0.5 * t * t) / (s * kRoot2Pi);
+      const double u = e * w.dy[k], o = -e * w.dx[k], ua = u * w.co[k], ob = o * w.co[k], od = o * w.si[k];
+      const double m = u * w.rx[k] + o * w.ry[k];
+      const double *P = w.P.data() + size_t(k) * width, *E = w.E.data() + size_t(k) * width;
+      for (int x = l; x < r; ++x) {
+        f[x] += u * P[x];
+        s1[x] += u * E[x];
+        s2[x] += o * E[x];
+        s3[x] += ua * E[x];
+        s4[x] += ob * E[x];
+        s5[x] += od * E[x];
+        s6[x] += m * E[x];
+      }
+    }
+    const uint16_t* row = g.data + int64_t(y) * g.width + w.x0;
+    for (int x = l; x < r; ++x) {
+      const double u_ = w.x0 + x + 0.5 - v[X0];
+      const double light = 1 + v[GX] * u_ + v[GY] * v_, level = v[GROUND] + v[CONTRAST] * f[x], k = v[CONTRAST] * light;
+      const double J[kU] = {k * s1[x] - level * v[GX],
+                            k * s2[x] - level * v[GY],
+                            k * s3[x],
+                            k * s4[x],
+                            k * s5[x],
+                            -k * (s6[x] - u_ * s1[x] - v_ * s2[x]) / s,
+                            light,
+                            light * f[x],
+                            level * u_,
+                            level * v_};
+      const double e = row[x] - level * light;
+      square += e * e;
+      for (int i = 0; i < kU; ++i) {
+        b[i] += J[i] * e;
+        for (int j = 0; j <= i; ++j) N[i][j] += J[i] * J[j];
+      }
+    }
+  }
+  return square;
+}
+
+// L L' = N scaled to a unit diagonal (lower triangle, in place); false where N is not positive definite beyond rounding.
+static bool dot_cholesky(double N[kU][kU], double* scale) {
+  for (int i = 0; i < kU; ++i) {
+    if (!(N[i][i] > 0)) return false;
+    scale[i] = 1 / std::sqrt(N[i][i]);
+  }
+  for (int i = 0; i < kU; ++i)
+    for (int j = 0; j <= i; ++j) {
+      double sum = N[i][j] * scale[i] * scale[j];
+      for (int k = 0; k < j; ++k) sum -= N[i][k] * N[j][k];
+      if (i == j) {
+        if (!(sum > 1e-11)) return false;
+        N[i][i] = std::sqrt(sum);
+      } else {
+        N[i][j] = sum / N[j][j];
+      }
+    }
+  return true;
+}
+
+static void dot_solve(const double L[kU][kU], const double* scale, double* b) {
+  for (int i = 0; i < kU; ++i) {
+    b[i] *= scale[i];
+    for (int k = 0; k < i; ++k) b[i] -= L[i][k] * b[k];
+    b[i] /= L[i][i];
+  }
+  for (int i = kU - 1; i >= 0; --i) {
+    for (int k = i + 1; k < kU; ++k) b[i] -= L[k][i] * b[k];
+    b[i] /= L[i][i];
+  }
+  for (int i = 0; i < kU; ++i) b[i] *= scale[i];
+}
+
+// Levenberg and Marquardt within one window.  On success N holds the factor and `variance` that of a grey value.
+static DotOutcome iterate(const Grey& g, const DotFit& fit, double step, double* v, DotWork& w, double N[kU][kU], double* scale,
+                          double& variance) {
+  double b[kU], next[kU], Nn[kU][kU], bn[kU], damping = 1e-3;
+  double square = evaluate(g, v, w, N, b);
+  const double freedom = std::max(1, w.count - kU);
+  for (int iteration = 0; iteration < fit.iterations; ++iteration) {
+    variance = std::max(square / freedom, 1.0 / 12);
+    const double prior = variance / (fit.slope * fit.slope);
+    double L[kU][kU], d[kU];
+    std::memcpy(L, N, sizeof L);
+    std::memcpy(d, b, sizeof d);
+    for (int i : {GX, GY}) {
+      L[i][i] += prior;
+      d[i] -= prior * v[i];
+    }
+    for (int i = 0; i < kU; ++i) L[i][i] *= 1 + damping;
+    if (!dot_cholesky(L, scale)) return dot_flat;
+    dot_solve(L, scale, d);
+    const double minor = std::min(v[A], v[D]);
+    double shorten = 1;
+    for (int i : {X0, Y0, A, B, D}) shorten = std::min(shorten, 0.4 * minor / std::max(std::abs(d[i]), 1e-12));
+    shorten = std::min(shorten, 0.5 * v[S] / std::max(std::abs(d[S]), 1e-12));
+    for (int i = 0; i < kU; ++i) next[i] = v[i] + shorten * d[i];
+    next[S] = std::min(std::max(next[S], kSharpest), kSoftest);
+    const double before = square + prior * (v[GX] * v[GX] + v[GY] * v[GY]);
+    const double square_next = evaluate(g, next, w, Nn, bn);
+    const double after = square_next + prior * (next[GX] * next[GX] + next[GY] * next[GY]);
+    const double shift = std::hypot(next[X0] - v[X0], next[Y0] - v[Y0]);
+    const double growth = std::max({std::abs(next[A] - v[A]), std::abs(next[B] - v[B]), std::abs(next[D] - v[D])});
+    if (!(after <= before * (1 + 1e-6))) {
+      damping *= 10;
+      if (!(damping < 1e8)) return dot_unsteady;
+      continue;
+    }
+    std::memcpy(v, next, sizeof next);
+    std::memcpy(N, Nn, sizeof Nn);
+    std::memcpy(b, bn, sizeof bn);
+    square = square_next;
+    if (shift < step && growth < 10 * step && damping < 1e-2) {
+      variance = std::max(square / freedom, 1.0 / 12);
+      for (int i : {GX, GY}) N[i][i] += variance / (fit.slope * fit.slope);
+      return dot_cholesky(N, scale) ? dot_measured : dot_flat;
+    }
+    damping = std::max(damping * 0.1, 1e-9);
+  }
+  return dot_unsteady;
+}
+
+static DotOutcome fit_dot(const Grey& g, const DotFit& fit, double window, double* v, double* covariance, double& residual, DotWork& w) {
+  const double start[2] = {v[X0], v[Y0]}, minor = std::min(v[A], v[D]);
+  if (!(minor > 0.5)) return dot_flat;
+  double N[kU][kU], scale[kU], variance = 0;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    if (!place_window(g, v, window, w)) return dot_outside;
+    if (w.count < 2 * kU) return dot_flat;
+    if (pass == 0) {
+      start_levels(g, window, v, w);
+      if (!(std::abs(v[CONTRAST]) > 1)) return dot_flat;
+      v[S] = 0.8;
+      v[GX] = v[GY] = 0;
+    }
+    const DotOutcome outcome = iterate(g, fit, pass + 1 < kPasses ? 0.02 : fit.step, v, w, N, scale, variance);
+    if (outcome != dot_measured) return outcome;
+    if (!(std::min(v[A], v[D]) > 0.5)) return dot_flat;
+    if (std::hypot(v[X0] - start[0], v[Y0] - start[1]) > fit.reach * minor) return dot_moved;
+  }
+  residual = std::sqrt(variance);
+  for (int k = 0; k < 2; ++k) {
+    double unit[kU] = {};
+    unit[k] = 1;
+    dot_solve(N, scale, unit);
+    covariance[k] = variance * unit[k];
+    covariance[2] = variance * unit[0];
+  }
+  return dot_measured;
+}
+
+static void fit_dots(const Grey& image, const DotFit& fit, int begin, int end, const double* window, double* values, double* covariance,
+                     double* residual, int32_t* outcome) {
+  DotWork work;
+  for (int n = begin; n < end; ++n) outcome[n] = fit_dot(image, fit, window[n], values + kU * n, covariance + 3 * n, residual[n], work);
+}
+
+extern const TargetKernels targets;
+const TargetKernels targets = {&fit_dots};
+
+}  // namespace RB_ARCH
+}  // namespace raybundle

@@ -1,0 +1,356 @@
+"""`raybundle calibration`: calibrations from and to other programs, compared, and kept in the camera library."""
+
+from __future__ import annotations
+
+import json
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, counted, significant
+from raybundle.errors import InputError
+
+if TYPE_CHECKING:
+    from raybundle.block import Camera
+    from raybundle.io.calibrations import Calibration, Conversion
+    from raybundle.io.camera_library import LibraryEntry
+
+TRACEBACK = click.option(
+    "--traceback", is_flag=True, expose_value=False, help="After an error, show where in the program it arose."
+)
+SIZE = click.option(
+    "--size", nargs=2, type=click.IntRange(1), metavar="WIDTH HEIGHT", help="Format [px], where the file lacks it."
+)
+GIVEN = click.option("--from", "given", metavar="FORMAT", help="Format of the file.  [default: recognised]")
+CAMERA = click.option("--camera", metavar="ID", help="One camera of a file that holds several.")
+LIBRARY = click.option(
+    "--library", type=FOLDER, metavar="FOLDER", help="The library.  [default: RAYBUNDLE_CAMERAS, or the user's folder]"
+)
+
+
+@click.group("calibration", context_settings=COMMAND_SETTINGS)
+def command() -> None:
+    """Calibrations of other programs: convert, compare; the camera library: add, list, find.
+
+    \b
+    Formats: opencv, opencv-fisheye, colmap, metashape, kalibr, mrcal, australis, photomodeler, micmac, and
+    raybundle, our own TOML file.
+
+    Our model corrects the measured point, most programs distort the ideal one: where the direction changes, the
+    distortion is fitted over the whole format, and what the fit leaves is printed.
+
+    \b
+    Example:
+      raybundle calibration convert camera.yaml --to metashape --out camera.xml
+      raybundle calibration compare may.toml october.toml
+      raybundle calibration add result --photo images/DSC_0001.JPG
+      raybundle calibration find images/DSC_0001.JPG
+    """  # noqa: D301  (\b is click's mark for a paragraph that keeps its lines)
+
+
+@command.command("convert", context_settings=COMMAND_SETTINGS)
+@click.argument("source", type=FOLDER, metavar="INPUT")
+@GIVEN
+@click.option("--to", "target", required=True, metavar="FORMAT", help="Format to write.")
+@click.option("--out", type=FOLDER, required=True, metavar="FILE", help="New file; nothing is overwritten.")
+@click.option("--model", metavar="NAME", help="Distortion model of FORMAT, as 8 (opencv) or OPENCV (colmap).")
+@click.option("--pixel-mm", type=float, metavar="MM", help="Size of a pixel, where INPUT does not tell it.")
+@SIZE
+@CAMERA
+@TRACEBACK
+def convert(
+    source: Path,
+    given: str | None,
+    target: str,
+    out: Path,
+    model: str | None,
+    pixel_mm: float | None,
+    size: tuple[int, int] | None,
+    camera: str | None,
+) -> None:
+    """Convert a calibration; INPUT is a file of any format, or a result folder.
+
+    In the same direction the conversion is exact. Otherwise the simplest model within 0.01 px is taken, or else the
+    best; --model chooses one.
+    """
+    from raybundle.io.calibrations import convert_calibration, write_calibrations  # noqa: PLC0415
+
+    conversions = [
+        convert_calibration(c, target, variant=model, pixel_mm=pixel_mm)
+        for c in _chosen(_calibrations(source, given, size), camera, source)
+    ]
+    write_calibrations(target, conversions, out)
+    for conversion in conversions:
+        _tell(conversion)
+    click.echo(f" {target}: {out}")
+
+
+def _tell(conversion: Conversion) -> None:
+    c = conversion.calibration
+    how = (
+        "exact"
+        if conversion.exact
+        else f"fitted over the format: rms {significant(conversion.rms_px)} px, "
+        f"largest {significant(conversion.largest_px)} px"
+    )
+    click.echo(f" camera {c.id}: {conversion.variant}, {how}")
+    if conversion.covered < 1:
+        click.echo(f" warning: its distortion has an inverse over {conversion.covered:.1%} of the format alone")
+    click.echo(f" {'note' if conversion.validity.whole_format else 'warning'}: {conversion.validity}")
+    for remark in c.remarks:
+        click.echo(f" note: {remark}")
+
+
+def _calibrations(source: Path, given: str | None, size: tuple[int, int] | None) -> tuple[Calibration, ...]:
+    from raybundle.io.calibrations import read_calibrations  # noqa: PLC0415
+
+    if given is None and (source / "result.json").is_file():
+        return tuple(c for c, _ in _of_result(source))
+    return read_calibrations(source, given, size_px=size)
+
+
+def _of_result(folder: Path) -> list[tuple[Calibration, dict[str, Any]]]:
+    """The adjusted cameras of a result folder with their covariance, and what the library wants to know of them."""
+    import numpy as np  # noqa: PLC0415  (nothing numeric is loaded for the help)
+
+    from raybundle.io.calibrations import Calibration  # noqa: PLC0415
+    from raybundle.report.result_folder import read_result  # noqa: PLC0415
+
+    result = read_result(folder)
+    images = result.block.images
+    found: list[tuple[Calibration, dict[str, Any]]] = []
+    for k, camera in enumerate(result.block.cameras):
+        table: dict[str, dict[str, float]] = result.result.get("correlations", {}).get(camera.id, {})
+        free = tuple(table)
+        std = [result.result["cameras"][camera.id][s]["std"] for s in free]
+        covariance = None
+        if free and all(s is not None for s in std):
+            covariance = np.array([[table[a][b] for b in free] for a in free]) * np.outer(std, std)
+        facts = {
+            "sigma0": result.result.get("sigma0"),
+            "photographs": int((np.asarray(images.camera) == k).sum()),
+            "source": f"adjustment {folder.name} of {result.block.name}",
+        }
+        calibration = Calibration(
+            id=camera.id,
+            camera=camera,
+            pixel_mm=camera.pixel_mm,
+            free=free if covariance is not None else (),
+            covariance=covariance,
+        )
+        found.append((calibration, facts))
+    return found
+
+
+def _chosen(found: tuple[Calibration, ...], id_: str | None, source: Path) -> tuple[Calibration, ...]:
+    if id_ is None:
+        return found
+    chosen = tuple(c for c in found if c.id == id_)
+    if not chosen:
+        raise InputError(f"holds no camera {id_!r}; known: {', '.join(c.id for c in found)}", file=source)
+    return chosen
+
+
+def _one(source: Path, given: str | None, size: tuple[int, int] | None, id_: str | None) -> Calibration:
+    found = list(_chosen(_calibrations(source, given, size), id_, source))
+    if len(found) != 1:
+        raise InputError(
+            f"holds {len(found)} cameras ({', '.join(c.id for c in found)}); choose one: --camera", file=source
+        )
+    return found[0]
+
+
+def _our_camera(calibration: Calibration) -> tuple[Camera, str]:
+    """The calibration as one of our cameras, and what the fit left, in words."""
+    from raybundle.block import Camera  # noqa: PLC0415
+    from raybundle.io.calibrations import convert_calibration  # noqa: PLC0415
+
+    conversion = convert_calibration(calibration, "raybundle")
+    camera = conversion.calibration.camera
+    assert isinstance(camera, Camera)
+    words = "" if conversion.exact else f"camera {calibration.id} was fitted: largest {conversion.largest_px:.2g} px"
+    return camera, words
+
+
+@command.command("compare", context_settings=COMMAND_SETTINGS)
+@click.argument("first", type=FOLDER, metavar="A")
+@click.argument("second", type=FOLDER, metavar="B")
+@click.option("--distance", type=click.FloatRange(0, min_open=True), metavar="D", help="Of the object; else infinity.")
+@click.option("--json", "as_json", is_flag=True, help="Everything, the map too, as JSON.")
+@SIZE
+@CAMERA
+@TRACEBACK
+def compare(
+    first: Path,
+    second: Path,
+    distance: float | None,
+    size: tuple[int, int] | None,
+    camera: str | None,
+    *,
+    as_json: bool,
+) -> None:
+    """Say how far apart two calibrations place the image of the same ray, after the best rotation.
+
+    The rotation is what the exterior orientation of a user takes up; at --distance a translation too.
+    """
+    import numpy as np  # noqa: PLC0415
+
+    from raybundle.adjustment.calibration import calibration_difference, scaled  # noqa: PLC0415
+
+    cameras: list[Camera] = []
+    for path in (first, second):
+        own, words = _our_camera(_one(path, None, size, camera))
+        if words and not as_json:
+            click.echo(f" note: {path}: {words}")
+        cameras.append(own)
+    a, b = cameras
+    if (a.width_px, a.height_px) != (b.width_px, b.height_px):
+        b = scaled(b, a.width_px, a.height_px)
+    d = calibration_difference(a, b, distance=distance)
+    length = np.linalg.norm(d.shift_px, axis=2)
+    if as_json:
+        values = {
+            "rms_px": d.rms, "largest_px": d.largest, "rotation_rad": d.rotation.tolist(),
+            "translation": d.translation.tolist(), "xy_px": d.xy_px.tolist(),
+            "shift_px": np.where(np.isfinite(d.shift_px), d.shift_px, 0).tolist(),
+        }  # fmt: skip
+        click.echo(json.dumps(values))
+        return
+    turn = float(np.degrees(np.linalg.norm(d.rotation)))
+    where = "at infinity" if distance is None else f"at the distance {distance:g}"
+    click.echo(f" difference {where}, after a rotation of {turn:.4f} deg: rms {significant(d.rms)} px, "
+               f"largest {significant(d.largest)} px")  # fmt: skip
+    click.echo(" largest difference [px] in 3 x 3 parts of the format, as seen in the picture:")
+    for row in np.array_split(length, 3, axis=0):
+        parts = [float(np.nanmax(part)) for part in np.array_split(row, 3, axis=1)]
+        click.echo("  " + " ".join(f"{p:10.3f}" for p in parts))
+
+
+@command.command("add", context_settings=COMMAND_SETTINGS)
+@click.argument("source", type=FOLDER, metavar="FILE")
+@GIVEN
+@click.option("--photo", type=FOLDER, help="A photograph of the set: make, model, serial, lens, focal length, focus.")
+@click.option("--make", help="Instead, or in place of what the photograph says.")
+@click.option("--model", help="As --make.")
+@click.option("--serial", help="As --make.")
+@click.option("--lens", help="As --make.")
+@click.option("--focal", type=float, metavar="MM", help="EXIF focal length; as --make.")
+@click.option("--focus", type=float, metavar="M", help="Distance to which the lens was focused; as --make.")
+@click.option("--date", help="Of the calibration.  [default: today]")
+@SIZE
+@CAMERA
+@LIBRARY
+@TRACEBACK
+def add(
+    source: Path,
+    given: str | None,
+    photo: Path | None,
+    make: str | None,
+    model: str | None,
+    serial: str | None,
+    lens: str | None,
+    focal: float | None,
+    focus: float | None,
+    date: str | None,
+    size: tuple[int, int] | None,
+    camera: str | None,
+    library: Path | None,
+) -> None:
+    """Keep a calibration; FILE is a file of any format, or the result folder of an adjustment (with covariance)."""
+    from dataclasses import replace  # noqa: PLC0415
+
+    from raybundle.io.camera_library import CameraKey, LibraryEntry, add_entry, key_of  # noqa: PLC0415
+    from raybundle.io.photos.photo import read_photo  # noqa: PLC0415
+
+    calibration = _one(source, given, size, camera)
+    facts: dict[str, Any] = {"source": str(source.name)}
+    if given is None and (source / "result.json").is_file():
+        facts = next(f for c, f in _of_result(source) if c.id == calibration.id)
+    key = CameraKey()
+    if photo is not None:
+        taken = read_photo(photo)
+        key = key_of(taken)
+        c = calibration.camera
+        if (taken.width_px, taken.height_px) != (c.width_px, c.height_px):
+            raise InputError(
+                f"has {taken.width_px} x {taken.height_px} px, the calibration {c.width_px} x {c.height_px}; give a "
+                "photograph of the set that was calibrated",
+                file=photo,
+            )
+    told = {"make": make, "model": model, "serial": serial, "lens": lens, "focal_mm": focal, "focus_m": focus}
+    key = replace(key, **{k: v for k, v in told.items() if v is not None})
+    own, words = _our_camera(calibration)
+    kept = calibration.covariance if own == calibration.camera else None
+    entry = LibraryEntry(
+        key=key,
+        camera=own,
+        free=calibration.free if kept is not None else (),
+        covariance=kept,
+        date=date or datetime.now(UTC).date().isoformat(),
+        **facts,
+    )
+    place = add_entry(entry, library)
+    for remark in (*calibration.remarks, *([words] if words else [])):
+        click.echo(f" note: {remark}")
+    click.echo(f" {key}: kept as {place}")
+
+
+def _row(entry: LibraryEntry) -> str:
+    c = entry.camera
+    sigma0 = "" if entry.sigma0 is None else f", sigma0 {significant(entry.sigma0)}"
+    count = "" if entry.photographs is None else f", {counted(entry.photographs, 'photograph')}"
+    size = f"{c.width_px} x {c.height_px} px"
+    return f" {entry.name}\n   {entry.key}; {size}, {c.model}; {entry.date}, {entry.source}{count}{sigma0}"
+
+
+@command.command("list", context_settings=COMMAND_SETTINGS)
+@click.option("--json", "as_json", is_flag=True, help="Everything as JSON.")
+@LIBRARY
+@TRACEBACK
+def list_(library: Path | None, *, as_json: bool) -> None:
+    """Show the calibrations of the library."""
+    from raybundle.io.camera_library import as_table, read_library  # noqa: PLC0415
+
+    found = read_library(library)
+    if as_json:
+        click.echo(json.dumps([as_table(e) for e in found.entries], indent=1))
+        return
+    click.echo(f" {counted(len(found.entries), 'calibration')} in {found.folder}")
+    for entry in found.entries:
+        click.echo(_row(entry))
+    for path, why in found.refused:
+        click.echo(f" warning: {path.name} cannot be used: {why}")
+
+
+@command.command("find", context_settings=COMMAND_SETTINGS)
+@click.argument("photo", type=FOLDER)
+@click.option("--out", type=FOLDER, metavar="FILE", help="Write the best one as a file for --calibration.")
+@LIBRARY
+@TRACEBACK
+def find(photo: Path, out: Path | None, library: Path | None) -> int:
+    """Say which calibrations of the library serve a photograph, and why the others do not.
+
+    Exit status 2 if none does.
+    """
+    from raybundle.io.calibrations.base import write_whole  # noqa: PLC0415
+    from raybundle.io.calibrations.ours import cameras_text  # noqa: PLC0415
+    from raybundle.io.camera_library import find_calibrations, key_of  # noqa: PLC0415
+    from raybundle.io.photos.photo import read_photo  # noqa: PLC0415
+
+    taken = read_photo(photo)
+    click.echo(f" {photo.name}: {key_of(taken)}; {taken.width_px} x {taken.height_px} px")
+    matches = find_calibrations(taken, library)
+    for m in matches:
+        click.echo(f" {'fits' if m.fits else 'no  '} {m.entry.name}: {'; '.join(m.reasons)}")
+    best = matches[0].camera if matches else None
+    if best is None:
+        click.echo(" the library has no calibration for it; calibrate, then keep it: raybundle calibration add")
+        return 2
+    if out is not None:
+        if out.exists():
+            raise InputError("stands there already and is not overwritten; choose another name", file=out)
+        write_whole(out, cameras_text([best]))
+        click.echo(f" written: {out}")
+    return 0

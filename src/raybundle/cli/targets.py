@@ -1,0 +1,238 @@
+"""`raybundle targets sheet | detect | choose`."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, cast
+
+import click
+
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, counted
+from raybundle.errors import InputError
+
+if TYPE_CHECKING:
+    from raybundle.targets.codes import RingFamily
+    from raybundle.targets.detect import Detections
+
+LENGTH = re.compile(r"(\d+(?:\.\d*)?|\.\d+)\s*(mm|cm|m|in)?")
+UNITS = {None: 1.0, "mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4}
+FAMILY_HELP = "Family of rings: aicon12, aicon14, aicon20, agisoft12, agisoft14, agisoft16, agisoft20."
+
+
+class Length(click.ParamType):
+    """A length in millimetres, written with or without its unit."""
+
+    name = "LENGTH"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
+        """5mm, 0.5cm, 5."""
+        if isinstance(value, float):
+            return value
+        match = LENGTH.fullmatch(str(value).strip())
+        if match is None:
+            self.fail(f"{value!r} is not a length such as 5mm, 0.5cm or 0.2in", param, ctx)
+        return float(match[1]) * UNITS[match[2]]
+
+
+def family_options(function: Any) -> Any:
+    """--family, --table and --bits."""
+    function = click.option("--bits", type=click.IntRange(3, 24), help="Sectors of the rings of --table.")(function)
+    function = click.option(
+        "--table", type=FOLDER, metavar="FILE", help="Targets of one's own: id and code a line; with --bits."
+    )(function)
+    return click.option("--family", "family_name", metavar="NAME", help=FAMILY_HELP)(function)
+
+
+def family_of(name: str | None, table: Path | None, bits: int | None) -> RingFamily:
+    """The family that the options name; raises InputError."""
+    from raybundle.targets.codes import read_table  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.targets.families import families, family_named  # noqa: PLC0415
+
+    if table is not None:
+        if name is not None or bits is None:
+            raise InputError("--table goes with --bits and without --family")
+        return read_table(table, bits)
+    if name is None:
+        raise InputError(
+            "the family of the targets must be named, since families share rings under different numbers: "
+            f"--family {' | '.join(sorted(families))}, or --table FILE --bits N"
+        )
+    return family_named(name)
+
+
+@click.group("targets", context_settings=COMMAND_SETTINGS)
+def command() -> None:
+    """Print coded targets, and find and measure them in photographs.
+
+    \b
+    Example:
+      raybundle targets sheet --family aicon14 --count 40 --dot-radius 5mm --paper A4 --out sheet.pdf
+      raybundle targets detect images/ --family aicon14 --out observations.csv --overlay found
+    """  # noqa: D301
+
+
+@command.command("sheet", context_settings=COMMAND_SETTINGS)
+@family_options
+@click.option("--count", type=click.IntRange(1), help="So many targets, chosen to stay distinct when partly hidden.")
+@click.option("--ids", "id_text", metavar="ID,FROM-TO,...", help="These targets, in place of --count.")
+@click.option("--dot-radius", type=Length(), default="5mm", show_default=True, help="Radius of the dots.")
+@click.option("--paper", type=click.Choice(["A0", "A1", "A2", "A3", "A4"]), default="A4", show_default=True)
+@click.option("--lying", is_flag=True, help="The longer side across.")
+@click.option("--tile", type=click.Choice(["A1", "A2", "A3", "A4"]), help="Cut into parts for a printer of this paper.")
+@click.option(
+    "--polarity", type=click.Choice(["dark", "light"]), default="dark", show_default=True,
+    help="dark: black on white; light: white on black.",
+)  # fmt: skip
+@click.option(
+    "--out", type=FOLDER, required=True, metavar="FILE", help="FILE.pdf or FILE.svg; FILE.json goes beside it."
+)
+@common_options
+def sheet(
+    family_name: str | None,
+    table: Path | None,
+    bits: int | None,
+    count: int | None,
+    id_text: str | None,
+    dot_radius: float,
+    paper: str,
+    lying: bool,  # noqa: FBT001  (a flag of the command line)
+    tile: str | None,
+    polarity: str,
+    out: Path,
+    progress: str,
+) -> None:
+    """Write targets at true size, with a scale bar to verify the printer, and FILE.json with ids, radii, positions.
+
+    \b
+    Example:
+      raybundle targets sheet --family aicon12 --count 20 --out sheet.pdf
+      raybundle targets sheet --family agisoft12 --ids 1-12 --paper A2 --tile A4 --dot-radius 10mm --out large.pdf
+    """  # noqa: D301
+    from raybundle.targets.layout import SheetOptions, design  # noqa: PLC0415
+    from raybundle.targets.sheets import write_sheet  # noqa: PLC0415
+    from raybundle.targets.subsets import choose_codes  # noqa: PLC0415
+
+    del progress
+    if (count is None) == (id_text is None):
+        raise InputError("give either --count or --ids")
+    family = family_of(family_name, table, bits)
+    ids = choose_codes(family, count).ids if count is not None else read_ids(cast("str", id_text))
+    options = SheetOptions(
+        dot_radius_mm=dot_radius, paper=paper, orientation="lying" if lying else "upright",
+        polarity=cast("Any", polarity), tile=tile or "",
+    )  # fmt: skip
+    designed = design(family, ids, options)
+    files = write_sheet(designed, out)
+    click.echo(
+        f" {counted(len(ids), 'target')} of {family.title} on {counted(len(designed.pages), 'page')} {paper}"
+        + (f", printed as {counted(len(designed.printed), 'page')} {tile}" if tile else "")
+    )
+    click.echo(f" {', '.join(str(f) for f in files)}")
+
+
+def read_ids(text: str) -> Any:
+    """Numbers and ranges, as 1,4,7-12; raises InputError."""
+    import numpy as np  # noqa: PLC0415
+
+    ids: list[int] = []
+    for word in text.split(","):
+        match = re.fullmatch(r"\s*(\d+)(?:\s*-\s*(\d+))?\s*", word)
+        if match is None:
+            raise InputError(f"--ids {text}: {word!r} is neither a number nor a range as 7-12")
+        ids += range(int(match[1]), int(match[2] or match[1]) + 1)
+    if len(set(ids)) < len(ids) or not ids:
+        raise InputError(f"--ids {text}: a number stands there twice, or a range runs downwards")
+    return np.array(ids)
+
+
+@command.command("choose", context_settings=COMMAND_SETTINGS)
+@family_options
+@click.option("--count", type=click.IntRange(1), required=True)
+@common_options
+def choose(family_name: str | None, table: Path | None, bits: int | None, count: int, progress: str) -> None:
+    """Choose targets that stay distinct when an arc of their ring is hidden.
+
+    \b
+    Example:
+      raybundle targets choose --family aicon14 --count 40
+    """  # noqa: D301
+    from raybundle.targets.subsets import choose_codes  # noqa: PLC0415
+
+    del progress
+    family = family_of(family_name, table, bits)
+    choice = choose_codes(family, count)
+    click.echo(f" {counted(count, 'target')} of {family.title}: {', '.join(map(str, choice.ids))}")
+    click.echo(
+        f" with any {choice.hidden} neighbouring sectors of {family.bits} hidden no ring passes for another; "
+        f"two rings differ in {choice.distance} sectors at least"
+    )
+
+
+@command.command("detect", context_settings=COMMAND_SETTINGS)
+@click.argument("inputs", type=FOLDER, nargs=-1, required=True, metavar="PHOTOS...")
+@family_options
+@click.option(
+    "--polarity", type=click.Choice(["both", "dark", "light"]), default="both", show_default=True,
+    help="Colour of the dots.",
+)  # fmt: skip
+@click.option("--out", type=FOLDER, metavar="FILE", help="Table of the coded targets, as observations.csv of a block.")
+@click.option("--dots", type=FOLDER, metavar="FILE", help="Table of the dots without a code.")
+@click.option("--overlay", type=FOLDER, metavar="DIR", help="Write the photographs with what was found drawn on them.")
+@click.option("--threads", type=click.IntRange(0), default=0, show_default=True, help="0: all processors.")
+@common_options
+def detect(
+    inputs: tuple[Path, ...],
+    family_name: str | None,
+    table: Path | None,
+    bits: int | None,
+    polarity: str,
+    out: Path | None,
+    dots: Path | None,
+    overlay: Path | None,
+    threads: int,
+    progress: str,
+) -> int:
+    """Find, read and measure targets.
+
+    Standard deviations in the tables come from the grey values alone; what lens, film and panel add is for the
+    adjustment to find.  Exit status 2 if no target was found.
+
+    \b
+    Example:
+      raybundle targets detect images/ --family aicon14
+      raybundle targets detect images/ --family aicon14 --out observations.csv --overlay found
+    """  # noqa: D301
+    from raybundle.cli.progress import reporting  # noqa: PLC0415
+    from raybundle.cli.target_tables import detect_all, write_dots, write_observations  # noqa: PLC0415
+
+    family = family_of(family_name, table, bits)
+    with reporting(progress) as tell:
+        found, refused = detect_all(inputs, family, cast("Any", polarity), overlay, threads, tell)
+    click.echo("\n".join(report(found, family)))
+    for path, reason in refused:
+        click.echo(f" left out: {path.name}: {reason}")
+    if out is not None:
+        for line in write_observations(out, found):
+            click.echo(line)
+        click.echo(f" observations: {out}")
+    if dots is not None:
+        write_dots(dots, found)
+        click.echo(f" dots: {dots}")
+    return 0 if any(d.coded.any() for _, d in found) else 2
+
+
+def report(found: Sequence[tuple[str, Detections]], family: RingFamily) -> list[str]:
+    """What was found, for a terminal."""
+    ids = {int(i) for _, d in found for i in d.id[d.coded]}
+    reads = sum(int(d.coded.sum()) for _, d in found)
+    bare = sum(int((~d.coded).sum()) for _, d in found)
+    lines = [
+        f" {counted(len(found), 'photograph')}, {counted(len(ids), 'target')} of {family.title}",
+        f" {counted(reads, 'image observation')} with a number, {counted(bare, 'dot')} without",
+    ]
+    for name, d in found:
+        numbers = ", ".join(map(str, d.id[d.coded]))
+        lines.append(f"   {name}: {counted(int(d.coded.sum()), 'target')}{': ' if numbers else ''}{numbers}")
+    return lines

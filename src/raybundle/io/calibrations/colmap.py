@@ -1,0 +1,97 @@
+"""COLMAP's cameras.txt: one line for each camera.  Its pixel frame is ours: the origin is the corner."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, Variant, register
+from raybundle.io.formats.colmap import MODELS, NUMBERS, forward_of
+from raybundle.io.formats.reading import read_text, shown
+from raybundle.io.forward_camera import ForwardCamera
+
+WRITTEN = ("PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPENCV", "FULL_OPENCV", "OPENCV_FISHEYE")
+LEAST_WORDS = 5
+
+
+def read(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibration, ...]:
+    """The cameras of a cameras.txt, in its order."""
+    del size_px  # every line tells it
+    found: list[Calibration] = []
+    for number, line in enumerate(read_text(path).split("\n"), 1):
+        if line.startswith("#") or not line.strip():
+            continue
+        calibration = _camera(path, number, line.split())
+        if calibration.id in {c.id for c in found}:
+            raise InputError(f"camera {calibration.id} stands twice", file=path, line=number)
+        found.append(calibration)
+    if not found:
+        raise InputError("holds no camera", file=path)
+    return tuple(found)
+
+
+def _camera(path: Path, line: int, words: Sequence[str]) -> Calibration:
+    if len(words) < LEAST_WORDS:
+        raise InputError(
+            "a camera is CAMERA_ID MODEL WIDTH HEIGHT PARAMETERS; is the file complete?", file=path, line=line
+        )
+    id_, model, *rest = words
+    if model not in NUMBERS:
+        raise InputError(f"camera model {shown(model)} is not read; known: {', '.join(NUMBERS)}", file=path, line=line)
+    try:
+        width, height, *values = (float(w) for w in rest)
+    except ValueError:
+        raise InputError(f"{shown(' '.join(rest))} is not a row of numbers", file=path, line=line) from None
+    terms = MODELS[NUMBERS[model]][1]
+    if len(values) != len(terms) or not np.isfinite(values).all():
+        raise InputError(
+            f"{len(values)} parameters, {model} has {len(terms)} finite ones: {' '.join(terms)}", file=path, line=line
+        )
+    if not all(s == int(s) and 0 < s <= 10_000_000 for s in (width, height) if np.isfinite(s)) or values[0] <= 0:
+        raise InputError(
+            f"a format of {width:g} x {height:g} px, or a principal distance of {values[0]:g} px, cannot be",
+            file=path,
+            line=line,
+        )
+    return Calibration(id=id_, camera=forward_of(model, int(width), int(height), values))
+
+
+def write(conversions: Sequence[Conversion], suffix: str) -> str:
+    """A cameras.txt; ids that are no numbers become 1, 2, ..."""
+    del suffix
+    ids = [c.calibration.id for c in conversions]
+    if not all(re.fullmatch(r"[1-9]\d{0,8}", i) for i in ids):
+        ids = [str(k) for k in range(1, len(ids) + 1)]
+    lines = ["# CAMERA_ID, MODEL, WIDTH, HEIGHT, PARAMS[]"]
+    for id_, conversion in zip(ids, conversions, strict=True):
+        camera = conversion.calibration.camera
+        assert isinstance(camera, ForwardCamera)
+        terms = MODELS[NUMBERS[conversion.variant]][1]
+        values = " ".join(repr(float(getattr(camera, "fx" if t == "f" else t))) for t in terms)
+        lines.append(f"{id_} {conversion.variant} {camera.width_px} {camera.height_px} {values}")
+    return "\n".join(lines) + "\n"
+
+
+def _variant(name: str) -> Variant:
+    terms = tuple("fx" if t == "f" else t for t in MODELS[NUMBERS[name]][1])
+    return Variant(name=name, terms=terms, projection="equidistant" if "FISHEYE" in name else "central")
+
+
+register(
+    CalibrationFormat(
+        name="colmap",
+        title="COLMAP cameras.txt",
+        suffixes=(".txt",),
+        read=read,
+        write=write,
+        several=True,
+        variants=tuple(_variant(n) for n in WRITTEN),
+        recognises=lambda text, suffix: (
+            suffix == ".txt" and bool(re.search(rf"^\d+ ({'|'.join(NUMBERS)}) \d+ \d+ ", text, re.MULTILINE))
+        ),
+    )
+)

@@ -1,0 +1,96 @@
+"""Kalibr's camchain YAML: pinhole cameras with radtan or equidistant distortion; its pixel origin is OpenCV's."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from pathlib import Path
+
+from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, Variant, register
+from raybundle.io.calibrations.opencv import HALF
+from raybundle.io.calibrations.yaml_text import read_yaml
+from raybundle.io.formats.reading import Json, shown
+from raybundle.io.forward_camera import ForwardCamera
+
+MODELS = {"radtan": ("k1", "k2", "p1", "p2"), "equidistant": ("k1", "k2", "k3", "k4"), "none": ()}
+_CAM = re.compile(r"cam\d+")
+
+
+def read(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibration, ...]:
+    """The cameras cam0, cam1, ... of a camchain."""
+    del size_px
+    cameras = {k: v for k, v in read_yaml(path).mapping().items() if _CAM.fullmatch(k)}
+    if not cameras:
+        read_yaml(path).fail("there is no camera cam0; is it the camchain of Kalibr?")
+    return tuple(_camera(k, v) for k, v in cameras.items())
+
+
+def _camera(id_: str, value: Json) -> Calibration:
+    model = value.get("camera_model").text()
+    if model != "pinhole":
+        value.get("camera_model").fail(
+            f"camera model {shown(model)} is not read; known: pinhole. Calibrate with pinhole-radtan or pinhole-equi"
+        )
+    name = value.get("distortion_model").text()
+    if name not in MODELS:
+        value.get("distortion_model").fail(f"distortion {shown(name)} is not read; known: {', '.join(MODELS)}")
+    fx, fy, cx, cy = value.get("intrinsics").numbers(4).tolist()
+    if fx <= 0 or fy <= 0:
+        value.get("intrinsics").fail(f"principal distance {fx:g}, {fy:g} px; it must be positive")
+    terms = MODELS[name]
+    coefficients = value.get("distortion_coeffs").numbers(len(terms)).tolist() if terms else []
+    size = value.get("resolution").items()
+    if len(size) != 2:
+        value.get("resolution").fail(f"{len(size)} elements; width and height are needed")
+    camera = ForwardCamera(
+        width_px=size[0].whole(),
+        height_px=size[1].whole(),
+        projection="equidistant" if name == "equidistant" else "central",
+        fx=fx,
+        fy=fy,
+        cx=cx + HALF,
+        cy=cy + HALF,
+        **dict(zip(terms, coefficients, strict=True)),
+    )
+    return Calibration(id=id_, camera=camera)
+
+
+def write(conversions: Sequence[Conversion], suffix: str) -> str:
+    """A camchain without the poses of the cameras to each other."""
+    del suffix
+    lines: list[str] = []
+    for k, conversion in enumerate(conversions):
+        f = conversion.calibration.camera
+        assert isinstance(f, ForwardCamera)
+        coefficients = [float(getattr(f, t)) for t in MODELS[conversion.variant]]
+        lines += [
+            f"cam{k}:",
+            "  camera_model: pinhole",
+            f"  intrinsics: {[float(v) for v in (f.fx, f.fy, f.cx - HALF, f.cy - HALF)]}",
+            f"  distortion_model: {conversion.variant}",
+            f"  distortion_coeffs: {coefficients}",
+            f"  resolution: [{f.width_px}, {f.height_px}]",
+            f"  rostopic: /cam{k}/image_raw",
+        ]
+    return "\n".join(lines) + "\n"
+
+
+register(
+    CalibrationFormat(
+        name="kalibr",
+        title="Kalibr camchain YAML: pinhole, radtan or equidistant",
+        suffixes=(".yaml", ".yml"),
+        read=read,
+        write=write,
+        several=True,
+        variants=(
+            Variant(name="radtan", terms=("fx", "fy", "cx", "cy", *MODELS["radtan"])),
+            Variant(
+                name="equidistant", terms=("fx", "fy", "cx", "cy", *MODELS["equidistant"]), projection="equidistant"
+            ),
+        ),
+        recognises=lambda text, suffix: (
+            suffix in {".yaml", ".yml"} and bool(re.search(r"^cam\d+\s*:", text, re.MULTILINE))
+        ),
+    )
+)

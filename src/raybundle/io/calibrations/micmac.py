@@ -1,0 +1,125 @@
+"""MicMac's AutoCal XML: radial (ModRad) and Fraser's (ModPhgrStd) distortion, in pixels, at the ideal point.
+
+With p = PP + F (X/Z, Y/Z), d = p - CDist and r = |d| the image point is p + d (c1 r^2 + c2 r^4 ...)
++ (P1 (2 dx^2 + r^2) + 2 P2 dx dy + b1 dx + b2 dy, P2 (2 dy^2 + r^2) + 2 P1 dx dy).  CDist need not be PP.
+The files do not say where pixels are counted from; the corner of the first one is taken, as PP = size / 2 is
+MicMac's principal point at the centre.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, Variant, register
+from raybundle.io.formats.reading import Element, read_xml, shown
+from raybundle.io.forward_camera import ForwardCamera
+from raybundle.numerics.arrays import Array
+
+RADIAL = ("k1", "k2", "k3", "k4", "k5")
+CONVENTION = "eConvApero_DistM2C"
+
+
+def read(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibration, ...]:
+    """The camera of an AutoCal XML."""
+    del size_px
+    root = read_xml(path, "ExportAPERO").get("CalibrationInternConique")
+    convention = root.get("KnownConv").content.strip()
+    if convention != CONVENTION:
+        root.get("KnownConv").fail(f"convention {shown(convention)} is not read; known: {CONVENTION}")
+    if root.find("OrIntGlob") is not None:
+        root.get("OrIntGlob").fail("an affine frame of the sensor (OrIntGlob) is not read")
+    width, height = (int(v) for v in root.get("SzIm").numbers(2))
+    F = float(root.get("F").numbers(1)[0])
+    cx, cy = root.get("PP").numbers(2).tolist()
+    if F <= 0 or not 0 < min(width, height) <= max(width, height) <= 10_000_000:
+        root.fail(f"principal distance {F:g} px and format {width} x {height} px: one of them cannot be")
+    distortions = list(root.all("CalibDistortion"))
+    if len(distortions) > 1:
+        distortions[1].fail("more than one distortion, one after another, is not read")
+    terms = _distortion(distortions[0], F, root.get("PP").numbers(2)) if distortions else {}
+    pinhole = ForwardCamera(width_px=width, height_px=height, fx=F, fy=F, cx=cx, cy=cy)
+    camera = replace(pinhole, **terms)
+    useful = root.find("RayonUtile")
+    remarks = (f"MicMac names {useful.numbers(1)[0]:.0f} px as its valid radius",) if useful is not None else ()
+    return (Calibration(id=path.stem, camera=camera, remarks=remarks),)
+
+
+def _distortion(element: Element, F: float, principal: Array) -> dict[str, float]:
+    if len(element.children) != 1:
+        element.fail(f"{len(element.children)} models of distortion; one is needed")
+    model = element.children[0]
+    if model.name == "ModNoDist":
+        return {}
+    if model.name not in {"ModRad", "ModPhgrStd"}:
+        model.fail(f"distortion {model.name} is not read; known: ModNoDist, ModRad, ModPhgrStd")
+    radial = model if model.name == "ModRad" else model.get("RadialePart")
+    centre = (radial.get("CDist").numbers(2) - principal) / F
+    coefficients = [float(c.numbers(1)[0]) for c in radial.all("CoeffDist")]
+    if len(coefficients) > len(RADIAL) and any(coefficients[len(RADIAL) :]):
+        radial.fail(f"{len(coefficients)} radial coefficients, at most {len(RADIAL)} are read")
+    terms = {t: c * F ** (2 * n) for n, (t, c) in enumerate(zip(RADIAL, coefficients, strict=False), 1)}
+    terms |= {"ca": float(centre[0]), "cb": float(centre[1])}
+    if model.name == "ModPhgrStd":
+        P1, P2, b1, b2 = (model.number(n, 0.0) for n in ("P1", "P2", "b1", "b2"))
+        terms |= {"p1": P2 * F, "p2": P1 * F, "e1": b1, "e2": b2}
+    return terms
+
+
+def write(conversions: Sequence[Conversion], suffix: str) -> str:
+    """An AutoCal XML."""
+    del suffix
+    (conversion,) = conversions
+    f = conversion.calibration.camera
+    assert isinstance(f, ForwardCamera)
+    F = f.fx
+    centre = f"<CDist>{f.cx + F * f.ca!r} {f.cy + F * f.cb!r}</CDist>"
+    used = max((n for n, t in enumerate(RADIAL, 1) if getattr(f, t)), default=0)
+    coefficients = [float(getattr(f, t)) / F ** (2 * n) for n, t in enumerate(RADIAL[: max(used, 3)], 1)]
+    radial = [centre, *(f"<CoeffDist>{c!r}</CoeffDist>" for c in coefficients)]
+    if conversion.variant == "ModPhgrStd":
+        others = {"P1": f.p2 / F, "P2": f.p1 / F, "b1": f.e1, "b2": f.e2}
+        radial = ["<RadialePart>", *radial, "</RadialePart>", *(f"<{n}>{float(v)!r}</{n}>" for n, v in others.items())]
+    lines = [
+        '<?xml version="1.0" ?>',
+        "<ExportAPERO>",
+        "<CalibrationInternConique>",
+        f"<KnownConv>{CONVENTION}</KnownConv>",
+        f"<PP>{f.cx!r} {f.cy!r}</PP>",
+        f"<F>{F!r}</F>",
+        f"<SzIm>{f.width_px} {f.height_px}</SzIm>",
+        "<CalibDistortion>",
+        f"<{conversion.variant}>",
+        *radial,
+        f"</{conversion.variant}>",
+        "</CalibDistortion>",
+        "</CalibrationInternConique>",
+        "</ExportAPERO>",
+    ]
+    return "\n".join(lines) + "\n"
+
+
+_CENTRAL = ("fx", "cx", "cy")
+register(
+    CalibrationFormat(
+        name="micmac",
+        title="MicMac AutoCal XML: ModRad, ModPhgrStd",
+        suffixes=(".xml",),
+        read=read,
+        write=write,
+        variants=(
+            Variant(
+                name="ModRad",
+                terms=(*_CENTRAL, "k1", "k2", "k3", "k4", "k5", "ca", "cb"),
+                fitted=(*_CENTRAL, *RADIAL[:3]),
+            ),
+            Variant(
+                name="ModPhgrStd",
+                terms=(*_CENTRAL, "k1", "k2", "k3", "k4", "k5", "p1", "p2", "ca", "cb", "e1", "e2"),
+                fitted=(*_CENTRAL, *RADIAL, "p1", "p2", "e1", "e2"),
+            ),
+        ),
+        recognises=lambda text, suffix: suffix == ".xml" and "<CalibrationInternConique>" in text,
+    )
+)

@@ -1,0 +1,97 @@
+"""mrcal's .cameramodel: pinhole and OpenCV lens models; the origin is the centre of the first pixel, as OpenCV's."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any, cast
+
+from raybundle.errors import InputError
+from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, Variant, register
+from raybundle.io.calibrations.opencv import HALF, ORDER
+from raybundle.io.formats.reading import Json, read_text, shown
+from raybundle.io.forward_camera import ForwardCamera
+
+CENTRAL = ("fx", "fy", "cx", "cy")
+MODELS = {"LENSMODEL_PINHOLE": CENTRAL} | {f"LENSMODEL_OPENCV{n}": (*CENTRAL, *ORDER[:n]) for n in (4, 5, 8, 12)}
+
+
+def read(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibration, ...]:
+    """The camera of a .cameramodel; a covariance can be had from its optimization inputs by mrcal alone."""
+    del size_px
+    top = _literal(path)
+    model = top.get("lensmodel").text()
+    if model not in MODELS:
+        top.get("lensmodel").fail(
+            f"lens model {shown(model)} is not read; known: {', '.join(MODELS)}. mrcal-convert-lensmodel makes one"
+        )
+    terms = MODELS[model]
+    values = dict(zip(terms, top.get("intrinsics").numbers(len(terms)).tolist(), strict=True))
+    if values["fx"] <= 0 or values["fy"] <= 0:
+        top.get("intrinsics").fail(f"principal distance {values['fx']:g}, {values['fy']:g} px; it must be positive")
+    values["cx"] += HALF
+    values["cy"] += HALF
+    size = top.get("imagersize").items()
+    if len(size) != 2:
+        top.get("imagersize").fail(f"{len(size)} elements; width and height are needed")
+    remark = "its optimization inputs are not read, so its covariance is not known here"
+    return (
+        Calibration(
+            id=path.stem,
+            camera=ForwardCamera(width_px=size[0].whole(), height_px=size[1].whole(), **values),
+            remarks=(remark,) if top.has("optimization_inputs") else (),
+        ),
+    )
+
+
+def _literal(path: Path) -> Json:
+    """The dictionary in the file, as JSON values; literals alone are evaluated."""
+    try:
+        value: Any = ast.literal_eval(read_text(path).strip())
+    except SyntaxError as error:
+        raise InputError(
+            "this is no .cameramodel: a dictionary of literals is needed; is the file complete?",
+            file=path,
+            line=error.lineno,
+        ) from None
+    except (ValueError, TypeError, MemoryError, RecursionError):
+        raise InputError("this is no .cameramodel: a dictionary of literals is needed", file=path) from None
+    if not isinstance(value, dict):
+        raise InputError("this is no .cameramodel: a dictionary is needed", file=path)
+    members = cast("dict[Any, Any]", value)
+    return Json(path, {str(k): list(v) if isinstance(v, tuple) else v for k, v in members.items()})
+
+
+def write(conversions: Sequence[Conversion], suffix: str) -> str:
+    """A .cameramodel at the origin of its reference frame."""
+    del suffix
+    (conversion,) = conversions
+    f = conversion.calibration.camera
+    assert isinstance(f, ForwardCamera)
+    shift = {"cx": -HALF, "cy": -HALF}
+    values = [float(getattr(f, t) + shift.get(t, 0.0)) for t in MODELS[conversion.variant]]
+    return (
+        "{\n"
+        f"    'lensmodel':  '{conversion.variant}',\n"
+        f"    'intrinsics': {values!r},\n"
+        "    'extrinsics': [0, 0, 0, 0, 0, 0],\n"
+        f"    'imagersize': [{f.width_px}, {f.height_px}]\n"
+        "}\n"
+    )
+
+
+register(
+    CalibrationFormat(
+        name="mrcal",
+        title="mrcal .cameramodel: LENSMODEL_PINHOLE, _OPENCV4, 5, 8, 12",
+        suffixes=(".cameramodel",),
+        read=read,
+        write=write,
+        variants=tuple(Variant(name=n, terms=t) for n, t in MODELS.items()),
+        recognises=lambda text, suffix: (
+            suffix == ".cameramodel" or bool(re.search(r"""^\s*['"]lensmodel['"]\s*:""", text, re.MULTILINE))
+        ),
+    )
+)

@@ -1,0 +1,227 @@
+"""OpenCV's calibrations: camera matrix and distortion coefficients in YAML or JSON; also ROS camera_info.
+
+OpenCV counts pixels from the centre of the first one: its cx, cy are half a pixel less than ours.  Coefficients
+stand in the order k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4 taux tauy, of which the first 4, 5, 8, 12 or 14 are given;
+its k4 k5 k6 are our denominator d1 d2 d3.  A fisheye has four, for powers of the angle off the axis.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, Variant, register
+from raybundle.io.calibrations.yaml_text import read_yaml
+from raybundle.io.formats.reading import Json, read_json
+from raybundle.io.forward_camera import ForwardCamera
+from raybundle.numerics.arrays import Array
+
+HALF = 0.5
+"""Our coordinate of the centre of the first pixel, which is OpenCV's origin."""
+ORDER = ("k1", "k2", "p1", "p2", "k3", "d1", "d2", "d3", "s1", "s2", "s3", "s4", "tau_x", "tau_y")
+COUNTS = (4, 5, 8, 12, 14)
+FISHEYE = ("k1", "k2", "k3", "k4")
+MATRIX = (
+    "camera_matrix",
+    "cameraMatrix",
+    "Camera_Matrix",
+    "intrinsic_matrix",
+    "intrinsics",
+    "mtx",
+    "matrix",
+    "K",
+    "M1",
+)
+DISTORTION = (
+    "distortion_coefficients", "Distortion_Coefficients", "distCoeffs", "dist_coeffs", "distortion", "dist", "D", "D1",
+)  # fmt: skip
+WIDTH, HEIGHT = ("image_width", "image_Width", "width"), ("image_height", "image_Height", "height")
+SIZES = ("image_size", "imageSize", "img_size", "size", "resolution")
+FISHEYE_MODELS = {"equidistant", "fisheye", "opencv_fisheye", "equi"}
+
+
+def read_file(path: Path) -> Json:
+    """The JSON or YAML in a file."""
+    return read_json(path) if path.suffix.lower() == ".json" else read_yaml(path)
+
+
+def _member(top: Json, names: Sequence[str]) -> Json | None:
+    return next((top.get(n) for n in names if top.has(n)), None)
+
+
+def _numbers(value: Json) -> Array:
+    """All numbers of a matrix: {rows, cols, data}, or a list, nested or not."""
+    if value.has("data"):
+        numbers = np.array([i.number() for i in value.get("data").items()])
+        rows, cols = (value.get(k).whole(0, 10_000) if value.has(k) else None for k in ("rows", "cols"))
+        if rows is not None and cols is not None and rows * cols != len(numbers):
+            value.fail(f"{rows} x {cols} elements are announced, {len(numbers)} are there; is the file complete?")
+        return numbers
+    flat: list[float] = []
+    for item in value.items():
+        flat += [i.number() for i in item.items()] if isinstance(item.value, list) else [item.number()]
+    return np.array(flat)
+
+
+def _size(top: Json, size_px: tuple[int, int] | None) -> tuple[int, int]:
+    width, height = _member(top, WIDTH), _member(top, HEIGHT)
+    if width is not None and height is not None:
+        return width.whole(), height.whole()
+    both = _member(top, SIZES)
+    if both is not None:
+        items = list(both.mapping().values()) if isinstance(both.value, dict) else both.items()
+        if len(items) == 2:
+            return items[0].whole(), items[1].whole()
+        both.fail("width and height of the image are needed here")
+    if size_px is None:
+        top.fail("the size of the image (image_width, image_height) is missing; give it: --size WIDTH HEIGHT")
+    return size_px
+
+
+def _is_fisheye(top: Json) -> bool:
+    if top.has("fisheye_model"):
+        return bool(top.get("fisheye_model").value)
+    words = _member(top, ("distortion_model", "camera_model", "model"))
+    return words is not None and str(words.value).lower() in FISHEYE_MODELS
+
+
+def _read(path: Path, size_px: tuple[int, int] | None, *, fisheye: bool) -> tuple[Calibration, ...]:
+    top = read_file(path)
+    top.mapping()
+    matrix = _member(top, MATRIX)
+    if matrix is None:
+        top.fail(f"there is no camera matrix; it is looked for as {', '.join(MATRIX)}")
+    if _is_fisheye(top) and not fisheye:
+        top.fail("this is the calibration of a fisheye; give --from opencv-fisheye")
+    K = _numbers(matrix)
+    if len(K) != 9:
+        matrix.fail(f"{len(K)} elements, the 3 x 3 camera matrix has 9")
+    fx, skew, cx, zero, fy, cy, *last = K.tolist()
+    if zero or last != [0, 0, 1] or fx <= 0 or fy <= 0:
+        matrix.fail("this is no camera matrix [fx s cx; 0 fy cy; 0 0 1] with positive fx, fy")
+    found = _member(top, DISTORTION)
+    coefficients = np.zeros(4) if found is None else _numbers(found)
+    if fisheye and len(coefficients) != 4:
+        top.fail(f"{len(coefficients)} distortion coefficients; OpenCV's fisheye has 4: k1 k2 k3 k4")
+    if not fisheye and len(coefficients) not in COUNTS:
+        top.fail(f"{len(coefficients)} distortion coefficients; OpenCV has {', '.join(map(str, COUNTS))}")
+    remarks: list[str] = [] if found is not None else ["the file holds no distortion coefficients; they are taken as 0"]
+    if skew and not fisheye:
+        remarks.append(f"OpenCV's functions pass over the skew {skew:g} in the matrix, and so it is left out")
+        skew = 0.0
+    width, height = _size(top, size_px)
+    name = _member(top, ("camera_name", "name"))
+    camera = ForwardCamera(
+        width_px=width,
+        height_px=height,
+        projection="equidistant" if fisheye else "central",
+        fx=fx,
+        fy=fy,
+        cx=cx + HALF,
+        cy=cy + HALF,
+        skew=skew,
+        **dict(zip(FISHEYE if fisheye else ORDER, coefficients.tolist(), strict=False)),
+    )
+    id_ = name.text().strip() if name is not None and isinstance(name.value, str) else ""
+    return (Calibration(id=id_ or path.stem, camera=camera, remarks=tuple(remarks)),)
+
+
+def read(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibration, ...]:
+    """A calibration of `calibrateCamera`."""
+    return _read(path, size_px, fisheye=False)
+
+
+def read_fisheye(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibration, ...]:
+    """A calibration of `fisheye::calibrate`; a file that does not say so is believed."""
+    return _read(path, size_px, fisheye=True)
+
+
+def matrix_of(camera: ForwardCamera) -> list[float]:
+    """The camera matrix (9) with OpenCV's pixel origin."""
+    return [camera.fx, camera.skew, camera.cx - HALF, 0.0, camera.fy, camera.cy - HALF, 0.0, 0.0, 1.0]
+
+
+def coefficients_of(camera: ForwardCamera, variant: str) -> list[float]:
+    """The distortion coefficients of a variant: "fisheye", or the number of them."""
+    names = FISHEYE if variant == "fisheye" else ORDER[: int(variant)]
+    return [float(getattr(camera, n)) for n in names]
+
+
+def write(conversions: Sequence[Conversion], suffix: str) -> str:
+    """A file that OpenCV's FileStorage reads."""
+    (conversion,) = conversions
+    camera = conversion.calibration.camera
+    assert isinstance(camera, ForwardCamera)
+    coefficients = coefficients_of(camera, conversion.variant)
+    matrices = (
+        ("camera_matrix", 3, 3, matrix_of(camera)),
+        ("distortion_coefficients", 1, len(coefficients), coefficients),
+    )
+    fisheye = conversion.variant == "fisheye"
+    if suffix == ".json":
+        values = {
+            "image_width": camera.width_px,
+            "image_height": camera.height_px,
+            **({"fisheye_model": 1} if fisheye else {}),
+            **{
+                name: {"type_id": "opencv-matrix", "rows": rows, "cols": cols, "dt": "d", "data": data}
+                for name, rows, cols, data in matrices
+            },
+        }
+        return json.dumps(values, indent=1) + "\n"
+    lines = ["%YAML:1.0", "---", f"image_width: {camera.width_px}", f"image_height: {camera.height_px}"]
+    lines += ["fisheye_model: 1"] if fisheye else []
+    for name, rows, cols, data in matrices:
+        lines += [f"{name}: !!opencv-matrix", f"   rows: {rows}", f"   cols: {cols}", "   dt: d"]
+        lines.append(f"   data: [ {', '.join(_yaml_number(v) for v in data)} ]")
+    return "\n".join(lines) + "\n"
+
+
+def _yaml_number(value: float) -> str:
+    """A real number that YAML 1.0 does not take for a whole one or a text."""
+    text = repr(float(value))
+    return text if "." in text else text.replace("e", ".0e")
+
+
+def _known(text: str, suffix: str, *, fisheye: bool) -> bool:
+    if suffix not in {".yaml", ".yml", ".json"} or re.search(r"^\s*cam0\s*:", text, re.MULTILINE):
+        return False
+    names = "|".join(MATRIX)
+    if not re.search(rf'(^|[\s{{,"])({names})"?\s*:', text):
+        return False
+    wide = re.search(r'fisheye_model"?\s*:\s*(1|true)', text) or re.search(
+        rf'model"?\s*:\s*"?({"|".join(FISHEYE_MODELS)})\b', text
+    )
+    return bool(wide) == fisheye
+
+
+def _variant(count: int) -> Variant:
+    return Variant(name=str(count), terms=("fx", "fy", "cx", "cy", *ORDER[:count]))
+
+
+register(
+    CalibrationFormat(
+        name="opencv",
+        title="OpenCV (YAML, JSON): 4, 5, 8, 12 or 14 coefficients; also ROS camera_info",
+        suffixes=(".yaml", ".yml", ".json"),
+        read=read,
+        write=write,
+        variants=tuple(_variant(n) for n in COUNTS),
+        recognises=lambda text, suffix: _known(text, suffix, fisheye=False),
+    )
+)
+register(
+    CalibrationFormat(
+        name="opencv-fisheye",
+        title="OpenCV's fisheye (YAML, JSON): 4 coefficients",
+        suffixes=(".yaml", ".yml", ".json"),
+        read=read_fisheye,
+        write=write,
+        variants=(Variant(name="fisheye", terms=("fx", "fy", "cx", "cy", *FISHEYE), projection="equidistant"),),
+        recognises=lambda text, suffix: _known(text, suffix, fisheye=True),
+    )
+)

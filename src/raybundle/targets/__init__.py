@@ -1,0 +1,1 @@
+"""Coded targets: families and their codes, detection, centres with covariances, sheets, boards."""

@@ -1,0 +1,73 @@
+"""The image of a circle: its ellipse's centre against ellipses through projected points, and in an adjustment."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from raybundle.adjustment.eccentricity import eccentricity_px, ellipse_points
+from raybundle.adjustment.engine import adjust_block
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.block.calibration_networks import ROLLS, FlatField, flat_field_scene
+from raybundle.block.simulate import Survey, simulate
+
+EXACT = Survey(orientation="exact", points="exact", interior="exact", image_sigma_px=1e-6)
+
+
+def conic_centre(xy):
+    """Centre of the ellipse through points (n, 2)."""
+    middle = xy.mean(axis=0)
+    scale = np.abs(xy - middle).max()
+    x, y = ((xy - middle) / scale).T
+    A = np.stack([x * x, x * y, y * y, x, y, np.ones_like(x)], axis=1)
+    a, b, c, d, e, _ = np.linalg.svd(A)[2][-1]
+    return middle + scale * np.linalg.solve([[2 * a, b], [b, 2 * c]], [-d, -e])
+
+
+def test_the_closed_form_is_the_centre_of_the_ellipse():
+    rng = np.random.default_rng(1)
+    for _ in range(50):
+        P = np.array([*rng.uniform(-0.5, 0.5, 2), -rng.uniform(1, 3)])
+        n = rng.normal(size=3)
+        n[2] = abs(n[2]) + 0.3
+        n /= np.linalg.norm(n)
+        r = rng.uniform(0.005, 0.05)
+        u = np.cross(n, [1.0, 0.3, 0.2])
+        u /= np.linalg.norm(u)
+        a = np.linspace(0, 2 * np.pi, 200, endpoint=False)[:, None]
+        circle = P + r * (np.cos(a) * u + np.sin(a) * np.cross(n, u))
+        expected = conic_centre(circle[:, :2] / circle[:, 2:])
+        found = ellipse_points(P[None], n[None], np.array([r]))[0]
+        np.testing.assert_allclose(found[:2] / found[2], expected, atol=2e-11)
+
+
+def test_it_is_some_hundredths_of_a_pixel_at_usual_sizes_and_zero_seen_squarely():
+    block = simulate(flat_field_scene(FlatField(tilt_deg=30.0, rolls_deg=ROLLS)), EXACT).observed
+    normal = np.tile([0.0, 0.0, 1.0], (len(block.points), 1))
+    # a dot of 3 mm radius at 1.5 m is 8 px large: 0.0139 px were found for 8 px and 30 degrees at f = 2000
+    offset = eccentricity_px(block, np.full(len(block.points), 0.003), normal)
+    size = np.linalg.norm(offset, axis=1)
+    assert 0.002 < np.median(size) < 0.02
+    assert not eccentricity_px(block, np.full(len(block.points), np.nan), normal).any()
+    square = simulate(flat_field_scene(FlatField(tilt_deg=0.0, shift=0.01, points=3, size=0.01)), EXACT).observed
+    small = eccentricity_px(square, np.full(9, 0.003), np.tile([0.0, 0.0, 1.0], (9, 1)))
+    assert np.abs(small).max() < 1e-3
+
+
+def test_an_adjustment_with_ellipse_centres_is_right_after_the_correction():
+    block = simulate(flat_field_scene(FlatField(tilt_deg=35.0, rolls_deg=ROLLS)), EXACT).observed
+    radius, normal = np.full(len(block.points), 0.008), np.tile([0.0, 0.0, 1.0], (len(block.points), 1))
+    o = block.observations
+    measured = replace(block, observations=replace(o, xy_px=o.xy_px + eccentricity_px(block, radius, normal)))
+    options = AdjustmentOptions(threads=1)
+    c = block.cameras[0].values["c"]
+    biased = adjust_block(measured, options)
+    assert biased.sigma0 > 100  # in units of the 1e-6 px of the simulation
+    corrected = measured
+    for _ in range(2):
+        place = adjust_block(corrected, options).adjusted
+        here = replace(measured, cameras=place.cameras, images=place.images, points=place.points)
+        shift = eccentricity_px(here, radius, normal)
+        corrected = replace(measured, observations=replace(o, xy_px=measured.observations.xy_px - shift))
+    result = adjust_block(corrected, options)
+    assert result.sigma0 < 10
+    assert abs(result.adjusted.cameras[0].values["c"] - c) < 0.02 * abs(biased.adjusted.cameras[0].values["c"] - c)

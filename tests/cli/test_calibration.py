@@ -1,0 +1,136 @@
+"""`raybundle calibration`: convert, compare, and the library, as they are typed."""
+
+import json
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from raybundle import adjust
+from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+from raybundle.cli.calibration import command
+from raybundle.cli.main import main
+from raybundle.errors import InputError
+from raybundle.io.camera_library import read_library
+from raybundle.report.result_folder import write_result
+
+TEXT = """[cameras.left]
+model = "brown"
+width_px = 600
+height_px = 400
+pixel_mm = [0.04, 0.04]
+c_mm = 28.0
+x0_mm = 0.1
+K1 = 3e-5
+P1 = 2e-6
+"""
+
+
+def run(*words):
+    return command.main([str(w) for w in words], standalone_mode=False)
+
+
+@pytest.fixture
+def ours(tmp_path):
+    (tmp_path / "ours.toml").write_text(TEXT)
+    return tmp_path / "ours.toml"
+
+
+def exif_photo(path, focal=28.0, size=(600, 400)):
+    exif = Image.Exif()
+    exif[271], exif[272] = "Maker", "Model One"
+    exif.get_ifd(0x8769)[37386] = focal
+    pixels = np.random.default_rng(1).integers(0, 255, (size[1], size[0], 3), np.uint8)
+    Image.fromarray(pixels).save(path, exif=exif)
+    return path
+
+
+def test_convert_says_what_the_fit_leaves(ours, tmp_path, capsys):
+    run("convert", ours, "--to", "opencv", "--model", "5", "--out", tmp_path / "c.yaml")
+    printed = capsys.readouterr().out
+    assert "camera left: 5, fitted over the format: rms" in printed
+    assert "off the axis" in printed or "invertible everywhere" in printed
+    run("convert", tmp_path / "c.yaml", "--to", "colmap", "--out", tmp_path / "cameras.txt")
+    assert "FULL_OPENCV, exact" in capsys.readouterr().out
+    run("convert", tmp_path / "c.yaml", "--to", "raybundle", "--pixel-mm", "0.04", "--out", tmp_path / "again.toml")
+    run("compare", ours, tmp_path / "again.toml", "--json")
+    lines = capsys.readouterr().out.strip().splitlines()
+    assert json.loads(lines[-1])["largest_px"] < 0.05
+
+
+def test_compare_prints_the_map(ours, tmp_path, capsys):
+    (tmp_path / "b.toml").write_text(TEXT.replace("K1 = 3e-5", "K1 = 4e-5"))
+    run("compare", ours, tmp_path / "b.toml")
+    printed = capsys.readouterr().out
+    assert "difference at infinity, after a rotation of" in printed
+    rows = [[float(v) for v in line.split()] for line in printed.splitlines()[-3:]]
+    assert np.shape(rows) == (3, 3)
+    assert rows[0][0] > rows[1][1] > 0
+    run("compare", ours, tmp_path / "b.toml", "--distance", "5")
+    assert "at the distance 5" in capsys.readouterr().out
+    (tmp_path / "half.toml").write_text(
+        TEXT.replace("600", "300").replace("400", "200").replace("[0.04, 0.04]", "[0.08, 0.08]")
+    )
+    run("compare", ours, tmp_path / "half.toml")
+    assert float(capsys.readouterr().out.split("rms ")[1].split()[0]) < 1e-6
+    (tmp_path / "crop.toml").write_text(TEXT.replace("400", "300"))
+    with pytest.raises(InputError, match="cropped"):
+        run("compare", ours, tmp_path / "crop.toml")
+
+
+def test_a_result_is_kept_with_its_covariance_and_found(tmp_path, capsys):
+    field = TargetField(
+        camera=brown_camera(size_px=(600, 400), pixel_mm=0.04), stations=4, frontal=1, rows=4, columns=5
+    )
+    result = adjust(simulate(field_scene(field), Survey()).observed)
+    write_result(result, tmp_path / "result")
+    camera = result.adjusted.cameras[0]
+    taken = exif_photo(tmp_path / "a.jpg")
+    library = tmp_path / "library"
+    run("add", tmp_path / "result", "--photo", taken, "--library", library)
+    assert "Model One" in capsys.readouterr().out
+    (entry,) = read_library(library).entries
+    assert entry.camera.values == pytest.approx(dict(camera.values), rel=1e-12)
+    expected = result.precision.interior[camera.id]
+    assert entry.free == result.interior[0].free
+    np.testing.assert_allclose(np.diag(entry.covariance), np.diag(expected), rtol=1e-6)
+    scale = np.sqrt(np.outer(np.diag(expected), np.diag(expected)))
+    np.testing.assert_allclose(entry.covariance / scale, expected / scale, atol=1e-5)
+    assert entry.sigma0 == pytest.approx(result.sigma0)
+    assert entry.photographs == len(result.adjusted.images)
+    run("list", "--library", library)
+    assert "1 calibration in" in capsys.readouterr().out
+    assert run("find", taken, "--out", tmp_path / "best.toml", "--library", library) == 0
+    assert "fits maker-model-one-28mm-600x400" in capsys.readouterr().out
+    run("compare", tmp_path / "best.toml", tmp_path / "result")
+    other = exif_photo(tmp_path / "b.jpg", focal=35.0)
+    assert run("find", other, "--library", library) == 2
+    assert "the photograph has 35 mm" in capsys.readouterr().out
+
+
+def test_add_by_words_and_its_refusals(ours, tmp_path, capsys):
+    library = tmp_path / "library"
+    with pytest.raises(InputError, match="--model and --focal"):
+        run("add", ours, "--library", library)
+    run("add", ours, "--make", "Maker", "--model", "One", "--focal", 28, "--date", "2026-05-01", "--library", library)
+    run("list", "--json", "--library", library)
+    table = json.loads(capsys.readouterr().out.split("\n", 1)[1])
+    assert (table[0]["model"], table[0]["date"], table[0]["source"]) == ("One", "2026-05-01", "ours.toml")
+    with pytest.raises(InputError, match="give a photograph of the set"):
+        run("add", ours, "--photo", exif_photo(tmp_path / "s.jpg", size=(300, 200)), "--library", library)
+
+
+def test_several_cameras_in_a_file(ours, tmp_path):
+    (tmp_path / "two.toml").write_text(TEXT + TEXT.replace("left", "right"))
+    with pytest.raises(InputError, match="2 cameras"):
+        run("convert", tmp_path / "two.toml", "--to", "opencv", "--out", tmp_path / "c.yaml")
+    run("convert", tmp_path / "two.toml", "--camera", "right", "--to", "opencv", "--out", tmp_path / "c.yaml")
+    run("convert", tmp_path / "two.toml", "--to", "kalibr", "--out", tmp_path / "chain.yaml")
+    assert "cam1:" in (tmp_path / "chain.yaml").read_text()
+    with pytest.raises(InputError, match="left, right"):
+        run("convert", tmp_path / "two.toml", "--camera", "up", "--to", "opencv", "--out", tmp_path / "d.yaml")
+
+
+def test_errors_leave_by_the_exit_status(tmp_path, capsys):
+    assert main(["calibration", "convert", str(tmp_path / "no.yaml"), "--to", "opencv", "--out", "x.yaml"]) == 2
+    assert "cannot be read" in capsys.readouterr().err
