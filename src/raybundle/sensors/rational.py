@@ -19,7 +19,7 @@ class Rational(SensorModel):
         Parameter("c", "mm", "camera constant", 10.0, kind="scale"),
         Parameter("x0", "mm", "principal point", typical=0.03, kind="principal point"),
         Parameter("y0", "mm", "principal point", typical=-0.02, kind="principal point"),
-        Parameter("k1", "1", "radial distortion, numerator", typical=-0.1, kind="radial"),
+        Parameter("k1", "1", "radial distortion, numerator", typical=0.05, kind="radial"),
         Parameter("k2", "1", "radial distortion, numerator", typical=0.02, kind="radial"),
         Parameter("k3", "1", "radial distortion, numerator", typical=0.001, kind="radial"),
         Parameter("k4", "1", "radial distortion, denominator", typical=0.1, kind="radial"),

@@ -201,3 +201,13 @@ def test_public_sets_start_within_their_sigma(folder, count, truth_px):
     assert len(group.photos) == count
     assert abs(group.c_px - truth_px) < group.sigma_c_px
     assert group.sigma_c_px < 0.03 * truth_px
+
+
+def test_patterns_of_names_take_cameras_apart():
+    names = ("left_1.jpg", "right_1.jpg", "left_2.jpg", "right_2.jpg", "other.jpg")
+    groups = camera_groups([photo(n) for n in names], (), ("left_*", "right_*"))
+    assert [g.photos for g in groups] == [(0, 2), (1, 3), (4,)]
+    with pytest.raises(InputError, match="no photograph's name matches the pattern 'up_\\*'"):
+        camera_groups([photo("left_1.jpg")], (), ("up_*",))
+    with pytest.raises(InputError, match="matches two patterns"):
+        camera_groups([photo("left_1.jpg")], (), ("left_*", "*_1.jpg"))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from fnmatch import fnmatchcase
 
 from raybundle.block import Camera
 from raybundle.errors import InputError
@@ -47,19 +48,26 @@ class CameraGroup:
         return self.sigma_c_mm / self.pixel_mm[0]
 
 
-def camera_groups(photos: Sequence[Photo], stored: Sequence[Camera] = ()) -> tuple[CameraGroup, ...]:
+def camera_groups(
+    photos: Sequence[Photo], stored: Sequence[Camera] = (), separate: Sequence[str] = ()
+) -> tuple[CameraGroup, ...]:
     """The cameras of some photographs, in the order of their first photograph.
 
-    stored  calibrations to be used, as `read_cameras` reads them; each must fit a camera by its id or, where
+    stored    calibrations to be used, as `read_cameras` reads them; each must fit a camera by its id or, where
             only one camera has its format, by that
-    raises  InputError where a stored calibration fits none, or more than one could be meant
+    separate  patterns of names, as "left_*": photographs that match one are a camera apart, whatever they state
+    raises    InputError where a stored calibration fits none, or more than one could be meant, or a pattern matches
+              no photograph or one that another matches too
     Photographs belong together by make, model, serial number, lens, focal length, digital zoom and format as
     stored; turning the camera changes nothing.  Photographs without metadata belong together by their format.
     What it does not tell: whether a zoom or the focus was moved between photographs with the same entry.
     """
     members: dict[tuple[object, ...], list[int]] = {}
     for k, photo in enumerate(photos):
-        members.setdefault(_key(photo), []).append(k)
+        members.setdefault((_pattern_of(photo.name, separate), *_key(photo)), []).append(k)
+    for pattern in separate:
+        if all(key[0] != pattern for key in members):
+            raise InputError(f"no photograph's name matches the pattern {pattern!r} of a camera (as in {_some(photos)})")
     names = _ids([photos[m[0]] for m in members.values()])
     groups = [_group(id_, photos, m) for id_, m in zip(names, members.values(), strict=True)]
     return tuple(_with_remarks(g, groups, photos) for g in _with_stored(groups, stored))
@@ -85,6 +93,18 @@ def camera_of(group: CameraGroup) -> Camera:
         pixel_mm=group.pixel_mm,
         values={**values, "c": group.c_mm},
     )
+
+
+def _pattern_of(name: str, patterns: Sequence[str]) -> str:
+    """The pattern that a photograph's name matches, "" for none."""
+    found = [p for p in patterns if fnmatchcase(name, p)]
+    if len(found) > 1:
+        raise InputError(f"photograph {name} matches two patterns of cameras, {found[0]!r} and {found[1]!r}")
+    return found[0] if found else ""
+
+
+def _some(photos: Sequence[Photo]) -> str:
+    return ", ".join(p.name for p in photos[:3]) or "none"
 
 
 def _key(photo: Photo) -> tuple[object, ...]:

@@ -1,0 +1,250 @@
+"""The verdict on a calibration: is it good, for what, and what is to be photographed next.
+
+What decides is what the network determines, not how small the residuals are: a wrong camera constant fits a flat field
+seen squarely as well as the right one.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from raybundle.adjustment.calibration import projection_uncertainty
+from raybundle.adjustment.cross_validation import CrossValidation, cross_validation
+from raybundle.adjustment.next_photographs import Proposal, next_photographs
+from raybundle.adjustment.result import Adjustment, InteriorResult
+from raybundle.adjustment.structure import ResidualStructure, residual_structure
+from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.progress import Progress, silent
+from raybundle.sensors import sensor_models
+
+Grade = Literal["good", "usable", "weak", "not determinable"]
+COUPLED = 0.9
+"""Correlation from which two parameters are named as coupled."""
+REACH = 0.85
+"""Share of the distance to the corners of the format that image points must reach."""
+COVERED = 0.7
+"""Share of the format's cells (10 x 10) that image points must cover."""
+FEW_PHOTOGRAPHS = 6
+CARRIES_OVER = 1.3
+"""Ratio of residuals of photographs left out to those that took part, up to which a calibration carries over."""
+GOOD_SHARE = 1.0
+USABLE_SHARE = 3.0
+"""Largest uncertainty of projection in standard deviations of an image coordinate, for a good and a usable grade."""
+TILT_SPREAD = np.radians(20)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CalibrationQuality:
+    """What the calibration of one camera is worth."""
+
+    camera: str
+    grade: Grade
+    headline: str
+    """One sentence: is it good, and for what"""
+    reasons: tuple[str, ...]
+    """What speaks against it, the gravest first"""
+    advice: tuple[Proposal, ...]
+    """What to photograph next, with its predicted effect; the best first"""
+    photographs: int
+    image_sigma_px: float
+    """Standard deviation of an image coordinate of median weight, from the residuals"""
+    uncertainty_px: float
+    """Largest standard deviation of projection over the format, at infinity"""
+    typical_px: float
+    """Its median over the format"""
+    reach: float
+    """Farthest image point from the middle, as a share of the distance to the corners"""
+    coverage: float
+    """Share of the format's cells (10 x 10) with image points, all photographs together"""
+    rolls: int
+    """Quarter turns of the camera about its axis that occur (1 to 4)"""
+    convergence: float
+    """Largest angle between a viewing axis and the mean one [rad]"""
+    couplings: tuple[tuple[str, str, float], ...]
+    """Of c with the station along the axis, x0 and y0 with decentring: name, name, correlation"""
+    validation: CrossValidation | None
+    structure: ResidualStructure | None
+
+
+def calibration_quality(result: Adjustment, camera: str, progress: Progress = silent) -> CalibrationQuality:
+    """The verdict on the calibration of one camera; the adjustment must have statistics.
+
+    What it does not tell: whether zoom, focus or stabilisation move before the camera is used.
+    """
+    interior = next(i for i in result.interior if i.camera == camera and i.image is None)
+    k = next(i for i, c in enumerate(result.given.cameras) if c.id == camera)
+    o, used = result.given.observations, result.image_observations.used
+    mine: Mask = used & (result.given.images.camera[o.image] == k)
+    images = np.unique(o.image[mine])
+    sigma = float(result.sigma0 * np.sqrt(np.median(o.cov_px2[mine, :2]))) if mine.any() else np.nan
+    adjusted = result.adjusted.cameras[k]
+    C = None if result.precision is None else result.precision.interior.get(camera)
+    largest = typical = np.nan
+    if C is not None and len(interior.free):
+        found = projection_uncertainty(adjusted, interior.free, C)
+        largest, typical = found.largest, float(np.nanmedian(found.std))
+    reach, coverage = _format(result, k, mine)
+    rolls, convergence = _views(result, images)
+    couplings = _couplings(result, interior)
+    validation = cross_validation(result, progress=progress)
+    structure = residual_structure(result)
+    progress("proposals", 0.0)
+    advice = next_photographs(result, camera)
+    progress("proposals", 1.0)
+    lacking = tuple(s for s, p in interior.parameters.items() if p.status == "not determinable")
+    reasons = _reasons(
+        lacking, interior, len(images), largest, sigma, reach, coverage, rolls, convergence, couplings, validation,
+        structure,
+    )  # fmt: skip
+    grade = _grade(lacking, largest, sigma, reach, len(images), validation, structure)
+    return CalibrationQuality(
+        camera=camera, grade=grade, headline=_headline(grade, lacking, largest, typical, sigma, reach),
+        reasons=tuple(reasons), advice=advice, photographs=len(images), image_sigma_px=sigma, uncertainty_px=largest,
+        typical_px=typical, reach=reach, coverage=coverage, rolls=rolls, convergence=convergence, couplings=couplings,
+        validation=validation, structure=structure,
+    )  # fmt: skip
+
+
+def _format(result: Adjustment, k: int, mine: Mask) -> tuple[float, float]:
+    camera = result.given.cameras[k]
+    xy = result.given.observations.xy_px[mine] / np.array([camera.width_px, camera.height_px])
+    if not len(xy):
+        return 0.0, 0.0
+    half = np.array([camera.width_px, camera.height_px]) / 2
+    radius = np.linalg.norm((xy - 0.5) * 2 * half, axis=1) / np.linalg.norm(half)
+    cell = np.clip((xy * 10).astype(int), 0, 9)
+    return float(radius.max()), len(np.unique(cell[:, 0] * 10 + cell[:, 1])) / 100
+
+
+def _views(result: Adjustment, images: Array) -> tuple[int, float]:
+    axes = result.adjusted.images.rotation[images, 2]
+    mean = axes.mean(axis=0)
+    size = float(np.linalg.norm(mean))
+    spread = np.pi if size < 1e-9 else float(np.arccos(np.clip(axes @ mean / size, -1, 1)).max(initial=0.0))
+    roll = np.zeros(0) if result.network is None else result.network.roll[images]
+    quarters = np.unique(np.round(roll[np.isfinite(roll)] / (np.pi / 2)).astype(int) % 4)
+    return max(1, len(quarters)), spread
+
+
+def _couplings(result: Adjustment, interior: InteriorResult) -> tuple[tuple[str, str, float], ...]:
+    """Of c with the station's position along its viewing axis; principal point with the decentring parameters."""
+    model = sensor_models[next(c.model for c in result.given.cameras if c.id == interior.camera)]
+    kind = {p.symbol: p.kind for p in model.parameters}
+    found: list[tuple[str, str, float]] = []
+    R, free = interior.correlations, interior.free
+    for i, a in enumerate(free):
+        for j, b in enumerate(free):
+            if kind[a] == "principal point" and kind[b] == "decentring" and len(R):
+                found.append((a, b, float(R[i, j])))
+    best = {a: max((f for f in found if f[0] == a), key=lambda f: abs(f[2])) for a, _, _ in found}
+    scale = [i for i, a in enumerate(free) if kind[a] == "scale"]
+    precision = result.precision
+    cross = None if precision is None else precision.interior_exterior.get(interior.camera)
+    along = np.nan
+    if scale and cross is not None and precision is not None and len(cross):
+        k = next(i for i, c in enumerate(result.given.cameras) if c.id == interior.camera)
+        here = np.flatnonzero((result.given.images.camera == k) & np.isfinite(precision.images[:, 0, 0]))
+        if len(here) == len(cross):
+            axis = result.adjusted.images.rotation[here, 2]
+            C = precision.images[here, :3, :3]
+            std = np.sqrt(np.diagonal(C, axis1=1, axis2=2))
+            covariance = np.einsum("ni,ni,ni->n", cross[:, scale[0], :3], std, axis)
+            r = covariance / np.sqrt(np.einsum("ni,nij,nj->n", axis, C, axis))
+            along = float(r[np.nanargmax(np.abs(r))]) if np.isfinite(r).any() else np.nan
+    named = [best[a] for a in free if a in best]
+    return (*([(free[scale[0]], "Z", along)] if scale and np.isfinite(along) else []), *named)
+
+
+def _reasons(
+    lacking: tuple[str, ...], interior: InteriorResult, photographs: int, largest: float, sigma: float, reach: float,
+    coverage: float, rolls: int, convergence: float, couplings: tuple[tuple[str, str, float], ...],
+    validation: CrossValidation | None, structure: ResidualStructure | None,
+) -> list[str]:  # fmt: skip
+    told: list[str] = []
+    for s in lacking:
+        p = interior.parameters[s]
+        why = "" if p.std is None else f": its standard deviation would be {p.std:.2g} {p.unit}".rstrip()
+        told.append(f"{s} ({p.meaning}) is not determinable from these photographs and was held{why}")
+    if photographs < FEW_PHOTOGRAPHS:
+        told.append(f"{photographs} photographs are few; {FEW_PHOTOGRAPHS} to 20 make a calibration")
+    if largest > GOOD_SHARE * sigma:
+        told.append(
+            f"the interior orientation places image points with {largest:.2g} px at worst, {largest / sigma:.1f} times "
+            f"the standard deviation of an image coordinate ({sigma:.2g} px)"
+        )
+    if reach < REACH:
+        told.append(
+            f"image points reach {100 * reach:.0f} % of the way to the corners of the format; distortion beyond is "
+            "extrapolated"
+        )
+    if coverage < COVERED:
+        told.append(f"image points cover {100 * coverage:.0f} % of the format")
+    if rolls == 1:
+        told.append("the camera was never rolled about its axis by 90 degrees: principal point and decentring lean on "
+                    "the orientations")  # fmt: skip
+    if convergence < TILT_SPREAD:
+        told.append(
+            f"the viewing axes lie within {np.degrees(convergence):.0f} degrees of their mean: they hardly converge"
+        )
+    for a, b, r in couplings:
+        if abs(r) > COUPLED:
+            other = "the station's position along the viewing axis" if b == "Z" else b
+            told.append(f"{a} is coupled with {other} (correlation {r:+.2f})")
+    if validation is not None and validation.ratio > CARRIES_OVER:
+        told.append(
+            f"photographs left out fit {validation.ratio:.2f} times worse ({validation.rms_px:.2g} px) than those that "
+            "took part: the calibration does not carry over; was the camera the same in all photographs?"
+        )
+    if structure is not None and structure.correlation > max(0.05, 5 * structure.std):
+        told.append(
+            f"neighbouring residuals agree (correlation {structure.correlation:.2f}): the model lacks something; "
+            f"standard deviations are too small by a factor of {structure.factor:.1f} at least"
+        )
+    return told
+
+
+def _grade(
+    lacking: tuple[str, ...], largest: float, sigma: float, reach: float, photographs: int,
+    validation: CrossValidation | None, structure: ResidualStructure | None,
+) -> Grade:  # fmt: skip
+    if lacking:
+        return "not determinable"
+    carries = validation is None or validation.ratio < CARRIES_OVER
+    factor = 1.0 if structure is None else structure.factor
+    if not np.isfinite(largest) or largest * factor > USABLE_SHARE * sigma or reach < 0.6 or not carries:
+        return "weak"
+    good = largest * factor <= GOOD_SHARE * sigma and reach >= REACH and photographs >= FEW_PHOTOGRAPHS
+    return "good" if good and validation is not None else "usable"
+
+
+def _headline(
+    grade: Grade, lacking: tuple[str, ...], largest: float, typical: float, sigma: float, reach: float
+) -> str:
+    if grade == "not determinable":
+        return (
+            f"Not determinable: {', '.join(lacking)}. Do not use this calibration for other photographs; take the "
+            "photographs named below first."
+        )
+    worth = f"it places image points to {typical:.2g} px (median over the format, {largest:.2g} px at worst)"
+    measured = f"measured here with {sigma:.2g} px"
+    if grade == "weak":
+        return f"Weak: {worth}, {measured}. Good for starting values; let an adjustment estimate the camera again."
+    inside = "" if reach >= REACH else f" within {100 * reach:.0f} % of the way to the corners"
+    if grade == "usable":
+        return f"Usable: {worth}, {measured}{inside}. Good for measurements to about {2 * largest:.2g} px."
+    return f"Good: {worth}, {measured}{inside}. Hold it for measurements to {max(sigma, 2 * largest):.2g} px."
+
+
+def calibration_qualities(result: Adjustment, progress: Progress = silent) -> tuple[CalibrationQuality, ...]:
+    """The verdict on each camera that has one interior orientation with estimated parameters."""
+    if result.precision is None:
+        return ()
+    wanted = [
+        i.camera
+        for i in result.interior
+        if i.image is None and (i.free or any(p.status == "not determinable" for p in i.parameters.values()))
+    ]
+    return tuple(calibration_quality(result, camera, progress) for camera in wanted)

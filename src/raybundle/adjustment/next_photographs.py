@@ -1,0 +1,230 @@
+"""Which photographs to take next: those whose predicted effect on a calibration is the largest."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from raybundle.adjustment.calibration import projection_uncertainty
+from raybundle.adjustment.engine import adjust_block
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.result import Adjustment
+from raybundle.block import Block, Images, Observations
+from raybundle.errors import RaybundleError
+from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.rotation import rotation_from_vector
+from raybundle.platforms.station import sensor_from_object
+from raybundle.sensors import sensor_models
+
+PHOTOGRAPHS = 4
+"""Photographs of a proposal."""
+TILT = np.radians(45)
+NEARER = 0.7
+WORTH = 0.9
+"""A proposal that leaves more than this share of the uncertainty is none."""
+GRAZING = np.cos(np.radians(75))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Proposal:
+    """Photographs that could be added, and what they would bring."""
+
+    words: str
+    """What to photograph, as an instruction"""
+    uncertainty_px: float
+    """Largest standard deviation of projection over the format that is to be expected with them"""
+    ratio: float
+    """The same over that without them"""
+
+
+def next_photographs(result: Adjustment, camera: str) -> tuple[Proposal, ...]:
+    """Proposals for a camera, the best first; only those that reduce the largest uncertainty of projection by a tenth.
+
+    Each set of four is added with the image points that it would see, of the precision of the others, and the block is
+    adjusted again; what comes out is the covariance to be expected.  What it does not tell: whether there is room to
+    stand there, and whether targets can be recognised at that angle.
+    """
+    k = next(i for i, c in enumerate(result.given.cameras) if c.id == camera)
+    interior = next((i for i in result.interior if i.camera == camera and i.image is None), None)
+    if interior is None or not interior.free or result.precision is None:
+        return ()
+    block = replace(result.adjusted, observations=result.given.observations)
+    used = result.image_observations.used
+    mine = np.flatnonzero((block.images.camera == k) & _seen(block, used))
+    if len(mine) < 2:
+        return ()
+    free = _free(result)
+    lacking = free[camera] != interior.free
+    now = _largest(_adjusted(block, result, free), camera) if lacking else _largest(result, camera)
+    found: list[Proposal] = []
+    for words, centre, rotation in _sets(block, mine, used):
+        then = _largest(_with(result, block, free, k, centre, rotation), camera)
+        if np.isfinite(then) and then < WORTH * now:
+            found.append(Proposal(words=words, uncertainty_px=then, ratio=then / now))
+    return tuple(sorted(found, key=lambda p: p.uncertainty_px))
+
+
+def _seen(block: Block, used: Mask) -> Mask:
+    return np.asarray(np.bincount(block.observations.image[used], minlength=len(block.images)) > 0)
+
+
+def _free(result: Adjustment) -> dict[str, tuple[str, ...]]:
+    """The free parameters of each camera, with those that were held for want of determinability."""
+    free: dict[str, tuple[str, ...]] = {c.id: () for c in result.given.cameras}
+    for i in result.interior:
+        model = sensor_models[next(c.model for c in result.given.cameras if c.id == i.camera)]
+        wanted = {s for s, p in i.parameters.items() if p.status == "not determinable"} | set(i.free)
+        free[i.camera] = tuple(s for s in model.symbols if s in wanted)
+    return free
+
+
+def _largest(result: Adjustment | None, camera: str) -> float:
+    """Largest standard deviation of projection over the format [px]; infinite where there is no result."""
+    if result is None:
+        return np.inf
+    interior = next(i for i in result.interior if i.camera == camera and i.image is None)
+    assert result.precision is not None
+    adjusted = next(c for c in result.adjusted.cameras if c.id == camera)
+    C = result.precision.interior[camera]
+    return projection_uncertainty(adjusted, interior.free, C, columns=18, rows=12).largest
+
+
+def _sets(block: Block, mine: Index, used: Mask) -> list[tuple[str, Array, Array]]:
+    """Instruction, centres (4, 3) and rotations (4, 3, 3) of each proposal."""
+    o = block.observations
+    xyz = block.points.xyz[np.unique(o.point[used])]
+    middle = np.median(xyz, axis=0)
+    centre, rotation = block.images.centre, block.images.rotation
+    some = mine[np.linspace(0, len(mine) - 1, PHOTOGRAPHS).astype(int)]
+    quarter = rotation_from_vector(np.array([[0.0, 0.0, s * np.pi / 2] for s in (1, -1, 1, -1)]))
+    rolled = quarter @ rotation[some]
+    away = centre[mine] - middle
+    mean = away / np.linalg.norm(away, axis=1, keepdims=True)
+    mean = mean.mean(axis=0)
+    length = float(np.linalg.norm(mean))
+    axis = mean / length if length > 0.2 else rotation[some[0], 2]
+    distance = float(np.median(np.linalg.norm(away, axis=1)))
+    right = rotation[some[0], 0] - (rotation[some[0], 0] @ axis) * axis
+    right = right / np.linalg.norm(right)
+    up = np.cross(axis, right)
+    azimuth = np.pi / 2 * np.arange(PHOTOGRAPHS)
+    out = np.cos(TILT) * axis + np.sin(TILT) * (np.cos(azimuth)[:, None] * right + np.sin(azimuth)[:, None] * up)
+    there = middle + distance * out
+    level = _looking(out, right)
+    near = middle + NEARER * (centre[some] - middle)
+    corner = _into_corners(block, int(block.images.camera[mine[0]]), rotation[some])
+    return [
+        ("4 photographs from the same places with the camera rolled by 90 degrees, two to the left, two to the right",
+         centre[some], rolled),
+        ("4 photographs that converge: from the left, the right, above and below, axes tilted by 45 degrees",
+         there, level),
+        ("4 photographs that converge by 45 degrees, from four sides, with the camera rolled by 90 degrees in two",
+         there, rotation_from_vector(np.array([[0.0, 0.0, s * np.pi / 2] for s in (0, 1, 0, -1)])) @ level),
+        ("4 photographs nearer, from 0.7 of the distance, so that the object fills the format to its corners",
+         near, rotation[some]),
+        ("4 photographs with the object in one corner of the format after the other", centre[some], corner),
+    ]  # fmt: skip
+
+
+def _looking(out: Array, right: Array) -> Array:
+    """(n, 3, 3) cameras that look along -out, with x as near to `right` as can be."""
+    x = right - np.einsum("ni,i->n", out, right)[:, None] * out
+    x = x / np.linalg.norm(x, axis=1, keepdims=True)
+    return np.stack([x, np.cross(out, x), out], axis=1)
+
+
+def _into_corners(block: Block, k: int, rotation: Array) -> Array:
+    """Rotations that bring what stood in the middle of the format into each quarter of it."""
+    camera = block.cameras[k]
+    model = sensor_models[camera.model]
+    values = np.array([camera.values.get(p.symbol, p.default) for p in model.parameters])
+    width, height = camera.size_mm
+    place = np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]]) * np.array([width, height]) / 4
+    d = model.ray(place.T, values).T
+    ahead = np.array([0.0, 0.0, -1.0])
+    turn = np.cross(np.broadcast_to(ahead, d.shape), d)
+    size = np.linalg.norm(turn, axis=1, keepdims=True)
+    turn = turn / np.maximum(size, 1e-12) * np.arctan2(size, d @ ahead[:, None])
+    return rotation_from_vector(turn) @ rotation
+
+
+def _with(
+    result: Adjustment, block: Block, free: dict[str, tuple[str, ...]], k: int, centre: Array, rotation: Array
+) -> Adjustment | None:
+    """The block adjusted with these photographs of camera k; None where they see too little or it fails."""
+    o, points, used = block.observations, block.points, result.image_observations.used
+    rng = np.random.default_rng(7)
+    sigma = result.sigma0 * np.sqrt(np.median(o.cov_px2[used, :2], axis=0))
+    known = np.flatnonzero(np.bincount(o.point[used], minlength=len(points)) > 1)
+    normal, flat = _facing(points.xyz[known], block.images.centre[np.unique(o.image[used])])
+    image, point, xy = list[Array](), list[Array](), list[Array]()
+    for i, (X0, R) in enumerate(zip(centre, rotation, strict=True)):
+        to = X0 - points.xyz[known]
+        seen = np.abs(to @ normal) > GRAZING * np.linalg.norm(to, axis=1) if flat else np.ones(len(known), bool)
+        at, inside = _image(block, k, X0, R, points.xyz[known[seen]])
+        rows = known[seen][inside]
+        if len(rows) < 8:
+            continue
+        image.append(np.full(len(rows), len(block.images) + i))
+        point.append(rows)
+        xy.append(at[inside] + sigma * rng.standard_normal((len(rows), 2)))
+    if not image:
+        return None
+    n, added = len(centre), int(sum(len(r) for r in point))
+    old = block.images
+    more = replace(
+        block,
+        images=Images(
+            ids=old.ids + tuple(f"proposed {i}" for i in range(n)),
+            camera=np.append(old.camera, [k] * n).astype(np.int32),
+            file=old.file + ("",) * n, centre=np.vstack([old.centre, centre]),
+            rotation=np.concatenate([old.rotation, rotation]),
+            held=None if old.held is None else np.append(old.held, [False] * n), interior=old.interior,
+        ),
+        observations=Observations(
+            image=np.concatenate([o.image, *image]).astype(np.int32),
+            point=np.concatenate([o.point, *point]).astype(np.int32), xy_px=np.vstack([o.xy_px, *xy]),
+            cov_px2=np.vstack([o.cov_px2, np.tile([*np.median(o.cov_px2[used, :2], axis=0), 0.0], (added, 1))]),
+        ),
+    )  # fmt: skip
+    return _adjusted(more, result, free, tuple(result.image_observations.rejected) + ("",) * added)
+
+
+def _adjusted(
+    block: Block, result: Adjustment, free: dict[str, tuple[str, ...]], rejected: tuple[str, ...] | None = None
+) -> Adjustment | None:
+    options = AdjustmentOptions(datum=result.options.datum, threads=result.options.threads)
+    try:
+        return adjust_block(block, options, free=free, rejected=rejected or result.image_observations.rejected)
+    except RaybundleError:
+        return None
+
+
+def _facing(xyz: Array, centres: Array) -> tuple[Array, bool]:
+    """Normal of the points' plane towards the cameras, and whether they lie in one."""
+    centred = xyz - xyz.mean(axis=0)
+    _, size, axes = np.linalg.svd(centred, full_matrices=False)
+    normal = axes[2] * (1 if (centres.mean(axis=0) - xyz.mean(axis=0)) @ axes[2] >= 0 else -1)
+    return normal, bool(size[2] < 0.1 * size[1])
+
+
+def _image(block: Block, k: int, centre: Array, rotation: Array, xyz: Array) -> tuple[Array, Mask]:
+    """Image points (n, 2) [px] of object points, and whether they lie within the format."""
+    camera = block.cameras[k]
+    model = sensor_models[camera.model]
+    values = np.array([camera.values.get(p.symbol, p.default) for p in model.parameters])
+    n = len(xyz)
+    P = sensor_from_object(np.broadcast_to(rotation, (n, 3, 3)), np.broadcast_to(centre, (n, 3)), xyz)
+    half = np.abs(camera.size_mm) / 2
+    front = np.asarray(model.in_front(P))
+    start = model.start(P, values)
+    near = front & (np.abs(start.T) < 1.5 * half).all(axis=1)
+    at = np.full((n, 2), np.nan)
+    if near.any():
+        try:
+            at[near] = camera.pixel_from_image(model.project(P[:, near], values)[0].T)
+        except RaybundleError:
+            return at, np.zeros(n, bool)
+    size = np.array([camera.width_px, camera.height_px])
+    return at, np.asarray(((at > 0) & (at < size)).all(axis=1))
