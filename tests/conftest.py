@@ -8,6 +8,10 @@ import pytest
 DATA = Path(os.environ.get("RAYBUNDLE_DATA", Path(__file__).resolve().parents[2] / "shared/data"))
 
 
+os.environ["RAYBUNDLE_CAMERAS"] = str(Path(__file__).parent / "no-cameras")
+"""No test finds the calibrations of whoever runs it."""
+
+
 @pytest.fixture(scope="session")
 def blocks():
     """The folder of public adjustment blocks; skips where it is absent."""

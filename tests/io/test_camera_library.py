@@ -13,12 +13,12 @@ from raybundle.io.camera_library import (
     CameraKey,
     LibraryEntry,
     add_entry,
-    calibrations_for,
     find_calibrations,
     key_of,
     library_folder,
     match,
     read_library,
+    with_library,
 )
 from raybundle.io.photos.cameras import camera_groups
 from raybundle.io.photos.metadata import Metadata
@@ -136,12 +136,13 @@ def test_the_best_one_is_first(tmp_path):
 def test_camera_groups_take_what_is_found(tmp_path):
     add_entry(ENTRY, tmp_path)
     photos = [photo("a.jpg"), photo("b.jpg"), photo("c.jpg", focal_mm=50.0), photo("d.jpg", size=(3000, 2000))]
-    cameras = calibrations_for(photos, tmp_path)
-    assert len(cameras) == 2
-    groups = camera_groups(photos, cameras)
+    groups = with_library(photos, camera_groups(photos), tmp_path)
     assert [g.stored is not None for g in groups] == [True, False, True]
     assert [g.c_px for g in groups if g.stored] == pytest.approx([35.2 / 0.006, 35.2 / 0.012])
-    assert calibrations_for(photos, tmp_path / "nowhere") == []
+    assert "of the camera library, of" in groups[0].remarks[-1]
+    assert [g.stored for g in with_library(photos, groups[1:2], tmp_path / "nowhere")] == [None]
+    given = camera_groups(photos[:2], [replace(CAMERA, id="mine", values={**CAMERA.values, "c": 36.0})])
+    assert with_library(photos, given, tmp_path) == given
 
 
 def test_a_damaged_entry_costs_that_one(tmp_path):

@@ -35,6 +35,14 @@ class StageName(click.Choice[str]):
     "--calibration", type=FOLDER, metavar="CAMERAS.toml", help="Known cameras; `estimate = []` in it holds them."
 )
 @click.option(
+    "--camera",
+    "separate",
+    multiple=True,
+    metavar="PATTERN",
+    help="Photographs whose names match, as 'left_*', are a camera apart; for those without metadata.",
+)
+@click.option("--no-library", is_flag=True, help="Leave calibrations of the camera library out.")
+@click.option(
     "--control",
     type=FOLDER,
     multiple=True,
@@ -90,12 +98,14 @@ def command(
     photos: tuple[Path, ...],
     out: Path,
     calibration: Path | None,
+    separate: tuple[str, ...],
+    no_library: bool,  # noqa: FBT001  (a flag of the command line)
     control: tuple[Path, ...],
     check: tuple[Path, ...],
     control_sigma: tuple[float, float] | None,
     mark_sigma: float,
     scale_bar: tuple[tuple[str, str, float, float], ...],
-    no_gps: bool,  # noqa: FBT001  (a flag of the command line)
+    no_gps: bool,  # noqa: FBT001
     features: str,
     feature_count: int,
     start: str,
@@ -127,6 +137,7 @@ def command(
     from raybundle.cli.summary import summary_lines  # noqa: PLC0415
     from raybundle.errors import InputError  # noqa: PLC0415
     from raybundle.io.block_toml import read_cameras  # noqa: PLC0415
+    from raybundle.io.camera_library import library_folder  # noqa: PLC0415
     from raybundle.io.control_files import DEFAULTS, ControlDefaults, read_control  # noqa: PLC0415
     from raybundle.io.photos.photo import shown  # noqa: PLC0415
     from raybundle.report.result_folder import check_target  # noqa: PLC0415
@@ -135,7 +146,8 @@ def command(
 
     options = OrientOptions(
         features=features, feature_count=feature_count, start=cast("Any", start), precise=not quick, jobs=jobs,
-        memory_gb=memory, redo_from=cast("Any", redo_from or ""),
+        memory_gb=memory, separate=separate, library=None if no_library else library_folder(),
+        redo_from=cast("Any", redo_from or ""),
     )  # fmt: skip
     cameras = read_cameras(calibration) if calibration is not None else ()
     plan, height = control_sigma or (DEFAULTS.plan, DEFAULTS.height)

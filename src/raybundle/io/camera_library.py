@@ -25,7 +25,7 @@ from raybundle.io.block_toml import read_cameras
 from raybundle.io.calibrations.ours import cameras_text
 from raybundle.io.folders import new_folder
 from raybundle.io.formats.reading import Json, read_text
-from raybundle.io.photos.cameras import camera_groups
+from raybundle.io.photos.cameras import CameraGroup, with_calibration
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array
 from raybundle.sensors import sensor_models
@@ -341,18 +341,26 @@ def find_calibrations(photo: Photo, folder: Path | None = None) -> tuple[Match, 
     return tuple(sorted(order, key=lambda m: (m.fits, m.rank), reverse=True))
 
 
-def calibrations_for(photos: Sequence[Photo], folder: Path | None = None) -> list[Camera]:
-    """The best calibration of the library for each camera of some photographs, for `camera_groups(photos, stored)`.
+def with_library(
+    photos: Sequence[Photo], groups: Sequence[CameraGroup], folder: Path | None = None
+) -> tuple[CameraGroup, ...]:
+    """The cameras of some photographs, those without a stored calibration with the best one that the library has.
 
-    Each has the id of its camera group; cameras for which the library has none are left out.  The reasons are
-    told by `find_calibrations`.
+    What is taken is said in the remarks; the reasons are told by `find_calibrations`.
     """
-    cameras: list[Camera] = []
-    for group in camera_groups(photos):
-        best = next(iter(find_calibrations(photos[group.photos[0]], folder)), None)
-        if best is not None and best.camera is not None:
-            cameras.append(replace(best.camera, id=group.id))
-    return cameras
+    result: list[CameraGroup] = []
+    for group in groups:
+        best = (
+            None if group.stored is not None else next(iter(find_calibrations(photos[group.photos[0]], folder)), None)
+        )
+        if best is None or best.camera is None:
+            result.append(group)
+            continue
+        taken = with_calibration(group, best.camera)
+        of = f", of {best.entry.date}" if best.entry.date else ""
+        told = f"the calibration {best.entry.name} of the camera library{of} is held (--no-library: estimate it)"
+        result.append(replace(taken, remarks=(*group.remarks, *taken.remarks, told)))
+    return tuple(result)
 
 
 def as_table(entry: LibraryEntry) -> dict[str, Any]:

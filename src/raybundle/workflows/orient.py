@@ -21,6 +21,7 @@ from raybundle.block import Block, Camera
 from raybundle.block.select import with_rows
 from raybundle.errors import InputError, NoConvergence, RankDefect
 from raybundle.io.block_arrays import arrays_of_block, block_of_arrays
+from raybundle.io.camera_library import with_library
 from raybundle.io.coordinate_systems import LocalFrame
 from raybundle.io.photos.cameras import CameraGroup, camera_groups, camera_of
 from raybundle.io.photos.photo import Photo, find_photos
@@ -72,6 +73,10 @@ class OrientOptions:
     """photographs or pairs worked on at the same time; 0 = processors"""
     memory_gb: float = 4.0
     """memory that image pixels may take while points are measured"""
+    separate: tuple[str, ...] = ()
+    """patterns of photographs' names, each a camera apart"""
+    library: Path | None = None
+    """camera library whose calibrations are held where none is given; None: none is used"""
     redo_from: Literal["", "photographs", "features", "matching", "start", "precision", "adjustment", "report"] = ""
     """stage from which on everything is done again"""
 
@@ -168,7 +173,9 @@ def orient(
             store = FeatureStore(project, tuple(store.keys[i] for i in kept))
             if len(photos) < 2:
                 raise _too_few(inputs, photos, refused)
-        groups = camera_groups(photos, calibration)
+        groups = camera_groups(photos, calibration, options.separate)
+        if options.library is not None:
+            groups = with_library(photos, groups, options.library)
         with project.stage("matching") as stage:
             pairs = match_pairs(
                 project, stage, photos, store, method, pairs_of(photos, store, method, _positions(photos), progress),

@@ -67,7 +67,9 @@ def camera_groups(
         members.setdefault((_pattern_of(photo.name, separate), *_key(photo)), []).append(k)
     for pattern in separate:
         if all(key[0] != pattern for key in members):
-            raise InputError(f"no photograph's name matches the pattern {pattern!r} of a camera (as in {_some(photos)})")
+            raise InputError(
+                f"no photograph's name matches the pattern {pattern!r} of a camera (as in {_some(photos)})"
+            )
     names = _ids([photos[m[0]] for m in members.values()])
     groups = [_group(id_, photos, m) for id_, m in zip(names, members.values(), strict=True)]
     return tuple(_with_remarks(g, groups, photos) for g in _with_stored(groups, stored))
@@ -180,11 +182,12 @@ def _with_stored(groups: Sequence[CameraGroup], stored: Sequence[Camera]) -> lis
         group = (named or fitting)[0]
         if result[group.id].stored is not None:
             raise InputError(f"two stored calibrations fit camera {group.id}; give each the id of its camera: {known}")
-        result[group.id] = _from_stored(group, camera)
+        result[group.id] = with_calibration(group, camera)
     return list(result.values())
 
 
-def _from_stored(group: CameraGroup, camera: Camera) -> CameraGroup:
+def with_calibration(group: CameraGroup, camera: Camera) -> CameraGroup:
+    """The group with a stored calibration in place of its starting values."""
     c = next(p.symbol for p in sensor_models[camera.model].parameters if p.kind == "scale")
     c_px, own = camera.values[c] / camera.pixel_mm[0], group.c_px
     remarks: tuple[str, ...] = ()
