@@ -33,6 +33,8 @@ CARRIES_OVER = 1.3
 GOOD_SHARE = 1.0
 USABLE_SHARE = 3.0
 """Largest uncertainty of projection in standard deviations of an image coordinate, for a good and a usable grade."""
+GOOD_PX, USABLE_PX = 0.1, 0.3
+"""What is good and usable whatever the precision of these image points: natural points are no better than that."""
 TILT_SPREAD = np.radians(20)
 
 
@@ -170,7 +172,7 @@ def _reasons(
         told.append(f"{s} ({p.meaning}) is not determinable from these photographs and was held{why}")
     if photographs < FEW_PHOTOGRAPHS:
         told.append(f"{photographs} photographs are few; {FEW_PHOTOGRAPHS} to 20 make a calibration")
-    if largest > GOOD_SHARE * sigma:
+    if largest > max(GOOD_SHARE * sigma, GOOD_PX):
         told.append(
             f"the interior orientation places image points with {largest:.2g} px at worst, {largest / sigma:.1f} times "
             f"the standard deviation of an image coordinate ({sigma:.2g} px)"
@@ -214,9 +216,14 @@ def _grade(
         return "not determinable"
     carries = validation is None or validation.ratio < CARRIES_OVER
     factor = 1.0 if structure is None else structure.factor
-    if not np.isfinite(largest) or largest * factor > USABLE_SHARE * sigma or reach < 0.6 or not carries:
+    if (
+        not np.isfinite(largest)
+        or largest * factor > max(USABLE_SHARE * sigma, USABLE_PX)
+        or reach < 0.6
+        or not carries
+    ):
         return "weak"
-    good = largest * factor <= GOOD_SHARE * sigma and reach >= REACH and photographs >= FEW_PHOTOGRAPHS
+    good = largest * factor <= max(GOOD_SHARE * sigma, GOOD_PX) and reach >= REACH and photographs >= FEW_PHOTOGRAPHS
     return "good" if good and validation is not None else "usable"
 
 
@@ -231,7 +238,7 @@ def _headline(
     worth = f"it places image points to {typical:.2g} px (median over the format, {largest:.2g} px at worst)"
     measured = f"measured here with {sigma:.2g} px"
     if grade == "weak":
-        return f"Weak: {worth}, {measured}. Good for starting values; let an adjustment estimate the camera again."
+        return f"Weak: {worth}, {measured}. Good as a start; let each adjustment estimate the camera again."
     inside = "" if reach >= REACH else f" within {100 * reach:.0f} % of the way to the corners"
     if grade == "usable":
         return f"Usable: {worth}, {measured}{inside}. Good for measurements to about {2 * largest:.2g} px."

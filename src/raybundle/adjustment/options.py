@@ -20,6 +20,8 @@ class AdjustmentOptions:
     """Points that carry the inner constraints; () = all object points."""
     estimate: Literal["given", "auto"] = "given"
     """given: the parameters named in the block; auto: chosen by significance, BIC and determinability."""
+    never: tuple[str, ...] = ()
+    """Parameters that the automatic choice leaves held, as the shear of a sensor whose pixels are lithographed."""
     reject: Literal["none", "snooping"] = "none"
     """snooping: blunders leave one family at a time, with reactivation."""
     residuals: Literal["as_block", "measured", "corrected"] = "as_block"

@@ -21,6 +21,7 @@ COMMANDS = {
     "photos": "Show what is known about photographs before they are oriented.",
     "frames": "Take frames from a video: sharp ones, far enough apart.",
     "targets": "Print coded targets; find and measure them in photographs.",
+    "calibrate": "Calibrate cameras from photographs of coded targets or a board.",
     "adjust": "Adjust a block and write a result folder with its report.",
     "compare": "Put two results side by side.",
     "convert": "Convert to and from the formats of other programs.",

@@ -9,9 +9,11 @@ from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
+from raybundle.adjustment.calibration_quality import CalibrationQuality
 from raybundle.adjustment.result import Adjustment
 from raybundle.numerics.progress import Progress, silent
 from raybundle.report.parts import Section
+from raybundle.report.section_calibration import GRADES, calibration_section, headline, worst
 from raybundle.report.section_control import control_section
 from raybundle.report.section_interior import interior_section
 from raybundle.report.section_network import network_section, precision_section
@@ -54,12 +56,14 @@ def write_report(
     path: str | Path,
     progress: Progress = silent,
     photographs: PhotographFacts | None = None,
+    qualities: tuple[CalibrationQuality, ...] = (),
 ) -> None:
     """Write report.html: one file that needs no other, no network and no font.
 
     adjustment   any result: without statistics, control or redundancy the parts that need them say so
     path         the file; its folder exists; an older file is overwritten
     photographs  what is known of the photographs that the adjustment comes from; None: those sections are left out
+    qualities    verdicts on calibrated cameras; they come first then
 
     Long tables and dense figures are thinned evenly and say so; the result folder's tables hold every row.
     """
@@ -85,11 +89,13 @@ def write_report(
     if photographs is not None:
         # after result and summary: a client looks for the photographs first
         sections[2:2] = photograph_sections(view, photographs)
+    if qualities:
+        sections.insert(0, calibration_section(qualities))
     html = page(
-        title=f"Adjustment of {block.name}",
+        title=f"Adjustment of {block.name}" if not qualities else "Calibration",
         subtitle=block.about or block.source,
-        headline=told.headline,
-        grade=told.grade,
+        headline=told.headline if not qualities else headline(qualities),
+        grade=told.grade if not qualities else GRADES[worst(qualities).grade],
         sections=tuple(sections),
     )
     Path(path).write_text(html, encoding="utf-8")

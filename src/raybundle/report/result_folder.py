@@ -32,6 +32,7 @@ from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent
 
 if TYPE_CHECKING:
+    from raybundle.adjustment.calibration_quality import CalibrationQuality
     from raybundle.io.coordinate_systems import LocalFrame
     from raybundle.report.section_photographs import PhotographFacts
 
@@ -59,7 +60,15 @@ TABLES: Mapping[str, tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]] =
     "stations": (("image",), STATIONS, ()),
 }
 """Table -> text columns, numbers, text columns at the end."""
-ENTRIES = {"block", "result.json", "report.html", "network.html", "map.csv", *(f"{name}.csv" for name in TABLES)}
+ENTRIES = {
+    "block",
+    "result.json",
+    "report.html",
+    "network.html",
+    "map.csv",
+    "calibration.toml",
+    *(f"{name}.csv" for name in TABLES),
+}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -120,6 +129,7 @@ def write_result(
     additions: Mapping[str, object] | None = None,
     photographs: PhotographFacts | None = None,
     frame: LocalFrame | None = None,
+    qualities: tuple[CalibrationQuality, ...] = (),
     progress: Progress = silent,
 ) -> None:
     """Write a result folder, whole or not at all; an older result there is replaced when the new one is complete.
@@ -128,6 +138,7 @@ def write_result(
     additions    further keys of result.json
     photographs  what is known of the photographs that the adjustment comes from
     frame        the coordinate system in which the local frame of the adjustment stands; map.csv is in that system
+    qualities    verdicts on calibrated cameras; calibration.toml, as `--calibration` takes it, is written beside them
     raises       InputError where something else stands at `path`
     """
     check_target(path)
@@ -142,6 +153,11 @@ def write_result(
             from raybundle.report.map_table import map_table  # noqa: PLC0415  (pyproj only where it is used)
 
             write_table(folder / "map.csv", map_table(adjustment, frame))
+        if qualities:
+            from raybundle.io.calibrations.ours import cameras_text  # noqa: PLC0415
+
+            held = [replace(c, estimate=(), sigma={}) for c in adjustment.adjusted.cameras]
+            (folder / "calibration.toml").write_text(cameras_text(held), encoding="utf-8", newline="\n")
         contents = {**result_json(adjustment), **(additions or {})}
         text = json.dumps(_clean(contents), indent=1, ensure_ascii=False, allow_nan=False)
         (folder / "result.json").write_text(text + "\n", encoding="utf-8")
@@ -150,7 +166,7 @@ def write_result(
             from raybundle.report.document import write_report  # noqa: PLC0415  (Jinja2 only where it is used)
             from raybundle.report.network_page import write_network_page  # noqa: PLC0415
 
-            write_report(adjustment, folder / "report.html", progress, photographs)
+            write_report(adjustment, folder / "report.html", progress, photographs, qualities)
             write_network_page(adjustment, folder / "network.html")
 
 
@@ -278,12 +294,15 @@ def result_tables(adjustment: Adjustment) -> dict[str, Columns]:
 def _images(a: Adjustment) -> Columns:
     images = a.adjusted.images
     std = np.full((len(images), 6), np.nan) if a.precision is None else a.precision.image_std
+    # a satellite scene stands nowhere: its nominal viewpoint is not shown
+    blank = np.where(np.array([c.scene is not None for c in a.given.cameras])[images.camera], np.nan, 0.0)[:, None]
+    std = std + blank
     return {
         "image": images.ids,
         "camera": [a.given.cameras[c].id for c in images.camera],
         "file": images.file,
-        **columns_of(XYZ, images.centre),
-        **columns_of(ANGLES, angles_deg(images)),
+        **columns_of(XYZ, images.centre + blank),
+        **columns_of(ANGLES, angles_deg(images) + blank),
         **columns_of(SIGMA_XYZ, std[:, :3]),
         **columns_of(SIGMA_ANGLES, np.degrees(std[:, 3:])),
     }

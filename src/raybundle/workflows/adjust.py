@@ -11,6 +11,7 @@ from raybundle.adjustment import defects
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.adjustment.scene_start import refuse_unoriented, with_scene_points
 from raybundle.block import Block
 from raybundle.errors import NoConvergence, NotSolvable
 from raybundle.numerics.progress import Progress, silent
@@ -46,12 +47,14 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
 
 
 def _adjust(block: Block, options: AdjustmentOptions, progress: Progress) -> Adjustment:
+    block = with_scene_points(block)
     start, notices = block, list[Notice]()
     observed = np.bincount(block.observations.image, minlength=len(block.images)) > 0
     seen = np.bincount(block.observations.point, minlength=len(block.points)) > 0
     if (observed & ~block.images.oriented).any() or (seen & ~np.isfinite(block.points.xyz).all(axis=1)).any():
         from raybundle.orientation.assembly import approximate_values  # noqa: PLC0415
 
+        refuse_unoriented(block)
         approximate = approximate_values(block, progress)
         start = approximate.block
         notices += approximate.notices

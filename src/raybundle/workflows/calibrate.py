@@ -1,52 +1,76 @@
-"""Calibration of cameras from photographs of coded targets: free network, ellipse centres corrected, blunders out."""
+"""Calibration of cameras from photographs of targets or boards: free network, circle centres, model, one camera or two.
+
+The steps: targets are measured; a board, or pairs of photographs, give the start; dots whose code could not be read are
+found where they must be; photographs of two cameras are told apart; the distortion model is chosen; the centres of
+ellipses are corrected; parameters are chosen by significance and determinability, blunders rejected.
+"""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 
+from raybundle.adjustment.calibration_quality import CalibrationQuality, calibration_qualities
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.eccentricity import eccentricity_px
+from raybundle.adjustment.one_camera import find_split
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment, Notice
-from raybundle.block import Block, Camera, Images, Observations, Points
-from raybundle.block.select import with_rows
-from raybundle.errors import InputError
-from raybundle.io.photos.cameras import CameraGroup, camera_groups, camera_of
-from raybundle.io.photos.photo import Photo, find_photos, read_grey
-from raybundle.numerics.arrays import Array, Mask
+from raybundle.block import Block, Camera
+from raybundle.errors import InputError, NotSolvable
+from raybundle.io.photos.cameras import CameraGroup, camera_groups
+from raybundle.io.photos.photo import Found, Photo, find_photos
+from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress, silent
 from raybundle.orientation.assembly import possible_values
 from raybundle.orientation.camera_constant import checked_by_pairs
-from raybundle.platforms.station import sensor_from_object
-from raybundle.targets.detect import Detections, detect_targets
-from raybundle.targets.families import RingFamily, family_named
+from raybundle.sensors import sensor_models
+from raybundle.targets.marks import Marks, Target, target
+from raybundle.workflows.board_start import board_oriented
+from raybundle.workflows.model_choice import choose_models
+from raybundle.workflows.recognise import recognised
+from raybundle.workflows.target_block import (
+    FEWEST_TARGETS,
+    block_of_targets,
+    completed,
+    measure_all,
+    oriented_part,
+    reweighted,
+    target_normals,
+    target_radii,
+)
 
-OPTIMISM, FLOOR_PX = 3.0, 0.01
-"""Standard deviation of a centre: that from grey values times OPTIMISM, and FLOOR_PX; from photographs of a panel."""
-FEWEST_TARGETS = 6
-"""Targets of a photograph that takes part."""
-FLAT = 0.15
-"""Thickness of the nearest targets, in their extent, up to which they lie in a plane that gives the normal."""
-NEAREST = 8
 ROUNDS = 2
+"""Adjustments with corrected circle centres."""
+FEWEST_PHOTOGRAPHS = 3
+MOST_CAMERAS = 8
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CalibrateOptions:
-    """How cameras are calibrated."""
+    """How cameras are calibrated.  The defaults need no change."""
 
-    families: tuple[str, ...] = ("aicon14",)
-    """families of the coded targets"""
+    targets: tuple[str, ...] = ()
+    """families of what was photographed, as "aicon14" or "chessboard-9x6"; (): found out"""
+    separate: tuple[str, ...] = ()
+    """patterns of photographs' names, each a camera apart"""
+    model: str = "auto"
+    """distortion model; auto: brown, or what fits a wide lens better"""
+    spacing: float = 1.0
+    """distance of neighbouring points of a board [mm]"""
     jobs: int = 0
     """photographs worked on at the same time; 0 = processors"""
     eccentricity: bool = True
     """correct the centres of ellipses"""
+    shear: bool = False
+    """estimate the shear S too: rows and columns of a sensor are at right angles by lithography, and left free it takes
+    up what motion during the read-out and uneven light do, and moves the principal point"""
+    split: bool = True
+    """tell the photographs of two cameras apart where they cannot be of one"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -54,210 +78,238 @@ class Calibration:
     """What came of the photographs."""
 
     adjustment: Adjustment
+    quality: tuple[CalibrationQuality, ...]
     photos: tuple[Photo, ...]
     groups: tuple[CameraGroup, ...]
     refused: tuple[tuple[str, str], ...]
+    """files that are no usable photographs, and why"""
     not_used: tuple[tuple[str, str], ...]
     """photographs without a part in the result, and why"""
-    detections: tuple[tuple[Detections, ...], ...]
-    """of each photograph, one for each family"""
+    marks: tuple[tuple[Marks, ...], ...]
+    """of each photograph, one set for each family"""
+    targets: tuple[Target, ...]
+    completed: int
+    """dots without a readable name that were used all the same"""
     largest_eccentricity_px: float
+
+    @property
+    def used(self) -> int:
+        """Number of photographs that take part."""
+        return len(np.unique(self.adjustment.given.observations.image))
 
 
 def calibrate(
     inputs: Sequence[Path], options: CalibrateOptions | None = None, progress: Progress = silent
 ) -> Calibration:
-    """Calibrate the cameras of photographs of coded targets.
+    """Calibrate the cameras of photographs of targets.
 
     inputs  folders and files; targets stand anywhere, flat or in depth, their places need not be known
     raises  InputError where too few targets are found; NotSolvable where they orient no photographs
 
-    A target's number must occur once on the object.  What it does not tell: the calibration holds for the zoom and
-    focus of the photographs, and for the part of the format in which targets were seen.
+    A name must occur once on the object.  What it does not tell: the calibration holds for the zoom and focus of the
+    photographs, and for the part of the format in which targets were seen.
     """
     options = options or CalibrateOptions()
-    families = tuple(family_named(name) for name in options.families)
+    if options.model not in {"auto", *sensor_models}:
+        raise InputError(f"unknown sensor model {options.model!r}; known: auto, {', '.join(sorted(sensor_models))}")
+    targets = tuple(target(name) for name in options.targets)
     found = find_photos(inputs, progress=progress)
-    refused = [(p.name, r) for p, r in found.refused]
+    _enough(found, inputs)
     photos = found.photos
-    detections = detect_all(photos, families, options.jobs, progress)
-    groups = camera_groups(photos)
-    block, major, lost = target_block(photos, groups, detections)
+    if not targets:
+        targets = recognised(photos, progress)
+    groups = camera_groups(photos, (), options.separate)
+    marks = measure_all(photos, targets, options.jobs, progress)
+    given = block_of_targets(photos, groups, targets, marks, options.spacing)
+    block, radius = given.block, given.radius_px
     if len(np.unique(block.observations.image)) < 2:
-        raise InputError(_too_few(photos, detections, families), file=", ".join(str(p) for p in inputs))
-    approximate = possible_values(checked_by_pairs(block), progress)
-    start, rows = _oriented(approximate.block)
-    result, largest = _adjust(
-        start, major[rows], options, (*approximate.notices, *_remarks(found.remarks, groups)), progress
+        raise InputError(_too_few(photos, marks, targets), file=", ".join(str(p) for p in inputs))
+    if given.places:
+        approximate, lost = board_oriented(block, given.places, options.model)
+        told: tuple[Notice, ...] = ()
+    else:
+        values = possible_values(checked_by_pairs(block), progress)
+        approximate, lost, told = values.block, dict(values.not_oriented), values.notices
+    start, rows = oriented_part(approximate)
+    notices = (*told, *_remarks(found, groups))
+    settings = AdjustmentOptions(
+        threads=options.jobs or os.cpu_count() or 1,
+        reject="snooping",
+        robust_start=True,
+        never=() if options.shear else ("S",),
     )
+    first = decide(start, settings, progress)
+    block, radius, added = completed(block, radius, first.adjusted, targets, marks)
+    if added:
+        start, rows = oriented_part(_with_values(block, first.adjusted))
+        first = decide(start, settings, progress)
+    start = reweighted(_with_values(start, first.adjusted), first.sigma0)
+    if options.split:
+        start, first, split = _split(start, first, settings, progress)
+        notices = (*notices, *split)
+    if options.model == "auto":
+        start, chosen = choose_models(start, first, settings)
+        notices = (*notices, *chosen)
+    result, largest = _adjust(start, radius[rows], options, settings, notices, progress)
     return Calibration(
         adjustment=result,
+        quality=calibration_qualities(result, progress),
         photos=photos,
         groups=groups,
-        refused=tuple(refused),
-        not_used=(*lost, *approximate.not_oriented.items()),
-        detections=detections,
+        refused=tuple((p.name, r) for p, r in found.refused),
+        not_used=(*given.not_used, *_lost(lost, given.not_used)),
+        marks=marks,
+        targets=targets,
+        completed=added,
         largest_eccentricity_px=largest,
     )
 
 
-def detect_all(
-    photos: Sequence[Photo], families: Sequence[RingFamily], jobs: int = 0, progress: Progress = silent
-) -> tuple[tuple[Detections, ...], ...]:
-    """Coded targets of all photographs, one set for each family."""
-
-    def one(photo: Photo) -> tuple[Detections, ...]:
-        grey = read_grey(photo)
-        return tuple(detect_targets(grey, f) for f in families)
-
-    done: list[tuple[Detections, ...]] = []
-    with ThreadPoolExecutor(jobs or os.cpu_count() or 1) as pool:
-        for k, d in enumerate(pool.map(one, photos)):
-            progress("targets", (k + 1) / len(photos))
-            done.append(d)
-    return tuple(done)
+def _enough(found: Found, inputs: Sequence[Path]) -> None:
+    n = len(found.photos)
+    if n < FEWEST_PHOTOGRAPHS:
+        first = (
+            f"{n} usable photograph{'' if n == 1 else 's'}; a calibration needs at least {FEWEST_PHOTOGRAPHS}, better "
+            "10 to 20 from different sides, some with the camera rolled by 90 degrees"
+        )
+        lines = [first]
+        lines += [f"  {p.name}: {r}" for p, r in found.refused[:20]]
+        raise InputError("\n".join(lines), file=", ".join(str(p) for p in inputs))
 
 
-def target_block(
-    photos: Sequence[Photo], groups: Sequence[CameraGroup], detections: Sequence[Sequence[Detections]]
-) -> tuple[Block, Array, tuple[tuple[str, str], ...]]:
-    """A block of the coded targets, nothing oriented, with the semi-major axes (m,) of their dots [px].
-
-    Photographs with too few targets are named.
-    A number that stands twice in a photograph is used neither here nor there: one of them is wrong.
-    """
-    names: dict[str, int] = {}
-    image, point, xy, cov, size = list[int](), list[int](), list[Array](), list[Array](), list[float]()
-    lost: list[tuple[str, str]] = []
-    for i, found in enumerate(detections):
-        own: list[tuple[str, Array, Array, float]] = []
-        for d in found:
-            numbers, count = np.unique(d.id[d.coded], return_counts=True)
-            single = np.isin(d.id, numbers[count == 1]) & d.coded
-            prefix = "" if len(found) == 1 else f"{d.family}:"
-            major = np.sqrt(np.linalg.eigvalsh(d.ellipse)[:, 1]) if len(d) else np.zeros(0)
-            own += [
-                (f"{prefix}{d.id[k]}", d.xy_px[k], d.covariance[k], float(major[k])) for k in np.flatnonzero(single)
-            ]
-        if len(own) < FEWEST_TARGETS:
-            lost.append((photos[i].name, f"{len(own)} targets are read ({FEWEST_TARGETS} are needed)"))
-            continue
-        for name, at, grey, major_px in own:
-            image.append(i)
-            size.append(major_px)
-            point.append(names.setdefault(name, len(names)))
-            xy.append(at)
-            C = OPTIMISM**2 * grey + FLOOR_PX**2 * np.eye(2)
-            cov.append(np.array([C[0, 0], C[1, 1], C[0, 1]]))
-    n, p = len(photos), len(names)
-    camera_of_photo = np.zeros(n, np.int32)
-    cameras: list[Camera] = []
-    for k, group in enumerate(groups):
-        camera_of_photo[list(group.photos)] = k
-        cameras.append(replace(camera_of(group), estimate="auto"))
-    block = Block(
-        name="calibration",
-        cameras=tuple(cameras),
-        images=Images(
-            ids=tuple(photo.name for photo in photos), camera=camera_of_photo,
-            file=tuple(photo.name for photo in photos),
-            centre=np.full((n, 3), np.nan), rotation=np.full((n, 3, 3), np.nan),
-        ),
-        observations=Observations(
-            image=np.array(image, np.int32), point=np.array(point, np.int32),
-            xy_px=np.array(xy).reshape(-1, 2), cov_px2=np.array(cov).reshape(-1, 3),
-        ),
-        points=Points(
-            ids=tuple(names), role=np.zeros(p, np.int32), xyz=np.full((p, 3), np.nan), sigma=np.full((p, 3), np.nan)
-        ),
-    )  # fmt: skip
-    rays = np.bincount(block.observations.point, minlength=p)
-    keep = rays[block.observations.point] > 1
-    return with_rows(block, keep), np.array(size)[keep], tuple(lost)
+def _lost(lost: dict[str, str], before: Sequence[tuple[str, str]]) -> list[tuple[str, str]]:
+    known = {name for name, _ in before}
+    return [(name, why) for name, why in lost.items() if name not in known]
 
 
-def _too_few(
-    photos: Sequence[Photo], detections: Sequence[Sequence[Detections]], families: Sequence[RingFamily]
-) -> str:
-    read = [sum(int(d.coded.sum()) for d in found) for found in detections]
-    dots = sum(int((~d.coded).sum()) for found in detections for d in found[:1])
-    return (
-        f"{sum(k >= FEWEST_TARGETS for k in read)} of {len(photos)} photographs show {FEWEST_TARGETS} targets of "
-        f"{', '.join(f.name for f in families)} that others show too; at least 2 are needed ({sum(read)} codes read, "
-        f"{dots} dots without one). Name the family that was printed (--target), and photograph so that a dot is "
-        "10 px large"
+def _too_few(photos: Sequence[Photo], marks: Sequence[Sequence[Marks]], targets: Sequence[Target]) -> str:
+    named = [sum(int(m.named.sum()) for m in sets) for sets in marks]
+    bare = sum(int((~m.named).sum()) for sets in marks for m in sets)
+    what = ", ".join(t.title for t in targets)
+    enough = sum(k >= FEWEST_TARGETS for k in named)
+    first = (
+        f"{enough} of {len(photos)} photographs show {FEWEST_TARGETS} points of {what} that others show too; at least "
+        f"2 are needed ({sum(named)} named points, {bare} without a name). Name what was printed (--target), and "
+        "photograph so that a dot or square is 10 px large"
     )
+    remarks = [f"  {p.name}: {r}" for p, sets in zip(photos, marks, strict=True) for m in sets for r in m.remarks]
+    return "\n".join([first, *remarks[:10]])
 
 
-def _remarks(remarks: Sequence[str], groups: Sequence[CameraGroup]) -> list[Notice]:
-    notices = [Notice(code="photographs", message=r) for r in remarks]
+def _remarks(found: Found, groups: Sequence[CameraGroup]) -> list[Notice]:
+    notices = [Notice(code="photographs", message=r) for r in found.remarks]
     return notices + [
         Notice(code="camera", message=f"camera {g.id}: {r}", ids=(g.id,)) for g in groups for r in g.remarks
     ]
 
 
-def _oriented(block: Block) -> tuple[Block, Mask]:
-    """The block of the oriented images and the points with two of their rays, and its rows (m,)."""
-    o = block.observations
-    known: Mask = np.asarray(np.isfinite(block.points.xyz).all(axis=1))
-    keep = block.images.oriented[o.image] & known[o.point]
-    rays = np.bincount(o.point[keep], minlength=len(block.points))
-    keep &= rays[o.point] > 1
-    return with_rows(block, keep), keep
+def _with_values(block: Block, adjusted: Block) -> Block:
+    """The block with orientations, coordinates and cameras of an adjusted one, by name; points without are NaN."""
+    xyz = dict(zip(adjusted.points.ids, adjusted.points.xyz, strict=True))
+    none = np.full(3, np.nan)
+    return replace(
+        block,
+        images=replace(block.images, centre=adjusted.images.centre, rotation=adjusted.images.rotation),
+        points=replace(
+            block.points, xyz=np.array([xyz.get(name, none) for name in block.points.ids]).reshape(-1, 3)
+        ),
+        cameras=tuple(
+            replace(c, model=a.model, values={**a.values, **{s: c.values[s] for s in c.sigma}})
+            for c, a in zip(block.cameras, adjusted.cameras, strict=True)
+        ),
+    )  # fmt: skip
+
+
+def _split(
+    start: Block, first: Adjustment, settings: AdjustmentOptions, progress: Progress
+) -> tuple[Block, Adjustment, tuple[Notice, ...]]:
+    """Cameras that are two taken apart, as long as the adjustment gains by it."""
+    told: list[Notice] = []
+    tested: set[str] = set()
+    while len(start.cameras) < MOST_CAMERAS:
+        k = next((k for k, c in enumerate(start.cameras) if c.id not in tested), None)
+        if k is None:
+            break
+        camera = start.cameras[k]
+        tested.add(camera.id)
+        split = find_split(first, camera.id)
+        if split is None:
+            continue
+        two = replace(camera, id=f"{camera.id}-{_number(start.cameras, camera.id)}")
+        of_image = start.images.camera.copy()
+        of_image[split.groups[1]] = len(start.cameras)
+        trial = replace(start, cameras=(*start.cameras, two), images=replace(start.images, camera=of_image))
+        try:
+            after = decide(trial, settings, progress)
+        except NotSolvable:
+            continue
+        if not _gained(first, after):
+            continue
+        n = [len(g) for g in split.groups]
+        by = split.words or "neither by name nor by order"
+        dc, dx, dy = split.difference
+        told.append(
+            Notice(
+                code="two_cameras",
+                message=f"camera {camera.id}: {n[0]} photographs ({by}) and {n[1]} others cannot have the same "
+                f"interior orientation (c differs by {dc:+.1f} px, the principal point by {dx:+.1f}, {dy:+.1f} px); "
+                f"they are calibrated apart, the others as {two.id}. Two cameras, or zoom or focus moved: say with "
+                "--camera PATTERN which",
+                ids=(camera.id, two.id),
+            )
+        )
+        tested.discard(camera.id)
+        start, first = _with_values(trial, after.adjusted), after
+    return start, first, tuple(told)
+
+
+def _number(cameras: Sequence[Camera], id_: str) -> int:
+    number = 2
+    while any(c.id == f"{id_}-{number}" for c in cameras):
+        number += 1
+    return number
+
+
+def _gained(before: Adjustment, after: Adjustment) -> bool:
+    """Whether more cameras explain the observations better by the Bayesian information criterion (Schwarz 1978)."""
+    m = before.observations
+    lost = 2 * sum(1 for r in before.image_observations.rejected if r) - 2 * sum(
+        1 for r in after.image_observations.rejected if r
+    )
+    # a rejected coordinate that returns is worth at least what the critical value allows
+    old = before.weighted_square_sum + max(lost, 0) * (before.critical_tau * before.sigma0) ** 2
+    gain = m * np.log(old / after.weighted_square_sum)
+    return bool(gain > (after.unknowns - before.unknowns) * np.log(m) + 10)
 
 
 def _adjust(
-    start: Block, major_px: Array, options: CalibrateOptions, notices: Sequence[Notice], progress: Progress
+    start: Block,
+    radius_px: Array,
+    options: CalibrateOptions,
+    settings: AdjustmentOptions,
+    notices: Sequence[Notice],
+    progress: Progress,
 ) -> tuple[Adjustment, float]:
     """The free network, ellipse centres corrected with the orientations of the round before."""
-    settings = AdjustmentOptions(threads=options.jobs or os.cpu_count() or 1, reject="snooping", robust_start=True)
     result = decide(start, settings, progress, notices=tuple(notices))
     largest = 0.0
-    for _ in range(ROUNDS if options.eccentricity else 0):
+    scale = result.sigma0
+    circular = options.eccentricity and bool(np.isfinite(radius_px).any())
+    for _ in range(ROUNDS if circular else 1):
         here = result.adjusted
-        used = np.array([not r for r in result.image_observations.rejected])
-        radius = target_radii(here, major_px, used)
-        shift = eccentricity_px(replace(here, observations=start.observations), radius, target_normals(here.points.xyz))
+        used = result.image_observations.used
+        shift = np.zeros_like(start.observations.xy_px)
+        if circular:
+            normal = target_normals(here.points.xyz)
+            radius = target_radii(here, radius_px, normal, used)
+            shift = eccentricity_px(replace(here, observations=start.observations), radius, normal)
         largest = float(np.linalg.norm(shift[used], axis=1).max(initial=0.0))
-        values = {c.id: c.values for c in here.cameras}
         moved = replace(
-            here,
-            observations=replace(start.observations, xy_px=start.observations.xy_px - shift),
-            cameras=tuple(replace(c, values=values[c.id]) for c in start.cameras),
-        )
-        result = decide(moved, settings, progress, notices=tuple(notices))
+            start, observations=replace(start.observations, xy_px=start.observations.xy_px - shift)
+        )  # fmt: skip
+        # the precision of the image points is estimated with what is known by then
+        result = decide(
+            reweighted(_with_values(moved, here), scale), settings, progress, notices=tuple(notices)
+        )  # fmt: skip
+        scale *= result.sigma0
     return result, largest
-
-
-def target_radii(block: Block, major_px: Array, used: Mask) -> Array:
-    """(p,) radii of the dots in units of the block, from the semi-major axes (m,) of their images; NaN without any.
-
-    The larger axis of the image of a circle is that of its diameter across the view, whatever the tilt.
-    """
-    o = block.observations
-    camera = block.images.camera[o.image]
-    c_px = np.array([c.values["c"] / np.mean(c.pixel_mm) for c in block.cameras])[camera]
-    P = sensor_from_object(block.images.rotation[o.image], block.images.centre[o.image], block.points.xyz[o.point])
-    size = major_px * -P[2] / c_px
-    radius = np.full(len(block.points), np.nan)
-    good = used & np.isfinite(size)
-    for p in np.unique(o.point[good]).tolist():
-        radius[p] = np.median(size[good & (o.point == p)])
-    return radius
-
-
-def target_normals(xyz: Array) -> Array:
-    """(p, 3) unit normals of the surface on which targets stand; NaN where the nearest ones lie in no plane."""
-    from scipy.spatial import KDTree  # noqa: PLC0415
-
-    normal = np.full(xyz.shape, np.nan)
-    known = np.flatnonzero(np.isfinite(xyz).all(axis=1))
-    if len(known) < 4:
-        return normal
-    _, near = KDTree(xyz[known]).query(xyz[known], k=min(NEAREST + 1, len(known)))
-    for k, rows in zip(known.tolist(), np.asarray(near), strict=True):
-        group = xyz[known[rows]]
-        _, size, axes = np.linalg.svd(group - group.mean(axis=0))
-        if size[2] <= FLAT * size[1] and size[1] > 0.05 * size[0]:
-            normal[k] = axes[2]
-    return normal

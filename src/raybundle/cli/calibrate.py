@@ -1,0 +1,178 @@
+"""`raybundle calibrate`."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, counted
+
+if TYPE_CHECKING:
+    from raybundle.adjustment.calibration_quality import CalibrationQuality
+    from raybundle.workflows.calibrate import Calibration
+
+
+@click.command("calibrate", context_settings=COMMAND_SETTINGS)
+@click.argument("photos", type=FOLDER, nargs=-1, required=True)
+@click.option("--out", type=FOLDER, required=True, metavar="RESULT", help="Result folder; an older one is replaced.")
+@click.option(
+    "--target",
+    "targets",
+    multiple=True,
+    metavar="FAMILY",
+    help="What was photographed, as aicon14 or chessboard-9x6; `raybundle targets --help` lists them.  [default: found "
+    "out]",
+)
+@click.option(
+    "--camera",
+    "separate",
+    multiple=True,
+    metavar="PATTERN",
+    help="Photographs whose names match, as 'left_*', are a camera apart; for those without metadata.",
+)
+@click.option("--model", default="auto", show_default=True, metavar="NAME",
+    help="Distortion model: brown, rational, fisheye ...; auto: brown, or what fits a wide lens better.",
+)  # fmt: skip
+@click.option(
+    "--spacing", type=click.FloatRange(0, min_open=True), default=1.0, metavar="MM",
+    help="Distance of neighbouring points of a board; the calibration does not depend on it.",
+)  # fmt: skip
+@click.option("--shear", is_flag=True, help="Estimate the shear of the pixel grid, too: for scanned pictures.")
+@click.option("--keep", is_flag=True, help="Keep a good calibration in the camera library, where orient finds it.")
+@click.option("--jobs", type=click.IntRange(0), default=0, show_default=True, help="0: all processors.")
+@click.option("--no-report", is_flag=True, help="Leave out report.html and network.html.")
+@common_options
+def command(
+    photos: tuple[Path, ...],
+    out: Path,
+    targets: tuple[str, ...],
+    separate: tuple[str, ...],
+    model: str,
+    spacing: float,
+    shear: bool,  # noqa: FBT001  (a flag of the command line)
+    keep: bool,  # noqa: FBT001
+    jobs: int,
+    no_report: bool,  # noqa: FBT001
+    progress: str,
+) -> int:
+    """Calibrate cameras from photographs of coded targets or a board: photographs in, a calibration with a verdict out.
+
+    The report says first whether the calibration is good, for what, and which photographs to take next.
+    calibration.toml in RESULT is for `raybundle orient --calibration`.
+
+    \b
+    Exit status: 0 calibrated (the verdict says how well); 2 bad input; 3 the photographs cannot be oriented.
+
+    \b
+    Example:
+      raybundle targets sheet --family aicon14 --codes 1-50 --paper A3 --out sheet.pdf
+      raybundle calibrate photos/ --target aicon14 --out calibration
+      raybundle calibrate board/ --target chessboard-9x6 --out calibration --keep
+    """  # noqa: D301
+    from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.report.result_folder import check_target, write_result  # noqa: PLC0415
+    from raybundle.workflows.calibrate import CalibrateOptions, calibrate  # noqa: PLC0415
+
+    options = CalibrateOptions(
+        targets=targets, separate=separate, model=model, spacing=spacing, shear=shear, jobs=jobs
+    )  # fmt: skip
+    check_target(out)
+    with reporting(progress) as tell:
+        done = calibrate(photos, options, tell)
+        write_result(
+            done.adjustment, out, report="none" if no_report else "html", additions=additions(done),
+            qualities=done.quality, progress=tell,
+        )  # fmt: skip
+    click.echo("\n".join(f" {line}" for line in lines(done)))
+    for q in done.quality if keep else ():
+        click.echo(f" {_kept(done, q, out)}")
+    click.echo(f" result: {out}, calibration: {out / 'calibration.toml'}"
+               + ("" if no_report else f", report: {out / 'report.html'}"))  # fmt: skip
+    return 0
+
+
+def additions(done: Calibration) -> dict[str, object]:
+    """What result.json says beside the adjustment."""
+    lost = [{"file": f, "reason": r} for f, r in (*done.refused, *done.not_used)]
+    return {
+        "images": {"given": len(done.photos) + len(done.refused), "oriented": done.used, "not_oriented": lost},
+        "targets": {
+            "families": [t.family for t in done.targets],
+            "read": sum(int(m.named.sum()) for sets in done.marks for m in sets),
+            "completed": done.completed,
+            "largest_eccentricity_px": done.largest_eccentricity_px,
+        },
+        "calibration": {q.camera: _as_table(q) for q in done.quality},
+    }
+
+
+def _as_table(q: CalibrationQuality) -> dict[str, Any]:
+    v = q.validation
+    return {
+        "grade": q.grade, "headline": q.headline, "reasons": list(q.reasons),
+        "advice": [{"photographs": p.words, "uncertainty_px": p.uncertainty_px, "ratio": p.ratio} for p in q.advice],
+        "photographs": q.photographs, "image_sigma_px": q.image_sigma_px, "uncertainty_px": q.uncertainty_px,
+        "typical_uncertainty_px": q.typical_px, "reach": q.reach, "coverage": q.coverage, "rolls": q.rolls,
+        "convergence_deg": math.degrees(q.convergence),
+        "couplings": [{"parameter": a, "with": b, "correlation": r} for a, b, r in q.couplings],
+        "cross_validation": None if v is None else {"folds": v.folds, "rms_px": v.rms_px, "fit_px": v.fit_px},
+    }  # fmt: skip
+
+
+def lines(done: Calibration) -> list[str]:
+    """What the command prints."""
+    read = sum(int(m.named.sum()) for sets in done.marks for m in sets)
+    extra = f", {done.completed} without a readable code found by prediction" if done.completed else ""
+    what = ", ".join(t.title for t in done.targets)
+    given = counted(len(done.photos) + len(done.refused), "photograph")
+    told = [f"{done.used} of {given} used, {read} points of {what} read{extra}"]
+    told += [f"  {name}: {reason}" for name, reason in (*done.refused, *done.not_used)]
+    for q in done.quality:
+        told += [f"camera {q.camera}: {q.headline}"]
+        told += [f"  {reason}" for reason in q.reasons]
+        if q.advice and q.grade != "good":
+            best = q.advice[0]
+            told.append(f"  next: {best.words}; the largest uncertainty is then {best.uncertainty_px:.2g} px")
+        camera = next(c for c in done.adjustment.adjusted.cameras if c.id == q.camera)
+        interior = next(i for i in done.adjustment.interior if i.camera == q.camera)
+        told.append(f"  model {camera.model}: " + ", ".join(
+            f"{p.symbol} {p.value:.6g}" + (f" ± {p.std:.2g}" if p.std else "") for p in interior.parameters.values()
+            if p.std or p.value
+        ))  # fmt: skip
+    told += [f"warning: {n.message}" for n in done.adjustment.notices]
+    return told
+
+
+def _kept(done: Calibration, q: CalibrationQuality, out: Path) -> str:
+    """Put a calibration into the camera library; what came of it, in words."""
+    from dataclasses import replace  # noqa: PLC0415
+    from datetime import UTC, datetime  # noqa: PLC0415
+
+    import numpy as np  # noqa: PLC0415
+
+    from raybundle.errors import InputError  # noqa: PLC0415
+    from raybundle.io.camera_library import LibraryEntry, add_entry, key_of  # noqa: PLC0415
+
+    if q.grade not in {"good", "usable"}:
+        return f"camera {q.camera} is not kept in the library: its calibration is {q.grade}"
+    a = done.adjustment
+    k = next(i for i, c in enumerate(a.adjusted.cameras) if c.id == q.camera)
+    interior = next(i for i in a.interior if i.camera == q.camera)
+    image = int(np.flatnonzero(a.given.images.camera == k)[0])
+    entry = LibraryEntry(
+        key=key_of(done.photos[image]),
+        camera=replace(a.adjusted.cameras[k], estimate=(), sigma={}),
+        free=interior.free,
+        covariance=None if a.precision is None else a.precision.interior[q.camera],
+        date=datetime.now(UTC).date().isoformat(),
+        source=f"calibration {out.name}",
+        sigma0=a.sigma0,
+        photographs=q.photographs,
+    )
+    try:
+        return f"kept in the camera library: {add_entry(entry)}"
+    except InputError as error:
+        return f"camera {q.camera} is not kept in the library: {error}"

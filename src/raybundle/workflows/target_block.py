@@ -1,0 +1,260 @@
+"""From targets measured in photographs to a block: names to points, boards to approximate places."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from raybundle.block import Block, Camera, Images, Observations, Points
+from raybundle.block.select import with_rows
+from raybundle.errors import InputError
+from raybundle.io.photos.cameras import CameraGroup, camera_of
+from raybundle.io.photos.photo import Photo, read_grey
+from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.progress import Progress, silent
+from raybundle.platforms.station import sensor_from_object
+from raybundle.sensors import sensor_models
+from raybundle.targets.marks import Marks, Target, detect
+
+OPTIMISM, FLOOR_PX = 3.0, 0.01
+"""Standard deviation of a centre: that from grey values times OPTIMISM, and FLOOR_PX; from photographs of a panel."""
+FEWEST_TARGETS = 6
+"""Targets of a photograph that takes part."""
+FLAT = 0.15
+"""Thickness of the nearest targets, in their extent, up to which they lie in a plane that gives the normal."""
+NEAREST = 8
+REACH_PX = 2.5
+"""Distance from its predicted place up to which a dot without a name is taken for a point."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TargetBlock:
+    """A block of targets, nothing oriented, and what belongs to its rows."""
+
+    block: Block
+    radius_px: Array
+    """(m,) mean radius of each dot's image; NaN for corners"""
+    not_used: tuple[tuple[str, str], ...]
+    """photographs with too few targets, and how many"""
+    places: Mapping[str, Array]
+    """approximate coordinates of the points of a board, by the points' ids; empty without a board"""
+
+
+def measure_all(
+    photos: Sequence[Photo], targets: Sequence[Target], jobs: int = 0, progress: Progress = silent
+) -> tuple[tuple[Marks, ...], ...]:
+    """Points of all targets in all photographs, one set for each family."""
+
+    def one(photo: Photo) -> tuple[Marks, ...]:
+        grey = read_grey(photo)
+        return tuple(detect(grey, t) for t in targets)
+
+    done: list[tuple[Marks, ...]] = []
+    with ThreadPoolExecutor(jobs or os.cpu_count() or 1) as pool:
+        for k, found in enumerate(pool.map(one, photos)):
+            progress("targets", (k + 1) / len(photos))
+            done.append(found)
+    return tuple(done)
+
+
+def covariance_rows(covariance: Array) -> Array:
+    """Variances of x and y and covariance (n, 3) of points whose grey values say (n, 2, 2)."""
+    C = OPTIMISM**2 * covariance
+    return np.stack([C[:, 0, 0] + FLOOR_PX**2, C[:, 1, 1] + FLOOR_PX**2, C[:, 0, 1]], axis=1)
+
+
+def block_of_targets(
+    photos: Sequence[Photo],
+    groups: Sequence[CameraGroup],
+    targets: Sequence[Target],
+    marks: Sequence[Sequence[Marks]],
+    spacing: float,
+) -> TargetBlock:
+    """A block of the named points; those that one photograph alone shows are left out.
+
+    spacing  of a board, in the block's length unit
+    """
+    names: dict[str, int] = {}
+    image, point, xy, cov, size = list[Array](), list[Array](), list[Array](), list[Array](), list[Array]()
+    lost: list[tuple[str, str]] = []
+    for i, sets in enumerate(marks):
+        count = sum(int(m.named.sum()) for m in sets)
+        if count < FEWEST_TARGETS:
+            why = "; ".join(r for m in sets for r in m.remarks)
+            what = f"{count} named targets are found, {FEWEST_TARGETS} are needed"
+            lost.append((photos[i].name, f"{what}{f' ({why})' if why else ''}"))
+            continue
+        for m in sets:
+            own = m.rows(m.named)
+            prefix = "" if len(targets) == 1 else f"{m.family}:"
+            image.append(np.full(len(own), i))
+            point.append(np.array([names.setdefault(prefix + n, len(names)) for n in own.name], int))
+            xy.append(own.xy_px)
+            cov.append(covariance_rows(own.covariance))
+            size.append(own.radius_px)
+    n, p = len(photos), len(names)
+    camera_of_photo = np.zeros(n, np.int32)
+    cameras: list[Camera] = []
+    for k, group in enumerate(groups):
+        camera_of_photo[list(group.photos)] = k
+        cameras.append(replace(camera_of(group), estimate="auto"))
+    files = tuple(photo.name for photo in photos)
+    block = Block(
+        name="calibration",
+        length_unit="mm" if any(t.objects for t in targets) else "m",
+        cameras=tuple(cameras),
+        images=Images(
+            ids=files, camera=camera_of_photo, file=files,
+            centre=np.full((n, 3), np.nan), rotation=np.full((n, 3, 3), np.nan),
+        ),
+        observations=Observations(
+            image=_joined(image, 0).astype(np.int32), point=_joined(point, 0).astype(np.int32),
+            xy_px=_joined(xy, 2), cov_px2=_joined(cov, 3),
+        ),
+        points=Points(
+            ids=tuple(names), role=np.zeros(p, np.int32), xyz=np.full((p, 3), np.nan), sigma=np.full((p, 3), np.nan)
+        ),
+    )  # fmt: skip
+    rays = np.bincount(block.observations.point, minlength=p)
+    keep: Mask = np.asarray(rays[block.observations.point] > 1)
+    return TargetBlock(
+        block=with_rows(block, keep), radius_px=_joined(size, 0)[keep], not_used=tuple(lost),
+        places=_places(targets, spacing),
+    )  # fmt: skip
+
+
+def _joined(parts: Sequence[Array], columns: int) -> Array:
+    if parts:
+        return np.concatenate(parts)
+    return np.zeros((0, columns)) if columns else np.zeros(0)
+
+
+def _places(targets: Sequence[Target], spacing: float) -> dict[str, Array]:
+    boards = [t for t in targets if t.objects]
+    if not boards:
+        return {}
+    if len(targets) > 1:
+        raise InputError(
+            f"a board ({boards[0].title}) is calibrated with alone; name one board, or single targets (--target)"
+        )
+    return {name: spacing * np.asarray(xyz, float) for name, xyz in boards[0].objects.items()}
+
+
+def completed(
+    block: Block, radius_px: Array, oriented: Block, targets: Sequence[Target], marks: Sequence[Sequence[Marks]]
+) -> tuple[Block, Array, int]:
+    """The block with dots whose name could not be read, found where an oriented block predicts them.
+
+    oriented  with orientations of photographs and coordinates of points of the same names
+    returns   the block, the radii of its rows, and how many were added
+    A dot is taken where it is the only one within REACH_PX of the only point predicted there.
+    """
+    o = block.observations
+    ids = {name: k for k, name in enumerate(block.points.ids)}
+    image, point, xy, cov, size = list[int](), list[int](), list[Array](), list[Array](), list[float]()
+    for i in np.flatnonzero(oriented.images.oriented):
+        have = set(o.point[o.image == i].tolist())
+        absent = [k for k, name in enumerate(oriented.points.ids) if ids.get(name, -1) not in have and name in ids]
+        absent = [k for k in absent if np.isfinite(oriented.points.xyz[k]).all()]
+        bare = [m.rows(~m.named) for m in marks[int(i)]]
+        dots = [(m.family, m.xy_px[k], m.covariance[k], m.radius_px[k]) for m in bare for k in range(len(m))]
+        if not absent or not dots:
+            continue
+        at = predicted_px(oriented, int(i), oriented.points.xyz[absent])
+        away = np.linalg.norm(np.array([d[1] for d in dots])[:, None] - at[None], axis=2)
+        near = away < REACH_PX
+        for d, k in np.argwhere(near & (near.sum(axis=0) == 1) & (near.sum(axis=1) == 1)[:, None]):
+            name = oriented.points.ids[absent[k]]
+            if len(targets) > 1 and not name.startswith(f"{dots[d][0]}:"):
+                continue
+            image.append(int(i))
+            point.append(ids[name])
+            xy.append(dots[d][1])
+            cov.append(covariance_rows(dots[d][2][None])[0])
+            size.append(float(dots[d][3]))
+    if not image:
+        return block, radius_px, 0
+    more = replace(
+        o,
+        image=np.append(o.image, image).astype(np.int32),
+        point=np.append(o.point, point).astype(np.int32),
+        xy_px=np.vstack([o.xy_px, xy]),
+        cov_px2=np.vstack([o.cov_px2, cov]),
+    )
+    return replace(block, observations=more), np.append(radius_px, size), len(image)
+
+
+def reweighted(block: Block, sigma0: float) -> Block:
+    """The block with standard deviations of image points that are as large as its residuals say."""
+    return replace(block, observations=replace(block.observations, cov_px2=block.observations.cov_px2 * sigma0**2))
+
+
+def predicted_px(block: Block, image: int, xyz: Array) -> Array:
+    """Image points (n, 2) [px] of object points (n, 3) in an oriented image; NaN behind the camera or not projected."""
+    camera = block.cameras[int(block.images.camera[image])]
+    model = sensor_models[camera.model]
+    values = np.array([camera.values.get(p.symbol, p.default) for p in model.parameters])
+    n = len(xyz)
+    R = np.broadcast_to(block.images.rotation[image], (n, 3, 3))
+    P = sensor_from_object(R, np.broadcast_to(block.images.centre[image], (n, 3)), xyz)
+    near = np.asarray(model.in_front(P))
+    near &= (np.abs(model.start(P, values).T) < 0.75 * np.abs(camera.size_mm)).all(axis=1)
+    result = np.full((n, 2), np.nan)
+    if near.any():
+        # Newton from the central projection; beyond the format a distortion need not have an inverse
+        try:
+            result[near] = camera.pixel_from_image(model.project(P[:, near], values)[0].T)
+        except ArithmeticError:
+            return result
+    return result
+
+
+def target_radii(block: Block, radius_px: Array, normal: Array, used: Mask) -> Array:
+    """(p,) radii of the dots in units of the block, from the mean radii (m,) of their images; NaN where not known.
+
+    A small circle of radius r at P with unit normal n has an image of the area pi r^2 c^2 |n P| / |W|^3.
+    """
+    o = block.observations
+    camera = block.images.camera[o.image]
+    c_px = np.array([c.values["c"] / np.mean(c.pixel_mm) for c in block.cameras])[camera]
+    R = block.images.rotation[o.image]
+    P = sensor_from_object(R, block.images.centre[o.image], block.points.xyz[o.point])
+    n = np.einsum("mij,mj->im", R, normal[o.point])
+    with np.errstate(invalid="ignore", divide="ignore"):
+        size = radius_px / c_px * np.sqrt(np.abs(P[2]) ** 3 / np.abs(np.sum(n * P, axis=0)))
+    radius = np.full(len(block.points), np.nan)
+    good = used & np.isfinite(size)
+    for p in np.unique(o.point[good]).tolist():
+        radius[p] = np.median(size[good & (o.point == p)])
+    return radius
+
+
+def target_normals(xyz: Array) -> Array:
+    """(p, 3) unit normals of the surface on which targets stand; NaN where the nearest ones lie in no plane."""
+    from scipy.spatial import KDTree  # noqa: PLC0415
+
+    normal = np.full(xyz.shape, np.nan)
+    known = np.flatnonzero(np.isfinite(xyz).all(axis=1))
+    if len(known) < 4:
+        return normal
+    _, near = KDTree(xyz[known]).query(xyz[known], k=min(NEAREST + 1, len(known)))
+    for k, rows in zip(known.tolist(), np.asarray(near), strict=True):
+        group = xyz[known[rows]]
+        _, size, axes = np.linalg.svd(group - group.mean(axis=0))
+        if size[2] <= FLAT * size[1] and size[1] > 0.05 * size[0]:
+            normal[k] = axes[2]
+    return normal
+
+
+def oriented_part(block: Block) -> tuple[Block, Index]:
+    """The block of the oriented images and the points with two of their rays, and its rows (k,)."""
+    o = block.observations
+    known: Mask = np.asarray(np.isfinite(block.points.xyz).all(axis=1))
+    keep: Mask = np.asarray(block.images.oriented[o.image] & known[o.point])
+    rays = np.bincount(o.point[keep], minlength=len(block.points))
+    keep &= rays[o.point] > 1
+    return with_rows(block, keep), np.flatnonzero(keep)
