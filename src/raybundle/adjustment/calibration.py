@@ -130,7 +130,7 @@ def calibration_difference(
     shift = np.full((len(points), 2), np.nan)
     for _ in range(STEPS):
         P = points @ turn.T + moved
-        there, seen = _projected(second, P.T, values, there)
+        there, seen = projected(second, P.T, values, there)
         shift = np.where(seen[:, None], second.pixel_from_image(there.T) - xy.reshape(-1, 2), np.nan)
         if seen.sum() < 6:
             break
@@ -175,7 +175,7 @@ def _in_pixels(camera: Camera, B: Array, by: Array) -> Array:
     return -np.linalg.solve(B, by) / (np.array(camera.pixel_mm) * [1, -1])[:, None]
 
 
-def _projected(camera: Camera, points: Array, values: Array, start: Array) -> tuple[Array, Mask]:
+def projected(camera: Camera, points: Array, values: Array, start: Array) -> tuple[Array, Mask]:
     """Images (2, n) of points (3, n) by Newton from `start`, and which (n,) of them there are."""
     model = sensor_models[camera.model]
     image, step = start.copy(), np.full_like(start, np.inf)

@@ -33,6 +33,8 @@ CARRIES_OVER = 1.3
 GOOD_SHARE = 1.0
 USABLE_SHARE = 3.0
 """Largest uncertainty of projection in standard deviations of an image coordinate, for a good and a usable grade."""
+UNSTEADY = frozenset({"unstable_camera", "shear"})
+"""Notices that speak against a calibration."""
 GOOD_PX, USABLE_PX = 0.1, 0.3
 """What is good and usable whatever the precision of these image points: natural points are no better than that."""
 TILT_SPREAD = np.radians(20)
@@ -102,6 +104,10 @@ def calibration_quality(result: Adjustment, camera: str, progress: Progress = si
         structure,
     )  # fmt: skip
     grade = _grade(lacking, largest, sigma, reach, len(images), validation, structure)
+    unsteady = [n.message.partition(": ")[2] for n in result.notices if n.code in UNSTEADY and camera in n.ids]
+    reasons = [*unsteady, *reasons]
+    if unsteady and grade == "good":
+        grade = "usable"
     return CalibrationQuality(
         camera=camera, grade=grade, headline=_headline(grade, lacking, largest, typical, sigma, reach),
         reasons=tuple(reasons), advice=advice, photographs=len(images), image_sigma_px=sigma, uncertainty_px=largest,

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from raybundle.adjustment.calibration import projection_uncertainty
+from raybundle.adjustment.calibration import projected, projection_uncertainty
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
@@ -217,14 +217,10 @@ def _image(block: Block, k: int, centre: Array, rotation: Array, xyz: Array) -> 
     n = len(xyz)
     P = sensor_from_object(np.broadcast_to(rotation, (n, 3, 3)), np.broadcast_to(centre, (n, 3)), xyz)
     half = np.abs(camera.size_mm) / 2
-    front = np.asarray(model.in_front(P))
     start = model.start(P, values)
-    near = front & (np.abs(start.T) < 1.5 * half).all(axis=1)
+    near = np.asarray(model.in_front(P)) & (np.abs(start.T) < 1.5 * half).all(axis=1)
     at = np.full((n, 2), np.nan)
-    if near.any():
-        try:
-            at[near] = camera.pixel_from_image(model.project(P[:, near], values)[0].T)
-        except RaybundleError:
-            return at, np.zeros(n, bool)
+    found, seen = projected(camera, P[:, near], values, start[:, near])
+    at[near] = np.where(seen[:, None], camera.pixel_from_image(found.T), np.nan)
     size = np.array([camera.width_px, camera.height_px])
     return at, np.asarray(((at > 0) & (at < size)).all(axis=1))

@@ -18,9 +18,9 @@ from raybundle.sensors import sensor_models
 FEWEST = 3
 """Photographs of a camera that is told apart."""
 LEAST_POINTS = 10
-GAIN = 3.0
+GAIN = 1.4
 """By how much the scatter within groups must be smaller than the scatter of all, as a ratio of variances."""
-LARGE = 9.0
+LARGE = 4.0
 """Mean square of the single photographs' deviations, in their variances, from which groups are looked for."""
 
 
@@ -31,7 +31,9 @@ class Split:
     groups: tuple[Index, Index]
     """Images of each"""
     words: str
-    """How the groups can be named: by their names, by their order, or only by a list"""
+    """How the first group can be called"""
+    sought: bool
+    """True where the division was made up to fit, False where names or order suggest it"""
     difference: Array
     """(3,) c, x0, y0 of the second minus the first [px]"""
 
@@ -99,35 +101,38 @@ def _one_image(block: Block, result: Adjustment, i: int, rows: Array, wanted: Se
     return (W @ v[..., None]).reshape(-1), (W @ A).reshape(2 * n, 9)
 
 
-def find_split(result: Adjustment, camera: str) -> Split | None:
-    """The best division of a camera's photographs into two, where they deviate far more than their precision allows.
+def find_splits(result: Adjustment, camera: str) -> tuple[Split, ...]:
+    """Divisions of a camera's photographs into two, where they deviate far more than their precision allows.
 
-    Candidates: the beginnings of the names, before and after each photograph in their order, and the two sides along
-    each of c, x0 and y0.  None where no division explains the deviations; an adjustment with two cameras has the last
-    word.
+    The best by the beginnings of the names, by the order of the photographs, and by c, x0 or y0 alone.  Empty where no
+    division explains the deviations; an adjustment with two cameras has the last word.
     """
     images, shift, spread = own_interiors(result, camera)
     if len(images) < 2 * FEWEST:
-        return None
+        return ()
     P = np.linalg.inv(spread)
-    whole = _scatter(shift, P)
-    if whole / (3 * (len(images) - 1)) < LARGE:
-        return None
-    best: tuple[float, Mask, str] | None = None
-    for side, words in _candidates([result.given.images.ids[i] for i in images], shift):
+    whole = _scatter(shift, P) / (3 * (len(images) - 1))
+    if whole < LARGE:
+        return ()
+    best: dict[str, tuple[float, Mask, str]] = {}
+    for kind, side, words in _candidates([result.given.images.ids[i] for i in images], shift):
         if min(int(side.sum()), int((~side).sum())) < FEWEST:
             continue
         within = _scatter(shift[side], P[side]) + _scatter(shift[~side], P[~side])
-        if best is None or within < best[0] * (0.999 if words else 0.8):
-            best = (within, side, words)
-    if best is None:
-        return None
-    ratio = (whole / (3 * (len(images) - 1))) / max(best[0] / (3 * (len(images) - 2)), 1e-300)
-    if ratio < GAIN:
-        return None
-    first, second = images[best[1]], images[~best[1]]
-    means = [_mean(shift[s], P[s]) for s in (best[1], ~best[1])]
-    return Split(groups=(first, second), words=best[2], difference=means[1] - means[0])
+        if kind not in best or within < best[kind][0]:
+            best[kind] = within, side, words
+    found: list[Split] = []
+    for kind, (within, side, words) in best.items():
+        if whole < GAIN * within / (3 * (len(images) - 2)):
+            continue
+        means = [_mean(shift[s], P[s]) for s in (side, ~side)]
+        found.append(
+            Split(
+                groups=(images[side], images[~side]), words=words, sought=kind == "values",
+                difference=means[1] - means[0],
+            )
+        )  # fmt: skip
+    return tuple(found)
 
 
 def _mean(shift: Array, P: Array) -> Array:
@@ -139,20 +144,21 @@ def _scatter(shift: Array, P: Array) -> float:
     return float(np.einsum("ni,nij,nj->", d, P, d))
 
 
-def _candidates(names: Sequence[str], shift: Array) -> list[tuple[Mask, str]]:
-    """Sides (n,) and how to call them; those that can be called something come first."""
-    found: list[tuple[Mask, str]] = []
+def _candidates(names: Sequence[str], shift: Array) -> list[tuple[str, Mask, str]]:
+    """Kind of division, side (n,) and how to call it."""
+    found: list[tuple[str, Mask, str]] = []
     starts = [re.split(r"[_\-. ]", name, maxsplit=1)[0] for name in names]
-    for start in dict.fromkeys(starts):
-        side = np.array([s == start for s in starts])
-        if 0 < side.sum() < len(names):
-            found.append((side, f"names beginning with {start}"))
+    if len(set(starts)) < len(names) / 2:
+        found += [
+            ("names", np.array([s == start for s in starts]), f"names beginning with {start}")
+            for start in dict.fromkeys(starts)
+        ]
     order = np.arange(len(names))
-    found += [(order < k, f"up to {names[k - 1]}") for k in range(1, len(names))]
+    found += [("order", order < k, f"up to {names[k - 1]}") for k in range(1, len(names))]
     for axis in range(3):
         along = np.argsort(shift[:, axis])
         for k in range(1, len(names)):
             side = np.zeros(len(names), bool)
             side[along[:k]] = True
-            found.append((side, ""))
+            found.append(("values", side, "neither by name nor by order"))
     return found

@@ -17,7 +17,7 @@ import numpy as np
 from raybundle.adjustment.calibration_quality import CalibrationQuality, calibration_qualities
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.eccentricity import eccentricity_px
-from raybundle.adjustment.one_camera import find_split
+from raybundle.adjustment.one_camera import Split, find_splits
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Block, Camera
@@ -44,10 +44,14 @@ from raybundle.workflows.target_block import (
     target_radii,
 )
 
-ROUNDS = 2
-"""Adjustments with corrected circle centres."""
+SETTLED_PX = 0.003
+"""Change of a circle centre's correction below which it is not repeated."""
 FEWEST_PHOTOGRAPHS = 3
 MOST_CAMERAS = 8
+SHEAR = 1e-4
+"""Shear that is believed: rows and columns of a sensor are at right angles by lithography."""
+SHARE = 0.7
+"""Share of sigma0 to which two cameras in place of one must bring it."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -67,8 +71,8 @@ class CalibrateOptions:
     eccentricity: bool = True
     """correct the centres of ellipses"""
     shear: bool = False
-    """estimate the shear S too: rows and columns of a sensor are at right angles by lithography, and left free it takes
-    up what motion during the read-out and uneven light do, and moves the principal point"""
+    """believe any shear S, as of scanned pictures; rows and columns of a sensor are at right angles by lithography, and
+    a large shear is something else that the model lacks, which would move the principal point"""
     split: bool = True
     """tell the photographs of two cameras apart where they cannot be of one"""
 
@@ -132,12 +136,7 @@ def calibrate(
         approximate, lost, told = values.block, dict(values.not_oriented), values.notices
     start, rows = oriented_part(approximate)
     notices = (*told, *_remarks(found, groups))
-    settings = AdjustmentOptions(
-        threads=options.jobs or os.cpu_count() or 1,
-        reject="snooping",
-        robust_start=True,
-        never=() if options.shear else ("S",),
-    )
+    settings = AdjustmentOptions(threads=options.jobs or os.cpu_count() or 1, reject="snooping", robust_start=True)
     first = decide(start, settings, progress)
     block, radius, added = completed(block, radius, first.adjusted, targets, marks)
     if added:
@@ -150,7 +149,7 @@ def calibrate(
     if options.model == "auto":
         start, chosen = choose_models(start, first, settings)
         notices = (*notices, *chosen)
-    result, largest = _adjust(start, radius[rows], options, settings, notices, progress)
+    result, largest = _adjust(start, first, radius[rows], options, settings, notices, progress)
     return Calibration(
         adjustment=result,
         quality=calibration_qualities(result, progress),
@@ -226,27 +225,34 @@ def _split(
     """Cameras that are two taken apart, as long as the adjustment gains by it."""
     told: list[Notice] = []
     tested: set[str] = set()
+    given = len(start.cameras)
+    scale = first.sigma0  # the start has standard deviations that are larger by it
     while len(start.cameras) < MOST_CAMERAS:
         k = next((k for k, c in enumerate(start.cameras) if c.id not in tested), None)
         if k is None:
             break
         camera = start.cameras[k]
         tested.add(camera.id)
-        split = find_split(first, camera.id)
-        if split is None:
+        best: tuple[Adjustment, Block, Split] | None = None
+        for split in find_splits(first, camera.id):
+            trial = _taken_apart(start, k, split)
+            try:
+                after = decide(trial, settings, progress)
+            except NotSolvable:
+                continue
+            if not _gained(first, after, scale) or after.sigma0 > SHARE * first.sigma0 / scale:
+                continue
+            if best is None or after.sigma0 < best[0].sigma0:
+                best = after, trial, split
+        if best is None:
             continue
-        two = replace(camera, id=f"{camera.id}-{_number(start.cameras, camera.id)}")
-        of_image = start.images.camera.copy()
-        of_image[split.groups[1]] = len(start.cameras)
-        trial = replace(start, cameras=(*start.cameras, two), images=replace(start.images, camera=of_image))
-        try:
-            after = decide(trial, settings, progress)
-        except NotSolvable:
-            continue
-        if not _gained(first, after):
+        after, trial, split = best
+        two = trial.cameras[-1]
+        if split.sought:
+            told.append(_unstable(camera, after.sigma0 * scale / first.sigma0, after, split))
             continue
         n = [len(g) for g in split.groups]
-        by = split.words or "neither by name nor by order"
+        by = split.words
         dc, dx, dy = split.difference
         told.append(
             Notice(
@@ -259,8 +265,34 @@ def _split(
             )
         )
         tested.discard(camera.id)
-        start, first = _with_values(trial, after.adjusted), after
+        start, first, scale = _with_values(trial, after.adjusted), after, 1.0
+    if len(start.cameras) > given:
+        start = reweighted(start, first.sigma0)
     return start, first, tuple(told)
+
+
+def _unstable(camera: Camera, share: float, after: Adjustment, split: Split) -> Notice:
+    """A notice that photographs differ in their interior orientation though neither names nor order tell them apart."""
+    dc, dx, dy = split.difference
+    names = [after.given.images.ids[i] for i in split.groups[1]]
+    return Notice(
+        code="unstable_camera",
+        message=f"camera {camera.id}: its interior orientation was not the same in all photographs. Two groups would "
+        f"reduce the residuals to {share:.2f} of theirs (c differs by {dc:+.1f} px, the principal point by {dx:+.1f}, "
+        f"{dy:+.1f} px; the one are {', '.join(names[:8])}{' ...' if len(names) > 8 else ''}); the "
+        "calibration is their mean, its standard deviations are too small. Switch autofocus, zoom and stabilisation "
+        "off, or tell cameras apart (--camera)",
+        ids=(camera.id, *names),
+    )
+
+
+def _taken_apart(block: Block, k: int, split: Split) -> Block:
+    """The block with a camera of its own for the second group of photographs of camera k."""
+    camera = block.cameras[k]
+    two = replace(camera, id=f"{camera.id}-{_number(block.cameras, camera.id)}")
+    of_image = block.images.camera.copy()
+    of_image[split.groups[1]] = len(block.cameras)
+    return replace(block, cameras=(*block.cameras, two), images=replace(block.images, camera=of_image))
 
 
 def _number(cameras: Sequence[Camera], id_: str) -> int:
@@ -270,46 +302,78 @@ def _number(cameras: Sequence[Camera], id_: str) -> int:
     return number
 
 
-def _gained(before: Adjustment, after: Adjustment) -> bool:
-    """Whether more cameras explain the observations better by the Bayesian information criterion (Schwarz 1978)."""
+def _gained(before: Adjustment, after: Adjustment, scale: float) -> bool:
+    """Whether more cameras explain the observations better by the Bayesian information criterion (Schwarz 1978).
+
+    scale  standard deviations of the observations after, in those before
+    """
     m = before.observations
     lost = 2 * sum(1 for r in before.image_observations.rejected if r) - 2 * sum(
         1 for r in after.image_observations.rejected if r
     )
     # a rejected coordinate that returns is worth at least what the critical value allows
     old = before.weighted_square_sum + max(lost, 0) * (before.critical_tau * before.sigma0) ** 2
-    gain = m * np.log(old / after.weighted_square_sum)
+    gain = m * np.log(old / scale**2 / after.weighted_square_sum)
     return bool(gain > (after.unknowns - before.unknowns) * np.log(m) + 10)
+
+
+def _sheared(result: Adjustment) -> list[Notice]:
+    """A notice for each camera whose shear is larger than that of any sensor."""
+    found: list[Notice] = []
+    for i in result.interior:
+        p = i.parameters.get("S")
+        if p is None or not p.std or abs(p.value) < SHEAR:
+            continue
+        found.append(
+            Notice(
+                code="shear",
+                message=f"camera {i.camera}: the residuals ask for a shear S of {p.value:.1e} ± {p.std:.0e}, which no "
+                f"sensor has (limit {SHEAR:.0e}); it is held at 0. Something else is not in the model, as motion "
+                "during the read-out or uneven light on the targets; standard deviations may be too small. For scanned "
+                "pictures: --shear",
+                ids=(i.camera,),
+            )
+        )
+    return found
 
 
 def _adjust(
     start: Block,
+    first: Adjustment,
     radius_px: Array,
     options: CalibrateOptions,
     settings: AdjustmentOptions,
     notices: Sequence[Notice],
     progress: Progress,
 ) -> tuple[Adjustment, float]:
-    """The free network, ellipse centres corrected with the orientations of the round before."""
-    result = decide(start, settings, progress, notices=tuple(notices))
-    largest = 0.0
-    scale = result.sigma0
-    circular = options.eccentricity and bool(np.isfinite(radius_px).any())
-    for _ in range(ROUNDS if circular else 1):
-        here = result.adjusted
-        used = result.image_observations.used
-        shift = np.zeros_like(start.observations.xy_px)
-        if circular:
-            normal = target_normals(here.points.xyz)
-            radius = target_radii(here, radius_px, normal, used)
-            shift = eccentricity_px(replace(here, observations=start.observations), radius, normal)
-        largest = float(np.linalg.norm(shift[used], axis=1).max(initial=0.0))
-        moved = replace(
-            start, observations=replace(start.observations, xy_px=start.observations.xy_px - shift)
-        )  # fmt: skip
-        # the precision of the image points is estimated with what is known by then
-        result = decide(
-            reweighted(_with_values(moved, here), scale), settings, progress, notices=tuple(notices)
-        )  # fmt: skip
-        scale *= result.sigma0
-    return result, largest
+    """The free network, ellipse centres corrected with the orientations of the adjustment before."""
+    shift = _eccentricity(start, first, radius_px, options)
+    result = decide(_moved(start, shift), settings, progress, notices=tuple(notices))
+    sheared = [] if options.shear else _sheared(result)
+    if sheared:
+        notices = (*notices, *sheared)
+        settings = replace(settings, never=("S",))
+        flat = tuple(replace(c, values={**c.values, "S": 0.0}) if "S" in c.values else c for c in start.cameras)
+        start = replace(start, cameras=flat)
+        result = decide(_moved(start, shift), settings, progress, notices=tuple(notices))
+    again = _eccentricity(start, result, radius_px, options)
+    used = result.image_observations.used
+    if np.abs(again - shift)[used].max(initial=0.0) > SETTLED_PX:
+        shift = again
+        here = reweighted(_moved(_with_values(start, result.adjusted), shift), result.sigma0)
+        result = decide(here, settings, progress, notices=tuple(notices))
+    return result, float(np.linalg.norm(shift[used], axis=1).max(initial=0.0))
+
+
+def _eccentricity(start: Block, at: Adjustment, radius_px: Array, options: CalibrateOptions) -> Array:
+    """Offsets (m, 2) [px] of the centres of ellipses, with the orientations of an adjustment."""
+    if not options.eccentricity or not np.isfinite(radius_px).any():
+        return np.zeros_like(start.observations.xy_px)
+    here = at.adjusted
+    normal = target_normals(here.points.xyz)
+    radius = target_radii(here, radius_px, normal, at.image_observations.used)
+    return eccentricity_px(replace(here, observations=start.observations), radius, normal)
+
+
+def _moved(block: Block, shift: Array) -> Block:
+    return replace(block, observations=replace(block.observations, xy_px=block.observations.xy_px - shift))

@@ -14,9 +14,9 @@ from raybundle.block.boards import fitted_to_rays
 from raybundle.errors import RaybundleError
 from raybundle.sensors import sensor_models
 
-CANDIDATES = (("brown", 0.0), ("rational", np.radians(25)), ("fisheye", np.radians(40)))
+CANDIDATES = (("brown", 0.0), ("rational", np.radians(35)), ("fisheye", np.radians(40)))
 """Models, and the half angle of the field from which they are tried."""
-GAIN = 0.98
+GAIN = 0.95
 """A model that is not the simplest must reduce sigma0 to this share at least."""
 
 
@@ -24,7 +24,7 @@ def choose_models(start: Block, first: Adjustment, settings: AdjustmentOptions) 
     """The block with the model of each camera that has the smallest BIC, all parameters of it free.
 
     start  a block with approximate values; first  what came of it
-    BIC = m ln(v'Pv) + u ln m (Schwarz 1978).  A model with more parameters is taken only if sigma0 falls by 2 % too.
+    BIC = m ln(v'Pv) + u ln m (Schwarz 1978).  A model with more parameters is taken only if sigma0 falls by 5 % too.
     """
     told: list[Notice] = []
     best = start
@@ -99,10 +99,7 @@ def with_model(block: Block, k: int, name: str) -> Block | None:
 
 def _tried(block: Block, settings: AdjustmentOptions, rejected: tuple[str, ...]) -> Adjustment | None:
     free = {
-        c.id: tuple(
-            p.symbol for p in sensor_models[c.model].parameters if p.kind != "other" and p.symbol not in settings.never
-        )
-        for c in block.cameras
+        c.id: tuple(p.symbol for p in sensor_models[c.model].parameters if p.kind != "other") for c in block.cameras
     }
     options = replace(settings, reject="none", robust_start=False, statistics=False, tolerance=1e-4)
     try:

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from raybundle.adjustment.calibration import projected
 from raybundle.block import Block, Camera, Images, Observations, Points
 from raybundle.block.select import with_rows
 from raybundle.errors import InputError
@@ -204,12 +205,8 @@ def predicted_px(block: Block, image: int, xyz: Array) -> Array:
     near = np.asarray(model.in_front(P))
     near &= (np.abs(model.start(P, values).T) < 0.75 * np.abs(camera.size_mm)).all(axis=1)
     result = np.full((n, 2), np.nan)
-    if near.any():
-        # Newton from the central projection; beyond the format a distortion need not have an inverse
-        try:
-            result[near] = camera.pixel_from_image(model.project(P[:, near], values)[0].T)
-        except ArithmeticError:
-            return result
+    found, seen = projected(camera, P[:, near], values, model.start(P, values)[:, near])
+    result[near] = np.where(seen[:, None], camera.pixel_from_image(found.T), np.nan)
     return result
 
 

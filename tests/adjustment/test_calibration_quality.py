@@ -1,0 +1,121 @@
+"""The verdict on a calibration: what the network determines decides, not how small the residuals are."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from raybundle.adjustment.calibration_quality import calibration_qualities
+from raybundle.adjustment.cross_validation import cross_validation
+from raybundle.adjustment.decide import decide
+from raybundle.adjustment.next_photographs import next_photographs
+from raybundle.adjustment.one_camera import find_splits, own_interiors
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.block import Observations
+from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
+
+ROLLS = (0.0, 90.0, 180.0, 270.0)
+
+
+def calibrated(*, seed=1, camera=None, **plan):
+    scene = field_scene(TargetField(**plan))
+    survey = Survey(seed=seed, image_sigma_px=0.05, points="exact", orientation="exact", interior="exact")
+    block = simulate(scene, survey).observed
+    cameras = (replace(block.cameras[0], estimate="auto"),)
+    return decide(replace(block, cameras=cameras), AdjustmentOptions(reject="snooping"))
+
+
+@pytest.fixture(scope="module")
+def good():
+    return calibrated()
+
+
+@pytest.fixture(scope="module")
+def narrow():
+    return calibrated(roll_deg=(0.0,), tilt_deg=10.0, depth=0.0)
+
+
+def test_a_good_network_is_called_good(good):
+    (q,) = calibration_qualities(good)
+    assert q.grade == "good"
+    assert q.headline.startswith("Good: ")
+    assert q.image_sigma_px == pytest.approx(0.05, rel=0.05)
+    assert q.uncertainty_px < q.image_sigma_px
+    assert q.rolls == 4
+    assert q.reach > 0.9
+    assert q.validation.ratio == pytest.approx(1.05, abs=0.08)
+
+
+def test_a_narrow_network_is_not_and_what_helps_is_named_first(narrow):
+    (q,) = calibration_qualities(narrow)
+    assert q.grade in {"usable", "weak"}
+    assert any("hardly converge" in r for r in q.reasons)
+    assert any("never rolled" in r for r in q.reasons)
+    assert "converge" in q.advice[0].words
+    assert q.advice[0].ratio < 0.5
+    assert [p.uncertainty_px for p in q.advice] == sorted(p.uncertainty_px for p in q.advice)
+
+
+def test_the_predicted_effect_is_what_such_photographs_bring(narrow):
+    """The first proposal for the narrow network against a network that has such photographs."""
+    first = next_photographs(narrow, "1")[0]
+    better = calibrated(roll_deg=ROLLS, tilt_deg=40.0, depth=0.0)
+    (q,) = calibration_qualities(better)
+    assert first.uncertainty_px == pytest.approx(q.uncertainty_px, rel=0.6)
+
+
+def test_what_is_not_determinable_stands_before_any_number():
+    a = calibrated(stations=4, frontal=0, roll_deg=(0.0,), depth=0.0, tilt_deg=0.02)
+    (q,) = calibration_qualities(a)
+    assert q.grade in {"not determinable", "weak"}
+    assert a.not_determinable or q.uncertainty_px > 3 * q.image_sigma_px
+    assert q.advice
+
+
+def test_cross_validation_of_few_photographs_is_not_tried():
+    assert cross_validation(calibrated(stations=4, frontal=0)) is None
+
+
+def test_cross_validation_notices_what_does_not_carry_over(good):
+    """Photographs with a camera constant of their own fit when they take part and not when they are left out."""
+    o = good.given.observations
+    rng = np.random.default_rng(3)
+    middle = np.array([3000.0, 2000.0])
+    factor = 1 + 4e-4 * rng.standard_normal(len(good.given.images))
+    moved = replace(o, xy_px=middle + (o.xy_px - middle) * factor[o.image, None])
+    block = replace(good.adjusted, observations=moved, cameras=(replace(good.given.cameras[0], estimate="auto"),))
+    unsteady = decide(block, AdjustmentOptions())
+    assert cross_validation(unsteady).ratio > cross_validation(good).ratio + 0.1
+
+
+def test_own_interiors_scatter_as_they_should(good):
+    images, shift, spread = own_interiors(good, "1")
+    assert len(images) == len(good.given.images)
+    size = np.einsum("ni,nij,nj->n", shift, np.linalg.inv(spread), shift) / 3
+    assert 0.3 < size.mean() < 1.5
+    assert find_splits(good, "1") == ()
+
+
+@pytest.mark.parametrize("how", ["names", "order", "values"])
+def test_two_cameras_are_found(good, how):
+    n = len(good.given.images)
+    side = {"names": np.arange(n) % 2 == 0, "order": np.arange(n) < 8}.get(how, np.arange(n) % 3 == 0)
+    ids = tuple(
+        f"{'left' if how == 'names' and s else 'p' if how != 'names' else 'right'}_{k}" for k, s in enumerate(side)
+    )
+    if how != "names":
+        ids = tuple(f"{k}" for k in range(n))
+    o: Observations = good.given.observations
+    shift = np.where(side[o.image, None], 0.0, np.array([3.0, -2.0]))
+    block = replace(
+        good.adjusted,
+        images=replace(good.adjusted.images, ids=ids),
+        observations=replace(o, xy_px=o.xy_px + shift),
+        cameras=(replace(good.given.cameras[0], estimate="auto"),),
+    )
+    mixed = decide(block, AdjustmentOptions())
+    splits = find_splits(mixed, "1")
+    exact = [s for s in splits if set(s.groups[0].tolist()) in ({*np.flatnonzero(side)}, {*np.flatnonzero(~side)})]
+    assert exact
+    assert np.abs(exact[0].difference[1:]) == pytest.approx([3.0, 2.0], abs=1.5)
+    assert any(s.sought for s in splits) or how != "values"
