@@ -1,13 +1,13 @@
-"""Residuals of image observations against a block as it stands, without adjusting."""
+"""Residuals and image points by a block as it stands, without adjusting."""
 
 from __future__ import annotations
 
 import numpy as np
 
+from raybundle.adjustment.calibration import projected
 from raybundle.block import Block
 from raybundle.numerics.arrays import Array
 from raybundle.platforms.station import sensor_from_object
-from raybundle.sensors import sensor_models
 
 
 def residuals_px(block: Block, rows: Array) -> Array:
@@ -21,18 +21,34 @@ def residuals_px(block: Block, rows: Array) -> Array:
     for c in np.unique(camera):
         mine = np.flatnonzero(camera == c)
         cam = block.cameras[c]
-        model = sensor_models[cam.model]
+        model = cam.sensor
         image = observations.image[rows[mine]]
         point = observations.point[rows[mine]]
         values = np.array([[cam.values[s] for s in model.symbols]] * len(mine)).T
         for k, i in enumerate(image):
             own = block.images.interior.get(int(i))
             if own is not None:
-                values[:, k] = [own[s] for s in model.symbols]
+                values[:, k] = [own.get(s, cam.values[s]) for s in model.symbols]
         P = sensor_from_object(block.images.rotation[image], block.images.centre[image], block.points.xyz[point])
         xy = cam.image_from_pixel(observations.xy_px[rows[mine]]).T
         g, J = model.condition_and_jacobian(*xy, *P, *values)
         B = np.moveaxis(J[:, :2], 2, 0)
         v = -np.linalg.solve(B, g.T[..., None])[..., 0]
         result[mine] = v / (np.array(cam.pixel_mm) * [1, -1])
+    return result
+
+
+def predicted_px(block: Block, image: int, xyz: Array) -> Array:
+    """Image points (n, 2) [px] of object points (n, 3) in an oriented image; NaN behind the camera or not projected."""
+    camera = block.cameras[int(block.images.camera[image])]
+    model = camera.sensor
+    values = np.array([camera.values.get(p.symbol, p.default) for p in model.parameters])
+    n = len(xyz)
+    R = np.broadcast_to(block.images.rotation[image], (n, 3, 3))
+    P = sensor_from_object(R, np.broadcast_to(block.images.centre[image], (n, 3)), xyz)
+    near = np.asarray(model.in_front(P))
+    near &= (np.abs(model.start(P, values).T) < 0.75 * np.abs(camera.size_mm)).all(axis=1)
+    result = np.full((n, 2), np.nan)
+    found, seen = projected(camera, P[:, near], values, model.start(P, values)[:, near])
+    result[near] = np.where(seen[:, None], camera.pixel_from_image(found.T), np.nan)
     return result

@@ -36,10 +36,14 @@ if TYPE_CHECKING:
 @click.option("--model", default="auto", show_default=True, metavar="NAME",
     help="Distortion model: brown, rational, fisheye ...; auto: brown, or what fits a wide lens better.",
 )  # fmt: skip
+@click.option("--estimate", default="", metavar="SYMBOLS",
+    help="Parameters to be estimated, as c,x0,y0,K1,K2,P1,P2.  [default: what is significant and determinable]",
+)  # fmt: skip
 @click.option(
     "--spacing", type=click.FloatRange(0, min_open=True), default=1.0, metavar="MM",
     help="Distance of neighbouring points of a board; the calibration does not depend on it.",
 )  # fmt: skip
+@click.option("--dots", is_flag=True, help="Use dots without a code among the targets, too.")
 @click.option("--shear", is_flag=True, help="Estimate the shear of the pixel grid, too: for scanned pictures.")
 @click.option("--keep", is_flag=True, help="Keep a good calibration in the camera library, where orient finds it.")
 @click.option("--jobs", type=click.IntRange(0), default=0, show_default=True, help="0: all processors.")
@@ -51,8 +55,10 @@ def command(
     targets: tuple[str, ...],
     separate: tuple[str, ...],
     model: str,
+    estimate: str,
     spacing: float,
-    shear: bool,  # noqa: FBT001  (a flag of the command line)
+    dots: bool,  # noqa: FBT001  (a flag of the command line)
+    shear: bool,  # noqa: FBT001
     keep: bool,  # noqa: FBT001
     jobs: int,
     no_report: bool,  # noqa: FBT001
@@ -77,7 +83,8 @@ def command(
     from raybundle.workflows.calibrate import CalibrateOptions, calibrate  # noqa: PLC0415
 
     options = CalibrateOptions(
-        targets=targets, separate=separate, model=model, spacing=spacing, shear=shear, jobs=jobs
+        targets=targets, separate=separate, model=model, spacing=spacing,
+        estimate=tuple(t.strip() for t in estimate.split(",") if t.strip()), dots=dots, shear=shear, jobs=jobs
     )  # fmt: skip
     check_target(out)
     with reporting(progress) as tell:
@@ -103,10 +110,28 @@ def additions(done: Calibration) -> dict[str, object]:
             "families": [t.family for t in done.targets],
             "read": sum(int(m.named.sum()) for sets in done.marks for m in sets),
             "completed": done.completed,
+            "dots": done.dots,
             "largest_eccentricity_px": done.largest_eccentricity_px,
         },
-        "calibration": {q.camera: _as_table(q) for q in done.quality},
+        "calibration": {q.camera: {**_as_table(q), "exif": _exif(done, q.camera)} for q in done.quality},
     }
+
+
+def _exif(done: Calibration, camera: str) -> dict[str, Any]:
+    """What a camera's first photograph says of it: by this its calibration is found again."""
+    from raybundle.io.camera_library import key_of  # noqa: PLC0415
+
+    key = key_of(done.photos[_first_image(done, camera)])
+    return {
+        "make": key.make, "model": key.model, "serial": key.serial, "lens": key.lens, "focal_mm": key.focal_mm,
+        "focus_m": key.focus_m,
+    }  # fmt: skip
+
+
+def _first_image(done: Calibration, camera: str) -> int:
+    given = done.adjustment.given
+    k = next(i for i, c in enumerate(given.cameras) if c.id == camera)
+    return next(i for i, of in enumerate(given.images.camera) if of == k)
 
 
 def _as_table(q: CalibrationQuality) -> dict[str, Any]:
@@ -126,6 +151,7 @@ def lines(done: Calibration) -> list[str]:
     """What the command prints."""
     read = sum(int(m.named.sum()) for sets in done.marks for m in sets)
     extra = f", {done.completed} without a readable code found by prediction" if done.completed else ""
+    extra += f", {done.dots} dots without a code" if done.dots else ""
     what = ", ".join(t.title for t in done.targets)
     given = counted(len(done.photos) + len(done.refused), "photograph")
     told = [f"{done.used} of {given} used, {read} points of {what} read{extra}"]
@@ -151,20 +177,16 @@ def _kept(done: Calibration, q: CalibrationQuality, out: Path) -> str:
     from dataclasses import replace  # noqa: PLC0415
     from datetime import UTC, datetime  # noqa: PLC0415
 
-    import numpy as np  # noqa: PLC0415
-
     from raybundle.errors import InputError  # noqa: PLC0415
     from raybundle.io.camera_library import LibraryEntry, add_entry, key_of  # noqa: PLC0415
 
     if q.grade not in {"good", "usable"}:
         return f"camera {q.camera} is not kept in the library: its calibration is {q.grade}"
     a = done.adjustment
-    k = next(i for i, c in enumerate(a.adjusted.cameras) if c.id == q.camera)
     interior = next(i for i in a.interior if i.camera == q.camera)
-    image = int(np.flatnonzero(a.given.images.camera == k)[0])
     entry = LibraryEntry(
-        key=key_of(done.photos[image]),
-        camera=replace(a.adjusted.cameras[k], estimate=(), sigma={}),
+        key=key_of(done.photos[_first_image(done, q.camera)]),
+        camera=replace(next(c for c in a.adjusted.cameras if c.id == q.camera), estimate=(), sigma={}),
         free=interior.free,
         covariance=None if a.precision is None else a.precision.interior[q.camera],
         date=datetime.now(UTC).date().isoformat(),

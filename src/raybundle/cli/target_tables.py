@@ -6,7 +6,6 @@ import os
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from typing import Literal
 
 import numpy as np
 
@@ -15,38 +14,36 @@ from raybundle.io.photos.photo import Photo, find_photos, read_grey
 from raybundle.io.tables import write_table
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress
-from raybundle.targets.codes import RingFamily
-from raybundle.targets.detect import DetectionOptions, Detections, detect_targets
+from raybundle.targets.marks import MarkOptions, Marks, Target, detect
 
 
 def detect_all(
     inputs: Sequence[Path],
-    family: RingFamily,
-    polarity: Literal["both", "dark", "light"],
+    target: Target,
+    options: MarkOptions,
     pictures: Path | None,
     threads: int,
     tell: Progress,
-) -> tuple[list[tuple[str, Detections]], list[tuple[Path, str]]]:
-    """Names and targets of the photographs, and files left out with the reason."""
+) -> tuple[list[tuple[str, Marks]], list[tuple[Path, str]]]:
+    """Names and points of the photographs, and files left out with the reason."""
     photos = find_photos(inputs, progress=tell)
     refused = list(photos.refused)
-    options = DetectionOptions(polarity=polarity)
     if pictures is not None:
         pictures.mkdir(parents=True, exist_ok=True)
 
-    def one(photo: Photo) -> Detections | str:
+    def one(photo: Photo) -> Marks | str:
         try:
             image = read_grey(photo)
         except InputError as error:
             return str(error)
-        found = detect_targets(image, family, options)
+        found = detect(image, target, options)
         if pictures is not None:
             from raybundle.targets.overlay import as_png, overlay  # noqa: PLC0415
 
             (pictures / f"{photo.path.stem}.png").write_bytes(as_png(overlay(image, found)))
         return found
 
-    results: list[tuple[str, Detections]] = []
+    results: list[tuple[str, Marks]] = []
     with ThreadPoolExecutor(threads or os.cpu_count() or 1) as pool:
         for k, (photo, found) in enumerate(zip(photos.photos, pool.map(one, photos.photos), strict=True), start=1):
             tell("targets", k / len(photos.photos))
@@ -57,32 +54,32 @@ def detect_all(
     return results, refused
 
 
-def write_observations(path: Path, found: Sequence[tuple[str, Detections]]) -> list[str]:
-    """The coded targets as observations.csv of a block; returns a line for each number read twice in a photograph."""
-    remarks: list[str] = []
-    kept: list[tuple[str, Detections]] = []
-    for name, d in found:
-        numbers, count = np.unique(d.id[d.coded], return_counts=True)
-        twice = numbers[count > 1]
-        remarks += [f" {name}: target {i} read in two places, left out of the table" for i in twice]
-        kept.append((name, d.rows(d.coded & ~np.isin(d.id, twice))))
-    names, every = _joined(kept)
-    write_table(path, {"image": names, "point": [str(int(i)) for i in every["id"]], **_measured(every)})
-    return remarks
+def write_targets(path: Path, found: Sequence[tuple[str, Marks]]) -> None:
+    """All points found: image,family,code,x_px,y_px,sx_px,sy_px,sxy_px2,radius_px,gate; no code for bare dots."""
+    every = _joined(found)
+    names = [name for name, m in found for _ in range(len(m))]
+    table: dict[str, Sequence[str] | Array] = {
+        "image": names,
+        "family": [m.family for _, m in found for _ in range(len(m))],
+        "code": [n for _, m in found for n in m.name],
+        **_measured(every),
+        "radius_px": every["radius_px"],
+        "gate": every["gate"],
+    }
+    write_table(path, table)
 
 
-def write_dots(path: Path, found: Sequence[tuple[str, Detections]]) -> None:
-    """The dots without a code."""
-    names, every = _joined([(name, d.rows(~d.coded)) for name, d in found])
-    radius = np.sqrt(np.sqrt(np.linalg.det(every["ellipse"])))
-    write_table(path, {"image": names, **_measured(every), "radius_px": radius, "contrast": every["contrast"]})
+def write_observations(path: Path, found: Sequence[tuple[str, Marks]]) -> None:
+    """The points with a name as observations.csv of a block."""
+    kept = [(name, m.rows(m.named)) for name, m in found]
+    names = [name for name, m in kept for _ in range(len(m))]
+    points = [n for _, m in kept for n in m.name]
+    write_table(path, {"image": names, "point": points, **_measured(_joined(kept))})
 
 
-def _joined(found: Sequence[tuple[str, Detections]]) -> tuple[list[str], dict[str, Array]]:
-    names = [name for name, d in found for _ in range(len(d))]
-    columns = ("id", "xy_px", "covariance", "ellipse", "contrast")
-    empty = {"id": (0,), "xy_px": (0, 2), "covariance": (0, 2, 2), "ellipse": (0, 2, 2), "contrast": (0,)}
-    return names, {c: np.concatenate([np.zeros(empty[c]), *(getattr(d, c) for _, d in found)]) for c in columns}
+def _joined(found: Sequence[tuple[str, Marks]]) -> dict[str, Array]:
+    empty = {"xy_px": (0, 2), "covariance": (0, 2, 2), "radius_px": (0,), "gate": (0,)}
+    return {c: np.concatenate([np.zeros(shape), *(getattr(m, c) for _, m in found)]) for c, shape in empty.items()}
 
 
 def _measured(every: dict[str, Array]) -> dict[str, Array]:

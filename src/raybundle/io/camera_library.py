@@ -20,6 +20,7 @@ from typing import Any
 import numpy as np
 
 from raybundle.block import Camera
+from raybundle.block.zoom import ZoomCalibration
 from raybundle.errors import InputError
 from raybundle.io.block_toml import read_cameras
 from raybundle.io.calibrations.ours import cameras_text
@@ -27,6 +28,7 @@ from raybundle.io.folders import new_folder
 from raybundle.io.formats.reading import Json, read_text
 from raybundle.io.photos.cameras import CameraGroup, with_calibration
 from raybundle.io.photos.photo import Photo
+from raybundle.io.zoom_files import ZOOM, read_zoom, write_zoom
 from raybundle.numerics.arrays import Array
 from raybundle.sensors import sensor_models
 
@@ -74,6 +76,8 @@ class LibraryEntry:
     source: str = ""
     sigma0: float | None = None
     photographs: int | None = None
+    zoom: ZoomCalibration | None = None
+    """Of a zoom lens: the calibration as a function of the EXIF focal length; the key names none then"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -174,6 +178,7 @@ def read_entry(place: Path) -> LibraryEntry:
         source=_text(top, "source"),
         sigma0=_number(top, "sigma0"),
         photographs=top.get("photographs").whole(0) if top.has("photographs") else None,
+        zoom=read_zoom(place) if (place / ZOOM).is_file() else None,
     )
 
 
@@ -234,7 +239,8 @@ def add_entry(entry: LibraryEntry, folder: Path | None = None) -> Path:
     """
     folder = folder or library_folder()
     k = entry.key
-    if not k.model or k.focal_mm is None or not (math.isfinite(k.focal_mm) and k.focal_mm > 0):
+    focal = k.focal_mm is not None and math.isfinite(k.focal_mm) and k.focal_mm > 0
+    if not k.model or not (focal or entry.zoom is not None):
         raise InputError(
             "a calibration is found again by the camera's model and the EXIF focal length; give a photograph of the "
             "set (--photo), or --model and --focal"
@@ -244,7 +250,7 @@ def add_entry(entry: LibraryEntry, folder: Path | None = None) -> Path:
         k.model,
         k.serial,
         k.lens,
-        f"{k.focal_mm:g}mm",
+        f"{k.focal_mm:g}mm" if entry.zoom is None else "{:g}-{:g}mm".format(*entry.zoom.range_mm),
         f"{entry.camera.width_px}x{entry.camera.height_px}",
     )
     base = re.sub(r"[^a-z0-9.]+", "-", " ".join(w for w in words if w).lower()).strip("-.")[:120] or "camera"
@@ -254,6 +260,8 @@ def add_entry(entry: LibraryEntry, folder: Path | None = None) -> Path:
     camera = replace(entry.camera, estimate=(), sigma={}, interior="shared")
     with new_folder(folder / name) as temporary:
         (temporary / "camera.toml").write_text(cameras_text([camera]), encoding="utf-8", newline="\n")
+        if entry.zoom is not None:
+            write_zoom(entry.zoom, temporary)
         (temporary / "entry.toml").write_text(_entry_text(entry), encoding="utf-8", newline="\n")
         read_entry(temporary)  # what cannot be read back is not kept
     return folder / name
@@ -269,11 +277,16 @@ def match(entry: LibraryEntry, photo: Photo) -> Match:
     if against:
         return Match(entry=entry, fits=False, reasons=(against,))
     mine, own = entry.key, key_of(photo)
-    reasons = [f"{mine.make} {mine.model}".strip(), f"EXIF focal length {mine.focal_mm:g} mm"]
+    reasons = [f"{mine.make} {mine.model}".strip(), f"EXIF focal length {own.focal_mm or 0:g} mm"]
+    base = entry.camera
+    if entry.zoom is not None:
+        base, remarks = _zoomed(entry.zoom, own)
+        reasons[1] += " within {:g} to {:g} mm of a calibrated zoom lens".format(*entry.zoom.range_mm)
+        reasons += remarks
     same = [_same(mine.serial, own.serial), _same(mine.lens, own.lens)]
     for name, value, equal in (("serial number", mine.serial, same[0]), ("lens", mine.lens, same[1])):
         reasons.append(f"{name} {value}" if equal else f"{name} not compared: not known to both")
-    camera = _for_format(entry.camera, photo)
+    camera = _for_format(base, photo)
     assert camera is not None
     whole = (camera.width_px, camera.height_px) == (entry.camera.width_px, entry.camera.height_px)
     size = f"{entry.camera.width_px} x {entry.camera.height_px} px"
@@ -281,7 +294,7 @@ def match(entry: LibraryEntry, photo: Photo) -> Match:
         f"format {size}" if whole else f"format {size}, taken as the whole of {photo.width_px} x {photo.height_px} px"
     )
     apart = 0.0
-    if mine.focus_m and own.focus_m:
+    if mine.focus_m and own.focus_m and entry.zoom is None:
         c = entry.camera.values.get("c", own.focal_mm or 0.0)
         apart = abs(c * c / 1000 * (1 / mine.focus_m - 1 / own.focus_m)) / entry.camera.pixel_mm[0]
         if apart > 0:
@@ -307,9 +320,13 @@ def _against(entry: LibraryEntry, photo: Photo) -> str:
     for name, a, b in (("serial number", mine.serial, own.serial), ("lens", mine.lens, own.lens)):
         if a and b and not _same(a, b):
             return f"its {name} is {a}, the photograph's {b}"
-    if mine.focal_mm is None or own.focal_mm is None:
+    if entry.zoom is not None:
+        against = _beyond(entry.zoom, own.focal_mm)
+        if against:
+            return against
+    elif mine.focal_mm is None or own.focal_mm is None:
         return "the EXIF focal length is not known to both; a calibration is valid for one focal length alone"
-    if abs(mine.focal_mm - own.focal_mm) > SAME_FOCAL * mine.focal_mm:
+    elif abs(mine.focal_mm - own.focal_mm) > SAME_FOCAL * mine.focal_mm:
         return f"it is for the EXIF focal length {mine.focal_mm:g} mm, the photograph has {own.focal_mm:g} mm"
     zoom = photo.metadata.zoom_ratio
     if zoom is not None and zoom > 1:
@@ -320,6 +337,27 @@ def _against(entry: LibraryEntry, photo: Photo) -> str:
         why = "was turned by a program" if turned else "is a crop"
         return f"it is for {c.width_px} x {c.height_px} px; {photo.width_px} x {photo.height_px} px {why}"
     return ""
+
+
+def _beyond(zoom: ZoomCalibration, focal_mm: float | None) -> str:
+    """Why a zoom calibration does not hold for a focal length; "" where it does."""
+    if focal_mm is None:
+        return "the photograph's EXIF focal length is not known, and the calibration is of a zoom lens"
+    low, high = zoom.range_mm
+    slack = zoom.resolution_mm / 2
+    if not low - slack <= focal_mm <= high + slack:
+        return f"it is for {low:g} to {high:g} mm of a zoom lens, the photograph has {focal_mm:g} mm"
+    return ""
+
+
+def _zoomed(zoom: ZoomCalibration, own: CameraKey) -> tuple[Camera, tuple[str, ...]]:
+    """The camera at the photograph's focal length: held, or c free and observed where that length is rounded."""
+    at = zoom.predict(own.focal_mm or 0.0, own.focus_m)
+    if zoom.resolution_mm > 0 and "c" in at.free:
+        sigma = float(np.sqrt(at.covariance[at.free.index("c"), at.free.index("c")]))
+        told = f"EXIF rounds the focal length to {zoom.resolution_mm:g} mm: c is estimated from {sigma:.2g} mm"
+        return replace(at.camera, estimate=("c",), sigma={"c": sigma}), (*at.remarks, told)
+    return at.camera, at.remarks
 
 
 def _for_format(camera: Camera, photo: Photo) -> Camera | None:
@@ -358,7 +396,8 @@ def with_library(
             continue
         taken = with_calibration(group, best.camera)
         of = f", of {best.entry.date}" if best.entry.date else ""
-        told = f"the calibration {best.entry.name} of the camera library{of} is held (--no-library: estimate it)"
+        how = "is held" if not best.camera.estimate else f"is held but for {', '.join(best.camera.estimate)}"
+        told = f"the calibration {best.entry.name} of the camera library{of} {how} (--no-library: estimate it)"
         result.append(replace(taken, remarks=(*group.remarks, *taken.remarks, told)))
     return tuple(result)
 

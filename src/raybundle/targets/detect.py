@@ -165,7 +165,7 @@ def find_targets(image: Array, family: RingFamily | None, options: DetectionOpti
         least_margin = np.where(r.beyond < o.beyond, o.margin, o.sure)
         least_margin = np.where(_radius(edges.ellipse) < o.small, o.margin / 3, least_margin)
         good = (number >= 0) & (r.margin >= least_margin) & (edges.quiet < o.quiet)
-        good &= _reaches(edges, image.shape, family.ring[1])
+        good &= _reaches(edges, image.shape, family.read[1] + 0.1)
         ids[good], margin[good] = number[good], r.margin[good]
         if good.any():
             code[good] = family.code_of(number[good])
@@ -237,6 +237,11 @@ def clean_ground(image: Array, edges: Edges, farthest: float = 4.2) -> Array:
     u = circle(np.arange(24) * np.pi / 12)
     places = edges.xy_px[:, None] + (u * rho[:, None, None]).reshape(-1, 2) @ frame(edges.ellipse).transpose(0, 2, 1)
     v = sample(image, places).reshape(len(edges.xy_px), len(rho), 24)
+    # light may fall off across a target; what lies on one side only is more than a quarter of the contrast
+    slope = np.einsum("nrk,ki->nri", v, u) / 12
+    amplitude = np.hypot(slope[..., 0], slope[..., 1])
+    slope *= np.minimum(1, 0.25 * abs(edges.contrast[:, None]) / np.maximum(amplitude, 1e-9))[..., None]
+    v = v - slope @ u.T
     h, w = image.shape
     # even is what differs little around a circle, and from the darkest (lightest) circle around a light (dark) dot
     middle = np.median(v, axis=2)
@@ -259,7 +264,10 @@ def _measure(image: Array, found: Found, family: RingFamily | None, o: Detection
     coded = found.id[chosen] >= 0
     minor = np.sqrt(np.linalg.eigvalsh(e.ellipse)[:, 0]) if len(e.ellipse) else np.zeros(0)
     window = np.minimum(0.94 * clean_ground(image, _scaled(e, scale)), 1 + GROUND_PX / np.maximum(minor, 1))
-    window = np.clip(window, 1.3, 4.0)
+    # dots that are blurred are larger than they seem
+    room = 0.85 * (np.minimum(e.xy_px, np.array([image.shape[1], image.shape[0]]) - e.xy_px) - 1)
+    window = np.minimum(window, (room / np.sqrt(e.ellipse[:, [0, 1], [0, 1]])).min(axis=1, initial=np.inf))
+    window = np.clip(window, 1.25, 4.0)
     if family is not None:
         window[coded] = (1 + family.ring[0]) / 2
     dots = fit_dots(image, e.xy_px, e.ellipse, window, o.dot)

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
 
@@ -58,10 +60,11 @@ class Words:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Placed:
-    """A target on a page."""
+    """A target, or a point of a board, on a page."""
 
-    id: int
+    name: str
     code: int
+    """-1 for a point of a board"""
     x_mm: float
     y_mm: float
 
@@ -96,8 +99,14 @@ class SheetOptions:
 class Sheet:
     """All pages, and what is on them."""
 
-    family: RingFamily
+    family: str
+    title: str
     options: SheetOptions
+    dot_radius_mm: float
+    """NaN without dots"""
+    ring_radii_mm: tuple[float, ...] = ()
+    spacing_mm: float = math.nan
+    """of a board; side of square tags"""
     pages: tuple[Page, ...]
     """as designed, before they are cut into tiles"""
     printed: tuple[Page, ...] = field(default=())
@@ -139,13 +148,26 @@ def design(family: RingFamily, ids: Index, options: SheetOptions) -> Sheet:
             y = height - MARGIN - (row + 0.5) * side - row * line
             shapes += target_shapes(family, int(codes[k]), x, y, o)
             shapes.append(Words(x=x, y=y - side / 2 - 1.2 * WORDS, text=f"{family.name}  {int(ids[k])}"))
-            targets.append(Placed(id=int(ids[k]), code=int(codes[k]), x_mm=x, y_mm=y))
-        bar = next((b for b in BARS if b <= width - 2 * MARGIN - 20), BARS[-1])
+            targets.append(Placed(name=str(int(ids[k])), code=int(codes[k]), x_mm=x, y_mm=y))
+        bar = bar_length(width)
         number = f"page {len(pages) + 1}"
-        shapes += _foot(width, bar, f"{family.title}, dot radius {o.dot_radius_mm:g} mm, {number}; print at 100 %")
+        shapes += foot(width, bar, f"{family.title}, dot radius {o.dot_radius_mm:g} mm, {number}; print at 100 %")
         pages.append(Page(width=width, height=height, shapes=tuple(shapes), targets=tuple(targets), bar_mm=bar))
-    printed = tuple(t for p in pages for t in (tiles(p, o.tile) if o.tile else [p]))
-    return Sheet(family=family, options=o, pages=tuple(pages), printed=printed)
+    return Sheet(
+        family=family.name, title=family.title, options=o, dot_radius_mm=o.dot_radius_mm,
+        ring_radii_mm=(family.ring[0] * o.dot_radius_mm, family.ring[1] * o.dot_radius_mm),
+        pages=tuple(pages), printed=printed(pages, o.tile),
+    )  # fmt: skip
+
+
+def printed(pages: Sequence[Page], tile: str) -> tuple[Page, ...]:
+    """Pages as they leave the printer."""
+    return tuple(t for p in pages for t in (tiles(p, tile) if tile else [p]))
+
+
+def bar_length(width: float) -> float:
+    """Of the scale bar on a page of this width [mm]."""
+    return next((b for b in BARS if b <= width - 2 * MARGIN - 20), BARS[-1])
 
 
 def target_shapes(family: RingFamily, code: int, x: float, y: float, o: SheetOptions) -> list[Disc | Outline | Words]:
@@ -164,21 +186,22 @@ def target_shapes(family: RingFamily, code: int, x: float, y: float, o: SheetOpt
     return shapes
 
 
-def _foot(width: float, bar: float, text: str) -> list[Disc | Outline | Words]:
+def foot(width: float, bar: float, text: str) -> list[Disc | Outline | Words]:
     """A scale bar with its length, and what is printed."""
     x0, y0 = width / 2 - bar / 2, MARGIN + 6.0
-    shapes: list[Disc | Outline | Words] = [_box(x0, y0, bar, 0.3)]
+    shapes: list[Disc | Outline | Words] = [box(x0, y0, bar, 0.3)]
     ticks = 10 if bar >= 50 else 4
     for k in range(ticks + 1):
         h = 3.0 if k in {0, ticks} else 1.5
-        shapes.append(_box(x0 + k * bar / ticks - 0.05, y0, 0.1, h))
+        shapes.append(box(x0 + k * bar / ticks - 0.05, y0, 0.1, h))
     shapes.append(Words(x=width / 2, y=y0 + 3.6, text=f"{bar:g} mm from first to last tick: measure it on the print"))
     shapes.append(Words(x=width / 2, y=MARGIN, text=text))
     return shapes
 
 
-def _box(x: float, y: float, w: float, h: float) -> Outline:
-    return Outline(xy=np.array([[x, y], [x + w, y], [x + w, y + h], [x, y + h]]))
+def box(x: float, y: float, w: float, h: float, *, black: bool = True) -> Outline:
+    """A filled rectangle."""
+    return Outline(xy=np.array([[x, y], [x + w, y], [x + w, y + h], [x, y + h]]), black=black)
 
 
 def tiles(page: Page, paper: str) -> list[Page]:
@@ -193,7 +216,7 @@ def tiles(page: Page, paper: str) -> list[Page]:
     for i in range(count[0] + 1):
         for j in range(count[1] + 1):
             x, y = i * step[0] + OVERLAP / 2, j * step[1] + OVERLAP / 2
-            crosses += [_box(x - 3, y - 0.05, 6, 0.1), _box(x - 0.05, y - 3, 0.1, 6)]
+            crosses += [box(x - 3, y - 0.05, 6, 0.1), box(x - 0.05, y - 3, 0.1, 6)]
     parts: list[Page] = []
     for j in range(count[1]):
         for i in range(count[0]):
@@ -221,28 +244,3 @@ def _touches(shape: Disc | Outline | Words, w: float, h: float) -> bool:
         reach = shape.radius if isinstance(shape, Disc) else 0.3 * shape.size * len(shape.text)
         low, high = np.array([shape.x, shape.y]) - reach, np.array([shape.x, shape.y]) + reach
     return bool((high > 0).all() and low[0] < w and low[1] < h)
-
-
-def sidecar(sheet: Sheet) -> dict[str, Any]:
-    """What the print shows, for whoever measures it: radii and ids; positions hold within a page."""
-    f, o = sheet.family, sheet.options
-    return {
-        "family": f.name,
-        "bits": f.bits,
-        "polarity": o.polarity,
-        "unit": "mm",
-        "dot_radius_mm": o.dot_radius_mm,
-        "ring_radii_mm": [f.ring[0] * o.dot_radius_mm, f.ring[1] * o.dot_radius_mm],
-        "paper": o.paper,
-        "frame": "origin at the lower left corner of the paper, x to the right, y up; as designed, not as printed",
-        "pages": [
-            {
-                "page": k,
-                "width_mm": p.width,
-                "height_mm": p.height,
-                "scale_bar_mm": p.bar_mm,
-                "targets": [{"id": t.id, "code": t.code, "x_mm": t.x_mm, "y_mm": t.y_mm} for t in p.targets],
-            }
-            for k, p in enumerate(sheet.pages, start=1)
-        ],
-    }

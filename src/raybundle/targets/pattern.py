@@ -5,15 +5,17 @@ A ring is drawn as the dot is (see `centre`): the blurred image of a region is a
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from raybundle.numerics.arrays import Array
 from raybundle.targets.centre import X0, Y0, A, D, S
 from raybundle.targets.codes import RingFamily, sectors
 
-FINE = 0.7
+FINE = 1.3
 """Length of a piece of an edge, in standard deviations of the blur."""
-FINEST = 64
+FINEST = 40
 """Pixels along a side that are compared; of larger targets every second, third ... is."""
 BEYOND = 0.25
 """How far beyond the ring grey values are compared, in radii of the dot."""
@@ -35,7 +37,7 @@ def pattern_misfit(image: Array, values: Array, code: int, begin: float, family:
     reach = (family.ring[1] + BEYOND) * np.hypot(L[:, 0], L[:, 1])
     low = np.maximum(np.floor(values[:2] - reach).astype(int), 0)
     high = np.minimum(np.ceil(values[:2] + reach).astype(int), [image.shape[1], image.shape[0]])
-    step = max(1, int((high - low).max() // FINEST))
+    step = max(1, int(np.ceil((high - low).max() / FINEST)))
     rows, columns = slice(low[1], high[1], step), slice(low[0], high[0], step)
     x, y = (np.arange(s.start, s.stop, step) + 0.5 - v for s, v in ((columns, values[X0]), (rows, values[Y0])))
     dot = blurred_region(circle_edge(L, values[S]), x, y, values[S])
@@ -56,8 +58,9 @@ def blurred_region(edge: tuple[Array, Array], x: Array, y: Array, s: float) -> A
     from scipy.special import ndtr  # noqa: PLC0415  (loaded when a target is drawn)
 
     at, piece = edge
-    phi = np.exp(-(((at[:, 1, None] - y) / s) ** 2) / 2) / (s * np.sqrt(2 * np.pi))
-    return (phi * piece[:, 1, None]).T @ ndtr((at[:, 0, None] - x) / s)
+    # beyond six standard deviations nothing is felt
+    tx, ty = (np.clip((at[:, k, None] - z) / s, -6, 6) for k, z in ((0, x), (1, y)))
+    return (np.exp(-(ty**2) / 2) * (piece[:, 1, None] / (s * np.sqrt(2 * np.pi)))).T @ ndtr(tx)
 
 
 def circle_edge(L: Array, s: float, radius: float = 1.0) -> tuple[Array, Array]:
@@ -82,7 +85,7 @@ def ring_edge(L: Array, s: float, code: int, begin: float, family: RingFamily) -
 
 
 def _count(L: Array, s: float, length: float) -> int:
-    return max(2, int(np.ceil(length * np.linalg.norm(L, 2) / (FINE * s))))
+    return max(2, math.ceil(length * math.sqrt(float((L * L).sum())) / (FINE * s)))
 
 
 def _arc(L: Array, s: float, radius: float, a: float, b: float) -> Array:

@@ -1,20 +1,20 @@
-"""Sheets of targets as PDF or SVG at true size, with a JSON file that says what is on them."""
+"""Sheets of targets as PDF or SVG at true size, with a TOML file that says what is on them."""
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 from xml.sax.saxutils import escape
 
 from raybundle.errors import InputError
-from raybundle.targets.layout import Disc, Outline, Page, Sheet, sidecar
+from raybundle.targets.layout import Disc, Outline, Page, Sheet
+from raybundle.targets.sidecar import sidecar
 
 POINT = 72 / 25.4
 """Points of a PDF in a millimetre."""
 
 
 def write_sheet(sheet: Sheet, path: Path) -> tuple[Path, ...]:
-    """Write FILE.pdf, or FILE.svg (FILE-2.svg and so on for further pages), and FILE.json; returns what was written.
+    """Write FILE.pdf, or FILE.svg (FILE-2.svg and so on for further pages), and FILE.toml; returns what was written.
 
     Raises InputError for another ending, where nothing can be written, or where reportlab is missing for a PDF.
     """
@@ -30,7 +30,7 @@ def write_sheet(sheet: Sheet, path: Path) -> tuple[Path, ...]:
         for k, page in enumerate(sheet.printed, start=1):
             name = path if k == 1 else path.with_name(f"{path.stem}-{k}{path.suffix}")
             files[name] = svg(page).encode()
-    files[path.with_suffix(".json")] = (json.dumps(sidecar(sheet), indent=1) + "\n").encode()
+    files[path.with_suffix(".toml")] = sidecar(sheet).encode()
     for name, content in files.items():
         try:
             name.write_bytes(content)
@@ -49,7 +49,7 @@ def pdf(sheet: Sheet) -> bytes:
 
     buffer = io.BytesIO()
     canvas = Canvas(buffer, invariant=1)
-    canvas.setTitle(f"{sheet.family.title}, dot radius {sheet.options.dot_radius_mm:g} mm")
+    canvas.setTitle(f"{sheet.title}")
     for page in sheet.printed:
         canvas.setPageSize((page.width * POINT, page.height * POINT))
         canvas.scale(POINT, POINT)

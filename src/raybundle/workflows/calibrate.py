@@ -29,6 +29,7 @@ from raybundle.numerics.progress import Progress, silent
 from raybundle.orientation.assembly import possible_values
 from raybundle.orientation.camera_constant import checked_by_pairs
 from raybundle.sensors import sensor_models
+from raybundle.targets.kinds.rings import Rings
 from raybundle.targets.marks import Marks, Target, target
 from raybundle.workflows.board_start import board_oriented
 from raybundle.workflows.model_choice import choose_models
@@ -42,6 +43,8 @@ from raybundle.workflows.target_block import (
     reweighted,
     target_normals,
     target_radii,
+    with_coordinates,
+    with_dots,
 )
 
 SETTLED_PX = 0.003
@@ -64,10 +67,14 @@ class CalibrateOptions:
     """patterns of photographs' names, each a camera apart"""
     model: str = "auto"
     """distortion model; auto: brown, or what fits a wide lens better"""
+    estimate: tuple[str, ...] = ()
+    """parameters that are estimated, no more and no less; (): chosen by significance and determinability"""
     spacing: float = 1.0
     """distance of neighbouring points of a board [mm]"""
     jobs: int = 0
     """photographs worked on at the same time; 0 = processors"""
+    dots: bool = False
+    """use dots without a code, too, among coded targets"""
     eccentricity: bool = True
     """correct the centres of ellipses"""
     shear: bool = False
@@ -94,6 +101,8 @@ class Calibration:
     targets: tuple[Target, ...]
     completed: int
     """dots without a readable name that were used all the same"""
+    dots: int
+    """object points that are dots without a code"""
     largest_eccentricity_px: float
 
     @property
@@ -123,9 +132,11 @@ def calibrate(
     if not targets:
         targets = recognised(photos, progress)
     groups = camera_groups(photos, (), options.separate)
+    if options.dots:
+        targets = tuple(replace(t, dots=True) if isinstance(t, Rings) else t for t in targets)
     marks = measure_all(photos, targets, options.jobs, progress)
     given = block_of_targets(photos, groups, targets, marks, options.spacing)
-    block, radius = given.block, given.radius_px
+    block, radius = _asked(given.block, options), given.radius_px
     if len(np.unique(block.observations.image)) < 2:
         raise InputError(_too_few(photos, marks, targets), file=", ".join(str(p) for p in inputs))
     if given.places:
@@ -139,14 +150,17 @@ def calibrate(
     settings = AdjustmentOptions(threads=options.jobs or os.cpu_count() or 1, reject="snooping", robust_start=True)
     first = decide(start, settings, progress)
     block, radius, added = completed(block, radius, first.adjusted, targets, marks)
-    if added:
-        start, rows = oriented_part(_with_values(block, first.adjusted))
+    linked = 0
+    if options.dots:
+        block, radius, linked = with_dots(block, radius, first.adjusted, marks)
+    if added or linked:
+        start, rows = oriented_part(with_coordinates(_with_values(block, first.adjusted)))
         first = decide(start, settings, progress)
     start = reweighted(_with_values(start, first.adjusted), first.sigma0)
     if options.split:
         start, first, split = _split(start, first, settings, progress)
         notices = (*notices, *split)
-    if options.model == "auto":
+    if options.model == "auto" and not options.estimate:
         start, chosen = choose_models(start, first, settings)
         notices = (*notices, *chosen)
     result, largest = _adjust(start, first, radius[rows], options, settings, notices, progress)
@@ -160,8 +174,20 @@ def calibrate(
         marks=marks,
         targets=targets,
         completed=added,
+        dots=linked,
         largest_eccentricity_px=largest,
     )
+
+
+def _asked(block: Block, options: CalibrateOptions) -> Block:
+    """The block with the model and the parameters that were asked for."""
+    if not options.estimate:
+        return block
+    known = sensor_models["brown" if options.model == "auto" else options.model].symbols
+    unknown = [s for s in options.estimate if s not in known]
+    if unknown:
+        raise InputError(f"{unknown[0]!r} is no parameter of the model; known: {', '.join(known)}")
+    return replace(block, cameras=tuple(replace(c, estimate=options.estimate) for c in block.cameras))
 
 
 def _enough(found: Found, inputs: Sequence[Path]) -> None:

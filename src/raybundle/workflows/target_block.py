@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from raybundle.adjustment.calibration import projected
+from raybundle.adjustment.predict import predicted_px
 from raybundle.block import Block, Camera, Images, Observations, Points
 from raybundle.block.select import with_rows
 from raybundle.errors import InputError
@@ -17,8 +17,9 @@ from raybundle.io.photos.cameras import CameraGroup, camera_of
 from raybundle.io.photos.photo import Photo, read_grey
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent
+from raybundle.orientation.rays import intersect_linear, object_rays, rays_of
+from raybundle.orientation.unnamed import link_unnamed
 from raybundle.platforms.station import sensor_from_object
-from raybundle.sensors import sensor_models
 from raybundle.targets.marks import Marks, Target, detect
 
 OPTIMISM, FLOOR_PX = 3.0, 0.01
@@ -189,25 +190,63 @@ def completed(
     return replace(block, observations=more), np.append(radius_px, size), len(image)
 
 
+def with_dots(
+    block: Block, radius_px: Array, oriented: Block, marks: Sequence[Sequence[Marks]]
+) -> tuple[Block, Array, int]:
+    """The block with dots that have no code and were linked by an oriented block; the radii, and how many points.
+
+    Only dots that stand for no point yet are taken: those at an observed place are left out.
+    """
+    o = block.observations
+    bare: list[tuple[Array, Array, Array]] = []
+    for i, sets in enumerate(marks):
+        xy = np.concatenate([m.xy_px[~m.named] for m in sets])
+        C = np.concatenate([m.covariance[~m.named] for m in sets])
+        r = np.concatenate([m.radius_px[~m.named] for m in sets])
+        taken = o.xy_px[o.image == i]
+        apart = np.ones(len(xy), bool)
+        if len(taken) and len(xy):
+            apart = np.linalg.norm(xy[:, None] - taken[None], axis=2).min(axis=1) > np.maximum(r, REACH_PX)
+        bare.append((xy[apart], C[apart], r[apart]))
+    groups = link_unnamed(oriented, [b[0] for b in bare])
+    if not groups:
+        return block, radius_px, 0
+    rows = [(i, p, d) for p, group in enumerate(groups) for i, d in group]
+    first = len(block.points)
+    more = Observations(
+        image=np.append(o.image, [i for i, _, _ in rows]).astype(np.int32),
+        point=np.append(o.point, [first + p for _, p, _ in rows]).astype(np.int32),
+        xy_px=np.vstack([o.xy_px, [bare[i][0][d] for i, _, d in rows]]),
+        cov_px2=np.vstack([o.cov_px2, covariance_rows(np.array([bare[i][1][d] for i, _, d in rows]))]),
+    )
+    k, none = len(groups), np.full((len(groups), 3), np.nan)
+    points = Points(
+        ids=(*block.points.ids, *(f"dot {p + 1}" for p in range(k))), role=np.append(block.points.role, [0] * k),
+        xyz=np.vstack([block.points.xyz, none]), sigma=np.vstack([block.points.sigma, none]),
+    )  # fmt: skip
+    radii = np.append(radius_px, [bare[i][2][d] for i, _, d in rows])
+    return replace(block, observations=more, points=points), radii, k
+
+
+def with_coordinates(block: Block) -> Block:
+    """The block with points that have none intersected from its orientations."""
+    missing: Mask = np.asarray(~np.isfinite(block.points.xyz).all(axis=1))
+    o = block.observations
+    mine = missing[o.point] & block.images.oriented[o.image]
+    rays = rays_of(replace(block, observations=Observations(
+        image=o.image[mine], point=o.point[mine], xy_px=o.xy_px[mine], cov_px2=o.cov_px2[mine],
+    )))  # fmt: skip
+    xyz, count, _ = intersect_linear(
+        block.images.centre[rays.image], object_rays(block.images.rotation[rays.image], rays.direction), rays.point,
+        len(block.points),
+    )  # fmt: skip
+    new = np.where((missing & (count > 1))[:, None], xyz, block.points.xyz)
+    return replace(block, points=replace(block.points, xyz=new))
+
+
 def reweighted(block: Block, sigma0: float) -> Block:
     """The block with standard deviations of image points that are as large as its residuals say."""
     return replace(block, observations=replace(block.observations, cov_px2=block.observations.cov_px2 * sigma0**2))
-
-
-def predicted_px(block: Block, image: int, xyz: Array) -> Array:
-    """Image points (n, 2) [px] of object points (n, 3) in an oriented image; NaN behind the camera or not projected."""
-    camera = block.cameras[int(block.images.camera[image])]
-    model = sensor_models[camera.model]
-    values = np.array([camera.values.get(p.symbol, p.default) for p in model.parameters])
-    n = len(xyz)
-    R = np.broadcast_to(block.images.rotation[image], (n, 3, 3))
-    P = sensor_from_object(R, np.broadcast_to(block.images.centre[image], (n, 3)), xyz)
-    near = np.asarray(model.in_front(P))
-    near &= (np.abs(model.start(P, values).T) < 0.75 * np.abs(camera.size_mm)).all(axis=1)
-    result = np.full((n, 2), np.nan)
-    found, seen = projected(camera, P[:, near], values, model.start(P, values)[:, near])
-    result[near] = np.where(seen[:, None], camera.pixel_from_image(found.T), np.nan)
-    return result
 
 
 def target_radii(block: Block, radius_px: Array, normal: Array, used: Mask) -> Array:

@@ -1,0 +1,301 @@
+"""Views of a printed board as a block: free points on a known raster, and a start for any lens without a guess.
+
+The board need not be flat.  Its raster is only the start and the datum: every point is free, the network keeps the
+position and the size of the raster by inner constraints.  Interior orientation does not depend on that choice.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from raybundle.block.block import Block, Camera, Images, LengthUnit, Observations, Points, Role
+from raybundle.errors import InputError, NotSolvable
+from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.rotation import nearest_rotation
+from raybundle.sensors import sensor_models
+
+FEWEST = 6
+"""Points of a view that takes part."""
+SCALES = np.geomspace(0.15, 4.0, 36)
+"""Camera constants that are tried, in widths of the format."""
+BENDS = np.array([0.1, 0.05, 0.0, -0.05, -0.1, -0.15, -0.2, -0.25, -0.3, -0.35])
+"""Bends that are tried: 0 is the central projection, -1/4 the stereographic, about -1/3 the equidistant fisheye."""
+ASKED = 24
+"""Views on which they are tried."""
+RIDGE = 3e-4
+"""Weight of the pull towards zero in the fit of radial terms, as a share of what a term does in the image."""
+FITTED = 2000
+"""Image points to which they are fitted."""
+POOR = 0.02
+"""Residual of the start, in widths of the format, beyond which it is not believed."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BoardViews:
+    """Observed corners or dots of one board."""
+
+    view: Index
+    """(m,) number of the view"""
+    row: Index
+    column: Index
+    """(m,) place on the board"""
+    xy_px: Array
+    """(m, 2) pixel frame"""
+    weight: Array
+    """(m,) residuals are multiplied by it: sigma is 1 / weight px; not positive: given as an outlier"""
+    spacing: float
+    """Distance of neighbours, the block's length unit"""
+    names: tuple[str, ...] = field(default=())
+    """Names of the views; () numbers them"""
+
+    def __len__(self) -> int:
+        return len(self.view)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BoardStart:
+    """How the start was found."""
+
+    camera: Camera
+    c: float
+    """Camera constant of the rays that explain the views best [mm]"""
+    bend: float
+    """Their division model: the ray of (x, y) is (x, y, -(c + bend r^2 / c)) (Fitzgibbon 2001)"""
+    residual_px: float
+    """Median over the views of their root mean square residual"""
+
+
+def board_block(
+    views: BoardViews,
+    camera: Camera,
+    *,
+    raster_sigma: tuple[float, float] | None = None,
+    sigma_px: float = 1.0,
+    length_unit: LengthUnit = "m",
+) -> tuple[Block, tuple[str, ...], BoardStart]:
+    """A block of board views with a start for everything, the reasons (m,) of given outliers, and how it was started.
+
+    camera        c = 0 in its values: camera constant and bend of the lens are searched, nothing is guessed
+    raster_sigma  standard deviations of the raster's points in its plane and across it, length units; (0, 0) holds a
+                  flat board; None leaves all points free (inner constraints)
+    raises        InputError where a view shows too few points; NotSolvable where no lens explains the views
+
+    A print is truer in its plane (some 0.05 mm) than it is flat (1 mm).  Free points need views that see the same
+    points in different parts of the format; the adjustment says whether they are determined.
+    """
+    view, image = np.unique(views.view, return_inverse=True)
+    place, point = np.unique(np.stack([views.row, views.column], axis=1), axis=0, return_inverse=True)
+    image, point = image.ravel(), point.ravel()
+    good: Mask = np.asarray((views.weight > 0) & np.isfinite(views.xy_px).all(axis=1))
+    counts = np.bincount(image[good], minlength=len(view))
+    if len(view) == 0 or counts.min() < FEWEST:
+        few = int(np.argmin(counts)) if len(view) else -1
+        raise InputError(
+            f"view {view[few] if few >= 0 else '-'} of the board shows {counts[few] if few >= 0 else 0} points, "
+            f"{FEWEST} are needed; leave it out"
+        )
+    xyz = np.concatenate([place[:, ::-1] * views.spacing, np.zeros((len(place), 1))], axis=1)
+    xyz -= xyz.mean(axis=0)
+    start, rotation, centre = planar_start(camera, views.xy_px[good], image[good], xyz[point[good]])
+    variance = (sigma_px / np.maximum(np.abs(views.weight), 1e-12)) ** 2
+    in_plane, across = raster_sigma or (np.nan, np.nan)
+    sigma = np.tile([in_plane, in_plane, across], (len(xyz), 1))
+    names = views.names or tuple(f"view {v}" for v in view)
+    block = Block(
+        name="board", length_unit=length_unit, cameras=(start.camera,),
+        images=Images(
+            ids=names, camera=np.zeros(len(view), np.int32), file=names, centre=centre, rotation=rotation,
+        ),
+        observations=Observations(
+            image=image.astype(np.int32), point=point.astype(np.int32), xy_px=np.asarray(views.xy_px, float),
+            cov_px2=np.stack([variance, variance, np.zeros(len(views))], axis=1),
+        ),
+        points=Points(
+            ids=tuple(f"r{r}c{c}" for r, c in place), xyz=xyz, sigma=sigma,
+            role=np.full(len(xyz), Role.TIE if raster_sigma is None else Role.CONTROL, np.int32),
+        ),
+    )  # fmt: skip
+    return block, tuple("" if g else "given as an outlier" for g in good), start
+
+
+def weighted_rms(residuals_px: Array, cov_px2: Array, used: Mask) -> float:
+    """Root mean square (v / sigma) of the coordinates of image points (m, 2) that are used: sigma 1 px has weight 1."""
+    w = residuals_px[used] / np.sqrt(cov_px2[used, :2])
+    return float(np.sqrt(np.mean(w**2)))
+
+
+def planar_start(camera: Camera, xy_px: Array, image: Array, xyz: Array) -> tuple[BoardStart, Array, Array]:
+    """Camera, rotations (n, 3, 3) and projection centres (n, 3) of the views of known points (m, 3)."""
+    order = np.argsort(image, kind="stable")
+    image, xyz = image[order], xyz[order]
+    first = np.flatnonzero(np.diff(image, prepend=-1))
+    xy = camera.image_from_pixel(xy_px[order])
+    model, size = sensor_models[camera.model], float(camera.size_mm.max())
+    if camera.values.get(model.symbols[0], 0.0) > 0:
+        values = np.array([camera.values.get(p.symbol, p.default) for p in model.parameters])
+        ray = model.ray(xy.T, np.repeat(values[:, None], len(xy), axis=1)).T
+        R, t, away = _poses(ray, xyz, first)
+        per_px = values[0] / camera.pixel_mm[0]
+        residual = float(np.median(_by_view(away, first))) * per_px
+        return BoardStart(camera=camera, c=float(values[0]), bend=0.0, residual_px=residual), R, _centres(R, t)
+    asked = np.unique(np.linspace(0, len(first) - 1, ASKED).astype(int))
+    rows = np.isin(image, asked)
+    some = np.flatnonzero(np.diff(image[rows], prepend=-1))
+    best = (np.inf, size, 0.0)
+    for c in size * SCALES:
+        for bend in BENDS:
+            best = min(best, (_score(xy[rows], xyz[rows], some, float(c), float(bend)), float(c), float(bend)))
+    for width in (0.5, 0.25, 0.12, 0.06):
+        _, c0, b0 = best
+        for c in c0 * (SCALES[1] / SCALES[0]) ** (width * np.array([-1, 0, 1])):
+            for bend in b0 + 0.05 * width * np.array([-1, 0, 1]):
+                best = min(best, (_score(xy[rows], xyz[rows], some, float(c), float(bend)), float(c), float(bend)))
+    score, c, bend = best
+    if not score < POOR * size:
+        raise NotSolvable(
+            f"no lens explains the views of the board: the best start leaves {score / camera.pixel_mm[0]:.0f} px; "
+            "check rows and columns, and that all views show one board"
+        )
+    ray = division_rays(xy, c, bend)
+    R, t, away = _poses(ray, xyz, first)
+    fitted = fitted_to_rays(camera, xy, ray, c)
+    residual = score / camera.pixel_mm[0]
+    return BoardStart(camera=fitted, c=c, bend=bend, residual_px=residual), R, _centres(R, t)
+
+
+def _centres(R: Array, t: Array) -> Array:
+    return -np.einsum("nji,nj->ni", R, t)
+
+
+def division_rays(xy_mm: Array, c: float, bend: float) -> Array:
+    """Rays (m, 3) of image points (m, 2) by the division model, the view along -Z; not normalised."""
+    r2 = np.sum(xy_mm**2, axis=1)
+    return np.concatenate([xy_mm, -(c + bend * r2 / c)[:, None]], axis=1)
+
+
+def _score(xy: Array, xyz: Array, first: Array, c: float, bend: float) -> float:
+    """Median over the views of the rms residual in the image [mm], infinite for rays that fold."""
+    u2 = np.sum(xy**2, axis=1) / c**2
+    if bend < 0 and -bend * u2.max() > 4:
+        return np.inf
+    slope = (1 - bend * u2) / ((1 + bend * u2) ** 2 + u2)
+    if slope.min() <= 0.02:
+        return np.inf
+    _, _, away = _poses(division_rays(xy, c, bend), xyz, first)
+    return float(np.median(_by_view(away / slope * c, first)))
+
+
+def _by_view(values: Array, first: Array) -> Array:
+    """Root mean square of each view."""
+    count = np.diff(np.append(first, len(values)))
+    return np.sqrt(np.add.reduceat(values**2, first) / count)
+
+
+def _poses(ray: Array, xyz: Array, first: Array) -> tuple[Array, Array, Array]:
+    """Poses P = R X + t of views of a plane Z = 0 by rays (m, 3), any lens; residual angles (m,) [rad].
+
+    The homography H of the plane's points onto rays b minimises |b x (H x)|^2; its columns are two axes of the board
+    and its origin (Zhang 2000 with rays in place of image points).  `first` are the first rows of the views.
+    """
+    b = ray / np.linalg.norm(ray, axis=1, keepdims=True)
+    scale = float(np.abs(xyz).max())
+    x = np.stack([xyz[:, 0] / scale, xyz[:, 1] / scale, np.ones(len(xyz))], axis=1)
+    across = np.eye(3) - b[:, :, None] * b[:, None, :]
+    M = np.einsum("mij,mk,ml->mikjl", across, x, x, optimize=True).reshape(len(x), 81)
+    _, vectors = np.linalg.eigh(np.add.reduceat(M, first).reshape(-1, 9, 9))
+    H = vectors[:, :, 0].reshape(-1, 3, 3)
+    count = np.diff(np.append(first, len(x)))
+    view = np.repeat(np.arange(len(first)), count)
+    ahead = np.add.reduceat(np.einsum("mi,mij,mj->m", b, H[view], x), first)
+    H = H * np.where(ahead < 0, -1.0, 1.0)[:, None, None]
+    length = np.sqrt(np.linalg.norm(H[:, :, 0], axis=1) * np.linalg.norm(H[:, :, 1], axis=1))
+    H = H / length[:, None, None]
+    R = nearest_rotation(np.stack([H[:, :, 0], H[:, :, 1], np.cross(H[:, :, 0], H[:, :, 1])], axis=2))
+    t = H[:, :, 2] * scale
+    P = np.einsum("mij,mj->mi", R[view], xyz) + t[view]
+    away = np.arctan2(np.linalg.norm(np.cross(b, P), axis=1), np.einsum("mi,mi->m", b, P))
+    return R, t, away
+
+
+def fitted_to_rays(camera: Camera, xy_mm: Array, ray: Array, c: float) -> Camera:
+    """The camera with camera constant and free radial terms that bring rays (m, 3) best to image points (m, 2) [mm].
+
+    Levenberg-Marquardt on the model's condition over the observed field, from the terms as real sensors have them.
+    Each term's share of the image is pulled towards zero a little (RIDGE): quotients of polynomials else end with a
+    pole beside a zero.
+    """
+    model = sensor_models[camera.model]
+    values = np.array([camera.values.get(p.symbol, p.default) for p in model.parameters])
+    values[0] = c
+    chosen = model.symbols if camera.estimate == "auto" else camera.estimate
+    radial = [k for k, p in enumerate(model.parameters) if p.kind == "radial" and p.symbol in chosen]
+    values[radial] = np.where(values[radial] == 0, model.typical[radial], values[radial])
+    free = [0, *radial]
+    rows = np.arange(0, len(xy_mm), max(1, len(xy_mm) // FITTED))
+    image, d = xy_mm[rows].T, ray[rows].T
+    pulled = np.array([0.0] + [RIDGE] * len(radial))
+
+    def linearised(at: Array) -> tuple[Array, Array, float]:
+        with np.errstate(all="ignore"):
+            g, J = model.condition_and_jacobian(*image, *d, *np.repeat(at[:, None], len(rows), axis=1))
+            v = _in_image(J, g).ravel()
+            A = np.stack([_in_image(J, J[:, 5 + k]).ravel() for k in free], axis=1)
+        pull = pulled * np.linalg.norm(A, axis=0)
+        v, A = np.concatenate([v, pull * at[free]]), np.concatenate([A, np.diag(pull)])
+        return v, A, float(v @ v) if np.isfinite(v).all() and np.isfinite(A).all() else np.inf
+
+    v, A, least = linearised(values)
+    damping = 1e-3
+    for _ in range(80):
+        scale = np.maximum(np.linalg.norm(A, axis=0), 1e-300)
+        B = np.concatenate([A / scale, np.sqrt(damping) * np.eye(len(free))])
+        step = np.linalg.lstsq(B, np.append(v, np.zeros(len(free))), rcond=None)[0]
+        tried = values.copy()
+        tried[free] -= step / scale
+        new = linearised(tried)
+        if new[2] < least:
+            done = least - new[2] < 1e-12 * least
+            values, (v, A, least), damping = tried, new, damping / 5
+            if done:
+                break
+        else:
+            damping *= 5
+            if damping > 1e10:
+                break
+    return replace(camera, values={s: float(x) for s, x in zip(model.symbols, values, strict=True)})
+
+
+def _in_image(J: Array, g: Array) -> Array:
+    """B^-1 g (2, n) for B = dg / d(x, y)."""
+    det = J[0, 0] * J[1, 1] - J[0, 1] * J[1, 0]
+    return np.stack([J[1, 1] * g[0] - J[0, 1] * g[1], J[0, 0] * g[1] - J[1, 0] * g[0]]) / det
+
+
+def spline_camera(camera: Camera, *, sigma_px: float = 20.0) -> Camera:
+    """A start for the model `spline` from a camera of any model that was adjusted.
+
+    sigma_px  how far the lens may be from radial terms: standard deviation of each knot's shift, observed as 0
+    Camera constant and radial terms follow the camera's rays over the format; the knots stay 0 for the adjustment.
+    """
+    old, new = sensor_models[camera.model], sensor_models["spline"]
+    values = np.array([camera.values.get(p.symbol, p.default) for p in old.parameters])
+    width, height = (float(s) for s in camera.size_mm)
+    share = np.meshgrid((np.arange(36) + 0.5) / 36 - 0.5, (np.arange(24) + 0.5) / 24 - 0.5)
+    xy = np.stack(share, axis=2).reshape(-1, 2) * camera.size_mm
+    with np.errstate(all="ignore"):
+        ray = old.ray(xy.T, np.repeat(values[:, None], len(xy), axis=1)).T
+        missed = np.abs(old.condition_at(xy.T, ray.T, values)).max(axis=0)
+    good = np.isfinite(ray).all(axis=1) & (missed < 1e-6 * width)
+    knots = tuple(p.symbol for p in new.parameters if p.kind == "other" and p.symbol not in {"w", "h"})
+    start = replace(
+        camera,
+        model="spline",
+        values={p.symbol: p.default for p in new.parameters}
+        | {s: camera.values.get(s, 0.0) for s in ("x0", "y0")}
+        | {"w": width, "h": height},
+        estimate=("c", "x0", "y0", "K1", "K2", "K3", *knots),
+        sigma=dict.fromkeys(knots, sigma_px * float(np.mean(camera.pixel_mm))),
+    )
+    return fitted_to_rays(start, xy[good], ray[good], float(values[0]))

@@ -1,0 +1,143 @@
+"""ChArUco boards: charuco-8x6-5x5_100 has 8 x 6 squares with tags of aruco-5x5_100 in the light ones.
+
+A board may be seen in part, since tags tell which corners it shows.  Tags take 0.75 of a square unless a fourth part
+says otherwise: charuco-8x6-5x5_100-0.8.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import cv2
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array
+from raybundle.targets.detect import eight_bits
+from raybundle.targets.kinds.tags import dictionary
+from raybundle.targets.marks import Kind, MarkOptions, Marks, Target, grid_objects, no_ellipses, nothing, register
+from raybundle.targets.saddle import CornerOptions, fit_corners
+
+NAME = re.compile(r"charuco-(\d+)x(\d+)-([a-z0-9_]+?)(?:-(0\.\d+))?")
+LEAST = 6
+"""Corners below which a board is not used."""
+RATIO = 0.75
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Charuco:
+    """A board of so many squares."""
+
+    columns: int
+    rows: int
+    tags: str
+    ratio: float = RATIO
+    """side of a tag in units of a square's"""
+
+    @property
+    def family(self) -> str:
+        """charuco-8x6-5x5_100."""
+        tail = "" if self.ratio == RATIO else f"-{self.ratio:g}"
+        return f"charuco-{self.columns}x{self.rows}-{self.tags}{tail}"
+
+    @property
+    def title(self) -> str:
+        """For people."""
+        return f"ChArUco board of {self.columns} x {self.rows} squares with tags {self.tags}"
+
+    @property
+    def objects(self) -> Mapping[str, Array]:
+        """Corners between squares in units of a square; r0c0 is the upper left one."""
+        return grid_objects(self.columns - 1, self.rows - 1)
+
+    @property
+    def turns(self) -> int:
+        """Tags tell all."""
+        return 1
+
+    @property
+    def radius(self) -> float:
+        """Corners have none."""
+        return np.nan
+
+    def find(self, image: Array, options: MarkOptions) -> Marks:
+        """Corners between the tags seen."""
+        del options
+        eight = eight_bits(image)[0]
+        corners, ids = max((_corners(eight, self.board(old=old)) for old in (False, True)), key=lambda c: len(c[1]))
+        if len(ids) < LEAST:
+            return nothing(self.family, f"{len(ids)} corners of a {self.title} seen, {LEAST} are needed")
+        columns = self.columns - 1
+        place = np.stack([ids % columns, ids // columns], axis=1).astype(float)
+        u, v = _arms(place, corners)
+        blank = (1 - self.ratio) / 2
+        first = fit_corners(image, corners, u, v, CornerOptions(band=blank))
+        if not first.measured.any():
+            return nothing(self.family, f"{len(ids)} corners of a {self.title} seen, none sharp enough to be measured")
+        # tags are blurred towards the edges
+        clear = 2.4 * float(np.median(first.blur_px[first.measured]))
+        c = fit_corners(image, corners, u, v, CornerOptions(band=blank, clear_px=clear))
+        good = np.flatnonzero(c.measured)
+        return Marks(
+            family=self.family, name=tuple(f"r{ids[i] // columns}c{ids[i] % columns}" for i in good),
+            xy_px=c.xy_px[good], covariance=c.covariance[good], ellipse=no_ellipses(len(good)),
+            gate=c.residual[good],
+        )  # fmt: skip
+
+    @property
+    def dictionary(self) -> str:
+        """Name of the tags as a family of their own: aruco-5x5_100."""
+        return _dictionary(self.tags)
+
+    def board(self, *, old: bool) -> Any:
+        """OpenCV's board; `old` as drawn before OpenCV 4.6, with the other colour first where rows are even."""
+        board = cv2.aruco.CharucoBoard((self.columns, self.rows), 1.0, self.ratio, dictionary(self.dictionary))
+        board.setLegacyPattern(old)
+        return board
+
+
+def _corners(image: Array, board: Any) -> tuple[Array, Array]:
+    """Approximate corners (n, 2), pixel frame, and their numbers (n,)."""
+    found: Any = cv2.aruco.CharucoDetector(board).detectBoard(image)
+    corners, ids = found[:2]
+    if ids is None or not len(ids):
+        return np.zeros((0, 2)), np.zeros(0, int)
+    return corners.reshape(-1, 2).astype(float) + 0.5, ids.reshape(-1).astype(int)
+
+
+def _arms(place: Array, xy: Array) -> tuple[Array, Array]:
+    """Vectors (n, 2) in the image to the next column and the next row, from a projective map of all corners."""
+    H: Any = cv2.findHomography(place, xy)[0]
+    if H is None:  # all in one line
+        return np.zeros_like(xy), np.zeros_like(xy)
+    p = np.column_stack([place, np.ones(len(place))]) @ H.T
+    J = (H[None, :2, :2] - (p[:, :2] / p[:, 2:])[:, :, None] * H[None, 2:, :2]) / p[:, 2, None, None]
+    return J[:, :, 0], J[:, :, 1]
+
+
+def _dictionary(tags: str) -> str:
+    return tags.replace("apriltag_", "apriltag-") if tags.startswith("apriltag") else f"aruco-{tags}"
+
+
+def _make(name: str) -> Target | None:
+    if not name.startswith("charuco"):
+        return None
+    match = NAME.fullmatch(name)
+    if match is None:
+        raise InputError(
+            f"{name!r}: a ChArUco board is named by its squares and its tags, as charuco-8x6-5x5_100; "
+            "with -0.8 after it where tags do not take 0.75 of a square"
+        )
+    columns, rows, ratio = int(match[1]), int(match[2]), float(match[4] or RATIO)
+    if min(columns, rows) < 3 or not 0.3 <= ratio <= 0.95:
+        raise InputError(f"{name!r}: a ChArUco board needs at least 3 x 3 squares, and tags of 0.3 to 0.95 of a square")
+    capacity = len(dictionary(_dictionary(match[3])).bytesList)
+    if columns * rows // 2 > capacity:
+        raise InputError(f"{name!r} needs {columns * rows // 2} tags; {match[3]} has {capacity}")
+    return Charuco(columns=columns, rows=rows, tags=match[3], ratio=ratio)
+
+
+register("charuco", Kind(form="charuco-COLUMNSxROWS-TAGS (squares; as charuco-8x6-5x5_100)", make=_make))

@@ -1,0 +1,180 @@
+"""Sheets of boards and square tags as plain geometry, drawn by `sheets`."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import cv2
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array
+from raybundle.targets.kinds.charuco import Charuco
+from raybundle.targets.kinds.chessboard import Chessboard
+from raybundle.targets.kinds.circles import Circles
+from raybundle.targets.kinds.tags import Tags, dictionary
+from raybundle.targets.layout import (
+    FOOT,
+    MARGIN,
+    WORDS,
+    Disc,
+    Outline,
+    Page,
+    Placed,
+    Sheet,
+    SheetOptions,
+    Words,
+    bar_length,
+    box,
+    foot,
+    paper_size,
+    printed,
+)
+from raybundle.targets.marks import Target
+
+Shape = Disc | Outline | Words
+
+
+def design_board(target: Target, spacing_mm: float, options: SheetOptions) -> Sheet:
+    """A chessboard, ChArUco board or raster of dots on one page; raises InputError where it does not fit.
+
+    spacing_mm  side of a square, or distance of neighbouring dots (staggered: half of it within a row)
+    """
+    if not spacing_mm > 0:
+        raise InputError(f"the spacing of a board must be above 0, not {spacing_mm:g} mm")
+    _dark(options)
+    size, origin, shapes = _drawn(target, spacing_mm, options)
+    width, height = paper_size(options.paper, options.orientation)
+    room = np.array([width - 2 * MARGIN, height - 2 * MARGIN - FOOT])
+    if (size * spacing_mm > room).any():
+        raise InputError(
+            f"{target.title} of {spacing_mm:g} mm needs {size[0] * spacing_mm:.0f} x {size[1] * spacing_mm:.0f} mm; "
+            f"{options.paper} has room for {room[0]:.0f} x {room[1]:.0f}: a spacing of {(room / size).min():.1f} mm at "
+            "most, a larger paper, or --lying"
+        )
+    left, top = width / 2 - size[0] * spacing_mm / 2, (height + FOOT) / 2 + size[1] * spacing_mm / 2
+    corner = np.array([left, top])
+    points = tuple(
+        Placed(name=n, code=-1, x_mm=float(x), y_mm=float(y))
+        for n, p in target.objects.items()
+        for x, y in [corner + spacing_mm * (p[:2] + np.array([origin[0], -origin[1]]))]
+    )
+    bar = bar_length(width)
+    text = f"{target.family}, spacing {spacing_mm:g} mm; print at 100 %"
+    page = Page(
+        width=width, height=height, targets=points, bar_mm=bar,
+        shapes=(*(_placed(s, corner, spacing_mm) for s in shapes), *foot(width, bar, text)),
+    )  # fmt: skip
+    return Sheet(
+        family=target.family, title=target.title, options=options, spacing_mm=spacing_mm, pages=(page,),
+        dot_radius_mm=options.dot_radius_mm if isinstance(target, Circles) else math.nan,
+        printed=printed((page,), options.tile),
+    )  # fmt: skip
+
+
+def design_tags(target: Tags, ids: Sequence[int], side_mm: float, options: SheetOptions) -> Sheet:
+    """Square tags in rows; raises InputError where not even one fits, or the dictionary has no such tag."""
+    tags = dictionary(target.name)
+    count = len(tags.bytesList)
+    if not side_mm > 0:
+        raise InputError(f"the side of a tag must be above 0, not {side_mm:g} mm")
+    for i in ids:
+        if not 0 <= i < count:
+            raise InputError(f"{target.name} has no tag {i}; its {count} tags are numbered from 0")
+    _dark(options)
+    n = tags.markerSize + 2
+    width, height = paper_size(options.paper, options.orientation)
+    pitch, line = side_mm * (n + 2) / n, 1.8 * WORDS
+    columns, rows = int((width - 2 * MARGIN) // pitch), int((height - 2 * MARGIN - FOOT) // (pitch + line))
+    if columns < 1 or rows < 1:
+        raise InputError(f"a tag of {side_mm:g} mm with its light border does not fit on {options.paper}")
+    pages: list[Page] = []
+    for first in range(0, len(ids), columns * rows):
+        shapes: list[Shape] = []
+        points: list[Placed] = []
+        for k, number in enumerate(ids[first : first + columns * rows]):
+            row, column = divmod(k, columns)
+            x = width / 2 + (column - columns / 2) * pitch + side_mm / n
+            y = height - MARGIN - row * (pitch + line) - side_mm / n
+            at = np.array([x, y])
+            shapes += [_placed(s, at, side_mm) for s in _tag(target.name, number, np.zeros(2), 1.0)]
+            shapes.append(
+                Words(x=x + side_mm / 2, y=y - pitch + side_mm / n - 1.2 * WORDS, text=f"{target.name}  {number}")
+            )
+            corners = at + side_mm * np.array([[0, 0], [1, 0], [1, -1], [0, -1]])
+            points += [
+                Placed(name=f"{number}/{c + 1}", code=number, x_mm=float(p[0]), y_mm=float(p[1]))
+                for c, p in enumerate(corners)
+            ]
+        bar = bar_length(width)
+        text = f"{target.name}, side {side_mm:g} mm, page {len(pages) + 1}; print at 100 %"
+        shapes += foot(width, bar, text)
+        pages.append(Page(width=width, height=height, shapes=tuple(shapes), targets=tuple(points), bar_mm=bar))
+    return Sheet(
+        family=target.family, title=target.title, options=options, spacing_mm=side_mm, dot_radius_mm=math.nan,
+        pages=tuple(pages), printed=printed(tuple(pages), options.tile),
+    )  # fmt: skip
+
+
+def _dark(options: SheetOptions) -> None:
+    if options.polarity != "dark":
+        raise InputError("boards and square tags are printed dark on light: leave out --polarity light")
+
+
+def _drawn(target: Target, spacing: float, o: SheetOptions) -> tuple[Array, Array, list[Shape]]:
+    """Size of a board (2,), its first point (2,) from its upper left corner, its shapes; in spacings, y down."""
+    if isinstance(target, Chessboard):
+        size = np.array([target.columns + 1, target.rows + 1])
+        dark = [(i, j) for i in range(size[0]) for j in range(size[1]) if (i + j) % 2 == 0]
+        return size, np.array([1.0, 1.0]), [box(i, j, 1, 1) for i, j in dark]
+    if isinstance(target, Charuco):
+        return np.array([target.columns, target.rows]), np.array([1.0, 1.0]), _charuco(target)
+    if isinstance(target, Circles):
+        places = np.array([p[:2] * [1, -1] for p in target.objects.values()])
+        step = math.sqrt(2) if target.staggered else 1.0
+        if not 0 < 2.6 * o.dot_radius_mm < step * spacing:
+            raise InputError(
+                f"dots of {o.dot_radius_mm:g} mm radius are too large for {target.title} at a spacing of {spacing:g} "
+                f"mm: {step * spacing / 2.6:.1f} mm at most, so that light is left between them"
+            )
+        discs: list[Shape] = [Disc(x=x + 0.5, y=y + 0.5, radius=o.dot_radius_mm / spacing) for x, y in places]
+        return places.max(axis=0) + 1, np.array([0.5, 0.5]), discs
+    raise InputError(f"{target.family} cannot be printed from here; boards, tags and rings can")
+
+
+def _charuco(target: Charuco) -> list[Shape]:
+    board = target.board(old=False)
+    corners = [np.asarray(c)[:, :2] for c in board.getObjPoints()]
+    light = {tuple(np.floor(c.mean(axis=0)).astype(int).tolist()) for c in corners}
+    shapes: list[Shape] = [
+        box(i, j, 1, 1) for i in range(target.columns) for j in range(target.rows) if (i, j) not in light
+    ]
+    for c, number in zip(corners, board.getIds().ravel(), strict=True):
+        shapes += _tag(target.dictionary, int(number), c.min(axis=0), target.ratio)
+    return shapes
+
+
+def _tag(name: str, number: int, corner: Array, side: float) -> list[Shape]:
+    """A tag as one dark square and light strips on it; y down from its upper left corner."""
+    tags = dictionary(name)
+    n = tags.markerSize + 2
+    cells = np.asarray(cv2.aruco.generateImageMarker(tags, number, n)) > 127
+    x, y = corner
+    shapes: list[Shape] = [box(x, y, side, side)]
+    for j, row in enumerate(cells):
+        edges = np.flatnonzero(np.diff(np.concatenate([[0], row.astype(int), [0]])))
+        for a, b in edges.reshape(-1, 2):
+            shapes.append(box(x + a * side / n, y + j * side / n, (b - a) * side / n, side / n, black=False))
+    return shapes
+
+
+def _placed(shape: Shape, corner: Array, scale: float) -> Shape:
+    """From spacings, y down, to the millimetres of a page, y up."""
+    if isinstance(shape, Outline):
+        return Outline(xy=corner + scale * shape.xy * [1, -1], black=shape.black)
+    if isinstance(shape, Disc):
+        return Disc(
+            x=corner[0] + scale * shape.x, y=corner[1] - scale * shape.y, radius=scale * shape.radius, black=shape.black
+        )
+    return shape

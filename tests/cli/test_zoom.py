@@ -1,0 +1,86 @@
+"""A zoom lens from result folders to the camera library and back to the photographs of any focal length."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from raybundle.adjustment.engine import adjust_block
+from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+from raybundle.cli.main import main
+from raybundle.io.camera_library import find_calibrations, read_library, with_library
+from raybundle.io.photos.cameras import camera_groups
+from raybundle.io.photos.metadata import Metadata
+from raybundle.io.photos.photo import Photo
+from raybundle.report.result_folder import write_result
+
+EXIF = {"make": "Nikon", "model": "D850", "serial": "7", "lens": "24-70", "focus_m": None}
+
+
+def lens(f):
+    return {"c": 1.01 * f - 0.2, "x0": 0.04, "y0": -0.03, "K1": 8e-5 * (45 / f) ** 2, "K2": 0.0, "K3": 0.0,
+            "P1": 4e-6, "P2": -3e-6, "A": 0.0, "S": 0.0}  # fmt: skip
+
+
+def photo(focal):
+    about = Metadata(make="Nikon", model="D850", serial="7", lens="24-70", focal_mm=focal)
+    return Photo(
+        path=Path("a.jpg"), name=f"{focal}.jpg", width_px=6000, height_px=4000, sha256=str(focal), metadata=about
+    )
+
+
+@pytest.fixture(scope="module")
+def settings(tmp_path_factory):
+    folders = []
+    for f in (24.2, 35.4, 50.1, 68.3):
+        camera = brown_camera(values=lens(f), pixel_mm=0.006, estimate=("c", "x0", "y0", "K1", "P1", "P2"))
+        field = TargetField(camera=camera, rows=6, columns=8, stations=8, distance=2.2 * f / 24)
+        survey = Survey(points="exact", orientation="exact", interior="exact")
+        result = adjust_block(simulate(field_scene(field), survey).observed)
+        folder = tmp_path_factory.mktemp("settings") / f"z{f:.0f}"
+        told = {"calibration": {"1": {"exif": {**EXIF, "focal_mm": f}}}}
+        write_result(result, folder, report="none", additions=told)
+        folders.append(str(folder))
+    return folders
+
+
+def test_from_results_to_any_focal_length(settings, tmp_path, capsys):
+    library = tmp_path / "library"
+    words = ["calibration", "zoom", *settings, "--out", str(tmp_path / "lens"), "--keep", "--library", str(library)]
+    assert main(words) == 0
+    said = capsys.readouterr().out
+    assert "4 settings from 24.2 to 68.3 mm, focal lengths rounded to 0.1 mm" in said
+    assert "kept in the camera library" in said
+    (entry,) = read_library(library).entries
+    assert entry.zoom is not None
+    assert entry.name == "nikon-d850-7-24-70-24.2-68.3mm-6000x4000"
+    (best,) = find_calibrations(photo(42.0), library)
+    assert best.fits
+    assert best.camera.values["c"] == pytest.approx(lens(42.0)["c"], abs=0.05)
+    assert best.camera.estimate == ("c",)
+    assert 1.01 * 0.1 / np.sqrt(12) < best.camera.sigma["c"] < 0.05  # rounding, and the calibrations
+    assert any("within 24.2 to 68.3 mm of a calibrated zoom lens" in r for r in best.reasons)
+    photos = [photo(42.0), photo(85.0)]
+    taken, left = with_library(photos, camera_groups(photos), library)
+    assert taken.stored is not None
+    assert "held but for c" in taken.remarks[-1]
+    assert left.stored is None
+    (beyond,) = find_calibrations(photo(85.0), library)
+    assert beyond.reasons == ("it is for 24.2 to 68.3 mm of a zoom lens, the photograph has 85 mm",)
+
+
+def test_focal_lengths_that_are_not_rounded_leave_nothing_open(settings, tmp_path):
+    library = tmp_path / "library"
+    words = ["calibration", "zoom", *settings, "--out", str(tmp_path / "lens"), "--keep", "--library", str(library)]
+    assert main([*words, "--resolution", "0"]) == 0
+    (best,) = find_calibrations(photo(42.0), library)
+    assert best.camera.estimate == ()
+
+
+def test_what_cannot_be_combined(settings, tmp_path, capsys):
+    assert main(["calibration", "zoom", *settings[:2], "--out", str(tmp_path / "lens")]) == 2
+    assert "3 are needed" in capsys.readouterr().err
+    assert main(["calibration", "zoom", *settings, "--out", str(tmp_path)]) == 2
+    assert "not overwritten" in capsys.readouterr().err
+    assert main(["calibration", "zoom", *settings, "--focal", "30", "--focal", "30", "--out", str(tmp_path / "l")]) == 2
+    assert "two calibrations are for the EXIF focal length 30 mm" in capsys.readouterr().err
