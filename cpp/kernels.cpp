@@ -63,6 +63,19 @@ static RB_INLINE void rank_update(double* out, int rows, int cols, const double*
   }
 }
 
+// The same where rows or columns stand at given positions; null: in their order.
+static void rank_update_at(double* out, int width, const int32_t* row, int rows, const double* a, int astride, const int32_t* col,
+                           int cols, const double* b, int bstride) {
+  for (int x = 0; x < rows; ++x) {
+    double* to = out + int64_t(row ? row[x] : x) * width;
+    const double f0 = a[x], f1 = a[astride + x];
+    if (col)
+      for (int e = 0; e < cols; ++e) to[col[e]] += f0 * b[e] + f1 * b[bstride + e];
+    else
+      for (int e = 0; e < cols; ++e) to[e] += f0 * b[e] + f1 * b[bstride + e];
+  }
+}
+
 static inline int64_t pair_index(int64_t k, int64_t s, int64_t t) { return s * k - s * (s - 1) / 2 + (t - s); }
 
 // Normal matrix of one object point and its couplings with the nodes.
@@ -148,12 +161,14 @@ static void gather_point(const Problem& q, const State& s, int p, int64_t base, 
 }
 
 // Couplings W (slots, 3, kStride) of the point with its nodes.
-static void gather_couplings(const Problem& q, int p, int64_t base, const Chunk& c, double* w) {
+template <bool Plain> static void gather_couplings(const Problem& q, int p, int64_t base, const Chunk& c, double* w) {
   const int64_t k = q.point_nodes_first[p + 1] - q.point_nodes_first[p];
+  const int kStride = Plain ? kPlainStride : q.coupling_stride;
   std::memset(w, 0, sizeof(double) * k * 3 * kStride);
   for (int64_t i = q.first[p]; i < q.first[p + 1]; ++i) {
     const Pattern& pattern = q.patterns[q.pattern[q.image[i]]];
-    const int own = int(pattern.own.size()), shared = int(pattern.shared.size());
+    const int own = int(pattern.own.size()), shared = c.shared[i - base];
+    const int32_t* at = Plain ? nullptr : c.at[i - base];
     const double* x = &c.x[6 * (i - base)];
     const double* j0 = &c.j[2 * (i - base) * c.stride];
     const double* j1 = j0 + c.stride;
@@ -166,6 +181,10 @@ static void gather_couplings(const Problem& q, int p, int64_t base, const Chunk&
       }
       if (shared) {
         double* t = w + (3 * int64_t(q.slot_shared[i]) + e) * kStride;
+        if (at) {
+          for (int a = 0; a < shared; ++a) t[at[a]] += j0[own + a] * x0 + j1[own + a] * x1;
+          continue;
+        }
         RB_SIMD
         for (int a = 0; a < shared; ++a) t[a] += j0[own + a] * x0 + j1[own + a] * x1;
       }
@@ -208,7 +227,8 @@ static double prior_cost(const Problem& q, const State& s, int p, const double* 
   return sum;
 }
 
-static Totals reduce(const Problem& q, const State& s, int threads, double* values, double* right, double* diagonal) {
+template <bool Plain>
+static Totals reduce_as(const Problem& q, const State& s, int threads, double* values, double* right, double* diagonal) {
   const int64_t length = q.block_start.back();
   const int64_t N = q.unknowns;
   std::vector<Totals> totals(threads);
@@ -227,8 +247,9 @@ static Totals reduce(const Problem& q, const State& s, int threads, double* valu
     }
     Totals& total = totals[t];
     Chunk c;
-    std::vector<double> w(int64_t(q.largest_point_nodes) * 3 * kStride), z(w.size());
+    std::vector<double> w(int64_t(q.largest_point_nodes) * 3 * q.coupling_stride), z(w.size());
     for_runs(q, begin, end, [&](int pb, int pe, int64_t base) {
+      const int kStride = Plain ? kPlainStride : q.coupling_stride;
       linearise<Want::jacobian>(q, s, base, q.first[pe], c);
       for (int p = pb; p < pe; ++p) {
         const int64_t nb = q.point_nodes_first[p], k = q.point_nodes_first[p + 1] - nb;
@@ -241,7 +262,8 @@ static Totals reduce(const Problem& q, const State& s, int threads, double* valu
           total.behind += c.behind[n];
           total.diverged += c.diverged[n];
           const Pattern& pattern = q.patterns[q.pattern[q.image[i]]];
-          const int size[3] = {int(pattern.own.size()), int(pattern.shared.size()), kept ? 3 : 0};
+          const int size[3] = {int(pattern.own.size()), c.shared[n], kept ? 3 : 0};
+          const int32_t* place[3] = {nullptr, Plain ? nullptr : c.at[n], nullptr};
           const int32_t slot[3] = {q.slot_own[i], q.slot_shared[i], q.slot_point[i]};
           const double* j = &c.j[2 * n * c.stride];
           const double* rows[3] = {j, j + size[0], &c.x[6 * n]};
@@ -252,13 +274,18 @@ static Totals reduce(const Problem& q, const State& s, int threads, double* valu
             const double v0 = c.v[2 * n], v1 = c.v[2 * n + 1];
             for (int e = 0; e < size[a]; ++e) {
               const double r0 = rows[a][e], r1 = rows[a][strides[a] + e];
-              g[at + e] -= r0 * v0 + r1 * v1;
-              U[at + e] += r0 * r0 + r1 * r1;
+              const int64_t to = at + (!Plain && place[a] ? place[a][e] : e);
+              g[to] -= r0 * v0 + r1 * v1;
+              U[to] += r0 * r0 + r1 * r1;
             }
             for (int b = 0; b < 3; ++b) {
               if (!size[b] || slot[b] < slot[a]) continue;
-              rank_update<2>(S + q.block_start[blocks[pair_index(k, slot[a], slot[b])]], size[a], size[b], rows[a], strides[a],
-                             rows[b], strides[b]);
+              double* out = S + q.block_start[blocks[pair_index(k, slot[a], slot[b])]];
+              if (!Plain && place[1] && (a == 1 || b == 1))
+                rank_update_at(out, q.size[q.point_nodes[nb + slot[b]]], place[a], size[a], rows[a], strides[a], place[b], size[b],
+                               rows[b], strides[b]);
+              else
+                rank_update<2>(out, size[a], size[b], rows[a], strides[a], rows[b], strides[b]);
             }
           }
         }
@@ -266,7 +293,7 @@ static Totals reduce(const Problem& q, const State& s, int threads, double* valu
         PointNormal n;
         gather_point(q, s, p, base, c, n);
         if (n.weak && total.weak.size() < 1000) total.weak.push_back(q.id[p]);
-        gather_couplings(q, p, base, c, w.data());
+        gather_couplings<Plain>(q, p, base, c, w.data());
         const double y0 = n.b[0] * n.l[0], y1 = (n.b[1] - n.l[1] * y0) * n.l[3], y2 = (n.b[2] - n.l[2] * y0 - n.l[4] * y1) * n.l[5];
         for (int64_t a = 0; a < k; ++a) {
           const int node = q.point_nodes[nb + a], size = q.size[node];
@@ -317,6 +344,10 @@ static Totals reduce(const Problem& q, const State& s, int threads, double* valu
   return sum;
 }
 
+static Totals reduce(const Problem& q, const State& s, int threads, double* values, double* right, double* diagonal) {
+  return (q.plain() ? reduce_as<true> : reduce_as<false>)(q, s, threads, values, right, diagonal);
+}
+
 static Totals back_substitute(const Problem& q, const State& s, int threads, const double* step, double* points) {
   std::vector<Totals> totals(threads);
   for_threads(threads, q, [&](int t, int begin, int end) {
@@ -332,7 +363,8 @@ static Totals back_substitute(const Problem& q, const State& s, int threads, con
           const int64_t n = i - base;
           const int f = q.image[i];
           const Pattern& pattern = q.patterns[q.pattern[f]];
-          const int own = int(pattern.own.size()), shared = int(pattern.shared.size());
+          const int own = int(pattern.own.size()), shared = c.shared[n];
+          const int32_t* at = c.at[n];
           const double* j = &c.j[2 * n * c.stride];
           for (int r = 0; r < 2; ++r, j += c.stride) {
             double sum = 0;
@@ -342,7 +374,10 @@ static Totals back_substitute(const Problem& q, const State& s, int threads, con
             }
             if (shared) {
               const double* d = step + q.offset[q.shared_node[f]];
-              for (int e = 0; e < shared; ++e) sum += j[own + e] * d[e];
+              if (at)
+                for (int e = 0; e < shared; ++e) sum += j[own + e] * d[at[e]];
+              else
+                for (int e = 0; e < shared; ++e) sum += j[own + e] * d[e];
             }
             c.v[2 * n + r] += sum;
           }
@@ -397,6 +432,7 @@ constexpr int kColumns = 16;  // right sides solved together
 
 // right (N, columns) -= W V^-1 given (p, 3, columns): the reduced right side of right sides given for the points.
 static void condense(const Problem& q, const State& s, int threads, int columns, const double* given, double* right) {
+  const int kStride = q.coupling_stride;
   std::vector<std::vector<double>> own(threads);
   for_threads(threads, q, [&](int t, int begin, int end) {
     if (t > 0) own[t].assign(size_t(q.unknowns) * columns, 0.0);
@@ -413,7 +449,7 @@ static void condense(const Problem& q, const State& s, int threads, int columns,
         }
         PointNormal n;
         gather_point(q, s, p, base, c, n);
-        gather_couplings(q, p, base, c, w.data());
+        gather_couplings<false>(q, p, base, c, w.data());
         const int64_t nb = q.point_nodes_first[p], k = q.point_nodes_first[p + 1] - nb;
         double x[3][kColumns];
         const double* b = given + 3 * int64_t(q.id[p]) * columns;
@@ -440,6 +476,7 @@ static void condense(const Problem& q, const State& s, int threads, int columns,
 // points (p, 3, columns) = V^-1 (given - W' nodes (N, columns)): the eliminated part of a solution;
 // retained points are copied.
 static void expand(const Problem& q, const State& s, int threads, int columns, const double* nodes, const double* given, double* points) {
+  const int kStride = q.coupling_stride;
   for_threads(threads, q, [&](int, int begin, int end) {
     Chunk c;
     std::vector<double> w(int64_t(q.largest_point_nodes) * 3 * kStride);
@@ -453,7 +490,7 @@ static void expand(const Problem& q, const State& s, int threads, int columns, c
         }
         PointNormal n;
         gather_point(q, s, p, base, c, n);
-        gather_couplings(q, p, base, c, w.data());
+        gather_couplings<false>(q, p, base, c, w.data());
         const int64_t nb = q.point_nodes_first[p], k = q.point_nodes_first[p + 1] - nb;
         double b[3][kColumns] = {};
         if (given)

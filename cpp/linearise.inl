@@ -24,9 +24,6 @@ using std::sin;
 
 }  // namespace models
 
-constexpr int kStride = 32;  // of the couplings: kMaxNode padded
-static_assert(kStride >= kMaxNode);
-
 // Linearised observations of one chunk, whitened.
 struct Chunk {
   std::vector<double> v;  // (2)
@@ -34,6 +31,8 @@ struct Chunk {
   std::vector<double> j;  // (2, stride) by the selected columns: own node, then shared node
   std::vector<uint8_t> behind, diverged;
   std::vector<double> rho;  // robust cost of the observation
+  std::vector<const int32_t*> at;  // columns of the shared node that it touches; null: all of them in their order
+  std::vector<int32_t> shared;     // how many
   int stride = 0;
 
   void resize(int64_t n, int columns) {
@@ -44,6 +43,8 @@ struct Chunk {
       behind.resize(n);
       diverged.resize(n);
       rho.resize(n);
+      at.resize(n);
+      shared.resize(n);
     }
     if (static_cast<int64_t>(j.size()) < 2 * n * columns) j.resize(2 * n * columns);
   }
@@ -63,6 +64,20 @@ template <> struct Side<models::panorama> {
   static bool in_front(const double* P, const double* xy, const double* io) {
     const double turn = xy[0] / io[0];
     return std::sin(turn) * P[0] - std::cos(turn) * P[2] - io[2] > 0;
+  }
+};
+
+template <> struct Side<models::spherical> {
+  static bool in_front(const double* P, const double* xy, const double* io) {
+    const double turn = xy[0] / io[0];
+    return std::sin(turn) * P[0] - std::cos(turn) * P[2] > 0;
+  }
+};
+template <> struct Side<models::brown_mounted> {
+  static bool in_front(const double* P, const double*, const double* io) {
+    const double om = io[13], ph = io[14];
+    const double z = std::cos(om) * (P[2] - io[12]) - std::sin(om) * (P[1] - io[11]);
+    return std::sin(ph) * (P[0] - io[10]) + std::cos(ph) * z < 0;
   }
 };
 
@@ -198,7 +213,9 @@ static void linearise_lanes(const Problem& q, const State& s, const int64_t* row
 static void linearise_external(const Problem& q, const State& s, int64_t i, int64_t base, Want want, Chunk& out) {
   const int64_t n = i - base;
   const int f = q.image[i];
-  const int K = q.parameters[f], width = 9 + 2 * q.interior_stride;
+  const int32_t* touched = q.touched.data() + int64_t(q.external_row[i]) * q.external_width;
+  const bool few = q.external_width > 0 && touched[0] >= 0;
+  const int K = few ? q.external_width : q.parameters[f], width = 9 + 2 * q.external_width;
   const double* e = s.external + int64_t(q.external_row[i]) * width;
   const double* R = s.rotation + 9 * int64_t(f);
   const double* C = s.centre + 3 * int64_t(f);
@@ -223,7 +240,7 @@ static void linearise_external(const Problem& q, const State& s, int64_t i, int6
   out.v[2 * n + 1] = weight * v1;
   if (want == Want::value) return;
   const double* D[2] = {e + 2, e + 5};
-  const double* I[2] = {e + 8, e + 8 + q.interior_stride};
+  const double* I[2] = {e + 8, e + 8 + q.external_width};
   double full[2][kMaxNode];
   for (int c = 0; c < 2; ++c) {
     double T[3 + kMaxParameters];
@@ -246,7 +263,14 @@ static void linearise_external(const Problem& q, const State& s, int64_t i, int6
   for (int c = 0; c < 2; ++c) {
     double* j = &out.j[(2 * n + c) * out.stride];
     for (int a : pattern.own) *j++ = full[c][a];
-    for (int a : pattern.shared) *j++ = full[c][a];
+    if (few)
+      for (int a = 0; a < K; ++a) *j++ = full[c][6 + a];
+    else
+      for (int a : pattern.shared) *j++ = full[c][a];
+  }
+  if (few) {
+    out.at[n] = touched;
+    out.shared[n] = K;
   }
 }
 
@@ -262,7 +286,12 @@ template <Want W> static const Lanes* lanes_table() {
 template <Want W> static void linearise(const Problem& q, const State& s, int64_t begin, int64_t end, Chunk& out) {
   int stride = 0;
   for (const Pattern& p : q.patterns) stride = std::max(stride, int(p.own.size() + p.shared.size()));
+  if (q.external_width) stride = std::max(stride, kMaxNode);
   out.resize(end - begin, std::max(stride, 1));
+  for (int64_t i = begin; i < end; ++i) {
+    out.at[i - begin] = nullptr;
+    out.shared[i - begin] = int32_t(q.patterns[q.pattern[q.image[i]]].shared.size());
+  }
   const Lanes* table = lanes_table<W>();
   int64_t row[V];
   int64_t i = begin;

@@ -207,7 +207,6 @@ NB_MODULE(_native, m) {
              q.own_node = copy<int32_t>(own);
              q.shared_node = copy<int32_t>(shared);
              q.parameters = copy<int32_t>(parameters);
-             s.check(stride <= kMaxParameters, "a sensor model has more than 24 parameters");
              q.interior_stride = stride;
            })
       .def("set_patterns",
@@ -240,7 +239,15 @@ NB_MODULE(_native, m) {
              s.check(held.size() == size_t(s.q.points), "point arrays differ in length");
              for (int p = 0; p < s.q.points; ++p) s.q.held[p] = held.data()[s.q.id[p]];
            })
-      .def("set_external", [](Solver& s, Const rows) { s.external = copy<double>(rows); })
+      .def("set_external",
+           [](Solver& s, Const rows, Ints touched, int width) {
+             s.check(width <= kMaxParameters, "an image point touches more than 64 parameters of its sensor model");
+             s.check(width > 0 && rows.size() % (9 + 2 * width) == 0 && touched.size() == rows.size() / (9 + 2 * width) * width,
+                     "rows of models that are not compiled have the wrong size");
+             s.q.external_width = width;
+             s.q.touched = copy<int32_t>(touched);
+             s.external = copy<double>(rows);
+           })
       .def("block", [](const Solver& s, int a, int b) { return s.q.block(a, b); })
       .def("block_start", [](const Solver& s, int64_t k) { return s.q.block_start.at(k); })
       .def_prop_ro("unknowns", [](const Solver& s) { return s.q.unknowns; })

@@ -6,8 +6,9 @@
 
 namespace raybundle {
 
-constexpr int kMaxParameters = 24;   // interior parameters of one sensor model
+constexpr int kMaxParameters = 64;   // interior parameters that one observation touches
 constexpr int kMaxNode = 6 + kMaxParameters;
+constexpr int kPlainStride = 32;     // of the couplings of nodes that are no larger
 
 // One list of free columns: which of the local parameters (X0 Y0 Z0, rotation, interior) go to the
 // image's own node and which to the node of a shared interior orientation.
@@ -22,6 +23,10 @@ struct Problem {
   std::vector<double> xy;       // (m, 2) mm, image frame
   std::vector<double> whiten;   // (m, 3) lower triangle of the inverse Cholesky factor of the covariance
   std::vector<int32_t> external_row;  // (m) row in `external`, -1 where the model is compiled
+  // (external rows, external_width) columns of the shared node that the derivatives by the interior orientation belong
+  // to, padded by columns whose derivatives are zero; -1 first: all parameters, by the pattern
+  std::vector<int32_t> touched;
+  int external_width = 0;
 
   // images
   int images = 0;
@@ -58,6 +63,9 @@ struct Problem {
   std::vector<std::vector<int32_t>> adjacency;  // (nodes) sorted later nodes, itself first
   std::vector<int64_t> column_first;            // (nodes + 1) block index of (a, adjacency[a][0])
   int largest_point_nodes = 0;
+  int coupling_stride = kPlainStride;  // the largest node, padded
+  // every point touches all parameters of its sensor and the nodes are small: the passes then know the stride
+  bool plain() const { return coupling_stride == kPlainStride && external_width == 0; }
 
   void sort_points();
   void build_structure(const std::vector<std::pair<int32_t, int32_t>>& extra_pairs);
@@ -70,7 +78,7 @@ struct State {
   const double* centre;    // (n, 3)
   const double* interior;  // (q, stride)
   const double* xyz;       // (p, 3)
-  const double* external;  // (rows, 9 + 2 stride): v, d v / d sensor point, d v / d interior, flags; may be null
+  const double* external;  // (rows, 9 + 2 external_width): v, d v / d sensor point, d v / d interior, flags; may be null
   double huber;            // 0: least squares
   double damping;
 };

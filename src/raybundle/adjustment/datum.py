@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from raybundle.adjustment.assemble import State, System
-from raybundle.adjustment.normals import Normals
+from raybundle.adjustment.normals import Normals, antenna_rows
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.errors import DatumDefect, InputError
 from raybundle.numerics.arrays import Array, Mask
@@ -59,6 +59,11 @@ def open_names(basis: Array) -> tuple[str, ...]:
     return tuple(names)
 
 
+def is_length(unit: str) -> bool:
+    """Whether a parameter grows with the object: "length", "length/s", "length/mm"."""
+    return unit.startswith("length")
+
+
 def point_generators(xyz: Array, centre: Array, extent: float) -> Array:
     """The seven generators at points (n, 3): (n, 3, 7), lengths in units of the extent."""
     r = (xyz - centre) / extent
@@ -85,7 +90,7 @@ def node_generators(system: System, state: State, datum: Datum) -> Array:
     G[at] = point_generators(state.xyz[points], datum.centre, datum.extent) * ~system.control_held[points][:, :, None]
     for r, row in enumerate(system.interior):
         for k, position in enumerate(row.free):
-            if row.model.parameters[position].unit == "length":
+            if is_length(row.model.parameters[position].unit):
                 G[system.offsets[row.node] + row.start + k, 6] = state.interior[r, position]
     return G if datum.defect == 7 else G @ datum.basis
 
@@ -106,8 +111,16 @@ def analyse(system: System, state: State, options: AdjustmentOptions) -> Datum:
     else:
         basis = np.eye(7)
     kind = {"auto": "inner", "control": "control", "minimal": "minimal", "inner": "inner"}[options.datum]
+    antennas = antenna_rows(system, state)
     if basis.shape[1] == 0:
         kind = "control"
+    elif antennas:
+        names = open_names(basis)
+        raise DatumDefect(
+            f"{', '.join(names)} {'is' if len(names) == 1 else 'are'} left open: shifts, drifts or lever arms of the "
+            "observed projection centres are unknown for every flight line.\n"
+            "  Give control points, hold the shift of one antenna, or give the shifts a sigma."
+        )
     elif options.datum == "control":
         names = open_names(basis)
         raise DatumDefect(
@@ -166,15 +179,43 @@ def _fixing_rows(system: System, state: State, centre: Array, extent: float) -> 
     if len(stations):
         axis = system.extra.component[system.extra.kind == 2]
         image = system.block.stations.image[stations]
-        rows.append((point_generators(state.centre[image], centre, extent) / extent)[np.arange(len(axis)), axis])
+        fixing = (point_generators(state.centre[image], centre, extent) / extent)[np.arange(len(axis)), axis]
+        rows.append(_without_antennas(system, state, fixing))
     scaled = bool((system.extra.kind == 1).any())
     for r, row in enumerate(system.interior):
-        for position, parameter in enumerate(row.model.parameters):
+        for position in row.carries:
             held = position not in row.free
-            scaled |= parameter.unit == "length" and held and state.interior[r, position] != 0
+            scaled |= is_length(row.model.parameters[position].unit) and held and state.interior[r, position] != 0
+        scaled |= row.model.fixes_scale
     if scaled:
         rows.append(np.eye(7)[6:])
     return np.vstack(rows) if rows else np.zeros((0, 7))
+
+
+def _without_antennas(system: System, state: State, fixing: Array) -> Array:
+    """What observed projection centres still fix where shifts, drifts or lever arms are unknown."""
+    entries = antenna_rows(system, state)
+    if not entries:
+        return fixing
+    observed = {
+        (row.camera, row.model.symbols[k])
+        for row in system.interior
+        for k in row.free
+        if system.block.cameras[row.camera].sigma.get(row.model.symbols[k], 0) > 0
+    }
+    open_ = [
+        int(system.offsets[row.node]) + row.start + j
+        for row in system.interior
+        if not row.model.has_images and row.node >= 0
+        for j, k in enumerate(row.free)
+        if (row.camera, row.model.symbols[k]) not in observed
+    ]
+    N = np.zeros((len(fixing), len(open_)))
+    for k, columns, values, _ in entries:
+        for c, v in zip(columns.tolist(), values.tolist(), strict=True):
+            if c in open_:
+                N[k, open_.index(c)] = v
+    return fixing - N @ np.linalg.lstsq(N, fixing, rcond=1e-9)[0] if open_ else fixing
 
 
 def hold_minimal(system: System, state: State, datum: Datum) -> Mask:
@@ -302,8 +343,9 @@ def fit_to_given(system: System, state: State, given: State, datum: Datum) -> St
         new.rotation = new.rotation @ (T[:3, :3].T / scale)
         for r, row in enumerate(system.interior):
             for position in row.free:
-                if row.model.parameters[position].unit == "length":
+                if is_length(row.model.parameters[position].unit):
                     new.interior[r, position] *= scale
+        system.share(new)
         if np.abs(step).max() < 1e-13:
             break
     held = system.control_held

@@ -43,7 +43,11 @@ def decide(
     """Adjust a block with approximate values, with the decisions that the options and the block ask for."""
     began = time.perf_counter()
     choices = Decisions(free={c.id: free_parameters(c) for c in block.cameras}, reasons=("",) * len(block.observations))
-    automatic = [c.id for c in block.cameras if c.estimate == "auto" or (options.estimate == "auto" and c.estimate)]
+    automatic = [
+        c.id
+        for c in block.cameras
+        if c.scene is None and (c.estimate == "auto" or (options.estimate == "auto" and c.estimate))
+    ]
     start = block
     if options.reject == "snooping":
         start = _snoop(start, options, choices, progress)
@@ -195,7 +199,12 @@ def _choose(
     for camera in block.cameras:
         if camera.id in automatic:
             model = sensor_models[camera.model]
-            choices.free[camera.id] = tuple(p.symbol for p in model.parameters if p.kind != "other")
+            named = () if camera.estimate == "auto" else camera.estimate  # of the other kinds, what is asked for
+            choices.free[camera.id] = tuple(
+                p.symbol
+                for p in model.parameters
+                if (p.kind != "other" or p.symbol in named) and p.symbol not in options.never
+            )
     result: Adjustment | None = None
     for _ in range(30):
         try:
@@ -249,7 +258,7 @@ def _least_determinable(result: Adjustment, automatic: list[str]) -> tuple[str, 
         model = sensor_models[next(c.model for c in result.given.cameras if c.id == interior.camera)]
         kinds = {p.symbol: p.kind for p in model.parameters}
         for p in interior.parameters.values():
-            if p.status == "not determinable":
+            if p.status == "not determinable" and kinds[p.symbol] in DROP_ORDER:
                 reason = f"its standard deviation is {p.std:.2g} {p.unit}, {p.effect_std_px or 0:.0f} px in the image"
                 found.append(
                     (DROP_ORDER.index(kinds[p.symbol]), -(p.effect_std_px or 0), interior.camera, p.symbol, reason)

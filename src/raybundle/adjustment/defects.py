@@ -42,6 +42,8 @@ def check_rays(block: Block, rejected: Mask) -> None:
     none = [block.points.ids[i] for i in np.flatnonzero(tie & (given == 0))]
     one = [block.points.ids[i] for i in np.flatnonzero(tie & (given == 1))]
     parts: list[str] = []
+    if one and not none and len(np.unique(block.observations.image)) == 1:
+        raise _one_image(block, one)
     if none:
         parts.append(f"no observation of point{'s' * (len(none) > 1)} {name_some(none)}")
     if one:
@@ -51,6 +53,19 @@ def check_rays(block: Block, rejected: Mask) -> None:
             f"{' and '.join(parts)}; a tie point needs at least two rays. "
             "Remove the points from points.csv and observations.csv, or observe them in more images."
         )
+
+
+def _one_image(block: Block, points: Sequence[str]) -> RankDefect:
+    """The error of tie points in a block of a single image: what is not determinable, by name."""
+    image = int(block.observations.image[0])
+    camera = block.cameras[int(block.images.camera[image])]
+    free = camera.sensor.symbols if camera.estimate == "auto" else camera.estimate
+    names = [f"object points {name_some(points)}", f"the exterior orientation of image {block.images.ids[image]}"]
+    names += [f"{', '.join(free)} of camera {camera.id}"] if free else []
+    return RankDefect(
+        f"not determinable from one image without enough control: {'; '.join(names)}. A tie point needs at least two "
+        "rays: add images from other stations, or give control points for a resection of this one."
+    )
 
 
 def check_images(block: Block, rejected: Mask, free: dict[str, tuple[str, ...]]) -> None:

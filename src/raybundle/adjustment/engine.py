@@ -6,6 +6,7 @@ What is free and what is rejected is decided by the caller (`decide`); here it i
 from __future__ import annotations
 
 import time
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -33,14 +34,12 @@ from raybundle.block import Block, Camera
 from raybundle.numerics.arrays import Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.statistics import family_wise_normal, family_wise_tau, global_test
-from raybundle.sensors import sensor_models
 
 
 def free_parameters(camera: Camera) -> tuple[str, ...]:
     """The parameters that an `estimate` frees; "auto" starts with all but affinity and shear."""
-    model = sensor_models[camera.model]
     if camera.estimate == "auto":
-        return tuple(p.symbol for p in model.parameters if p.kind not in {"affinity", "other"})
+        return tuple(p.symbol for p in camera.sensor.parameters if p.kind not in {"affinity", "other"})
     return tuple(camera.estimate)
 
 
@@ -292,11 +291,11 @@ def _adjusted_block(system: System, state: State) -> Block:
     cameras = list(block.cameras)
     per_image = dict(block.images.interior)
     for r, row in enumerate(system.interior):
-        values = {s: float(v) for s, v in zip(row.model.symbols, state.interior[r], strict=False)}
+        values = {row.model.symbols[k]: float(state.interior[r, k]) for k in row.carries}
         if row.image >= 0:
             per_image[row.image] = values
         else:
-            cameras[row.camera] = replace(cameras[row.camera], values=values)
+            cameras[row.camera] = replace(cameras[row.camera], values={**cameras[row.camera].values, **values})
     return replace(
         block,
         cameras=tuple(cameras),
@@ -312,4 +311,13 @@ def as_start(given: Block, adjusted: Block) -> Block:
         replace(a, values={**a.values, **{symbol: g.values[symbol] for symbol in g.sigma}})
         for g, a in zip(given.cameras, adjusted.cameras, strict=True)
     )
-    return replace(adjusted, cameras=cameras, points=replace(adjusted.points, xyz=xyz))
+    interior = {i: {**values, **_observed_own(given, i, values)} for i, values in adjusted.images.interior.items()}
+    images = replace(adjusted.images, interior=interior)
+    return replace(adjusted, cameras=cameras, images=images, points=replace(adjusted.points, xyz=xyz))
+
+
+def _observed_own(given: Block, image: int, values: Mapping[str, float]) -> dict[str, float]:
+    """The given values of an image's own parameters that are observed."""
+    camera = given.cameras[int(given.images.camera[image])]
+    own = given.images.interior.get(image, {})
+    return {s: own.get(s, camera.values[s]) for s in camera.sigma if s in values}

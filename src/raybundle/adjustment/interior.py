@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import cache
+
 import numpy as np
 
 from raybundle.adjustment.assemble import InteriorRow, State, System
@@ -9,7 +12,7 @@ from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.precision import interior_unknowns
 from raybundle.adjustment.result import InteriorResult, ParameterResult, Precision
 from raybundle.block import Camera
-from raybundle.numerics.arrays import Array
+from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.statistics import correlation
 
 JOINT = ("radial", "decentring", "affinity", "principal point")
@@ -19,9 +22,14 @@ PLAUSIBLE_SHIFT = 0.05
 """The same for corrections: largest shift within the format, as a share of half its diagonal."""
 
 
-def image_effect(row: InteriorRow, camera: Camera, values: Array, position: int) -> float:
-    """Largest shift [px] over the format per unit of a parameter, the viewing rays held.
+PLAUSIBLE_ANTENNA = 0.3
+"""The same for lever arms and shifts of GNSS [m]: a tape tells a lever arm better."""
 
+
+def image_effects(row: InteriorRow, camera: Camera, values: Array, distance: float = 1.0) -> Array:
+    """Largest shifts (k,) [px] over the format per unit of each parameter, the viewing rays held.
+
+    distance  of the object points, which the effect of a length in object space depends on
     d x / d parameter = -B^-1 d g / d parameter at image points along the border and over the format.
     """
     half = camera.size_mm / 2
@@ -30,22 +38,26 @@ def image_effect(row: InteriorRow, camera: Camera, values: Array, position: int)
     model = row.model
     image = np.stack([x, y])
     spread = np.repeat(values[: len(model.symbols), None], x.size, axis=1)
-    ray = model.ray(image, spread)
+    ray = model.point_on_ray(image, spread, distance)
     _, J = model.condition_and_jacobian(*image, *ray, *spread)
     B = np.moveaxis(J[:, :2], 2, 0)
-    shift = -np.linalg.solve(B, J[:, 5 + position].T[..., None])[..., 0]
-    return float(np.nanmax(np.linalg.norm(shift / np.array(camera.pixel_mm), axis=1)))
+    shift = -np.linalg.solve(B, np.moveaxis(J[:, 5:], 2, 0))
+    return np.nanmax(np.linalg.norm(shift / np.array(camera.pixel_mm)[:, None], axis=1), axis=0)
 
 
-def implausible(row: InteriorRow, camera: Camera, values: Array, position: int, std: float) -> bool:
+def implausible(
+    row: InteriorRow, camera: Camera, values: Array, position: int, std: float, effects: Callable[[], Array]
+) -> bool:
     """Whether a standard deviation exceeds what one knows of the parameter beforehand."""
     parameter = row.model.parameters[position]
+    if not row.model.has_images:
+        return std > PLAUSIBLE_ANTENNA and parameter.unit == "length"
     if parameter.kind == "scale":
         return std > PLAUSIBLE["scale"] * abs(values[position])
     if parameter.kind == "principal point":
         return std > PLAUSIBLE["principal point"] * float(camera.size_mm.max())
     limit = PLAUSIBLE_SHIFT * 0.5 * float(np.hypot(camera.width_px, camera.height_px))
-    return std * image_effect(row, camera, values, position) > limit
+    return std * float(effects()[position]) > limit
 
 
 def interior_results(
@@ -55,22 +67,40 @@ def interior_results(
     system = normals.system
     results: list[InteriorResult] = []
     for r, row in enumerate(system.interior):
-        if not (system.images_used & (system.interior_of_image == r)).any():
+        if not len(system.images_of(r)) and (row.node < 0 or row.model.has_images):
             continue
-        results.append(_one(normals, row, state.interior[r], precision, sigma0, redundancy))
+        lengths = row.model.has_images and any(p.unit.startswith("length") for p in row.model.parameters)
+        distance = _distance(system, state, system.images_of(r)) if lengths else 1.0
+        results.append(_one(normals, row, state.interior[r], precision, sigma0, redundancy, distance))
     return tuple(results)
 
 
+def _distance(system: System, state: State, images: Index) -> float:
+    """Median distance from these images to the points that they see."""
+    o = system.block.observations
+    mine = np.zeros(len(system.block.images), bool)
+    mine[images] = True
+    rows = system.rows[mine[o.image[system.rows]]]
+    return float(np.median(np.linalg.norm(state.xyz[o.point[rows]] - state.centre[o.image[rows]], axis=1)))
+
+
 def _one(
-    normals: Normals, row: InteriorRow, values: Array, precision: Precision | None, sigma0: float, redundancy: int
-) -> InteriorResult:
+    normals: Normals, row: InteriorRow, values: Array, precision: Precision | None, sigma0: float, redundancy: int,
+    distance: float,
+) -> InteriorResult:  # fmt: skip
     system: System = normals.system
     camera = system.block.cameras[row.camera]
     C = None if precision is None or row.node < 0 else precision.interior[row.key(system.block)]
     diagonal = normals.diagonal[interior_unknowns(system, row)] if row.node >= 0 else np.zeros(0)
     variance = sigma0**2 if np.isfinite(sigma0) and sigma0 > 0 else 1.0
     parameters: dict[str, ParameterResult] = {}
-    for position, parameter in enumerate(row.model.parameters):
+
+    @cache
+    def effects() -> Array:
+        return image_effects(row, camera, values, distance)
+
+    for position in row.carries:
+        parameter = row.model.parameters[position]
         free = row.node >= 0 and position in row.free
         std = t = determinability = effect = effect_std = None
         status = "estimated" if free else "held"
@@ -78,14 +108,14 @@ def _one(
             status = "observed"
         value = float(values[position])
         if parameter.kind not in {"scale", "other"}:
-            effect = image_effect(row, camera, values, position) * abs(value)
+            effect = float(effects()[position]) * abs(value)
         if free and C is not None:
             k = row.free.index(position)
             std = float(np.sqrt(C[k, k]))
             determinability = float(1 / max(C[k, k] / variance * diagonal[k], 1e-300))
-            effect_std = image_effect(row, camera, values, position) * std
+            effect_std = float(effects()[position]) * std if row.model.has_images else None
             t = abs(value) / std if parameter.kind != "scale" and std > 0 else None
-            if implausible(row, camera, values, position, std):
+            if implausible(row, camera, values, position, std, effects):
                 status = "not determinable"
         parameters[parameter.symbol] = ParameterResult(
             symbol=parameter.symbol, unit=parameter.unit, meaning=parameter.meaning, value=value, std=std, t=t,

@@ -38,7 +38,7 @@ def network_figures(system: System, state: State, std: Array | None, parts: int,
     first = np.searchsorted(image[order], np.arange(n + 1))
     for i in np.flatnonzero(np.diff(first)):
         median[i] = np.median(distance[order[first[i] : first[i + 1]]])
-    c = np.array([abs(state.interior[system.interior_of_image[i], 0]) for i in range(n)])
+    c = np.array([_camera_constant(system, state, i) for i in range(n)])
     scale = median * unit_mm / np.maximum(c, 1e-300)
     used = rays > 0
     q = q_stations = relative = np.nan
@@ -58,6 +58,11 @@ def network_figures(system: System, state: State, std: Array | None, parts: int,
         relative_precision=float(relative), precision_class=precision_class(relative) if relative > 0 else "",
         components=parts,
     )  # fmt: skip
+
+
+def _camera_constant(system: System, state: State, image: int) -> float:
+    r = int(system.interior_of_image[image])
+    return system.interior[r].model.camera_constant(state.interior[r])
 
 
 def _extent(xyz: Array) -> float:

@@ -13,6 +13,7 @@ import numpy as np
 from raybundle.adjustment.assemble import State, System
 from raybundle.numerics import native
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.rotation import cross_matrix
 
 _NONE = np.zeros(0)
 
@@ -69,6 +70,8 @@ class Normals:
     pairs: tuple[Array, Array] = field(default_factory=lambda: (np.zeros(0, np.int64), np.zeros(0, np.int64)))
     pair_at: Array = field(default_factory=lambda: np.zeros(0, np.int64))
     external: Mask = field(default_factory=lambda: np.zeros(0, bool))
+    evaluated: State | None = None
+    """State of the last evaluation of models that are not compiled; a state is not changed once it is used."""
 
     @classmethod
     def of(cls, system: System, threads: int = 0) -> Normals:
@@ -165,6 +168,9 @@ class Normals:
             image, axis = system.block.stations.image[extra.item[i]], extra.component[i]
             residual[i] = state.centre[image, axis] - extra.value[i]
             add(i, system.offsets[system.image_node[image]] + axis, weight[i])
+            for k, columns, values_k, moved in antenna_rows(system, state):
+                residual[i[k]] += moved
+                add(np.full(len(columns), i[k]), columns, values_k * weight[i[k]])
         i = np.flatnonzero(extra.kind == 3)
         if len(i):
             residual[i] = state.interior[extra.item[i], extra.component[i]] - extra.value[i]
@@ -184,11 +190,13 @@ class Normals:
 
     def refresh_external(self, state: State) -> None:
         """Evaluate models that are not compiled at a state and hand them to the native solver."""
-        if not self.external.any():
+        if not self.external.any() or self.evaluated is state:
             return
-        from raybundle.adjustment.twin import external_rows  # noqa: PLC0415
+        from raybundle.adjustment.external import external_rows  # noqa: PLC0415
 
-        self.solver.set_external(external_rows(self.system, state, self.external))
+        rows, touched = external_rows(self.system, state, self.external)
+        self.solver.set_external(rows, touched, touched.shape[1])
+        self.evaluated = state
 
     def arguments(self, state: State) -> tuple[Array, Array, Array, Array]:
         """The state as the solver takes it."""
@@ -291,6 +299,34 @@ class Normals:
         return block if a <= b else block.T
 
 
+def antenna_rows(system: System, state: State) -> list[tuple[int, Array, Array, float]]:
+    """Each station observation with an antenna: position among them, unknowns, derivatives, and R'a + s + d t."""
+    stations, extra = system.block.stations, system.extra
+    if stations.antenna is None:
+        return []
+    rows = {row.camera: r for r, row in enumerate(system.interior) if not row.model.has_images}
+    time = np.zeros(len(stations)) if stations.time is None else stations.time
+    result: list[tuple[int, Array, Array, float]] = []
+    mine = np.flatnonzero(extra.kind == 2)
+    for k, (item, axis) in enumerate(zip(extra.item[mine], extra.component[mine], strict=True)):
+        if stations.antenna[item] < 0:
+            continue
+        image, r = int(stations.image[item]), rows[int(stations.antenna[item])]
+        row, t = system.interior[r], float(time[item])
+        a, s, d = state.interior[r, :9].reshape(3, 3)
+        back = state.rotation[image].T
+        unit = np.eye(3)[axis]
+        by = np.concatenate([back[axis], unit, unit * t])
+        free = list(row.free) if row.node >= 0 else []
+        # R_new' a = R' exp(-[delta]x) a
+        columns = [system.offsets[system.image_node[image]] + 3 + np.arange(3)]
+        if free:
+            columns.append(system.offsets[row.node] + row.start + np.arange(len(free)))
+        values = np.concatenate([(back @ cross_matrix(a))[axis], by[free]])
+        result.append((k, np.concatenate(columns), values, float(back[axis] @ a + s[axis] + d[axis] * t)))
+    return result
+
+
 def _nodes_of_extra(system: System) -> list[tuple[int, int]]:
     """Pairs of nodes that a distance couples; every node once with itself."""
     pairs = {(int(a), int(a)) for a in range(len(system.sizes))}
@@ -299,6 +335,13 @@ def _nodes_of_extra(system: System) -> list[tuple[int, int]]:
         a, b = int(system.point_node[distances.start[d]]), int(system.point_node[distances.end[d]])
         if a >= 0 and b >= 0:
             pairs.add((min(a, b), max(a, b)))
+    stations = system.block.stations
+    if stations.antenna is not None:
+        nodes = {row.camera: row.node for row in system.interior if not row.model.has_images}
+        for s in system.extra.item[system.extra.kind == 2]:
+            a, b = int(system.image_node[stations.image[s]]), nodes.get(int(stations.antenna[s]), -1)
+            if b >= 0:
+                pairs.add((min(a, b), max(a, b)))
     return sorted(pairs)
 
 
@@ -327,6 +370,8 @@ def _fill(solver: Any, system: System, compiled: frozenset[str]) -> Mask:
             own += interior
         elif row.node >= 0 and system.images_used[i]:
             shared = interior
+        if row.parent >= 0 and system.interior[row.parent].node >= 0:
+            shared = tuple(6 + k for k in system.interior[row.parent].free)
         key = (own, shared)
         if key not in known:
             known[key] = len(patterns)
@@ -339,7 +384,7 @@ def _fill(solver: Any, system: System, compiled: frozenset[str]) -> Mask:
         pattern,
         system.image_node,
         system.shared_node,
-        np.array([len(m.symbols) for m in models], np.int32)[system.interior_of_image],
+        np.array([m.local_width or len(m.symbols) for m in models], np.int32)[system.interior_of_image],
         system.stride,
     )
     solver.set_patterns(patterns)

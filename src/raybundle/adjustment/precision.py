@@ -119,7 +119,7 @@ def precision(normals: Normals, state: State, found: Cofactors, variance: float)
         Q = node_cofactor(normals, found, mine)
         interior[key] = variance * Q
         rows: list[Array] = []
-        for i in used[(system.interior_of_image[used] == r) & system.exterior_free[used]]:
+        for i in system.images_of(r)[system.exterior_free[system.images_of(r)]]:
             C = cross_cofactor(normals, found, mine, image_unknowns(system, int(i))) @ angle_form(state.rotation[i]).T
             s = np.sqrt(np.outer(np.diagonal(Q), np.diagonal(images[i]) / variance if variance > 0 else np.ones(6)))
             with np.errstate(invalid="ignore", divide="ignore"):

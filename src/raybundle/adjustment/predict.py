@@ -24,11 +24,11 @@ def residuals_px(block: Block, rows: Array) -> Array:
         model = cam.sensor
         image = observations.image[rows[mine]]
         point = observations.point[rows[mine]]
-        values = np.array([[cam.values[s] for s in model.symbols]] * len(mine)).T
+        values = np.array([[cam.values.get(p.symbol, p.default) for p in model.parameters]] * len(mine)).T
         for k, i in enumerate(image):
             own = block.images.interior.get(int(i))
             if own is not None:
-                values[:, k] = [own.get(s, cam.values[s]) for s in model.symbols]
+                values[:, k] = [own.get(p.symbol, cam.values.get(p.symbol, p.default)) for p in model.parameters]
         P = sensor_from_object(block.images.rotation[image], block.images.centre[image], block.points.xyz[point])
         xy = cam.image_from_pixel(observations.xy_px[rows[mine]]).T
         g, J = model.condition_and_jacobian(*xy, *P, *values)

@@ -14,7 +14,6 @@ from raybundle.adjustment.work import Work
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
 from raybundle.platforms.station import sensor_from_object, station_partials
-from raybundle.sensors import sensor_models
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment, ObservationStatistics, Precision
@@ -185,7 +184,7 @@ def design_row(system: System, state: State, row: int, axis: int) -> tuple[Array
     o = system.rows[row]
     image, point = int(block.observations.image[o]), int(block.observations.point[o])
     interior = system.interior[int(system.interior_of_image[image])]
-    model = sensor_models[interior.model.name]
+    model = interior.model
     values = state.interior[int(system.interior_of_image[image]), : len(model.symbols)]
     R = state.rotation[image]
     P = sensor_from_object(R[None], state.centre[image][None], state.xyz[point][None])[:, 0]
@@ -206,5 +205,9 @@ def design_row(system: System, state: State, row: int, axis: int) -> tuple[Array
     if interior.node >= 0:
         unknowns.append(interior_unknowns(system, interior))
         columns.append(D[3:][list(interior.free)])
+    parent = system.interior[interior.parent] if interior.parent >= 0 else None
+    if parent is not None and parent.node >= 0:
+        unknowns.append(interior_unknowns(system, parent))
+        columns.append(D[3:][list(parent.free)])
     at = np.concatenate(unknowns) if unknowns else np.zeros(0, int)
     return at, np.concatenate(columns) if columns else np.zeros(0), point, np.where(system.held[point], 0.0, by_point)

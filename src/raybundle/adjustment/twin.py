@@ -8,6 +8,7 @@ normal matrix is dense here, so blocks of more than a few hundred images take th
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -31,6 +32,8 @@ _CHUNK = 400
 @cache
 def is_explicit(model: SensorModel) -> bool:
     """Whether the condition reads x - f(X, Y, Z, parameters), so that projection needs no iteration."""
+    if model.explicit is not None:
+        return model.explicit
     with np.errstate(all="ignore"):
         _, J = model.condition_and_jacobian(1.3, 0.7, 0.3, 0.2, -1.5, *np.linspace(0.4, 0.6, len(model.symbols)))
     return bool(np.array_equal(J[:, :2], np.eye(2)))
@@ -51,20 +54,23 @@ def residuals_and_partials(
     lost = np.zeros(len(xy), bool)
     if not (corrected or is_explicit(model)):
         with np.errstate(all="ignore"):
-            image, J, lost = _project(model, measured, points, values)
-            found = -_inverse2(J[:, :2], J[:, 2:])
+            image, J, lost = project_from(lambda at: model.condition_and_jacobian(*at, *points, *values), measured)
+            found = -inverse2(J[:, :2], J[:, 2:])
         v = np.where(lost, v, image - measured)
         D = np.where(lost, D, found)
     return np.ascontiguousarray(v.T), np.ascontiguousarray(np.moveaxis(D, 2, 0)), lost
 
 
-def _project(model: SensorModel, measured: Array, points: Array, values: Array) -> tuple[Array, Array, Mask]:
-    """Newton from the measured point: image (2, n), Jacobian (2, 5 + k, n) there, and where it fails (n,)."""
+def project_from(evaluate: Callable[[Array], tuple[Array, Array]], measured: Array) -> tuple[Array, Array, Mask]:
+    """Newton from the measured point: image (2, n), Jacobian (2, 5 + k, n) there, and where it fails (n,).
+
+    evaluate  g (2, n) and its Jacobian at image points (2, n)
+    """
     image, lost = measured.copy(), np.zeros(measured.shape[1], bool)
     relative = np.full(measured.shape[1], np.inf)
     for _ in range(25):
-        g, J = model.condition_and_jacobian(*image, *points, *values)
-        step = _inverse2(J[:, :2], g[:, None])[:, 0]
+        g, J = evaluate(image)
+        step = inverse2(J[:, :2], g[:, None])[:, 0]
         size, scale = np.abs(step).sum(axis=0), np.abs(image).sum(axis=0) + 1
         lost |= ~(size < 1e3 * scale) | ~(_det2(J) > 0)
         image = np.where(lost, measured, image - step)
@@ -73,14 +79,14 @@ def _project(model: SensorModel, measured: Array, points: Array, values: Array) 
             break
     lost |= relative > 1e-9
     image = np.where(lost, measured, image)
-    return image, model.condition_and_jacobian(*image, *points, *values)[1], lost
+    return image, evaluate(image)[1], lost
 
 
 def _det2(J: Array) -> Array:
     return J[0, 0] * J[1, 1] - J[0, 1] * J[1, 0]
 
 
-def _inverse2(B: Array, right: Array) -> Array:
+def inverse2(B: Array, right: Array) -> Array:
     """B^-1 right for B (2, 2, n) and right (2, k, n)."""
     x = B[1, 1] * right[0] - B[0, 1] * right[1]
     y = B[0, 0] * right[1] - B[1, 0] * right[0]
@@ -113,20 +119,6 @@ def image_residuals(
             v[mine], D[mine, :, : 3 + k], lost = residuals_and_partials(model, xy[mine], local, values, corrected=form)
             flags[mine] = BEHIND * ~model.in_front(local, xy[mine].T, values) + LOST * lost
     return v, D, P.T, flags
-
-
-def external_rows(system: System, state: State, mask: Mask) -> Array:
-    """What the compiled solver takes for observations of models that it does not know.
-
-    mask     (m,) of `System.rows`
-    returns  (k, 9 + 2 stride): v (2) [mm], d v / d sensor-frame point (2, 3), d v / d interior (2, stride), flags
-    """
-    o = system.block.observations
-    rows = system.rows[mask]
-    v, D, _, flags = image_residuals(system, state, o.image[rows], o.point[rows], system.xy_mm[mask])
-    m = len(rows)
-    parts = (v, D[:, :, :3].reshape(m, 6), D[:, :, 3:].reshape(m, 2 * system.stride), flags[:, None])
-    return np.ascontiguousarray(np.concatenate(parts, axis=1, dtype=np.float64))
 
 
 @dataclass(slots=True)
@@ -185,7 +177,7 @@ class Solver:
         """Held coordinates (p,) as bits."""
         self.held = (held[:, None] & np.array([1, 2, 4], np.uint8)) > 0
 
-    def set_external(self, rows: Array) -> None:
+    def set_external(self, rows: Array, touched: Index, width: int) -> None:
         """Nothing to do: every model is evaluated here."""
 
     def set_nodes(self, sizes: Array, extra: list[tuple[int, int]]) -> None:

@@ -15,7 +15,9 @@ from typing import Literal
 import numpy as np
 
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.places import Place
 from raybundle.numerics.rotation import angles_from_rotation
+from raybundle.sensors import SensorModel, sensor_models
 
 Residuals = Literal["measured", "corrected"]
 LengthUnit = Literal["m", "mm"]
@@ -48,6 +50,25 @@ class Camera:
     """Symbols that are observed (their value in `values`) with this standard deviation."""
     interior: Literal["shared", "per_image"] = "shared"
     """Whether the images of this camera share one interior orientation or have one each."""
+    per_image: tuple[str, ...] = ()
+    """Symbols of which each image has its own value while the others are shared: motion during a read-out."""
+    scene: SensorModel | None = None
+    """A satellite scene, which is the sensor of one image alone; None: the registered model of that name."""
+
+    @property
+    def sensor(self) -> SensorModel:
+        """The sensor model."""
+        return self.scene or sensor_models[self.model]
+
+    @property
+    def is_scene(self) -> bool:
+        """Whether this is a satellite scene."""
+        return self.scene is not None and self.scene.has_images
+
+    @property
+    def own_symbols(self) -> tuple[str, ...]:
+        """Symbols of the parameters that each image has for itself."""
+        return self.sensor.symbols if self.interior == "per_image" else self.per_image
 
     @property
     def size_mm(self) -> Array:
@@ -80,7 +101,12 @@ class Images:
     held: Mask | None = None
     """(n,) True where the exterior orientation is known and held; None: nowhere."""
     interior: Mapping[int, Mapping[str, float]] = field(default_factory=dict[int, Mapping[str, float]])
-    """Interior orientation of single images, where a camera's `interior` is "per_image" and it is known."""
+    """Parameters of single images, where a camera has some "per_image" and they are known."""
+    station: Index | None = None
+    """(n,) number of the station whose exterior orientation an image shares with others of a rig; None: each its own.
+
+    Images of one station have the same centre and rotation: those of the rig, in whose frame a mounted camera stands.
+    """
 
     def __len__(self) -> int:
         return len(self.ids)
@@ -157,6 +183,10 @@ class Stations:
     """(k, 3); NaN where a coordinate was not observed."""
     sigma: Array
     """(k, 3)"""
+    antenna: Index | None = None
+    """(k,) position in `Block.cameras` of the antenna that was observed, -1 or None: the projection centre itself."""
+    time: Array | None = None
+    """(k,) [s] for an antenna's drift; None: zero."""
 
     def __len__(self) -> int:
         return len(self.image)
@@ -183,6 +213,8 @@ class Block:
     length_unit: LengthUnit = "m"
     sigma0_apriori: float = 1.0
     residuals: Residuals = "measured"
+    place: Place | None = None
+    """Where the object frame stands on the earth; satellite scenes need it."""
     cameras: tuple[Camera, ...]
     images: Images
     observations: Observations

@@ -29,7 +29,7 @@ from raybundle.block.block import (
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rotation import rotation_from_vector
-from raybundle.sensors import sensor_models
+from raybundle.sensors import SensorModel, sensor_models
 
 Start = Literal["exact", "approximate", "absent"]
 
@@ -313,15 +313,14 @@ def project(scene: Scene, image: int) -> tuple[Index, Array]:
     size = np.array([scene.camera.width_px, scene.camera.height_px], float)
     near = (np.abs(guess - size / 2) < 0.75 * size).all(axis=1)  # a margin for the distortion
     rows = rows[near]
-    pixel = scene.camera.pixel_from_image(_images_of(local[:, rows], scene.camera.model, values).T)
+    pixel = scene.camera.pixel_from_image(_images_of(local[:, rows], model, values).T)
     with np.errstate(invalid="ignore"):
         inside = ((pixel >= 0) & (pixel <= size)).all(axis=1)
     return rows[inside].astype(np.int32), pixel[inside]
 
 
-def _images_of(points: Array, model_name: str, values: Array) -> Array:
+def _images_of(points: Array, model: SensorModel, values: Array) -> Array:
     """Image points (2, n) [mm]; NaN beyond the radius up to which the distortion is one-to-one."""
-    model = sensor_models[model_name]
     image = model.start(points, values)
     with np.errstate(all="ignore"):
         for _ in range(20):  # Newton for all at once; those that do not settle are not shown
@@ -486,3 +485,48 @@ def _start_points(points: Points, scene: Scene, survey: Survey, rng: np.random.G
         "absent": np.full_like(points.xyz, np.nan),
     }[survey.points]
     return replace(points, xyz=np.where(tie[:, None], start, given))
+
+
+def measured(block: Block, sigma_px: Mapping[str, float] | float, least_rays: int = 2) -> Block:
+    """A block with the exact image points of all its points in all its images, of any sensor.
+
+    block       with true values everywhere; its observations are replaced
+    sigma_px    standard deviation of an image coordinate, for all or by camera id
+    least_rays  points other than control with fewer are left out
+    A point stands behind nothing here: every image shows all points within its format and in front of its sensor.
+    """
+    parts = [shown(block, i) for i in range(len(block.images))]
+    image = np.repeat(np.arange(len(parts), dtype=np.int32), [len(rows) for rows, _ in parts])
+    by_camera = [sigma_px[c.id] if isinstance(sigma_px, Mapping) else sigma_px for c in block.cameras]
+    point, p = np.concatenate([rows for rows, _ in parts]), block.points
+    keep = (np.bincount(point, minlength=len(p)) >= least_rays) | (np.asarray(p.role) == Role.CONTROL)
+    rows, new = keep[point], (np.cumsum(keep) - 1).astype(np.int32)
+    variance = np.array(by_camera)[block.images.camera[image[rows]]] ** 2
+    return replace(
+        block,
+        observations=Observations(
+            image=image[rows],
+            point=new[point[rows]],
+            xy_px=np.concatenate([pixel for _, pixel in parts])[rows],
+            cov_px2=np.stack([variance, variance, np.zeros(len(variance))], axis=1),
+        ),
+        points=Points(
+            ids=tuple(name for name, k in zip(p.ids, keep, strict=True) if k),
+            role=p.role[keep],
+            xyz=p.xyz[keep],
+            sigma=p.sigma[keep],
+        ),
+    )
+
+
+def shown(block: Block, image: int) -> tuple[Index, Array]:
+    """The points that an image of a block shows: their positions (k,) and pixel coordinates (k, 2)."""
+    camera = block.cameras[int(block.images.camera[image])]
+    own = block.images.interior.get(image, {})
+    values = np.array([own.get(s, camera.values.get(s, 0.0)) for s in camera.sensor.symbols])
+    local = block.images.rotation[image] @ (block.points.xyz - block.images.centre[image]).T
+    rows = np.flatnonzero(camera.sensor.in_front(local, None, values))
+    found = camera.pixel_from_image(_images_of(local[:, rows], camera.sensor, values).T)
+    with np.errstate(invalid="ignore"):
+        inside = ((found >= 0) & (found <= [camera.width_px, camera.height_px])).all(axis=1)
+    return rows[inside].astype(np.int32), found[inside]

@@ -14,6 +14,9 @@ if TYPE_CHECKING:
     from raybundle.adjustment.calibration_quality import CalibrationQuality
     from raybundle.workflows.calibrate import Calibration
 
+MOST_PARAMETERS, SHOWN = 16, 15
+"""Parameters and warnings that are printed."""
+
 
 @click.command("calibrate", context_settings=COMMAND_SETTINGS)
 @click.argument("photos", type=FOLDER, nargs=-1, required=True)
@@ -24,7 +27,10 @@ if TYPE_CHECKING:
     multiple=True,
     metavar="FAMILY",
     help="What was photographed, as aicon14 or chessboard-9x6; `raybundle targets --help` lists them.  [default: found "
-    "out]",
+    "out; natural points where there is nothing]",
+)
+@click.option(
+    "--sheet", type=FOLDER, metavar="SHEET.toml", help="The file beside the printed sheet, in place of --target."
 )
 @click.option(
     "--camera",
@@ -53,6 +59,7 @@ def command(
     photos: tuple[Path, ...],
     out: Path,
     targets: tuple[str, ...],
+    sheet: Path | None,
     separate: tuple[str, ...],
     model: str,
     estimate: str,
@@ -80,11 +87,13 @@ def command(
     """  # noqa: D301
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.report.result_folder import check_target, write_result  # noqa: PLC0415
+    from raybundle.targets.sidecar import read_sidecar  # noqa: PLC0415
     from raybundle.workflows.calibrate import CalibrateOptions, calibrate  # noqa: PLC0415
 
     options = CalibrateOptions(
-        targets=targets, separate=separate, model=model, spacing=spacing,
-        estimate=tuple(t.strip() for t in estimate.split(",") if t.strip()), dots=dots, shear=shear, jobs=jobs
+        targets=targets, sheet=None if sheet is None else read_sidecar(sheet), separate=separate, model=model,
+        spacing=spacing, estimate=tuple(t.strip() for t in estimate.split(",") if t.strip()), dots=dots, shear=shear,
+        jobs=jobs,
     )  # fmt: skip
     check_target(out)
     with reporting(progress) as tell:
@@ -153,8 +162,9 @@ def lines(done: Calibration) -> list[str]:
     extra = f", {done.completed} without a readable code found by prediction" if done.completed else ""
     extra += f", {done.dots} dots without a code" if done.dots else ""
     what = ", ".join(t.title for t in done.targets)
+    points = f"{read} points of {what} read{extra}" if what else f"{len(done.adjustment.given.points)} natural points"
     given = counted(len(done.photos) + len(done.refused), "photograph")
-    told = [f"{done.used} of {given} used, {read} points of {what} read{extra}"]
+    told = [f"{done.used} of {given} used, {points}"]
     told += [f"  {name}: {reason}" for name, reason in (*done.refused, *done.not_used)]
     for q in done.quality:
         told += [f"camera {q.camera}: {q.headline}"]
@@ -165,10 +175,12 @@ def lines(done: Calibration) -> list[str]:
         camera = next(c for c in done.adjustment.adjusted.cameras if c.id == q.camera)
         interior = next(i for i in done.adjustment.interior if i.camera == q.camera)
         told.append(f"  model {camera.model}: " + ", ".join(
-            f"{p.symbol} {p.value:.6g}" + (f" ± {p.std:.2g}" if p.std else "") for p in interior.parameters.values()
-            if p.std or p.value
+            f"{p.symbol} {p.value:.6g}" + (f" ± {p.std:.2g}" if p.std else "")
+            for p in list(interior.parameters.values())[:MOST_PARAMETERS] if p.std or p.value
         ))  # fmt: skip
-    told += [f"warning: {n.message}" for n in done.adjustment.notices]
+    told += [f"warning: {n.message}" for n in done.adjustment.notices[:SHOWN]]
+    if len(done.adjustment.notices) > SHOWN:
+        told.append(f"and {counted(len(done.adjustment.notices) - SHOWN, 'more warning')}, see result.json")
     return told
 
 

@@ -13,16 +13,17 @@ import numpy as np
 from raybundle.block import Block, Camera, Distances, Images, Observations, Points, Role, Stations
 from raybundle.block.block import no_distances, no_stations
 from raybundle.errors import InputError
+from raybundle.io.block_scenes import FOLDER as SCENES
+from raybundle.io.block_scenes import with_views, write_scene_files
 from raybundle.io.block_toml import head_text, read_head
 from raybundle.io.folders import new_folder
 from raybundle.io.tables import SHOWN, Column, Problem, fail, read_table, shown, write_table
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.rotation import rotation_from_angles
-from raybundle.sensors import sensor_models
 
 TABLES = ("images", "observations", "points", "distances", "stations", "interior")
-FILES = ("block.toml", *(f"{name}.csv" for name in TABLES))
+FILES = ("block.toml", *(f"{name}.csv" for name in TABLES), SCENES)
 XYZ = ("X", "Y", "Z")
 SIGMA_XYZ = ("sX", "sY", "sZ")
 ANGLES = ("omega_deg", "phi_deg", "kappa_deg")
@@ -56,6 +57,7 @@ def read_block(path: str | Path, *, progress: Progress = silent) -> Block:
         length_unit=head.length_unit,
         sigma0_apriori=head.sigma0_apriori,
         residuals=head.residuals,
+        place=head.place,
         cameras=head.cameras,
         images=Images(
             ids=images.ids,
@@ -65,11 +67,12 @@ def read_block(path: str | Path, *, progress: Progress = silent) -> Block:
             rotation=images.rotation,
             held=images.held,
             interior=interior,
+            station=images.station,
         ),
         observations=observations,
         points=points,
         distances=_read_distances(folder / "distances.csv", point_ids),
-        stations=_read_stations(folder / "stations.csv", image_ids),
+        stations=_read_stations(folder / "stations.csv", image_ids, head.cameras),
     )
     progress("reading", 1.0)
     return block
@@ -112,12 +115,13 @@ def _read_images(path: Path, cameras: tuple[Camera, ...]) -> tuple[Images, dict[
             Column(
                 name="camera",
                 kind="reference",
-                known={c.id: k for k, c in enumerate(cameras)},
+                known={c.id: k for k, c in enumerate(cameras) if c.sensor.has_images},
                 where="the cameras of block.toml",
             ),
             Column(name="file", kind="text", empty=True),
             *(Column(name=n, kind="number", empty=True) for n in (*XYZ, *ANGLES)),
             Column(name="held", kind="number", optional=True, empty=True),
+            Column(name="station", kind="text", optional=True, empty=True),
         ),
     )
     ids = table.text["image"]
@@ -125,6 +129,11 @@ def _read_images(path: Path, cameras: tuple[Camera, ...]) -> tuple[Images, dict[
     angles = table.numbers(*ANGLES)
     held = table.number.get("held", np.full(len(ids), np.nan))
     known = np.isfinite(angles).sum(axis=1)
+    camera = table.index["camera"]
+    is_scene = np.array([c.is_scene for c in cameras])[camera]
+    given = np.isfinite(np.concatenate([centre, angles, held[:, None]], axis=1)).any(axis=1)
+    first = np.ones(len(ids), bool)
+    first[np.unique(camera, return_index=True)[1]] = False
     oriented = (known == 3) & np.isfinite(centre).all(axis=1)
     _require(
         path,
@@ -139,15 +148,37 @@ def _read_images(path: Path, cameras: tuple[Camera, ...]) -> tuple[Images, dict[
             "held",
             lambda k: f"image {shown(ids[k])} is held but its exterior orientation is not complete; fill it",
         ),
+        _problems(
+            is_scene & given,
+            "X",
+            lambda k: f"image {shown(ids[k])} is a satellite scene, whose file tells its orientation; leave it empty",
+        ),
+        _problems(
+            is_scene & first,
+            "camera",
+            lambda k: f"camera {cameras[camera[k]].id} is a satellite scene and has an image already; a scene has one",
+        ),
     )
+    rotation = rotation_from_angles(np.radians(angles))
+    if is_scene.any():
+        centre, rotation, _ = with_views(centre, rotation, cameras, camera)
     return Images(
         ids=ids,
-        camera=table.index["camera"],
+        camera=camera,
         file=table.text["file"],
         centre=centre,
-        rotation=rotation_from_angles(np.radians(angles)),
-        held=held == 1 if (held == 1).any() else None,
+        rotation=rotation,
+        held=(held == 1) | is_scene if ((held == 1) | is_scene).any() else None,
+        station=_stations_of(table.text.get("station")),
     ), {image: k for k, image in enumerate(ids)}
+
+
+def _stations_of(names: tuple[str, ...] | None) -> Index | None:
+    """Numbers of the rigs' stations; images without a name have one each."""
+    if names is None or not any(names):
+        return None
+    index = {name: k for k, name in enumerate(dict.fromkeys(n for n in names if n))}
+    return np.array([index[n] if n else len(index) + k for k, n in enumerate(names)], np.int32)
 
 
 def _read_points(path: Path) -> tuple[Points, dict[str, int]]:
@@ -265,7 +296,7 @@ def _read_distances(path: Path, points: dict[str, int]) -> Distances:
     return Distances(start=start, end=end, length=table.number["length"], sigma=table.number["sigma"])
 
 
-def _read_stations(path: Path, images: dict[str, int]) -> Stations:
+def _read_stations(path: Path, images: dict[str, int], cameras: tuple[Camera, ...]) -> Stations:
     if not path.exists():
         return no_stations()
     table = read_table(
@@ -274,9 +305,14 @@ def _read_stations(path: Path, images: dict[str, int]) -> Stations:
             Column(name="image", kind="reference", known=images, where="images.csv"),
             *(Column(name=n, kind="number", empty=True) for n in XYZ),
             *(Column(name=n, kind="number", empty=True, limit="> 0") for n in SIGMA_XYZ),
+            Column(name="antenna", kind="text", optional=True, empty=True),
+            Column(name="time_s", kind="number", optional=True, empty=True),
         ),
     )
     image = table.index["image"]
+    known = {c.id: k for k, c in enumerate(cameras) if not c.sensor.has_images}
+    names = table.text.get("antenna", ("",) * len(image))
+    strange = np.array([bool(n) and n not in known for n in names], bool)
     xyz, sigma = table.numbers(*XYZ), table.numbers(*SIGMA_XYZ)
     _, first = np.unique(image, return_index=True)
     again = np.ones(len(image), bool)
@@ -288,8 +324,15 @@ def _read_stations(path: Path, images: dict[str, int]) -> Stations:
         _problems(again, "image", lambda _: "this image has a row already; delete one of the two"),
         _problems(half, "sX", lambda _: "each coordinate needs its sigma, each sigma its coordinate"),
         _problems(none, "X", lambda _: "the row holds no coordinate; delete it"),
+        _problems(strange, "antenna", lambda k: f"{shown(names[k])} is none of the antennas of block.toml"),
     )
-    return Stations(image=image, xyz=xyz, sigma=sigma)
+    return Stations(
+        image=image,
+        xyz=xyz,
+        sigma=sigma,
+        antenna=np.array([known.get(n, -1) for n in names], np.int32) if any(names) else None,
+        time=np.nan_to_num(table.number["time_s"]) if "time_s" in table.number else None,
+    )
 
 
 def _read_interior(
@@ -311,13 +354,14 @@ def _read_interior(
     rows = zip(table.index["image"].tolist(), table.text["parameter"], table.number["value"].tolist(), strict=True)
     for line, (image, key, value) in enumerate(rows, 2):
         camera = cameras[int(table_of_images.camera[image])]
-        parameter = {p.key: p for p in sensor_models[camera.model].parameters}.get(key)
+        parameter = {p.key: p for p in camera.sensor.parameters}.get(key)
         own = result.setdefault(image, {})
-        if camera.interior != "per_image":
-            message = f'camera {camera.id} has one interior orientation; set interior = "per_image" in block.toml'
+        if not camera.own_symbols or (parameter is not None and parameter.symbol not in camera.own_symbols):
+            what = f"{key} is shared" if camera.own_symbols else "has one interior orientation"
+            message = f'camera {camera.id}: {what}; set interior = "per_image" in block.toml, or name it in per_image'
             problems.append(Problem(line, "image", message))
         elif parameter is None:
-            known = ", ".join(p.key for p in sensor_models[camera.model].parameters)
+            known = ", ".join(p.key for p in camera.sensor.parameters)
             problems.append(Problem(line, "parameter", f"{shown(key)} is no key of {camera.model}; known: {known}"))
         elif parameter.symbol in own:
             problems.append(Problem(line, "parameter", f"{key} of this image stands already above"))
@@ -349,15 +393,22 @@ def write_block_files(block: Block, folder: Path) -> None:
     """Write the files of a block into an existing folder."""
     (folder / "block.toml").write_text(head_text(block), encoding="utf-8", newline="\n")
     images, points, observations = block.images, block.points, block.observations
+    is_scene = np.array([c.is_scene for c in block.cameras])[images.camera]
+    if is_scene.any():
+        write_scene_files(block, folder)
+    blank = np.where(is_scene, np.nan, 0.0)[:, None]
     columns: dict[str, Sequence[str] | Array] = {
         "image": images.ids,
         "camera": [block.cameras[c].id for c in images.camera],
         "file": images.file,
-        **columns_of(XYZ, images.centre),
-        **columns_of(ANGLES, angles_deg(images)),
+        **columns_of(XYZ, images.centre + blank),
+        **columns_of(ANGLES, angles_deg(images) + blank),
     }
-    if images.held is not None and images.held.any():
-        columns["held"] = np.where(images.held, 1.0, np.nan)
+    if images.held is not None and (images.held & ~is_scene).any():
+        columns["held"] = np.where(images.held & ~is_scene, 1.0, np.nan)
+    if images.station is not None:
+        shared = np.bincount(images.station)[images.station] > 1
+        columns["station"] = [f"{s}" if many else "" for s, many in zip(images.station, shared, strict=True)]
     write_table(folder / "images.csv", columns)
     _write_observations(folder / "observations.csv", images.ids, points.ids, observations)
     if len(points):
@@ -371,10 +422,14 @@ def write_block_files(block: Block, folder: Path) -> None:
         write_table(folder / "distances.csv", {**ends, "length": d.length, "sigma": d.sigma})
     if len(block.stations):
         s = block.stations
-        write_table(
-            folder / "stations.csv",
-            {"image": named(images.ids, s.image), **columns_of(XYZ, s.xyz), **columns_of(SIGMA_XYZ, s.sigma)},
-        )
+        rows: dict[str, Sequence[str] | Array] = {
+            "image": named(images.ids, s.image), **columns_of(XYZ, s.xyz), **columns_of(SIGMA_XYZ, s.sigma)
+        }  # fmt: skip
+        if s.antenna is not None:
+            rows["antenna"] = [block.cameras[a].id if a >= 0 else "" for a in s.antenna.tolist()]
+        if s.time is not None:
+            rows["time_s"] = s.time
+        write_table(folder / "stations.csv", rows)
     _write_interior(folder / "interior.csv", block)
 
 
@@ -395,7 +450,7 @@ def _write_interior(path: Path, block: Block) -> None:
     parameter: list[str] = []
     value: list[float] = []
     for k, values in block.images.interior.items():
-        model = sensor_models[block.cameras[int(block.images.camera[k])].model]
+        model = block.cameras[int(block.images.camera[k])].sensor
         for p in model.parameters:
             if p.symbol in values:
                 image.append(block.images.ids[k])

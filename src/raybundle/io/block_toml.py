@@ -6,7 +6,7 @@ import json
 import math
 import re
 import tomllib
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal, NoReturn, cast
@@ -14,7 +14,11 @@ from typing import Any, Literal, NoReturn, cast
 from raybundle.block import Block, Camera
 from raybundle.block.block import LengthUnit, Residuals
 from raybundle.errors import InputError, UnknownSensorModel
+from raybundle.io.block_scenes import MODELS as SCENE_MODELS
+from raybundle.io.block_scenes import frame_lines, read_frame, read_scene_camera, scene_lines
+from raybundle.numerics.places import Place
 from raybundle.sensors import SensorModel, sensor_models
+from raybundle.sensors.antenna import ANTENNA
 
 FILE_BYTES = 1 << 23
 _KEY = re.compile(r"""\s*([A-Za-z0-9_-]+|"[^"]*"|'[^']*')\s*[=.]""")
@@ -32,11 +36,12 @@ class Head:
     length_unit: LengthUnit
     sigma0_apriori: float
     residuals: Residuals
+    place: Place | None
     cameras: tuple[Camera, ...]
 
 
 @dataclass(frozen=True, slots=True)
-class _Section:
+class Section:
     """One TOML table, with the way to it for messages."""
 
     file: Path
@@ -98,20 +103,32 @@ class _Section:
             self.fail(key, f"{number:g} is not a whole number of pixels, at most 10 000 000")
         return int(number)
 
-    def section(self, key: str) -> _Section:
+    def section(self, key: str) -> Section:
         """A table within this one; empty where there is none."""
         value = self.values.get(key, {})
         if not isinstance(value, dict):
             self.fail(key, f"{_shown(value)} is not a table")
-        return _Section(self.file, self.lines, (*self.at, key), cast("dict[str, Any]", value))
+        return Section(self.file, self.lines, (*self.at, key), cast("dict[str, Any]", value))
 
 
 def read_head(path: Path) -> Head:
     """The contents of a block.toml; raises InputError with the line of the key at fault."""
     top = _parsed(path)
     top.allow(
-        ("name", "about", "source", "licence", "length_unit", "sigma0_apriori", "residuals", "cameras"),
+        (
+            "name",
+            "about",
+            "source",
+            "licence",
+            "length_unit",
+            "sigma0_apriori",
+            "residuals",
+            "frame",
+            "cameras",
+            "antennas",
+        ),
     )
+    place = read_frame(top.section("frame"))
     cameras = top.section("cameras")
     if not cameras.values:
         top.fail("cameras", "no camera; a block needs a table [cameras.ID] for every camera")
@@ -123,7 +140,8 @@ def read_head(path: Path) -> Head:
         length_unit=cast("LengthUnit", top.choice("length_unit", ("m", "mm"), "m")),
         sigma0_apriori=top.number("sigma0_apriori", 1.0, above=0),
         residuals=cast("Residuals", top.choice("residuals", ("measured", "corrected"), "measured")),
-        cameras=tuple(_camera(cameras, id_) for id_ in cameras.values),
+        place=place,
+        cameras=(*(_camera(cameras, id_, place) for id_ in cameras.values), *_antennas(top, cameras)),
     )
 
 
@@ -135,7 +153,7 @@ def read_cameras(path: Path) -> tuple[Camera, ...]:
     return tuple(_camera(cameras, id_) for id_ in cameras.values)
 
 
-def _parsed(path: Path) -> _Section:
+def _parsed(path: Path) -> Section:
     try:
         if path.stat().st_size > FILE_BYTES:
             raise InputError(f"larger than {FILE_BYTES >> 20} MiB: this is no block.toml", file=path)
@@ -158,7 +176,7 @@ def _parsed(path: Path) -> _Section:
         raise InputError(f"this is not TOML: {message}", file=path, line=line) from None
     except RecursionError:
         raise InputError("this is not TOML: nested too deeply", file=path) from None
-    return _Section(path, _lines_of_keys(text), (), values)
+    return Section(path, _lines_of_keys(text), (), values)
 
 
 def _lines_of_keys(text: str) -> dict[tuple[str, ...], int]:
@@ -186,19 +204,21 @@ def _header_path(line: str) -> tuple[str, ...]:
     return tuple(path)
 
 
-def _camera(cameras: _Section, id_: str) -> Camera:
+def _camera(cameras: Section, id_: str, place: Place | None = None) -> Camera:
     section = cameras.section(id_)
     if not id_ or id_ != id_.strip() or not id_.isprintable():
         cameras.fail(id_, f"{id_!r} is no camera id: it is empty, has blanks at its ends or cannot be printed")
     if "model" not in section.values:
         section.fail("model", "key 'model' is missing; give the name of a sensor model")
     model_name = section.text("model", "")
+    if model_name in SCENE_MODELS:
+        return read_scene_camera(section, id_, place)
     model = sensor_models.get(model_name)
     if model is None:
         line = section.lines.get((*section.at, "model"), 0)
-        raise UnknownSensorModel(model_name, known=sensor_models, file=f"{section.file}, line {line}")
+        raise UnknownSensorModel(model_name, known=(*sensor_models, *SCENE_MODELS), file=f"{section.file}, line {line}")
     keys = [p.key for p in model.parameters]
-    section.allow(("model", "width_px", "height_px", "pixel_mm", *keys, "estimate", "sigma", "interior"))
+    section.allow(("model", "width_px", "height_px", "pixel_mm", *keys, "estimate", "sigma", "interior", "per_image"))
     interior = section.choice("interior", ("shared", "per_image"), "shared")
     return Camera(
         id=id_,
@@ -210,10 +230,26 @@ def _camera(cameras: _Section, id_: str) -> Camera:
         estimate=_estimate(section, model),
         sigma=_sigma(section, model),
         interior=cast("Literal['shared', 'per_image']", interior),
+        per_image=_per_image(section, model, interior),
     )
 
 
-def _pixel(section: _Section) -> tuple[float, float]:
+def _antennas(top: Section, cameras: Section) -> Iterator[Camera]:
+    """The tables [antennas.*]: GNSS antennas are adjusted like cameras that have no images."""
+    section = top.section("antennas")
+    for id_ in section.values:
+        own = section.section(id_)
+        if id_ in cameras.values:
+            section.fail(id_, f"{id_!r} is a camera already; give the antenna another name")
+        own.allow((*ANTENNA.symbols, "estimate", "sigma"))
+        yield Camera(
+            id=id_, model=ANTENNA.name, width_px=1, height_px=1, pixel_mm=(1.0, 1.0),
+            values={s: own.number(s, 0.0) for s in ANTENNA.symbols}, estimate=_estimate(own, ANTENNA),
+            sigma=_sigma(own, ANTENNA), scene=ANTENNA,
+        )  # fmt: skip
+
+
+def _pixel(section: Section) -> tuple[float, float]:
     value = section.values.get("pixel_mm")
     if not isinstance(value, list) or len(cast("list[Any]", value)) != 2:
         section.fail("pixel_mm", "give the width and the height of a pixel in mm: pixel_mm = [0.005, 0.005]")
@@ -221,17 +257,17 @@ def _pixel(section: _Section) -> tuple[float, float]:
     return width, height
 
 
-def _values(section: _Section, model: SensorModel) -> dict[str, float]:
+def _values(section: Section, model: SensorModel) -> dict[str, float]:
     values: dict[str, float] = {}
     for p in model.parameters:
         if p.kind == "scale":
             values[p.symbol] = section.number(p.key, above=0)
         else:
-            values[p.symbol] = section.number(p.key, 0.0)
+            values[p.symbol] = section.number(p.key, p.default if p.unit.startswith("length") else 0.0)
     return values
 
 
-def _estimate(section: _Section, model: SensorModel) -> tuple[str, ...] | Literal["auto"]:
+def _estimate(section: Section, model: SensorModel) -> tuple[str, ...] | Literal["auto"]:
     value = section.values.get("estimate", [])
     if value == "auto":
         return "auto"
@@ -247,7 +283,17 @@ def _estimate(section: _Section, model: SensorModel) -> tuple[str, ...] | Litera
     return tuple(symbols)
 
 
-def _sigma(section: _Section, model: SensorModel) -> dict[str, float]:
+def _per_image(section: Section, model: SensorModel, interior: str) -> tuple[str, ...]:
+    """Symbols that each image has for itself."""
+    value = section.values.get("per_image", [])
+    if not isinstance(value, list) or any(s not in model.symbols for s in cast("list[Any]", value)):
+        section.fail("per_image", f"{_shown(value)} is no list of {', '.join(model.symbols)}")
+    if value and interior == "per_image":
+        section.fail("per_image", 'with interior = "per_image" every parameter is; take one of the two away')
+    return tuple(cast("list[str]", value))
+
+
+def _sigma(section: Section, model: SensorModel) -> dict[str, float]:
     sigma = section.section("sigma")
     values: dict[str, float] = {}
     for symbol in sigma.values:
@@ -273,10 +319,23 @@ def head_text(block: Block) -> str:
     lines = [f"{key} = {_quoted(getattr(block, key))}" for key in ("name", "about", "source", "licence", "length_unit")]
     lines.append(f"sigma0_apriori = {block.sigma0_apriori!r}")
     lines.append(f"residuals = {_quoted(block.residuals)}")
-    for camera in block.cameras:
+    lines += frame_lines(block.place)
+    for number, camera in enumerate(block.cameras, 1):
         key = camera.id if _BARE.fullmatch(camera.id) else _quoted(camera.id)
-        lines += ["", f"[cameras.{key}]", *_camera_lines(camera)]
+        if camera.scene is not None and not camera.scene.has_images:
+            lines += ["", f"[antennas.{key}]", *_antenna_lines(camera)]
+            continue
+        own = _camera_lines(camera) if camera.scene is None else scene_lines(camera, number)
+        lines += ["", f"[cameras.{key}]", *own]
     return "\n".join(lines) + "\n"
+
+
+def _antenna_lines(camera: Camera) -> list[str]:
+    lines = [f"{s} = {float(camera.values.get(s, 0.0))!r}" for s in ANTENNA.symbols]
+    lines.append(f"estimate = [{', '.join(_quoted(s) for s in camera.estimate)}]")
+    if camera.sigma:
+        lines.append("sigma = {" + ", ".join(f"{s} = {float(v)!r}" for s, v in camera.sigma.items()) + "}")
+    return lines
 
 
 def _camera_lines(camera: Camera) -> list[str]:
@@ -297,6 +356,8 @@ def _camera_lines(camera: Camera) -> list[str]:
         lines.append("sigma = {" + ", ".join(f"{s} = {float(v)!r}" for s, v in camera.sigma.items()) + "}")
     if camera.interior != "shared":
         lines.append(f"interior = {_quoted(camera.interior)}")
+    if camera.per_image:
+        lines.append(f"per_image = [{', '.join(_quoted(s) for s in camera.per_image)}]")
     return lines
 
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from raybundle.block import Camera
 from raybundle.numerics.arrays import Array
-from raybundle.sensors import SensorModel, sensor_models
+from raybundle.sensors import SensorModel
 
 ADDITIONAL = frozenset({"radial", "decentring", "affinity"})
 TOLERANCE = 1e-9
@@ -71,7 +71,7 @@ class Curve:
 
 def interior_of(camera: Camera, values: Iterable[float], free: Iterable[str], covariance: Array | None) -> Interior:
     """An interior orientation; `free` are the symbols of the rows of the covariance."""
-    model = sensor_models[camera.model]
+    model = camera.sensor
     return Interior(
         camera=camera,
         model=model,

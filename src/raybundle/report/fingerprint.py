@@ -10,7 +10,7 @@ from importlib.metadata import PackageNotFoundError, version
 
 import numpy as np
 
-from raybundle.block import Block
+from raybundle.block import Block, Camera
 from raybundle.numerics import native
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.report.numbers import grouped
@@ -42,6 +42,8 @@ def fingerprints(block: Block) -> list[tuple[str, str, str]]:
             c.id, c.model, c.width_px, c.height_px, c.pixel_mm, sorted(c.values.items()), c.estimate,
             sorted(c.sigma.items()),
             c.interior,
+            *([c.per_image] if c.per_image else []),
+            *([_scene(c)] if c.is_scene else []),
         ])
         for c in block.cameras
     ]  # fmt: skip
@@ -56,8 +58,19 @@ def fingerprints(block: Block) -> list[tuple[str, str, str]]:
     if len(d):
         rows.append(("distances", len(d), fingerprint(d.start, d.end, d.length, d.sigma)))
     if len(s):
-        rows.append(("stations", len(s), fingerprint(s.image, s.xyz, s.sigma)))
+        more = [a for a in (s.antenna, s.time) if a is not None]
+        rows.append(("stations", len(s), fingerprint(s.image, s.xyz, s.sigma, *more)))
+    if i.station is not None:
+        rows.append(("rig stations", len(i), fingerprint(i.station)))
     return [(name, grouped(count), print_) for name, count, print_ in rows]
+
+
+def _scene(camera: Camera) -> list[float]:
+    """Where a satellite scene shows five of its points: told by everything in it."""
+    sensor = camera.sensor
+    t = np.array([[0.0, 0.4, 0.4, -0.4, -0.4], [0.0, 0.4, -0.4, 0.4, -0.4]])
+    values = np.array([camera.values.get(p.symbol, p.default) for p in sensor.parameters])
+    return np.round(sensor.ray(t * camera.size_mm[:, None], values), 6).ravel().tolist()
 
 
 def versions() -> dict[str, str]:

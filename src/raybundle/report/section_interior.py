@@ -29,6 +29,8 @@ from raybundle.report.view import View, adjusted_interior, key_of, name_of
 
 MOST_DRAWN = 6
 """Interior orientations with figures of their own."""
+MOST_PARAMETERS = 40
+"""Parameters of a camera that are listed, and up to which correlations are drawn."""
 CORNER = "largest shift within the format"
 
 
@@ -55,6 +57,8 @@ def _title(view: View, result: InteriorResult) -> str:
     camera = next(c for c in view.given.cameras if c.id == result.camera)
     width, height = camera.size_mm
     name = name_of(result)
+    if not camera.sensor.has_images:
+        return f"Antenna {result.camera}"
     return (
         f"{name[0].upper()}{name[1:]}: model {camera.model}, {grouped(camera.width_px)} × "
         f"{grouped(camera.height_px)} px, {significant(width, 4)} × {significant(height, 4)} mm, pixel "
@@ -74,7 +78,7 @@ def _value_cells(p: ParameterResult) -> tuple[str, str]:
 
 def parameter_table(result: InteriorResult) -> Table:
     """The parameters of one interior orientation."""
-    rows = list(result.parameters.values())
+    rows = list(result.parameters.values())[:MOST_PARAMETERS]
     cells = [_value_cells(p) for p in rows]
     return table(
         (
@@ -94,9 +98,14 @@ def parameter_table(result: InteriorResult) -> Table:
             [p.status for p in rows],
         ),
         note="t: value over sigma. Determinability: 1 = independent of all other unknowns, near 0 = only together "
-        f"with them. Effect: {CORNER}, of the value and of one sigma.",
+        f"with them. Effect: {CORNER}, of the value and of one sigma." + _rest(result),
         marked=[k for k, p in enumerate(rows) if p.status in {"not determinable", "not significant"}],
     )  # fmt: skip
+
+
+def _rest(result: InteriorResult) -> str:
+    left = len(result.parameters) - MOST_PARAMETERS
+    return f" {grouped(left)} further parameters stand in result.json." if left > 0 else ""
 
 
 def _limited(t: float) -> str:
@@ -130,6 +139,9 @@ def _details(view: View, result: InteriorResult) -> list[Part]:
             )
         )
     parts += _correlations(view, result)
+    camera = next(c for c in view.given.cameras if c.id == result.camera)
+    if camera.scene is not None or len(result.parameters) < len(camera.sensor.symbols):
+        return parts  # a scene has no distortion; with parameters of single images no figure stands for all
     parts += _uncertainty(view, result)
     interior = adjusted_interior(view, result)
     reach = _reach(view, result, interior)
@@ -144,7 +156,7 @@ def _details(view: View, result: InteriorResult) -> list[Part]:
 
 def _correlations(view: View, result: InteriorResult) -> list[Part]:
     """Heat maps within the interior orientation and between it and the exterior orientations."""
-    if len(result.free) < 2 or len(result.correlations) != len(result.free):
+    if not 2 <= len(result.free) <= MOST_PARAMETERS or len(result.correlations) != len(result.free):
         return []
     figures = [
         Figure(

@@ -114,7 +114,9 @@ def adjusted_interior(view: View, result: InteriorResult) -> Interior:
     camera = next(c for c in a.adjusted.cameras if c.id == result.camera)
     covariance = None if a.precision is None else a.precision.interior.get(key_of(result))
     free = () if a.precision is None else a.precision.parameters.get(key_of(result), ())
-    return interior_of(camera, (p.value for p in result.parameters.values()), free, covariance)
+    # what is shared, or each image's own, stands elsewhere
+    values = {**camera.values, **{s: p.value for s, p in result.parameters.items()}}
+    return interior_of(camera, (values.get(s, 0.0) for s in camera.sensor.symbols), free, covariance)
 
 
 def rms(values: Array) -> float:

@@ -32,6 +32,7 @@ from raybundle.numerics.geodesy import (
     geocentric_from_geographic,
     geographic_from_geocentric,
 )
+from raybundle.numerics.places import Local, Place
 from raybundle.numerics.rotation import cross_matrix, rotation_from_vector
 from raybundle.scenes.rpc import Observed
 from raybundle.scenes.trajectory import CorrectionModel, Trajectory, left_jacobian, polynomial
@@ -240,8 +241,13 @@ def observe_line(scene: LineScene, place: LocalPlace, xyz: Array, model: Correct
 
     values  (k,) corrections of the trajectory, in the order of `model.symbols`
     """
-    seen = scene.observe_geocentric(place.geocentric_from_local(xyz), model, values)
-    by_point = seen.by_point @ place.local_from_geocentric_rotation().T
+    return observe_line_at(scene, Local(origin=place.origin, ellipsoid=place.ellipsoid), xyz, model, values)
+
+
+def observe_line_at(scene: LineScene, place: Place, xyz: Array, model: CorrectionModel, values: Array) -> Observed:
+    """As `observe_line`, for object points (n, 3) in any frame whose place on the earth is known."""
+    seen = scene.observe_geocentric(place.geocentric_from_block(xyz), model, values)
+    by_point = seen.by_point @ place.geocentric_by_block(xyz)
     return Observed(xy_px=seen.xy_px, by_point=by_point, by_parameters=seen.by_parameters)
 
 

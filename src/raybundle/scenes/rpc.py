@@ -20,6 +20,7 @@ import numpy as np
 from raybundle.errors import InputError, NoConvergence
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.geodesy import LocalPlace, metres_per_geographic
+from raybundle.numerics.places import Local, Place
 from raybundle.scenes.bias import BiasKind, bias_design, bias_slope
 
 TERMS = (
@@ -256,9 +257,14 @@ def observe_rpc(rpc: Rpc, place: LocalPlace, xyz: Array, kind: BiasKind, bias: A
     xyz    (n, 3) object points, local [m];  bias (k,) [px], in the order of `BIAS_PARAMETERS`
     raises  InputError where a denominator vanishes
     """
-    geographic = place.geographic_from_local(xyz)
+    return observe_rpc_at(rpc, Local(origin=place.origin, ellipsoid=place.ellipsoid), xyz, kind, bias)
+
+
+def observe_rpc_at(rpc: Rpc, place: Place, xyz: Array, kind: BiasKind, bias: Array) -> Observed:
+    """As `observe_rpc`, for object points (n, 3) in any frame whose place on the earth is known."""
+    geographic = place.geographic_from_block(xyz)
     xy, by_geographic = rpc.project_with_partials(geographic)
-    by_point = by_geographic @ place.geographic_partials(geographic)
+    by_point = by_geographic @ place.geographic_by_block(xyz, geographic)
     uv = (xy - rpc.image_offset) / rpc.image_scale
     design = bias_design(kind, uv)
     by_image = np.eye(2) + bias_slope(kind, bias) / rpc.image_scale

@@ -16,7 +16,7 @@ from typing import ClassVar, Literal
 
 import numpy as np
 
-from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.maths import Scalar
 
 Kind = Literal["scale", "principal point", "radial", "decentring", "affinity", "other"]
@@ -42,6 +42,10 @@ class Parameter:
         return f"{self.symbol}_mm" if self.unit == "mm" else self.symbol
 
 
+RESERVED = frozenset({"g", "J", "shape", "np", "numpy", "in", "out", "l", *"xyXYZ"})
+"""Names that the derived functions use for themselves."""
+
+
 class ProjectionDiverged(ArithmeticError):
     """Newton's method did not find the image of an object point."""
 
@@ -54,16 +58,33 @@ class SensorModel:
     """
 
     name: ClassVar[str]
-    parameters: ClassVar[tuple[Parameter, ...]]
+    parameters: tuple[Parameter, ...]
     registry: ClassVar[dict[str, SensorModel]] = {}
     condition: ClassVar[Callable[..., tuple[Scalar, Scalar]]]
+    explicit: ClassVar[bool | None] = None
+    """Whether the condition reads x - f(X, Y, Z, parameters); None: found out from the condition."""
+    has_images: ClassVar[bool] = True
+    """False for what is adjusted like a camera but sees nothing: a GNSS antenna."""
+    fixes_scale: ClassVar[bool] = False
+    """Whether the model itself knows lengths in object space, as a satellite scene does."""
+    local_width: ClassVar[int] = 0
+    """Parameters that one image point touches, where they are few of many (see `local`); 0: it may touch all."""
 
-    def __init_subclass__(cls) -> None:
-        """Check the statement against itself and register the model."""
+    def __init_subclass__(cls, *, registered: bool = True) -> None:
+        """Check the statement against itself and register the model.
+
+        registered  False for models of single images (`raybundle.scenes.sensor`), which are made from a file
+        """
+        if not registered:
+            return
         stated = tuple(inspect.signature(cls.condition).parameters)[5:]
         declared = tuple(p.symbol for p in cls.parameters)
         if stated != declared:
             raise TypeError(f"{cls.__name__}.condition takes {stated}, parameters says {declared}")
+        if taken := RESERVED.intersection(declared):
+            raise TypeError(
+                f"{cls.__name__}: a parameter cannot be called {', '.join(sorted(taken))}; choose another name"
+            )
         SensorModel.registry[cls.name] = cls()
 
     def __str__(self) -> str:
@@ -110,6 +131,10 @@ class SensorModel:
 
         return type(self).__module__.startswith("raybundle.sensors.") and self.name in native.sensor_models()
 
+    def camera_constant(self, values: Array) -> float:
+        """Camera constant [mm] of parameters (k,), for image scales; the first parameter."""
+        return abs(float(values[0]))
+
     def start(self, points: Array, values: Array) -> Array:
         """First guess (2, n) [mm] of the image of sensor-frame points (3, n); central projection by default."""
         return -values[0] * points[:2] / points[2]
@@ -122,6 +147,16 @@ class SensorModel:
     def condition_at(self, image: Array, points: Array, values: Array) -> Array:
         """G (2, n) at image points (2, n) [mm], sensor-frame points (3, n) and parameters (k,) or (k, n)."""
         return self.condition_and_jacobian(*image, *points, *values)[0]
+
+    def local(self, image: Array, points: Array, values: Array) -> tuple[Array, Array, Index]:
+        """G (2, n), its Jacobian (2, 5 + w, n), and the positions (n, w) of the parameters that it is taken by.
+
+        image (2, n) [mm], points (3, n) in the sensor frame, values (k,) or (k, n).  A model with many parameters of
+        which a point touches few (`local_width`) says which; by default all.
+        """
+        g, J = self.condition_and_jacobian(*image, *points, *values)
+        k = len(self.symbols)
+        return g, J, np.tile(np.arange(k, dtype=np.int32), (image.shape[1], 1))
 
     def project(self, points: Array, values: Array, start: Array | None = None) -> tuple[Array, Array]:
         """Image points (2, n) [mm] of sensor-frame points (3, n), and d image / d point (2, 3, n).
@@ -149,6 +184,10 @@ class SensorModel:
                     _, jacobian = self.condition_and_jacobian(*image, *points, *values)
                     return image, jacobian
         raise ProjectionDiverged(f"{self.name}: no image point after 50 iterations")
+
+    def point_on_ray(self, image: Array, values: Array, distance: float) -> Array:
+        """Points (3, n) in the sensor frame about so far away that image points (2, n) [mm] show."""
+        return self.ray(image, values) * distance
 
     def ray(self, image: Array, values: Array, start: Array | None = None) -> Array:
         """Unit viewing directions (3, n) in the sensor frame of image points (2, n) [mm].

@@ -12,7 +12,11 @@ from raybundle.sensors.model import Parameter, SensorModel
 class Panorama(SensorModel):
     """A vertical line that turns about the y axis; x is the arc length on the image cylinder.
 
-    The image point lies in the plane of the line at the turn x / c (Schneider and Maas 2004).
+    The image point lies in the plane of the line at the turn (1 + A) x / c.  What a real camera adds (Schneider and
+    Maas 2004, 2006): the projection centre beside the axis (e along the view, d across it), a line that is turned
+    about the view (T) or leans along it (I), radial distortion along the line, and an axis that tumbles.  A tumbling
+    of one turn in a turn stands still for the line or is a tilt of the axis; what is left of it runs twice round
+    (u1, u2).
     """
 
     name = "panorama"
@@ -21,24 +25,43 @@ class Panorama(SensorModel):
         Parameter("y0", "mm", "principal point on the line", typical=0.1, kind="principal point"),
         Parameter("e", "length", "eccentricity of the projection centre along the view", typical=0.002),
         Parameter("K1", "mm^-2", "radial distortion along the line", typical=-3e-6, kind="radial"),
+        Parameter("K2", "mm^-4", "radial distortion along the line", typical=1e-9, kind="radial"),
+        Parameter("d", "length", "eccentricity of the projection centre across the view", typical=0.001),
+        Parameter("T", "1", "tilt of the line about the view", typical=5e-4),
+        Parameter("I", "1", "inclination of the line along the view", typical=3e-4),
+        Parameter("A", "1", "angular scale: turn of the encoder over x / c, minus 1", typical=1e-4),
+        Parameter("u1", "rad", "tumbling of the axis, cosine of twice the turn", typical=1e-4),
+        Parameter("u2", "rad", "tumbling of the axis, sine of twice the turn", typical=-1e-4),
     )
 
     @staticmethod
     def condition(
         x: Scalar, y: Scalar, X: Scalar, Y: Scalar, Z: Scalar,
-        c: Scalar, y0: Scalar, e: Scalar, K1: Scalar,
+        c: Scalar, y0: Scalar, e: Scalar, K1: Scalar, K2: Scalar, d: Scalar, T: Scalar, I: Scalar, A: Scalar,
+        u1: Scalar, u2: Scalar,
     ) -> tuple[Scalar, Scalar]:  # fmt: skip
         """Distance from the plane of the line, and central projection within it."""
-        turn = x / c
+        turn = (1 + A) * x / c
         side = cos(turn) * X + sin(turn) * Z
-        depth = sin(turn) * X - cos(turn) * Z - e
+        depth = sin(turn) * X - cos(turn) * Z
+        nod = u1 * cos(2 * turn) + u2 * sin(2 * turn)  # about the axis across the view
+        roll = u2 * cos(2 * turn) - u1 * sin(2 * turn)  # about the view
+        across, up, along = side + roll * Y - d, Y - roll * side - nod * depth, depth + nod * Y - e
         v = y - y0
-        return -c * side / depth, v + v * v * v * K1 - c * Y / depth
+        v2 = v * v
+        return T * v - c * across / along, v + v * v2 * (K1 + K2 * v2) - (c + I * v) * up / along
 
     def start(self, points: Array, values: Array) -> Array:
         """Turn and height without corrections."""
         turn = np.arctan2(points[0], -points[2])
         return values[0] * np.stack([turn, points[1] / np.hypot(points[0], points[2])])
+
+    def ray(self, image: Array, values: Array, start: Array | None = None) -> Array:
+        """As of any model, from the turn and the height without corrections."""
+        if start is None:
+            turn = image[0] / values[0]
+            start = np.stack([np.sin(turn), image[1] / values[0], -np.cos(turn)])
+        return super().ray(image, values, start)
 
     def in_front(self, points: Array, image: Array | None = None, values: Array | None = None) -> Mask:
         """In front of the line at the turn at which it was measured; everywhere if none was."""

@@ -9,6 +9,7 @@ import numpy as np
 
 from raybundle.block import Block, Camera
 from raybundle.block.boards import planar_start
+from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
 from raybundle.sensors import sensor_models
 
@@ -27,6 +28,12 @@ def board_oriented(block: Block, places: Mapping[str, Array], model: str) -> tup
     returns  the block, and the images that show too little of the board with the reason
     raises   NotSolvable where no lens explains the photographs of a camera
     """
+    strange = [name for name in block.points.ids if name not in places]
+    if strange:
+        raise InputError(
+            f"the photographs show targets that are not on the sheet: {', '.join(strange[:10])}; give the file of the "
+            "sheet that was photographed, or name the family alone (--target)"
+        )
     xyz = np.array([places[name] for name in block.points.ids]).reshape(-1, 3)
     o = block.observations
     rays = np.bincount(o.image, minlength=len(block.images))

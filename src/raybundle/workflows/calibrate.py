@@ -11,17 +11,18 @@ import os
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import numpy as np
 
 from raybundle.adjustment.calibration_quality import CalibrationQuality, calibration_qualities
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.eccentricity import eccentricity_px
-from raybundle.adjustment.one_camera import Split, find_splits
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment, Notice
-from raybundle.block import Block, Camera
-from raybundle.errors import InputError, NotSolvable
+from raybundle.block import Block, Role
+from raybundle.block.boards import spline_camera
+from raybundle.errors import InputError
 from raybundle.io.photos.cameras import CameraGroup, camera_groups
 from raybundle.io.photos.photo import Found, Photo, find_photos
 from raybundle.numerics.arrays import Array
@@ -31,11 +32,15 @@ from raybundle.orientation.camera_constant import checked_by_pairs
 from raybundle.sensors import sensor_models
 from raybundle.targets.kinds.rings import Rings
 from raybundle.targets.marks import Marks, Target, target
+from raybundle.targets.sidecar import PrintedSheet
 from raybundle.workflows.board_start import board_oriented
-from raybundle.workflows.model_choice import choose_models
+from raybundle.workflows.camera_split import cameras_apart
+from raybundle.workflows.marks import Given
+from raybundle.workflows.model_choice import choose_models, with_model
 from raybundle.workflows.recognise import recognised
 from raybundle.workflows.target_block import (
     FEWEST_TARGETS,
+    TargetBlock,
     block_of_targets,
     completed,
     measure_all,
@@ -45,16 +50,14 @@ from raybundle.workflows.target_block import (
     target_radii,
     with_coordinates,
     with_dots,
+    with_values,
 )
 
 SETTLED_PX = 0.003
 """Change of a circle centre's correction below which it is not repeated."""
 FEWEST_PHOTOGRAPHS = 3
-MOST_CAMERAS = 8
 SHEAR = 1e-4
 """Shear that is believed: rows and columns of a sensor are at right angles by lithography."""
-SHARE = 0.7
-"""Share of sigma0 to which two cameras in place of one must bring it."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -63,6 +66,8 @@ class CalibrateOptions:
 
     targets: tuple[str, ...] = ()
     """families of what was photographed, as "aicon14" or "chessboard-9x6"; (): found out"""
+    sheet: PrintedSheet | None = None
+    """the sheet that was photographed, by the file beside it: its family, and where its targets are, as a start"""
     separate: tuple[str, ...] = ()
     """patterns of photographs' names, each a camera apart"""
     model: str = "auto"
@@ -129,40 +134,42 @@ def calibrate(
     found = find_photos(inputs, progress=progress)
     _enough(found, inputs)
     photos = found.photos
-    if not targets:
+    if options.sheet is not None:
+        targets = (target(options.sheet.family),)
+    elif not targets:
         targets = recognised(photos, progress)
+    if not targets:
+        return _by_tie_points(inputs, found, options, progress)
     groups = camera_groups(photos, (), options.separate)
     if options.dots:
         targets = tuple(replace(t, dots=True) if isinstance(t, Rings) else t for t in targets)
     marks = measure_all(photos, targets, options.jobs, progress)
-    given = block_of_targets(photos, groups, targets, marks, options.spacing)
+    given = block_of_targets(photos, groups, targets, marks, options.spacing, options.sheet)
     block, radius = _asked(given.block, options), given.radius_px
     if len(np.unique(block.observations.image)) < 2:
         raise InputError(_too_few(photos, marks, targets), file=", ".join(str(p) for p in inputs))
-    if given.places:
-        approximate, lost = board_oriented(block, given.places, options.model)
-        told: tuple[Notice, ...] = ()
-    else:
-        values = possible_values(checked_by_pairs(block), progress)
-        approximate, lost, told = values.block, dict(values.not_oriented), values.notices
+    approximate, lost, told = _approximate(given, block, targets, options, progress)
     start, rows = oriented_part(approximate)
     notices = (*told, *_remarks(found, groups))
     settings = AdjustmentOptions(threads=options.jobs or os.cpu_count() or 1, reject="snooping", robust_start=True)
+    start = _with_model(start, options.model)
     first = decide(start, settings, progress)
     block, radius, added = completed(block, radius, first.adjusted, targets, marks)
     linked = 0
     if options.dots:
         block, radius, linked = with_dots(block, radius, first.adjusted, marks)
     if added or linked:
-        start, rows = oriented_part(with_coordinates(_with_values(block, first.adjusted)))
+        start, rows = oriented_part(with_coordinates(with_values(block, first.adjusted)))
         first = decide(start, settings, progress)
-    start = reweighted(_with_values(start, first.adjusted), first.sigma0)
+    start = reweighted(with_values(start, first.adjusted), first.sigma0)
     if options.split:
-        start, first, split = _split(start, first, settings, progress)
+        start, first, split = cameras_apart(start, first, settings, progress)
         notices = (*notices, *split)
-    if options.model == "auto" and not options.estimate:
+    if options.model in {"auto", "spline"} and not options.estimate:
         start, chosen = choose_models(start, first, settings)
         notices = (*notices, *chosen)
+    if options.model == "spline":  # its surfaces take up what the best of the others leaves
+        start = replace(start, cameras=tuple(spline_camera(c) for c in start.cameras))
     result, largest = _adjust(start, first, radius[rows], options, settings, notices, progress)
     return Calibration(
         adjustment=result,
@@ -179,10 +186,71 @@ def calibrate(
     )
 
 
+def _by_tie_points(inputs: Sequence[Path], found: Found, options: CalibrateOptions, progress: Progress) -> Calibration:
+    """Calibration by the natural points of the object, where there are no targets."""
+    from raybundle.workflows.orient import OrientOptions, orient  # noqa: PLC0415  (features only where they are used)
+
+    with TemporaryDirectory() as folder:
+        done = orient(
+            inputs, Path(folder) / "calibration", OrientOptions(jobs=options.jobs, separate=options.separate),
+            given=Given(gps=False), progress=progress,
+        )  # fmt: skip
+    told = Notice(
+        code="no_targets",
+        message="no coded targets and no board are seen: calibrated by natural points. Name what was photographed, as "
+        "--target chessboard-12x9 or --target aicon14, if there was something; natural points are several times less "
+        "precise than targets",
+    )
+    adjustment = replace(done.adjustment, notices=(told, *done.adjustment.notices))
+    return Calibration(
+        adjustment=adjustment, quality=calibration_qualities(adjustment, progress), photos=found.photos,
+        groups=done.groups, refused=done.refused, not_used=done.not_oriented, marks=(), targets=(), completed=0, dots=0,
+        largest_eccentricity_px=0.0,
+    )  # fmt: skip
+
+
+def _approximate(
+    given: TargetBlock, block: Block, targets: Sequence[Target], options: CalibrateOptions, progress: Progress
+) -> tuple[Block, dict[str, str], tuple[Notice, ...]]:
+    """The block with approximate values, images that could not be oriented and why, and what there is to say."""
+    if not given.places:
+        values = possible_values(checked_by_pairs(block), progress)
+        return values.block, dict(values.not_oriented), values.notices
+    model = "auto" if options.model == "spline" else options.model
+    approximate, lost = board_oriented(block, given.places, model)
+    alike = next((t for t in targets if t.turns > 1), None)
+    if alike is None:
+        return approximate, lost, ()
+    told = Notice(
+        code="board_alike",
+        message=f"a {alike.title} looks the same when it is turned: its points are held as printed, flat. One that is "
+        "not flat then moves the principal point; take one whose numbers of rows and columns are odd and even",
+    )
+    p = len(approximate.points)
+    held = replace(approximate.points, role=np.full(p, Role.CONTROL, np.int32), sigma=np.zeros((p, 3)))
+    return replace(approximate, points=held), lost, (told,)
+
+
+def _with_model(block: Block, model: str) -> Block:
+    """The block with a model that was asked for in place of that of the start."""
+    if model in {"auto", "spline"}:
+        return block
+    for k, camera in enumerate(block.cameras):
+        if camera.model == model:
+            continue
+        changed = with_model(block, k, model)
+        if changed is None:
+            raise InputError(f"camera {camera.id}: the model {model} cannot be fitted to the start; take another")
+        block = changed
+    return block
+
+
 def _asked(block: Block, options: CalibrateOptions) -> Block:
     """The block with the model and the parameters that were asked for."""
     if not options.estimate:
         return block
+    if options.model == "spline":
+        raise InputError("the parameters of the model spline cannot be chosen; leave --estimate or --model away")
     known = sensor_models["brown" if options.model == "auto" else options.model].symbols
     unknown = [s for s in options.estimate if s not in known]
     if unknown:
@@ -228,121 +296,6 @@ def _remarks(found: Found, groups: Sequence[CameraGroup]) -> list[Notice]:
     ]
 
 
-def _with_values(block: Block, adjusted: Block) -> Block:
-    """The block with orientations, coordinates and cameras of an adjusted one, by name; points without are NaN."""
-    xyz = dict(zip(adjusted.points.ids, adjusted.points.xyz, strict=True))
-    none = np.full(3, np.nan)
-    return replace(
-        block,
-        images=replace(block.images, centre=adjusted.images.centre, rotation=adjusted.images.rotation),
-        points=replace(
-            block.points, xyz=np.array([xyz.get(name, none) for name in block.points.ids]).reshape(-1, 3)
-        ),
-        cameras=tuple(
-            replace(c, model=a.model, values={**a.values, **{s: c.values[s] for s in c.sigma}})
-            for c, a in zip(block.cameras, adjusted.cameras, strict=True)
-        ),
-    )  # fmt: skip
-
-
-def _split(
-    start: Block, first: Adjustment, settings: AdjustmentOptions, progress: Progress
-) -> tuple[Block, Adjustment, tuple[Notice, ...]]:
-    """Cameras that are two taken apart, as long as the adjustment gains by it."""
-    told: list[Notice] = []
-    tested: set[str] = set()
-    given = len(start.cameras)
-    scale = first.sigma0  # the start has standard deviations that are larger by it
-    while len(start.cameras) < MOST_CAMERAS:
-        k = next((k for k, c in enumerate(start.cameras) if c.id not in tested), None)
-        if k is None:
-            break
-        camera = start.cameras[k]
-        tested.add(camera.id)
-        best: tuple[Adjustment, Block, Split] | None = None
-        for split in find_splits(first, camera.id):
-            trial = _taken_apart(start, k, split)
-            try:
-                after = decide(trial, settings, progress)
-            except NotSolvable:
-                continue
-            if not _gained(first, after, scale) or after.sigma0 > SHARE * first.sigma0 / scale:
-                continue
-            if best is None or after.sigma0 < best[0].sigma0:
-                best = after, trial, split
-        if best is None:
-            continue
-        after, trial, split = best
-        two = trial.cameras[-1]
-        if split.sought:
-            told.append(_unstable(camera, after.sigma0 * scale / first.sigma0, after, split))
-            continue
-        n = [len(g) for g in split.groups]
-        by = split.words
-        dc, dx, dy = split.difference
-        told.append(
-            Notice(
-                code="two_cameras",
-                message=f"camera {camera.id}: {n[0]} photographs ({by}) and {n[1]} others cannot have the same "
-                f"interior orientation (c differs by {dc:+.1f} px, the principal point by {dx:+.1f}, {dy:+.1f} px); "
-                f"they are calibrated apart, the others as {two.id}. Two cameras, or zoom or focus moved: say with "
-                "--camera PATTERN which",
-                ids=(camera.id, two.id),
-            )
-        )
-        tested.discard(camera.id)
-        start, first, scale = _with_values(trial, after.adjusted), after, 1.0
-    if len(start.cameras) > given:
-        start = reweighted(start, first.sigma0)
-    return start, first, tuple(told)
-
-
-def _unstable(camera: Camera, share: float, after: Adjustment, split: Split) -> Notice:
-    """A notice that photographs differ in their interior orientation though neither names nor order tell them apart."""
-    dc, dx, dy = split.difference
-    names = [after.given.images.ids[i] for i in split.groups[1]]
-    return Notice(
-        code="unstable_camera",
-        message=f"camera {camera.id}: its interior orientation was not the same in all photographs. Two groups would "
-        f"reduce the residuals to {share:.2f} of theirs (c differs by {dc:+.1f} px, the principal point by {dx:+.1f}, "
-        f"{dy:+.1f} px; the one are {', '.join(names[:8])}{' ...' if len(names) > 8 else ''}); the "
-        "calibration is their mean, its standard deviations are too small. Switch autofocus, zoom and stabilisation "
-        "off, or tell cameras apart (--camera)",
-        ids=(camera.id, *names),
-    )
-
-
-def _taken_apart(block: Block, k: int, split: Split) -> Block:
-    """The block with a camera of its own for the second group of photographs of camera k."""
-    camera = block.cameras[k]
-    two = replace(camera, id=f"{camera.id}-{_number(block.cameras, camera.id)}")
-    of_image = block.images.camera.copy()
-    of_image[split.groups[1]] = len(block.cameras)
-    return replace(block, cameras=(*block.cameras, two), images=replace(block.images, camera=of_image))
-
-
-def _number(cameras: Sequence[Camera], id_: str) -> int:
-    number = 2
-    while any(c.id == f"{id_}-{number}" for c in cameras):
-        number += 1
-    return number
-
-
-def _gained(before: Adjustment, after: Adjustment, scale: float) -> bool:
-    """Whether more cameras explain the observations better by the Bayesian information criterion (Schwarz 1978).
-
-    scale  standard deviations of the observations after, in those before
-    """
-    m = before.observations
-    lost = 2 * sum(1 for r in before.image_observations.rejected if r) - 2 * sum(
-        1 for r in after.image_observations.rejected if r
-    )
-    # a rejected coordinate that returns is worth at least what the critical value allows
-    old = before.weighted_square_sum + max(lost, 0) * (before.critical_tau * before.sigma0) ** 2
-    gain = m * np.log(old / scale**2 / after.weighted_square_sum)
-    return bool(gain > (after.unknowns - before.unknowns) * np.log(m) + 10)
-
-
 def _sheared(result: Adjustment) -> list[Notice]:
     """A notice for each camera whose shear is larger than that of any sensor."""
     found: list[Notice] = []
@@ -386,7 +339,7 @@ def _adjust(
     used = result.image_observations.used
     if np.abs(again - shift)[used].max(initial=0.0) > SETTLED_PX:
         shift = again
-        here = reweighted(_moved(_with_values(start, result.adjusted), shift), result.sigma0)
+        here = reweighted(_moved(with_values(start, result.adjusted), shift), result.sigma0)
         result = decide(here, settings, progress, notices=tuple(notices))
     return result, float(np.linalg.norm(shift[used], axis=1).max(initial=0.0))
 

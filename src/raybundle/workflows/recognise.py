@@ -27,7 +27,7 @@ TAGS = ("apriltag-36h11",)
 
 
 def recognised(photos: Sequence[Photo], progress: Progress = silent) -> tuple[Target, ...]:
-    """The family that the photographs show; raises InputError where none, or more than one, can be meant."""
+    """The family that the photographs show, () for none; raises InputError where more than one can be meant."""
     asked = [photos[i] for i in np.unique(np.linspace(0, len(photos) - 1, ASKED).astype(int))]
     grey = [read_grey(p) for p in asked]
     found: dict[str, int] = {}
@@ -44,12 +44,7 @@ def recognised(photos: Sequence[Photo], progress: Progress = silent) -> tuple[Ta
                 break
     progress("what was photographed", 1.0)
     if not found:
-        shown = ", ".join(p.name for p in asked)
-        raise InputError(
-            f"no coded targets and no board that is known are seen ({shown}). Name what was photographed, as --target "
-            "chessboard-12x9 or --target aicon14; `raybundle targets --help` lists the families. Photographs without "
-            "targets are calibrated by `raybundle orient`, where the object has relief"
-        )
+        return ()
     best = max(found, key=lambda n: found[n])
     rivals = [n for n in found if n != best and found[n] > RIVAL * found[best]]
     if rivals:

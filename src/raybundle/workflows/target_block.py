@@ -21,6 +21,7 @@ from raybundle.orientation.rays import intersect_linear, object_rays, rays_of
 from raybundle.orientation.unnamed import link_unnamed
 from raybundle.platforms.station import sensor_from_object
 from raybundle.targets.marks import Marks, Target, detect
+from raybundle.targets.sidecar import PrintedSheet
 
 OPTIMISM, FLOOR_PX = 3.0, 0.01
 """Standard deviation of a centre: that from grey values times OPTIMISM, and FLOOR_PX; from photographs of a panel."""
@@ -75,10 +76,12 @@ def block_of_targets(
     targets: Sequence[Target],
     marks: Sequence[Sequence[Marks]],
     spacing: float,
+    sheet: PrintedSheet | None = None,
 ) -> TargetBlock:
     """A block of the named points; those that one photograph alone shows are left out.
 
     spacing  of a board, in the block's length unit
+    sheet    what was photographed, where that is known; of several pages the places are not used
     """
     names: dict[str, int] = {}
     image, point, xy, cov, size = list[Array](), list[Array](), list[Array](), list[Array](), list[Array]()
@@ -107,7 +110,7 @@ def block_of_targets(
     files = tuple(photo.name for photo in photos)
     block = Block(
         name="calibration",
-        length_unit="mm" if any(t.objects for t in targets) else "m",
+        length_unit="mm" if sheet is not None or any(t.objects for t in targets) else "m",
         cameras=tuple(cameras),
         images=Images(
             ids=files, camera=camera_of_photo, file=files,
@@ -125,7 +128,7 @@ def block_of_targets(
     keep: Mask = np.asarray(rays[block.observations.point] > 1)
     return TargetBlock(
         block=with_rows(block, keep), radius_px=_joined(size, 0)[keep], not_used=tuple(lost),
-        places=_places(targets, spacing),
+        places=_places(targets, spacing, sheet),
     )  # fmt: skip
 
 
@@ -135,7 +138,10 @@ def _joined(parts: Sequence[Array], columns: int) -> Array:
     return np.zeros((0, columns)) if columns else np.zeros(0)
 
 
-def _places(targets: Sequence[Target], spacing: float) -> dict[str, Array]:
+def _places(targets: Sequence[Target], spacing: float, sheet: PrintedSheet | None) -> dict[str, Array]:
+    if sheet is not None:
+        pages = {t.page for t in sheet.targets}
+        return {t.name: np.array([t.x_mm, t.y_mm, 0.0]) for t in sheet.targets} if len(pages) == 1 else {}
     boards = [t for t in targets if t.objects]
     if not boards:
         return {}
@@ -242,6 +248,23 @@ def with_coordinates(block: Block) -> Block:
     )  # fmt: skip
     new = np.where((missing & (count > 1))[:, None], xyz, block.points.xyz)
     return replace(block, points=replace(block.points, xyz=new))
+
+
+def with_values(block: Block, adjusted: Block) -> Block:
+    """The block with orientations, coordinates and cameras of an adjusted one, by name; points without are NaN."""
+    xyz = dict(zip(adjusted.points.ids, adjusted.points.xyz, strict=True))
+    none = np.full(3, np.nan)
+    return replace(
+        block,
+        images=replace(block.images, centre=adjusted.images.centre, rotation=adjusted.images.rotation),
+        points=replace(
+            block.points, xyz=np.array([xyz.get(name, none) for name in block.points.ids]).reshape(-1, 3)
+        ),
+        cameras=tuple(
+            replace(c, model=a.model, values={**a.values, **{s: c.values[s] for s in c.sigma}})
+            for c, a in zip(block.cameras, adjusted.cameras, strict=True)
+        ),
+    )  # fmt: skip
 
 
 def reweighted(block: Block, sigma0: float) -> Block:

@@ -1,0 +1,237 @@
+"""A satellite scene as the sensor of one image, so that it takes part in the adjustment like any other.
+
+Its exterior orientation is given by the scene and held; what is adjusted are its own parameters: the bias of an RPC,
+or the corrections of a rigorous scene's trajectory.  The condition reads image point - projection = 0, and its
+partial derivatives are those of `observe_rpc_at` and `observe_line_at`.
+
+The adjustment hands every sensor its points as (U, V, W) = R (X - X0).  R and X0 of a scene are a nominal viewpoint,
+600 km up along the line of sight of its middle: it serves base-to-depth ratios and figures, and is undone here.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import ClassVar, cast
+
+import numpy as np
+
+from raybundle.block import Camera
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.places import Place
+from raybundle.scenes.bias import BIAS_PARAMETERS, BiasKind
+from raybundle.scenes.linescan import LineScene, observe_line_at
+from raybundle.scenes.rpc import Observed, Rpc, correct_image, observe_rpc_at
+from raybundle.scenes.trajectory import CorrectionModel
+from raybundle.sensors import Parameter, SensorModel
+
+VIEW_M = 600e3
+"""Distance of the nominal viewpoint from the ground."""
+PIXEL_MM = 0.01
+"""Nominal size of a pixel; no result in px depends on it."""
+MEANINGS = {
+    "A0": "shift of x", "B0": "shift of y",
+    "A1": "change of x along the columns", "B1": "change of y along the columns",
+    "A2": "change of x along the rows", "B2": "change of y along the rows",
+}  # fmt: skip
+
+
+class SceneSensor(SensorModel, registered=False):
+    """What the two kinds of scenes have in common."""
+
+    explicit: ClassVar[bool | None] = True
+    fixes_scale: ClassVar[bool] = True
+    size_px: tuple[int, int]
+    place: Place
+    height_m: float
+    """Ellipsoidal height of the middle of the scene."""
+    file: Path | None
+    """Where the scene was read."""
+
+    def observe(self, xyz: Array, values: Array) -> Observed:
+        """Image points [px] of object points (n, 3) and all partial derivatives."""
+        raise NotImplementedError  # pragma: no cover  (both kinds have it)
+
+    def localise(self, xy_px: Array, height: Array | float, values: Array) -> Array:
+        """Object points (n, 3) of image points (n, 2) [px] at ellipsoidal heights [m]."""
+        raise NotImplementedError  # pragma: no cover
+
+    def _finish(self) -> None:
+        """The nominal viewpoint."""
+        middle = np.array([self.size_px], float) / 2
+        steps = middle + np.array([[0.0, 0.0], [self.size_px[0] / 4, 0.0]])
+        values = self.defaults
+        ground, right = self.localise(steps, self.height_m, values)
+        above = self.localise(middle, self.height_m + 500.0, values)[0]
+        back = (above - ground) / np.linalg.norm(above - ground)
+        x = right - ground
+        self._gsd = float(np.linalg.norm(x)) / (self.size_px[0] / 4)
+        x = x - back * (x @ back)
+        x /= np.linalg.norm(x)
+        self.rotation: Array = np.stack([x, np.cross(back, x), back])
+        self.centre: Array = ground + VIEW_M * back
+
+    def camera_constant(self, values: Array) -> float:
+        """Nominal, from the ground sampling distance."""
+        del values
+        return VIEW_M / self._gsd * PIXEL_MM
+
+    def object_points(self, points: Array) -> Array:
+        """Object points (n, 3) of points (3, n) in the nominal sensor frame."""
+        return points.T @ self.rotation + self.centre
+
+    def condition_and_jacobian(  # pyright: ignore[reportIncompatibleVariableOverride]
+        self, x: Array, y: Array, X: Array, Y: Array, Z: Array, *values: Array
+    ) -> tuple[Array, Array]:
+        """As of any sensor model; the parameters are those of one scene."""
+        single = np.ndim(x) == 0 and np.ndim(X) == 0
+        x, y, X, Y, Z = np.broadcast_arrays(*(np.atleast_1d(a) for a in (x, y, X, Y, Z)))
+        own = np.array([float(np.ravel(v)[0]) for v in values])
+        seen = self.observe(self.object_points(np.stack([X, Y, Z])), own)
+        signed = np.array([PIXEL_MM, -PIXEL_MM])
+        image = (seen.xy_px - np.array(self.size_px) / 2) * signed
+        n, k = len(x), len(own)
+        J = np.zeros((2, 5 + k, n))
+        J[0, 0] = J[1, 1] = 1
+        by_point = np.einsum("c,nce,de->cdn", signed, seen.by_point, self.rotation)
+        J[:, 2:5] = -by_point
+        J[:, 5:] = -np.moveaxis(seen.by_parameters * signed[:, None], 0, 2)
+        g = np.stack([x, y]) - image.T
+        return (g[:, 0], J[:, :, 0]) if single else (g, J)
+
+    def start(self, points: Array, values: Array) -> Array:
+        """The projection itself."""
+        n = points.shape[1]
+        g, _ = self.condition_and_jacobian(np.zeros(n), np.zeros(n), *points, *values)
+        return -g
+
+    def in_front(self, points: Array, image: Array | None = None, values: Array | None = None) -> Mask:
+        """Everywhere below the satellite."""
+        del image, values
+        return points[2] < 0
+
+    def point_on_ray(self, image: Array, values: Array, distance: float) -> Array:
+        """On the ground."""
+        del distance
+        return self.ray(image, values)
+
+    def ray(self, image: Array, values: Array, start: Array | None = None) -> Array:
+        """Points (3, n) on the ground, in the nominal sensor frame: a scene's rays have no common centre."""
+        del start
+        xy_px = image.T / np.array([PIXEL_MM, -PIXEL_MM]) + np.array(self.size_px) / 2
+        own = np.array([float(np.ravel(v)[0]) for v in values])
+        ground = self.localise(xy_px, self.height_m, own)
+        return self.rotation @ (ground - self.centre).T
+
+
+class RpcSensor(SceneSensor, registered=False):
+    """An RPC scene; the parameters are those of its bias [px]."""
+
+    name = "rpc"
+
+    def __init__(
+        self, rpc: Rpc, place: Place, size_px: tuple[int, int], bias: BiasKind = "shift", file: Path | None = None
+    ) -> None:
+        """Place an RPC scene of this size with this model of its bias."""
+        self.rpc, self.place, self.size_px, self.file = rpc, place, size_px, file
+        self.bias: BiasKind = bias
+        self.parameters = tuple(Parameter(s, "px", MEANINGS[s]) for s in BIAS_PARAMETERS[bias])
+        self.height_m = float(rpc.ground_offset[2])
+        self._finish()
+
+    def observe(self, xyz: Array, values: Array) -> Observed:
+        """As `SceneSensor`."""
+        return observe_rpc_at(self.rpc, self.place, xyz, self.bias, values)
+
+    def localise(self, xy_px: Array, height: Array | float, values: Array) -> Array:
+        """As `SceneSensor`."""
+        ground = self.rpc.localise(correct_image(self.rpc, xy_px, self.bias, values), height)
+        return self.place.block_from_geographic(ground)
+
+    def priors(self) -> dict[str, float]:
+        """Standard deviations of the parameters as the vendor states them, where he does [px].
+
+        ERR_BIAS for the shifts; ERR_RAND, which changes within the scene, for the terms that do.
+        """
+        found: dict[str, float] = {}
+        gsd = np.linalg.norm(self.rpc.pixel_on_ground(), axis=1)
+        for s in self.symbols:
+            metres = self.rpc.err_bias_m if s[1] == "0" else self.rpc.err_rand_m
+            if metres:
+                found[s] = metres / float(gsd[0 if s[0] == "A" else 1])
+        return found
+
+
+class LineSensor(SceneSensor, registered=False):
+    """A rigorous line scene; the parameters correct its trajectory [m, rad]."""
+
+    name = "linescan"
+
+    def __init__(
+        self, scene: LineScene, place: Place, corrections: CorrectionModel, height_m: float = 0.0,
+        file: Path | None = None,
+    ) -> None:  # fmt: skip
+        """Place a line scene with these polynomials for its trajectory."""
+        self.scene, self.place, self.corrections, self.file = scene, place, corrections, file
+        self.size_px = (scene.width_px, scene.height_px)
+        self.height_m = float(height_m)
+        unit = {"a": "m", "u": "m", "r": "rad"}
+        what = {"along": "position along track", "across": "position across track", "up": "height of the position"}
+        self.parameters = tuple(
+            Parameter(s, unit[s[0]], f"{what.get(s[:-1], 'attitude about ' + s[1:2])}, power {s[-1]} of the time")
+            for s in corrections.symbols
+        )
+        self._finish()
+
+    def observe(self, xyz: Array, values: Array) -> Observed:
+        """As `SceneSensor`."""
+        return observe_line_at(self.scene, self.place, xyz, self.corrections, values)
+
+    def localise(self, xy_px: Array, height: Array | float, values: Array) -> Array:
+        """As `SceneSensor`."""
+        return self.place.block_from_geographic(self.scene.localise(xy_px, height, self.corrections, values))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SceneView:
+    """What stands in `Images` for a scene: the nominal viewpoint, held."""
+
+    centre: Array
+    rotation: Array
+
+
+def scene_camera(
+    id_: str, sensor: RpcSensor | LineSensor, *, estimate: tuple[str, ...] | None = None,
+    sigma: dict[str, float] | None = None, values: dict[str, float] | None = None,
+) -> Camera:  # fmt: skip
+    """The camera of one scene.
+
+    estimate  symbols of free parameters; None: all
+    sigma     their prior standard deviations; None: those that an RPC's vendor states
+    """
+    free = sensor.symbols if estimate is None else estimate
+    unknown = [s for s in (*free, *(sigma or {}), *(values or {})) if s not in sensor.symbols]
+    if unknown:
+        raise InputError(
+            f"camera {id_}: {unknown[0]!r} is no parameter of this scene; it has {', '.join(sensor.symbols)}"
+        )
+    if sigma is None:
+        sigma = sensor.priors() if isinstance(sensor, RpcSensor) else {}
+    return Camera(
+        id=id_,
+        model=sensor.name,
+        width_px=sensor.size_px[0],
+        height_px=sensor.size_px[1],
+        pixel_mm=(PIXEL_MM, PIXEL_MM),
+        values={**dict.fromkeys(sensor.symbols, 0.0), **(values or {})},
+        estimate=free,
+        sigma={s: v for s, v in sigma.items() if s in free},
+        scene=sensor,
+    )
+
+
+def view_of(camera: Camera) -> SceneView:
+    """The nominal viewpoint of a scene's camera."""
+    sensor = cast("SceneSensor", camera.scene)
+    return SceneView(centre=sensor.centre, rotation=sensor.rotation)

@@ -1,0 +1,40 @@
+"""A frame sensor that is read out row by row while it moves: rolling shutter."""
+
+from __future__ import annotations
+
+from raybundle.numerics.maths import Scalar
+from raybundle.numerics.motion import turned_axes
+from raybundle.sensors.brown import Brown
+from raybundle.sensors.model import Parameter, SensorModel
+
+
+class BrownRolling(SensorModel):
+    """Brown's model on a short trajectory: the time of an image point is that of its measured row.
+
+    t = -r y, zero in the middle of the format, growing downwards, with r = read-out time / height of the format.
+    (U, V, W) = exp(-[w t]x) ((X, Y, Z) - v t), v and w in the axes of the middle row.  Motion belongs to each image
+    (`per_image`).  r and the motion enter as products: r is held, or the motion is known from elsewhere (observed).
+    """
+
+    name = "brown_rolling"
+    parameters = (
+        *Brown.parameters,
+        Parameter("r", "s/mm", "read-out time over height of the format", typical=1.5e-3),
+        Parameter("vx", "length/s", "velocity to the right", typical=0.8),
+        Parameter("vy", "length/s", "velocity upwards in the image", typical=-0.5),
+        Parameter("vz", "length/s", "velocity backwards", typical=0.3),
+        Parameter("wx", "rad/s", "rotation rate about the x axis", typical=0.1),
+        Parameter("wy", "rad/s", "rotation rate about the y axis", typical=-0.2),
+        Parameter("wz", "rad/s", "rotation rate about the viewing axis", typical=0.15),
+    )
+
+    @staticmethod
+    def condition(
+        x: Scalar, y: Scalar, X: Scalar, Y: Scalar, Z: Scalar,
+        c: Scalar, x0: Scalar, y0: Scalar, K1: Scalar, K2: Scalar, K3: Scalar, P1: Scalar, P2: Scalar, A: Scalar,
+        S: Scalar, r: Scalar, vx: Scalar, vy: Scalar, vz: Scalar, wx: Scalar, wy: Scalar, wz: Scalar,
+    ) -> tuple[Scalar, Scalar]:  # fmt: skip
+        """Brown's condition in the axes that the sensor had when the row was read."""
+        t = -r * y
+        U, V, W = turned_axes((X - vx * t, Y - vy * t, Z - vz * t), (wx * t, wy * t, wz * t))
+        return Brown.condition(x, y, U, V, W, c, x0, y0, K1, K2, K3, P1, P2, A, S)

@@ -1,0 +1,119 @@
+"""Photographs of cameras that are two told apart, and said where one camera was not stable."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from raybundle.adjustment.decide import decide
+from raybundle.adjustment.one_camera import Split, find_splits
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.block import Block, Camera
+from raybundle.errors import NotSolvable
+from raybundle.numerics.progress import Progress
+from raybundle.workflows.target_block import reweighted, with_values
+
+MOST_CAMERAS = 8
+SHARE = 0.7
+"""Share of sigma0 to which two cameras in place of one must bring it."""
+
+
+def cameras_apart(
+    start: Block, first: Adjustment, settings: AdjustmentOptions, progress: Progress
+) -> tuple[Block, Adjustment, tuple[Notice, ...]]:
+    """Cameras that are two taken apart, as long as the adjustment gains by it."""
+    told: list[Notice] = []
+    tested: set[str] = set()
+    given = len(start.cameras)
+    scale = first.sigma0  # the start has standard deviations that are larger by it
+    while len(start.cameras) < MOST_CAMERAS:
+        k = next((k for k, c in enumerate(start.cameras) if c.id not in tested), None)
+        if k is None:
+            break
+        camera = start.cameras[k]
+        tested.add(camera.id)
+        best: tuple[Adjustment, Block, Split] | None = None
+        for split in find_splits(first, camera.id):
+            trial = _taken_apart(start, k, split)
+            try:
+                after = decide(trial, settings, progress)
+            except NotSolvable:
+                continue
+            if not _gained(first, after, scale) or after.sigma0 > SHARE * first.sigma0 / scale:
+                continue
+            if best is None or after.sigma0 < best[0].sigma0:
+                best = after, trial, split
+        if best is None:
+            continue
+        after, trial, split = best
+        two = trial.cameras[-1]
+        if split.sought:
+            told.append(_unstable(camera, after.sigma0 * scale / first.sigma0, after, split))
+            continue
+        n = [len(g) for g in split.groups]
+        by = split.words
+        dc, dx, dy = split.difference
+        told.append(
+            Notice(
+                code="two_cameras",
+                message=f"camera {camera.id}: {n[0]} photographs ({by}) and {n[1]} others cannot have the same "
+                f"interior orientation (c differs by {dc:+.1f} px, the principal point by {dx:+.1f}, {dy:+.1f} px); "
+                f"they are calibrated apart, the others as {two.id}. Two cameras, or zoom or focus moved: say with "
+                "--camera PATTERN which",
+                ids=(camera.id, two.id),
+            )
+        )
+        tested.discard(camera.id)
+        start, first, scale = with_values(trial, after.adjusted), after, 1.0
+    if len(start.cameras) > given:
+        start = reweighted(start, first.sigma0)
+    return start, first, tuple(told)
+
+
+def _unstable(camera: Camera, share: float, after: Adjustment, split: Split) -> Notice:
+    """A notice that photographs differ in their interior orientation though neither names nor order tell them apart."""
+    dc, dx, dy = split.difference
+    names = [after.given.images.ids[i] for i in split.groups[1]]
+    return Notice(
+        code="unstable_camera",
+        message=f"camera {camera.id}: its interior orientation was not the same in all photographs. Two groups would "
+        f"reduce the residuals to {share:.2f} of theirs (c differs by {dc:+.1f} px, the principal point by {dx:+.1f}, "
+        f"{dy:+.1f} px; the one are {', '.join(names[:8])}{' ...' if len(names) > 8 else ''}); the "
+        "calibration is their mean, its standard deviations are too small. Switch autofocus, zoom and stabilisation "
+        "off, or tell cameras apart (--camera)",
+        ids=(camera.id, *names),
+    )
+
+
+def _taken_apart(block: Block, k: int, split: Split) -> Block:
+    """The block with a camera of its own for the second group of photographs of camera k."""
+    camera = block.cameras[k]
+    two = replace(camera, id=f"{camera.id}-{_number(block.cameras, camera.id)}")
+    of_image = block.images.camera.copy()
+    of_image[split.groups[1]] = len(block.cameras)
+    return replace(block, cameras=(*block.cameras, two), images=replace(block.images, camera=of_image))
+
+
+def _number(cameras: Sequence[Camera], id_: str) -> int:
+    number = 2
+    while any(c.id == f"{id_}-{number}" for c in cameras):
+        number += 1
+    return number
+
+
+def _gained(before: Adjustment, after: Adjustment, scale: float) -> bool:
+    """Whether more cameras explain the observations better by the Bayesian information criterion (Schwarz 1978).
+
+    scale  standard deviations of the observations after, in those before
+    """
+    m = before.observations
+    lost = 2 * sum(1 for r in before.image_observations.rejected if r) - 2 * sum(
+        1 for r in after.image_observations.rejected if r
+    )
+    # a rejected coordinate that returns is worth at least what the critical value allows
+    old = before.weighted_square_sum + max(lost, 0) * (before.critical_tau * before.sigma0) ** 2
+    gain = m * np.log(old / scale**2 / after.weighted_square_sum)
+    return bool(gain > (after.unknowns - before.unknowns) * np.log(m) + 10)

@@ -1,0 +1,93 @@
+"""Observed projection centres with a lever arm, and shifts and drifts of flight lines."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.stats import chi2
+
+from raybundle import adjust
+from raybundle.adjustment.engine import adjust_block
+from raybundle.block import Camera, Stations
+from raybundle.block.simulate import AerialStrips, Survey, aerial_scene, simulate
+from raybundle.errors import DatumDefect, InputError
+from raybundle.io.block_folder import read_block, write_block
+from raybundle.report.result_folder import write_result
+from raybundle.sensors.antenna import ANTENNA
+from tests.truth.mixed_blocks import MonteCarlo
+
+LEVER = np.array([0.10, -0.05, 0.30])
+SHIFT, DRIFT = ("sx", "sy", "sz"), ("dx", "dy", "dz")
+
+
+def flight(estimate, control=4, sigma=None):
+    """Three strips with an antenna each: the same lever arm, shifts and drifts of their own."""
+    survey = Survey(image_sigma_px=0.3, control=control, control_sigma=(0.02, 0.02, 0.02), interior="exact")
+    truth = simulate(aerial_scene(AerialStrips(images_per_strip=4, points_per_image=25)), survey).truth
+    line, time = np.repeat([0, 1, 2], 4), np.tile(np.arange(4) * 3.0, 3)
+    shift = np.array([[0.5, -0.3, 0.2], [1.0, -0.6, 0.4], [-0.4, 0.2, 0.1]])
+    drift = np.array([[0.0, 0.0, 0.0], [0.01, -0.02, 0.01], [0.02, 0.0, -0.01]])
+    antennas = tuple(
+        Camera(
+            id=f"line{k + 1}", model="antenna", width_px=1, height_px=1, pixel_mm=(1.0, 1.0), scene=ANTENNA,
+            values=dict(zip(ANTENNA.symbols, (*LEVER, *shift[k], *drift[k]), strict=True)), estimate=estimate,
+            sigma=sigma or {},
+        )
+        for k in range(3)
+    )  # fmt: skip
+    back = np.swapaxes(truth.images.rotation, 1, 2)
+    xyz = truth.images.centre + back @ LEVER + shift[line] + time[:, None] * drift[line]
+    stations = Stations(
+        image=np.arange(12, dtype=np.int32), xyz=xyz, sigma=np.full((12, 3), 0.03), antenna=(line + 1).astype(np.int32),
+        time=time,
+    )  # fmt: skip
+    return replace(truth, cameras=(*truth.cameras, *antennas), stations=stations)
+
+
+@pytest.mark.parametrize(
+    ("estimate", "sigma"),
+    [(SHIFT, None), ((*SHIFT, *DRIFT), None), ((*SHIFT, "ax", "ay", "az"), dict.fromkeys(("ax", "ay", "az"), 0.05))],
+    ids=["shift", "drift", "lever arm known to 5 cm"],
+)
+def test_shifts_drifts_and_lever_arms_have_true_sigmas(estimate, sigma):
+    runs = 40
+    found = MonteCarlo.of(flight(estimate, sigma=sigma)).errors(runs, seed=3)
+    assert {"parameters of line1", "parameters of line2", "parameters of line3", "image of 1"} <= set(found)
+    for kind, (d2, degrees) in found.items():
+        low, high = chi2(degrees * runs).interval(0.9995)
+        assert low < d2.sum() < high, kind
+
+
+def test_a_neglected_lever_arm_and_shift_are_noticed():
+    block = MonteCarlo.of(flight(SHIFT)).noisy(np.random.default_rng(1))
+    good = adjust_block(block)
+    without = adjust_block(replace(block, stations=replace(block.stations, antenna=None)))
+    assert good.global_test[0] < good.global_test[1] < good.global_test[2]
+    assert without.global_test[1] > 3 * without.global_test[2]
+    (group,) = [g for g in good.groups if g.kind == "station"]
+    assert np.abs(group.w[np.isfinite(group.w)]).max() < 4.5
+
+
+def test_unknown_shifts_of_all_lines_leave_the_position_open():
+    with pytest.raises(DatumDefect, match=r"position X, position Y, position Z .*shifts, drifts or lever arms"):
+        adjust_block(flight(SHIFT, control=0))
+    known = adjust_block(flight(SHIFT, control=0, sigma=dict.fromkeys(SHIFT, 0.1)))
+    assert known.datum == "control"
+    assert known.converged
+
+
+def test_antennas_go_through_folders(tmp_path):
+    block = MonteCarlo.of(flight((*SHIFT, *DRIFT))).noisy(np.random.default_rng(2))
+    write_block(block, tmp_path / "block")
+    again = read_block(tmp_path / "block")
+    assert again.cameras == block.cameras
+    np.testing.assert_array_equal(again.stations.antenna, block.stations.antenna)
+    np.testing.assert_array_equal(again.stations.time, block.stations.time)
+    result = adjust(again)
+    assert result.sigma0 == pytest.approx(adjust_block(block).sigma0, rel=1e-5)
+    write_result(result, tmp_path / "result")
+    assert "Antenna line2" in (tmp_path / "result" / "report.html").read_text(encoding="utf-8")
+    text = (tmp_path / "block" / "stations.csv").read_text(encoding="utf-8")
+    (tmp_path / "block" / "stations.csv").write_text(text.replace("line3", "line9"), encoding="utf-8")
+    with pytest.raises(InputError, match="none of the antennas"):
+        read_block(tmp_path / "block")
