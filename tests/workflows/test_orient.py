@@ -12,6 +12,9 @@ import pytest
 from raybundle.cli.main import main
 from raybundle.errors import InputError
 from raybundle.io.block_folder import read_block
+from raybundle.io.camera_library import LibraryEntry, add_entry, key_of
+from raybundle.io.photos.cameras import camera_groups, camera_of
+from raybundle.io.photos.photo import find_photos
 from raybundle.io.project import Project
 from raybundle.workflows import orient as workflow
 from raybundle.workflows import tie_points
@@ -253,3 +256,22 @@ def test_the_project_holds_no_leftovers(done):
     finally:
         opened.close()
     assert not [p for p in done.rglob(".*") if p.is_file()]
+
+
+def test_photographs_of_another_camera_are_told_by_their_names(project, photos):
+    result = orient([photos], project, replace(QUICK, separate=("portal_0[45]*",)))
+    assert len(result.groups) == 2
+    assert result.adjustment.given.images.camera.tolist() == [0, 0, 0, 1, 1]
+
+
+def test_the_camera_library_is_asked(project, photos, tmp_path):
+    """The calibration is held, said so, and left out where it is not wanted."""
+    taken = find_photos([photos]).photos[0]
+    camera = camera_of(camera_groups([taken])[0])
+    if not taken.metadata.model or taken.metadata.focal_mm is None:
+        pytest.skip("the photographs of the portal have no EXIF")
+    held = replace(camera, values={**camera.values, "c": camera.values["c"] * 1.01})
+    add_entry(LibraryEntry(key=key_of(taken), camera=held, date="2026-05-01"), tmp_path / "library")
+    result = orient([photos], project, replace(QUICK, library=tmp_path / "library"))
+    assert result.adjustment.adjusted.cameras[0].values["c"] == held.values["c"]
+    assert any("of the camera library, of 2026-05-01 is held" in n.message for n in result.adjustment.notices)

@@ -176,6 +176,8 @@ def command(
     click.echo(f" {done.oriented} of {counted(len(done.photos), 'photograph')} oriented")
     for name, reason in (*done.refused, *done.not_oriented):
         click.echo(f"   {name}: {reason}")
+    if done.not_oriented and features == "rootsift":
+        click.echo("   --features xfeat matches photographs from farther apart (pip install 'raybundle[learned]')")
     for k, part in enumerate(done.parts):
         click.echo(f"   {counted(len(part.photographs), 'photograph')} in a part of its own: {out / part_folder(k)}")
     click.echo("\n".join(summary_lines(done.adjustment)))
