@@ -110,9 +110,7 @@ def test_it_works_where_the_extension_was_not_built():
 
 
 def test_every_shipped_model_is_compiled():
-    shipped = {
-        n for n, m in sensor_models.items() if type(m).__module__.startswith("raybundle.") and not m.local_width
-    }
+    shipped = {n for n, m in sensor_models.items() if type(m).__module__.startswith("raybundle.") and not m.local_width}
     assert native.sensor_models() == shipped
 
 

@@ -105,13 +105,17 @@ def calibration_quality(result: Adjustment, camera: str, progress: Progress = si
         lacking, interior, len(images), largest, sigma, reach, coverage, rolls, convergence, couplings, validation,
         structure,
     )  # fmt: skip
-    grade = _grade(lacking, largest, sigma, reach, len(images), validation, structure)
+    kinds = {p.symbol: p.kind for p in adjusted.sensor.parameters}
+    vital = tuple(s for s in lacking if kinds[s] in {"scale", "principal point"})
+    grade = _grade(vital, largest, sigma, reach, len(images), validation, structure)
+    if lacking and grade == "good":
+        grade = "usable"
     unsteady = [n.message.partition(": ")[2] for n in result.notices if n.code in UNSTEADY and camera in n.ids]
     reasons = [*unsteady, *reasons]
     if unsteady and grade == "good":
         grade = "usable"
     return CalibrationQuality(
-        camera=camera, grade=grade, headline=_headline(grade, lacking, largest, typical, sigma, reach),
+        camera=camera, grade=grade, headline=_headline(grade, vital, largest, typical, sigma, reach),
         reasons=tuple(reasons), advice=advice, photographs=len(images), image_sigma_px=sigma, uncertainty_px=largest,
         typical_px=typical, reach=reach, coverage=coverage, rolls=rolls, convergence=convergence, couplings=couplings,
         validation=validation, structure=structure,

@@ -156,6 +156,10 @@ def recognised(source: Path) -> str:
         for name, format_ in (("transforms.json", "nerfstudio"), ("reconstruction.json", "opensfm")):
             if name in names:
                 return format_
+        if "image.dat" in names:
+            return "bingo"
+        if any(n.endswith(".im") for n in names):
+            return "patb"
     elif source.suffix.lower() in {".opf", ".xml"}:
         return {".opf": "opf", ".xml": "metashape"}[source.suffix.lower()]
     elif source.suffix.lower() == ".json":

@@ -27,6 +27,7 @@ COMMANDS = {
     "convert": "Convert to and from the formats of other programs.",
     "calibration": "Convert and compare calibrations; keep them in the camera library.",
     "datasets": "Fetch public sets of photographs, checked file by file.",
+    "film": "Bring image points of scanned film into the camera's frame by its fiducial marks.",
     "rpc": "Satellite scenes: show, project, correct and make rational polynomials (RPC).",
     "simulate": "Write a simulated block and its truth.",
     "demo": "Simulate a calibration field, calibrate it, show truth beside estimate.",

@@ -71,6 +71,10 @@ class StageName(click.Choice[str]):
     metavar="A B LENGTH SIGMA",
     help="A known distance between two points that --control measures.",
 )
+@click.option(
+    "--positions", type=FOLDER, metavar="FILE",
+    help="Positions of the photographs, as an MRK file or CSV, in place of those that they state.",
+)  # fmt: skip
 @click.option("--no-gps", is_flag=True, help="Leave positions out that the photographs state.")
 @click.option("--features", default="rootsift", show_default=True, metavar="METHOD",
     help="rootsift; for wide baselines, with the extra [learned]: xfeat or disk.",
@@ -105,6 +109,7 @@ def command(
     control_sigma: tuple[float, float] | None,
     mark_sigma: float,
     scale_bar: tuple[tuple[str, str, float, float], ...],
+    positions: Path | None,
     no_gps: bool,  # noqa: FBT001
     features: str,
     feature_count: int,
@@ -140,6 +145,7 @@ def command(
     from raybundle.io.camera_library import library_folder  # noqa: PLC0415
     from raybundle.io.control_files import DEFAULTS, ControlDefaults, read_control  # noqa: PLC0415
     from raybundle.io.photos.photo import shown  # noqa: PLC0415
+    from raybundle.io.trajectories import read_trajectory  # noqa: PLC0415
     from raybundle.report.result_folder import check_target  # noqa: PLC0415
     from raybundle.workflows.marks import Given, ScaleBar  # noqa: PLC0415
     from raybundle.workflows.orient import OrientOptions, orient, part_folder  # noqa: PLC0415
@@ -167,7 +173,10 @@ def command(
     try:
         with reporting(progress) as tell:
             _keep_settings(out)
-            done = orient(photos, out, options, calibration=cameras, given=given, progress=tell)
+            done = orient(
+                photos, out, options, calibration=cameras, given=given, progress=tell,
+                positions=None if positions is None else read_trajectory(positions),
+            )  # fmt: skip
             with report_stage(out, done.stages):
                 write_orientation(done, result, report="none" if no_report else "html", progress=tell)
     except KeyboardInterrupt:

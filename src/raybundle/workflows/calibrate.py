@@ -20,7 +20,7 @@ from raybundle.adjustment.decide import decide
 from raybundle.adjustment.eccentricity import eccentricity_px
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment, Notice
-from raybundle.block import Block, Role
+from raybundle.block import Block, Camera, Role
 from raybundle.block.boards import spline_camera
 from raybundle.errors import InputError
 from raybundle.io.photos.cameras import CameraGroup, camera_groups
@@ -335,6 +335,9 @@ def _adjust(
         flat = tuple(replace(c, values={**c.values, "S": 0.0}) if "S" in c.values else c for c in start.cameras)
         start = replace(start, cameras=flat)
         result = decide(_moved(start, shift), settings, progress, notices=tuple(notices))
+    if _without_leftovers(start, result) is not start:
+        start = _without_leftovers(start, result)
+        result = decide(_moved(start, shift), settings, progress, notices=tuple(notices))
     again = _eccentricity(start, result, radius_px, options)
     used = result.image_observations.used
     if np.abs(again - shift)[used].max(initial=0.0) > SETTLED_PX:
@@ -342,6 +345,28 @@ def _adjust(
         here = reweighted(_moved(with_values(start, result.adjusted), shift), result.sigma0)
         result = decide(here, settings, progress, notices=tuple(notices))
     return result, float(np.linalg.norm(shift[used], axis=1).max(initial=0.0))
+
+
+def _without_leftovers(start: Block, result: Adjustment) -> Block:
+    """The block with distortion that was held in the end at zero, not where an adjustment before had left it."""
+    cameras: list[Camera] = []
+    for camera in start.cameras:
+        free = next((i.free for i in result.interior if i.camera == camera.id), ())
+        left = [
+            p.symbol
+            for p in camera.sensor.parameters
+            if p.kind in {"radial", "decentring", "affinity"} and p.symbol not in free
+            and camera.values.get(p.symbol, 0.0) != 0
+        ]  # fmt: skip
+        auto = camera.estimate == "auto"
+        cameras.append(
+            replace(camera, values={**camera.values, **dict.fromkeys(left, 0.0)}) if left and auto else camera
+        )
+    return (
+        start
+        if all(a is b for a, b in zip(cameras, start.cameras, strict=True))
+        else replace(start, cameras=tuple(cameras))
+    )
 
 
 def _eccentricity(start: Block, at: Adjustment, radius_px: Array, options: CalibrateOptions) -> Array:

@@ -26,6 +26,7 @@ from raybundle.io.coordinate_systems import LocalFrame
 from raybundle.io.photos.cameras import CameraGroup, camera_groups, camera_of
 from raybundle.io.photos.photo import Photo, find_photos
 from raybundle.io.project import Project, Stage, StageRecord, key_of
+from raybundle.io.trajectories import Trajectory, with_positions
 from raybundle.matching.features import feature_method
 from raybundle.matching.refine import smoothed
 from raybundle.matching.tracks import tracks_of
@@ -137,6 +138,7 @@ def orient(
     *,
     calibration: Sequence[Camera] = (),
     given: Given | None = None,
+    positions: Trajectory | None = None,
     progress: Progress = silent,
 ) -> Orientation:
     """Orient photographs within a project folder; finished stages are taken from there.
@@ -145,6 +147,7 @@ def orient(
     folder       project folder; begun, or continued
     calibration  cameras whose interior orientation is known (`estimate` () holds it)
     given        control, check points, scale bars; GPS positions of the photographs are used where there is no control
+    positions    positions of the photographs from a file, in place of those that they state
     raises       InputError, NoOrientation
 
     What it does not tell: without control or scale bars the position, orientation and scale of the result are
@@ -157,6 +160,9 @@ def orient(
     try:
         with project.stage("photographs") as stage:
             found = find_photos(inputs, progress=progress)
+            if positions is not None:
+                placed_photos, told = with_positions(found.photos, positions)
+                found = replace(found, photos=placed_photos, remarks=(*found.remarks, *told))
             if len(found.photos) < 2:
                 raise _too_few(inputs, found.photos, [(p.name, r) for p, r in found.refused])
             stage.from_cache = False

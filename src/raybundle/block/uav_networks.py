@@ -1,0 +1,135 @@
+"""Flights with RTK positions over flat ground: to see what strips, headings and tilted cross strips determine."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from raybundle.block.block import Block, Camera, Images, Observations, Points, Role, Stations
+from raybundle.block.simulate import Scene, brown_camera, measured
+from raybundle.numerics.attitude import rotation_from_gimbal
+from raybundle.numerics.rotation import rotation_from_vector
+
+FREE = ("c", "x0", "y0", "K1", "K2", "K3", "P1", "P2")
+
+
+def uav_camera() -> Camera:
+    """20 megapixels, c = 3650 px, no distortion, the eight terms of Brown's model free."""
+    values = dict.fromkeys(("x0", "y0", "K1", "K2", "K3", "P1", "P2", "A", "S"), 0.0)
+    return brown_camera(values={"c": 8.76, **values}, size_px=(5472, 3648), pixel_mm=0.0024, estimate=FREE)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Flight:
+    """Lines of photographs over a square of flat ground, the longer side of the format across the flight."""
+
+    camera: Camera = field(default_factory=uav_camera)
+    seed: int = 1
+    height: float = 80.0
+    """Above ground [m]"""
+    lines: int = 4
+    photographs: int = 8
+    """In each line"""
+    spacing: float = 48.0
+    """Between lines [m]"""
+    base: float = 16.0
+    """Between photographs of a line [m]"""
+    size: float = 120.0
+    """Side of the square [m]"""
+    points: int = 30
+    """Tie points along a side of the square"""
+    alternating: bool = False
+    """Whether every second line is flown the other way, so that the heading differs by 180 degrees"""
+    cross_tilt_deg: float | None = None
+    """Tilt of as many photographs again in lines across, forward and backward by turns; None: no such lines"""
+    height_jitter: float = 0.5
+    """Standard deviation of the flying height [m]"""
+    angle_jitter_deg: float = 1.5
+    """Standard deviation of the turns about each axis of the image"""
+    image_sigma_px: float = 0.3
+    station_sigma: tuple[float, float, float] = (0.02, 0.02, 0.03)
+    """Standard deviations of the positions east, north, up [m]"""
+    least_points: int = 4
+    """Photographs that show fewer are left out"""
+
+
+def flight_scene(plan: Flight) -> Scene:
+    """Stations and tie points of a flight, without errors of measurement."""
+    rng = np.random.default_rng(plan.seed)
+    line, along = np.divmod(np.arange(plan.lines * plan.photographs), plan.photographs)
+    across = (line - (plan.lines - 1) / 2) * plan.spacing
+    forward = (along - (plan.photographs - 1) / 2) * plan.base
+    heading = np.where(plan.alternating & (line % 2 == 1), 180.0, 0.0)
+    parts = [np.stack([across, forward, heading, np.zeros(len(line))])]
+    if plan.cross_tilt_deg is not None:
+        turned = 90.0 + np.where(line % 2 == 1, 180.0, 0.0)
+        parts.append(np.stack([forward, across, turned, np.full(len(line), plan.cross_tilt_deg)]))
+    x, y, yaw, tilt = np.concatenate(parts, axis=1)
+    n = len(x)
+    z = plan.height + rng.normal(0, plan.height_jitter, n)
+    jitter = np.radians(rng.normal(0, plan.angle_jitter_deg, (n, 3)))
+    planned = rotation_from_gimbal(np.radians(np.stack([yaw, tilt - 90.0, np.zeros(n)], axis=1)))
+    g = np.linspace(-0.5, 0.5, plan.points) * plan.size
+    px, py = np.meshgrid(g, g)
+    return Scene(
+        camera=plan.camera,
+        centre=np.stack([x, y, z], axis=1),
+        rotation=rotation_from_vector(jitter) @ planned,
+        xyz=np.stack([px.ravel(), py.ravel(), np.zeros(px.size)], axis=1),
+        name="flight",
+    )
+
+
+def flight_block(plan: Flight) -> Block:
+    """The block that a flight gives, with noise of the stated standard deviations and true approximate values."""
+    block = _exact(flight_scene(plan), plan)
+    rng = np.random.default_rng([plan.seed, 1])
+    o, s = block.observations, block.stations
+    return replace(
+        block,
+        observations=replace(o, xy_px=o.xy_px + rng.normal(0, plan.image_sigma_px, o.xy_px.shape)),
+        stations=replace(s, xyz=s.xyz + rng.normal(0, 1, s.xyz.shape) * s.sigma),
+    )
+
+
+def _exact(scene: Scene, plan: Flight) -> Block:
+    """Exact image points and positions; without the photographs that show too few points."""
+    block = measured(_empty(scene, plan), plan.image_sigma_px)
+    count = np.bincount(block.observations.image, minlength=len(block.images))
+    keep = np.flatnonzero(count >= plan.least_points)
+    if len(keep) == len(count):
+        return block
+    part = replace(scene, centre=scene.centre[keep], rotation=scene.rotation[keep])
+    return measured(_empty(part, plan), plan.image_sigma_px)
+
+
+def _empty(scene: Scene, plan: Flight) -> Block:
+    """Stations and points without image points."""
+    n, p = len(scene.centre), len(scene.xyz)
+    none = np.zeros(0, np.int32)
+    return Block(
+        name=scene.name,
+        about=f"simulated flight: {plan.lines} lines of {plan.photographs} photographs at {plan.height:g} m",
+        source=f"raybundle simulation, seed {plan.seed}",
+        cameras=(scene.camera,),
+        images=Images(
+            ids=tuple(f"{k + 1:03d}" for k in range(n)),
+            camera=np.zeros(n, np.int32),
+            file=("",) * n,
+            centre=scene.centre,
+            rotation=scene.rotation,
+        ),
+        observations=Observations(image=none, point=none, xy_px=np.zeros((0, 2)), cov_px2=np.zeros((0, 3))),
+        points=Points(
+            ids=tuple(f"p{k + 1}" for k in range(p)),
+            role=np.full(p, Role.TIE, np.int32),
+            xyz=scene.xyz,
+            sigma=np.full((p, 3), np.nan),
+        ),
+        stations=Stations(
+            image=np.arange(n, dtype=np.int32),
+            xyz=scene.centre.copy(),
+            sigma=np.tile(np.array(plan.station_sigma), (n, 1)),
+        ),
+    )

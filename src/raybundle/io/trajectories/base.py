@@ -1,0 +1,214 @@
+"""What a file of positions and attitudes says, and how it goes into a block."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path, PurePosixPath
+
+import numpy as np
+
+from raybundle.block import Stations
+from raybundle.errors import InputError
+from raybundle.io.coordinate_systems import LocalFrame
+from raybundle.numerics.arrays import Array, Index
+
+WGS84_HEIGHT = "EPSG:4979"
+"""Longitude, latitude and height above the ellipsoid of WGS 84."""
+WEEK_S = 604_800.0
+NUMBER = re.compile(r"(?<!\d)\d{3,6}(?!\d)")
+"""Running numbers of photographs in the names that cameras give: DJI_20240501101530_0012_V.JPG."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Trajectory:
+    """Positions and attitudes at exposures."""
+
+    path: Path
+    names: tuple[str, ...]
+    """(n,) of the photographs, as the file has them; running numbers where `numbered`."""
+    xyz: Array
+    """(n, 3) x east or longitude [deg], y north or latitude, z height; NaN where not known."""
+    sigma: Array
+    """(n, 3) standard deviations east, north, up [m]; NaN where not told."""
+    crs: str | None = None
+    """Coordinate system; None where the file does not tell."""
+    numbered: bool = False
+    """Whether the names are numbers of photographs in the order of their exposure."""
+    rotation: Array | None = None
+    """(n, 3, 3) object axes to image axes; NaN where not known.  None: the file has no attitudes."""
+    rotation_sigma: Array | None = None
+    """(n, 3) standard deviations of the three angles of the file, in its order [rad]."""
+    true_north: bool = False
+    """Whether the object axes of the attitudes are east, north, up at each position and not those of the grid."""
+    time: Array | None = None
+    """(n,) GPS time [s]: week times 604 800 plus second of the week where the week is known."""
+    offset: Array | None = None
+    """(n, 3) from the antenna's phase centre to the camera, east, north, up [m]; already applied to `xyz`."""
+    fix: tuple[str, ...] = ()
+    """(n,) "rtk fixed", "rtk float", "single", "none" or ""."""
+    remarks: tuple[str, ...] = ()
+    """What was assumed or left out."""
+    lines: Index = field(default_factory=lambda: np.zeros(0, np.int32))
+    """(n,) line of the file, for messages."""
+
+    def __len__(self) -> int:
+        return len(self.names)
+
+
+Reader = Callable[[Path], Trajectory]
+Writer = Callable[[Trajectory, Path], None]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TrajectoryFormat:
+    """A format of positions and attitudes."""
+
+    name: str
+    title: str
+    read: Reader
+    write: Writer
+    recognises: Callable[[str, str], bool]
+    """Whether the beginning of a file with this suffix (lower case, with its point) is of the format."""
+
+
+trajectory_formats: dict[str, TrajectoryFormat] = {}
+
+
+def register(format_: TrajectoryFormat) -> TrajectoryFormat:
+    """Make a format known under its name."""
+    trajectory_formats[format_.name] = format_
+    return format_
+
+
+def read_trajectory(path: str | Path, *, name: str | None = None) -> Trajectory:
+    """Positions and attitudes of a file; the format by its contents unless told.
+
+    raises  InputError with file, line and column
+    """
+    path = Path(path)
+    if name is not None:
+        return _named(name).read(path)
+    try:
+        with path.open("rb") as file:
+            head = file.read(4096).decode("utf-8-sig", errors="replace")
+    except OSError as error:
+        raise InputError(f"cannot be read: {error.strerror}; check the path and the permissions", file=path) from None
+    for format_ in trajectory_formats.values():
+        if format_.recognises(head, path.suffix.lower()):
+            return format_.read(path)
+    known = "; ".join(f"{f.name}: {f.title}" for f in trajectory_formats.values())
+    raise InputError(f"its format is not recognised; known are {known}", file=path, line=1)
+
+
+def write_trajectory(trajectory: Trajectory, path: str | Path, *, name: str) -> None:
+    """Write a new file in a format; raises InputError where something stands there, or what it needs is not known."""
+    path = Path(path)
+    if path.exists():
+        raise InputError("stands there already and is not overwritten; choose another name", file=path)
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        _named(name).write(trajectory, path)
+    except OSError as error:
+        raise InputError(f"cannot be written: {error.strerror}; choose another folder", file=path) from None
+
+
+def _named(name: str) -> TrajectoryFormat:
+    if name not in trajectory_formats:
+        raise InputError(f"unknown format {name!r}; known: {', '.join(trajectory_formats)}")
+    return trajectory_formats[name]
+
+
+def matched(trajectory: Trajectory, files: Sequence[str]) -> Index:
+    """(k,) the row of the trajectory for each file of a photograph; -1 where it has none.
+
+    By name, with or without its suffix; where the file has numbers alone, by the last number of three to six digits in
+    the photograph's name.
+    raises  InputError where one row belongs to two photographs
+    """
+    if trajectory.numbered:
+        rows = {int(n): k for k, n in enumerate(trajectory.names)}
+        found = [rows.get(_number(f), -1) for f in files]
+    else:
+        rows_by_name = {_stem(n): k for k, n in enumerate(trajectory.names)}
+        found = [rows_by_name.get(_stem(f), -1) for f in files]
+    taken: dict[int, str] = {}
+    for row, file in zip(found, files, strict=True):
+        if row >= 0 and row in taken:
+            raise InputError(
+                f"{trajectory.names[row]} belongs to {taken[row]} and to {file}; give each flight its own file",
+                file=trajectory.path,
+                line=int(trajectory.lines[row]) if len(trajectory.lines) else None,
+            )
+        taken[row] = file
+    return np.array(found, np.int32)
+
+
+def _number(file: str) -> int:
+    found = NUMBER.findall(PurePosixPath(file.replace("\\", "/")).stem)
+    return int(found[-1]) if found else -1
+
+
+def _stem(name: str) -> str:
+    path = PurePosixPath(name.replace("\\", "/"))
+    return path.stem.lower()
+
+
+def stations_of(
+    trajectory: Trajectory,
+    files: Sequence[str],
+    frame: LocalFrame | None,
+    *,
+    default_sigma: tuple[float, float, float] = (5.0, 5.0, 10.0),
+) -> Stations:
+    """Observed projection centres for the images of a block, by the files of its photographs.
+
+    frame          the local frame of the block, in the trajectory's system; None: the block stands in that system
+    default_sigma  [m] where the file tells none
+    raises         InputError where positions are geographic and there is no frame, or no photograph is in the file
+    """
+    rows = matched(trajectory, files)
+    images = np.flatnonzero(rows >= 0)
+    images = images[np.isfinite(trajectory.xyz[rows[images], :2]).all(axis=1)]
+    if len(images) == 0:
+        raise InputError(
+            f"none of the {len(files)} photographs has a position here; one is called {files[0] if files else ''}, "
+            f"the file begins with {trajectory.names[0] if trajectory.names else 'nothing'}",
+            file=trajectory.path,
+        )
+    if frame is None and trajectory.crs == WGS84_HEIGHT:
+        raise InputError(
+            "longitude and latitude are no Cartesian coordinates; give the local frame of the block",
+            file=trajectory.path,
+        )
+    xyz = trajectory.xyz[rows[images]]
+    sigma = trajectory.sigma[rows[images]]
+    return Stations(
+        image=images.astype(np.int32),
+        xyz=xyz if frame is None else frame.local_from_crs(xyz),
+        sigma=np.where(np.isfinite(xyz), np.where(sigma > 0, sigma, default_sigma), np.nan),
+    )
+
+
+def rotations_in(trajectory: Trajectory, frame: LocalFrame | None) -> Array:
+    """(n, 3, 3) rotations from the axes of a block to the image axes; NaN where not known.
+
+    Attitudes against true north are turned from east, north, up at each position to the frame's axes (the convergence
+    of meridians); those against the grid by the rotation of the grid.
+    raises  InputError where the file has no attitudes, or true north needs a frame
+    """
+    if trajectory.rotation is None:
+        raise InputError("the file has no attitudes", file=trajectory.path)
+    if frame is None:
+        if trajectory.true_north and trajectory.crs != WGS84_HEIGHT:
+            raise InputError(
+                "attitudes against true north need a coordinate system; give the local frame", file=trajectory.path
+            )
+        return trajectory.rotation
+    turn = (
+        np.swapaxes(frame.local_from_enu(trajectory.xyz), -1, -2)
+        if trajectory.true_north
+        else frame.crs_from_local_rotation(trajectory.xyz)
+    )
+    return trajectory.rotation @ turn

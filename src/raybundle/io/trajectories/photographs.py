@@ -1,0 +1,54 @@
+"""Positions of a trajectory in place of those that photographs carry in their EXIF."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+
+from raybundle.errors import InputError
+from raybundle.io.photos.metadata import Gps
+from raybundle.io.photos.photo import Photo
+from raybundle.io.trajectories.base import WGS84_HEIGHT, Trajectory, matched
+from raybundle.numerics.arrays import Array
+
+
+def with_positions(photos: Sequence[Photo], trajectory: Trajectory) -> tuple[tuple[Photo, ...], tuple[str, ...]]:
+    """The photographs with the positions of a trajectory, and remarks; those without one keep their own.
+
+    raises  InputError where the positions are not longitude and latitude, or belong to none of the photographs
+    """
+    if trajectory.crs != WGS84_HEIGHT:
+        raise InputError(
+            "photographs take longitude, latitude and height above the ellipsoid; give the columns longitude_deg, "
+            "latitude_deg, height_m",
+            file=trajectory.path,
+        )
+    rows = matched(trajectory, [p.name for p in photos]).tolist()
+    gps = [None if row < 0 else _gps(trajectory, row) for row in rows]
+    found = sum(g is not None for g in gps)
+    if found == 0:
+        raise InputError(f"none of the {len(photos)} photographs has a position here", file=trajectory.path)
+    changed = [
+        p if g is None else replace(p, metadata=replace(p.metadata, gps=g)) for p, g in zip(photos, gps, strict=True)
+    ]
+    remark = f"{found} of {len(photos)} photographs get their position from {trajectory.path.name}"
+    return tuple(changed), (remark, *trajectory.remarks)
+
+
+def _gps(trajectory: Trajectory, row: int) -> Gps | None:
+    place: Array = trajectory.xyz[row]
+    longitude, latitude, height = (float(v) for v in place)
+    if math.isnan(longitude) or math.isnan(latitude):
+        return None
+    east, north, up = (float(v) for v in trajectory.sigma[row])
+    told = any(v > 0 for v in (east, north, up))
+    known = not math.isnan(height)
+    return Gps(
+        latitude_deg=latitude,
+        longitude_deg=longitude,
+        altitude_m=height if known else None,
+        altitude_reference="ellipsoid" if known else "",
+        sigma_m=(east, north, up) if told else None,
+        fix=trajectory.fix[row] if trajectory.fix else "",
+    )

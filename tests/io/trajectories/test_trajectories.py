@@ -1,0 +1,267 @@
+"""Files of positions and attitudes: by hand from the description, there and back, into a block, bad input."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from raybundle.errors import InputError
+from raybundle.io.coordinate_systems import local_frame
+from raybundle.io.photos.metadata import Gps, Metadata
+from raybundle.io.photos.photo import Photo
+from raybundle.io.trajectories import (
+    Trajectory,
+    matched,
+    read_trajectory,
+    rotations_in,
+    stations_of,
+    trajectory_formats,
+    with_positions,
+    write_trajectory,
+)
+from raybundle.io.trajectories.base import WGS84_HEIGHT
+from raybundle.numerics.attitude import opk_from_rotation, rotation_from_opk, rotation_from_rpy
+
+MRK = (
+    "1\t282401.669089\t[2404]\t   101,N\t   107,E\t   129,V\t22.77995359,Lat\t114.10089118,Lon\t139.231,Ellh\t"
+    "0.002967, 0.003104, 0.007622\t50,Q\n"
+    "2\t282404.1\t[2404]\t   -3,N\t   12,E\t   190,V\t114.10099118,Lon\t22.77996359,Lat\t139.4,Ellh\t"
+    "0.5, 0.6, 1.2\t34,Q\n"
+    "3\t282406.1\t[2404]\t0,N\t0,E\t0,V\t0.0,Lat\t0.0,Lon\t0.0,Ellh\t0, 0, 0\t0,Q\n"
+)
+FRAME = local_frame(WGS84_HEIGHT, (114.1009, 22.78, 60.0))
+
+
+@pytest.fixture
+def mrk(tmp_path):
+    path = tmp_path / "flight_Timestamp.MRK"
+    path.write_text(MRK)
+    return path
+
+
+def test_an_mrk_file_by_hand(mrk):
+    t = read_trajectory(mrk)
+    assert (t.names, t.numbered, t.crs) == (("1", "2", "3"), True, WGS84_HEIGHT)
+    np.testing.assert_allclose(t.xyz[:2], [[114.10089118, 22.77995359, 139.231], [114.10099118, 22.77996359, 139.4]])
+    assert np.isnan(t.xyz[2]).all()
+    np.testing.assert_allclose(t.sigma[0], [0.003104, 0.002967, 0.007622])  # the file has north first
+    np.testing.assert_allclose(t.offset[:2], [[0.107, 0.101, -0.129], [0.012, -0.003, -0.190]])
+    assert t.fix == ("rtk fixed", "rtk float", "none")
+    assert t.time[0] == pytest.approx(2404 * 604800 + 282401.669089)
+    assert "2 of 3 positions have no fixed solution" in t.remarks
+    assert "1 of 3 exposures have no position" in t.remarks
+
+
+def test_numbers_find_their_photographs(mrk):
+    t = read_trajectory(mrk)
+    files = ["a/DJI_20240501101530_0002_V.JPG", "100_0001_0001.JPG", "DJI_0007.JPG", "cover.jpg"]
+    assert matched(t, files).tolist() == [1, 0, -1, -1]
+    with pytest.raises(InputError, match=r"line 2: 2 belongs to a_0002.jpg and to b_0002.jpg"):
+        matched(t, ["a_0002.jpg", "b_0002.jpg"])
+
+
+def test_positions_become_stations(mrk):
+    t = read_trajectory(mrk)
+    s = stations_of(t, ["DJI_0002.JPG", "DJI_0009.JPG", "DJI_0001.JPG", "DJI_0003.JPG"], FRAME)
+    assert s.image.tolist() == [0, 2]
+    np.testing.assert_allclose(s.xyz, FRAME.local_from_crs(t.xyz[[1, 0]]))
+    np.testing.assert_allclose(s.sigma[1], t.sigma[0])
+    with pytest.raises(InputError, match="none of the 1 photographs"):
+        stations_of(t, ["x.jpg"], FRAME)
+    with pytest.raises(InputError, match="no Cartesian coordinates"):
+        stations_of(t, ["DJI_0002.JPG"], None)
+
+
+def test_photographs_take_positions(mrk):
+    blank = {"path": mrk, "width_px": 1, "height_px": 1, "sha256": ""}
+    old = Gps(latitude_deg=1.0, longitude_deg=2.0)
+    photos = [Photo(name=f"DJI_000{k}.JPG", metadata=Metadata(gps=old), **blank) for k in (1, 2, 3, 8)]
+    t = read_trajectory(mrk)
+    changed, remarks = with_positions(photos, t)
+    gps = [p.metadata.gps for p in changed]
+    assert (gps[0].latitude_deg, gps[0].altitude_reference, gps[0].fix) == (22.77995359, "ellipsoid", "rtk fixed")
+    assert gps[0].sigma_m == (0.003104, 0.002967, 0.007622)
+    assert gps[2] == gps[3] == old  # no position, no row
+    assert remarks[0] == "2 of 4 photographs get their position from flight_Timestamp.MRK"
+    with pytest.raises(InputError, match="none of the 1 photographs"):
+        with_positions(photos[3:], t)
+    with pytest.raises(InputError, match="longitude_deg"):
+        with_positions(photos, replace(t, crs=None))
+
+
+def test_opk_by_hand(tmp_path):
+    path = tmp_path / "eo.csv"
+    path.write_text(
+        "image,X,Y,Z,omega_gon,phi_gon,kappa_gon,sX,sY,sZ\na.tif,500000,5400000,1200,1,-2,100,0.02,0.02,0.04\n"
+    )
+    t = read_trajectory(path)
+    np.testing.assert_allclose(np.degrees(opk_from_rotation(t.rotation)), [[0.9, -1.8, 90.0]])
+    frame = local_frame("EPSG:32632", (500000.0, 5400000.0, 1200.0))
+    # on the central meridian at the origin grid north is true north
+    np.testing.assert_allclose(rotations_in(t, frame), t.rotation, atol=1e-9)
+    np.testing.assert_allclose(stations_of(t, ["p/a.jpg"], frame).xyz, [[0, 0, 0]], atol=1e-6)
+    np.testing.assert_allclose(stations_of(t, ["a.tif"], None).xyz, t.xyz)
+
+
+def test_rpy_against_true_north(tmp_path):
+    """Heading 0 away from the central meridian: in the grid the image is turned by the convergence."""
+    path = tmp_path / "ins.csv"
+    path.write_text(
+        "image,X,Y,Z,roll_deg,pitch_deg,yaw_deg\na,500000,5400000,1200,0,0,0\nb,600000,5400000,1200,0,0,0\n"
+    )
+    t = read_trajectory(path)
+    assert t.true_north
+    frame = local_frame("EPSG:32632", (500000.0, 5400000.0, 1200.0))
+    kappa = np.degrees(opk_from_rotation(rotations_in(t, frame)))[:, 2]
+    convergence = np.degrees(frame.scale_and_convergence(t.xyz)[:, 1])
+    assert convergence[1] == pytest.approx(1.02, abs=0.02)
+    # meridians converge: north at b leans to the west against the frame's Y axis, the image turns with it
+    assert kappa[0] == pytest.approx(0, abs=1e-6)
+    assert abs(kappa[1]) == pytest.approx(convergence[1], abs=0.01)
+    north = np.linalg.inv(rotations_in(t, frame)[1]) @ [0, 1, 0]
+    assert north[0] < 0
+    with pytest.raises(InputError, match="need a coordinate system"):
+        rotations_in(t, None)
+
+
+def test_gimbal_columns(tmp_path):
+    path = tmp_path / "gimbal.csv"
+    path.write_text(
+        "image,longitude_deg,latitude_deg,height_m,gimbal_yaw_deg,gimbal_pitch_deg,gimbal_roll_deg\n"
+        "a,114.1009,22.78,139,90,-90,0\nb,114.1009,22.78,139,90,-60,0\nc,114.1009,22.78,139,,,\n"
+    )
+    t = read_trajectory(path)
+    R = rotations_in(t, FRAME)
+    np.testing.assert_allclose(R[0], rotation_from_rpy(np.radians([0, 0, 90])), atol=1e-9)
+    np.testing.assert_allclose(-R[1, 2], [0.5, 0, -np.sqrt(0.75)], atol=1e-9)
+    assert np.isnan(R[2]).all()
+
+
+def trajectory(name, path):
+    n = 5
+    rng = np.random.default_rng(1)
+    grid = name == "opk"
+    size, origin = (100.0, (500000, 5400000, 100)) if grid else (1e-3, (9, 49, 200))
+    xyz = rng.uniform(0, size, (n, 3)) + np.array(origin)
+    sigma = rng.uniform(0.01, 0.05, (n, 3))
+    xyz[3, 2], sigma[3, 2] = (np.nan, np.nan) if name != "mrk" else (xyz[3, 2], sigma[3, 2])
+    rotation = rotation_from_opk(rng.uniform(-1, 1, (n, 3)))
+    rotation[2] = np.nan
+    return Trajectory(
+        path=path,
+        names=tuple(str(k + 1) for k in range(n)) if name == "mrk" else tuple(f"i,{k}.jpg" for k in range(n)),
+        numbered=name == "mrk",
+        xyz=xyz,
+        sigma=sigma,
+        crs=None if grid else WGS84_HEIGHT,
+        rotation=None if name == "mrk" else rotation,
+        rotation_sigma=None if name == "mrk" else rng.uniform(1e-4, 1e-3, (n, 3)),
+        true_north=not grid,
+        time=2300 * 604800.0 + np.arange(n) * 2.5,
+        offset=np.round(rng.uniform(-0.2, 0.2, (n, 3)), 3) if name == "mrk" else None,
+        fix=("rtk fixed", "rtk float", "single", "none", "rtk fixed") if name == "mrk" else (),
+    )
+
+
+@pytest.mark.parametrize("name", sorted(trajectory_formats))
+def test_what_is_written_reads_back(name, tmp_path):
+    path = tmp_path / f"t.{'mrk' if name == 'mrk' else 'csv'}"
+    given_ = trajectory(name, path)
+    write_trajectory(given_, path, name=name)
+    again = read_trajectory(path)
+    assert (again.names, again.crs, again.true_north or name == "mrk") == (given_.names, given_.crs, name != "opk")
+    tolerance = {"mrk": 1e-4}.get(name, 1e-12)
+    np.testing.assert_allclose(again.xyz[:, :2], given_.xyz[:, :2], rtol=0, atol=1e-9)
+    np.testing.assert_allclose(again.xyz, given_.xyz, rtol=0, atol=tolerance)
+    np.testing.assert_allclose(again.sigma, given_.sigma, atol=1e-6)
+    np.testing.assert_allclose(again.time, given_.time, rtol=0, atol=1e-6)
+    if name == "mrk":
+        assert again.fix == given_.fix
+        np.testing.assert_allclose(again.offset, given_.offset, atol=1e-12)
+    else:
+        np.testing.assert_allclose(again.rotation, given_.rotation, atol=1e-12)
+        np.testing.assert_allclose(again.rotation_sigma, given_.rotation_sigma, rtol=1e-12)
+    with pytest.raises(InputError, match="not overwritten"):
+        write_trajectory(given_, path, name=name)
+
+
+def test_what_cannot_be_written_is_refused(tmp_path):
+    t = trajectory("opk", tmp_path / "x")
+    with pytest.raises(InputError, match="longitude and latitude"):
+        write_trajectory(t, tmp_path / "a.mrk", name="mrk")
+    with pytest.raises(InputError, match="against true north"):
+        write_trajectory(t, tmp_path / "a.csv", name="rpy")
+    with pytest.raises(InputError, match="no attitudes"):
+        write_trajectory(replace(t, rotation=None), tmp_path / "a.csv", name="opk")
+    with pytest.raises(InputError, match="unknown format 'doc'"):
+        read_trajectory(tmp_path / "x", name="doc")
+    with pytest.raises(InputError, match="no attitudes"):
+        rotations_in(replace(t, rotation=None), None)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ("101,N", "101", r"line 1, column N: the number marked N is missing"),
+        ("22.77995359,Lat", "122.7,Lat", r"line 1, column Lat: 122.7 is beyond 90"),
+        ("[2404]\t   -3", "\t   -3", r"line 2, column 1 to 3: a line begins with number"),
+        ("0.5, 0.6, 1.2", "0.5, 0.6", r"line 2, column standard deviations: three"),
+        ("0.5, 0.6, 1.2", "-0.5, 0.6, 1.2", r"are no standard deviations"),
+        ("3\t282406", "2\t282406", r"line 3, column 1: number 2 stands twice"),
+        ("282401.669089", "982401.6", r"line 1, column 2: 982402 is no second of a week"),
+        ("139.4,Ellh\t0.5, 0.6, 1.2\t34,Q", "139.4,El", r"line 2, column Ellh: .* the line is not complete"),
+    ],
+)
+def test_bad_mrk_files_are_named(mrk, old, new, words):
+    assert old in MRK
+    mrk.write_text(MRK.replace(old, new, 1))
+    with pytest.raises(InputError, match=words):
+        read_trajectory(mrk)
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("image,X,Y,Z,omega_deg,phi_deg,kappa_deg\na,1,2,3,4,5,x\n", r"line 2, column kappa_deg: 'x' is not a number"),
+        ("image,X,Y,omega_deg,phi_deg,kappa_deg\na,1,2,4,5,6\n", r"line 1: a position is needed"),
+        ("image,X,Y,Z,omega_deg,phi_deg,kappa_deg,sX\na,1,2,3,4,5,6,-1\n", r"column sX: .* is negative"),
+        (
+            "image,longitude_deg,latitude_deg,height_m,roll_deg,pitch_deg,yaw_deg\na,49,114,3,4,5,6\n",
+            r"line 2, column latitude_deg: 114 is beyond 90 degrees; are longitude and latitude swapped",
+        ),
+        (
+            "image,X,Y,Z,roll_deg,pitch_deg,yaw_deg,roll_rad,pitch_rad,yaw_rad\na,1,2,3,4,5,6,1,1,1\n",
+            "one kind and unit",
+        ),
+        ("image,X,Y,Z,heading\na,1,2,3,4\n", "format is not recognised"),
+        ("", "format is not recognised"),
+    ],
+)
+def test_bad_tables_are_named(tmp_path, text, words):
+    path = tmp_path / "t.csv"
+    path.write_text(text)
+    with pytest.raises(InputError, match=words):
+        read_trajectory(path)
+
+
+DAMAGE = st.lists(st.tuples(st.floats(0, 1), st.integers(0, 9), st.binary(max_size=6)), min_size=1, max_size=4)
+
+
+@pytest.mark.parametrize("name", sorted(trajectory_formats))
+@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(damage=DAMAGE)
+def test_damaged_files(name, tmp_path, damage):
+    path = tmp_path / "t.x"
+    path.unlink(missing_ok=True)
+    write_trajectory(trajectory(name, path), path, name=name)
+    data = path.read_bytes()
+    for share, length, new in damage:
+        at = int(share * len(data))
+        data = data[:at] + new + data[at + length :]
+    path.write_bytes(data)
+    try:
+        assert isinstance(read_trajectory(path, name=name), Trajectory)
+    except InputError as error:
+        assert str(path) in str(error)  # noqa: PT017
