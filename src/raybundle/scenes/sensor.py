@@ -10,6 +10,7 @@ The adjustment hands every sensor its points as (U, V, W) = R (X - X0).  R and X
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from pathlib import Path
 from typing import ClassVar, cast
@@ -37,7 +38,7 @@ MEANINGS = {
 }  # fmt: skip
 
 
-class SceneSensor(SensorModel, registered=False):
+class SceneSensor(SensorModel, ABC, registered=False):
     """What the two kinds of scenes have in common."""
 
     explicit: ClassVar[bool | None] = True
@@ -49,13 +50,13 @@ class SceneSensor(SensorModel, registered=False):
     file: Path | None
     """Where the scene was read."""
 
+    @abstractmethod
     def observe(self, xyz: Array, values: Array) -> Observed:
         """Image points [px] of object points (n, 3) and all partial derivatives."""
-        raise NotImplementedError  # pragma: no cover  (both kinds have it)
 
+    @abstractmethod
     def localise(self, xy_px: Array, height: Array | float, values: Array) -> Array:
         """Object points (n, 3) of image points (n, 2) [px] at ellipsoidal heights [m]."""
-        raise NotImplementedError  # pragma: no cover
 
     def _finish(self) -> None:
         """The nominal viewpoint."""
