@@ -61,7 +61,7 @@ def projection_uncertainty(
     The image of a ray moves by -B^-1 (dg/dp dp); the rotation that fits this field best over the whole format is taken
     out.  What it does not tell: errors of a model that does not fit the lens.
     """
-    model, values = sensor_models[camera.model], _values(camera)
+    model, values = sensor_models[camera.model], camera.parameters
     xy, image = _grid(camera, columns, rows)
     points = model.ray(image, values) * (distance or 1.0)
     B, by_point, by_parameter = _derivatives(camera, image, points, values)
@@ -123,8 +123,8 @@ def calibration_difference(
             "cannot be compared; scale one of them first"
         )
     xy, image = _grid(first, columns, rows)
-    points = (sensor_models[first.model].ray(image, _values(first)) * (distance or 1.0)).T
-    values = _values(second)
+    points = (sensor_models[first.model].ray(image, first.parameters) * (distance or 1.0)).T
+    values = second.parameters
     turn, moved = np.eye(3), np.zeros(3)
     there = second.image_from_pixel(xy.reshape(-1, 2)).T
     shift = np.full((len(points), 2), np.nan)
@@ -146,11 +146,6 @@ def calibration_difference(
     return CalibrationDifference(
         xy_px=xy, shift_px=shift.reshape(rows, columns, 2), rotation=vector_from_rotation(turn), translation=moved
     )
-
-
-def _values(camera: Camera) -> Array:
-    model = sensor_models[camera.model]
-    return np.array([camera.values.get(p.symbol, p.default) for p in model.parameters])
 
 
 def _grid(camera: Camera, columns: int, rows: int) -> tuple[Array, Array]:

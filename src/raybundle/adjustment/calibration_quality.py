@@ -73,9 +73,16 @@ class CalibrationQuality:
     structure: ResidualStructure | None
 
 
-def calibration_quality(result: Adjustment, camera: str, progress: Progress = silent) -> CalibrationQuality:
+def calibration_quality(
+    result: Adjustment,
+    camera: str,
+    validation: CrossValidation | None,
+    structure: ResidualStructure | None,
+    progress: Progress = silent,
+) -> CalibrationQuality:
     """The verdict on the calibration of one camera; the adjustment must have statistics.
 
+    validation, structure  of the whole adjustment
     What it does not tell: whether zoom, focus or stabilisation move before the camera is used.
     """
     interior = next(i for i in result.interior if i.camera == camera and i.image is None)
@@ -93,8 +100,6 @@ def calibration_quality(result: Adjustment, camera: str, progress: Progress = si
     reach, coverage = _format(result, k, mine)
     rolls, convergence = _views(result, images)
     couplings = _couplings(result, interior)
-    validation = cross_validation(result, progress=progress)
-    structure = residual_structure(result)
     progress("proposals", 0.0)
     advice = next_photographs(result, camera)
     progress("proposals", 1.0)
@@ -266,4 +271,8 @@ def calibration_qualities(result: Adjustment, progress: Progress = silent) -> tu
         for i in result.interior
         if i.image is None and (i.free or any(p.status == "not determinable" for p in i.parameters.values()))
     ]
-    return tuple(calibration_quality(result, camera, progress) for camera in wanted)
+    if not wanted:
+        return ()
+    validation = cross_validation(result, progress=progress)
+    structure = residual_structure(result)
+    return tuple(calibration_quality(result, camera, validation, structure, progress) for camera in wanted)

@@ -6,15 +6,15 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from raybundle.adjustment.calibration import projected, projection_uncertainty
+from raybundle.adjustment.calibration import projection_uncertainty
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.predict import image_points
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block, Images, Observations
 from raybundle.errors import RaybundleError
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rotation import rotation_from_vector
-from raybundle.platforms.station import sensor_from_object
 from raybundle.sensors import sensor_models
 
 PHOTOGRAPHS = 4
@@ -138,7 +138,7 @@ def _into_corners(block: Block, k: int, rotation: Array) -> Array:
     """Rotations that bring what stood in the middle of the format into each quarter of it."""
     camera = block.cameras[k]
     model = sensor_models[camera.model]
-    values = np.array([camera.values.get(p.symbol, p.default) for p in model.parameters])
+    values = camera.parameters
     width, height = camera.size_mm
     place = np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]]) * np.array([width, height]) / 4
     d = model.ray(place.T, values).T
@@ -162,7 +162,9 @@ def _with(
     for i, (X0, R) in enumerate(zip(centre, rotation, strict=True)):
         to = X0 - points.xyz[known]
         seen = np.abs(to @ normal) > GRAZING * np.linalg.norm(to, axis=1) if flat else np.ones(len(known), bool)
-        at, inside = _image(block, k, X0, R, points.xyz[known[seen]])
+        camera = block.cameras[k]
+        at = image_points(camera, R, X0, points.xyz[known[seen]])
+        inside = ((at > 0) & (at < [camera.width_px, camera.height_px])).all(axis=1)
         rows = known[seen][inside]
         if len(rows) < 8:
             continue
@@ -207,20 +209,3 @@ def _facing(xyz: Array, centres: Array) -> tuple[Array, bool]:
     _, size, axes = np.linalg.svd(centred, full_matrices=False)
     normal = axes[2] * (1 if (centres.mean(axis=0) - xyz.mean(axis=0)) @ axes[2] >= 0 else -1)
     return normal, bool(size[2] < 0.1 * size[1])
-
-
-def _image(block: Block, k: int, centre: Array, rotation: Array, xyz: Array) -> tuple[Array, Mask]:
-    """Image points (n, 2) [px] of object points, and whether they lie within the format."""
-    camera = block.cameras[k]
-    model = sensor_models[camera.model]
-    values = np.array([camera.values.get(p.symbol, p.default) for p in model.parameters])
-    n = len(xyz)
-    P = sensor_from_object(np.broadcast_to(rotation, (n, 3, 3)), np.broadcast_to(centre, (n, 3)), xyz)
-    half = np.abs(camera.size_mm) / 2
-    start = model.start(P, values)
-    near = np.asarray(model.in_front(P)) & (np.abs(start.T) < 1.5 * half).all(axis=1)
-    at = np.full((n, 2), np.nan)
-    found, seen = projected(camera, P[:, near], values, start[:, near])
-    at[near] = np.where(seen[:, None], camera.pixel_from_image(found.T), np.nan)
-    size = np.array([camera.width_px, camera.height_px])
-    return at, np.asarray(((at > 0) & (at < size)).all(axis=1))

@@ -80,7 +80,7 @@ def _one_image(block: Block, result: Adjustment, i: int, rows: Array, wanted: Se
     o = result.given.observations
     cam = block.cameras[block.images.camera[i]]
     model = sensor_models[cam.model]
-    values = np.array([cam.values.get(p.symbol, p.default) for p in model.parameters])
+    values = cam.parameters
     n = len(rows)
     R = np.broadcast_to(block.images.rotation[i], (n, 3, 3))
     P = sensor_from_object(R, np.broadcast_to(block.images.centre[i], (n, 3)), block.points.xyz[o.point[rows]])

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from raybundle.adjustment.calibration import projected
-from raybundle.block import Block
+from raybundle.block import Block, Camera
 from raybundle.numerics.arrays import Array
 from raybundle.platforms.station import sensor_from_object
 
@@ -24,7 +24,7 @@ def residuals_px(block: Block, rows: Array) -> Array:
         model = cam.sensor
         image = observations.image[rows[mine]]
         point = observations.point[rows[mine]]
-        values = np.array([[cam.values.get(p.symbol, p.default) for p in model.parameters]] * len(mine)).T
+        values = np.array([cam.parameters] * len(mine)).T
         for k, i in enumerate(image):
             own = block.images.interior.get(int(i))
             if own is not None:
@@ -41,14 +41,17 @@ def residuals_px(block: Block, rows: Array) -> Array:
 def predicted_px(block: Block, image: int, xyz: Array) -> Array:
     """Image points (n, 2) [px] of object points (n, 3) in an oriented image; NaN behind the camera or not projected."""
     camera = block.cameras[int(block.images.camera[image])]
-    model = camera.sensor
-    values = np.array([camera.values.get(p.symbol, p.default) for p in model.parameters])
-    n = len(xyz)
-    R = np.broadcast_to(block.images.rotation[image], (n, 3, 3))
-    P = sensor_from_object(R, np.broadcast_to(block.images.centre[image], (n, 3)), xyz)
-    near = np.asarray(model.in_front(P))
-    near &= (np.abs(model.start(P, values).T) < 0.75 * np.abs(camera.size_mm)).all(axis=1)
+    return image_points(camera, block.images.rotation[image], block.images.centre[image], xyz)
+
+
+def image_points(camera: Camera, rotation: Array, centre: Array, xyz: Array) -> Array:
+    """Image points (n, 2) [px] of object points (n, 3); NaN behind the camera or far outside the format."""
+    model, values, n = camera.sensor, camera.parameters, len(xyz)
+    P = sensor_from_object(np.broadcast_to(rotation, (n, 3, 3)), np.broadcast_to(centre, (n, 3)), xyz)
+    start = model.start(P, values)
+    # beyond the format a distortion need not have an inverse
+    near = np.asarray(model.in_front(P)) & (np.abs(start.T) < 0.75 * np.abs(camera.size_mm)).all(axis=1)
     result = np.full((n, 2), np.nan)
-    found, seen = projected(camera, P[:, near], values, model.start(P, values)[:, near])
+    found, seen = projected(camera, P[:, near], values, start[:, near])
     result[near] = np.where(seen[:, None], camera.pixel_from_image(found.T), np.nan)
     return result

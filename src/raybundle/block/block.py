@@ -61,6 +61,11 @@ class Camera:
         return self.scene or sensor_models[self.model]
 
     @property
+    def parameters(self) -> Array:
+        """(k,) values of the sensor model's parameters, in its order; its defaults where `values` has none."""
+        return np.array([self.values.get(p.symbol, p.default) for p in self.sensor.parameters])
+
+    @property
     def is_scene(self) -> bool:
         """Whether this is a satellite scene."""
         return self.scene is not None and self.scene.has_images

@@ -134,7 +134,7 @@ def planar_start(camera: Camera, xy_px: Array, image: Array, xyz: Array) -> tupl
     xy = camera.image_from_pixel(xy_px[order])
     model, size = sensor_models[camera.model], float(camera.size_mm.max())
     if camera.values.get(model.symbols[0], 0.0) > 0:
-        values = np.array([camera.values.get(p.symbol, p.default) for p in model.parameters])
+        values = camera.parameters
         ray = model.ray(xy.T, np.repeat(values[:, None], len(xy), axis=1)).T
         R, t, away = _poses(ray, xyz, first)
         per_px = values[0] / camera.pixel_mm[0]
@@ -227,7 +227,7 @@ def fitted_to_rays(camera: Camera, xy_mm: Array, ray: Array, c: float) -> Camera
     pole beside a zero.
     """
     model = sensor_models[camera.model]
-    values = np.array([camera.values.get(p.symbol, p.default) for p in model.parameters])
+    values = camera.parameters
     values[0] = c
     chosen = model.symbols if camera.estimate == "auto" else camera.estimate
     radial = [k for k, p in enumerate(model.parameters) if p.kind == "radial" and p.symbol in chosen]
@@ -280,7 +280,7 @@ def spline_camera(camera: Camera, *, sigma_px: float = 20.0) -> Camera:
     Camera constant and radial terms follow the camera's rays over the format; the knots stay 0 for the adjustment.
     """
     old, new = sensor_models[camera.model], sensor_models["spline"]
-    values = np.array([camera.values.get(p.symbol, p.default) for p in old.parameters])
+    values = camera.parameters
     width, height = (float(s) for s in camera.size_mm)
     share = np.meshgrid((np.arange(36) + 0.5) / 36 - 0.5, (np.arange(24) + 0.5) / 24 - 0.5)
     xy = np.stack(share, axis=2).reshape(-1, 2) * camera.size_mm

@@ -34,7 +34,7 @@ def camera_rays(camera: Camera, xy_px: Array) -> Array:
     back half of a panorama, it starts again from the nearest of a sphere of directions.
     """
     model = sensor_models[camera.model]
-    values = np.array([camera.values.get(p.symbol, p.default) for p in model.parameters])
+    values = camera.parameters
     image = camera.image_from_pixel(xy_px).T
     with np.errstate(all="ignore"):
         direction = model.ray(image, values)

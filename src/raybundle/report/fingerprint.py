@@ -69,7 +69,7 @@ def _scene(camera: Camera) -> list[float]:
     """Where a satellite scene shows five of its points: told by everything in it."""
     sensor = camera.sensor
     t = np.array([[0.0, 0.4, 0.4, -0.4, -0.4], [0.0, 0.4, -0.4, 0.4, -0.4]])
-    values = np.array([camera.values.get(p.symbol, p.default) for p in sensor.parameters])
+    values = camera.parameters
     return np.round(sensor.ray(t * camera.size_mm[:, None], values), 6).ravel().tolist()
 
 

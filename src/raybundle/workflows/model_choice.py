@@ -13,6 +13,7 @@ from raybundle.block import Block, Camera
 from raybundle.block.boards import fitted_to_rays
 from raybundle.errors import RaybundleError
 from raybundle.sensors import sensor_models
+from raybundle.workflows.target_block import with_values
 
 CANDIDATES = (("brown", 0.0), ("rational", np.radians(35)), ("fisheye", np.radians(40)))
 """Models, and the half angle of the field from which they are tried."""
@@ -45,7 +46,7 @@ def choose_models(start: Block, first: Adjustment, settings: AdjustmentOptions) 
             simpler = len(sensor_models[name].parameters) < len(sensor_models[best.cameras[k].model].parameters)
             gain = trial.sigma0 / now.sigma0
             if _bic(trial) < _bic(now) - 10 and (simpler or gain < GAIN):
-                best, now = replace(_as_start(changed, trial)), trial
+                best, now = with_values(changed, trial.adjusted), trial
         if best.cameras[k].model != known:
             told.append(
                 Notice(
@@ -61,7 +62,7 @@ def choose_models(start: Block, first: Adjustment, settings: AdjustmentOptions) 
 def half_angle(camera: Camera) -> float:
     """Half angle of the field [rad], to the corner of the format."""
     model = sensor_models[camera.model]
-    values = np.array([camera.values.get(p.symbol, p.default) for p in model.parameters])
+    values = camera.parameters
     corner = np.abs(camera.size_mm[:, None]) / 2
     d = model.ray(corner, values)[:, 0]
     c = abs(float(values[0])) or 1.0
@@ -74,7 +75,7 @@ def with_model(block: Block, k: int, name: str) -> Block | None:
     """The block with another model for camera k, its parameters fitted to the rays of the present one."""
     camera = block.cameras[k]
     old = sensor_models[camera.model]
-    values = np.array([camera.values.get(p.symbol, p.default) for p in old.parameters])
+    values = camera.parameters
     rows = np.flatnonzero(block.images.camera[block.observations.image] == k)
     rows = rows[:: max(1, len(rows) // 2000)]
     xy = camera.image_from_pixel(block.observations.xy_px[rows])
@@ -106,16 +107,6 @@ def _tried(block: Block, settings: AdjustmentOptions, rejected: tuple[str, ...])
         return adjust_block(block, options, free=free, rejected=rejected)
     except RaybundleError:
         return None
-
-
-def _as_start(block: Block, result: Adjustment) -> Block:
-    a = result.adjusted
-    return replace(
-        block,
-        images=replace(block.images, centre=a.images.centre, rotation=a.images.rotation),
-        points=replace(block.points, xyz=a.points.xyz),
-        cameras=tuple(replace(c, values=n.values) for c, n in zip(block.cameras, a.cameras, strict=True)),
-    )
 
 
 def _bic(result: Adjustment) -> float:
