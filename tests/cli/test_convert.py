@@ -181,6 +181,15 @@ def test_points_take_their_colours_from_the_photographs(photographs, tmp_path):
         assert abs(colour[0] - np.floor(xy[:, 0]).mean() * 255 / 599) < 1.5
 
 
+def test_an_oriented_project_knows_where_its_photographs_are(photographs, tmp_path):
+    folder = json.dumps(str(tmp_path / "photos"))
+    (tmp_path / "project.toml").write_text(f'[orient]\nphotos = ["nowhere", {folder}]\n')
+    convert(tmp_path / "b", "--to", "ply", "--out", tmp_path / "p.ply")
+    body = (tmp_path / "p.ply").read_bytes().partition(b"end_header\n")[2]
+    row = np.dtype([("xyz", "<f8", 3), ("rgb", "u1", 3), ("sigma", "<f4", 3), ("rays", "<i4")])
+    assert np.all(np.frombuffer(body, row)["rgb"][:, 2] == 90)
+
+
 CASES = {
     "stands there": (["{b}", "--to", "colmap", "--out", "{b}"], "not overwritten"),
     "no input": (["{b}x", "--to", "colmap", "--out", "{o}"], "no such file"),

@@ -1,17 +1,21 @@
 """Onto control, robustly: blunders are named, heights that are not known are said."""
 
 from dataclasses import replace
+from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
+from raybundle.adjustment.engine import adjust_block
+from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Role
 from raybundle.block.select import transformed
 from raybundle.block.simulate import AerialStrips, Survey, aerial_scene, simulate
 from raybundle.errors import InputError
 from raybundle.io.control_files import ControlFile, Measurements
+from raybundle.numerics.geodesy import LocalPlace
 from raybundle.numerics.rotation import rotation_from_angles
 from raybundle.workflows.georeference import georeference
 from raybundle.workflows.marks import Given, ScaleBar
@@ -51,7 +55,7 @@ def flight():
     photos = [
         SimpleNamespace(
             name=name, width_px=truth.cameras[0].width_px, height_px=truth.cameras[0].height_px,
-            metadata=SimpleNamespace(gps=None),
+            metadata=SimpleNamespace(gps=None, make="", model="", serial="", taken=None),
         )
         for name in truth.images.ids
     ]  # fmt: skip
@@ -142,19 +146,90 @@ def test_a_mark_outside_the_photograph_is_an_error_with_its_line(flight):
         )
 
 
-def test_gps_places_the_block(flight):
+CRS = "EPSG:4979"
+PLACE = (8.0, 50.0, 200.0)
+
+
+def with_gps(flight, noise=0.02, shift=(0.0, 0.0, 0.0), pause=None):
+    """The photographs with RTK positions; after number `pause` half an hour goes by and the shift changes its sign."""
     rng = np.random.default_rng(1)
+    place = LocalPlace(origin=PLACE)
+    second = np.arange(len(flight.photos)) >= (len(flight.photos) if pause is None else pause)
+    moved = flight.truth.images.centre + np.where(second[:, None], -1, 1) * np.array(shift)
     photos = []
-    for photo, c in zip(flight.photos, flight.truth.images.centre, strict=True):
-        east, north, up = c + rng.normal(0, 0.02, 3)
+    for k, (photo, at) in enumerate(zip(flight.photos, moved + rng.normal(0, noise, moved.shape), strict=True)):
+        lon, lat, h = place.geographic_from_local(at[None])[0]
         gps = SimpleNamespace(
-            latitude_deg=50 + north / 111_229.0, longitude_deg=8 + east / 71_695.0, altitude_m=200 + up,
-            sigma_m=(0.02, 0.02, 0.03), fix="RTK",
-        )  # fmt: skip
-        photos.append(SimpleNamespace(**{**vars(photo), "metadata": SimpleNamespace(gps=gps)}))
-    placed = georeference(flight.free, photos, Given())
+            latitude_deg=lat, longitude_deg=lon, altitude_m=h, sigma_m=(noise, noise, noise), fix="rtk fixed"
+        )
+        taken = datetime(2026, 5, 1, 10, tzinfo=UTC) + timedelta(seconds=2 * k + 1800 * bool(second[k]))
+        metadata = SimpleNamespace(**{**vars(photo.metadata), "gps": gps, "taken": taken})
+        photos.append(SimpleNamespace(**{**vars(photo), "metadata": metadata}))
+    return photos
+
+
+def in_degrees(flight, chosen):
+    """Control in longitude, latitude, height; the others are measured only."""
+    xyz = np.full_like(flight.xyz, np.nan)
+    xyz[chosen] = LocalPlace(origin=PLACE).geographic_from_local(flight.xyz[chosen])
+    return replace(control(flight, xyz), crs=CRS)
+
+
+def adjusted(placed):
+    return adjust_block(placed.block, AdjustmentOptions())
+
+
+def test_gps_places_the_block(flight):
+    placed = georeference(flight.free, with_gps(flight), Given())
     assert placed.frame is not None
     assert "gps" in codes(placed)
+    assert not any(c.model == "antenna" for c in placed.block.cameras)
     base = np.linalg.norm(placed.block.images.centre[0] - placed.block.images.centre[-1])
     true = np.linalg.norm(flight.truth.images.centre[0] - flight.truth.images.centre[-1])
-    assert base == pytest.approx(true, rel=0.01)
+    assert base == pytest.approx(true, rel=1e-3)
+
+
+def test_one_control_point_suffices_beside_positions_and_finds_their_shift(flight):
+    shift = np.array([0.8, -0.5, 1.7])
+    photos = with_gps(flight, shift=shift)
+    placed = georeference(flight.free, photos, Given(control=(in_degrees(flight, [0]),)))
+    assert placed.block.cameras[-1].estimate == ("sx", "sy", "sz")
+    result = adjusted(placed)
+    antenna = next(r for r in result.interior if r.camera == "gnss")
+    for s, true in zip(("sx", "sy", "sz"), shift, strict=True):
+        p = antenna.parameters[s]
+        assert abs(p.value - true) < 4 * p.std
+        assert p.std < 0.2
+    local = placed.frame.local_from_wgs84(LocalPlace(origin=PLACE).geographic_from_local(flight.truth.images.centre))
+    apart = result.adjusted.images.centre - local
+    assert np.all(np.abs(apart) < 5 * result.precision.image_std[:, :3])
+
+
+def test_every_flight_has_its_shift(flight):
+    photos = with_gps(flight, shift=(0.3, 0.2, 0.5), pause=10)
+    placed = georeference(flight.free, photos, Given(control=(in_degrees(flight, [0, 1, 2, 3]),)))
+    result = adjusted(placed)
+    found = {r.camera: r.parameters["sz"] for r in result.interior if r.camera.startswith("gnss")}
+    assert set(found) == {"gnss-1", "gnss-2"}
+    for name, true in (("gnss-1", 0.5), ("gnss-2", -0.5)):
+        assert abs(found[name].value - true) < 4 * found[name].std
+    without = georeference(flight.free, photos, Given(control=(in_degrees(flight, [0, 1, 2, 3]),), shift=False))
+    assert without.block.stations.antenna is None
+
+
+def test_a_lever_arm_is_held_or_observed(flight):
+    given = Given(lever_arm=((0.1, -0.05, 0.3), 0.0))
+    (held,) = [c for c in georeference(flight.free, with_gps(flight), given).block.cameras if c.id == "gnss"]
+    assert held.estimate == ()
+    assert held.values["az"] == 0.3
+    given = replace(given, lever_arm=((0.1, -0.05, 0.3), 0.02))
+    (observed,) = [c for c in georeference(flight.free, with_gps(flight), given).block.cameras if c.id == "gnss"]
+    assert observed.sigma == {"ax": 0.02, "ay": 0.02, "az": 0.02}
+
+
+def test_positions_too_near_each_other_are_not_used(flight):
+    extent = np.ptp(flight.truth.images.centre, axis=0).max()
+    placed = georeference(flight.free, with_gps(flight, noise=float(extent)), Given())
+    assert "gps_too_near" in codes(placed)
+    assert placed.frame is None
+    assert len(placed.block.stations) == 0

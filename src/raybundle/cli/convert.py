@@ -14,6 +14,7 @@ from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, count
 from raybundle.errors import InputError
 from raybundle.io.coordinate_systems import LocalFrame, frame_from_mapping, local_frame
 from raybundle.io.formats import Export, formats, read_format, write_format
+from raybundle.io.project import photographs_of
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress
 from raybundle.numerics.rotation import rotation_from_angles
@@ -60,7 +61,9 @@ Example:
     "is brought to a local frame in its middle.",
 )
 @click.option("--undulation", type=float, metavar="M", help="Height of the geoid above the ellipsoid, for --crs.")
-@click.option("--photos", type=FOLDER, metavar="FOLDER", help="The photographs: colours of points, and --undistort.")
+@click.option("--photos", type=FOLDER, metavar="FOLDER",
+    help="The photographs: colours of points, and --undistort. An oriented project's colours are found without it.",
+)  # fmt: skip
 @click.option(
     "--undistort",
     type=click.Choice(["inside", "all"]),
@@ -93,10 +96,11 @@ def command(
         if crs is not None:
             export, more = placed(export, crs, origin, undulation)
             remarks += more
-        if photos is not None:
+        coloured = target != BLOCK and formats[target].colours
+        if folders := (photos,) if photos is not None else photographs_of(source) if coloured else ():
             from raybundle.io.undistort import point_colours  # noqa: PLC0415
 
-            colours, more = point_colours(export.block, photos, progress=tell)
+            colours, more = point_colours(export.block, folders, progress=tell)
             export = replace(export, colours=colours)
             remarks += more
         if undistort and photos is not None:

@@ -75,6 +75,15 @@ class StageName(click.Choice[str]):
     "--positions", type=FOLDER, metavar="FILE",
     help="Positions of the photographs, as an MRK file or CSV, in place of those that they state.",
 )  # fmt: skip
+@click.option(
+    "--lever-arm", type=(float, float, float, float), metavar="RIGHT UP BACK SIGMA",
+    help="Positions belong to an antenna that stands there in the axes of the image, seen from the projection centre; "
+    "SIGMA 0 holds it.",
+)  # fmt: skip
+@click.option(
+    "--no-shift", is_flag=True,
+    help="Control and positions are in one datum: no shift of the positions of each flight is estimated.",
+)  # fmt: skip
 @click.option("--no-gps", is_flag=True, help="Leave positions out that the photographs state.")
 @click.option("--features", default="rootsift", show_default=True, metavar="METHOD",
     help="rootsift; for wide baselines, with the extra [learned]: xfeat or disk.",
@@ -110,6 +119,8 @@ def command(
     mark_sigma: float,
     scale_bar: tuple[tuple[str, str, float, float], ...],
     positions: Path | None,
+    lever_arm: tuple[float, float, float, float] | None,
+    no_shift: bool,  # noqa: FBT001
     no_gps: bool,  # noqa: FBT001
     features: str,
     feature_count: int,
@@ -164,7 +175,8 @@ def command(
             *(read_control(f, defaults=replace(usual, role="check")) for f in check),
         ),
         scale_bars=tuple(ScaleBar(start=a, end=b, length=d, sigma=e) for a, b, d, e in scale_bar),
-        gps=not no_gps, defaults=usual, sigma_given=control_sigma is not None, mark_px=mark_sigma,
+        gps=not no_gps, shift=not no_shift, lever_arm=None if lever_arm is None else (lever_arm[:3], lever_arm[3]),
+        defaults=usual, sigma_given=control_sigma is not None, mark_px=mark_sigma,
     )  # fmt: skip
     result = out / "result"
     if shown(out) != out:

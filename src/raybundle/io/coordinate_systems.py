@@ -86,6 +86,20 @@ class LocalFrame:
         geographic = _geographic_from_geocentric(_rows(xyz) @ self._place[1] + self._place[0], _horizontal(self.crs))
         return _transformed(_to_wgs84(self.crs), geographic)
 
+    def local_from_wgs84(self, geographic: Array) -> Array:
+        """Local coordinates (n, 3) of longitude, latitude [deg], ellipsoidal height [m] in WGS 84; NaN heights stay."""
+        from pyproj.enums import TransformDirection  # noqa: PLC0415
+
+        rows = _rows(geographic)
+        unknown = np.isnan(rows[:, 2])
+        height = self.wgs84_from_local(np.zeros((1, 3)))[0, 2]
+        filled = np.where(unknown[:, None] & [False, False, True], height, rows)
+        own = np.stack(_to_wgs84(self.crs).transform(*filled.T, direction=TransformDirection.INVERSE), axis=1)
+        own = _checked(own, rows, "WGS 84")
+        local = (_geocentric_from_geographic(own, _horizontal(self.crs)) - self._place[0]) @ self._place[1].T
+        local[unknown, 2] = np.nan
+        return local
+
     def jacobian(self, xyz: Array) -> Array:
         """(n, 3, 3) derivatives of local coordinates by those of the system, at (n, 3) in the system."""
         xyz = _rows(xyz)

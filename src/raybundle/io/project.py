@@ -20,6 +20,7 @@ import os
 import shutil
 import sqlite3
 import time
+import tomllib
 import uuid
 import zipfile
 from collections.abc import Callable, Generator, Mapping, Sequence
@@ -428,3 +429,16 @@ def _peak_memory_mb() -> float:
     except ImportError:
         return 0.0
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+
+
+def photographs_of(result: Path) -> tuple[Path, ...]:
+    """Folders of the photographs that a result folder, or its project, was made from, as far as they are there."""
+    for folder in (result, result.parent):
+        try:
+            with (folder / "project.toml").open("rb") as file:
+                asked = tomllib.load(file).get("orient", {})
+        except (OSError, tomllib.TOMLDecodeError):
+            continue
+        paths = [Path(str(p)) for p in asked.get("photos", [])]
+        return tuple(dict.fromkeys(p if p.is_dir() else p.parent for p in paths if p.exists()))
+    return ()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
@@ -252,15 +252,19 @@ def _saved(pixels: Array, path: Path, image: Any) -> None:
         raise InputError(f"cannot be written: {error.strerror or error}; free space", file=path) from None
 
 
-def point_colours(block: Block, photos: Path, *, progress: Progress = silent) -> tuple[Array, tuple[str, ...]]:
+def point_colours(
+    block: Block, folders: Sequence[Path], *, progress: Progress = silent
+) -> tuple[Array, tuple[str, ...]]:
     """Colours (p, 3) of the object points, 0 to 255, the mean over the photographs that show them; and remarks.
 
+    folders  where the photographs are looked for, one after the other
     NaN where no photograph shows a point.
     """
     total, count = np.zeros((len(block.points), 3)), np.zeros(len(block.points))
     remarks: list[str] = []
     for rows, name, camera in _per_image(block, progress):
         try:
+            photos = next((f for f in folders if (f / _relative(name)).is_file()), folders[0])
             pixels, _ = _opened(photos, name, camera)
         except (OSError, ValueError, SyntaxError, InputError) as error:
             remarks.append(f"{name} gives no colours: {error}")

@@ -9,7 +9,7 @@ from itertools import combinations
 import numpy as np
 
 from raybundle.adjustment.result import Adjustment, Notice
-from raybundle.block import Block, Role, Stations
+from raybundle.block import Block, Role
 from raybundle.block.select import transformed
 from raybundle.errors import InputError
 from raybundle.io.coordinate_systems import WGS84, LocalFrame, local_frame
@@ -25,9 +25,8 @@ from raybundle.workflows.marks import (
     drop_single_marks,
     intersected,
 )
+from raybundle.workflows.positions import SCALE, Positions, mean_place, observe, positions_of, scale_sigma
 
-GPS_M = (5.0, 5.0, 10.0)
-"""Standard deviation of a GPS position that states none."""
 LEVEL = 0.05
 """Tangent of the angle to which a block is level by the viewing direction of its photographs."""
 TRIALS = 2000
@@ -61,9 +60,15 @@ def georeference(block: Block, photos: Sequence[Photo], given: Given) -> Georefe
     free = intersected(state.block)
     drop_gross_marks(state, free, given.mark_px)
     control = _control_to_fit(state.block, free)
-    fixed = _fix_by_control(state, free, control, given)
-    if not fixed and frame is not None and given.gps:
-        fixed = _fix_by_gps(state, photos, frame)
+    positions = None
+    if frame is not None and given.gps:
+        positions = positions_of(photos, state.block.images.oriented, frame)
+    fixed = _fix_by_control(state, free, control, given, alone=positions is None or len(positions) < 3)
+    if not fixed and positions is not None:
+        fixed = _fix_by_positions(state, positions)
+        _refuse_little_control(state, control, given, placed=fixed)
+    if fixed and positions is not None and len(positions):
+        observe(state, positions, given)
     if not fixed:
         _fix_by_bars(state, free)
         frame = None
@@ -97,25 +102,10 @@ def _frame(photos: Sequence[Photo], given: Given) -> LocalFrame | None:
         xyz = np.vstack([c.xyz for c in given.control if c.crs == crs])
         height = float(np.nanmean(xyz[:, 2])) if np.isfinite(xyz[:, 2]).any() else np.nan
         return local_frame(crs, (float(np.nanmean(xyz[:, 0])), float(np.nanmean(xyz[:, 1])), height))
-    places = _gps(photos)
-    if given.control or not given.gps or len(places) < 3:
+    mean = mean_place(photos)
+    if given.control or not given.gps or mean is None:
         return None
-    mean = np.nanmean(np.array([p for p, _ in places.values()]), axis=0)
-    return local_frame(WGS84, (float(mean[0]), float(mean[1]), float(mean[2])))
-
-
-def _gps(photos: Sequence[Photo]) -> dict[int, tuple[tuple[float, float, float], tuple[float, ...]]]:
-    """Longitude, latitude, height and standard deviations of the photographs that state them."""
-    found: dict[int, tuple[tuple[float, float, float], tuple[float, ...]]] = {}
-    for i, photo in enumerate(photos):
-        g = photo.metadata.gps
-        if g is None:
-            continue
-        stated = g.sigma_m or (np.nan, np.nan, np.nan)
-        sigma = tuple(s if np.isfinite(s) and s > 0 else d for s, d in zip(stated, GPS_M, strict=True))
-        height = np.nan if g.altitude_m is None else g.altitude_m
-        found[i] = (g.longitude_deg, g.latitude_deg, height), sigma
-    return found
+    return local_frame(WGS84, mean)
 
 
 def _control_to_fit(block: Block, free: Array) -> Index:
@@ -124,8 +114,8 @@ def _control_to_fit(block: Block, free: Array) -> Index:
     return np.flatnonzero(given[:, 0] & given[:, 1] & np.isfinite(free).all(axis=1))
 
 
-def _fix_by_control(state: Placing, free: Array, control: Index, given: Given) -> bool:
-    """Move the block onto the control; False where that does not suffice."""
+def _fix_by_control(state: Placing, free: Array, control: Index, given: Given, *, alone: bool) -> bool:
+    """Move the block onto the control; False where there is none, or too little and positions that may help."""
     block = state.block
     if not block.points.is_control.any():
         return False
@@ -151,16 +141,24 @@ def _fix_by_control(state: Placing, free: Array, control: Index, given: Given) -
         residual = (lifted[control] + t - target[control])[:, :2]
         chosen = control
     else:
-        state.tell(
-            "control_too_little",
-            f"{len(control)} control points with two or more rays; at least 2 are needed to place the block: "
-            "measure more of them in the photographs",
-        )
-        raise InputError(state.notices[-1].message, file=given.control[0].path if given.control else None)
+        if alone:
+            _refuse_little_control(state, control, given, placed=False)
+        return False
     _apply(state, free, s, R, t)
     _weigh_control(state, given, residual)
     _guess_heights(state)
     return True
+
+
+def _refuse_little_control(state: Placing, control: Index, given: Given, *, placed: bool) -> None:
+    """Raise InputError where there is control but nothing that placed the block."""
+    if placed or not state.block.points.is_control.any():
+        return
+    raise InputError(
+        f"{len(control)} control points with two or more rays; at least 2 are needed to place the block, or positions "
+        "of the photographs and a coordinate system of the control: measure more of them in the photographs",
+        file=given.control[0].path if given.control else None,
+    )
 
 
 def _apply(state: Placing, free: Array, s: float, R: Array, t: Array) -> None:
@@ -223,17 +221,21 @@ def _guess_heights(state: Placing) -> None:
     )
 
 
-def _fix_by_gps(state: Placing, photos: Sequence[Photo], frame: LocalFrame) -> bool:
-    """Move the block onto the positions that the photographs state, and observe them."""
-    places = _gps(photos)
-    images = [i for i in places if state.block.images.oriented[i]]
-    if len(images) < 3:
+def _fix_by_positions(state: Placing, positions: Positions) -> bool:
+    """Move the block onto the positions that the photographs state; False where they are too few or too near."""
+    if len(positions) < 3:
         return False
-    geographic = np.array([places[i][0] for i in images])
-    sigma = np.array([places[i][1] for i in images])
-    local = frame.local_from_crs(geographic)
+    weak = scale_sigma(positions)
+    if weak > SCALE:
+        state.tell(
+            "gps_too_near",
+            f"the positions of {len(positions)} photographs lie too near each other for what they are good for (scale "
+            f"to {100 * weak:.0f} %, {100 * SCALE:.0f} % are asked for) and are not used",
+        )
+        return False
+    local = positions.xyz
     heights = np.isfinite(local[:, 2])
-    free = state.block.images.centre[images]
+    free = state.block.images.centre[positions.image]
     if heights.sum() >= 3 and not _collinear(local[heights]):
         s, R, t = _robust(free[heights], local[heights], 3)
     else:
@@ -245,13 +247,6 @@ def _fix_by_gps(state: Placing, photos: Sequence[Photo], frame: LocalFrame) -> b
     if not s > 0:
         return False
     _apply(state, intersected(state.block), s, R, t)
-    state.block = replace(
-        state.block,
-        stations=Stations(
-            image=np.array(images, np.int32), xyz=local, sigma=np.where(np.isfinite(local), sigma, np.nan)
-        ),
-    )
-    state.tell("gps", f"object space by the GPS positions of {len(images)} photographs")
     return True
 
 

@@ -43,7 +43,12 @@ class Given:
     """control and check points with their places in the photographs; the role stands in the file"""
     scale_bars: tuple[ScaleBar, ...] = ()
     gps: bool = True
-    """use the positions that the photographs state, where there is no control"""
+    """use the positions that the photographs state"""
+    shift: bool = True
+    """beside control, a shift of the positions of each flight is estimated"""
+    lever_arm: tuple[tuple[float, float, float], float] | None = None
+    """from the projection centre to the antenna, to the right, upwards in the image and backwards, and the standard
+    deviation of each; 0: held"""
     defaults: ControlDefaults = DEFAULTS
     sigma_given: bool = False
     """the standard deviations in `defaults` are known, not assumed"""

@@ -146,7 +146,8 @@ def orient(
     inputs       folders and files
     folder       project folder; begun, or continued
     calibration  cameras whose interior orientation is known (`estimate` () holds it)
-    given        control, check points, scale bars; GPS positions of the photographs are used where there is no control
+    given        control, check points, scale bars; GPS positions of the photographs place the block, or are observed
+                 beside control
     positions    positions of the photographs from a file, in place of those that they state
     raises       InputError, NoOrientation
 

@@ -89,6 +89,8 @@ class Format:
     read: Reader | None = None
     needs_frame: bool = False
     """Whether it can only be written where the block's coordinate system is known."""
+    colours: bool = False
+    """Whether its points have colours."""
 
 
 formats: dict[str, Format] = {}

@@ -58,5 +58,12 @@ def _row(values: Sequence[float]) -> str:
 
 
 register(
-    Format(name="bundler", title="Bundler bundle.out and its list of images", kind="file", suffix=".out", write=write)
+    Format(
+        name="bundler",
+        title="Bundler bundle.out and its list of images",
+        kind="file",
+        colours=True,
+        suffix=".out",
+        write=write,
+    )
 )

@@ -480,5 +480,9 @@ def _read_points_text(path: Path, model: _Model) -> None:
         model.rgb[number] = [min(max(c, 0), 255) for c in rgb]
 
 
-register(Format(name="colmap", title="COLMAP model, binary", kind="folder", write=write_binary, read=read))
-register(Format(name="colmap-text", title="COLMAP model, text", kind="folder", write=write_text, read=read))
+register(
+    Format(name="colmap", title="COLMAP model, binary", kind="folder", colours=True, write=write_binary, read=read)
+)
+register(
+    Format(name="colmap-text", title="COLMAP model, text", kind="folder", colours=True, write=write_text, read=read)
+)

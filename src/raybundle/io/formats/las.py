@@ -57,5 +57,6 @@ register(
         kind="file",
         suffix=".las",
         write=write,
+        colours=True,
     )
 )

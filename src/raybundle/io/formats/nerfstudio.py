@@ -162,5 +162,13 @@ def _camera_in(top: Json, frame: Json) -> ForwardCamera:
 
 
 register(
-    Format(name="nerfstudio", title="nerfstudio transforms.json", kind="file", suffix=".json", write=write, read=read)
+    Format(
+        name="nerfstudio",
+        title="nerfstudio transforms.json",
+        kind="file",
+        colours=True,
+        suffix=".json",
+        write=write,
+        read=read,
+    )
 )

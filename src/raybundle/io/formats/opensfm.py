@@ -258,6 +258,7 @@ register(
         name="opensfm",
         title="OpenSfM reconstruction.json and tracks.csv",
         kind="file",
+        colours=True,
         suffix=".json",
         write=write,
         read=read,

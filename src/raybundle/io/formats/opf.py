@@ -437,5 +437,12 @@ def _accessor(gltf: Json, path: Path, which: Json, width: int) -> Array:
 
 
 register(
-    Format(name="opf", title="OPF project (perspective cameras and tracks)", kind="folder", write=write, read=read)
+    Format(
+        name="opf",
+        title="OPF project (perspective cameras and tracks)",
+        kind="folder",
+        colours=True,
+        write=write,
+        read=read,
+    )
 )

@@ -55,5 +55,6 @@ register(
         kind="file",
         suffix=".ply",
         write=write,
+        colours=True,
     )
 )

@@ -1,0 +1,146 @@
+"""Positions that GNSS tells of photographs: in which frame, of which point of the aircraft, from which flight.
+
+Besides control they are observed with a shift of each flight's own, which control determines: a base station in another
+datum, heights above the sea instead of the ellipsoid, and what changes slowly in single positions all end in it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from datetime import UTC
+
+import numpy as np
+
+from raybundle.block import Camera, Stations
+from raybundle.io.coordinate_systems import LocalFrame
+from raybundle.io.photos.photo import Photo
+from raybundle.numerics.arrays import Array, Index
+from raybundle.sensors.antenna import ANTENNA
+from raybundle.workflows.marks import Given, Placing
+
+GPS_M = (5.0, 5.0, 10.0)
+"""Standard deviation of a GPS position that states none."""
+PAUSE_S, PAUSE = 120.0, 20.0
+"""Seconds without a photograph after which a new flight begins, and the same in usual intervals; the longer counts."""
+SCALE = 0.1
+"""Relative standard deviation of the scale from which positions are too near each other to place a block."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Positions:
+    """What the oriented photographs state of where they were, in the local frame."""
+
+    image: Index
+    """(k,) position in the block's images"""
+    xyz: Array
+    """(k, 3) local coordinates; NaN for a height that is not known"""
+    sigma: Array
+    """(k, 3)"""
+    flight: Index
+    """(k,) number of the flight, 0 first"""
+
+    def __len__(self) -> int:
+        return len(self.image)
+
+
+def mean_place(photos: Sequence[Photo]) -> Array | None:
+    """Mean longitude, latitude [deg] and height [m] (3,) of photographs with positions; None with fewer than three."""
+    known = [p.metadata.gps for p in photos if p.metadata.gps is not None]
+    if len(known) < 3:
+        return None
+    heights = [g.altitude_m for g in known if g.altitude_m is not None]
+    plan = np.mean([(g.longitude_deg, g.latitude_deg) for g in known], axis=0)
+    return np.array([*plan, np.mean(heights) if heights else np.nan])
+
+
+def positions_of(photos: Sequence[Photo], oriented: Array, frame: LocalFrame) -> Positions:
+    """The positions of the oriented photographs (n,) that state one."""
+    rows = [i for i, p in enumerate(photos) if p.metadata.gps is not None and oriented[i]]
+    geographic, sigma = np.full((len(rows), 3), np.nan), np.full((len(rows), 3), np.nan)
+    for k, i in enumerate(rows):
+        g = photos[i].metadata.gps
+        assert g is not None
+        geographic[k] = g.longitude_deg, g.latitude_deg, np.nan if g.altitude_m is None else g.altitude_m
+        stated = g.sigma_m or (np.nan, np.nan, np.nan)
+        sigma[k] = [s if np.isfinite(s) and s > 0 else d for s, d in zip(stated, GPS_M, strict=True)]
+    local = frame.local_from_wgs84(geographic) if rows else geographic
+    return Positions(
+        image=np.array(rows, np.int32),
+        xyz=local,
+        sigma=np.where(np.isfinite(local), sigma, np.nan),
+        flight=flights([photos[i] for i in rows]),
+    )
+
+
+def flights(photos: Sequence[Photo]) -> Index:
+    """Numbers (n,) of the flights: photographs of one camera without a long pause; without times they are one."""
+    of_camera: dict[tuple[str, str, str], list[int]] = {}
+    for i, p in enumerate(photos):
+        m = p.metadata
+        of_camera.setdefault((m.make, m.model, m.serial), []).append(i)
+    number, result = 0, np.zeros(len(photos), np.int32)
+    for rows in of_camera.values():
+        taken = [photos[i].metadata.taken for i in rows]
+        if any(t is None for t in taken):
+            result[rows] = number
+            number += 1
+            continue
+        seconds = np.array([t.replace(tzinfo=UTC).timestamp() for t in taken if t is not None])
+        order = np.argsort(seconds, kind="stable")
+        interval = np.diff(seconds[order])
+        pause = max(PAUSE_S, PAUSE * float(np.median(interval))) if len(interval) else PAUSE_S
+        result[np.array(rows)[order]] = number + np.concatenate([[0], np.cumsum(interval > pause)])
+        number = int(result.max()) + 1
+    return result
+
+
+def scale_sigma(positions: Positions) -> float:
+    """Relative standard deviation with which positions tell the scale of a block."""
+    plan = positions.xyz[:, :2] - positions.xyz[:, :2].mean(axis=0)
+    extent = float(np.sqrt((plan**2).sum()))
+    return float(np.sqrt((positions.sigma[:, :2] ** 2).mean())) / extent if extent > 0 else np.inf
+
+
+def observe(state: Placing, positions: Positions, given: Given) -> None:
+    """Observe the positions in a placed block, each flight with the shift that control determines."""
+    block = state.block
+    known = block.points.is_control
+    plan, height = bool((known[:, 0] & known[:, 1]).any()), bool(known[:, 2].any())
+    shift = (*(("sx", "sy") if plan else ()), *(("sz",) if height else ())) if given.shift else ()
+    arm = given.lever_arm
+    stations = Stations(image=positions.image, xyz=positions.xyz, sigma=positions.sigma)
+    told = f"the positions of {len(positions)} photographs are observed"
+    if shift or arm is not None:
+        count = int(positions.flight.max()) + 1
+        taken = {c.id for c in block.cameras}
+        names = [_name("gnss" if count == 1 else f"gnss-{k + 1}", taken) for k in range(count)]
+        apart = positions.xyz - block.images.centre[positions.image]
+        antennas = [_antenna(n, apart[positions.flight == k], shift, given) for k, n in enumerate(names)]
+        block = replace(block, cameras=(*block.cameras, *antennas))
+        first = len(block.cameras) - count
+        stations = replace(stations, antenna=(first + positions.flight).astype(np.int32))
+        if shift:
+            told += ", with a shift of their own" + (f" for each of {count} flights" if count > 1 else "")
+    state.block = replace(block, stations=stations)
+    state.tell("gps", told)
+
+
+def _name(name: str, taken: set[str]) -> str:
+    while name in taken:
+        name += "_"
+    return name
+
+
+def _antenna(name: str, apart: Array, shift: tuple[str, ...], given: Given) -> Camera:
+    """The antenna of one flight; `apart` (k, 3): its positions minus the projection centres at the start."""
+    offset, sigma = given.lever_arm or ((0.0, 0.0, 0.0), 0.0)
+    arm = dict(zip(("ax", "ay", "az"), offset, strict=True))
+    middle = np.array([float(np.median(v[np.isfinite(v)])) if np.isfinite(v).any() else 0.0 for v in apart.T])
+    start = {s: float(middle["xyz".index(s[1])]) for s in shift}
+    free = (*(tuple(arm) if sigma > 0 else ()), *shift)
+    return Camera(
+        id=name, model=ANTENNA.name, width_px=1, height_px=1, pixel_mm=(1.0, 1.0),
+        values={**dict.fromkeys(ANTENNA.symbols, 0.0), **arm, **start}, estimate=free,
+        sigma=dict.fromkeys(arm, sigma) if sigma > 0 else {}, scene=ANTENNA,
+    )  # fmt: skip
