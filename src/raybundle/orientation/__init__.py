@@ -2,20 +2,26 @@
 
 from raybundle.orientation.assembly import ApproximateValues, approximate_values, possible_values
 from raybundle.orientation.dlt import Dlt, dlt
+from raybundle.orientation.epipolar import FundamentalMatrix, fundamental_matrix
 from raybundle.orientation.intersection import Intersection, intersection
+from raybundle.orientation.projective import SelfCalibration, self_calibration
 from raybundle.orientation.relative import RelativeOrientation, relative_orientation
 from raybundle.orientation.resection import Resection, resection
 
 __all__ = [
     "ApproximateValues",
     "Dlt",
+    "FundamentalMatrix",
     "Intersection",
     "RelativeOrientation",
     "Resection",
+    "SelfCalibration",
     "approximate_values",
     "dlt",
+    "fundamental_matrix",
     "intersection",
     "possible_values",
     "relative_orientation",
     "resection",
+    "self_calibration",
 ]

@@ -13,6 +13,7 @@ from raybundle.block import Block, Camera
 from raybundle.errors import NoOrientation
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.orientation.dlt import dlt
+from raybundle.orientation.projective import SelfCalibration, self_calibration
 from raybundle.orientation.rays import common_rows, image_pairs
 from raybundle.sensors import sensor_models
 from raybundle.sensors.model import SensorModel
@@ -29,6 +30,13 @@ NARROW, WIDE = 0.3, 12.0
 """Camera constants in widths of the format that are believed."""
 LEAST_PAIRS = 5
 """Pairs from which on their median is believed against a camera constant that is free."""
+PROJECTIVE = 40
+"""Images up to which a projective model is tried."""
+ROUGH_PX = 2.0
+"""Standard deviation of image points there: distortion is in it."""
+CROOKED = 0.1
+"""Misfit of a self-calibration from which it is not believed."""
+FORMAT = "the larger side of the format"
 POOR = 0.02
 """Residuals of a DLT in widths of the format beyond which it is not believed."""
 
@@ -38,13 +46,16 @@ def with_camera_constants(block: Block) -> tuple[Block, tuple[Notice, ...]]:
 
     Tried in turn: the direct linear transformation of images with six control points that are not in a plane;
     the homography of images of a control plane (Zhang 2000); pairs of images by the relative orientation with
-    unknown camera constant (Stewénius et al. 2005); the larger side of the format.
+    unknown camera constant (Stewénius et al. 2005); a projective model of all images (`self_calibration`), where each
+    has a camera of its own; the larger side of the format.
     raises  NoOrientation for a sensor other than a frame camera: there the camera constant must be given
     """
     notices: list[Notice] = []
     cameras = list(block.cameras)
+    projective: SelfCalibration | None = None
+    asked = False
     for k, camera in enumerate(block.cameras):
-        model = sensor_models[camera.model]
+        model = camera.sensor
         symbol = model.symbols[0]
         images = np.asarray(block.images.camera) == k
         if camera.values.get(symbol, 0.0) != 0 or not images[block.observations.image].any():
@@ -55,6 +66,12 @@ def with_camera_constants(block: Block) -> tuple[Block, tuple[Notice, ...]]:
                 "be given. Write it in block.toml."
             )
         value, source = _found(block, camera, images)
+        if source == FORMAT:
+            projective = projective if asked else _projective(block)
+            asked = True
+            found = 0.0 if projective is None else projective.block.cameras[k].values[symbol]
+            if NARROW * value < found < WIDE * value:
+                value, source = found, f"a projective model of {len(block.images)} images"
         cameras[k] = replace(camera, values={**camera.values, symbol: value})
         notices.append(
             Notice(
@@ -104,7 +121,18 @@ def _found(block: Block, camera: Camera, images: Mask) -> tuple[float, str]:
         good = [c for c in values() if NARROW * size < c < WIDE * size]
         if good:
             return float(np.median(good)), f"{source} ({len(good)} values)"
-    return size, "the larger side of the format"
+    return size, FORMAT
+
+
+def _projective(block: Block) -> SelfCalibration | None:
+    """The self-calibration of the whole block; None where it is too large, or does not succeed."""
+    if not 3 <= len(block.images) <= PROJECTIVE:
+        return None
+    try:
+        found = self_calibration(block, sigma_px=ROUGH_PX)
+    except NoOrientation:
+        return None
+    return found if found.misfit < CROOKED else None
 
 
 def _from_control(block: Block, camera: Camera, images: Mask) -> tuple[list[float], list[float]]:
