@@ -207,6 +207,30 @@ def write_undistorted(
     return tuple(remarks)
 
 
+def camera_plane(camera: Camera, xy_px: Array) -> Array:
+    """Where image points (n, 2) [px] would lie without the lens's distortion, c and principal point as they are."""
+    return _moved(camera, _without_distortion(camera), xy_px)
+
+
+def pixels_of_plane(camera: Camera, xy_px: Array) -> Array:
+    """The inverse of `camera_plane`: pixels (n, 2) of the photograph; NaN outside its format."""
+    pinhole = _without_distortion(camera)
+    image = pinhole.image_from_pixel(xy_px).T
+    c, x0, y0 = (pinhole.values[s] for s in ("c", "x0", "y0"))
+    return _projected(camera, np.stack([image[0] - x0, image[1] - y0, np.full(image.shape[1], -c)]))
+
+
+def _without_distortion(camera: Camera) -> Camera:
+    values = dict.fromkeys(sensor_models["brown"].symbols, 0.0)
+    values |= {s: float(camera.values.get(s, 0.0)) for s in ("c", "x0", "y0")}
+    return replace(camera, model="brown", values=values, estimate=(), sigma={}, interior="shared")
+
+
+def opened_photo(folder: Path, name: str, camera: Camera | None) -> Array:
+    """Pixels of a photograph as stored; raises InputError where its size is not the camera's."""
+    return _opened(folder, name, camera)[0]
+
+
 def _of_centres(map_px: Array, size: int) -> Array:
     """The map for a library that counts from the centre of the first pixel; the outermost half pixels are repeated."""
     inside = (map_px >= 0) & (map_px <= size)
@@ -219,7 +243,7 @@ def _relative(name: str) -> Path:
     return Path(path.name) if path.is_absolute() or ".." in path.parts else path
 
 
-def _opened(photos: Path, name: str, camera: Camera) -> tuple[Array, Any]:
+def _opened(photos: Path, name: str, camera: Camera | None) -> tuple[Array, Any]:
     """Pixels as stored, and Pillow's image; the size is compared before anything is decoded."""
     from PIL import Image  # noqa: PLC0415
 
@@ -229,7 +253,7 @@ def _opened(photos: Path, name: str, camera: Camera) -> tuple[Array, Any]:
             image = Image.open(photos / _relative(name))
         except Image.DecompressionBombError as error:
             raise InputError(str(error)) from None
-    if image.size != (camera.width_px, camera.height_px):
+    if camera is not None and image.size != (camera.width_px, camera.height_px):
         image.close()
         raise InputError(
             f"it has {image.size[0]} x {image.size[1]} px, camera {camera.id} {camera.width_px} x {camera.height_px}"

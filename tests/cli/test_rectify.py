@@ -1,0 +1,174 @@
+"""`raybundle rectify`: colours of a known wall come back to their places, from a result and from one photograph."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from raybundle import adjust
+from raybundle.block import Role
+from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+from raybundle.cli.main import main
+from raybundle.io.undistort import camera_plane
+from raybundle.report.result_folder import write_result
+from raybundle.workflows.rectify import plane_of
+
+WALL = (-2.0, -1.5, 2.0, 1.5)
+"""left, bottom, right, top of the painted part"""
+
+
+def painted(u, v):
+    """Colours (..., 3) of places on the wall: red grows to the right, green upwards."""
+    red, green = (u - WALL[0]) / (WALL[2] - WALL[0]), (v - WALL[1]) / (WALL[3] - WALL[1])
+    return np.stack([20 + 200 * red, 20 + 200 * green, np.full_like(red, 90.0)], axis=-1)
+
+
+@pytest.fixture(scope="module")
+def wall(tmp_path_factory):
+    """A result of photographs of a painted plane."""
+    folder = tmp_path_factory.mktemp("wall")
+    small = brown_camera(size_px=(600, 400), pixel_mm=0.04)
+    scene = field_scene(TargetField(camera=small, columns=9, rows=7, stations=4, frontal=1, depth=0.0))
+    truth = simulate(scene, Survey(interior="exact", orientation="exact", points="exact", image_sigma_px=0.01)).observed
+    (folder / "photos").mkdir()
+    files = tuple(f"{k}.png" for k in range(len(truth.images)))
+    origin, axes = truth.points.xyz.mean(axis=0), plane_of(truth).axes
+    y, x = np.mgrid[0:400, 0:600] + 0.5
+    pixels = np.stack([x.ravel(), y.ravel()], axis=1)
+    ideal = truth.cameras[0].image_from_pixel(camera_plane(truth.cameras[0], pixels)).T
+    values = truth.cameras[0].values
+    inner = np.stack([ideal[0] - values["x0"], ideal[1] - values["y0"], np.full(ideal.shape[1], -values["c"])])
+    for k, file in enumerate(files):
+        ray = truth.images.rotation[k].T @ inner
+        reach = ((origin - truth.images.centre[k]) @ axes[2]) / (axes[2] @ ray)
+        at = truth.images.centre[k][:, None] + reach * ray
+        u, v = axes[:2] @ (at - origin[:, None])
+        Image.fromarray(np.clip(painted(u, v), 0, 255).round().astype(np.uint8).reshape(400, 600, 3)).save(
+            folder / "photos" / file
+        )
+    block = replace(truth, images=replace(truth.images, file=files))
+    fixed = replace(block, points=replace(block.points, role=np.full(len(block.points), Role.CONTROL, np.int32),
+                                          sigma=np.full((len(block.points), 3), 1e-4)))  # fmt: skip
+    write_result(adjust(fixed), folder / "result", report="none")
+    return folder, block, origin, axes
+
+
+def seen(path):
+    return np.asarray(Image.open(path)).astype(float)
+
+
+def test_a_wall_of_all_photographs(wall, tmp_path, capsys):
+    folder, block, origin, axes = wall
+    out = tmp_path / "wall.tif"
+    status = main([
+        "rectify", str(folder / "result"), "--photos", str(folder / "photos"), "--out", str(out), "--pixel", "0.01",
+        "--area", "-0.6", "-0.4", "0.6", "0.4", "--progress", "none",
+    ])  # fmt: skip
+    told = capsys.readouterr().out
+    assert status == 0, told
+    assert "lie" in told
+    picture = seen(out)
+    assert picture.shape == (80, 120, 4)
+    assert picture[..., 3].min() == 255
+    u, v = np.meshgrid(-0.6 + 0.01 * (np.arange(120) + 0.5), 0.4 - 0.01 * (np.arange(80) + 0.5))
+    # the plane of the result begins at the mean of its points, as this one
+    away = np.abs(picture[..., :3] - painted(u, v))
+    assert away.max() < 2.5  # rounded twice, and the places of the fitted plane
+    assert away.mean() < 0.6
+    world = [float(line) for line in (tmp_path / "wall.tfw").read_text().split()]
+    assert world == pytest.approx([0.01, 0, 0, -0.01, -0.595, 0.395])
+    assert "normal" in (tmp_path / "wall.toml").read_text()
+    del block, origin, axes
+
+
+def marks(folder, block, origin, axes, wrong=None):
+    """Control of the first photograph in the wall's own coordinates."""
+    o, image = block.observations, 0
+    rows = np.flatnonzero(o.image == image)[::3]
+    uv = (block.points.xyz[o.point[rows]] - origin) @ axes[:2].T
+    xy = o.xy_px[rows].copy()
+    if wrong is not None:
+        xy[wrong] += 12
+    ids = [block.points.ids[p] for p in o.point[rows]]
+    (folder / "c.csv").write_text(
+        "point,X,Y,Z\n" + "".join(f"{n},{a},{b},\n" for n, (a, b) in zip(ids, uv, strict=True))
+    )
+    (folder / "c-measurements.csv").write_text(
+        "image,point,x_px,y_px\n" + "".join(f"0.png,{n},{a},{b}\n" for n, (a, b) in zip(ids, xy, strict=True))
+    )
+    return ids
+
+
+def lens(folder, target):
+    """The cameras of the result in a file of their own."""
+    text = (folder / "result" / "block" / "block.toml").read_text()
+    path = target / "camera.toml"
+    path.write_text(text[text.index("[cameras") :])
+    return path
+
+
+def test_a_wall_of_one_photograph(wall, tmp_path, capsys):
+    folder, block, origin, axes = wall
+    marks(tmp_path, block, origin, axes)
+    common = ["rectify", str(folder / "photos" / "0.png"), "--control", str(tmp_path / "c.csv"), "--pixel", "0.01",
+              "--area", "-0.4", "-0.3", "0.4", "0.3", "--mark-sigma", "0.05"]  # fmt: skip
+    calibration = lens(folder, tmp_path)
+    assert main([*common, "--out", str(tmp_path / "one.png"), "--calibration", str(calibration)]) == 0
+    told = capsys.readouterr().out
+    assert "sigma0" in told
+    assert "warning" not in told
+    picture = seen(tmp_path / "one.png")
+    u, v = np.meshgrid(-0.4 + 0.01 * (np.arange(80) + 0.5), 0.3 - 0.01 * (np.arange(60) + 0.5))
+    good = picture[..., 3] > 0
+    assert good.mean() > 0.9
+    assert np.abs(picture[..., :3] - painted(u, v))[good].max() < 2.5
+    # without the calibration the distortion is in the residuals, and is told
+    assert main([*common, "--out", str(tmp_path / "bent.png")]) == 0
+    assert "warning" in capsys.readouterr().out
+
+
+def test_a_wrong_mark_is_named(wall, tmp_path, capsys):
+    folder, block, origin, axes = wall
+    ids = marks(tmp_path, block, origin, axes, wrong=3)
+    calibration = lens(folder, tmp_path)
+    assert main([
+        "rectify", str(folder / "photos" / "0.png"), "--control", str(tmp_path / "c.csv"), "--out",
+        str(tmp_path / "one.jpg"), "--calibration", str(calibration),
+    ]) == 0  # fmt: skip
+    assert f"the largest residual is that of {ids[3]}" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["{r}", "--out", "{o}/a.bmp"], "ends in"),
+        (["{r}", "--out", "{o}/a.png"], "--photos FOLDER"),
+        (["{r}", "--out", "{o}/a.png", "--photos", "{p}", "--plane", "nobody,1,2"], "nobody"),
+        (["{r}", "--out", "{o}/a.png", "--photos", "{p}", "--pixel", "1e-6"], "take --pixel"),
+        (["{r}", "--out", "{o}/a.png", "--photos", "{p}", "--area", "50", "50", "51", "51"], "choose another --area"),
+        (["{r}", "--out", "{o}/a.png", "--photos", "{p}", "--only", "x.png"], "x.png is not in the result"),
+        (["{p}/0.png", "--out", "{o}/a.png"], "--control FILE"),
+        (["{p}/none.png", "--out", "{o}/a.png"], "no such file"),
+    ],
+)
+def test_bad_input_is_told(wall, tmp_path, capsys, arguments, message):
+    folder, *_ = wall
+    names = {"r": folder / "result", "p": folder / "photos", "o": tmp_path}
+    assert main(["rectify", *(a.format(**names) for a in arguments)]) == 2
+    assert message in capsys.readouterr().err
+    assert not any(tmp_path.iterdir())
+
+
+def test_the_plane_that_most_points_lie_in(wall):
+    _, block, _, _ = wall
+    rng = np.random.default_rng(1)
+    xyz = block.points.xyz.copy()
+    axes = plane_of(block).axes
+    away = rng.choice(len(xyz), len(xyz) // 3, replace=False)
+    xyz[away] += np.outer(rng.uniform(0.3, 1, len(away)), axes[2])
+    found = plane_of(replace(block, points=replace(block.points, xyz=xyz)))
+    assert math.degrees(math.acos(min(1.0, float(found.axes[2] @ axes[2])))) < 0.01
+    assert found.points == len(xyz) - len(away)
+    assert set(block.points.role.tolist()) <= {Role.TIE, Role.CONTROL, Role.CHECK}
