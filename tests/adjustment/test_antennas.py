@@ -30,7 +30,7 @@ def flight(estimate, control=4, sigma=None):
     antennas = tuple(
         Camera(
             id=f"line{k + 1}", model="antenna", width_px=1, height_px=1, pixel_mm=(1.0, 1.0), scene=ANTENNA,
-            values=dict(zip(ANTENNA.symbols, (*LEVER, *shift[k], *drift[k]), strict=True)), estimate=estimate,
+            values=dict(zip(ANTENNA.symbols, (*LEVER, *shift[k], *drift[k], 0.0), strict=True)), estimate=estimate,
             sigma=sigma or {},
         )
         for k in range(3)

@@ -8,6 +8,7 @@ import pytest
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.queries import covariance_between, design_row, precision_in_datum
+from raybundle.block.select import with_rows
 from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.errors import InputError
 from raybundle.workflows.adjust import adjust
@@ -110,6 +111,27 @@ def test_another_datum_without_adjusting_again():
     back = precision_in_datum(there, block.points.ids)
     plain = adjust_block(block, AdjustmentOptions())
     np.testing.assert_allclose(back.object_point_std, plain.precision.object_point_std, rtol=1e-4)
+
+
+def test_weak_points_do_not_carry_the_datum_if_asked():
+    block = simulate(SCENE, Survey(points="exact", orientation="exact")).observed
+    o = block.observations
+    weak, keep = np.array([1, 8, 13]), np.ones(len(o), bool)
+    for point in weak:  # two rays at the smallest angle
+        rows = np.flatnonzero(o.point == point)
+        ray = block.images.centre[o.image[rows]] - block.points.xyz[point]
+        ray /= np.linalg.norm(ray, axis=1)[:, None]
+        near = np.unravel_index(np.argmax(ray @ ray.T - 2 * np.eye(len(rows))), (len(rows), len(rows)))
+        keep[np.delete(rows, near)] = False
+    block = with_rows(block, keep)
+    everything = adjust_block(block, AdjustmentOptions())
+    good = adjust_block(block, AdjustmentOptions(datum_over="good"))
+    carriers = np.flatnonzero(good.work.datum.carriers)
+    assert not np.isin(weak, carriers).any()
+    assert f"over the {len(carriers)} object points that are well determined" in good.datum
+    there = precision_in_datum(everything, tuple(block.points.ids[k] for k in carriers))
+    np.testing.assert_allclose(good.precision.image_std, there.image_std, rtol=1e-4)
+    assert (good.precision.image_std[:, :3].mean(axis=0) < everything.precision.image_std[:, :3].mean(axis=0)).all()
 
 
 @pytest.mark.parametrize("datum", ["inner", "minimal", "auto"])

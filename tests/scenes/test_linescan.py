@@ -9,7 +9,7 @@ from raybundle.errors import InputError, NoConvergence, NotSolvable
 from raybundle.io.scenes import read_scene
 from raybundle.numerics.geodesy import geocentric_from_geographic
 from raybundle.scenes.linescan import C_LIGHT, apparent_direction, observe_line, refraction_shift
-from raybundle.scenes.trajectory import CorrectionModel, Trajectory, lagrange, polynomial, rotation_from_quaternion
+from raybundle.scenes.trajectory import CorrectionModel, Trajectory, lagrange, rotation_from_quaternion
 from tests.scenes.conftest import make_scene
 
 FULL = CorrectionModel(position_degree=2, attitude_degree=2)
@@ -156,7 +156,8 @@ def test_rotation_and_its_rate():
 
 
 def test_polynomial_and_its_slope():
-    value, slope = polynomial(np.array([[1.0, 0, 0], [2, 0, 0], [3, 1, 0]]), np.array([2.0]))
+    shape, _ = CorrectionModel(position_degree=2).shapes(np.array([2.0]))
+    value, slope = shape(np.array([[1.0, 0, 0], [2, 0, 0], [3, 1, 0]]))
     assert value[0].tolist() == [17, 4, 0]
     assert slope[0].tolist() == [14, 4, 0]
 

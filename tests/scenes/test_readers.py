@@ -207,7 +207,7 @@ def test_bad_text_names_the_place(rpc, tmp_path, what):
         ('<!DOCTYPE x SYSTEM "file:///etc/passwd"><isd/>', "DOCTYPE"),
         ("<isd><IMD>", "not XML"),
         ("<isd><IMD></IMD></isd>", "IMD.*IMAGE is missing|IMAGE is missing"),
-        ("<Dimap_Document></Dimap_Document>", "no Rational_Function_Model"),
+        ("<Dimap_Document></Dimap_Document>", "neither Rational_Function_Model"),
         ("<isd>&a;</isd>", "not XML"),
     ],
 )
@@ -312,7 +312,7 @@ def test_unknown_and_absent_files(tmp_path):
     path.write_bytes(b"")
     with pytest.raises(InputError, match="recognised"):
         read_scene(path)
-    assert set(scene_formats) == {"maxar", "dimap", "spot", "csm", "rpc-text", "geotiff", "nitf"}
+    assert set(scene_formats) == {"airborne", "maxar", "dimap", "spot", "csm", "rpc-text", "geotiff", "nitf"}
 
 
 @pytest.mark.parametrize("seed", range(40))

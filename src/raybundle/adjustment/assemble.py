@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from raybundle.adjustment.carried import antennas_and_imus, check_carried
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Block, Camera
 from raybundle.errors import InputError
@@ -66,14 +67,14 @@ class InteriorRow:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Extra:
-    """Observations that touch no image point: weighted control of retained points, distances, stations, parameters."""
+    """Observations that touch no image point: control of retained points, distances, stations, parameters ..."""
 
     kind: Array
-    """(k,) 0 control, 1 distance, 2 station, 3 parameter"""
+    """(k,) 0 control, 1 distance, 2 station, 3 parameter, 4 relation of parameters, 5 attitude"""
     item: Index
-    """(k,) point, distance, image or interior row"""
+    """(k,) point, distance, row of the stations or attitudes, interior row"""
     component: Index
-    """(k,) coordinate axis or parameter"""
+    """(k,) coordinate axis, parameter, relation or angle"""
     value: Array
     sigma: Array
 
@@ -217,6 +218,7 @@ def assemble(block: Block, options: AdjustmentOptions, rejected: Mask, free: dic
     points_used = np.zeros(p, bool)
     points_used[observations.point[rows]] = True
     _check_values(block, images_used, points_used)
+    check_carried(block, free)
 
     ignore_control = options.datum in {"inner", "minimal"} and _free_by_choice(options)
     control = block.points.is_control & points_used[:, None]
@@ -265,14 +267,14 @@ def assemble(block: Block, options: AdjustmentOptions, rejected: Mask, free: dic
     point_node[touched] = len(sizes) + np.arange(int(touched.sum()))
     sizes += [3] * int(touched.sum())
     placed: list[InteriorRow] = []
-    antennas = _antennas(block, images_used & exterior_free)
+    carried = antennas_and_imus(block, images_used & exterior_free)
     for r, row in enumerate(interior):
         node, start = -1, 0
         if row.free and r in alone:
             node, start = int(image_node[alone[r]]), 6 * int(exterior_free[alone[r]])
         elif row.free and (
             (images_used & ((interior_of_image == r) | (parents == r))).any()
-            or (row.camera in antennas and not _free_by_choice(options))
+            or (row.camera in carried and not _free_by_choice(options))
         ):
             node = len(sizes)
             sizes.append(len(row.free))
@@ -314,14 +316,6 @@ def assemble(block: Block, options: AdjustmentOptions, rejected: Mask, free: dic
     system.first_image[observations.point[rows[::-1]]] = observations.image[rows[::-1]]
     system.far_candidates = np.flatnonzero(points_used & (point_node < 0) & ~(control_held | prior).any(axis=1))
     return system
-
-
-def _antennas(block: Block, images: Mask) -> set[int]:
-    """Cameras that are antennas of observed projection centres of these images."""
-    stations = block.stations
-    if stations.antenna is None:
-        return set()
-    return {int(a) for a in stations.antenna[images[stations.image]] if a >= 0}
 
 
 def _leaders(block: Block, images_used: Mask, exterior_free: Mask) -> Index | None:
@@ -467,6 +461,13 @@ def _extra(
                 for axis in range(3)
                 if stations_used[image] and np.isfinite(stations.xyz[k, axis]) and stations.sigma[k, axis] > 0
             ]
+        attitudes = block.attitudes
+        for k, image in enumerate(attitudes.image):
+            parts += [
+                (5, k, axis, attitudes.angles[k, axis], attitudes.sigma[k, axis])
+                for axis in range(3)
+                if stations_used[image] and np.isfinite(attitudes.angles[k]).all() and attitudes.sigma[k, axis] > 0
+            ]
     for r, row in enumerate(interior):
         camera = block.cameras[row.camera]
         if row.node < 0:
@@ -476,6 +477,10 @@ def _extra(
             if camera.sigma.get(symbol, 0) > 0:
                 given = block.images.interior.get(row.image, {}).get(symbol, camera.values[symbol])
                 parts.append((3, r, position, given, camera.sigma[symbol]))
+        free = {row.model.symbols[k] for k in row.free}
+        parts += [
+            (4, r, k, 0.0, relation.sigma) for k, relation in enumerate(camera.relations) if free & {*relation.terms}
+        ]
     table = np.array(parts, float).reshape(-1, 5)
     return Extra(
         kind=table[:, 0].astype(np.int32),

@@ -14,12 +14,18 @@ from typing import Any
 import numpy as np
 
 from raybundle.adjustment.assemble import State, System
-from raybundle.adjustment.normals import Normals, antenna_rows
+from raybundle.adjustment.carried import antenna_rows, attitude_rows
+from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.errors import DatumDefect, InputError
 from raybundle.numerics.arrays import Array, Mask
+from raybundle.sensors.imu import IMU
 
 NAMES = ("position X", "position Y", "position Z", "rotation X", "rotation Y", "rotation Z", "scale")
+GOOD = 2.0
+"""Times the median standard deviation up to which a point counts as well determined."""
+FEWEST_CARRIERS = 10
+"""Well-determined points below which all points carry the datum."""
 
 
 @dataclass(slots=True)
@@ -106,15 +112,21 @@ def analyse(system: System, state: State, options: AdjustmentOptions) -> Datum:
     rows = _fixing_rows(system, state, centre, extent)
     if len(rows):
         _, singular, vt = np.linalg.svd(rows, full_matrices=True)
-        rank = int(np.sum(singular > 1e-7 * max(singular[0], 1e-300)))
+        rank = int(np.sum(singular > 1e-7 * max(singular[0], 1e-2)))  # rows of what fixes anything are about 1 long
         basis = _plain(vt[rank:].T)
     else:
         basis = np.eye(7)
     kind = {"auto": "inner", "control": "control", "minimal": "minimal", "inner": "inner"}[options.datum]
-    antennas = antenna_rows(system, state)
     if basis.shape[1] == 0:
         kind = "control"
-    elif antennas:
+    elif _imus_are_open(system) and np.abs(basis[3:6]).max() > 1e-6:
+        names = open_names(basis)
+        raise DatumDefect(
+            f"{', '.join(names)} {'is' if len(names) == 1 else 'are'} left open: the misalignment of an IMU is "
+            "unknown, and the images' headings are too alike to tell it from a rotation of all.\n"
+            "  Give control points or observed projection centres, hold bz, or give the misalignment a sigma."
+        )
+    elif antenna_rows(system, state):
         names = open_names(basis)
         raise DatumDefect(
             f"{', '.join(names)} {'is' if len(names) == 1 else 'are'} left open: shifts, drifts or lever arms of the "
@@ -136,6 +148,8 @@ def analyse(system: System, state: State, options: AdjustmentOptions) -> Datum:
             raise InputError(f"datum points that take no part in the adjustment: {', '.join(missing[:10])}")
         carriers = np.zeros_like(used)
         carriers[[index[name] for name in options.datum_points]] = True
+    elif options.datum_over == "good":
+        carriers = _well_determined(system, state)
     datum = Datum(kind=kind, basis=basis, centre=centre, extent=extent, carriers=carriers)
     if datum.defect and kind == "inner":
         G = point_generators(state.xyz[carriers], centre, extent).reshape(-1, 7) @ basis / extent
@@ -145,6 +159,36 @@ def analyse(system: System, state: State, options: AdjustmentOptions) -> Datum:
                 f"({', '.join(datum.open_names)}); choose at least three points that are not collinear"
             )
     return datum
+
+
+def _imus_are_open(system: System) -> bool:
+    """Whether an IMU has a misalignment that is neither held nor observed."""
+    cameras = system.block.cameras
+    return any(
+        row.model is IMU and row.node >= 0 and any(s not in cameras[row.camera].sigma for s in free)
+        for row in system.interior
+        for free in [[row.model.symbols[k] for k in row.free]]
+    )
+
+
+def _well_determined(system: System, state: State) -> Mask:
+    """(p,) points whose rays alone, the images held, determine them to twice the median standard deviation; all if few.
+
+    Every direction counts with the same angular precision.
+    """
+    o, used = system.block.observations, system.points_used
+    image, point = o.image[system.rows], o.point[system.rows]
+    ray = state.xyz[point] - state.centre[image]
+    distance = np.maximum(np.linalg.norm(ray, axis=1), 1e-300)
+    d = ray / distance[:, None]
+    N = np.zeros((len(used), 3, 3))
+    np.add.at(N, point, (np.eye(3) - d[:, :, None] * d[:, None, :]) / distance[:, None, None] ** 2)
+    values = np.linalg.eigvalsh(N[used])
+    with np.errstate(divide="ignore"):
+        spread = np.where(values[:, 0] > 1e-12 * values[:, 2], (1 / values).sum(axis=1), np.inf)
+    good = np.zeros(len(used), bool)
+    good[used] = np.sqrt(spread) < GOOD * np.sqrt(np.median(spread))
+    return good if good.sum() >= FEWEST_CARRIERS else used.copy()
 
 
 def _plain(basis: Array) -> Array:
@@ -175,15 +219,23 @@ def _fixing_rows(system: System, state: State, centre: Array, extent: float) -> 
         turn = np.zeros((len(images), 3, 7))
         turn[:, :, 3:6] = state.rotation[images]
         rows.append(turn.reshape(-1, 7))
+    carried: list[Array] = []
     stations = system.extra.item[system.extra.kind == 2]
     if len(stations):
         axis = system.extra.component[system.extra.kind == 2]
         image = system.block.stations.image[stations]
-        fixing = (point_generators(state.centre[image], centre, extent) / extent)[np.arange(len(axis)), axis]
-        rows.append(_without_antennas(system, state, fixing))
+        carried.append((point_generators(state.centre[image], centre, extent) / extent)[np.arange(len(axis)), axis])
+    turned = np.flatnonzero(system.extra.kind == 5)
+    if len(turned):
+        image = system.block.attitudes.image[system.extra.item[turned]]
+        fixing = np.zeros((len(turned), 7))
+        fixing[:, 3:6] = np.einsum("ki,kij->kj", attitude_rows(system, state).by_rotation, state.rotation[image])
+        carried.append(fixing)
+    if carried:
+        rows.append(_without_unknowns(system, state, np.concatenate(carried)))
     scaled = bool((system.extra.kind == 1).any())
     for r, row in enumerate(system.interior):
-        for position in row.carries:
+        for position in row.carries if row.model.has_images else ():  # a lever arm alone measures nothing
             held = position not in row.free
             scaled |= is_length(row.model.parameters[position].unit) and held and state.interior[r, position] != 0
         scaled |= row.model.fixes_scale
@@ -192,9 +244,19 @@ def _fixing_rows(system: System, state: State, centre: Array, extent: float) -> 
     return np.vstack(rows) if rows else np.zeros((0, 7))
 
 
-def _without_antennas(system: System, state: State, fixing: Array) -> Array:
-    """What observed projection centres still fix where shifts, drifts or lever arms are unknown."""
-    entries = antenna_rows(system, state)
+def _without_unknowns(system: System, state: State, fixing: Array) -> Array:
+    """What observed projection centres and attitudes still fix where lever arms, shifts, misalignments are unknown.
+
+    fixing  (k, 7) first of the stations, then of the attitudes
+    """
+    entries = [(k, columns, values) for k, columns, values, _ in antenna_rows(system, state)]
+    seen = attitude_rows(system, state)
+    first = int((system.extra.kind == 2).sum())
+    for k, r in enumerate(seen.row):
+        row = system.interior[r]
+        if r >= 0 and row.node >= 0:
+            columns = system.offsets[row.node] + row.start + np.arange(len(row.free))
+            entries.append((first + k, columns, seen.by_boresight[k, list(row.free)]))
     if not entries:
         return fixing
     observed = {
@@ -211,7 +273,7 @@ def _without_antennas(system: System, state: State, fixing: Array) -> Array:
         if (row.camera, row.model.symbols[k]) not in observed
     ]
     N = np.zeros((len(fixing), len(open_)))
-    for k, columns, values, _ in entries:
+    for k, columns, values in entries:
         for c, v in zip(columns.tolist(), values.tolist(), strict=True):
             if c in open_:
                 N[k, open_.index(c)] = v

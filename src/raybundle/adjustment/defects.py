@@ -135,7 +135,11 @@ def explain(normals: Normals, state: State, weak: Sequence[int], failed: int) ->
     """The error that names the null space in words: which parameters, images and points it moves."""
     system, block = normals.system, normals.system.block
     lines: list[str] = []
-    if weak:
+    untouched = np.flatnonzero(~(normals.diagonal > 0))
+    if len(untouched):
+        names = name_some([unknown_name(system, int(u)) for u in untouched])
+        lines.append(f"  no observation touches {names}; give them a sigma, a smoothness, or points there")
+    elif weak:
         names = name_some([block.points.ids[p] for p in sorted(set(weak))])
         lines.append(f"  object points whose rays are parallel or coincide: {names}; observe them from another station")
     else:

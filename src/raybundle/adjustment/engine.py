@@ -276,7 +276,11 @@ def _datum_words(datum: Datum, options: AdjustmentOptions) -> str:
     names = ", ".join(datum.open_names)
     if datum.kind == "minimal":
         return f"minimal: {datum.defect} coordinates of well-spread object points held ({names})"
-    over = f"{len(options.datum_points)} chosen object points" if options.datum_points else "all object points"
+    over = "all object points"
+    if options.datum_points:
+        over = f"{len(options.datum_points)} chosen object points"
+    elif options.datum_over == "good":
+        over = f"the {int(datum.carriers.sum())} object points that are well determined"
     if datum.defect == 7:
         return f"inner constraints over {over}"
     return f"inner constraints over {over} for {names}"

@@ -22,8 +22,10 @@ PLAUSIBLE_SHIFT = 0.05
 """The same for corrections: largest shift within the format, as a share of half its diagonal."""
 
 
-PLAUSIBLE_ANTENNA = 0.3
-"""The same for lever arms and shifts of GNSS [m]: a tape tells a lever arm better."""
+NEAR_LINES = 65
+"""Lines at which the effect of parameters that act in a neighbourhood is looked at."""
+PLAUSIBLE_CARRIED = {"length": 0.3, "rad": 0.02, "s": 0.1}
+"""The same for what GNSS and INS have: a tape tells a lever arm better, a look at the mounting the misalignment."""
 
 
 def image_effects(row: InteriorRow, camera: Camera, values: Array, distance: float = 1.0) -> Array:
@@ -33,9 +35,11 @@ def image_effects(row: InteriorRow, camera: Camera, values: Array, distance: flo
     d x / d parameter = -B^-1 d g / d parameter at image points along the border and over the format.
     """
     half = camera.size_mm / 2
-    t = np.linspace(-1, 1, 9)
-    x, y = (a.ravel() for a in np.meshgrid(t * half[0], t * half[1]))
     model = row.model
+    t = np.linspace(-1, 1, 9)
+    # a parameter that acts in its neighbourhood alone must not fall between the lines
+    lines = np.linspace(-1, 1, NEAR_LINES) if model.local_width else t
+    x, y = (a.ravel() for a in np.meshgrid(t * half[0], lines * half[1]))
     image = np.stack([x, y])
     spread = np.repeat(values[: len(model.symbols), None], x.size, axis=1)
     ray = model.point_on_ray(image, spread, distance)
@@ -51,7 +55,7 @@ def implausible(
     """Whether a standard deviation exceeds what one knows of the parameter beforehand."""
     parameter = row.model.parameters[position]
     if not row.model.has_images:
-        return std > PLAUSIBLE_ANTENNA and parameter.unit == "length"
+        return std > PLAUSIBLE_CARRIED.get(parameter.unit, np.inf)
     if parameter.kind == "scale":
         return std > PLAUSIBLE["scale"] * abs(values[position])
     if parameter.kind == "principal point":

@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 
 from raybundle.adjustment.assemble import State, System
+from raybundle.adjustment.carried import antenna_rows, attitude_rows
 from raybundle.numerics import native
 from raybundle.numerics.arrays import Array, Index, Mask
-from raybundle.numerics.rotation import cross_matrix
 
 _NONE = np.zeros(0)
 
@@ -171,6 +171,18 @@ class Normals:
             for k, columns, values_k, moved in antenna_rows(system, state):
                 residual[i[k]] += moved
                 add(np.full(len(columns), i[k]), columns, values_k * weight[i[k]])
+        i = np.flatnonzero(extra.kind == 5)
+        if len(i):
+            seen = attitude_rows(system, state)
+            residual[i] = seen.residual
+            image = system.block.attitudes.image[extra.item[i]]
+            for axis in range(3):
+                add(i, system.offsets[system.image_node[image]] + 3 + axis, seen.by_rotation[:, axis] * weight[i])
+            for r in np.unique(seen.row[seen.row >= 0]):
+                row, mine = system.interior[r], np.flatnonzero(seen.row == r)
+                for k, position in enumerate(row.free if row.node >= 0 else ()):
+                    column = np.full(len(mine), system.offsets[row.node] + row.start + k)
+                    add(i[mine], column, seen.by_boresight[mine, position] * weight[i[mine]])
         i = np.flatnonzero(extra.kind == 3)
         if len(i):
             residual[i] = state.interior[extra.item[i], extra.component[i]] - extra.value[i]
@@ -181,6 +193,15 @@ class Normals:
                 for r, c in zip(extra.item[i], extra.component[i], strict=True)
             ]
             add(i, np.array(where, np.int64), weight[i])
+        for k in np.flatnonzero(extra.kind == 4):
+            row = system.interior[extra.item[k]]
+            terms = system.block.cameras[row.camera].relations[extra.component[k]].terms
+            places = [row.model.symbols.index(s) for s in terms]
+            factors = np.array([*terms.values()])
+            residual[k] = factors @ state.interior[extra.item[k], places] - extra.value[k]
+            free = [(row.free.index(p), f) for p, f in zip(places, factors, strict=True) if p in row.free]
+            where = system.offsets[row.node] + row.start + np.array([w for w, _ in free], np.int64)
+            add(np.full(len(free), k), where, np.array([f for _, f in free]) * weight[k])
         return Linearised(
             residual * weight,
             np.concatenate(rows).astype(np.int32) if rows else np.zeros(0, np.int32),
@@ -235,7 +256,8 @@ class Normals:
 
         An integer names the unknown at which the matrix is not positive definite.
         """
-        added = damping * self.diagonal if damping else _NONE
+        # an unknown that nothing touches stays where it is; the undamped factor then names it
+        added = damping * np.where(self.diagonal > 0, self.diagonal, 1.0) if damping else _NONE
         failed = self.solver.factorise(self.values, added)
         if failed:
             return int(failed) - 1
@@ -299,34 +321,6 @@ class Normals:
         return block if a <= b else block.T
 
 
-def antenna_rows(system: System, state: State) -> list[tuple[int, Array, Array, float]]:
-    """Each station observation with an antenna: position among them, unknowns, derivatives, and R'a + s + d t."""
-    stations, extra = system.block.stations, system.extra
-    if stations.antenna is None:
-        return []
-    rows = {row.camera: r for r, row in enumerate(system.interior) if not row.model.has_images}
-    time = np.zeros(len(stations)) if stations.time is None else stations.time
-    result: list[tuple[int, Array, Array, float]] = []
-    mine = np.flatnonzero(extra.kind == 2)
-    for k, (item, axis) in enumerate(zip(extra.item[mine], extra.component[mine], strict=True)):
-        if stations.antenna[item] < 0:
-            continue
-        image, r = int(stations.image[item]), rows[int(stations.antenna[item])]
-        row, t = system.interior[r], float(time[item])
-        a, s, d = state.interior[r, :9].reshape(3, 3)
-        back = state.rotation[image].T
-        unit = np.eye(3)[axis]
-        by = np.concatenate([back[axis], unit, unit * t])
-        free = list(row.free) if row.node >= 0 else []
-        # R_new' a = R' exp(-[delta]x) a
-        columns = [system.offsets[system.image_node[image]] + 3 + np.arange(3)]
-        if free:
-            columns.append(system.offsets[row.node] + row.start + np.arange(len(free)))
-        values = np.concatenate([(back @ cross_matrix(a))[axis], by[free]])
-        result.append((k, np.concatenate(columns), values, float(back[axis] @ a + s[axis] + d[axis] * t)))
-    return result
-
-
 def _nodes_of_extra(system: System) -> list[tuple[int, int]]:
     """Pairs of nodes that a distance couples; every node once with itself."""
     pairs = {(int(a), int(a)) for a in range(len(system.sizes))}
@@ -335,11 +329,13 @@ def _nodes_of_extra(system: System) -> list[tuple[int, int]]:
         a, b = int(system.point_node[distances.start[d]]), int(system.point_node[distances.end[d]])
         if a >= 0 and b >= 0:
             pairs.add((min(a, b), max(a, b)))
-    stations = system.block.stations
-    if stations.antenna is not None:
-        nodes = {row.camera: row.node for row in system.interior if not row.model.has_images}
-        for s in system.extra.item[system.extra.kind == 2]:
-            a, b = int(system.image_node[stations.image[s]]), nodes.get(int(stations.antenna[s]), -1)
+    stations, attitudes = system.block.stations, system.block.attitudes
+    nodes = {row.camera: row.node for row in system.interior if not row.model.has_images}
+    for kind, image, of_row in ((2, stations.image, stations.antenna), (5, attitudes.image, attitudes.imu)):
+        if of_row is None:
+            continue
+        for s in system.extra.item[system.extra.kind == kind]:
+            a, b = int(system.image_node[image[s]]), nodes.get(int(of_row[s]), -1)
             if b >= 0:
                 pairs.add((min(a, b), max(a, b)))
     return sorted(pairs)

@@ -107,7 +107,7 @@ def observation_groups(
     entries = normals.extra(state)
     hat = np.full(len(extra), np.nan) if found is None else _extra_hat(normals, found, entries)
     adjusted = entries.residual * extra.sigma + extra.value
-    for code, kind in ((1, "distance"), (2, "station"), (3, "parameter")):
+    for code, kind in ((1, "distance"), (2, "station"), (5, "attitude"), (3, "parameter"), (4, "relation")):
         i = np.flatnonzero(extra.kind == code)
         if not len(i):
             continue
@@ -120,6 +120,14 @@ def observation_groups(
             ids = [block.images.ids[block.stations.image[k]] for k in extra.item[i]]
             component = ["XYZ"[a] for a in extra.component[i]]
             offset = shift[extra.component[i]]
+        elif kind == "attitude":
+            ids = [block.images.ids[block.attitudes.image[k]] for k in extra.item[i]]
+            component = [("omega", "phi", "kappa")[a] for a in extra.component[i]]
+        elif kind == "relation":
+            rows = [system.interior[r] for r in extra.item[i]]
+            ids = [row.key(block) for row in rows]
+            cameras = [block.cameras[row.camera] for row in rows]
+            component = [c.relations[k].name for c, k in zip(cameras, extra.component[i], strict=True)]
         else:
             rows = [system.interior[r] for r in extra.item[i]]
             component = [row.model.symbols[k] for row, k in zip(rows, extra.component[i], strict=True)]
@@ -189,7 +197,10 @@ def variance_components(
         if not weighted.any():
             continue
         square = float(np.sum((g.residual[weighted] / g.sigma[weighted]) ** 2))
-        name = {"control": "control", "distance": "distances", "station": "stations"}.get(g.kind, "parameters")
+        name = {
+            "control": "control", "distance": "distances", "station": "stations", "attitude": "attitudes",
+            "relation": "smoothness",
+        }.get(g.kind, "parameters")  # fmt: skip
         add(name, "all", int(weighted.sum()), square, float(np.nansum(g.redundancy[weighted])))
     return tuple(result)
 

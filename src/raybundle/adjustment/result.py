@@ -56,14 +56,14 @@ class ObservationStatistics:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ObservationGroup:
-    """Residuals and tests of control coordinates, distances or projection centres."""
+    """Residuals and tests of observations outside the images."""
 
     kind: str
-    """control | distance | station | parameter"""
+    """control | distance | station | attitude [rad] | parameter | relation (of parameters)"""
     ids: tuple[str, ...]
     """(k,) point id, "from-to", image id, "camera:symbol"."""
     component: tuple[str, ...]
-    """(k,) "X", "Y", "Z", "length" or the parameter's symbol."""
+    """(k,) "X", "Y", "Z", "length", "omega", "phi", "kappa", the parameter's symbol or the relation's name."""
     given: Array
     sigma: Array
     """(k,) a priori; 0 = held."""
@@ -150,7 +150,7 @@ class VarianceComponent:
     """Ratio of the a-posteriori to the a-priori sigma of a group of observations (Förstner 1979)."""
 
     kind: str
-    """image observations | camera | image | control | distances | stations | point class"""
+    """image observations | camera | image | control | distances | stations | attitudes | smoothness | ..."""
     group: str
     count: int
     redundancy: float

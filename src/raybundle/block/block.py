@@ -32,6 +32,17 @@ class Role(IntEnum):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Relation:
+    """A sum of parameters of one camera that is observed as zero."""
+
+    name: str
+    """For statistics and messages."""
+    terms: Mapping[str, float]
+    """Symbol -> factor."""
+    sigma: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Camera:
     """One interior orientation and the image format it belongs to."""
 
@@ -52,6 +63,8 @@ class Camera:
     """Whether the images of this camera share one interior orientation or have one each."""
     per_image: tuple[str, ...] = ()
     """Symbols of which each image has its own value while the others are shared: motion during a read-out."""
+    relations: tuple[Relation, ...] = ()
+    """What is known of several parameters together, as that corrections change smoothly in time."""
     scene: SensorModel | None = None
     """A satellite scene, which is the sensor of one image alone; None: the registered model of that name."""
 
@@ -192,6 +205,49 @@ class Stations:
     """(k,) position in `Block.cameras` of the antenna that was observed, -1 or None: the projection centre itself."""
     time: Array | None = None
     """(k,) [s] for an antenna's drift; None: zero."""
+    velocity: Array | None = None
+    """(k, 3) of the image [length unit / s], for an antenna's time offset; None or NaN: by the positions around it."""
+
+    def __len__(self) -> int:
+        return len(self.image)
+
+    @property
+    def velocities(self) -> Array:
+        """(k, 3) as given, else by the positions of the same antenna before and after; NaN where there is neither.
+
+        A neighbour further in time than twice the usual interval belongs to another flight line and is left out.
+        """
+        found = np.full((len(self), 3), np.nan) if self.velocity is None else np.array(self.velocity, float)
+        if self.time is None or self.antenna is None:
+            return found
+        for a in np.unique(self.antenna[self.antenna >= 0]):
+            mine = np.flatnonzero(self.antenna == a)
+            mine = mine[np.argsort(self.time[mine], kind="stable")]
+            step = np.diff(self.time[mine])
+            if not (step > 0).any():
+                continue
+            near = (step > 0) & (step <= 2 * np.median(step[step > 0]))
+            for k, row in enumerate(mine):
+                if np.isfinite(found[row]).all():
+                    continue
+                low, high = k - int(k > 0 and near[k - 1]), k + int(k < len(near) and near[k])
+                if high > low:
+                    seconds = self.time[mine[high]] - self.time[mine[low]]
+                    found[row] = (self.xyz[mine[high]] - self.xyz[mine[low]]) / seconds
+        return found
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Attitudes:
+    """Observed rotations of images (INS)."""
+
+    image: Index
+    angles: Array
+    """(k, 3) omega, phi, kappa [rad] as the IMU tells them."""
+    sigma: Array
+    """(k, 3) [rad]; NaN where an angle was not observed."""
+    imu: Index | None = None
+    """(k,) position in `Block.cameras` of the IMU with its misalignment, -1 or None: the image's own rotation."""
 
     def __len__(self) -> int:
         return len(self.image)
@@ -205,6 +261,11 @@ def no_distances() -> Distances:
 def no_stations() -> Stations:
     """A table without rows."""
     return Stations(image=np.zeros(0, np.int32), xyz=np.zeros((0, 3)), sigma=np.zeros((0, 3)))
+
+
+def no_attitudes() -> Attitudes:
+    """A table without rows."""
+    return Attitudes(image=np.zeros(0, np.int32), angles=np.zeros((0, 3)), sigma=np.zeros((0, 3)))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -226,6 +287,7 @@ class Block:
     points: Points
     distances: Distances = field(default_factory=no_distances)
     stations: Stations = field(default_factory=no_stations)
+    attitudes: Attitudes = field(default_factory=no_attitudes)
 
     @property
     def ray_count(self) -> Index:

@@ -5,28 +5,26 @@ The format stands in docs/reference/block-format.md.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
 
-from raybundle.block import Block, Camera, Distances, Images, Observations, Points, Role, Stations
-from raybundle.block.block import no_distances, no_stations
+from raybundle.block import Block, Camera, Distances, Images, Observations, Points, Role, no_distances
 from raybundle.errors import InputError
 from raybundle.io.block_scenes import FOLDER as SCENES
 from raybundle.io.block_scenes import with_views, write_scene_files
+from raybundle.io.block_stations import read_attitudes, read_stations, write_stations
+from raybundle.io.block_tables import ANGLES, SIGMA_XYZ, XYZ, columns_of, named, problems_of, require
 from raybundle.io.block_toml import head_text, read_head
 from raybundle.io.folders import new_folder
-from raybundle.io.tables import SHOWN, Column, Problem, fail, read_table, shown, write_table
-from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.io.tables import SHOWN, Column, Problem, read_table, shown, write_table
+from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.rotation import rotation_from_angles
 
-TABLES = ("images", "observations", "points", "distances", "stations", "interior")
+TABLES = ("images", "observations", "points", "distances", "stations", "attitudes", "interior")
 FILES = ("block.toml", *(f"{name}.csv" for name in TABLES), SCENES)
-XYZ = ("X", "Y", "Z")
-SIGMA_XYZ = ("sX", "sY", "sZ")
-ANGLES = ("omega_deg", "phi_deg", "kappa_deg")
 ROLES = {"tie": Role.TIE, "control": Role.CONTROL, "check": Role.CHECK}
 
 
@@ -72,7 +70,8 @@ def read_block(path: str | Path, *, progress: Progress = silent) -> Block:
         observations=observations,
         points=points,
         distances=_read_distances(folder / "distances.csv", point_ids),
-        stations=_read_stations(folder / "stations.csv", image_ids, head.cameras),
+        stations=read_stations(folder / "stations.csv", image_ids, head.cameras),
+        attitudes=read_attitudes(folder / "attitudes.csv", image_ids, head.cameras),
     )
     progress("reading", 1.0)
     return block
@@ -95,16 +94,6 @@ def _check_folder(folder: Path) -> None:
         meant = known.get(entry.stem.lower().rstrip("s"))
         if entry.suffix.lower() == ".csv" and meant is not None and entry.name != f"{meant}.csv":
             raise InputError(f"is not read; rename it to {meant}.csv, or take it out of the folder", file=entry)
-
-
-def _problems(mask: Mask, column: str, message: Callable[[int], str]) -> list[Problem]:
-    return [Problem(int(k) + 2, column, message(int(k))) for k in np.flatnonzero(mask)[: SHOWN + 1]]
-
-
-def _require(path: Path, *groups: Sequence[Problem]) -> None:
-    problems = [p for group in groups for p in group]
-    if problems:
-        fail(path, problems)
 
 
 def _read_images(path: Path, cameras: tuple[Camera, ...]) -> tuple[Images, dict[str, int]]:
@@ -135,25 +124,25 @@ def _read_images(path: Path, cameras: tuple[Camera, ...]) -> tuple[Images, dict[
     first = np.ones(len(ids), bool)
     first[np.unique(camera, return_index=True)[1]] = False
     oriented = (known == 3) & np.isfinite(centre).all(axis=1)
-    _require(
+    require(
         path,
-        _problems(
+        problems_of(
             (known != 0) & (known != 3),
             "omega_deg",
             lambda k: f"image {shown(ids[k])} has {known[k]} of 3 angles; give all three or none",
         ),
-        _problems(np.isfinite(held) & (held != 1), "held", lambda k: f"{held[k]:g} is neither 1 nor empty"),
-        _problems(
+        problems_of(np.isfinite(held) & (held != 1), "held", lambda k: f"{held[k]:g} is neither 1 nor empty"),
+        problems_of(
             (held == 1) & ~oriented,
             "held",
             lambda k: f"image {shown(ids[k])} is held but its exterior orientation is not complete; fill it",
         ),
-        _problems(
+        problems_of(
             is_scene & given,
             "X",
             lambda k: f"image {shown(ids[k])} is a satellite scene, whose file tells its orientation; leave it empty",
         ),
-        _problems(
+        problems_of(
             is_scene & first,
             "camera",
             lambda k: f"camera {cameras[camera[k]].id} is a satellite scene and has an image already; a scene has one",
@@ -196,34 +185,34 @@ def _read_points(path: Path) -> tuple[Points, dict[str, int]]:
     )
     ids, roles = table.text["point"], table.text["role"]
     unknown = np.array([r not in ROLES for r in roles])
-    _require(path, _problems(unknown, "role", lambda k: f"{shown(roles[k])} is not one of tie, control, check"))
+    require(path, problems_of(unknown, "role", lambda k: f"{shown(roles[k])} is not one of tie, control, check"))
     role = np.fromiter((ROLES[r] for r in roles), np.int32, len(roles))
     xyz, sigma = table.numbers(*XYZ), table.numbers(*SIGMA_XYZ)
     given, weighted = np.isfinite(xyz), np.isfinite(sigma)
     problems: list[Problem] = []
     for axis, s in zip(XYZ, SIGMA_XYZ, strict=True):
         k = XYZ.index(axis)
-        problems += _problems(
+        problems += problems_of(
             weighted[:, k] & ~given[:, k],
             s,
             lambda row, axis=axis, s=s: f"point {shown(ids[row])} has {s} but no {axis}; give the coordinate too",
         )
-    problems += _problems(
+    problems += problems_of(
         (role == Role.TIE) & weighted.any(axis=1),
         "sX",
         lambda k: f"tie point {shown(ids[k])} has a sigma; make its role control, or leave the sigma empty",
     )
-    problems += _problems(
+    problems += problems_of(
         (role == Role.CONTROL) & ~(given & weighted).any(axis=1),
         "sX",
         lambda k: f"control point {shown(ids[k])} has no coordinate with a sigma; 0 = held, or make its role tie",
     )
-    problems += _problems(
+    problems += problems_of(
         (role == Role.CHECK) & ~given.any(axis=1),
         "X",
         lambda k: f"check point {shown(ids[k])} has no coordinate; give one or make its role tie",
     )
-    _require(path, problems)
+    require(path, problems)
     points = Points(ids=ids, role=role, xyz=xyz, sigma=sigma)
     return points, {point: k for k, point in enumerate(ids)}
 
@@ -257,14 +246,14 @@ def _read_observations(path: Path, images: dict[str, int], points: dict[str, int
     sx, sy = table.number["sx_px"], table.number["sy_px"]
     sxy = np.nan_to_num(table.number.get("sxy_px2", np.zeros(table.rows)))
     limit = sx * sy
-    _require(
+    require(
         path,
-        _problems(
+        problems_of(
             np.abs(sxy) >= limit * (1 - 1e-9),
             "sxy_px2",
             lambda k: f"{sxy[k]:g} is not between -sx sy and sx sy = {limit[k]:g}; it is a covariance in px^2",
         ),
-        _problems(
+        problems_of(
             (sx < 1e-150) | (sy < 1e-150) | (sx > 1e150) | (sy > 1e150),
             "sx_px",
             lambda k: f"a standard deviation of {sx[k]:g}, {sy[k]:g} px cannot be meant; give it in px",
@@ -292,47 +281,8 @@ def _read_distances(path: Path, points: dict[str, int]) -> Distances:
         ),
     )
     start, end = table.index["from"], table.index["to"]
-    _require(path, _problems(start == end, "to", lambda _: "a distance needs two different points"))
+    require(path, problems_of(start == end, "to", lambda _: "a distance needs two different points"))
     return Distances(start=start, end=end, length=table.number["length"], sigma=table.number["sigma"])
-
-
-def _read_stations(path: Path, images: dict[str, int], cameras: tuple[Camera, ...]) -> Stations:
-    if not path.exists():
-        return no_stations()
-    table = read_table(
-        path,
-        (
-            Column(name="image", kind="reference", known=images, where="images.csv"),
-            *(Column(name=n, kind="number", empty=True) for n in XYZ),
-            *(Column(name=n, kind="number", empty=True, limit="> 0") for n in SIGMA_XYZ),
-            Column(name="antenna", kind="text", optional=True, empty=True),
-            Column(name="time_s", kind="number", optional=True, empty=True),
-        ),
-    )
-    image = table.index["image"]
-    known = {c.id: k for k, c in enumerate(cameras) if not c.sensor.has_images}
-    names = table.text.get("antenna", ("",) * len(image))
-    strange = np.array([bool(n) and n not in known for n in names], bool)
-    xyz, sigma = table.numbers(*XYZ), table.numbers(*SIGMA_XYZ)
-    _, first = np.unique(image, return_index=True)
-    again = np.ones(len(image), bool)
-    again[first] = False
-    half: Mask = np.any(np.isfinite(xyz) ^ np.isfinite(sigma), axis=1)
-    none: Mask = np.all(~np.isfinite(xyz), axis=1)
-    _require(
-        path,
-        _problems(again, "image", lambda _: "this image has a row already; delete one of the two"),
-        _problems(half, "sX", lambda _: "each coordinate needs its sigma, each sigma its coordinate"),
-        _problems(none, "X", lambda _: "the row holds no coordinate; delete it"),
-        _problems(strange, "antenna", lambda k: f"{shown(names[k])} is none of the antennas of block.toml"),
-    )
-    return Stations(
-        image=image,
-        xyz=xyz,
-        sigma=sigma,
-        antenna=np.array([known.get(n, -1) for n in names], np.int32) if any(names) else None,
-        time=np.nan_to_num(table.number["time_s"]) if "time_s" in table.number else None,
-    )
 
 
 def _read_interior(
@@ -371,7 +321,7 @@ def _read_interior(
             own[parameter.symbol] = value
         if len(problems) > SHOWN:
             break
-    _require(path, problems)
+    require(path, problems)
     return result
 
 
@@ -420,16 +370,7 @@ def write_block_files(block: Block, folder: Path) -> None:
         d = block.distances
         ends = {"from": named(points.ids, d.start), "to": named(points.ids, d.end)}
         write_table(folder / "distances.csv", {**ends, "length": d.length, "sigma": d.sigma})
-    if len(block.stations):
-        s = block.stations
-        rows: dict[str, Sequence[str] | Array] = {
-            "image": named(images.ids, s.image), **columns_of(XYZ, s.xyz), **columns_of(SIGMA_XYZ, s.sigma)
-        }  # fmt: skip
-        if s.antenna is not None:
-            rows["antenna"] = [block.cameras[a].id if a >= 0 else "" for a in s.antenna.tolist()]
-        if s.time is not None:
-            rows["time_s"] = s.time
-        write_table(folder / "stations.csv", rows)
+    write_stations(folder, block)
     _write_interior(folder / "interior.csv", block)
 
 
@@ -469,18 +410,7 @@ def angles_deg(images: Images) -> Array:
     return angles
 
 
-def named(ids: Sequence[str], index: Index) -> list[str]:
-    """The ids at these positions."""
-    positions: list[int] = index.tolist()
-    return [ids[k] for k in positions]
-
-
 def point_columns(points: Points) -> dict[str, Sequence[str] | Array]:
     """The columns `point` and `role`."""
     names = {int(role): name for name, role in ROLES.items()}
     return {"point": points.ids, "role": [names[r] for r in np.asarray(points.role).tolist()]}
-
-
-def columns_of(names: Sequence[str], values: Array) -> dict[str, Array]:
-    """The columns of a matrix under their names."""
-    return {name: values[:, k] for k, name in enumerate(names)}

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import shutil
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
@@ -21,11 +22,16 @@ from raybundle.numerics.places import Geocentric, Local, Place, Projected
 
 if TYPE_CHECKING:
     from raybundle.io.block_toml import Section
+    from raybundle.scenes.corrections import Fixes, Pieces
     from raybundle.scenes.sensor import LineSensor, RpcSensor
 
 MODELS = ("rpc", "linescan")
 FOLDER = "scenes"
 KEYS = ("model", "scene", "width_px", "height_px", "estimate", "sigma")
+LINE_KEYS = (
+    "position_degree", "attitude_degree", "position_fixes", "attitude_fixes", "position_pieces", "attitude_pieces",
+    "time_offset", "lever_arm", "smooth", "height_m",
+)  # fmt: skip
 
 
 def read_frame(section: Section) -> Place | None:
@@ -121,15 +127,30 @@ def read_scene_camera(section: Section, id_: str, place: Place | None) -> Camera
     if estimate is not None and not isinstance(estimate, list):
         section.fail("estimate", "give a list of parameters; a scene's are not chosen by themselves")
     stated = section.section("sigma") if "sigma" in section.values else None
-    sigma = None if stated is None else {s: stated.checked(s, v, above=0) for s, v in stated.values.items()}
+    sigma = None if stated is None else _sigma(stated, sensor)
     values = {s: section.number(s, 0.0) for s in sensor.symbols}
+    named = None if estimate is None else [m for s in cast("list[Any]", estimate) for m in _members(sensor, str(s))]
+    if named is not None:
+        order = {s: k for k, s in enumerate(sensor.symbols)}
+        named = tuple(sorted(dict.fromkeys(named), key=lambda s: order.get(s, -1)))
     try:
-        return scene_camera(
-            id_, sensor, estimate=None if estimate is None else tuple(cast("list[str]", estimate)), sigma=sigma,
-            values=values,
-        )  # fmt: skip
+        return scene_camera(id_, sensor, estimate=named, sigma=sigma, values=values)
     except InputError as error:
         section.fail("estimate", str(error))
+
+
+def _members(sensor: RpcSensor | LineSensor, name: str) -> tuple[str, ...]:
+    """The parameters that a name stands for: "rx" for those of a curve about the x axis, else the one."""
+    from raybundle.scenes.sensor import RpcSensor  # noqa: PLC0415
+
+    return (name,) if isinstance(sensor, RpcSensor) else sensor.corrections.members(name)
+
+
+def _sigma(stated: Section, sensor: RpcSensor | LineSensor) -> dict[str, float]:
+    """Standard deviations by parameter; that of a single one stands before that of its curve."""
+    given = {s: stated.checked(s, v, above=0) for s, v in stated.values.items()}
+    wide = {m: v for s, v in given.items() for m in _members(sensor, s)}
+    return wide | {s: v for s, v in given.items() if s in wide}
 
 
 def _sizes(found: Any) -> dict[str, int | None]:
@@ -154,14 +175,56 @@ def _line_sensor(section: Section, line: Any, place: Place, file: Path) -> LineS
     from raybundle.scenes.trajectory import CorrectionModel  # noqa: PLC0415
 
     degrees: list[int] = []
-    for key in ("position_degree", "attitude_degree"):
-        value = section.number(key, 0)
+    curves = [_curve(section, part) for part in ("position", "attitude")]
+    for part, curve in zip(("position", "attitude"), curves, strict=True):
+        value = section.number(f"{part}_degree", 0 if curve is None else -1)
         if value not in {-1, 0, 1, 2}:
-            section.fail(key, f"{value:g} is not one of -1 (none), 0, 1, 2")
+            section.fail(f"{part}_degree", f"{value:g} is not one of -1 (none), 0, 1, 2")
         degrees.append(int(value))
-    corrections = CorrectionModel(position_degree=degrees[0], attitude_degree=degrees[1])
-    section.allow((*KEYS, "position_degree", "attitude_degree", "height_m", *corrections.symbols))
-    return LineSensor(line, place, corrections, section.number("height_m", 0.0), file)
+    corrections = CorrectionModel(
+        position_degree=degrees[0], attitude_degree=degrees[1], position_curve=curves[0], attitude_curve=curves[1],
+        time_offset=_flag(section, "time_offset"), lever_arm=_flag(section, "lever_arm"),
+    )  # fmt: skip
+    section.allow((*KEYS, *LINE_KEYS, *corrections.symbols))
+    smooth = section.section("smooth")
+    stated = {s: smooth.checked(s, v, above=0) for s, v in smooth.values.items()}
+    try:
+        return LineSensor(line, place, corrections, section.number("height_m", 0.0), file, stated)
+    except InputError as error:
+        section.fail("smooth" if stated else "scene", str(error))
+
+
+def _flag(section: Section, key: str) -> bool:
+    value = section.values.get(key, False)
+    if not isinstance(value, bool):
+        section.fail(key, f"{value!r} is neither true nor false")
+    return value
+
+
+def _curve(section: Section, part: str) -> Fixes | Pieces | None:
+    """The curve of position_... or attitude_...: a number of fixes, or pieces of polynomials."""
+    from raybundle.scenes.corrections import Fixes, Pieces  # noqa: PLC0415
+
+    fixes, pieces = f"{part}_fixes", f"{part}_pieces"
+    if fixes in section.values and pieces in section.values:
+        section.fail(pieces, f"{fixes} stands there as well; take one of the two away")
+    key = fixes if fixes in section.values else pieces
+    try:
+        if fixes in section.values:
+            return Fixes(count=section.whole(fixes))
+        if pieces not in section.values:
+            return None
+        own = section.section(pieces)
+        own.allow(("count", "degree", "continuity"))
+        degree = own.whole("degree") if "degree" in own.values else 3
+        continuity = own.number("continuity", degree - 1)
+        if continuity != int(continuity):
+            own.fail("continuity", f"{continuity:g} is not a whole number")
+        return Pieces(count=own.whole("count"), degree=degree, continuity=int(continuity))
+    except InputError as error:
+        if error.file is not None:
+            raise
+        section.fail(key, str(error))
 
 
 def scene_lines(camera: Camera, number: int) -> list[str]:
@@ -178,13 +241,51 @@ def scene_lines(camera: Camera, number: int) -> list[str]:
     if isinstance(sensor, RpcSensor):
         lines.append(f'bias = "{sensor.bias}"')
     else:
-        lines.append(f"position_degree = {sensor.corrections.position_degree}")
-        lines.append(f"attitude_degree = {sensor.corrections.attitude_degree}")
-        lines.append(f"height_m = {float(sensor.height_m)!r}")
+        lines += _correction_lines(sensor)
+    groups = {} if isinstance(sensor, RpcSensor) else sensor.corrections.groups
     lines += [f"{s} = {float(camera.values.get(s, 0.0))!r}" for s in sensor.symbols]
-    lines.append(f"estimate = [{', '.join(json.dumps(s) for s in camera.estimate)}]")
-    lines.append("sigma = {" + ", ".join(f"{s} = {float(v)!r}" for s, v in camera.sigma.items()) + "}")
+    lines.append(f"estimate = [{', '.join(json.dumps(s) for s in _short_names(camera.estimate, groups))}]")
+    sigma = ", ".join(f"{s} = {float(v)!r}" for s, v in _short_sigma(camera.sigma, groups).items())
+    lines.append("sigma = {" + sigma + "}")
     return lines
+
+
+def _correction_lines(sensor: LineSensor) -> list[str]:
+    from raybundle.scenes.corrections import Fixes  # noqa: PLC0415
+
+    c = sensor.corrections
+    lines: list[str] = []
+    for part, degree, curve in (
+        ("position", c.position_degree, c.position_curve),
+        ("attitude", c.attitude_degree, c.attitude_curve),
+    ):
+        lines.append(f"{part}_degree = {degree}")
+        if isinstance(curve, Fixes):
+            lines.append(f"{part}_fixes = {curve.count}")
+        elif curve is not None:
+            continuity = curve.degree - curve.new
+            lines.append(
+                f"{part}_pieces = {{count = {curve.count}, degree = {curve.degree}, continuity = {continuity}}}"
+            )
+    lines += [f"{key} = true" for key in ("time_offset", "lever_arm") if getattr(c, key)]
+    if sensor.smooth:
+        lines.append("smooth = {" + ", ".join(f"{s} = {float(v)!r}" for s, v in sensor.smooth.items()) + "}")
+    return [*lines, f"height_m = {float(sensor.height_m)!r}"]
+
+
+def _short_names(names: Sequence[str], groups: Mapping[str, tuple[str, ...]]) -> list[str]:
+    """The names, those of a whole curve's axis as one."""
+    whole = {axis: members for axis, members in groups.items() if set(members) <= set(names)}
+    inside = {m: axis for axis, members in whole.items() for m in members}
+    return list(dict.fromkeys(inside.get(n, n) for n in names))
+
+
+def _short_sigma(sigma: Mapping[str, float], groups: Mapping[str, tuple[str, ...]]) -> dict[str, float]:
+    """The standard deviations, one that holds for a whole curve's axis once."""
+    even = {a: members for a, members in groups.items() if len({sigma.get(m, 0.0) for m in members} - {0.0}) == 1}
+    even = {axis: members for axis, members in even.items() if set(members) <= set(sigma)}
+    inside = {m: axis for axis, members in even.items() for m in members}
+    return {inside.get(s, s): v for s, v in sigma.items()}
 
 
 def _file_name(sensor: RpcSensor | LineSensor, number: int) -> str:
@@ -192,12 +293,15 @@ def _file_name(sensor: RpcSensor | LineSensor, number: int) -> str:
 
     if isinstance(sensor, RpcSensor):
         return f"{number}_RPC.TXT"
+    if sensor.file is not None and sensor.file.suffix.lower() == ".toml":  # it names other files; they stay together
+        return f"{number}/{sensor.file.name}"
     return f"{number}{'' if sensor.file is None else sensor.file.suffix}"
 
 
 def write_scene_files(block: Block, folder: Path) -> None:
     """The scenes' files in `scenes/` of a block folder; an RPC as text, a rigorous scene's file as it is."""
-    from raybundle.io.scenes.rpc_text import write_rpc_text  # noqa: PLC0415  (only where there are scenes)
+    from raybundle.io.scenes.airborne import companions  # noqa: PLC0415  (only where there are scenes)
+    from raybundle.io.scenes.rpc_text import write_rpc_text  # noqa: PLC0415
     from raybundle.scenes.sensor import RpcSensor  # noqa: PLC0415
 
     (folder / FOLDER).mkdir()
@@ -214,7 +318,13 @@ def write_scene_files(block: Block, folder: Path) -> None:
                 "keep its file where it was read"
             )
         else:
+            files = companions(sensor.file) if sensor.file.suffix.lower() == ".toml" else ()
+            target.parent.mkdir(exist_ok=True)
             shutil.copyfile(sensor.file, target)
+            for file in files:
+                if not file.is_file():
+                    raise InputError(f"camera {camera.id}: {sensor.file.name} names it, and it is gone", file=file)
+                shutil.copyfile(file, target.parent / file.name)
 
 
 def with_views(

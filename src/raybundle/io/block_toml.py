@@ -19,7 +19,10 @@ from raybundle.io.block_scenes import frame_lines, read_frame, read_scene_camera
 from raybundle.numerics.places import Place
 from raybundle.sensors import SensorModel, sensor_models
 from raybundle.sensors.antenna import ANTENNA
+from raybundle.sensors.imu import IMU
 
+CARRIED: tuple[tuple[str, str, SensorModel], ...] = (("antennas", "antenna", ANTENNA), ("imus", "IMU", IMU))
+"""Tables of block.toml for what has no images, what one of them is, and its parameters."""
 FILE_BYTES = 1 << 23
 _KEY = re.compile(r"""\s*([A-Za-z0-9_-]+|"[^"]*"|'[^']*')\s*[=.]""")
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
@@ -113,7 +116,7 @@ class Section:
 
 def read_head(path: Path) -> Head:
     """The contents of a block.toml; raises InputError with the line of the key at fault."""
-    top = _parsed(path)
+    top = read_toml(path)
     top.allow(
         (
             "name",
@@ -126,6 +129,7 @@ def read_head(path: Path) -> Head:
             "frame",
             "cameras",
             "antennas",
+            "imus",
         ),
     )
     place = read_frame(top.section("frame"))
@@ -141,22 +145,23 @@ def read_head(path: Path) -> Head:
         sigma0_apriori=top.number("sigma0_apriori", 1.0, above=0),
         residuals=cast("Residuals", top.choice("residuals", ("measured", "corrected"), "measured")),
         place=place,
-        cameras=(*(_camera(cameras, id_, place) for id_ in cameras.values), *_antennas(top, cameras)),
+        cameras=(*(_camera(cameras, id_, place) for id_ in cameras.values), *_carried(top)),
     )
 
 
 def read_cameras(path: Path) -> tuple[Camera, ...]:
     """The `[cameras.*]` tables of a TOML file that holds nothing else."""
-    top = _parsed(path)
+    top = read_toml(path)
     top.allow(("cameras",))
     cameras = top.section("cameras")
     return tuple(_camera(cameras, id_) for id_ in cameras.values)
 
 
-def _parsed(path: Path) -> Section:
+def read_toml(path: Path) -> Section:
+    """The top table of a TOML file; raises InputError with the line of a mistake."""
     try:
         if path.stat().st_size > FILE_BYTES:
-            raise InputError(f"larger than {FILE_BYTES >> 20} MiB: this is no block.toml", file=path)
+            raise InputError(f"larger than {FILE_BYTES >> 20} MiB: this is no {path.name}", file=path)
         data = path.read_bytes()
     except OSError as error:
         raise InputError(f"cannot be read: {error.strerror}; check the path and the permissions", file=path) from None
@@ -234,19 +239,29 @@ def _camera(cameras: Section, id_: str, place: Place | None = None) -> Camera:
     )
 
 
-def _antennas(top: Section, cameras: Section) -> Iterator[Camera]:
-    """The tables [antennas.*]: GNSS antennas are adjusted like cameras that have no images."""
-    section = top.section("antennas")
-    for id_ in section.values:
-        own = section.section(id_)
-        if id_ in cameras.values:
-            section.fail(id_, f"{id_!r} is a camera already; give the antenna another name")
-        own.allow((*ANTENNA.symbols, "estimate", "sigma"))
-        yield Camera(
-            id=id_, model=ANTENNA.name, width_px=1, height_px=1, pixel_mm=(1.0, 1.0),
-            values={s: own.number(s, 0.0) for s in ANTENNA.symbols}, estimate=_estimate(own, ANTENNA),
-            sigma=_sigma(own, ANTENNA), scene=ANTENNA,
-        )  # fmt: skip
+def _carried(top: Section) -> Iterator[Camera]:
+    """The tables [antennas.*] and [imus.*]: what GNSS and INS need is adjusted like cameras that have no images."""
+    taken = dict.fromkeys(top.section("cameras").values, "camera")
+    for group, what, model in CARRIED:
+        section = top.section(group)
+        for id_ in section.values:
+            own = section.section(id_)
+            if id_ in taken:
+                section.fail(id_, f"{id_!r} is {_a(taken[id_])} already; give {_a(what)} another name")
+            taken[id_] = what
+            own.allow((*model.symbols, "estimate", "sigma"))
+            estimate = _estimate(own, model)
+            if estimate == "auto":
+                own.fail("estimate", f"give a list of {', '.join(model.symbols)}; these are not chosen by themselves")
+            yield Camera(
+                id=id_, model=model.name, width_px=1, height_px=1, pixel_mm=(1.0, 1.0),
+                values={s: own.number(s, 0.0) for s in model.symbols}, estimate=estimate,
+                sigma=_sigma(own, model), scene=model,
+            )  # fmt: skip
+
+
+def _a(word: str) -> str:
+    return f"an {word}" if word[0] in "aeiouI" else f"a {word}"
 
 
 def _pixel(section: Section) -> tuple[float, float]:
@@ -323,15 +338,16 @@ def head_text(block: Block) -> str:
     for number, camera in enumerate(block.cameras, 1):
         key = camera.id if _BARE.fullmatch(camera.id) else _quoted(camera.id)
         if camera.scene is not None and not camera.scene.has_images:
-            lines += ["", f"[antennas.{key}]", *_antenna_lines(camera)]
+            group = next(name for name, _, model in CARRIED if model.name == camera.model)
+            lines += ["", f"[{group}.{key}]", *_carried_lines(camera)]
             continue
         own = _camera_lines(camera) if camera.scene is None else scene_lines(camera, number)
         lines += ["", f"[cameras.{key}]", *own]
     return "\n".join(lines) + "\n"
 
 
-def _antenna_lines(camera: Camera) -> list[str]:
-    lines = [f"{s} = {float(camera.values.get(s, 0.0))!r}" for s in ANTENNA.symbols]
+def _carried_lines(camera: Camera) -> list[str]:
+    lines = [f"{s} = {float(camera.values.get(s, 0.0))!r}" for s in camera.sensor.symbols]
     lines.append(f"estimate = [{', '.join(_quoted(s) for s in camera.estimate)}]")
     if camera.sigma:
         lines.append("sigma = {" + ", ".join(f"{s} = {float(v)!r}" for s, v in camera.sigma.items()) + "}")

@@ -7,7 +7,8 @@ the adjusted R and X0 of the photographs:
     G = X0 + R' a + s              a the lever arm in the axes of the image, s a shift of the flight
 
 Both are least-squares fits after the adjustment; the orientation is taken as free of error against GNSS and INS, so
-where its own standard deviations come near theirs, the stated ones are too small: adjust them together (`antenna`).
+where its own standard deviations come near theirs, the stated ones are too small: adjust them together
+(`sensors.antenna`, `sensors.imu`).
 Skaloud and Lichti 2006; Hutton and Mostafa 2005.
 """
 

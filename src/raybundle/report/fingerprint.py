@@ -43,6 +43,7 @@ def fingerprints(block: Block) -> list[tuple[str, str, str]]:
             sorted(c.sigma.items()),
             c.interior,
             *([c.per_image] if c.per_image else []),
+            *([[r.name, sorted(r.terms.items()), r.sigma] for r in c.relations]),
             *([_scene(c)] if c.is_scene else []),
         ])
         for c in block.cameras
@@ -58,8 +59,12 @@ def fingerprints(block: Block) -> list[tuple[str, str, str]]:
     if len(d):
         rows.append(("distances", len(d), fingerprint(d.start, d.end, d.length, d.sigma)))
     if len(s):
-        more = [a for a in (s.antenna, s.time) if a is not None]
+        more = [a for a in (s.antenna, s.time, s.velocity) if a is not None]
         rows.append(("stations", len(s), fingerprint(s.image, s.xyz, s.sigma, *more)))
+    if len(block.attitudes):
+        a = block.attitudes
+        more = [] if a.imu is None else [a.imu]
+        rows.append(("attitudes", len(a), fingerprint(a.image, a.angles, a.sigma, *more)))
     if i.station is not None:
         rows.append(("rig stations", len(i), fingerprint(i.station)))
     return [(name, grouped(count), print_) for name, count, print_ in rows]

@@ -50,6 +50,11 @@ CONTROL = (*XYZ, *SIGMA_XYZ, *TESTS)
 CHECK = (*XYZ, "dX", "dY", "dZ", *SIGMA_XYZ)
 DISTANCES = ("length", "sigma", "adjusted", "v", "r", "w")
 STATIONS = (*XYZ, *SIGMA_XYZ, "X_adjusted", "Y_adjusted", "Z_adjusted", *TESTS)
+ANGLES, SIGMA_ANGLES = ("omega_deg", "phi_deg", "kappa_deg"), ("somega_deg", "sphi_deg", "skappa_deg")
+ATTITUDES = (
+    *ANGLES, *SIGMA_ANGLES, *("omega_adjusted_deg", "phi_adjusted_deg", "kappa_adjusted_deg"),
+    *("vomega_deg", "vphi_deg", "vkappa_deg", "romega", "rphi", "rkappa", "womega", "wphi", "wkappa"),
+)  # fmt: skip
 TABLES: Mapping[str, tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]] = {
     "images": (("image", "camera", "file"), IMAGES, ()),
     "points": (("point", "role"), POINTS, ()),
@@ -58,6 +63,7 @@ TABLES: Mapping[str, tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]] =
     "check": (("point",), CHECK, ()),
     "distances": (("from", "to"), DISTANCES, ()),
     "stations": (("image",), STATIONS, ()),
+    "attitudes": (("image",), ATTITUDES, ()),
 }
 """Table -> text columns, numbers, text columns at the end."""
 ENTRIES = {
@@ -90,6 +96,8 @@ class ResultFolder:
     check: Table
     distances: Table
     stations: Table
+    attitudes: Table | None
+    """None in results of versions before observed attitudes."""
 
 
 def check_target(path: str | Path) -> None:
@@ -285,6 +293,7 @@ def result_tables(adjustment: Adjustment) -> dict[str, Columns]:
         "check": _check(adjustment),
         "distances": _distances(adjustment),
         "stations": _stations(adjustment),
+        "attitudes": _attitudes(adjustment),
     }
     for name, (first, numbers, last) in TABLES.items():
         assert tuple(tables[name]) == (*first, *numbers, *last), name
@@ -423,6 +432,22 @@ def _stations(a: Adjustment) -> Columns:
     }
 
 
+def _attitudes(a: Adjustment) -> Columns:
+    """Attitudes as observed and as adjusted [deg], the latter of the image itself, without misalignment."""
+    o = a.given.attitudes
+    ids = named(a.given.images.ids, o.image)
+    tests = _Tests(a.groups, "attitude")
+    rows = np.array([[tests.of(i, angle) for angle in ("omega", "phi", "kappa")] for i in ids], float).reshape(-1, 3, 3)
+    rows[:, :, 0] = np.degrees(rows[:, :, 0])
+    return {
+        "image": ids,
+        **columns_of(ANGLES, np.degrees(o.angles)),
+        **columns_of(SIGMA_ANGLES, np.degrees(o.sigma)),
+        **columns_of(ATTITUDES[6:9], np.degrees(a.adjusted.images.angles[o.image])),
+        **columns_of(ATTITUDES[9:], rows.transpose(0, 2, 1).reshape(-1, 9)),
+    }
+
+
 def read_result(path: str | Path) -> ResultFolder:
     """A result folder's tables and result.json; raises InputError where it is not one."""
     folder = Path(path)
@@ -433,6 +458,8 @@ def read_result(path: str | Path) -> ResultFolder:
     result = cast("dict[str, Any]", json.loads((folder / "result.json").read_bytes()))
     tables: dict[str, Table] = {}
     for name, (first, numbers, last) in TABLES.items():
+        if name == "attitudes" and not (folder / f"{name}.csv").is_file():
+            continue
         columns = (
             *(Column(name=n, kind="text", empty=True) for n in first),
             *(Column(name=n, kind="number", empty=True) for n in numbers),
@@ -450,4 +477,5 @@ def read_result(path: str | Path) -> ResultFolder:
         check=tables["check"],
         distances=tables["distances"],
         stations=tables["stations"],
+        attitudes=tables.get("attitudes"),
     )

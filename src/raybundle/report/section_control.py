@@ -33,8 +33,12 @@ KINDS = (
     ("control", "Control points", "point", "control.csv"),
     ("distance", "Scale bars", "from–to", "distances.csv"),
     ("station", "Observed projection centres", "image", "stations.csv"),
+    ("attitude", "Observed attitudes", "image", "attitudes.csv"),
     ("parameter", "Observed parameters of the interior orientation", "camera", "result.json"),
+    ("relation", "Smoothness of trajectories", "camera", "result.json"),
 )
+LENGTHS = {"control", "distance", "station"}
+"""Kinds of observations that are lengths; the others have units of their own."""
 
 OPEN_ROWS, LARGEST = 60, 15
 """Longer tables are folded, and their largest values shown."""
@@ -74,8 +78,7 @@ def _marks(view: View) -> list[Part]:
 
 def _group(view: View, g: ObservationGroup, what: str, rest: str) -> list[Part]:
     weighted = g.sigma > 0
-    length = g.kind != "parameter"
-    factor, unit = (view.factor, view.unit) if length else (1.0, "")
+    factor, unit = (view.factor, view.unit) if g.kind in LENGTHS else (1.0, "rad" if g.kind == "attitude" else "")
     parts: list[Part] = []
     if not weighted.any():
         text_ = f"{counted(len(g.ids), 'coordinate')} held as given; they have no residuals of their own."
@@ -119,7 +122,7 @@ def _held_table(view: View, g: ObservationGroup) -> Table:
 
 
 def _group_table(view: View, g: ObservationGroup, what: str, rest: str, factor: float, unit: str) -> Table:
-    if g.kind == "parameter":
+    if g.kind not in LENGTHS:
         given, adjusted = ([significant(float(v), 6) for v in column] for column in (g.given, g.adjusted))
         sigma, std, v, mdb = (
             [significant(float(x), 3) for x in column] for column in (g.sigma, g.adjusted_std, g.residual, g.mdb)
@@ -133,7 +136,7 @@ def _group_table(view: View, g: ObservationGroup, what: str, rest: str, factor: 
         )
     limit = view.adjustment.critical_w * max(view.scale, 1.0)
     beyond = np.flatnonzero(np.abs(np.nan_to_num(g.w)) > limit).tolist()
-    length = view.length_unit if g.kind != "parameter" else ""
+    length = view.length_unit if g.kind in LENGTHS else unit
     return table(
         (
             text(what), text(""), number("given", length), number("sigma", unit), number("adjusted", length),

@@ -58,7 +58,7 @@ def _title(view: View, result: InteriorResult) -> str:
     width, height = camera.size_mm
     name = name_of(result)
     if not camera.sensor.has_images:
-        return f"Antenna {result.camera}"
+        return f"{'Antenna' if camera.model == 'antenna' else 'IMU'} {result.camera}"
     return (
         f"{name[0].upper()}{name[1:]}: model {camera.model}, {grouped(camera.width_px)} × "
         f"{grouped(camera.height_px)} px, {significant(width, 4)} × {significant(height, 4)} mm, pixel "

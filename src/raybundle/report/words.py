@@ -124,6 +124,7 @@ def _adjusted(view: View) -> str:
         (len(view.check_rows), "check point"),
         (len(block.distances), "scale bar"),
         (len({i for g in a.groups if g.kind == "station" for i in g.ids}), "observed projection centre"),
+        (len(block.attitudes), "observed attitude"),
     ):
         if count:
             parts.append(counted(count, noun))

@@ -3,7 +3,7 @@
 Line y of the image is taken at time t(y); element x of the line looks along (psi_x(x), psi_y(x), 1) in the
 detector's frame.  An object point X appears there if
 
-    w = R(t) u(X - P(t)),    w_x / w_z = psi_x(x),    w_y / w_z = psi_y(x)
+    w = R(t) u(X - P(t)),    w_x / w_z = psi_x(x),    w_y / w_z = psi_y(x)          (w_z < 0 with `view` -1)
 
 two equations in x and y: a root in time, found by Newton, with all derivatives by implicit differentiation.
 Two corrections, each 15 to 40 px from an orbit:
@@ -11,7 +11,8 @@ Two corrections, each 15 to 40 px from an orbit:
 aberration  the direction that the moving sensor sees is the geometric one turned towards its velocity,
             u = s d + v / c_light with |u| = 1, v in the frame that turns with the body (light and detector share it)
 refraction  the ray meets the ground nearer to the nadir than in empty space, by (n0 - 1) 8400 m tan z / cos^2 z,
-            n0 - 1 = 2.9e-4 exp(-h / 8400 m), z the zenith angle at the ground; one exponential atmosphere
+            n0 - 1 = 2.9e-4 exp(-h / 8400 m), z the zenith angle at the ground; one exponential atmosphere.  For a
+            sensor within it, by the integral of n - n_sensor along the ray: 0.1 m at 45 degrees from 3 km
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ from typing import Any
 import numpy as np
 
 from raybundle.errors import InputError, NoConvergence, NotSolvable
-from raybundle.numerics.arrays import Array
+from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.geodesy import (
     WGS84,
     Ellipsoid,
@@ -34,8 +35,9 @@ from raybundle.numerics.geodesy import (
 )
 from raybundle.numerics.places import Local, Place
 from raybundle.numerics.rotation import cross_matrix, rotation_from_vector
+from raybundle.scenes.corrections import Fixes
 from raybundle.scenes.rpc import Observed
-from raybundle.scenes.trajectory import CorrectionModel, Trajectory, left_jacobian, polynomial
+from raybundle.scenes.trajectory import CorrectionModel, CorrectionValues, Shape, Trajectory, left_jacobian
 
 C_LIGHT = 299792458.0
 SCALE_HEIGHT_M = 8400.0
@@ -44,6 +46,10 @@ REFRACTIVITY = 2.9e-4
 NO_CORRECTION = CorrectionModel()
 MARGIN = 0.5
 """Lines beyond the image, as a share of its height, up to which a point is followed."""
+SETTLED_PX = 1e-6
+"""Step of Newton's method after which its error is far below rounding: it squares, and the scene bends over 1e5 px."""
+COARSE = 201
+"""Lines among which a start is sought for points that Newton's method does not find from the middle."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -64,6 +70,11 @@ class LineScene:
     ellipsoid: Ellipsoid = WGS84
     aberration: bool = True
     refraction: bool = True
+    view: float = 1.0
+    """Third component of the viewing directions: 1, or -1 where the detector's axes are those of an image."""
+    position_sigma_m: float | None = None
+    """Usual standard deviation of a position in the trajectory's table, where it tells."""
+    attitude_sigma_rad: float | None = None
 
     def __post_init__(self) -> None:
         """Refuse tables that do not fit each other."""
@@ -101,6 +112,10 @@ class LineScene:
         first, last = self.time(np.array([0.0, float(self.height_px)]))[0]
         return float((first + last) / 2), float((last - first) / 2)
 
+    def fixes_every(self, seconds: float) -> Fixes:
+        """Orientation fixes at least as close as this, for the corrections of this scene."""
+        return Fixes(count=max(2, int(np.ceil(abs(2 * self.middle_and_half[1]) / seconds - 1e-9)) + 1))
+
     @cached_property
     def track_axes(self) -> Array:
         """(3, 3) rows along track, across track to the right, up at the middle of the scene, in body axes."""
@@ -117,9 +132,9 @@ class LineScene:
 
         The directions are geometric: aberration is taken off, refraction is left to the ground (`localise`).
         """
-        at = _Pose.at(self, xy_px[:, 1], *model.split(_zeros(model, values)))
+        at = _Pose.at(self, xy_px[:, 1], model, _zeros(model, values))
         psi = self.look(xy_px[:, 0])[0]
-        w = np.concatenate([psi, np.ones((len(psi), 1))], axis=1)
+        w = self.view * np.concatenate([psi, np.ones((len(psi), 1))], axis=1)
         u = np.einsum("nji,nj->ni", at.R, w / np.linalg.norm(w, axis=1)[:, None])
         d = u - at.beta
         return at.P, d / np.linalg.norm(d, axis=1)[:, None]
@@ -178,35 +193,73 @@ class LineScene:
         values  (k,) parameters of `model`, in the order of its symbols; None: zero
         raises  NoConvergence where a point was not seen between the first line and the last, margins included
         """
+        xy, by_point, few, touched = self.observe_few(xyz, model, values)
+        by_parameters = np.zeros((len(xyz), 2, len(model.symbols)))
+        np.put_along_axis(by_parameters, np.broadcast_to(touched[:, None], few.shape), few, axis=2)
+        return Observed(xy_px=xy, by_point=by_point, by_parameters=by_parameters)
+
+    def observe_few(
+        self, xyz: Array, model: CorrectionModel = NO_CORRECTION, values: Array | None = None,
+        start: Array | None = None,
+    ) -> tuple[Array, Array, Array, Index]:  # fmt: skip
+        """As `observe_geocentric`, with derivatives by those parameters alone that act on a point.
+
+        start    image points (n, 2) near the result; None: the middle of the image
+        returns  image points (n, 2); derivatives by points (n, 2, 3) and by parameters (n, 2, w); the positions (n, w)
+                 of these parameters among `model.symbols`
+        """
         values = _zeros(model, values)
         seen = _Points.of(self, xyz)
-        xy = np.tile([self.width_px / 2, self.height_px / 2], (len(xyz), 1))
+        xy = np.tile([self.width_px / 2, self.height_px / 2], (len(xyz), 1)) if start is None else start
+        xy, lost = self._solved(seen, xy, model, values)
+        if lost.any():
+            again = seen.some(lost)
+            xy[lost], still = self._solved(again, self._coarse(again, model, values), model, values)
+            if still.any():
+                k = int(np.flatnonzero(lost)[np.argmax(still)])
+                lon, lat, h = seen.geographic[k]
+                raise NoConvergence(
+                    f"point {k} at longitude {lon:.6f}, latitude {lat:.6f}, height {h:.1f} m was not seen by this "
+                    f"scene (last line tried {xy[k, 1]:.1f} of {self.height_px}); check that point and scene belong "
+                    "together"
+                )
+        _, G, partials, touched = self._condition(seen, xy, model, values)
+        solved = -np.linalg.solve(G, partials)
+        return xy, solved[..., :3], solved[..., 3:], touched
+
+    def _solved(self, seen: _Points, xy: Array, model: CorrectionModel, values: Array) -> tuple[Array, Mask]:
+        """Image points (n, 2) by Newton's method from xy, and which of them it did not find (n,)."""
         low, high = -MARGIN * self.height_px, (1 + MARGIN) * self.height_px
-        last, step = np.inf, np.zeros_like(xy)
+        size = np.zeros(len(xy))
         for _ in range(30):
-            g, G, _ = self._condition(seen, xy, model, values)
+            g, G, _, _ = self._condition(seen, xy, model, values, partials=False)
             step = np.linalg.solve(G, g[..., None])[..., 0]
             xy = xy - step
             xy[:, 1] = np.clip(xy[:, 1], low, high)
-            size = float(np.abs(step).max(initial=0.0))
-            if size < 1e-9 or (size < 1e-6 and size > 0.3 * last):
-                break
-            last = size
-        else:
-            k = int(np.argmax(np.abs(step).max(axis=1)))
-            lon, lat, h = seen.geographic[k]
-            raise NoConvergence(
-                f"point {k} at longitude {lon:.6f}, latitude {lat:.6f}, height {h:.1f} m was not seen by this scene "
-                f"(last line tried {xy[k, 1]:.1f} of {self.height_px}); check that point and scene belong together"
-            )
-        _, G, partials = self._condition(seen, xy, model, values)
-        solved = -np.linalg.solve(G, partials)
-        return Observed(xy_px=xy, by_point=solved[..., :3], by_parameters=solved[..., 3:])
+            size = np.abs(step).max(axis=1, initial=0.0)
+            largest = float(size.max(initial=0.0))
+            if largest < SETTLED_PX:
+                return xy, np.zeros(len(xy), bool)
+        return xy, ~(size < SETTLED_PX)
 
-    def _condition(self, seen: _Points, xy: Array, model: CorrectionModel, values: Array) -> tuple[Array, Array, Array]:
-        """The condition g (n, 2), its derivatives (n, 2, 2) by x, y, and (n, 2, 3 + k) by point and parameters."""
-        position, attitude = model.split(values)
-        at = _Pose.at(self, xy[:, 1], position, attitude)
+    def _coarse(self, seen: _Points, model: CorrectionModel, values: Array) -> Array:
+        """For each point that of some lines in whose plane of view it lies best: a start on an unsteady flight."""
+        lines = np.linspace(-MARGIN * self.height_px, (1 + MARGIN) * self.height_px, COARSE)
+        n = len(seen.xyz)
+        off = np.empty((COARSE, n))
+        for k, y in enumerate(lines):
+            g, G, _, _ = self._condition(seen, np.tile([self.width_px / 2, y], (n, 1)), model, values, partials=False)
+            off[k] = np.abs(g[:, 0] * G[:, 1, 0] - g[:, 1] * G[:, 0, 0])  # across the line of elements
+        return np.stack([np.full(n, self.width_px / 2), lines[off.argmin(axis=0)]], axis=1)
+
+    def _condition(
+        self, seen: _Points, xy: Array, model: CorrectionModel, values: Array, *, partials: bool = True
+    ) -> tuple[Array, Array, Array, Index]:
+        """The condition g (n, 2), its derivatives (n, 2, 2) by x, y, and (n, 2, 3 + w) by point and parameters.
+
+        Also the positions (n, w) of the parameters that act; without `partials` the last two are empty.
+        """
+        at = _Pose.at(self, xy[:, 1], model, values)
         X, by_X, by_P = seen.xyz, np.broadcast_to(np.eye(3), (len(xy), 3, 3)), np.zeros((len(xy), 3, 3))
         if self.refraction:
             shift, shift_by_X, by_P = refraction_shift(seen.xyz, at.P, seen.geographic[:, 2], seen.up)
@@ -224,16 +277,34 @@ class LineScene:
         by_w[:, :, 2] = -w[:, :2] / w[:, 2:] ** 2
         to_g = by_w @ at.R @ u_by_d @ by_r
         g_by_P = to_g @ (by_P - np.eye(3))
+        turned_beta = np.einsum("nij,njk,nk->ni", at.R, u_by_beta, at.dbeta)
+
+        def by_time(dP: Array, dR: Array) -> Array:
+            dw = np.einsum("nij,nj->ni", dR, u) + turned_beta
+            return np.einsum("nij,nj->ni", g_by_P, dP) + np.einsum("nij,nj->ni", by_w, dw)
+
+        G = np.stack([-psi_slope, by_time(at.dP, at.dR) * at.dt_dy[:, None]], axis=2)
+        if not partials:
+            return g, G, np.zeros((len(xy), 2, 0)), np.zeros((len(xy), 0), np.int32)
         g_by_turn = -by_w @ cross_matrix(w)
-        dw = np.einsum("nij,nj->ni", at.dR, u) + np.einsum("nij,njk,nk->ni", at.R, u_by_beta, at.dbeta)
-        by_t = np.einsum("nij,nj->ni", g_by_P, at.dP) + np.einsum("nij,nj->ni", by_w, dw)
-        G = np.stack([-psi_slope, by_t * at.dt_dy[:, None]], axis=2)
-        powers = at.tau[:, None] ** np.arange(3)
-        g_by_turn = g_by_turn @ at.turn_jacobian
-        columns = [to_g @ by_X]
-        columns += [(g_by_P @ self.track_axes.T) * powers[:, k, None, None] for k in range(len(position))]
-        columns += [g_by_turn * powers[:, k, None, None] for k in range(len(attitude))]
-        return g, G, np.concatenate(columns, axis=2)
+        if model.lever_arm:
+            g_by_turn = g_by_turn - g_by_P @ np.swapaxes(at.R, 1, 2) @ cross_matrix(at.lever_arm)
+        columns = [
+            to_g @ by_X,
+            _each(g_by_P @ self.track_axes.T, at.position.values),
+            _each(g_by_turn @ at.turn_jacobian, at.attitude.values),
+        ]
+        if model.time_offset:
+            columns.append(by_time(at.dP_dt, at.dR_dt)[:, :, None])
+        if model.lever_arm:
+            columns.append(-g_by_P @ np.swapaxes(at.R, 1, 2))
+        return g, G, np.concatenate(columns, axis=2), model.touched(at.position, at.attitude)
+
+
+def _each(by_axis: Array, factors: Array) -> Array:
+    """(n, 2, 3 m): derivatives by three components (n, 2, 3), times the factors (n, m) of their coefficients."""
+    n, m = factors.shape
+    return (by_axis[:, :, None, :] * factors[:, None, :, None]).reshape(n, 2, 3 * m)
 
 
 def observe_line(scene: LineScene, place: LocalPlace, xyz: Array, model: CorrectionModel, values: Array) -> Observed:
@@ -257,21 +328,28 @@ def refraction_shift(xyz: Array, sensor: Array, height: Array, up: Array) -> tup
     xyz, sensor (n, 3) geocentric; height (n,) [m] and up (n, 3) unit vertical at xyz
     returns  shift (n, 3); (n, 3, 3) by xyz; (n, 3, 3) by sensor
 
-    q = r / (r.up) - up is horizontal, of length tan z: smooth at the nadir.  Azimuth and weather are left out; the
-    remaining error is some centimetres.
+    q = r / (r.up) - up is horizontal, of length tan z: smooth at the nadir.  D = r.up is the height of the sensor above
+    the point; from an orbit exp(-D / 8400 m) vanishes.  Azimuth and weather are left out; the remaining error is some
+    centimetres from an orbit, a tenth of the shift from an aircraft.
     """
     r = sensor - xyz
     vertical = np.einsum("ni,ni->n", r, up)[:, None]
     q = r / vertical - up
-    k = (REFRACTIVITY * SCALE_HEIGHT_M * np.exp(-height / SCALE_HEIGHT_M))[:, None]
+    thin = np.exp(-np.maximum(vertical, 0.0) / SCALE_HEIGHT_M)
+    ground = REFRACTIVITY * np.exp(-height / SCALE_HEIGHT_M)[:, None]
+    k = ground * (SCALE_HEIGHT_M * (1 - thin) - vertical * thin)
+    k_by_vertical = ground * thin * vertical / SCALE_HEIGHT_M
     stretch = 1 + np.sum(q * q, axis=1)[:, None]
-    shift = -k * stretch * q
+    bare = -stretch * q
+    shift = k * bare
     by_q = -k[..., None] * (stretch[..., None] * np.eye(3) + 2 * q[:, :, None] * q[:, None, :])
     q_by_r = (np.eye(3) - r[:, :, None] * up[:, None, :] / vertical[..., None]) / vertical[..., None]
     q_by_up = -r[:, :, None] * r[:, None, :] / vertical[..., None] ** 2 - np.eye(3)
     horizontal = (np.eye(3) - up[:, :, None] * up[:, None, :]) / np.linalg.norm(xyz, axis=1)[:, None, None]
-    by_sensor = by_q @ q_by_r
-    by_xyz = -by_sensor + by_q @ q_by_up @ horizontal - shift[:, :, None] * up[:, None, :] / SCALE_HEIGHT_M
+    by_vertical = (k_by_vertical * bare)[:, :, None]
+    by_sensor = by_q @ q_by_r + by_vertical * up[:, None, :]
+    by_up = by_q @ q_by_up + by_vertical * r[:, None, :]
+    by_xyz = -by_sensor + by_up @ horizontal - shift[:, :, None] * up[:, None, :] / SCALE_HEIGHT_M
     return shift, by_xyz, by_sensor
 
 
@@ -303,50 +381,65 @@ class _Points:
         geographic = geographic_from_geocentric(xyz, scene.ellipsoid)
         return _Points(xyz=xyz, geographic=geographic, up=enu_from_geocentric(geographic)[:, 2])
 
+    def some(self, mask: Mask) -> _Points:
+        """Those of a mask (n,)."""
+        return _Points(xyz=self.xyz[mask], geographic=self.geographic[mask], up=self.up[mask])
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Pose:
     """The sensor at the time of each line, with derivatives by time."""
 
-    tau: Array
     dt_dy: Array
     P: Array
     dP: Array
     R: Array
     """(n, 3, 3) body axes to detector axes, corrected."""
     dR: Array
+    dP_dt: Array
+    dR_dt: Array
+    """By the time offset: the tables move, the corrections stay."""
     beta: Array
     """(n, 3) velocity / speed of light, zero where aberration is off."""
     dbeta: Array
+    position: Shape
+    attitude: Shape
     turn_jacobian: Any
+    lever_arm: Array
 
     @staticmethod
-    def at(scene: LineScene, y: Array, position: Array, attitude: Array) -> _Pose:
-        """The pose at lines y (n,), with corrections (p, 3) and (q, 3)."""
+    def at(scene: LineScene, y: Array, model: CorrectionModel, values: Array) -> _Pose:
+        """The pose at lines y (n,), with corrections (k,)."""
         t, dt_dy = scene.time(y)
         middle, half = scene.middle_and_half
-        tau = (t - middle) / half
-        P, V, A = scene.trajectory.position(t)
-        moved, moving = polynomial(position, tau)
-        turned, turning = polynomial(attitude, tau)
-        R, dR = (np.swapaxes(m, 1, 2) for m in scene.trajectory.rotation(t))
-        jacobian: Any = np.eye(3)
-        if len(attitude):
+        given: CorrectionValues = model.split(values)
+        position, attitude = model.shapes((t - middle) / half)
+        P, V, A = scene.trajectory.position(t + given.dt)
+        moved, moving = position(given.position)
+        R, dR_dt = (np.swapaxes(m, 1, 2) for m in scene.trajectory.rotation(t + given.dt))
+        dR, jacobian = dR_dt, np.eye(3)
+        if len(given.attitude):
+            turned, turning = attitude(given.attitude)
             turn, jacobian = rotation_from_vector(turned), left_jacobian(turned)
             rate = np.einsum("nij,nj->ni", jacobian, turning / half)
-            R = turn @ R
-            dR = turn @ dR + cross_matrix(rate) @ R
+            R, dR_dt = turn @ R, turn @ dR_dt
+            dR = dR_dt + cross_matrix(rate) @ R
+        a = given.lever_arm
         factor = 1 / C_LIGHT if scene.aberration else 0.0
         return _Pose(
-            tau=tau,
             dt_dy=dt_dy,
-            P=P + moved @ scene.track_axes,
-            dP=V + moving / half @ scene.track_axes,
+            P=P + moved @ scene.track_axes - a @ R,
+            dP=V + moving / half @ scene.track_axes - a @ dR,
             R=R,
             dR=dR,
+            dP_dt=V - a @ dR_dt,
+            dR_dt=dR_dt,
             beta=V * factor,
             dbeta=A * factor,
+            position=position,
+            attitude=attitude,
             turn_jacobian=jacobian,
+            lever_arm=a,
         )
 
 

@@ -5,12 +5,14 @@ or the corrections of a rigorous scene's trajectory.  The condition reads image 
 partial derivatives are those of `observe_rpc_at` and `observe_line_at`.
 
 The adjustment hands every sensor its points as (U, V, W) = R (X - X0).  R and X0 of a scene are a nominal viewpoint,
-600 km up along the line of sight of its middle: it serves base-to-depth ratios and figures, and is undone here.
+600 km up along the line of sight of its middle (of a sensor in the air: where it was then): it serves base-to-depth
+ratios and figures, and is undone here.
 """
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import ClassVar, cast
@@ -18,15 +20,20 @@ from typing import ClassVar, cast
 import numpy as np
 
 from raybundle.block import Camera
-from raybundle.errors import InputError
-from raybundle.numerics.arrays import Array, Mask
+from raybundle.block.block import Relation
+from raybundle.errors import InputError, NoConvergence
+from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.geodesy import geographic_from_geocentric
 from raybundle.numerics.places import Place
 from raybundle.scenes.bias import BIAS_PARAMETERS, BiasKind
+from raybundle.scenes.corrections import bends
 from raybundle.scenes.linescan import LineScene, observe_line_at
 from raybundle.scenes.rpc import Observed, Rpc, correct_image, observe_rpc_at
-from raybundle.scenes.trajectory import CorrectionModel
+from raybundle.scenes.trajectory import AXES, CorrectionModel
 from raybundle.sensors import Parameter, SensorModel
 
+LOW_M = 60e3
+"""Height above the ground of a sensor in the air, whose viewpoint is where it was in the middle of the scene."""
 VIEW_M = 600e3
 """Distance of the nominal viewpoint from the ground."""
 PIXEL_MM = 0.01
@@ -58,13 +65,14 @@ class SceneSensor(SensorModel, ABC, registered=False):
     def localise(self, xy_px: Array, height: Array | float, values: Array) -> Array:
         """Object points (n, 3) of image points (n, 2) [px] at ellipsoidal heights [m]."""
 
-    def _finish(self) -> None:
-        """The nominal viewpoint."""
+    def _finish(self, rise_m: float = 500.0) -> None:
+        """The nominal viewpoint, by the ray of the middle between the ground and a height above it."""
+        self._view_m = VIEW_M
         middle = np.array([self.size_px], float) / 2
         steps = middle + np.array([[0.0, 0.0], [self.size_px[0] / 4, 0.0]])
         values = self.defaults
         ground, right = self.localise(steps, self.height_m, values)
-        above = self.localise(middle, self.height_m + 500.0, values)[0]
+        above = self.localise(middle, self.height_m + rise_m, values)[0]
         back = (above - ground) / np.linalg.norm(above - ground)
         x = right - ground
         self._gsd = float(np.linalg.norm(x)) / (self.size_px[0] / 4)
@@ -76,7 +84,7 @@ class SceneSensor(SensorModel, ABC, registered=False):
     def camera_constant(self, values: Array) -> float:
         """Nominal, from the ground sampling distance."""
         del values
-        return VIEW_M / self._gsd * PIXEL_MM
+        return self._view_m / self._gsd * PIXEL_MM
 
     def object_points(self, points: Array) -> Array:
         """Object points (n, 3) of points (3, n) in the nominal sensor frame."""
@@ -165,29 +173,106 @@ class RpcSensor(SceneSensor, registered=False):
 
 
 class LineSensor(SceneSensor, registered=False):
-    """A rigorous line scene; the parameters correct its trajectory [m, rad]."""
+    """A rigorous line scene; the parameters correct its trajectory [m, rad, s]."""
 
     name = "linescan"
 
     def __init__(
         self, scene: LineScene, place: Place, corrections: CorrectionModel, height_m: float = 0.0,
-        file: Path | None = None,
+        file: Path | None = None, smooth: Mapping[str, float] | None = None,
     ) -> None:  # fmt: skip
-        """Place a line scene with these polynomials for its trajectory."""
+        """Place a line scene with these corrections of its trajectory.
+
+        smooth  axis of a curve ("rx") -> standard deviation of its bends, which are observed as zero
+        """
         self.scene, self.place, self.corrections, self.file = scene, place, corrections, file
         self.size_px = (scene.width_px, scene.height_px)
         self.height_m = float(height_m)
-        unit = {"a": "m", "u": "m", "r": "rad"}
-        what = {"along": "position along track", "across": "position across track", "up": "height of the position"}
-        self.parameters = tuple(
-            Parameter(s, unit[s[0]], f"{what.get(s[:-1], 'attitude about ' + s[1:2])}, power {s[-1]} of the time")
-            for s in corrections.symbols
-        )
-        self._finish()
+        self.smooth = dict(smooth or {})
+        if strange := [s for s in self.smooth if s not in corrections.groups]:
+            known = ", ".join(corrections.groups) or "none, for there is no curve"
+            raise InputError(f"smooth: {strange[0]!r} is no axis of a curve; known: {known}")
+        self.parameters = tuple(Parameter(s, corrections.unit(s), corrections.meaning(s)) for s in corrections.symbols)
+        self._width = corrections.width if corrections.groups else 0
+        self._last: tuple[Array, Array, tuple[Array, Array, Array, Index]] | None = None
+        sensor = scene.rays(np.array([self.size_px], float) / 2)[0]
+        above = float(geographic_from_geocentric(sensor, scene.ellipsoid)[0, 2]) - self.height_m
+        if above <= 0:
+            raise InputError(
+                f"height_m = {self.height_m:g} lies {-above:.1f} m above the sensor; give the mean height of the ground"
+            )
+        self._finish(min(500.0, above / 2))
+        if above < LOW_M:
+            self.centre = place.block_from_geographic(geographic_from_geocentric(sensor, scene.ellipsoid))[0]
+            middle = self.localise(np.array([self.size_px], float) / 2, self.height_m, self.defaults)[0]
+            self._view_m = float(np.linalg.norm(self.centre - middle))
+
+    @property
+    def local_width(self) -> int:  # pyright: ignore[reportIncompatibleVariableOverride]
+        """Parameters that one image point touches, where there is a curve."""
+        return self._width
+
+    def priors(self) -> dict[str, float]:
+        """Standard deviations as the table of GNSS and INS states them.
+
+        Those of positions for all corrections of the position, those of attitudes for the curves of the attitude; a
+        polynomial of the attitude takes the misalignment of the INS, which its table does not know.
+        """
+        found: dict[str, float] = {}
+        for s in self.symbols:
+            if s.rstrip("0123456789").rstrip("_") in AXES["position"] and self.scene.position_sigma_m:
+                found[s] = self.scene.position_sigma_m
+            if s.startswith("r") and "_" in s and self.scene.attitude_sigma_rad:
+                found[s] = self.scene.attitude_sigma_rad
+        return found
+
+    def in_front(self, points: Array, image: Array | None = None, values: Array | None = None) -> Mask:
+        """Everywhere: `observe` raises where a line does not see a point."""
+        del image, values
+        return np.ones(points.shape[1], bool)
+
+    @property
+    def relations(self) -> tuple[Relation, ...]:
+        """The bends of the curves that are observed as zero."""
+        c, found = self.corrections, list[Relation]()
+        for axis, sigma in self.smooth.items():
+            curve = c.attitude_curve if axis in AXES["attitude"] else c.position_curve
+            members = c.groups[axis]
+            for k, factors in [] if curve is None else bends(curve):
+                terms = dict(zip(members[k : k + 3], factors.tolist(), strict=True))
+                found.append(Relation(name=f"bend of {axis} at {members[k + 1]}", terms=terms, sigma=sigma))
+        return tuple(found)
 
     def observe(self, xyz: Array, values: Array) -> Observed:
         """As `SceneSensor`."""
         return observe_line_at(self.scene, self.place, xyz, self.corrections, values)
+
+    def local(self, image: Array, points: Array, values: Array) -> tuple[Array, Array, Index]:
+        """G (2, n), its Jacobian (2, 5 + w, n) and the positions (n, w) of the parameters that it is taken by."""
+        xyz = self.object_points(points)
+        own = values[:, 0] if values.ndim == 2 else values
+        signed = np.array([PIXEL_MM, -PIXEL_MM])
+        xy, by_point, few, touched = self._observed_few(xyz, own, image.T / signed + np.array(self.size_px) / 2)
+        J = np.zeros((2, 5 + few.shape[2], len(xyz)))
+        J[0, 0] = J[1, 1] = 1
+        by_block = by_point @ self.place.geocentric_by_block(xyz)
+        J[:, 2:5] = -np.einsum("c,nce,de->cdn", signed, by_block, self.rotation)
+        J[:, 5:] = -np.moveaxis(few * signed[:, None], 0, 2)
+        return image - ((xy - np.array(self.size_px) / 2) * signed).T, J, touched
+
+    def _observed_few(self, xyz: Array, values: Array, start: Array) -> tuple[Array, Array, Array, Index]:
+        """As `LineScene.observe_few`; the last answer is kept, for Newton's method asks thrice for the same."""
+        if self._last is None or not (np.array_equal(self._last[0], xyz) and np.array_equal(self._last[1], values)):
+            try:
+                seen = self.scene.observe_few(self.place.geocentric_from_block(xyz), self.corrections, values, start)
+            except NoConvergence:
+                if self._last is None:
+                    raise
+                # a trial step too long: not a number, which the adjustment takes back
+                n, w = len(xyz), self.local_width
+                return np.full((n, 2), np.nan), np.zeros((n, 2, 3)), np.zeros((n, 2, w)), np.zeros((n, w), np.int32)
+            self._last = xyz.copy(), values.copy(), seen
+        return self._last[2]
 
     def localise(self, xy_px: Array, height: Array | float, values: Array) -> Array:
         """As `SceneSensor`."""
@@ -209,7 +294,7 @@ def scene_camera(
     """The camera of one scene.
 
     estimate  symbols of free parameters; None: all
-    sigma     their prior standard deviations; None: those that an RPC's vendor states
+    sigma     their prior standard deviations; None: those that an RPC's vendor or a table of GNSS and INS states
     """
     free = sensor.symbols if estimate is None else estimate
     unknown = [s for s in (*free, *(sigma or {}), *(values or {})) if s not in sensor.symbols]
@@ -218,7 +303,7 @@ def scene_camera(
             f"camera {id_}: {unknown[0]!r} is no parameter of this scene; it has {', '.join(sensor.symbols)}"
         )
     if sigma is None:
-        sigma = sensor.priors() if isinstance(sensor, RpcSensor) else {}
+        sigma = sensor.priors()
     return Camera(
         id=id_,
         model=sensor.name,
@@ -228,6 +313,7 @@ def scene_camera(
         values={**dict.fromkeys(sensor.symbols, 0.0), **(values or {})},
         estimate=free,
         sigma={s: v for s, v in sigma.items() if s in free},
+        relations=sensor.relations if isinstance(sensor, LineSensor) else (),
         scene=sensor,
     )
 

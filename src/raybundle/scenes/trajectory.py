@@ -1,10 +1,11 @@
-"""A sensor's path and attitude in time from a table, and small polynomials that correct them.
+"""A sensor's path and attitude in time from a table, and what corrects them.
 
 Positions and quaternions are interpolated by the polynomial through the eight nearest entries (Lagrange).
-Corrections are polynomials of the time tau, which runs from -1 at the first line to +1 at the last:
+Corrections are sums of a polynomial and a curve (`corrections`) of the time tau, which runs from -1 at the first line
+to +1 at the last; dt is an offset between the clocks, a a lever arm:
 
-    P(t)  =  P_table(t) + E' (a0 + a1 tau + a2 tau^2)             E rows: along track, across track, up  [m]
-    R(t)  =  exp([r0 + r1 tau + r2 tau^2]x) R_table(t)            body axes to detector axes             [rad]
+    R(t)  =  exp([r(tau)]x) R_table(t + dt)                       body axes to detector axes             [rad]
+    P(t)  =  P_table(t + dt) + E' p(tau) - R(t)' a                E rows: along track, across track, up  [m]
 """
 
 from __future__ import annotations
@@ -16,8 +17,9 @@ from typing import Any
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.numerics.arrays import Array
+from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.rotation import cross_matrix
+from raybundle.scenes.corrections import Curve, Fixes, Pieces
 
 GAP = 1.5
 """Interval in multiples of the median interval above which a table counts as broken."""
@@ -160,14 +162,26 @@ def _matrix(S: Array) -> Array:
     return np.moveaxis(np.array(rows), 2, 0)
 
 
+AXES = {"position": ("along", "across", "up"), "attitude": ("rx", "ry", "rz")}
+"""Parameters of the corrections, by axis: along track, across track, up [m]; about the detector's axes [rad]."""
+LEVER_ARM = ("ax", "ay", "az")
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CorrectionModel:
-    """Which polynomials correct a trajectory; degree -1: none."""
+    """What corrects a trajectory: polynomials, curves, or both; a time offset; a lever arm."""
 
     position_degree: int = -1
-    """Along track, across track and up; 2 is good to a millimetre over a scene of 1 to 2 s."""
+    """Of a polynomial along track, across track and up, -1: none; 2 is good to 1 mm over a scene of 1 to 2 s."""
     attitude_degree: int = -1
-    """About the detector's three axes; 2 leaves up to 1.4 px over such a scene."""
+    """Of one about the detector's three axes; 2 leaves up to 1.4 px over such a scene."""
+    position_curve: Fixes | Pieces | None = None
+    attitude_curve: Fixes | Pieces | None = None
+    """Fixes every 0.1 s leave 0.05 px."""
+    time_offset: bool = False
+    """dt [s]: the tables hold for line time + dt."""
+    lever_arm: bool = False
+    """ax, ay, az [m], in the detector's axes: from the projection centre to the point whose positions the table has."""
 
     def __post_init__(self) -> None:
         """Refuse degrees that are none."""
@@ -176,27 +190,139 @@ class CorrectionModel:
                 raise InputError(f"{name} {getattr(self, name)} is not -1 (none), 0, 1 or 2")
 
     @property
+    def groups(self) -> dict[str, tuple[str, ...]]:
+        """The parameters of each axis of a curve: rx -> rx_1, rx_2, ..."""
+        found: dict[str, tuple[str, ...]] = {}
+        for part, curve in (("position", self.position_curve), ("attitude", self.attitude_curve)):
+            if curve is not None:
+                found |= {s: tuple(f"{s}_{k + 1}" for k in range(curve.coefficients)) for s in AXES[part]}
+        return found
+
+    @property
     def symbols(self) -> tuple[str, ...]:
-        """Parameters in their order: along0, across0, up0 [m], along1, ..., rx0, ry0, rz0 [rad], rx1 ..."""
-        position = [f"{s}{k}" for k in range(self.position_degree + 1) for s in ("along", "across", "up")]
-        return (*position, *(f"{s}{k}" for k in range(self.attitude_degree + 1) for s in ("rx", "ry", "rz")))
+        """Parameters in their order: along0 across0 up0 [m], along1 ..., along_1 across_1 up_1, along_2 ...,
+        rx0 ry0 rz0 [rad], rx1 ..., rx_1 ry_1 rz_1, rx_2 ..., dt [s], ax ay az [m].
+        """  # noqa: D205
+        found: list[str] = []
+        for part, degree, curve in (
+            ("position", self.position_degree, self.position_curve),
+            ("attitude", self.attitude_degree, self.attitude_curve),
+        ):
+            found += [f"{s}{k}" for k in range(degree + 1) for s in AXES[part]]
+            if curve is not None:
+                found += [f"{s}_{k + 1}" for k in range(curve.coefficients) for s in AXES[part]]
+        return (*found, *(("dt",) if self.time_offset else ()), *(LEVER_ARM if self.lever_arm else ()))
 
-    def split(self, values: Array) -> tuple[Array, Array]:
-        """Coefficients (p + 1, 3) of the position and (q + 1, 3) of the attitude."""
+    def members(self, name: str) -> tuple[str, ...]:
+        """The parameters that a name stands for: those of an axis of a curve, or the one of that name."""
+        return self.groups.get(name, (name,))
+
+    def unit(self, symbol: str) -> str:
+        """Of a parameter."""
+        return "s" if symbol == "dt" else "rad" if symbol.startswith("r") else "m"
+
+    def meaning(self, symbol: str) -> str:
+        """Of a parameter, in words."""
+        if symbol == "dt":
+            return "time of the tables minus that of the lines"
+        if symbol in LEVER_ARM:
+            return f"lever arm along the detector's {symbol[1]} axis"
+        what = {"along": "position along track", "across": "position across track", "up": "height of the position"}
+        axis, underscore, number = symbol.partition("_")
+        axis = axis.rstrip("0123456789")
+        of = what.get(axis, f"attitude about {axis[1:]}")
+        return f"{of}, coefficient {number} in time" if underscore else f"{of}, power {symbol[-1]} of the time"
+
+    def split(self, values: Array) -> CorrectionValues:
+        """The values (k,) of the parameters by their parts."""
         values = np.asarray(values, float)
-        if values.shape != (len(self.symbols),):
-            raise InputError(f"{len(self.symbols)} correction parameters are needed, not {values.shape}")
-        k = 3 * (self.position_degree + 1)
-        return values[:k].reshape(-1, 3), values[k:].reshape(-1, 3)
+        k, m, total = self._ends
+        if values.shape != (total,):
+            raise InputError(f"{total} correction parameters are needed, not {values.shape}")
+        return CorrectionValues(
+            position=values[:k].reshape(-1, 3),
+            attitude=values[k:m].reshape(-1, 3),
+            dt=float(values[m]) if self.time_offset else 0.0,
+            lever_arm=values[-3:] if self.lever_arm else np.zeros(3),
+        )
+
+    @property
+    def _ends(self) -> tuple[int, int, int]:
+        """Where the parameters of position, of attitude, and all of them end."""
+        k = 3 * _count(self.position_degree, self.position_curve)
+        m = k + 3 * _count(self.attitude_degree, self.attitude_curve)
+        return k, m, m + int(self.time_offset) + 3 * int(self.lever_arm)
+
+    def shapes(self, tau: Array) -> tuple[Shape, Shape]:
+        """How the coefficients of position and attitude act at times tau (n,)."""
+        return (
+            Shape.of(tau, self.position_degree, self.position_curve),
+            Shape.of(tau, self.attitude_degree, self.attitude_curve),
+        )
+
+    def touched(self, position: Shape, attitude: Shape) -> Index:
+        """(n, w) positions of the parameters that act at each time, in the order of the shapes, then dt, ax, ay, az."""
+        k, m, total = self._ends
+        n = len(position.touched)
+        by_axis = [
+            (start + 3 * shape.touched[:, :, None] + np.arange(3)).reshape(n, -1)
+            for start, shape in ((0, position), (k, attitude))
+        ]
+        rest = np.broadcast_to(np.arange(m, total), (n, total - m))
+        return np.concatenate([*by_axis, rest], axis=1).astype(np.int32)
+
+    @property
+    def width(self) -> int:
+        """Parameters that act at one time."""
+        shapes = self.shapes(np.zeros(1))
+        return self.touched(*shapes).shape[1]
 
 
-def polynomial(coefficients: Array, tau: Array) -> tuple[Array, Array]:
-    """Value and derivative by tau (n, 3) of polynomials with coefficients (p, 3), lowest power first."""
-    value, slope = np.zeros((len(tau), 3)), np.zeros((len(tau), 3))
-    for k in range(len(coefficients) - 1, -1, -1):
-        slope = slope * tau[:, None] + value
-        value = value * tau[:, None] + coefficients[k]
-    return value, slope
+def _count(degree: int, curve: Curve | None) -> int:
+    return degree + 1 + (0 if curve is None else curve.coefficients)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CorrectionValues:
+    """The parameters of the corrections of one scene."""
+
+    position: Array
+    """(p, 3) coefficients, along track, across track, up [m]."""
+    attitude: Array
+    """(q, 3) about the detector's axes [rad]."""
+    dt: float
+    lever_arm: Array
+    """(3,)"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Shape:
+    """Polynomial and curve at times (n,): which of their coefficients act, and how."""
+
+    touched: Index
+    """(n, m) positions among the coefficients."""
+    values: Array
+    """(n, m) B_k(tau)"""
+    slopes: Array
+    """(n, m) by tau"""
+
+    @staticmethod
+    def of(tau: Array, degree: int, curve: Curve | None) -> Shape:
+        """Powers up to a degree, then the curve."""
+        k = np.arange(degree + 1)
+        values = tau[:, None] ** k
+        slopes = k * tau[:, None] ** np.maximum(k - 1, 0)
+        touched = np.broadcast_to(k, values.shape)
+        if curve is not None:
+            first, more, slope = curve.local(tau)
+            touched = np.concatenate([touched, degree + 1 + first[:, None] + np.arange(curve.width)], axis=1)
+            values, slopes = np.concatenate([values, more], axis=1), np.concatenate([slopes, slope], axis=1)
+        return Shape(touched=touched.astype(np.int32), values=values, slopes=slopes)
+
+    def __call__(self, coefficients: Array) -> tuple[Array, Array]:
+        """Correction and its derivative by tau (n, 3), with coefficients (k, 3)."""
+        mine = coefficients[self.touched]
+        return np.einsum("nm,nmi->ni", self.values, mine), np.einsum("nm,nmi->ni", self.slopes, mine)
 
 
 def left_jacobian(vector: Array) -> Array:

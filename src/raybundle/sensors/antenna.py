@@ -8,10 +8,11 @@ from raybundle.sensors.model import Parameter, SensorModel
 
 
 class Antenna(SensorModel, registered=False):
-    """Lever arm of an antenna, and shift and drift of the positions of one flight line.
+    """Lever arm of an antenna, shift and drift of the positions of one flight line, and the offset of its clock.
 
-    observed = X0 + R' a + s + d t, with a in the axes of the image, s and d in those of the object.  It has no images;
-    its parameters are adjusted with those of the cameras.  With all images level and heads alike, a and s are one.
+    observed = X0 + R' a + s + d t + v dt, with a in the axes of the image, s and d in those of the object, v the
+    velocity of the image.  It has no images; its parameters are adjusted with those of the cameras.  With all images
+    level and heads alike, a and s are one; at one speed dt and the lever arm along the flight are.
     """
 
     name = "antenna"
@@ -26,6 +27,7 @@ class Antenna(SensorModel, registered=False):
         Parameter("dx", "length/s", "drift of X"),
         Parameter("dy", "length/s", "drift of Y"),
         Parameter("dz", "length/s", "drift of Z"),
+        Parameter("dt", "s", "time of the positions minus that of the exposures"),
     )
 
 

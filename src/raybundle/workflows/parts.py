@@ -12,11 +12,13 @@ from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Block, Distances, Role, Stations
 from raybundle.block.select import with_rows
 from raybundle.errors import InputError, NoOrientation
+from raybundle.io.coordinate_systems import LocalFrame
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.progress import Progress, silent
 from raybundle.workflows.georeference import Georeferenced, georeference
 from raybundle.workflows.marks import Given
+from raybundle.workflows.positions import without_idle
 from raybundle.workflows.tie_block import TieBlock
 from raybundle.workflows.tie_start import start
 
@@ -71,23 +73,30 @@ def _left(raw: Block, first: TieBlock) -> Array:
 
 
 def place_parts(
-    blocks: Sequence[Block], photos: Sequence[Photo], given: Given
+    blocks: Sequence[Block], photos: Sequence[Photo], given: Given, frame: LocalFrame | None = None
 ) -> tuple[Georeferenced, tuple[Georeferenced, ...]]:
     """Bring every part to object space: the block of all that are placed there, and the parts that are not.
 
+    frame  where others stand already, as `georeference` takes it
     The first part leads: where nothing places it, no part is joined to it.
-    raises  InputError as `georeference` does for the first part
+    raises  InputError as `georeference` does for the first part, unless others give the frame: it is apart then
     """
-    first = georeference(blocks[0], photos, given)
+    try:
+        first = georeference(blocks[0], photos, given, frame)
+    except InputError:
+        if frame is None:
+            raise
+        first = georeference(blocks[0], photos, Given(gps=False))
     joined, apart = [first], list[Georeferenced]()
     for block in blocks[1:]:
         try:
-            placed = georeference(block, photos, given)
+            placed = georeference(block, photos, given, frame)
         except InputError:
             placed = georeference(block, photos, Given(gps=False))
         (joined if placed.fixed and first.fixed else apart).append(placed)
+    apart = [replace(p, block=without_idle(p.block)) for p in apart]
     if len(joined) == 1:
-        return first, tuple(apart)
+        return replace(first, block=without_idle(first.block)), tuple(apart)
     notices = {n.message: n for p in joined for n in p.notices}
     count = ", ".join(str(int(p.block.images.oriented.sum())) for p in joined)
     told = Notice(
@@ -95,7 +104,7 @@ def place_parts(
         message=f"the photographs fall into {len(joined)} parts ({count} photographs) without common points; "
         "control or positions join them. Photographs that show two parts at once would make the joint firmer",
     )
-    block = merged([p.block for p in joined])
+    block = without_idle(merged([p.block for p in joined]))
     marked = np.asarray(block.points.role) != Role.TIE
     names = {n for p in joined for n, m in zip(p.block.points.ids, p.marked, strict=True) if m}
     marked |= np.array([n in names for n in block.points.ids])
@@ -151,8 +160,17 @@ def merged(blocks: Sequence[Block]) -> Block:
             image=np.concatenate([x.image for x in s]).astype(np.int32),
             xyz=np.vstack([x.xyz for x in s]),
             sigma=np.vstack([x.sigma for x in s]),
+            antenna=_antennas(s),
         ),
     )
+
+
+def _antennas(stations: Sequence[Stations]) -> Index | None:
+    """Antennas of the parts' positions one after the other; all parts number them alike."""
+    if all(s.antenna is None for s in stations):
+        return None
+    rows = [np.full(len(s), -1) if s.antenna is None else s.antenna for s in stations]
+    return np.concatenate(rows).astype(np.int32)
 
 
 def _distances(block: Block, position: dict[str, int]) -> Distances:

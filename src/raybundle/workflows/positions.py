@@ -12,7 +12,7 @@ from datetime import UTC
 
 import numpy as np
 
-from raybundle.block import Camera, Stations
+from raybundle.block import Block, Camera, Stations
 from raybundle.io.coordinate_systems import LocalFrame
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array, Index
@@ -38,7 +38,8 @@ class Positions:
     sigma: Array
     """(k, 3)"""
     flight: Index
-    """(k,) number of the flight, 0 first"""
+    """(k,) number of the flight, 0 first; flights are those of all photographs, oriented or not"""
+    flights: int
 
     def __len__(self) -> int:
         return len(self.image)
@@ -65,11 +66,15 @@ def positions_of(photos: Sequence[Photo], oriented: Array, frame: LocalFrame) ->
         stated = g.sigma_m or (np.nan, np.nan, np.nan)
         sigma[k] = [s if np.isfinite(s) and s > 0 else d for s, d in zip(stated, GPS_M, strict=True)]
     local = frame.local_from_wgs84(geographic) if rows else geographic
+    stated = [i for i, p in enumerate(photos) if p.metadata.gps is not None]
+    number = np.full(len(photos), -1, np.int32)
+    number[stated] = flights([photos[i] for i in stated])
     return Positions(
         image=np.array(rows, np.int32),
         xyz=local,
         sigma=np.where(np.isfinite(local), sigma, np.nan),
-        flight=flights([photos[i] for i in rows]),
+        flight=number[rows],
+        flights=int(number.max()) + 1 if rows else 0,
     )
 
 
@@ -112,7 +117,7 @@ def observe(state: Placing, positions: Positions, given: Given) -> None:
     stations = Stations(image=positions.image, xyz=positions.xyz, sigma=positions.sigma)
     told = f"the positions of {len(positions)} photographs are observed"
     if shift or arm is not None:
-        count = int(positions.flight.max()) + 1
+        count = positions.flights
         taken = {c.id for c in block.cameras}
         names = [_name("gnss" if count == 1 else f"gnss-{k + 1}", taken) for k in range(count)]
         apart = positions.xyz - block.images.centre[positions.image]
@@ -124,6 +129,23 @@ def observe(state: Placing, positions: Positions, given: Given) -> None:
             told += ", with a shift of their own" + (f" for each of {count} flights" if count > 1 else "")
     state.block = replace(block, stations=stations)
     state.tell("gps", told)
+
+
+def without_idle(block: Block) -> Block:
+    """The block without antennas of which no position is observed, as those of flights that are not oriented."""
+    antenna = block.stations.antenna
+    used = set() if antenna is None else set(antenna.tolist())
+    keep = np.array([c.model != ANTENNA.name or k in used for k, c in enumerate(block.cameras)], bool)
+    if keep.all():
+        return block
+    number = (np.cumsum(keep) - 1).astype(np.int32)
+    moved = None if antenna is None else np.where(antenna >= 0, number[antenna], -1).astype(np.int32)
+    return replace(
+        block,
+        cameras=tuple(c for c, k in zip(block.cameras, keep, strict=True) if k),
+        images=replace(block.images, camera=number[block.images.camera]),
+        stations=replace(block.stations, antenna=moved),
+    )
 
 
 def _name(name: str, taken: set[str]) -> str:

@@ -1,4 +1,7 @@
-"""DIMAP 2 XML of SPOT 6/7 and Pleiades: the RPC; the first pixel has the number that the file says (1)."""
+"""DIMAP 2 XML of SPOT 6/7 and Pleiades: the RPC (RPC_*.XML) or the rigorous model (DIM_*.XML).
+
+The first pixel has the number that the file says (1).
+"""
 
 from __future__ import annotations
 
@@ -8,6 +11,7 @@ import numpy as np
 
 from raybundle.io.formats.reading import Element, read_xml
 from raybundle.io.scenes.base import Scene, SceneFormat, check_denominators, element_text, register
+from raybundle.io.scenes.dimap_orbit import line_scene
 from raybundle.numerics.arrays import Array
 from raybundle.scenes.rpc import Rpc
 
@@ -15,20 +19,21 @@ POLYNOMIALS = ("LINE_NUM_COEFF", "LINE_DEN_COEFF", "SAMP_NUM_COEFF", "SAMP_DEN_C
 
 
 def read(path: Path) -> Scene:
-    """The RPC of a DIMAP file; its inverse model, that is from the ground to the image, is the RPC of everyone else."""
+    """The RPC of a DIMAP file, whose inverse model (ground to image) is the RPC of everyone else; or its orbit."""
     root = read_xml(path, "Dimap_Document")
+    if root.find("Geometric_Data", "Refined_Model") is not None:
+        return _product(path, root)
     model = root.find("Rational_Function_Model", "Global_RFM")
     if model is None:
-        root.fail("no Rational_Function_Model/Global_RFM stands in it; give the file RPC_*.XML of the product")
+        root.fail(
+            "neither Rational_Function_Model/Global_RFM nor Geometric_Data/Refined_Model stands in it; give the file "
+            "RPC_*.XML or DIM_*.XML of the product"
+        )
     validity = model.get("RFM_Validity")
-    domain = validity.get("Direct_Model_Validity_Domain")
-    first = np.array([domain.number("FIRST_COL"), domain.number("FIRST_ROW")])
-    last = np.array([domain.number("LAST_COL"), domain.number("LAST_ROW")])
-    size = np.round(last - first).astype(int) + 1
-    if (size < 2).any():
-        domain.fail(f"an image of {size[0]} x {size[1]} px; rows or columns are exchanged")
+    first, size = _image(validity)
+    values = model.find("GroundtoImage_Values") or model.get("Inverse_Model")
     rpc = Rpc(
-        coefficients=np.stack([_coefficients(model.get("Inverse_Model"), name) for name in POLYNOMIALS]),
+        coefficients=np.stack([_coefficients(values, name) for name in POLYNOMIALS]),
         ground_offset=np.array([validity.number(f"{k}_OFF") for k in ("LONG", "LAT", "HEIGHT")]),
         ground_scale=np.array([validity.number(f"{k}_SCALE") for k in ("LONG", "LAT", "HEIGHT")]),
         image_offset=np.array([validity.number("SAMP_OFF"), validity.number("LINE_OFF")]) - first + 0.5,
@@ -39,12 +44,44 @@ def read(path: Path) -> Scene:
         file=path,
         format="dimap",
         rpc=rpc,
-        width_px=int(size[0]),
-        height_px=int(size[1]),
+        width_px=size[0],
+        height_px=size[1],
         sensor=element_text(root, "Metadata_Identification", "METADATA_PROFILE"),
         remarks=(
             "DIMAP states how well its RPC fits the orbit, not how well the orbit is known: no prior for the bias",
         ),
+    )
+
+
+def _image(validity: Element) -> tuple[Array, tuple[int | None, int | None]]:
+    """Number of the first column and row, and the size of the image where the file tells it."""
+    domain = validity.find("Direct_Model_Validity_Domain")
+    if domain is None and validity.find("ImagetoGround_Validity_Domain") is not None:
+        # Pleiades Neo: the domain reaches beyond the image, which begins with column and row 1
+        return np.ones(2), (None, None)
+    domain = validity.get("Direct_Model_Validity_Domain")
+    first = np.array([domain.number("FIRST_COL"), domain.number("FIRST_ROW")])
+    last = np.array([domain.number("LAST_COL"), domain.number("LAST_ROW")])
+    size = np.round(last - first).astype(int) + 1
+    if (size < 2).any():
+        domain.fail(f"an image of {size[0]} x {size[1]} px; rows or columns are exchanged")
+    return first, (int(size[0]), int(size[1]))
+
+
+def _product(path: Path, root: Element) -> Scene:
+    """The rigorous model of a product file."""
+    line, remarks = line_scene(root)
+    source = root.find("Dataset_Sources", "Source_Identification", "Strip_Source")
+    names = () if source is None else (element_text(source, k) for k in ("MISSION", "MISSION_INDEX"))
+    return Scene(
+        file=path,
+        format="dimap",
+        line=line,
+        width_px=line.width_px,
+        height_px=line.height_px,
+        sensor=" ".join(n for n in names if n) or element_text(root, "Metadata_Identification", "METADATA_PROFILE"),
+        time=element_text(root.get("Geometric_Data"), "Refined_Model", "Time", "Time_Range", "START"),
+        remarks=remarks,
     )
 
 
@@ -58,4 +95,6 @@ def _recognises(path: Path, head: bytes) -> bool:
     return b"<Dimap_Document" in head and b"METADATA_FORMAT version='1." not in head.replace(b'"', b"'")
 
 
-register(SceneFormat(name="dimap", title="DIMAP 2 XML (SPOT 6/7, Pleiades): RPC", recognises=_recognises, read=read))
+register(
+    SceneFormat(name="dimap", title="DIMAP 2 XML (SPOT 6/7, Pleiades): RPC, orbit", recognises=_recognises, read=read)
+)

@@ -1,0 +1,241 @@
+"""A line scanner on an aircraft: a TOML file with lens and lines, beside it a table of GNSS and INS.
+
+    scanner = "one line of an aerial line scanner"        free text; this key makes the file one of this format
+    width_px = 12000
+    height_px = 5000
+
+    [lens]
+    c_mm = 62.77
+    pixel_mm = 0.0065            width of an element
+    x0_mm = 0.0                  principal point on the line
+    y0_mm = 0.0                  place of the line, as in a positive image: a line with y0 > 0 looks ahead
+    detector = "lens.csv"        instead of pixel_mm, x0_mm and y0_mm: x_px,x_mm,y_mm of calibrated elements
+
+    [lines]
+    first_s = 300.0              time in the middle of the first line
+    interval_s = 0.002
+    table = "lines.csv"          instead of the two: y_px,time_s
+
+    [trajectory]
+    file = "flight.csv"          time_s, a position, three angles and, if known, their standard deviations
+    crs = "EPSG:25832"           of positions X, Y, Z; longitude_deg, latitude_deg, height_m need none
+    lever_arm_m = [0, 0, 0]      from the projection centre to the point whose positions the table has
+    boresight_deg = [0, 0, 0]    R = exp([b]x) R_table
+
+Axes of lens, lever arm and boresight are those of an image: x to the right in the flight direction, y forward, z up.
+Columns run to the right; a scanner whose columns run to the left has a negative pixel_mm.  Angles are omega, phi, kappa
+against the axes of the positions (east, north, up where they are geographic) or roll, pitch, yaw of a body that
+carries the lens downwards, against true north; in _deg, _gon or _rad.  Files stand beside the TOML file.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, cast
+
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.io.block_toml import Section, read_toml
+from raybundle.io.coordinate_systems import local_frame
+from raybundle.io.scenes.base import Scene, SceneFormat, register
+from raybundle.io.tables import Column, Table, read_table
+from raybundle.io.trajectories.angle_csv import GEOGRAPHIC, GRID, SIGMA, UNITS
+from raybundle.io.trajectories.base import WGS84_HEIGHT, Trajectory, rotations_in
+from raybundle.numerics.arrays import Array
+from raybundle.numerics.attitude import rotation_from_opk, rotation_from_rpy
+from raybundle.numerics.rotation import rotation_from_vector
+from raybundle.scenes.linescan import LineScene
+from raybundle.scenes.trajectory import Trajectory as Path3d
+
+ANGLES = {("omega", "phi", "kappa"): rotation_from_opk, ("roll", "pitch", "yaw"): rotation_from_rpy}
+FILES = (("lens", "detector"), ("lines", "table"), ("trajectory", "file"))
+
+
+def read(path: Path) -> Scene:
+    """The scene; raises InputError with file, line and column."""
+    top = read_toml(path)
+    top.allow(("scanner", "width_px", "height_px", "lens", "lines", "trajectory"))
+    width, height = top.whole("width_px"), top.whole("height_px")
+    x, look = _look(top.section("lens"), width)
+    line_y, line_times = _lines(top.section("lines"), height)
+    trajectory, sigma = _trajectory(top.section("trajectory"))
+    return Scene(
+        file=path,
+        format="airborne",
+        line=LineScene(
+            width_px=width,
+            height_px=height,
+            line_y=line_y,
+            line_times=line_times,
+            detector_x=x,
+            detector_look=look,
+            trajectory=trajectory,
+            view=-1.0,
+            aberration=False,
+            position_sigma_m=sigma[0],
+            attitude_sigma_rad=sigma[1],
+        ),
+        width_px=width,
+        height_px=height,
+        sensor=top.text("scanner", ""),
+        time=f"{line_times[0]:g} s",
+    )
+
+
+def companions(path: Path) -> tuple[Path, ...]:
+    """The files that a scene's file names."""
+    top = read_toml(path)
+    return tuple(_beside(top.section(table), key) for table, key in FILES if key in top.section(table).values)
+
+
+def _beside(section: Section, key: str) -> Path:
+    """The file of a key, which must stand beside this one, so that both can be copied together."""
+    name = section.text(key, "")
+    if not name or Path(name).name != name:
+        section.fail(key, f"{name!r} is not the name of a file beside this one; put it there and give its name alone")
+    return section.file.parent / name
+
+
+def _either(section: Section, key: str, others: tuple[str, ...]) -> bool:
+    """Whether the key of a table stands there; raises where others do as well."""
+    for other in others:
+        if key in section.values and other in section.values:
+            section.fail(other, f"{key!r} says this already; take one of the two away")
+    return key in section.values
+
+
+def _look(lens: Section, width: int) -> tuple[Array, Array]:
+    """Elements x [px] and the tangents U / W, V / W of their viewing directions."""
+    lens.allow(("c_mm", "pixel_mm", "x0_mm", "y0_mm", "detector"))
+    c = lens.number("c_mm", above=0)
+    if _either(lens, "detector", ("pixel_mm", "x0_mm", "y0_mm")):
+        file = _beside(lens, "detector")
+        table = read_table(file, [Column(name=n, kind="number") for n in ("x_px", "x_mm", "y_mm")], least_rows=2)
+        x, plane = table.number["x_px"], table.numbers("x_mm", "y_mm")
+        if not (np.diff(x) > 0).all():
+            k = int(np.flatnonzero(np.diff(x) <= 0)[0])
+            raise InputError(f"{x[k + 1]:g} does not follow {x[k]:g}; sort it", file=file, line=k + 3, column="x_px")
+    else:
+        pixel = lens.number("pixel_mm")
+        if pixel == 0:
+            lens.fail("pixel_mm", "the width of an element is 0")
+        x = np.array([0.0, float(width)])
+        along = (x - width / 2) * pixel - lens.number("x0_mm", 0.0)
+        plane = np.stack([along, np.full(2, lens.number("y0_mm", 0.0))], axis=1)
+    return x, -plane / c
+
+
+def _lines(lines: Section, height: int) -> tuple[Array, Array]:
+    """Lines y [px] and times [s]."""
+    lines.allow(("first_s", "interval_s", "table"))
+    if not _either(lines, "table", ("first_s", "interval_s")):
+        first, interval = lines.number("first_s"), lines.number("interval_s", above=0)
+        return np.array([0.5, height + 0.5]), first + np.array([0.0, height * interval])
+    file = _beside(lines, "table")
+    table = read_table(file, [Column(name=n, kind="number") for n in ("y_px", "time_s")], least_rows=2)
+    for name in ("y_px", "time_s"):
+        values = table.number[name]
+        if not (np.diff(values) > 0).all():
+            k = int(np.flatnonzero(np.diff(values) <= 0)[0])
+            message = f"{values[k + 1]:.10g} does not follow {values[k]:.10g}; sort the table, take doubles out"
+            raise InputError(message, file=file, line=k + 3, column=name)
+    return table.number["y_px"], table.number["time_s"]
+
+
+def _trajectory(section: Section) -> tuple[Path3d, tuple[float | None, float | None]]:
+    """Positions of the projection centre and rotations of the image, geocentric; the usual standard deviations."""
+    section.allow(("file", "crs", "lever_arm_m", "boresight_deg"))
+    if "file" not in section.values:
+        section.fail("file", "key 'file' is missing; give the table of positions and attitudes")
+    file = _beside(section, "file")
+    given = _table(file)
+    crs = section.text("crs", "") or given.crs
+    if given.crs is not None and crs != given.crs:
+        section.fail("crs", "the table has longitude and latitude, which need no coordinate system; take the key away")
+    if crs is None:
+        section.fail("crs", 'positions X, Y, Z need their coordinate system: crs = "EPSG:25832"')
+    time = cast("Array", given.time)
+    late = np.flatnonzero(np.diff(time) <= 0)
+    if len(late):
+        k = int(late[0])
+        raise InputError(
+            f"time {time[k + 1]:.10g} s does not follow {time[k]:.10g} s; sort the table", file=file, line=k + 3,
+            column="time_s",
+        )  # fmt: skip
+    frame = local_frame(crs, given.xyz[len(given) // 2])
+    centre, to_local = frame._place  # noqa: SLF001
+    boresight = rotation_from_vector(np.radians(_three(section, "boresight_deg")))
+    R = boresight @ rotations_in(given, frame) @ to_local
+    P = frame.local_from_crs(given.xyz) @ to_local + centre
+    trajectory = Path3d(
+        position_times=time,
+        positions=P - _three(section, "lever_arm_m") @ R,
+        attitude_times=time,
+        quaternions=_quaternions(np.swapaxes(R, 1, 2)),
+    )
+    return trajectory, (_usual(given.sigma), _usual(given.rotation_sigma))
+
+
+def _usual(sigma: Array | None) -> float | None:
+    known = np.zeros(0) if sigma is None else sigma[np.isfinite(sigma) & (sigma > 0)]
+    return float(np.median(known)) if len(known) else None
+
+
+def _three(section: Section, key: str) -> Array:
+    value = section.values.get(key, [0.0, 0.0, 0.0])
+    if not isinstance(value, list) or len(cast("list[Any]", value)) != 3:
+        section.fail(key, f"give three numbers: {key} = [0.0, 0.0, 0.0]")
+    return np.array([section.checked(key, v) for v in cast("list[Any]", value)])
+
+
+def _table(file: Path) -> Trajectory:
+    """Times, positions, rotations of a table of GNSS and INS; raises InputError with line and column."""
+    columns = [Column(name="time_s", kind="number"), Column(name="image", kind="text", optional=True, empty=True)]
+    columns += [Column(name=n, kind="number", optional=True) for n in (*GRID, *GEOGRAPHIC)]
+    columns += [Column(name=n, kind="number", optional=True, empty=True, limit=">= 0") for n in SIGMA]
+    choices = [(names, unit) for names in ANGLES for unit in UNITS]
+    for names, unit in choices:
+        columns += [Column(name=f"{n}_{unit}", kind="number", optional=True) for n in names]
+        columns += [Column(name=f"s{n}_{unit}", kind="number", optional=True, empty=True, limit=">= 0") for n in names]
+    table = read_table(file, columns, least_rows=2)
+    places = [names for names in (GRID, GEOGRAPHIC) if all(n in table.number for n in names)]
+    full = [(names, unit) for names, unit in choices if all(f"{n}_{unit}" in table.number for n in names)]
+    if len(places) != 1 or len(full) != 1:
+        what = "a position (X, Y, Z or longitude_deg, latitude_deg, height_m)"
+        angles = "three angles (omega_deg, phi_deg, kappa_deg or roll_deg, pitch_deg, yaw_deg; also _gon, _rad)"
+        raise InputError(f"time_s, {what} and {angles} are needed, of one kind each", file=file, line=1)
+    return _given(file, table, places[0], *full[0])
+
+
+def _given(file: Path, table: Table, place: tuple[str, ...], names: tuple[str, str, str], unit: str) -> Trajectory:
+    sigma = table.numbers(*(f"s{n}_{unit}" for n in names)) * UNITS[unit]
+    geographic = place == GEOGRAPHIC
+    return Trajectory(
+        path=file,
+        names=tuple(str(k + 1) for k in range(table.rows)),
+        xyz=table.numbers(*place),
+        sigma=table.numbers(*SIGMA),
+        crs=WGS84_HEIGHT if geographic else None,
+        rotation=ANGLES[names](table.numbers(*(f"{n}_{unit}" for n in names)) * UNITS[unit]),
+        rotation_sigma=sigma,
+        true_north=geographic or names[0] == "roll",
+        time=table.number["time_s"],
+    )
+
+
+def _quaternions(R: Array) -> Array:
+    from scipy.spatial.transform import Rotation  # noqa: PLC0415  (SciPy only where such a file is read)
+
+    return Rotation.from_matrix(R).as_quat()
+
+
+def _recognises(path: Path, head: bytes) -> bool:
+    return path.suffix.lower() == ".toml" and b"scanner" in head
+
+
+register(
+    SceneFormat(
+        name="airborne", title="TOML of an aerial line scanner with GNSS/INS", recognises=_recognises, read=read
+    )
+)

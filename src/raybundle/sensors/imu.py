@@ -1,0 +1,51 @@
+"""What stands between the attitude of an image and that which an inertial measurement unit tells of it."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+import numpy as np
+
+from raybundle.numerics.arrays import Array
+from raybundle.numerics.rotation import cross_matrix, rotation_from_vector
+from raybundle.sensors.model import Parameter, SensorModel
+
+
+class Imu(SensorModel, registered=False):
+    """Misalignment (boresight) of an IMU against the images that are taken with it.
+
+    R = exp([b]x) R_observed, with b a small rotation about the axes of the image and R_observed that of omega, phi,
+    kappa as the IMU tells them for the nominal mounting.  It has no images; b is adjusted with the cameras' parameters.
+    A constant error of the IMU's roll and pitch hides in b; with one heading alone that of its yaw as well.
+    """
+
+    name = "imu"
+    has_images: ClassVar[bool] = False
+    parameters = (
+        Parameter("bx", "rad", "misalignment about the image's x axis"),
+        Parameter("by", "rad", "misalignment about the image's y axis"),
+        Parameter("bz", "rad", "misalignment about the viewing axis"),
+    )
+
+
+IMU = Imu()
+
+
+def told(rotation: Array, boresight: Array) -> tuple[Array, Array, Array]:
+    """What an IMU tells (n, 3, 3) for images of rotations (n, 3, 3), with a boresight (3,).
+
+    Also how a small rotation of it, about its own axes, follows from one of the image (3, 3) and from a change of the
+    boresight (3, 3): exp(-[b]x) and -exp(-[b]x) J, exp([b + d]x) = exp([J d]x) exp([b]x) to first order.
+    """
+    back = rotation_from_vector(-boresight)
+    return back @ rotation, back, -back @ left_jacobian(boresight)
+
+
+def left_jacobian(vector: Array) -> Array:
+    """J (3, 3) of exp([v + d]x) = exp([J d]x) exp([v]x), to first order in d, for any angle."""
+    angle2 = float(vector @ vector)
+    K = cross_matrix(vector)
+    if angle2 < 1e-6:
+        return np.eye(3) + K / 2 + K @ K / 6
+    angle = np.sqrt(angle2)
+    return np.eye(3) + (1 - np.cos(angle)) / angle2 * K + (angle - np.sin(angle)) / (angle2 * angle) * K @ K
