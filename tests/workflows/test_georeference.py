@@ -11,7 +11,7 @@ import pytest
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Role
-from raybundle.block.select import transformed
+from raybundle.block.select import transformed, with_rows
 from raybundle.block.simulate import AerialStrips, Survey, aerial_scene, simulate
 from raybundle.errors import InputError
 from raybundle.io.control_files import ControlFile, Measurements
@@ -19,6 +19,7 @@ from raybundle.numerics.geodesy import LocalPlace
 from raybundle.numerics.rotation import rotation_from_angles
 from raybundle.workflows.georeference import georeference
 from raybundle.workflows.marks import Given, ScaleBar
+from raybundle.workflows.parts import place_parts
 
 NAMES = ("A", "B", "C", "D", "E", "F")
 
@@ -217,6 +218,33 @@ def test_every_flight_has_its_shift(flight):
     assert without.block.stations.antenna is None
 
 
+def part_of(block, mine):
+    """The block with these images (n,) oriented alone."""
+    images = replace(
+        block.images,
+        centre=np.where(mine[:, None], block.images.centre, np.nan),
+        rotation=np.where(mine[:, None, None], block.images.rotation, np.nan),
+    )
+    o = block.observations
+    rays = np.bincount(o.point[mine[o.image]], minlength=len(block.points))
+    thin = with_rows(block, mine[o.image] & (rays > 1)[o.point])
+    return replace(thin, images=images)
+
+
+def test_parts_of_two_flights_keep_their_antennas(flight):
+    photos = with_gps(flight, shift=(0.3, 0.2, 0.5), pause=10)
+    first = np.arange(len(photos)) < 10
+    blocks = (part_of(flight.free, first), part_of(flight.free, ~first))
+    given = Given(control=(in_degrees(flight, [0, 1, 2, 3, 4, 5]),))
+    whole, apart = place_parts(blocks, photos, given)
+    assert not apart
+    stations = whole.block.stations
+    names = [whole.block.cameras[a].id for a in stations.antenna.tolist()]
+    assert names == ["gnss-1" if first[i] else "gnss-2" for i in stations.image.tolist()]
+    alone, _ = place_parts(blocks[:1], photos, given)
+    assert [c.id for c in alone.block.cameras if c.model == "antenna"] == ["gnss-1"]
+
+
 def test_a_lever_arm_is_held_or_observed(flight):
     given = Given(lever_arm=((0.1, -0.05, 0.3), 0.0))
     (held,) = [c for c in georeference(flight.free, with_gps(flight), given).block.cameras if c.id == "gnss"]
@@ -233,3 +261,19 @@ def test_positions_too_near_each_other_are_not_used(flight):
     assert "gps_too_near" in codes(placed)
     assert placed.frame is None
     assert len(placed.block.stations) == 0
+
+
+def test_a_check_point_without_marks_is_said_and_left_out(flight):
+    keep = flight.marks.point != 5
+    marks = Measurements(
+        image=tuple(n for n, k in zip(flight.marks.image, keep, strict=True) if k), point=flight.marks.point[keep],
+        xy_px=flight.marks.xy_px[keep], line=flight.marks.line[keep],
+    )  # fmt: skip
+    file = control(flight, marks=marks)
+    role = file.role.copy()
+    role[4:] = Role.CHECK
+    placed = georeference(flight.free, flight.photos, Given(control=(replace(file, role=role),)))
+    assert placed.block.points.ids[-5:] == NAMES[:5]
+    assert len(placed.marked) == len(placed.block.points)
+    (told,) = [n for n in placed.notices if n.code == "check_unseen"]
+    assert told.ids == ("F",)

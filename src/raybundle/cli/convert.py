@@ -21,7 +21,10 @@ from raybundle.numerics.rotation import rotation_from_angles
 
 BLOCK = "block"
 READABLE = [BLOCK, *sorted(n for n, f in formats.items() if f.read)]
-WRITABLE = [BLOCK, *sorted(n for n, f in formats.items() if f.write)]
+RPC = "rpc"
+WRITABLE = [BLOCK, RPC, *sorted(n for n, f in formats.items() if f.write)]
+POINTS, STATIONS = ("las", "ply"), ("geojson", "kml")
+"""Formats that take the points of satellite scenes, and formats of stations on a map, which scenes are not."""
 TITLES = "\n".join(
     f"  {n:<12} {'read, write' if f.read and f.write else 'write' if f.write else 'read':<12} {f.title}"
     for n, f in sorted(formats.items())
@@ -35,12 +38,14 @@ printed.
 \b
 Formats:
   {"block":<12} {"read, write":<12} block folder; as input also a result folder
+  {"rpc":<12} {"write":<12} NAME_RPC.TXT of every satellite scene, its estimated bias built in
 {TITLES}
 
 \b
 Example:
   raybundle convert camcal21-result --to colmap --out model
   raybundle convert model --to block --out camcal21-again
+  raybundle convert pair-project/result --to rpc --out corrected
   raybundle convert flight-result --to kml --out flight.kml --crs EPSG:32611
   raybundle convert facade-result --to colmap --out dense/sparse --photos photos --undistort inside
 """
@@ -96,7 +101,9 @@ def command(
         if crs is not None:
             export, more = placed(export, crs, origin, undulation)
             remarks += more
-        coloured = target != BLOCK and formats[target].colours
+        if target != BLOCK:
+            export = replace(export, block=with_adjusted_cameras(export.block, source))
+        coloured = target not in {BLOCK, RPC} and formats[target].colours
         if folders := (photos,) if photos is not None else photographs_of(source) if coloured else ():
             from raybundle.io.undistort import point_colours  # noqa: PLC0415
 
@@ -124,7 +131,7 @@ def _check_target(out: Path, target: str) -> None:
     """Refuse what would be refused after all the work."""
     if out.exists() and (not out.is_dir() or any(out.iterdir())):
         raise InputError("stands there already and is not overwritten; choose another name", file=out)
-    suffix = "" if target == BLOCK else formats[target].suffix
+    suffix = "" if target in {BLOCK, RPC} else formats[target].suffix
     allowed = {suffix, ".laz"} if suffix == ".las" else {suffix}
     if suffix and out.suffix.lower() not in allowed:
         raise InputError(f"format {target} is a file; give a name that ends in {suffix}", file=out)
@@ -209,6 +216,25 @@ def _read_result(folder: Path) -> tuple[Export, tuple[str, ...]]:
     ), remarks
 
 
+def with_adjusted_cameras(block: Block, source: Path) -> Block:
+    """Where INPUT is a result: observed parameters of its cameras as they were adjusted.
+
+    A block folder keeps what was observed; other programs want what came of it.
+    """
+    if not (source / "result.json").is_file():
+        return block
+    from raybundle.report.result_folder import read_result  # noqa: PLC0415
+
+    found = read_result(source).result.get("cameras", {})
+    cameras = tuple(
+        replace(c, values={**c.values, **{s: float(found[c.id][s]["value"]) for s in c.sigma if s in found[c.id]}})
+        if c.id in found
+        else c
+        for c in block.cameras
+    )
+    return replace(block, cameras=cameras)
+
+
 def _adjusted_images(images: Images, ids: tuple[str, ...], table: object) -> tuple[Images, Array]:
     from raybundle.io.tables import Table  # noqa: PLC0415
 
@@ -233,6 +259,10 @@ def placed(
         frame = local_frame(crs, origin, undulation_m=undulation)
         return replace(export, frame=frame), frame.remarks
     block = export.block
+    if block.place is not None:
+        raise InputError(
+            f"block {block.name} says itself where its frame stands on the earth; leave --crs out, or give --origin too"
+        )
     if block.length_unit != "m":
         raise InputError(f"block {block.name}: a block in {block.length_unit} does not stand in {crs}; give --origin")
     oriented = block.images.oriented
@@ -284,14 +314,41 @@ def straightened(
 
 def written(export: Export, target: str, out: Path) -> tuple[int, tuple[str, ...], float]:
     """Write; the number of files, remarks, and the largest deviation of a camera [px]."""
+    if target == RPC:
+        from raybundle.io.folders import new_folder  # noqa: PLC0415
+        from raybundle.io.scene_export import write_rpcs  # noqa: PLC0415
+
+        with new_folder(out) as folder:
+            files, remarks = write_rpcs(export.block, folder)
+        return len(files), remarks, 0.0
     if target != BLOCK:
+        export, more = fit_for(export, target)
         result = write_format(target, export, out)
+        result = replace(result, remarks=(*more, *result.remarks))
         return len(result.files), result.remarks, result.deviation_px
     from raybundle.io.block_folder import write_block  # noqa: PLC0415
 
     _check_block(export.block)
     write_block(export.block, out)
     return 1, (), 0.0
+
+
+def fit_for(export: Export, target: str) -> tuple[Export, tuple[str, ...]]:
+    """The block as a format of photographs can take it, and remarks; raises InputError where scenes do not fit in."""
+    if not any(c.is_scene for c in export.block.cameras):
+        return export, ()
+    from raybundle.io.scene_export import names_of_scenes, scene_images, with_viewpoints, without_scenes  # noqa: PLC0415
+
+    names = names_of_scenes(export.block)
+    if target in POINTS:
+        told = f"satellite scenes ({names}) give points; their stations are nominal viewpoints, 600 km up"
+        return replace(export, block=with_viewpoints(export.block)), (told,)
+    if target in STATIONS and not scene_images(export.block).all():
+        return replace(export, block=without_scenes(export.block)), (f"satellite scenes are left out: {names}",)
+    raise InputError(
+        f"format {target} holds central projections only, and this block has satellite scenes ({names}); "
+        f"{BLOCK} and {RPC} carry them, {' and '.join(POINTS)} their points"
+    )
 
 
 def _check_block(block: Block) -> None:

@@ -14,6 +14,7 @@ from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, count
 if TYPE_CHECKING:
     from raybundle.io.project import StageRecord
     from raybundle.numerics.progress import Progress
+    from raybundle.report.section_photographs import PhotographFacts
     from raybundle.workflows.orient import Orientation
 
 STAGES = ("photographs", "features", "matching", "start", "precision", "adjustment", "report")
@@ -84,6 +85,13 @@ class StageName(click.Choice[str]):
     "--no-shift", is_flag=True,
     help="Control and positions are in one datum: no shift of the positions of each flight is estimated.",
 )  # fmt: skip
+@click.option(
+    "--scene-bias", type=click.Choice(("none", "shift", "drift", "affine")), default="shift", show_default=True,
+    help="What is estimated of a satellite scene's RPC.",
+)  # fmt: skip
+@click.option(
+    "--crs", metavar="SYSTEM", help="With satellite scenes: the system of control files that name none, as EPSG:32633."
+)
 @click.option("--no-gps", is_flag=True, help="Leave positions out that the photographs state.")
 @click.option("--features", default="rootsift", show_default=True, metavar="METHOD",
     help="rootsift; for wide baselines, with the extra [learned]: xfeat or disk.",
@@ -121,6 +129,8 @@ def command(
     positions: Path | None,
     lever_arm: tuple[float, float, float, float] | None,
     no_shift: bool,  # noqa: FBT001
+    scene_bias: str,
+    crs: str | None,
     no_gps: bool,  # noqa: FBT001
     features: str,
     feature_count: int,
@@ -134,6 +144,9 @@ def command(
 ) -> int:
     """Orient photographs: a folder or files in, calibrated cameras, oriented images, object points and a report out.
 
+    Images that bring an RPC (in a TIFF tag, or as NAME_RPC.TXT, NAME.RPB, NAME.XML beside them) are satellite scenes;
+    scenes and photographs are adjusted together, joined by control and by common points.
+
     No parameter is needed. A run that was stopped continues with the same command; photographs that are added
     later are matched with the others, and only they.
 
@@ -146,6 +159,7 @@ def command(
       raybundle orient facade/ --out facade-project --from precision
       raybundle orient flight/ --out flight-project --control gcp_list.txt
       raybundle orient facade/ --out scaled --control marks.csv --scale-bar A B 1.2319 0.0001
+      raybundle orient pair/ --out pair-project --control gcp.csv --crs EPSG:32633
     """  # noqa: D301
     from dataclasses import replace  # noqa: PLC0415
 
@@ -164,7 +178,7 @@ def command(
     options = OrientOptions(
         features=features, feature_count=feature_count, start=cast("Any", start), precise=not quick, jobs=jobs,
         memory_gb=memory, separate=separate, library=None if no_library else library_folder(),
-        redo_from=cast("Any", redo_from or ""),
+        redo_from=cast("Any", redo_from or ""), scene_bias=cast("Any", scene_bias), crs=crs,
     )  # fmt: skip
     cameras = read_cameras(calibration) if calibration is not None else ()
     plan, height = control_sigma or (DEFAULTS.plan, DEFAULTS.height)
@@ -194,10 +208,13 @@ def command(
     except KeyboardInterrupt:
         click.echo(f"interrupted; what is finished is kept in {out}, the same command continues there", err=True)
         return 130
-    click.echo(f" {done.oriented} of {counted(len(done.photos), 'photograph')} oriented")
+    if done.photos or not done.scenes:
+        click.echo(f" {done.oriented} of {counted(len(done.photos), 'photograph')} oriented")
+    if done.scenes:
+        click.echo(f" {done.oriented_scenes} of {counted(len(done.scenes), 'scene')} in the block")
     for name, reason in (*done.refused, *done.not_oriented):
         click.echo(f"   {name}: {reason}")
-    if done.not_oriented and features == "rootsift":
+    if done.oriented < len(done.photos) and features == "rootsift":
         click.echo("   --features xfeat matches photographs from farther apart (pip install 'raybundle[learned]')")
     for k, part in enumerate(done.parts):
         click.echo(f"   {counted(len(part.photographs), 'photograph')} in a part of its own: {out / part_folder(k)}")
@@ -245,7 +262,6 @@ def report_stage(out: Path, before: Sequence[StageRecord]) -> Generator[None]:
 
 def write_orientation(done: Orientation, result: Path, *, report: Literal["html", "none"], progress: Progress) -> None:
     """Write the result folder of oriented photographs."""
-    from raybundle.cli.photograph_facts import photograph_facts  # noqa: PLC0415
     from raybundle.report.result_folder import write_result  # noqa: PLC0415
     from raybundle.workflows.orient import part_folder  # noqa: PLC0415
 
@@ -254,13 +270,39 @@ def write_orientation(done: Orientation, result: Path, *, report: Literal["html"
         result,
         report=report,
         additions=done.additions(),
-        photographs=photograph_facts(done),
+        photographs=facts_of(done),
         frame=done.frame,
         progress=progress,
     )
     for k, part in enumerate(done.parts):
         write_result(part.adjustment, result.parent / part_folder(k), report=report, progress=progress)
     _remove_older(result.parent, len(done.parts))
+
+
+def facts_of(done: Orientation) -> PhotographFacts:
+    """What the report says of photographs and scenes; a scene is a photograph with a camera of its own."""
+    from dataclasses import replace  # noqa: PLC0415
+
+    from raybundle.cli.photograph_facts import photograph_facts  # noqa: PLC0415
+    from raybundle.report.section_photographs import PairFact, PhotoFact  # noqa: PLC0415
+
+    facts = photograph_facts(done)
+    names = [s.name for s in done.scenes]
+    scenes = tuple(
+        PhotoFact(
+            name=s.name, camera=s.name, width_px=s.width_px, height_px=s.height_px, taken=s.scene.time,
+            device=s.scene.sensor,
+        )
+        for s in done.scenes
+    )  # fmt: skip
+    pairs = tuple(
+        PairFact(
+            first=names[p.pair.first], second=names[p.pair.second], candidates=p.pair.candidates,
+            verified=len(p.pair.matches), geometry=p.pair.geometry,
+        )
+        for p in done.scene_pairs
+    )  # fmt: skip
+    return replace(facts, photographs=(*scenes, *facts.photographs), pairs=(*pairs, *facts.pairs))
 
 
 def _remove_older(project: Path, parts: int) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from datetime import UTC, datetime
 from functools import cache
 from pathlib import Path
@@ -17,11 +18,14 @@ from raybundle.report.section_calibration import GRADES, calibration_section, he
 from raybundle.report.section_control import control_section
 from raybundle.report.section_interior import interior_section
 from raybundle.report.section_network import network_section, precision_section
+from raybundle.report.section_panoramas import panorama_section
 from raybundle.report.section_photographs import PhotographFacts, photograph_sections
 from raybundle.report.section_reliability import reliability_section
 from raybundle.report.section_residuals import residual_section
 from raybundle.report.section_result import result_section, summary_section
+from raybundle.report.section_scenes import scene_section, with_near_viewpoints
 from raybundle.report.section_tables import provenance_section, tables_section
+from raybundle.report.section_trajectories import trajectory_section
 from raybundle.report.view import view_of
 from raybundle.report.words import verdict
 
@@ -69,26 +73,33 @@ def write_report(
     """
     view = view_of(adjustment)
     told = verdict(view)
-    steps = (
+    steps: tuple[tuple[str, Callable[[], Section | None]], ...] = (
         ("result", lambda: result_section(view, told)),
         ("summary", lambda: summary_section(view)),
         ("precision", lambda: precision_section(view)),
         ("control", lambda: control_section(view)),
+        ("trajectories", lambda: trajectory_section(view)),
+        ("scenes", lambda: scene_section(view)),
+        ("panoramas", lambda: panorama_section(view)),
         ("interior orientation", lambda: interior_section(view)),
         ("residuals", lambda: residual_section(view)),
         ("reliability", lambda: reliability_section(view)),
-        ("network", lambda: network_section(view)),
+        ("network", lambda: network_section(with_near_viewpoints(view))),
         ("tables", lambda: tables_section(view)),
         ("settings", lambda: provenance_section(view)),
     )
     sections: list[Section] = []
     for k, (name, make) in enumerate(steps):
         progress(f"report: {name}", k / len(steps))
-        sections.append(make())
+        made = make()
+        sections += [] if made is None else [made]
     block = adjustment.given
     if photographs is not None:
         # after result and summary: a client looks for the photographs first
-        sections[2:2] = photograph_sections(view, photographs)
+        made = photograph_sections(with_near_viewpoints(view), photographs)
+        scenes_only = all(c.is_scene for c in block.cameras)
+        # scenes alone have no camera that starts from anything
+        sections[2:2] = [s for s in made if not scenes_only or s.anchor != "cameras-start"]
     if qualities:
         sections.insert(0, calibration_section(qualities))
     html = page(

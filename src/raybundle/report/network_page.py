@@ -18,6 +18,7 @@ from raybundle.numerics.arrays import Array, Index
 from raybundle.report.document import environment
 from raybundle.report.figures_network import frusta
 from raybundle.report.numbers import counted, grouped
+from raybundle.report.section_scenes import with_near_viewpoints
 from raybundle.report.svg import spread_rows
 from raybundle.report.view import View, view_of
 from raybundle.report.words import datum_words
@@ -35,7 +36,7 @@ def write_network_page(adjustment: Adjustment, path: str | Path) -> None:
     Points, ellipsoids and images beyond what a page can hold are thinned evenly, and the page says so.  What it does
     not tell: an ellipsoid describes random errors in the datum of the result; one that is enlarged is no distance.
     """
-    view = view_of(adjustment)
+    view = with_near_viewpoints(view_of(adjustment))
     contents = network_contents(view)
     words: list[str] = contents.pop("remarks")
     html = (

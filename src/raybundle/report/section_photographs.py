@@ -147,8 +147,8 @@ def overview_section(view: View, facts: PhotographFacts, images: Index, common: 
         facts=(
             Fact(label="photographs oriented", value=f"{grouped(used)} of {grouped(given)}",
                  remark=_lost_words(facts)),
-            Fact(label="cameras", value=grouped(len(facts.cameras)),
-                 remark=listed((c.name for c in facts.cameras), 3)),
+            *([Fact(label="cameras", value=grouped(len(facts.cameras)),
+                    remark=listed((c.name for c in facts.cameras), 3))] if facts.cameras else []),
             Fact(label="object points", value=grouped(len(rays)),
                  remark=f"{fixed(float(rays.mean()), 1)} rays each in the mean" if len(rays) else ""),
             Fact(label="measured image point", value=f"{significant(facts.sigma_px, 2)} px",

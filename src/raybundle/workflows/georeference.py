@@ -23,6 +23,7 @@ from raybundle.workflows.marks import (
     add_points,
     drop_gross_marks,
     drop_single_marks,
+    drop_unseen_checks,
     intersected,
 )
 from raybundle.workflows.positions import SCALE, Positions, mean_place, observe, positions_of, scale_sigma
@@ -45,15 +46,17 @@ class Georeferenced:
     """placed in the object system by control or positions"""
 
 
-def georeference(block: Block, photos: Sequence[Photo], given: Given) -> Georeferenced:
+def georeference(block: Block, photos: Sequence[Photo], given: Given, frame: LocalFrame | None = None) -> Georeferenced:
     """Add what is known of object space to a free block and bring the block there.
 
+    frame   the frame to bring it to, where others stand there already; None: that of the control or the positions
     The similarity onto control or GNSS positions is found robustly (least median of squares), so that a blunder among
     them does not bend it; the adjustment afterwards tests each of them.
     raises  InputError for photographs, points or coordinate systems that do not fit together
     """
     state = Placing(block)
-    frame = _frame(photos, given)
+    set_by_others = frame is not None
+    frame = frame or frame_of(photos, given)
     add_points(state, photos, given, frame)
     add_bars(state, given)
     drop_single_marks(state)
@@ -72,9 +75,10 @@ def georeference(block: Block, photos: Sequence[Photo], given: Given) -> Georefe
     if not fixed:
         _fix_by_bars(state, free)
         frame = None
-    if frame is not None:
+    if frame is not None and not set_by_others:
         state.notices += [Notice(code="coordinate_system", message=r) for r in frame.remarks]
     state.notices += [Notice(code="control_file", message=r) for c in given.control for r in c.remarks]
+    drop_unseen_checks(state)
     marked = np.asarray(state.block.points.role) != Role.TIE
     return Georeferenced(
         block=_without_empty_control(state.block),
@@ -92,7 +96,7 @@ def _without_empty_control(block: Block) -> Block:
     return replace(block, points=replace(block.points, role=role))
 
 
-def _frame(photos: Sequence[Photo], given: Given) -> LocalFrame | None:
+def frame_of(photos: Sequence[Photo], given: Given) -> LocalFrame | None:
     """A local frame in the coordinate system of the control, else of the GPS positions."""
     systems = {c.crs for c in given.control if c.crs}
     if len(systems) > 1:

@@ -148,6 +148,27 @@ def drop_single_marks(state: Placing) -> None:
     state.tell("marked_once", f"marked in one photograph only, and so not determined: {', '.join(names)}", *names)
 
 
+def drop_unseen_checks(state: Placing) -> None:
+    """Check points that no image shows cannot be compared."""
+    block = state.block
+    lost = (block.ray_count == 0) & (np.asarray(block.points.role) == Role.CHECK)
+    if not lost.any():
+        return
+    names = tuple(block.points.ids[k] for k in np.flatnonzero(lost))
+    keep, p, d = ~lost, block.points, block.distances
+    new = np.cumsum(keep) - 1
+    state.block = replace(
+        block,
+        observations=replace(block.observations, point=new[block.observations.point].astype(np.int32)),
+        points=replace(
+            p, ids=tuple(n for n, k in zip(p.ids, keep, strict=True) if k), role=p.role[keep], xyz=p.xyz[keep],
+            sigma=p.sigma[keep],
+        ),
+        distances=replace(d, start=new[d.start].astype(np.int32), end=new[d.end].astype(np.int32)),
+    )  # fmt: skip
+    state.tell("check_unseen", f"check points without a measurement that could be used: {', '.join(names)}", *names)
+
+
 def drop_gross_marks(state: Placing, free: Array, mark_px: float) -> None:
     """Marks that lie far from where the other marks of their point meet: a wrong number, as a rule.
 

@@ -1,9 +1,8 @@
-"""From photographs to an oriented block with its report: stages that can be stopped and continued at any time."""
+"""From photographs and satellite scenes to an oriented block with its report, in stages that can be stopped."""
 
 from __future__ import annotations
 
 import os
-import re
 from collections import OrderedDict
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
@@ -13,18 +12,14 @@ from typing import Literal
 
 import numpy as np
 
-from raybundle.adjustment.decide import decide
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.result import Adjustment, Notice
-from raybundle.adjustment.structure import structure_notice
+from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block, Camera
-from raybundle.block.select import with_rows
-from raybundle.errors import InputError, NoConvergence, RankDefect
+from raybundle.errors import InputError
 from raybundle.io.block_arrays import arrays_of_block, block_of_arrays
 from raybundle.io.camera_library import with_library
 from raybundle.io.coordinate_systems import LocalFrame
 from raybundle.io.photos.cameras import CameraGroup, camera_groups, camera_of
-from raybundle.io.photos.photo import Photo, find_photos
+from raybundle.io.photos.photo import Found, Photo, find_photos
 from raybundle.io.project import Project, Stage, StageRecord, key_of
 from raybundle.io.trajectories import Trajectory, with_positions
 from raybundle.matching.features import feature_method
@@ -33,15 +28,19 @@ from raybundle.matching.tracks import tracks_of
 from raybundle.matching.verify import VerifiedPair, trusted
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.progress import Progress, silent
-from raybundle.workflows.georeference import Georeferenced, accuracy, rejected_marks
+from raybundle.scenes.bias import BiasKind
+from raybundle.workflows.final import adjusted_part, final_adjustment, left_out
+from raybundle.workflows.georeference import Georeferenced, accuracy
 from raybundle.workflows.marks import Given
 from raybundle.workflows.parts import Part, apart_notice, place_parts, start_parts
+from raybundle.workflows.scene_images import FoundScenes, SceneImage, find_scenes
+from raybundle.workflows.scene_run import SceneRun
+from raybundle.workflows.scene_ties import ScenePair
 from raybundle.workflows.tie_block import (
     PreciseBlock,
     TieBlock,
     Weights,
     block_of_tracks,
-    flat_points,
     image_sigma_px,
     refine,
 )
@@ -49,12 +48,6 @@ from raybundle.workflows.tie_points import FeatureStore, find_features, grey_of,
 
 START, PRECISION = 7, 15
 """Versions of the stages' results."""
-FINAL = 1e-4
-"""Last step of the final adjustment, in standard deviations of the unknowns."""
-MOST_LEFT = 8
-"""Photographs that the final adjustment may leave out one after the other."""
-COARSE = 1e-2
-"""The same where that is not reached: still far below what a standard deviation can tell."""
 STAGES = ("photographs", "features", "matching", "start", "precision", "adjustment", "report")
 
 
@@ -78,6 +71,10 @@ class OrientOptions:
     """patterns of photographs' names, each a camera apart"""
     library: Path | None = None
     """camera library whose calibrations are held where none is given; None: none is used"""
+    scene_bias: BiasKind = "shift"
+    """what is estimated of a satellite scene's RPC: none, shift, drift, affine"""
+    crs: str | None = None
+    """coordinate system of control files that name none, where there are scenes"""
     redo_from: Literal["", "photographs", "features", "matching", "start", "precision", "adjustment", "report"] = ""
     """stage from which on everything is done again"""
 
@@ -102,20 +99,36 @@ class Orientation:
     """coordinate system of object space; None: a free system"""
     parts: tuple[Part, ...] = ()
     """further parts of the photographs that nothing joins to the first"""
+    scenes: tuple[SceneImage, ...] = ()
+    """satellite scenes that take part"""
+    scene_pairs: tuple[ScenePair, ...] = ()
     remarks: tuple[str, ...] = field(default=())
 
     @property
     def oriented(self) -> int:
         """Number of photographs with an orientation, in whatever part."""
-        return len(self.photos) - len(self.not_oriented)
+        photographs = {p.name for p in self.photos}
+        return len(self.photos) - sum(1 for n, _ in self.not_oriented if n in photographs)
+
+    @property
+    def oriented_scenes(self) -> int:
+        """Number of scenes in the adjustment."""
+        lost = {n for n, _ in self.not_oriented}
+        return sum(1 for s in self.scenes if s.name not in lost)
+
+    @property
+    def given(self) -> int:
+        """Number of files that are photographs or scenes, refused ones included."""
+        names = {p.name for p in self.photos} | {s.name for s in self.scenes} | {n for n, _ in self.not_oriented}
+        return len(names) + len(self.refused)
 
     def additions(self) -> dict[str, object]:
         """What result.json says beside the adjustment."""
         lost = [{"file": f, "reason": r} for f, r in (*self.refused, *self.not_oriented)]
         return {
             "images": {
-                "given": len(self.photos) + len(self.refused),
-                "oriented": self.oriented,
+                "given": self.given,
+                "oriented": self.oriented + self.oriented_scenes,
                 "not_oriented": lost,
             },
             "components": 1 + len(self.parts),
@@ -141,7 +154,7 @@ def orient(
     positions: Trajectory | None = None,
     progress: Progress = silent,
 ) -> Orientation:
-    """Orient photographs within a project folder; finished stages are taken from there.
+    """Orient photographs and satellite scenes within a project folder; finished stages are taken from there.
 
     inputs       folders and files
     folder       project folder; begun, or continued
@@ -159,67 +172,124 @@ def orient(
     method = feature_method(options.features)
     project = Project.open(folder)
     try:
-        with project.stage("photographs") as stage:
-            found = find_photos(inputs, progress=progress)
-            if positions is not None:
-                placed_photos, told = with_positions(found.photos, positions)
-                found = replace(found, photos=placed_photos, remarks=(*found.remarks, *told))
-            if len(found.photos) < 2:
-                raise _too_few(inputs, found.photos, [(p.name, r) for p, r in found.refused])
-            stage.from_cache = False
-            stage.key = key_of("photographs", [p.sha256 for p in found.photos])
-            stage.summary = f"{len(found.photos)} photographs, {len(found.refused)} refused"
-        photos, refused = found.photos, [(p.name, r) for p, r in found.refused]
+        found, scenes_found, refused = _search(project, inputs, positions, progress)
+        scenes = SceneRun.of(scenes_found, options.scene_bias, options.crs) if scenes_found.scenes else None
+        photos = found.photos
         _forget(project, options)
         with project.stage("features") as stage:
             store, failed = find_features(project, stage, photos, method, options.feature_count, jobs, progress)
+            if scenes is not None:
+                scenes.features(project, stage, method, options.feature_count, jobs, progress)
+        refused += scenes_found.refused if scenes is None else scenes.refused
         if failed:
             refused += [(photos[i].name, reason) for i, reason in failed.items()]
             kept = [i for i in range(len(photos)) if i not in failed]
             photos = tuple(photos[i] for i in kept)
             store = FeatureStore(project, tuple(store.keys[i] for i in kept))
-            if len(photos) < 2:
-                raise _too_few(inputs, photos, refused)
-        groups = camera_groups(photos, calibration, options.separate)
-        if options.library is not None:
+        left = 0 if scenes is None else len(scenes.images)
+        _check_number(inputs, photos, left, refused)
+        alone = [(p.name, "one photograph alone cannot be oriented; at least 2 are needed") for p in photos[:1]]
+        several = len(photos) > 1
+        photos = photos if several else ()
+        groups = camera_groups(photos, calibration, options.separate) if several or calibration else ()
+        if options.library is not None and several:
             groups = with_library(photos, groups, options.library)
+        pairs: list[VerifiedPair] = []
         with project.stage("matching") as stage:
-            pairs = match_pairs(
-                project, stage, photos, store, method, pairs_of(photos, store, method, _positions(photos), progress),
-                jobs, progress,
-            )  # fmt: skip
+            if several:
+                chosen = pairs_of(photos, store, method, _positions(photos), progress)
+                pairs = match_pairs(project, stage, photos, store, method, chosen, jobs, progress)
+            if scenes is not None:
+                scenes.matching(project, stage, method, jobs, progress)
+        ties: tuple[TieBlock, ...] = ()
         with project.stage("start") as stage:
-            ties = _start(project, stage, folder.name, photos, groups, pairs, store, options.start, jobs, progress)
+            if several:
+                ties = _start(project, stage, folder.name, photos, groups, pairs, store, options.start, jobs, progress)
+            if scenes is not None:
+                scenes.start(project, stage, folder.name, given or Given(), len(photos), jobs, progress)
         weights: list[Weights] = []
         blocks = [tie.block for tie in ties]
         if options.precise:
             with project.stage("precision") as stage:
-                blocks, weights = _precision(project, stage, ties, photos, options, jobs, progress)
+                if several:
+                    blocks, weights = _precision(project, stage, ties, photos, options, jobs, progress)
+                if scenes is not None:
+                    scenes.precision(project, stage, jobs, progress)
+        remarks = (*found.remarks, *scenes_found.remarks)
         with project.stage("adjustment") as stage:
-            placed, apart = place_parts(blocks, photos, given or Given())
-            if apart:
-                told = apart_notice(placed.block, apart, [part_folder(k) for k in range(len(apart))])
-                placed = replace(placed, notices=(told, *placed.notices))
-            adjustment = _adjust(placed, groups, jobs, progress, found.remarks)
-            parts = tuple(_part(p, groups, jobs, progress) for p in apart)
-            stage.from_cache = False
-            stage.summary = f"sigma0 {adjustment.sigma0:.3f}"
+            if scenes is None:
+                placed, apart = place_parts(blocks, photos, given or Given())
+            else:
+                placed, apart = scenes.place(blocks, photos, given or Given(), store, method)
+            adjustment, parts = _adjusted(stage, placed, apart, groups, jobs, progress, remarks)
+        lost = [*(ties[0].not_oriented if ties else alone), *([] if scenes is None else scenes.lost)]
+        of_scenes = [] if scenes is None or scenes.weights is None else [scenes.weights]
         return Orientation(
             adjustment=adjustment,
             photos=photos,
             groups=groups,
             refused=tuple(refused),
-            not_oriented=(*ties[0].not_oriented, *_left_out(adjustment, parts)),
+            not_oriented=(*lost, *left_out(adjustment, parts)),
             pairs=tuple(pairs),
             stages=tuple(project.records),
             sigma_px=image_sigma_px(adjustment),
-            weights=weights[0] if weights else None,
+            weights=next(iter((*weights, *of_scenes)), None),
             frame=placed.frame,
             parts=parts,
-            remarks=tuple(found.remarks),
+            scenes=() if scenes is None else scenes.images,
+            scene_pairs=() if scenes is None else scenes.pairs,
+            remarks=remarks,
         )
     finally:
         project.close()
+
+
+def _search(
+    project: Project, inputs: Sequence[Path], positions: Trajectory | None, progress: Progress
+) -> tuple[Found, FoundScenes, list[tuple[str, str]]]:
+    """The photographs and scenes among the inputs, and photographs that are refused with the reason."""
+    with project.stage("photographs") as stage:
+        scenes = find_scenes(inputs)
+        found = find_photos(inputs, leave=scenes.files, progress=progress)
+        if positions is not None:
+            placed, told = with_positions(found.photos, positions)
+            found = replace(found, photos=placed, remarks=(*found.remarks, *told))
+        refused = [(p.name, r) for p, r in found.refused]
+        _check_number(inputs, found.photos, len(scenes.scenes), [*refused, *scenes.refused])
+        stage.from_cache = False
+        stage.key = key_of("photographs", [p.sha256 for p in found.photos], [s.sha256 for s in scenes.scenes])
+        stage.summary = f"{len(found.photos)} photographs, {len(refused)} refused"
+        if scenes.scenes or scenes.refused:
+            stage.summary += f"; {len(scenes.scenes)} scenes, {len(scenes.refused)} refused"
+    return found, scenes, refused
+
+
+def _adjusted(
+    stage: Stage, placed: Georeferenced, apart: Sequence[Georeferenced], groups: Sequence[CameraGroup], jobs: int,
+    progress: Progress, remarks: Sequence[str],
+) -> tuple[Adjustment, tuple[Part, ...]]:  # fmt: skip
+    """The final adjustments of what is placed together and of the parts that nothing joins to it."""
+    if apart:
+        told = apart_notice(placed.block, apart, [part_folder(k) for k in range(len(apart))])
+        placed = replace(placed, notices=(told, *placed.notices))
+    adjustment = final_adjustment(placed, groups, jobs, progress, remarks)
+    parts = tuple(adjusted_part(p, groups, jobs, progress) for p in apart)
+    stage.from_cache = False
+    stage.summary = f"sigma0 {adjustment.sigma0:.3f}"
+    return adjustment, parts
+
+
+def _check_number(
+    inputs: Sequence[Path], photos: Sequence[Photo], scenes: int, refused: Sequence[tuple[str, str]]
+) -> None:
+    """Raise InputError where there are neither two photographs nor a scene."""
+    if len(photos) >= 2 or scenes >= 2 or (scenes and photos):
+        return
+    if not scenes:
+        raise _too_few(inputs, photos, refused)
+    lines = ["1 satellite scene and no photograph; at least 2 images of the same ground are needed"]
+    lines += [f"  {name}: {reason}" for name, reason in refused[:20]]
+    raise InputError("\n".join(lines), file=", ".join(str(p) for p in inputs))
 
 
 def _too_few(inputs: Sequence[Path], photos: Sequence[Photo], refused: Sequence[tuple[str, str]]) -> InputError:
@@ -392,83 +462,6 @@ class _GreyCache:
         return image
 
 
-def _adjust(
-    placed: Georeferenced, groups: Sequence[CameraGroup], jobs: int, progress: Progress, remarks: Sequence[str]
-) -> Adjustment:
-    """The final adjustment: parameters by significance and determinability, blunders by data snooping."""
-    notices = [Notice(code="photographs", message=r) for r in remarks]
-    notices += [Notice(code="camera", message=f"camera {g.id}: {r}", ids=(g.id,)) for g in groups for r in g.remarks]
-    options = AdjustmentOptions(threads=jobs, reject="snooping", tolerance=FINAL)
-    block, flat = placed.block, flat_points(placed.block) & ~placed.marked
-    flat &= ~placed.block.points.is_control.any(axis=1)
-    flat &= np.bincount(block.observations.point, minlength=len(block.points)) > 0
-    if flat.any():
-        block = with_rows(block, ~flat[block.observations.point])
-        message = f"{int(flat.sum())} tie points with parallel rays are left out: they have no depth"
-        notices.append(Notice(code="parallel_rays", message=message))
-        kept = np.isin(placed.block.points.ids, block.points.ids)
-        placed = replace(placed, block=block, marked=placed.marked[kept])
-    for _ in range(MOST_LEFT):
-        try:
-            result = _decided(placed.block, options, progress, (*notices, *placed.notices))
-            break
-        except RankDefect as error:
-            named = re.search(r"exterior orientation of image (.+?) \(\d+ %\)", str(error))
-            if named is None or int(placed.block.images.oriented.sum()) < 4:
-                raise
-            placed = _without_image(placed, named[1])
-            message = f"{named[1]} is left out: what is left of its points does not determine its orientation"
-            notices.append(Notice(code="image_left_out", message=message, ids=(named[1],)))
-    else:
-        result = _decided(placed.block, options, progress, (*notices, *placed.notices))
-    first = list(rejected_marks(result, placed.marked[result.given.observations.point]))
-    structure = structure_notice(result)
-    first += [structure] if structure is not None else []
-    return replace(result, notices=(*first, *result.notices)) if first else result
-
-
-def _left_out(adjustment: Adjustment, parts: Sequence[Part]) -> list[tuple[str, str]]:
-    """Photographs that the final adjustments left out, and why."""
-    notices = [n for a in (adjustment, *(p.adjustment for p in parts)) for n in a.notices]
-    return [(n.ids[0], n.message.split(": ", 1)[1]) for n in notices if n.code == "image_left_out"]
-
-
-def _decided(block: Block, options: AdjustmentOptions, progress: Progress, notices: tuple[Notice, ...]) -> Adjustment:
-    try:
-        return decide(block, options, progress, notices=notices)
-    except NoConvergence:
-        # two photographs, or a weak interior orientation: steps of a few thousandths of a sigma that do not end
-        return decide(block, replace(options, tolerance=COARSE), progress, notices=notices)
-
-
-def _without_image(placed: Georeferenced, name: str) -> Georeferenced:
-    """The block without the image points and the orientation of an image."""
-    block = placed.block
-    out = np.array([n == name for n in block.images.ids])
-    o = block.observations
-    keep = ~out[o.image]
-    rays = np.bincount(o.point[keep], minlength=len(block.points))
-    fixed = block.points.is_control.any(axis=1)
-    thin = with_rows(block, keep & ((rays > 1) | fixed)[o.point])
-    images = replace(
-        thin.images,
-        centre=np.where(out[:, None], np.nan, thin.images.centre),
-        rotation=np.where(out[:, None, None], np.nan, thin.images.rotation),
-    )
-    s = thin.stations
-    stay = ~out[s.image]
-    stations = replace(s, image=s.image[stay], xyz=s.xyz[stay], sigma=s.sigma[stay])
-    marked = placed.marked[np.isin(block.points.ids, thin.points.ids)]
-    return replace(placed, block=replace(thin, images=images, stations=stations), marked=marked)
-
-
 def part_folder(k: int) -> str:
     """Folder of the result of the k-th further part."""
     return f"result-{k + 2}"
-
-
-def _part(placed: Georeferenced, groups: Sequence[CameraGroup], jobs: int, progress: Progress) -> Part:
-    """The adjustment of a part that nothing joins to the others."""
-    images = placed.block.images
-    names = tuple(n for n, o in zip(images.ids, images.oriented, strict=True) if o)
-    return Part(adjustment=_adjust(placed, groups, jobs, progress, ()), photographs=names)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
@@ -28,6 +29,9 @@ from raybundle.orientation.cleaning import clean
 from raybundle.orientation.rays import intersect_linear, object_rays, rays_of
 from raybundle.platforms.station import sensor_from_object
 
+if TYPE_CHECKING:
+    from raybundle.scenes.sensor import SceneSensor
+
 FEATURE_SIGMA_PX = 0.5
 """A-priori standard deviation of a feature; only the ratio to nothing else matters before the weights are known."""
 FIRST_FREE = ("c", "K1", "K2")
@@ -46,6 +50,8 @@ NEAR_PX = 2.0
 SURROUNDINGS = 0.03
 """Share of the format's diagonal within which neighbours tell whether a point is seen."""
 MARGIN_PX = 20.0
+RISE_M = 500.0
+"""Difference of height between two points of a scene's ray."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -114,11 +120,37 @@ def block_of_tracks(
 
 def flat_points(block: Block) -> Mask:
     """(p,) tie points whose rays are nearly parallel: they say nothing of the object and hinder convergence."""
-    rays = rays_of(block)
-    direction = object_rays(block.images.rotation[rays.image], rays.direction)
+    origin, direction = viewing_lines(block)
     p = len(block.points)
-    _, count, ratio = intersect_linear(block.images.centre[rays.image], direction, rays.point, p)
+    _, count, ratio = intersect_linear(origin, direction, block.observations.point, p)
     return (count < 2) | (ratio < FLAT) | ~np.isfinite(block.points.xyz).all(axis=1)
+
+
+def viewing_lines(block: Block) -> tuple[Array, Array]:
+    """A point (m, 3) and the unit direction (m, 3) of the ray of every image observation, in object space.
+
+    A scene's rays have no common centre: each is the line through its ground points at two heights.
+    """
+    o = block.observations
+    of_scene = np.array([c.is_scene for c in block.cameras])[block.images.camera][o.image]
+    origin, direction = np.empty((len(o), 3)), np.empty((len(o), 3))
+    rows = np.flatnonzero(~of_scene)
+    if len(rows):
+        rays = rays_of(replace(block, observations=_rows(o, rows)) if of_scene.any() else block)
+        origin[rows] = block.images.centre[rays.image]
+        direction[rows] = object_rays(block.images.rotation[rays.image], rays.direction)
+    for i in np.unique(o.image[of_scene]):
+        rows = np.flatnonzero(o.image == i)
+        camera = block.cameras[int(block.images.camera[i])]
+        sensor = cast("SceneSensor", camera.sensor)
+        low, high = (sensor.localise(o.xy_px[rows], sensor.height_m + d, camera.parameters) for d in (0.0, RISE_M))
+        origin[rows] = low
+        direction[rows] = (low - high) / np.linalg.norm(low - high, axis=1, keepdims=True)
+    return origin, direction
+
+
+def _rows(o: Observations, rows: Index) -> Observations:
+    return replace(o, image=o.image[rows], point=o.point[rows], xy_px=o.xy_px[rows], cov_px2=o.cov_px2[rows])
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -299,6 +331,13 @@ def _near(xy: Array, common: Array, camera: Camera) -> Mask:
 def _project(block: Block, image: int, point: Index, guess: Array) -> tuple[Array, Mask]:
     """Places (n, 2) [px] of object points in an image, and whether they lie within the format, by Newton steps."""
     camera = block.cameras[block.images.camera[image]]
+    if camera.is_scene:
+        seen = _roughly_seen(block, image, block.points.xyz[point])
+        if not seen.all():  # an orbit has no place for what lies far beyond its scene
+            xy, inside = np.tile(guess, (len(point), 1)), np.zeros(len(point), bool)
+            if seen.any():
+                xy[seen], inside[seen] = _project(block, image, point[seen], guess)
+            return xy, inside
     n = len(point)
     xy = np.tile(guess, (n, 1))
     step = np.full((n, 2), np.inf)
@@ -318,6 +357,14 @@ def _project(block: Block, image: int, point: Index, guess: Array) -> tuple[Arra
         block.images.rotation[[image] * n], block.images.centre[[image] * n], block.points.xyz[point]
     )
     return xy, inside & (P[2] < 0)
+
+
+def _roughly_seen(block: Block, image: int, xyz: Array) -> Mask:
+    """Whether points (n, 3) lie in a scene or close to it, by its nominal viewpoint."""
+    camera = block.cameras[block.images.camera[image]]
+    P = (xyz - block.images.centre[image]) @ block.images.rotation[image].T
+    c = cast("SceneSensor", camera.sensor).camera_constant(camera.parameters)
+    return (np.abs(c * P[:, :2] / -P[:, 2:]) < 0.6 * camera.size_mm).all(axis=1)
 
 
 def _weighted(block: Block, cov_px2: Array) -> Block:

@@ -11,7 +11,7 @@ import hashlib
 import os
 import re
 import stat
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -86,17 +86,21 @@ class Found:
     remarks: tuple[str, ...]
 
 
-def find_photos(inputs: Sequence[Path], *, limit_pixels: int = LIMIT_PIXELS, progress: Progress = silent) -> Found:
+def find_photos(
+    inputs: Sequence[Path], *, leave: Collection[Path] = (), limit_pixels: int = LIMIT_PIXELS,
+    progress: Progress = silent,
+) -> Found:  # fmt: skip
     """The photographs in folders and files, in the order of their names (numbers within names count as numbers).
 
     inputs        folders (looked into, not their subfolders) and files
+    leave         files that are no photographs and not passed over, as satellite scenes
     limit_pixels  a file whose header says more is not decoded
     raises        InputError for an input that does not exist or a folder that cannot be listed
     A file that cannot be used costs that file only and is listed with its reason: empty, truncated, no image,
     too large, not readable, a thumbnail beside photographs, the same content as another file.
     What it does not tell: whether the pixels in the middle of a file are damaged; `read_grey` finds that.
     """
-    files, remarks = _files(inputs)
+    files, remarks = _files(inputs, frozenset(leave))
     names = _names(files)
     photos: list[Photo] = []
     refused: list[tuple[Path, str]] = []
@@ -169,27 +173,29 @@ def _as_sensor(photo: Photo, header: Header) -> Photo:
     return photo
 
 
-def _files(inputs: Sequence[Path]) -> tuple[list[Path], list[str]]:
+def _files(inputs: Sequence[Path], leave: frozenset[Path]) -> tuple[list[Path], list[str]]:
     """Candidates in natural order, each once, and remarks on what was passed over."""
     remarks: list[str] = []
     files: dict[Path, None] = {}
     for given in inputs:
         path = Path(given)
         if path.is_dir():
-            files.update(dict.fromkeys(_in_folder(path, remarks)))
+            files.update(dict.fromkeys(_in_folder(path, leave, remarks)))
         elif path.exists() or path.is_symlink():
             files[path] = None
         else:
             raise InputError("there is no such file or folder", file=path)
     seen: dict[str, Path] = {}
     for path in files:
+        if path in leave:
+            continue
         seen.setdefault(os.path.realpath(path), path)
     return sorted(seen.values(), key=_natural), remarks
 
 
-def _in_folder(folder: Path, remarks: list[str]) -> list[Path]:
+def _in_folder(folder: Path, leave: frozenset[Path], remarks: list[str]) -> list[Path]:
     try:
-        entries = sorted(p for p in folder.iterdir() if not p.name.startswith("."))
+        entries = sorted(p for p in folder.iterdir() if not p.name.startswith(".") and p not in leave)
     except OSError as error:
         raise InputError(f"cannot be listed: {error.strerror}; check the permissions", file=folder) from None
     files = [p for p in entries if p.suffix.lower() in SUFFIXES and (p.is_symlink() or not p.is_dir())]

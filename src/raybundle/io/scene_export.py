@@ -1,0 +1,114 @@
+"""What becomes of satellite scenes where a block goes into another program: RPCs with the bias built in, or points."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import cast
+
+import numpy as np
+
+from raybundle.block import Block, Camera
+from raybundle.errors import InputError
+from raybundle.io.scenes.rpc_text import write_rpc_text
+from raybundle.numerics.arrays import Mask
+from raybundle.scenes.rpc import Rpc
+from raybundle.scenes.rpc_fit import corrected_rpc, fit_rpc
+from raybundle.scenes.sensor import LineSensor, RpcSensor, SceneSensor
+from raybundle.sensors import sensor_models
+
+RELIEF_M = 500.0
+"""Heights above and below the points of a rigorous scene for which its RPC is made."""
+
+
+def scene_images(block: Block) -> Mask:
+    """(n,) which images are satellite scenes."""
+    return np.array([c.is_scene for c in block.cameras], bool)[block.images.camera]
+
+
+def write_rpcs(block: Block, folder: Path) -> tuple[tuple[Path, ...], tuple[str, ...]]:
+    """NAME_RPC.TXT of every scene with its estimated bias built in; the files, and how well new RPCs fit.
+
+    A shift goes into the offsets, exactly; drift, affine and rigorous models need a new fit, whose misfit is told.
+    raises  InputError where the block has no scene
+    """
+    scenes = np.flatnonzero(scene_images(block))
+    if not len(scenes):
+        raise InputError(f"block {block.name} has no satellite scene; RPCs are written of scenes only")
+    files: list[Path] = []
+    remarks: list[str] = []
+    for i in scenes.tolist():
+        camera = block.cameras[int(block.images.camera[i])]
+        sensor, values = cast("SceneSensor", camera.scene), camera.parameters
+        name = Path(block.images.file[i] or block.images.ids[i]).stem
+        path = folder / f"{name}_RPC.TXT"
+        if path in files:
+            raise InputError(f"two scenes are called {name}; their RPCs would have one name")
+        if isinstance(sensor, RpcSensor):
+            heights = _heights(sensor.rpc)
+            rpc, fit = corrected_rpc(sensor.rpc, sensor.bias, values, sensor.size_px, heights)
+        else:
+            line = cast("LineSensor", sensor)
+            heights = _heights_of_points(block, line)
+            fit = fit_rpc(
+                lambda xy, h, s=line, v=values: s.place.geographic_from_block(s.localise(xy, h, v)),
+                line.size_px, heights,
+            )  # fmt: skip
+            rpc = fit.rpc
+        if fit is not None:
+            largest = float(fit.largest_px.max())
+            remarks.append(
+                f"{path.name}: a new RPC for heights of {heights[0]:.0f} to {heights[1]:.0f} m, off by "
+                f"{largest:.2g} px at most"
+            )
+        write_rpc_text(rpc, path)
+        files.append(path)
+    return tuple(files), tuple(remarks)
+
+
+def _heights(rpc: Rpc) -> tuple[float, float]:
+    middle, reach = float(rpc.ground_offset[2]), float(rpc.ground_scale[2])
+    return middle - reach, middle + reach
+
+
+def _heights_of_points(block: Block, sensor: LineSensor) -> tuple[float, float]:
+    known = np.isfinite(block.points.xyz).all(axis=1)
+    if not known.any():
+        return sensor.height_m - RELIEF_M, sensor.height_m + RELIEF_M
+    heights = sensor.place.geographic_from_block(block.points.xyz[known])[:, 2]
+    return float(heights.min()) - RELIEF_M, float(heights.max()) + RELIEF_M
+
+
+def with_viewpoints(block: Block) -> Block:
+    """The block with a central projection from the nominal viewpoint in place of each scene: for its points alone."""
+    model = sensor_models["brown"]
+
+    def central(camera: Camera) -> Camera:
+        c = cast("SceneSensor", camera.scene).camera_constant(camera.parameters)
+        values = {**dict.fromkeys(model.symbols, 0.0), "c": c}
+        return replace(camera, model="brown", scene=None, relations=(), estimate=(), sigma={}, values=values)
+
+    return replace(block, cameras=tuple(central(c) if c.is_scene else c for c in block.cameras))
+
+
+def without_scenes(block: Block) -> Block:
+    """The block without the orientation and the image points of its scenes."""
+    scenes = scene_images(block)
+    o = block.observations
+    keep = ~scenes[o.image]
+    return replace(
+        with_viewpoints(block),
+        images=replace(
+            block.images,
+            centre=np.where(scenes[:, None], np.nan, block.images.centre),
+            rotation=np.where(scenes[:, None, None], np.nan, block.images.rotation),
+        ),
+        observations=replace(o, image=o.image[keep], point=o.point[keep], xy_px=o.xy_px[keep], cov_px2=o.cov_px2[keep]),
+    )
+
+
+def names_of_scenes(block: Block, most: int = 5) -> str:
+    """The first few scenes, for a message."""
+    names: Sequence[str] = [block.images.ids[i] for i in np.flatnonzero(scene_images(block))]
+    return ", ".join(names[:most]) + (" ..." if len(names) > most else "")

@@ -1,0 +1,363 @@
+"""Satellite scenes to an oriented block: right, stopped and continued, with photographs, and with wrong RPCs."""
+
+import csv
+import json
+import re
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+from scipy.stats import chi2
+
+from raybundle.cli.main import main
+from raybundle.errors import InputError
+from raybundle.io.block_folder import read_block
+from raybundle.io.scenes import Scene
+from raybundle.io.scenes.rpc_text import write_rpc_text
+from raybundle.scenes.simulate import OrbitPlan, orbit_scene
+from raybundle.workflows import scene_block, scene_ties
+from raybundle.workflows.orient import OrientOptions, orient
+from tests.scenes.render import ORIGIN, PLACE, Terrain, render_scene, scene_rpc
+from tests.scenes.render_sets import MARK_PX, PITCH, SHIFTS, make_photos, make_scenes, write_control
+
+COUNT = 2000
+SIZE = 1100
+
+
+def command(folder, out, *more):
+    options = ["--feature-count", str(COUNT), "--jobs", "2", "--no-report", "--mark-sigma", str(MARK_PX)]
+    return ["orient", str(folder), "--out", str(out), *options, *more]
+
+
+@pytest.fixture(scope="module")
+def terrain():
+    return Terrain.made(half=900.0)
+
+
+@pytest.fixture(scope="module")
+def pair(tmp_path_factory, terrain):
+    folder = tmp_path_factory.mktemp("pair")
+    made = make_scenes(folder, terrain=terrain, size_px=SIZE)
+    control = write_control(tmp_path_factory.mktemp("control") / "gcp.csv", made)
+    return folder, control, made
+
+
+@pytest.fixture(scope="module")
+def done(pair, tmp_path_factory):
+    folder, control, _ = pair
+    out = tmp_path_factory.mktemp("pair") / "project"
+    assert main(command(folder, out, "--control", str(control))) == 0
+    return out
+
+
+@pytest.fixture
+def project(done, tmp_path):
+    return Path(shutil.copytree(done, tmp_path / done.name))
+
+
+def told(project):
+    return json.loads((project / "result/result.json").read_text())
+
+
+def numbers(project):
+    result = told(project)
+    return {k: v for k, v in result.items() if k not in {"seconds", "stages"}}
+
+
+def rows(path):
+    with path.open(newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def table(path, *names):
+    return np.array([[float(r[n]) for n in names] for r in rows(path)])
+
+
+def check_points_are_inside(project):
+    found = table(project / "result/check.csv", "dX", "dY", "dZ", "sX", "sY", "sZ")
+    assert len(found) == 12
+    square = (found[:, :3] / found[:, 3:]) ** 2
+    # the differences of one set are correlated through the shifts: the limit is that of a single point, for each
+    assert square.sum(axis=1).max() < chi2(3).isf(0.001 / 12)
+    assert square.mean() < 3
+
+
+def shifts_are_found(project, limit=4.5):
+    cameras = told(project)["cameras"]
+    for name, shift in SHIFTS.items():
+        if f"{name}.tif" not in cameras:
+            continue
+        for symbol, true in zip(("A0", "B0"), shift, strict=True):
+            p = cameras[f"{name}.tif"][symbol]
+            assert p["std"] < 0.5
+            assert abs(p["value"] - true) < limit * p["std"]
+
+
+def test_the_pair_is_right(done):
+    result = told(done)
+    assert result["images"] == {"given": 2, "oriented": 2, "not_oriented": []}
+    assert result["image_sigma_px"] < 0.3
+    assert result["sigma0"] == pytest.approx(1.0, abs=0.15)
+    assert result["frame"]["crs"] == "EPSG:4979"
+    assert sum(r["role"] == "tie" for r in rows(done / "result/points.csv")) > 300
+    check_points_are_inside(done)
+    shifts_are_found(done)
+
+
+def test_the_result_is_a_block_that_can_be_adjusted_again(done, tmp_path):
+    block = read_block(done / "result/block")
+    assert [c.model for c in block.cameras] == ["rpc", "rpc"]
+    assert main(["adjust", str(done / "result/block"), "--out", str(tmp_path / "again"), "--no-report"]) == 0
+    again = json.loads((tmp_path / "again/result.json").read_text())
+    assert again["cameras"]["ahead.tif"]["A0"]["value"] == pytest.approx(
+        told(done)["cameras"]["ahead.tif"]["A0"]["value"], abs=0.02
+    )
+
+
+def test_a_second_run_is_taken_from_the_cache(project, pair):
+    before = numbers(project)
+    assert main(command(pair[0], project, "--control", str(pair[1]))) == 0
+    cached = [s["name"] for s in told(project)["stages"] if s["from_cache"]]
+    assert cached == ["features", "matching", "start", "precision"]
+    assert numbers(project) == before
+
+
+def test_a_stage_can_be_done_again(project, pair):
+    assert main(command(pair[0], project, "--control", str(pair[1]), "--from", "precision")) == 0
+    cached = [s["name"] for s in told(project)["stages"] if s["from_cache"]]
+    assert cached == ["features", "matching", "start"]
+    shifts_are_found(project)
+
+
+def test_a_killed_run_continues_and_leaves_nothing_behind(project, pair, monkeypatch):
+    before = numbers(project)
+    for path in (*project.glob("cache/*/precision-*.npz"), *project.glob("cache/*/start-*.npz")):
+        path.unlink()
+    left = project / "cache/00/.pixels-left"
+    left.mkdir(parents=True)
+    monkeypatch.setattr(scene_block, "refine", lambda *_: (_ for _ in ()).throw(KeyboardInterrupt))
+    assert main(command(pair[0], project, "--control", str(pair[1]))) == 130
+    monkeypatch.undo()
+    assert not left.exists()
+    assert main(command(pair[0], project, "--control", str(pair[1]))) == 0
+    assert numbers(project) == before
+    assert not list(project.glob("cache/*/.*"))
+
+
+def test_a_scene_that_is_added_is_matched_alone(project, pair, terrain, tmp_path, monkeypatch):
+    folder = Path(shutil.copytree(pair[0], tmp_path / "three"))
+    make_scenes(folder, ("nadir",), terrain, SIZE)
+    count = {"features": 0, "pairs": 0}
+
+    def counting(module, name, key):
+        original = getattr(module, name)
+
+        def counted(*arguments, **options):
+            count[key] += 1
+            return original(*arguments, **options)
+
+        monkeypatch.setattr(module, name, counted)
+
+    counting(scene_ties, "scene_features", "features")
+    counting(scene_ties, "matched", "pairs")
+    result = orient([folder], project, OrientOptions(feature_count=COUNT, jobs=2, precise=False))
+    assert count == {"features": 1, "pairs": 2}
+    assert result.oriented_scenes == 3
+    assert result.adjustment.given.ray_count.max() == 3
+
+
+def quick(folder, out, capsys, *more):
+    status = main([*command(folder, out, *more), "--quick"])
+    said = capsys.readouterr()
+    assert "Traceback" not in said.err
+    return status, said.out + said.err
+
+
+@pytest.fixture
+def damaged(pair, tmp_path):
+    return Path(shutil.copytree(pair[0], tmp_path / "damaged"))
+
+
+WRONG = {
+    "that of another scene": (lambda: scene_rpc(PITCH["nadir"], SIZE), r"common points fit no constant step: they "),
+    "another place": (
+        lambda: scene_rpc(PITCH["ahead"], SIZE).shifted(np.array([90.0, 0])),
+        r"common points agree on a step of \d+ px between the two, the stated accuracy allows \d+ px \(4 times",
+    ),
+    "another height": (
+        lambda: scene_rpc(PITCH["ahead"], SIZE).shifted(np.array([0, 700.0])),
+        r"common points meet at a height of \d+ m, the RPCs are for 100 to 500 m",
+    ),
+}
+
+
+@pytest.mark.parametrize(("rpc", "message"), WRONG.values(), ids=WRONG)
+def test_an_rpc_of_another_image_is_noticed_before_the_adjustment(damaged, project, capsys, rpc, message):
+    write_rpc_text(rpc(), damaged / "ahead_RPC.TXT")
+    status, said = quick(damaged, project, capsys)
+    assert status == 2
+    assert "ahead.tif and behind.tif" in said
+    assert re.search(message, said), said
+    assert "look whether each image has its own RPC" in said
+
+
+def test_an_image_of_another_size_is_refused(damaged, tmp_path, capsys):
+    write_rpc_text(scene_rpc(PITCH["ahead"], 8 * SIZE), damaged / "behind_RPC.TXT")
+    write_rpc_text(scene_rpc(PITCH["ahead"], SIZE // 8), damaged / "ahead_RPC.TXT")
+    status, said = quick(damaged, tmp_path / "project", capsys)
+    assert status == 2
+    assert "an image of 1100 x 1100 px and an RPC for columns 0 to 137" in said
+
+
+def test_control_that_contradicts_a_scene_is_noticed(pair, damaged, project, capsys):
+    write_rpc_text(scene_rpc(PITCH["ahead"], SIZE).shifted(np.array([0, 90.0])), damaged / "ahead_RPC.TXT")
+    status, said = quick(damaged, project, capsys, "--control", str(pair[1]))
+    assert status == 2
+    assert "ahead.tif: the 3 control points marked in it lie +0, -90 px" in said
+    assert "whether ahead_RPC.TXT belongs to this image" in said
+
+
+def test_control_without_a_system_asks_for_it(pair, tmp_path, capsys, project):
+    control = tmp_path / "plane.csv"
+    control.write_text("point,X,Y,Z\nA,500000,5316000,300\nB,500100,5316000,300\n")
+    status, said = quick(pair[0], project, capsys, "--control", str(control))
+    assert status == 2
+    assert "500000, 5.316e+06 are no longitude and latitude near the scenes (15.0000, 48.000" in said
+    assert "--crs EPSG:" in said
+
+
+def test_control_in_a_projected_system(pair, tmp_path, project):
+    from pyproj import Transformer
+
+    to_utm = Transformer.from_crs("EPSG:4979", "EPSG:32633", always_xy=True)
+    lines = rows(pair[1])
+    with (tmp_path / "utm.csv").open("w") as file:
+        file.write("point,X,Y,Z,sX,sY,sZ,role\n")
+        for r in lines:
+            x, y = to_utm.transform(float(r["X"]), float(r["Y"]))
+            file.write(f"{r['point']},{x:.4f},{y:.4f},{r['Z']},{r['sX']},{r['sY']},{r['sZ']},{r['role']}\n")
+    shutil.copy(pair[1].with_name("gcp-measurements.csv"), tmp_path / "utm-measurements.csv")
+    before = told(project)["cameras"]
+    assert main(command(pair[0], project, "--control", str(tmp_path / "utm.csv"), "--crs", "EPSG:32633")) == 0
+    assert told(project)["frame"]["crs"] == "EPSG:32633"
+    for name, parameters in told(project)["cameras"].items():
+        for symbol, p in parameters.items():
+            assert p["value"] == pytest.approx(before[name][symbol]["value"], abs=0.02)
+
+
+def test_without_control_the_vendors_accuracy_is_that_of_the_points(pair, tmp_path):
+    result = orient([pair[0]], tmp_path / "free", OrientOptions(feature_count=600, jobs=2))
+    std = result.adjustment.precision.object_point_std
+    assert result.adjustment.datum == "control"
+    assert 3 < np.median(std[:, 0]) < 12  # metres; ERR_BIAS is 8
+
+
+def test_scenes_without_anything_in_common(pair, project, tmp_path, capsys):
+    folder = tmp_path / "apart"
+    folder.mkdir()
+    shutil.copy(pair[0] / "ahead.tif", folder)
+    shutil.copy(pair[0] / "behind.tif", folder)
+    far = scene_rpc(PITCH["ahead"], SIZE)
+    moved = {**{f: getattr(far, f) for f in far.__slots__}, "ground_offset": far.ground_offset + np.array([1.0, 0, 0])}
+    write_rpc_text(type(far)(**moved), folder / "ahead_RPC.TXT")
+    status, said = quick(folder, project, capsys)
+    assert status == 3
+    assert "have no tie points: no two of them show common ground" in said
+
+
+@pytest.mark.long
+def test_photographs_and_scenes_in_one_project(tmp_path, terrain):
+    """Three scenes and four photographs, joined by control that is marked in both and by common points."""
+    folder = tmp_path / "mixed"
+    folder.mkdir()
+    made = make_scenes(folder, ("ahead", "behind", "nadir"), terrain, SIZE)
+    make_photos(folder, made, 4)
+    control = write_control(tmp_path / "gcp.csv", made, control=4, half=300.0)
+    out = tmp_path / "project"
+    assert main(command(folder, out, "--control", str(control))) == 0
+    result = told(out)
+    assert result["images"] == {"given": 7, "oriented": 7, "not_oriented": []}
+    assert result["components"] == 1
+    assert any(n["code"] == "scene_joins" for n in result["warnings"])
+    shifts_are_found(out)
+    check_points_are_inside(out)
+    placed = {r["file"]: r for r in rows(out / "result/images.csv")}
+    for name, view in made.views.items():
+        found = np.array([float(placed[name][k]) for k in "XYZ"])
+        std = np.array([float(placed[name][f"s{k}"]) for k in "XYZ"])
+        frame = result["frame"]["origin"]
+        assert frame[:2] == pytest.approx([15.0, 48.0], abs=0.01)
+        true = local(frame, view.centre)
+        assert (np.abs(found - true) < 5 * std + 0.05).all()
+
+
+def local(origin, xyz):
+    """Local coordinates at another origin."""
+    from raybundle.numerics.places import Local
+    from tests.scenes.render import PLACE
+
+    return Local(origin=tuple(origin)).block_from_geographic(PLACE.geographic_from_block(xyz[None]))[0]
+
+
+@pytest.mark.long
+def test_rigorous_scenes_without_an_rpc(terrain, tmp_path, monkeypatch):
+    """The geometry is that of an orbit; its attitude is corrected."""
+    lines = {
+        n: orbit_scene(OrbitPlan(target=ORIGIN, pitch_deg=p, width_px=700, height_px=700)) for n, p in PITCH.items()
+    }
+    folder = tmp_path / "lines"
+    folder.mkdir()
+    for k, name in enumerate(("ahead", "behind")):
+        pixels = render_scene(lines[name], terrain, 700, seed=k)
+        Image.fromarray(pixels).save(folder / f"{name}.tif")
+        write_rpc_text(scene_rpc(PITCH[name], SIZE), folder / f"{name}_RPC.TXT")
+    monkeypatch.setattr(
+        "raybundle.workflows.scene_images.read_scene",
+        lambda path: Scene(file=path, format="orbit", line=lines[path.name.split("_")[0]]),
+    )
+    result = orient([folder], tmp_path / "project", OrientOptions(feature_count=700, jobs=2))
+    assert [c.model for c in result.adjustment.given.cameras] == ["linescan", "linescan"]
+    assert result.adjustment.given.cameras[0].estimate[:2] == ("rx0", "ry0")
+    assert result.sigma_px < 0.1
+    used = result.adjustment.precision.object_point_std
+    # the attitude is known to 12 m on the ground, in both scenes
+    assert 4 < np.median(used[:, 0]) < 16
+    truth = terrain.points(*PLACE.block_from_geographic(geographic(result)).T[:2])
+    error = PLACE.block_from_geographic(geographic(result)) - truth
+    assert np.abs(np.median(error[:, 2])) < np.median(used[:, 2])
+    assert np.std(error[:, 2]) < 0.2
+    assert any("no RPC; the attitude" in n.message for n in result.adjustment.notices)
+
+
+def geographic(result):
+    """Longitude, latitude, height of the tie points, whatever the frame."""
+    return result.adjustment.given.place.geographic_from_block(result.adjustment.adjusted.points.xyz)
+
+
+def test_one_scene_alone_is_too_little(pair, tmp_path):
+    with pytest.raises(InputError, match="1 satellite scene and no photograph"):
+        orient([pair[0] / "ahead.tif"], tmp_path / "one")
+
+
+def test_corrected_rpcs_and_points_can_be_taken_elsewhere(done, pair, tmp_path, capsys):
+    from raybundle.io.scenes import read_scene
+
+    assert main(["convert", str(done / "result"), "--to", "rpc", "--out", str(tmp_path / "rpc")]) == 0
+    cameras = told(done)["cameras"]
+    for name, true in pair[2].rpcs.items():
+        rpc = read_scene(tmp_path / f"rpc/{name}_RPC.TXT").rpc
+        given = true.shifted(-np.array(SHIFTS[name]))
+        shift = [cameras[f"{name}.tif"][s]["value"] for s in ("A0", "B0")]
+        ground = given.localise(np.array([[300.0, 400.0]]), 320.0)
+        np.testing.assert_allclose(rpc.project(ground), given.project(ground) + shift, atol=1e-6)
+    assert main(["convert", str(done / "result"), "--to", "ply", "--out", str(tmp_path / "points.ply")]) == 0
+    assert main(["convert", str(done / "result"), "--to", "block", "--out", str(tmp_path / "block")]) == 0
+    assert [c.values["A0"] for c in read_block(tmp_path / "block").cameras] == [0, 0]  # what was observed
+    capsys.readouterr()
+    for target in ("colmap", "bingo", "metashape", "kml"):
+        out = tmp_path / f"out{ {'metashape': '.xml', 'kml': '.kml'}.get(target, '') }"
+        assert main(["convert", str(done / "result"), "--to", target, "--out", str(out)]) == 2
+        assert f"format {target} holds central projections only" in capsys.readouterr().err
+        assert not out.exists()

@@ -1,0 +1,113 @@
+"""Which files are scenes, which are photographs, and which are refused with a reason; pixels read by tiles."""
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from raybundle.errors import InputError
+from raybundle.io.photos.photo import find_photos
+from raybundle.io.scenes.rpc_text import write_rpc_text
+from raybundle.matching.features import feature_method
+from raybundle.workflows import scene_images
+from raybundle.workflows.scene_images import ScenePixels, find_scenes, scene_features
+from tests.scenes.render import octave, scene_rpc, write_scene
+
+SIZE = 400
+RNG = np.random.default_rng(6)
+PIXELS = np.clip(500 + 150 * (octave(RNG, SIZE, 30) + octave(RNG, SIZE, 8)), 1, 2047).astype(np.uint16)
+
+
+def rpc():
+    return scene_rpc(0.2, 1100)
+
+
+@pytest.fixture
+def folder(tmp_path):
+    path = tmp_path / "files"
+    path.mkdir()
+    return path
+
+
+def test_scenes_are_told_from_photographs(folder):
+    write_scene(folder, "tagged", PIXELS, rpc(), tag=True)
+    write_scene(folder, "beside", PIXELS + 1, rpc())
+    Image.fromarray(PIXELS + 2).save(folder / "rpb.tif")
+    write_rpc_text(rpc(), folder / "rpb.RPB")
+    Image.fromarray(PIXELS + 3).save(folder / "plain.tif")
+    Image.fromarray((PIXELS >> 3).astype(np.uint8)).save(folder / "photo.jpg")
+    (folder / "photo.xml").write_text("<document version='2.0'><chunk/></document>")
+    found = find_scenes([folder])
+    assert [s.name for s in found.scenes] == ["beside.tif", "rpb.tif", "tagged.tif"]
+    assert [s.model.name for s in found.scenes] == ["beside_RPC.TXT", "rpb.RPB", "tagged.tif"]
+    assert found.refused == ()
+    assert len({s.geometry_key for s in found.scenes}) == 2  # the two texts are equal
+    photos = find_photos([folder], leave=found.files)
+    assert [p.name for p in photos.photos] == ["photo.jpg", "plain.tif"]
+    assert not [r for r in photos.remarks if ".txt" in r]
+
+
+def test_what_cannot_be_used_costs_that_file(folder):
+    good = write_scene(folder, "good", PIXELS, rpc())
+    (folder / "again.tif").write_bytes(good.read_bytes())
+    write_rpc_text(rpc(), folder / "again_RPC.TXT")
+    write_scene(folder, "broken", PIXELS, rpc())
+    text = (folder / "broken_RPC.TXT").read_text()
+    (folder / "broken_RPC.TXT").write_text(text.replace("LINE_NUM_COEFF_7", "LINE_NUM_COEFF_77"))
+    Image.fromarray(PIXELS.astype(np.float32)).save(folder / "float.tif")
+    write_rpc_text(rpc(), folder / "float_RPC.TXT")
+    (folder / "vendor.ntf").write_bytes(b"NITF02.10" + bytes(500))
+    found = find_scenes([folder])
+    assert [s.name for s in found.scenes] == ["again.tif"]
+    refused = dict(found.refused)
+    assert set(refused) == {"good.tif", "broken.tif", "float.tif", "vendor.ntf"}
+    assert refused["good.tif"] == "the same content as again.tif, byte for byte"
+    assert "coefficients" in refused["broken.tif"]
+    assert "whole numbers of 8 or 16 bits" in refused["float.tif"]
+    assert "gdal_translate vendor.ntf vendor.tif" in refused["vendor.ntf"]
+
+
+def test_an_image_of_another_size_than_its_file_says(folder, monkeypatch):
+    path = write_scene(folder, "one", PIXELS, rpc())
+    scene = scene_images.read_scene(folder / "one_RPC.TXT")
+    other = type(scene)(file=scene.file, format="x", rpc=scene.rpc, width_px=500, height_px=SIZE)
+    monkeypatch.setattr(scene_images, "read_scene", lambda _: other)
+    ((name, reason),) = find_scenes([path]).refused
+    assert (name, reason) == (
+        "one.tif",
+        "the image has 400 x 400 px, one_RPC.TXT is for one of 500 x 400 px; give the file of this image",
+    )
+
+
+def test_tiles_give_what_the_whole_gives(folder, monkeypatch):
+    write_scene(folder, "one", PIXELS, rpc())
+    (scene,) = find_scenes([folder]).scenes
+    pixels = ScenePixels(scene)
+    whole, tiled = np.zeros((SIZE, SIZE), np.uint16), np.zeros((SIZE, SIZE), np.uint16)
+    pixels.smooth(whole)
+    alone = scene_features(feature_method("rootsift"), scene, 300)
+    monkeypatch.setattr(scene_images, "TILE_PX", 150)
+    monkeypatch.setattr(scene_images, "MARGIN_PX", 60)
+    pixels.smooth(tiled)
+    np.testing.assert_array_equal(whole, tiled)
+    parts = scene_features(feature_method("rootsift"), scene, 300)
+    assert 150 < len(parts) <= 400
+    assert (parts.xy_px.max(axis=0) > 300).all()
+    near = np.linalg.norm(parts.xy_px[:, None] - alone.xy_px[None], axis=2).min(axis=1)
+    assert (near < 0.3).mean() > 0.5
+
+
+def test_the_border_of_an_empty_part_is_no_texture(folder):
+    empty = PIXELS.copy()
+    empty[np.add.outer(np.arange(SIZE), np.arange(SIZE)) < 350] = 0
+    write_scene(folder, "corner", empty, rpc())
+    (scene,) = find_scenes([folder]).scenes
+    found = scene_features(feature_method("rootsift"), scene, 400)
+    assert len(found) > 50
+    assert (found.xy_px.sum(axis=1) > 350).all()
+
+
+def test_an_image_without_values_is_refused(folder):
+    write_scene(folder, "black", np.zeros((SIZE, SIZE), np.uint16), rpc())
+    (scene,) = find_scenes([folder]).scenes
+    with pytest.raises(InputError, match="no grey value above 0"):
+        ScenePixels(scene)
