@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "corners.hpp"
 #include "factor.hpp"
 #include "imaging.hpp"
 #include "problem.hpp"
@@ -62,6 +63,15 @@ const TargetKernels& target_kernels() {
   if (chosen == Width::avx2) return avx2::targets;
 #endif
   return baseline::targets;
+}
+
+const CornerKernels& corner_kernels() {
+  static const Width chosen = width();
+#ifdef RB_X86
+  if (chosen == Width::avx512) return avx512::corners;
+  if (chosen == Width::avx2) return avx2::corners;
+#endif
+  return baseline::corners;
 }
 
 }  // namespace raybundle
@@ -143,6 +153,23 @@ nb::tuple fit_dots(Image image, Const xy, Const shape, Const window, int iterati
   return nb::make_tuple(values, covariance, residual, outcome);
 }
 
+nb::tuple fit_corners(Image image, Const xy, Const u, Const v, Const band, Const half, double least, int iterations) {
+  const size_t n = half.size();
+  if (xy.size() != 2 * n || u.size() != 2 * n || v.size() != 2 * n || band.size() != 2 * n)
+    throw std::invalid_argument("corners have the wrong size");
+  auto values = make({n, size_t(kCornerUnknowns)}), cofactor = make({n, 3}), variance = make({n});
+  auto ended = array<uint8_t>({n});
+  const Grey grey{image.data(), int(image.shape(1)), int(image.shape(0))};
+  const double *c = xy.data(), *a = u.data(), *b = v.data(), *w = band.data(), *h = half.data();
+  double *p = values.data(), *Q = cofactor.data(), *s = variance.data();
+  uint8_t* e = ended.data();
+  {
+    nb::gil_scoped_release release;
+    corner_kernels().fit_corners(grey, iterations, least, 0, int(n), c, a, b, w, h, p, Q, s, e);
+  }
+  return nb::make_tuple(values, cofactor, variance, ended);
+}
+
 struct Solver {
   Problem q;
   std::unique_ptr<Factor> factor;
@@ -166,6 +193,7 @@ NB_MODULE(_native, m) {
   m.def("best_matches", &best);
   m.def("match_windows", &match_windows);
   m.def("fit_dots", &fit_dots);
+  m.def("fit_corners", &fit_corners);
   m.def("instruction_set", [] { return std::string(kernels().name); });
   m.def("sensor_models", [] {
     std::vector<std::string> names;

@@ -6,6 +6,8 @@
 // The trapezoidal rule is exact to rounding on a closed smooth curve, and the sums separate into rows and columns.
 #include "targets.hpp"
 
+#include "gauss.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -24,7 +26,8 @@ enum { X0, Y0, A, B, D, S, GROUND, CONTRAST, GX, GY };
 struct DotWork {
   int x0 = 0, x1 = 0, y0 = 0, y1 = 0;   // pixels of the window, ends excluded
   std::vector<int> left, right;         // of each row
-  std::vector<double> co, si, rx, ry, dx, dy, P, E, sums;
+  std::vector<double> co, si, rx, ry, dx, dy, P, E, sums, steps;
+  std::vector<int> from, to;            // columns at which a piece of the edge is felt
   int nodes = 0, count = 0;
 };
 
@@ -90,6 +93,9 @@ static double evaluate(const Grey& g, const double* v, DotWork& w, double N[kU][
   const int n = w.nodes = std::max(24, int(std::ceil(2 * kPi * major / (kNodes * s))));
   const int width = w.x1 - w.x0;
   for (auto* a : {&w.co, &w.si, &w.rx, &w.ry, &w.dx, &w.dy}) a->resize(n);
+  w.from.resize(n);
+  w.to.resize(n);
+  w.steps.resize(width + 1);
   w.P.resize(size_t(n) * width);
   w.E.resize(size_t(n) * width);
   w.sums.resize(size_t(7) * width);
@@ -100,12 +106,17 @@ static double evaluate(const Grey& g, const double* v, DotWork& w, double N[kU][
     w.ry[k] = v[B] * c + v[D] * q;
     w.dx[k] = -v[A] * q * step;
     w.dy[k] = (-v[B] * q + v[D] * c) * step;
+    // left of `from` all of the edge lies to the right, from `to` on nothing of it is felt
+    const double at = w.rx[k] - (w.x0 + 0.5 - v[X0]);
+    const int from = w.from[k] = std::clamp(int(std::ceil(at - kFar * s)), 0, width);
+    const int to = w.to[k] = std::clamp(int(std::floor(at + kFar * s)) + 1, from, width);
     double *P = w.P.data() + size_t(k) * width, *E = w.E.data() + size_t(k) * width;
-    for (int x = 0; x < width; ++x) {
-      const double t = (w.rx[k] - (w.x0 + x + 0.5 - v[X0])) / s;
-      const bool near = std::abs(t) < kFar;
-      P[x] = near ? 0.5 * std::erfc(-t / kRoot2) : (t > 0 ? 1.0 : 0.0);
-      E[x] = near ? std::exp(-0.5 * t * t) / (s * kRoot2Pi) : 0.0;
+    const double inverse = 1 / (s * kRoot2), unit = 1 / (s * kRoot2Pi);
+    for (int x = from; x < to; ++x) {
+      double gauss, erf;
+      gauss_erf((at - x) * inverse, gauss, erf);
+      P[x] = 0.5 + 0.5 * erf;
+      E[x] = gauss * unit;
     }
   }
   for (int i = 0; i < kU; ++i) {
@@ -122,6 +133,7 @@ static double evaluate(const Grey& g, const double* v, DotWork& w, double N[kU][
       sums[i] = w.sums.data() + size_t(i) * width;
       std::fill(sums[i] + l, sums[i] + r, 0.0);
     }
+    std::fill(w.steps.begin(), w.steps.end(), 0.0);
     double *f = sums[0], *s1 = sums[1], *s2 = sums[2], *s3 = sums[3], *s4 = sums[4], *s5 = sums[5], *s6 = sums[6];
     for (int k = 0; k < n; ++k) {
       const double t = (w.ry[k] - v_) / s;
@@ -130,7 +142,9 @@ static double evaluate(const Grey& g, const double* v, DotWork& w, double N[kU][
       const double u = e * w.dy[k], o = -e * w.dx[k], ua = u * w.co[k], ob = o * w.co[k], od = o * w.si[k];
       const double m = u * w.rx[k] + o * w.ry[k];
       const double *P = w.P.data() + size_t(k) * width, *E = w.E.data() + size_t(k) * width;
-      for (int x = l; x < r; ++x) {
+      const int from = std::max(l, w.from[k]), to = std::min(r, w.to[k]);
+      w.steps[std::min(w.from[k], r)] += u;  // 1 in all columns before
+      for (int x = from; x < to; ++x) {
         f[x] += u * P[x];
         s1[x] += u * E[x];
         s2[x] += o * E[x];
@@ -139,6 +153,11 @@ static double evaluate(const Grey& g, const double* v, DotWork& w, double N[kU][
         s5[x] += od * E[x];
         s6[x] += m * E[x];
       }
+    }
+    double before = 0;
+    for (int x = width; x >= l; --x) {
+      if (x < r) f[x] += before;
+      before += w.steps[x];
     }
     const uint16_t* row = g.data + int64_t(y) * g.width + w.x0;
     for (int x = l; x < r; ++x) {

@@ -69,8 +69,10 @@ def ring_pattern(q, scale, ring=(2.0, 3.0), bits=0, code=0, hidden=None):
         in_ring = np.minimum(share((r - ring[0]) * scale), share((ring[1] - r) * scale))
         value = np.maximum(value, in_ring * (bit * s + beside * (1 - s)))
     if hidden is not None:
-        begin, end, grey = hidden
-        value = np.where(((angle - begin) % (2 * np.pi) < (end - begin)) & (r > 1.5), grey, value)
+        begin, end, grey, *radii = hidden
+        inner, outer = radii or (1.5, np.inf)
+        within = (r > inner) & (r < outer)
+        value = np.where(((angle - begin) % (2 * np.pi) < (end - begin)) & within, grey, value)
     return value
 
 

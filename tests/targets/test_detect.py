@@ -8,8 +8,10 @@ import pytest
 from PIL import Image
 
 from raybundle.errors import InputError
+from raybundle.targets import detect as detect_module
 from raybundle.targets.detect import DetectionOptions, detect_targets
 from raybundle.targets.families import families
+from raybundle.targets.pattern import pattern_misfit
 from tests.conftest import DATA
 from tests.targets.render import shot
 
@@ -82,6 +84,32 @@ def test_hidden_rings_are_refused_or_read_rightly():
         assert set(ids) <= {f.ids[k]}
         read_ += len(ids)
     assert read_ < 40  # so the wedge did lie on sectors
+
+
+def test_what_lies_on_a_ring_shows_in_its_sectors(monkeypatch):
+    """Mean departures of sectors: small on whole rings, large where a grey wedge left a number to be read."""
+    f, rng, seen = families["aicon14"], np.random.default_rng(5), []
+
+    def watched(*given):
+        seen.append(pattern_misfit(*given)[1])
+        return 0.0, 0.0
+
+    monkeypatch.setattr(detect_module, "pattern_misfit", watched)
+    worst = {}
+    for hidden in (False, True):
+        seen.clear()
+        for k in rng.integers(len(f), size=50 if hidden else 15):
+            begin = rng.uniform(0, 2 * np.pi)
+            s = shot(
+                rng, rng.uniform(5, 9), np.radians(rng.uniform(0, 50)), bits=14, code=int(f.codes[k]),
+                hidden=(begin, begin + 0.2 * np.pi, rng.choice([0.25, 0.75]), 1.8, 3.1) if hidden else None,
+            )  # fmt: skip
+            detect_targets(s.image, f, ONLY_RINGS)
+        worst[hidden] = np.array(seen)
+    assert len(worst[False]) == 15
+    assert worst[False].max() < 0.08
+    assert len(worst[True]) >= 5
+    assert np.median(worst[True]) > 0.12
 
 
 def test_mirrored_targets_are_not_read():

@@ -75,6 +75,25 @@ def test_half_of_the_photographs_half_hidden(tmp_path):
 
 
 @needs_board
+def test_two_boards_in_one_photograph(tmp_path):
+    def twice(k, image):
+        if k != 3:
+            return image
+        half = cv2.resize(image, None, fx=0.5, fy=0.5, interpolation=cv2.INTER_AREA)
+        both = np.full_like(image, 128)
+        both[:240, :320] = both[240:, 320:] = half
+        return both
+
+    done = calibrate([changed(tmp_path / "two", twice)], WANTED)
+    assert done.used == 12
+    ((name, why),) = done.not_used
+    assert name == "left04.png"
+    assert "chessboard of 9 x 6 inner corners is seen in two places" in why
+    assert "cover one of them" in why
+    assert list(done.seconds) == ["photographs", "targets", "start", "adjustment", "verdict"]
+
+
+@needs_board
 @pytest.mark.parametrize("how", ["blurred", "overexposed"])
 def test_spoiled_photographs_are_named(tmp_path, how):
     def spoil(_, image):
@@ -131,6 +150,7 @@ def test_command_line(tmp_path, capsys):
     said = capsys.readouterr().out
     assert "13 of 13 photographs used" in said
     assert "next: 4 photographs" in said
+    assert "seconds: photographs 0." in said
     told = json.loads((out / "result.json").read_text())
     (verdict,) = told["calibration"].values()
     assert verdict["grade"] in {"good", "usable", "weak"}

@@ -18,6 +18,7 @@ from raybundle.block import Block, Role
 from raybundle.errors import NoConvergence, NotSolvable, RankDefect
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress, silent
+from raybundle.numerics.statistics import fisher_tail
 from raybundle.sensors import sensor_models
 
 ROUNDS = 40
@@ -54,7 +55,7 @@ def decide(
     if automatic:
         start = _choose(start, options, choices, automatic, progress)
         if options.reject == "snooping":
-            start = _snoop(start, options, choices, progress)
+            start = _snoop(start, options, choices, progress, robust=False)
     final = replace(options, robust_start=options.robust_start and start is block)
     result = adjust_block(
         start, final, progress, free=choices.free, rejected=choices.reasons, notices=(*notices, *choices.notices)
@@ -67,18 +68,19 @@ def _quiet(
 ) -> Adjustment:
     return adjust_block(
         block, replace(options, statistics=True, robust_start=robust, tolerance=max(options.tolerance, 1e-4)), progress,
-        free=choices.free, rejected=choices.reasons,
+        free=choices.free, rejected=choices.reasons, extent="decisions",
     )  # fmt: skip
 
 
-def _snoop(block: Block, options: AdjustmentOptions, choices: Decisions, progress: Progress) -> Block:
+def _snoop(
+    block: Block, options: AdjustmentOptions, choices: Decisions, progress: Progress, *, robust: bool = True
+) -> Block:
     """Reject blunders in rounds, each round those that do not touch one another; then let rejected ones return.
 
     Test: tau = v / (sigma0 s sqrt r), largest of the two coordinates of an image point, against the family-wise
     critical value (Pope 1976).  A rejected observation returns once if its residual is below that limit.
     """
     returned: set[int] = set()
-    robust = True
     for _ in range(ROUNDS):
         result = _quiet(block, options, choices, progress, robust=robust)
         robust = False
@@ -208,7 +210,7 @@ def _choose(
     result: Adjustment | None = None
     for _ in range(30):
         try:
-            result = _quiet(block, options, choices, progress, robust=result is None)
+            result = _quiet(block, options, choices, progress, robust=result is None and options.reject == "none")
         except (RankDefect, NoConvergence) as error:
             if not _hold_next(block, choices, automatic, str(error).splitlines()[0]):
                 raise
@@ -289,8 +291,6 @@ def _drop_insignificant(
     is not significant then says that the block cannot tell, and without it the others would be biased and their
     standard deviations too small.
     """
-    from scipy.stats import f as fisher  # noqa: PLC0415
-
     weakest: tuple[float, str, tuple[str, ...]] | None = None
     sigma_px = float(np.median(np.sqrt(block.observations.cov_px2[:, :2]))) * result.sigma0
     for interior in result.interior:
@@ -301,7 +301,7 @@ def _drop_insignificant(
             k = [interior.free.index(s) for s in group]
             x = np.array([interior.parameters[s].value for s in group])
             F = float(x @ np.linalg.solve(C[np.ix_(k, k)], x) / len(k))
-            p = float(fisher.sf(F, len(k), max(result.redundancy, 1)))
+            p = fisher_tail(F, len(k), max(result.redundancy, 1))
             if _hidden(interior, group) > sigma_px:
                 continue
             if p > options.significance and (weakest is None or p > weakest[0]):

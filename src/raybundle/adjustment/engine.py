@@ -8,6 +8,7 @@ from __future__ import annotations
 import time
 from collections.abc import Mapping
 from dataclasses import replace
+from typing import Literal
 
 import numpy as np
 
@@ -19,7 +20,13 @@ from raybundle.adjustment.network import network_figures
 from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.notices import notices_of
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.precision import Cofactors, cofactors, precision
+from raybundle.adjustment.precision import (
+    Cofactors,
+    cofactors,
+    interior_unknowns,
+    node_cofactor,
+    precision,
+)
 from raybundle.adjustment.queries import suspects
 from raybundle.adjustment.reliability import (
     image_statistics,
@@ -27,13 +34,15 @@ from raybundle.adjustment.reliability import (
     redundancy_sum,
     variance_components,
 )
-from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.adjustment.result import Adjustment, Notice, Precision
 from raybundle.adjustment.solve import HUBER, solve
 from raybundle.adjustment.work import Work
 from raybundle.block import Block, Camera
-from raybundle.numerics.arrays import Mask
+from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.statistics import family_wise_normal, family_wise_tau, global_test
+
+Extent = Literal["report", "decisions"]
 
 
 def free_parameters(camera: Camera) -> tuple[str, ...]:
@@ -51,12 +60,14 @@ def adjust_block(
     free: dict[str, tuple[str, ...]] | None = None,
     rejected: tuple[str, ...] | None = None,
     notices: tuple[Notice, ...] = (),
+    extent: Extent = "report",
 ) -> Adjustment:
     """Adjust a block whose images are oriented and whose points have coordinates, approximately.
 
     free      camera id -> free parameters; None: as the cameras' `estimate` says
     rejected  (m,) reason for each image observation, "" = takes part; None: all take part
     notices   what earlier steps have to say; passed on
+    extent    decisions: of the statistics only redundancy numbers, tests and the interior orientations' covariances
     raises    InputError, DatumDefect, RankDefect, NoConvergence
 
     What it does not do: find approximate values (`raybundle.orientation`), reject blunders or choose
@@ -67,7 +78,7 @@ def adjust_block(
     free = free if free is not None else {c.id: free_parameters(c) for c in block.cameras}
     reasons = rejected or ("",) * len(block.observations)
     work, reasons = carry_out(block, options, free, reasons, progress)
-    return result_of(work, block, options, reasons, notices, time.perf_counter() - began, progress)
+    return result_of(work, block, options, reasons, notices, time.perf_counter() - began, progress, extent)
 
 
 UNENDING = 0.05
@@ -184,9 +195,10 @@ def _factor(work: Work) -> None:
 
 def result_of(
     work: Work, block: Block, options: AdjustmentOptions, reasons: tuple[str, ...], notices: tuple[Notice, ...],
-    seconds: float, progress: Progress = silent,
+    seconds: float, progress: Progress = silent, extent: Extent = "report",
 ) -> Adjustment:  # fmt: skip
-    """Everything a report needs from an adjusted system."""
+    """Everything a report needs from an adjusted system, or what decisions need."""
+    brief = extent == "decisions"
     began = time.perf_counter()
     system, normals, datum, solution = work.system, work.normals, work.datum, work.solution
     redundancy = system.observations - system.unknowns + datum.defect
@@ -196,11 +208,13 @@ def result_of(
     whitened, _ = normals.residuals(solution.state)
     state = fit_to_given(system, solution.state, system.initial_state(), datum)
     found = work.found
-    if found is not None and datum.kind == "inner" and datum.defect:
+    if found is not None and datum.kind == "inner" and datum.defect and not brief:
         # cofactors again where the block now stands: the datum's frame moved with it
         found = work.found = _moved(work, state, found)
     work.state = state
-    covariances = None if found is None else precision(normals, state, found, variance)
+    covariances = None
+    if found is not None:
+        covariances = (interior_precision if brief else precision)(normals, state, found, variance)
     progress("statistics", 1.0)
     observations = image_statistics(system, whitened, found, sigma0, reasons)
     groups = observation_groups(normals, state, found, sigma0)
@@ -229,9 +243,9 @@ def result_of(
         precision=covariances,
         interior=interior,
         variance_components=()
-        if found is None
+        if found is None or brief
         else variance_components(system, whitened, observations, groups, sigma0),
-        network=network_figures(system, state, std, work.parts, unit_mm) if options.statistics else None,
+        network=None if brief or not options.statistics else network_figures(system, state, std, work.parts, unit_mm),
         not_determinable=tuple(
             f"{p.symbol} ({_name(r.camera, r.image)})"
             for r in interior
@@ -242,7 +256,7 @@ def result_of(
         critical_w=family_wise_normal(options.significance, tests),
         critical_tau=family_wise_tau(options.significance, tests, redundancy),
         suspects=()
-        if found is None
+        if found is None or brief
         else suspects(work, state, observations, family_wise_tau(options.significance, tests, redundancy)),
         notices=notices,
         condition=1 / max(normals.solver.smallest_pivot, 1e-300),
@@ -255,8 +269,25 @@ def result_of(
         )
         notices = (Notice(code="weak_convergence", message=message), *notices)
         adjustment = replace(adjustment, notices=notices)
-    own = notices_of(adjustment, None if found is None else redundancy_sum(observations, groups))
+    own = () if brief else notices_of(adjustment, None if found is None else redundancy_sum(observations, groups))
     return replace(adjustment, notices=notices + own, seconds=seconds + time.perf_counter() - began)
+
+
+def interior_precision(normals: Normals, state: State, found: Cofactors, variance: float) -> Precision:
+    """Covariances of the interior orientations alone; those of points and images are NaN."""
+    del state
+    system, block = normals.system, normals.system.block
+    interior: dict[str, Array] = {}
+    parameters: dict[str, tuple[str, ...]] = {}
+    for row in system.interior:
+        key, free = row.key(block), row.node >= 0
+        parameters[key] = tuple(row.model.symbols[k] for k in row.free) if free else ()
+        Q = node_cofactor(normals, found, interior_unknowns(system, row)) if free else np.zeros((0, 0))
+        interior[key] = variance * Q
+    return Precision(
+        object_points=np.full((len(block.points), 3, 3), np.nan), images=np.full((len(block.images), 6, 6), np.nan),
+        interior=interior, parameters=parameters, interior_exterior={},
+    )  # fmt: skip
 
 
 def _name(camera: str, image: str | None) -> str:

@@ -13,7 +13,7 @@ from raybundle.adjustment.precision import interior_unknowns
 from raybundle.adjustment.result import InteriorResult, ParameterResult, Precision
 from raybundle.block import Camera
 from raybundle.numerics.arrays import Array, Index
-from raybundle.numerics.statistics import correlation
+from raybundle.numerics.statistics import correlation, fisher_tail
 
 JOINT = ("radial", "decentring", "affinity", "principal point")
 PLAUSIBLE = {"scale": 0.05, "principal point": 0.02}
@@ -136,8 +136,6 @@ def _one(
 
 def _joint_tests(row: InteriorRow, values: Array, C: Array, redundancy: int) -> dict[str, tuple[float, float]]:
     """F = x' C^-1 x / p of groups of parameters, with the probability of a larger one by chance."""
-    from scipy.stats import f as fisher  # noqa: PLC0415
-
     tests: dict[str, tuple[float, float]] = {}
     for kind in JOINT:
         k = [i for i, position in enumerate(row.free) if row.model.parameters[position].kind == kind]
@@ -146,5 +144,5 @@ def _joint_tests(row: InteriorRow, values: Array, C: Array, redundancy: int) -> 
         x = values[[row.free[i] for i in k]]
         F = float(x @ np.linalg.solve(C[np.ix_(k, k)], x) / len(k))
         name = " ".join(row.model.symbols[row.free[i]] for i in k)
-        tests[name] = (F, float(fisher.sf(F, len(k), redundancy)))
+        tests[name] = (F, fisher_tail(F, len(k), redundancy))
     return tests

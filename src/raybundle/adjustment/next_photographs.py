@@ -7,11 +7,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from raybundle.adjustment.calibration import projection_uncertainty
-from raybundle.adjustment.engine import adjust_block
+from raybundle.adjustment.engine import carry_out
 from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.precision import interior_unknowns, node_cofactor
 from raybundle.adjustment.predict import image_points
 from raybundle.adjustment.result import Adjustment
-from raybundle.block import Block, Images, Observations
+from raybundle.block import Block, Camera, Images, Observations
 from raybundle.errors import RaybundleError
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rotation import rotation_from_vector
@@ -23,6 +24,8 @@ TILT = np.radians(45)
 NEARER = 0.7
 WORTH = 0.9
 """A proposal that leaves more than this share of the uncertainty is none."""
+NEAR = 1e-3
+"""Where an adjustment may end whose covariance alone is wanted: last step in standard deviations."""
 GRAZING = np.cos(np.radians(75))
 
 
@@ -56,10 +59,12 @@ def next_photographs(result: Adjustment, camera: str) -> tuple[Proposal, ...]:
         return ()
     free = _free(result)
     lacking = free[camera] != interior.free
-    now = _largest(_adjusted(block, result, free), camera) if lacking else _largest(result, camera)
+    rejected = tuple(result.image_observations.rejected)
+    C = result.precision.interior[camera]
+    now = _uncertainty(block, result, free, rejected, k) if lacking else _largest(block.cameras[k], interior.free, C)
     found: list[Proposal] = []
     for words, centre, rotation in _sets(block, mine, used):
-        then = _largest(_with(result, block, free, k, centre, rotation), camera)
+        then = _with(result, block, free, k, centre, rotation)
         if np.isfinite(then) and then < WORTH * now:
             found.append(Proposal(words=words, uncertainty_px=then, ratio=then / now))
     return tuple(sorted(found, key=lambda p: p.uncertainty_px))
@@ -79,15 +84,9 @@ def _free(result: Adjustment) -> dict[str, tuple[str, ...]]:
     return free
 
 
-def _largest(result: Adjustment | None, camera: str) -> float:
-    """Largest standard deviation of projection over the format [px]; infinite where there is no result."""
-    if result is None:
-        return np.inf
-    interior = next(i for i in result.interior if i.camera == camera and i.image is None)
-    assert result.precision is not None
-    adjusted = next(c for c in result.adjusted.cameras if c.id == camera)
-    C = result.precision.interior[camera]
-    return projection_uncertainty(adjusted, interior.free, C, columns=18, rows=12).largest
+def _largest(camera: Camera, free: tuple[str, ...], covariance: Array) -> float:
+    """Largest standard deviation of projection over the format [px]."""
+    return projection_uncertainty(camera, free, covariance, columns=18, rows=12).largest
 
 
 def _sets(block: Block, mine: Index, used: Mask) -> list[tuple[str, Array, Array]]:
@@ -151,8 +150,8 @@ def _into_corners(block: Block, k: int, rotation: Array) -> Array:
 
 def _with(
     result: Adjustment, block: Block, free: dict[str, tuple[str, ...]], k: int, centre: Array, rotation: Array
-) -> Adjustment | None:
-    """The block adjusted with these photographs of camera k; None where they see too little or it fails."""
+) -> float:
+    """Uncertainty with these photographs of camera k; infinite where they see too little or it fails."""
     o, points, used = block.observations, block.points, result.image_observations.used
     rng = np.random.default_rng(7)
     sigma = result.sigma0 * np.sqrt(np.median(o.cov_px2[used, :2], axis=0))
@@ -172,7 +171,7 @@ def _with(
         point.append(rows)
         xy.append(at[inside] + sigma * rng.standard_normal((len(rows), 2)))
     if not image:
-        return None
+        return np.inf
     n, added = len(centre), int(sum(len(r) for r in point))
     old = block.images
     more = replace(
@@ -190,17 +189,27 @@ def _with(
             cov_px2=np.vstack([o.cov_px2, np.tile([*np.median(o.cov_px2[used, :2], axis=0), 0.0], (added, 1))]),
         ),
     )  # fmt: skip
-    return _adjusted(more, result, free, tuple(result.image_observations.rejected) + ("",) * added)
+    return _uncertainty(more, result, free, tuple(result.image_observations.rejected) + ("",) * added, k)
 
 
-def _adjusted(
-    block: Block, result: Adjustment, free: dict[str, tuple[str, ...]], rejected: tuple[str, ...] | None = None
-) -> Adjustment | None:
-    options = AdjustmentOptions(datum=result.options.datum, threads=result.options.threads)
+def _uncertainty(
+    block: Block, result: Adjustment, free: dict[str, tuple[str, ...]], rejected: tuple[str, ...], k: int
+) -> float:
+    """Largest standard deviation of projection [px] of camera k after an adjustment; infinite where it fails."""
+    options = AdjustmentOptions(datum=result.options.datum, threads=result.options.threads, tolerance=NEAR)
     try:
-        return adjust_block(block, options, free=free, rejected=rejected or result.image_observations.rejected)
+        work, _ = carry_out(block, options, free, rejected)
     except RaybundleError:
-        return None
+        return np.inf
+    system, state = work.system, work.solution.state
+    r, row = next((r, i) for r, i in enumerate(system.interior) if i.camera == k and i.image < 0)
+    redundancy = system.observations - system.unknowns + work.datum.defect
+    assert work.found is not None
+    Q = node_cofactor(work.normals, work.found, interior_unknowns(system, row))
+    values = dict(zip(row.model.symbols, state.interior[r].tolist(), strict=False))
+    camera = replace(block.cameras[k], values={**block.cameras[k].values, **values})
+    symbols = tuple(row.model.symbols[i] for i in row.free)
+    return _largest(camera, symbols, 2 * work.solution.cost / max(redundancy, 1) * Q)
 
 
 def _facing(xyz: Array, centres: Array) -> tuple[Array, bool]:

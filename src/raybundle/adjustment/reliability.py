@@ -9,7 +9,7 @@ from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.precision import Cofactors
 from raybundle.adjustment.result import ObservationGroup, ObservationStatistics, VarianceComponent
 from raybundle.numerics.arrays import Array, Mask
-from raybundle.numerics.statistics import DELTA0
+from raybundle.numerics.statistics import DELTA0, chi_square_tails
 
 UNCONTROLLED = 1e-9
 """Redundancy numbers below this leave an observation without a test."""
@@ -206,15 +206,13 @@ def variance_components(
 
 
 def _component(kind: str, group: str, count: int, square: float, r: float, sigma0: float) -> VarianceComponent:
-    from scipy.stats import chi2  # noqa: PLC0415
-
     if r < 0.01:
         return VarianceComponent(
             kind=kind, group=group, count=count, redundancy=r, ratio=float("nan"), significant=False
         )
     ratio = float(np.sqrt(square / r))
     value = square / sigma0**2 if sigma0 > 0 else 0.0
-    tail = float(min(chi2.cdf(value, r), chi2.sf(value, r)))
+    tail = min(chi_square_tails(value, r))
     return VarianceComponent(
         kind=kind, group=group, count=count, redundancy=r, ratio=ratio, significant=2 * tail < 0.01
     )

@@ -19,6 +19,8 @@ FLOOR = 1e-10
 """Smallest damping: it carries the open datum, and is too small to slow anything else."""
 ROUNDING = 1e-13
 """Share of the square sum below which a predicted decrease is rounding."""
+NOISE = 1e-11
+"""Share of the square sum below which a difference of two of them says nothing."""
 HUBER = 2.0
 """Whitened residual length beyond which the robust start weighs linearly."""
 
@@ -58,6 +60,7 @@ def solve(
     redundancy = max(system.observations - system.unknowns, 1)
     damping, growth = 1e-4, 2.0
     cost, behind, _ = normals.reduce(state, damping=damping, huber=huber)
+    excess = _excess(normals, state, huber)
     length, refused_behind = np.inf, 0
     start = None
     for iteration in range(1, options.max_iterations + 1):
@@ -69,12 +72,15 @@ def solve(
             normals.reduce(state, damping=damping, huber=huber)
             continue
         nodes, points, linear = trial
-        predicted = cost - linear
+        predicted = cost - excess - linear
         sigma0 = np.sqrt(2 * cost / redundancy) if cost > 0 else 1.0
         length = float(np.sqrt(max(2 * predicted, 0.0) / unknowns) / max(sigma0, 1e-300))
         new = system.updated(state, nodes, points)
         new_cost, new_behind = normals.cost(new, huber=huber)
-        gain = (cost - new_cost) / predicted if predicted > 0 else (1.0 if new_cost <= cost else -1.0)
+        if predicted > NOISE * cost:
+            gain = (cost - new_cost) / predicted
+        else:  # what the costs differ by is rounding
+            gain = 1.0 if new_cost <= cost * (1 + NOISE) else -1.0
         turned = new_behind > behind and gain < 0.25 and refused_behind < 6
         settled = (length < limit or predicted < ROUNDING * cost) and damping < 1e-5
         if settled:
@@ -84,6 +90,7 @@ def solve(
             return Solution(state, cost, True, iteration, length, behind)
         if np.isfinite(new_cost) and not turned and gain > 1e-4:
             state, cost, behind, refused_behind = new, new_cost, new_behind, 0
+            excess = _excess(normals, state, huber)
             growth = 2.0
             damping *= 1 / 30 if 0.95 < gain < 1.05 else max(1 / 3, 1 - (2 * min(gain, 1.0) - 1) ** 3)
             if gain > 0.9 and length < 1e-3:
@@ -98,6 +105,17 @@ def solve(
                 break
         normals.reduce(state, damping=damping, huber=huber)
     return Solution(state, cost, length < 1e-3, options.max_iterations, length, behind)
+
+
+def _excess(normals: Normals, state: State, huber: float) -> float:
+    """Huber's costs of long residuals, k (l - k / 2), over those of the weighted ones that stand for them, k l / 2.
+
+    A step minimises the latter; what it is to gain must be reckoned from there.
+    """
+    if huber <= 0:
+        return 0.0
+    length = np.linalg.norm(normals.residuals(state)[0], axis=1)
+    return float(0.5 * huber * np.maximum(length - huber, 0.0).sum())
 
 
 def _share(start: float, length: float, limit: float) -> float:

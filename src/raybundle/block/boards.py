@@ -24,6 +24,8 @@ BENDS = np.array([0.1, 0.05, 0.0, -0.05, -0.1, -0.15, -0.2, -0.25, -0.3, -0.35])
 """Bends that are tried: 0 is the central projection, -1/4 the stereographic, about -1/3 the equidistant fisheye."""
 ASKED = 24
 """Views on which they are tried."""
+TRIED = 24
+"""Points of a view on which they are tried."""
 RIDGE = 3e-4
 """Weight of the pull towards zero in the fit of radial terms, as a share of what a term does in the image."""
 FITTED = 2000
@@ -136,22 +138,28 @@ def planar_start(camera: Camera, xy_px: Array, image: Array, xyz: Array) -> tupl
     if camera.values.get(model.symbols[0], 0.0) > 0:
         values = camera.parameters
         ray = model.ray(xy.T, np.repeat(values[:, None], len(xy), axis=1)).T
-        R, t, away = _poses(ray, xyz, first)
+        R, t, away = (k[0] for k in _poses(ray[None], xyz, first))
         per_px = values[0] / camera.pixel_mm[0]
         residual = float(np.median(_by_view(away, first))) * per_px
         return BoardStart(camera=camera, c=float(values[0]), bend=0.0, residual_px=residual), R, _centres(R, t)
     asked = np.unique(np.linspace(0, len(first) - 1, ASKED).astype(int))
-    rows = np.isin(image, asked)
+    ends = np.append(first, len(image))
+    rows = np.concatenate([_spread(int(first[i]), int(ends[i + 1])) for i in asked])
     some = np.flatnonzero(np.diff(image[rows], prepend=-1))
     best = (np.inf, size, 0.0)
+
+    def tried(c: Array, bend: Array) -> tuple[float, float, float]:
+        score = _scores(xy[rows], xyz[rows], some, c, bend)
+        k = int(score.argmin())
+        return min(best, (float(score[k]), float(c[k]), float(bend[k])))
+
     for c in size * SCALES:
-        for bend in BENDS:
-            best = min(best, (_score(xy[rows], xyz[rows], some, float(c), float(bend)), float(c), float(bend)))
+        best = tried(np.full(len(BENDS), c), BENDS)
+    step = np.array([-1, 0, 1])
     for width in (0.5, 0.25, 0.12, 0.06):
         _, c0, b0 = best
-        for c in c0 * (SCALES[1] / SCALES[0]) ** (width * np.array([-1, 0, 1])):
-            for bend in b0 + 0.05 * width * np.array([-1, 0, 1]):
-                best = min(best, (_score(xy[rows], xyz[rows], some, float(c), float(bend)), float(c), float(bend)))
+        ratio = SCALES[1] / SCALES[0]
+        best = tried(np.repeat(c0 * ratio ** (width * step), 3), np.tile(b0 + 0.05 * width * step, 3))
     score, c, bend = best
     if not score < POOR * size:
         raise NotSolvable(
@@ -159,10 +167,15 @@ def planar_start(camera: Camera, xy_px: Array, image: Array, xyz: Array) -> tupl
             "check rows and columns, and that all views show one board"
         )
     ray = division_rays(xy, c, bend)
-    R, t, away = _poses(ray, xyz, first)
+    R, t, _ = (k[0] for k in _poses(ray[None], xyz, first))
     fitted = fitted_to_rays(camera, xy, ray, c)
     residual = score / camera.pixel_mm[0]
     return BoardStart(camera=fitted, c=c, bend=bend, residual_px=residual), R, _centres(R, t)
+
+
+def _spread(begin: int, end: int) -> Index:
+    """Some rows of a view, well spread."""
+    return np.unique(np.linspace(begin, end - 1, min(TRIED, end - begin)).astype(int))
 
 
 def _centres(R: Array, t: Array) -> Array:
@@ -175,47 +188,53 @@ def division_rays(xy_mm: Array, c: float, bend: float) -> Array:
     return np.concatenate([xy_mm, -(c + bend * r2 / c)[:, None]], axis=1)
 
 
-def _score(xy: Array, xyz: Array, first: Array, c: float, bend: float) -> float:
-    """Median over the views of the rms residual in the image [mm], infinite for rays that fold."""
-    u2 = np.sum(xy**2, axis=1) / c**2
-    if bend < 0 and -bend * u2.max() > 4:
-        return np.inf
-    slope = (1 - bend * u2) / ((1 + bend * u2) ** 2 + u2)
-    if slope.min() <= 0.02:
-        return np.inf
-    _, _, away = _poses(division_rays(xy, c, bend), xyz, first)
-    return float(np.median(_by_view(away / slope * c, first)))
+def _scores(xy: Array, xyz: Array, first: Array, c: Array, bend: Array) -> Array:
+    """Median over the views of the rms residual in the image [mm] for lenses (k,), infinite for rays that fold."""
+    u2 = np.sum(xy**2, axis=1) / c[:, None] ** 2
+    fold = bend[:, None] * u2
+    slope = (1 - fold) / ((1 + fold) ** 2 + u2)
+    good = (slope.min(axis=1) > 0.02) & (fold.min(axis=1) >= -4)
+    score = np.full(len(c), np.inf)
+    if good.any():
+        rays = np.stack([division_rays(xy, *lens) for lens in zip(c[good].tolist(), bend[good].tolist(), strict=True)])
+        _, _, away = _poses(rays, xyz, first)
+        score[good] = np.median(_by_view(away / slope[good] * c[good, None], first), axis=1)
+    return score
 
 
 def _by_view(values: Array, first: Array) -> Array:
-    """Root mean square of each view."""
-    count = np.diff(np.append(first, len(values)))
-    return np.sqrt(np.add.reduceat(values**2, first) / count)
+    """Root mean square (..., n) of each view, of values (..., m)."""
+    count = np.diff(np.append(first, values.shape[-1]))
+    return np.sqrt(np.add.reduceat(values**2, first, axis=-1) / count)
 
 
 def _poses(ray: Array, xyz: Array, first: Array) -> tuple[Array, Array, Array]:
-    """Poses P = R X + t of views of a plane Z = 0 by rays (m, 3), any lens; residual angles (m,) [rad].
+    """Poses P = R X + t of views of a plane Z = 0 by rays (k, m, 3) of k lenses; residual angles (k, m) [rad].
 
     The homography H of the plane's points onto rays b minimises |b x (H x)|^2; its columns are two axes of the board
     and its origin (Zhang 2000 with rays in place of image points).  `first` are the first rows of the views.
     """
-    b = ray / np.linalg.norm(ray, axis=1, keepdims=True)
+    b = ray / np.linalg.norm(ray, axis=2, keepdims=True)
     scale = float(np.abs(xyz).max())
     x = np.stack([xyz[:, 0] / scale, xyz[:, 1] / scale, np.ones(len(xyz))], axis=1)
-    across = np.eye(3) - b[:, :, None] * b[:, None, :]
-    M = np.einsum("mij,mk,ml->mikjl", across, x, x, optimize=True).reshape(len(x), 81)
-    _, vectors = np.linalg.eigh(np.add.reduceat(M, first).reshape(-1, 9, 9))
-    H = vectors[:, :, 0].reshape(-1, 3, 3)
-    count = np.diff(np.append(first, len(x)))
-    view = np.repeat(np.arange(len(first)), count)
-    ahead = np.add.reduceat(np.einsum("mi,mij,mj->m", b, H[view], x), first)
-    H = H * np.where(ahead < 0, -1.0, 1.0)[:, None, None]
-    length = np.sqrt(np.linalg.norm(H[:, :, 0], axis=1) * np.linalg.norm(H[:, :, 1], axis=1))
-    H = H / length[:, None, None]
-    R = nearest_rotation(np.stack([H[:, :, 0], H[:, :, 1], np.cross(H[:, :, 0], H[:, :, 1])], axis=2))
-    t = H[:, :, 2] * scale
-    P = np.einsum("mij,mj->mi", R[view], xyz) + t[view]
-    away = np.arctan2(np.linalg.norm(np.cross(b, P), axis=1), np.einsum("mi,mi->m", b, P))
+    k, m, n = len(b), len(x), len(first)
+    across = (np.eye(3) - b[..., :, None] * b[..., None, :]).reshape(k, m, 9)
+    product = (x[:, :, None] * x[:, None, :]).reshape(m, 9)
+    ends = np.append(first[1:], m)
+    M = np.stack(
+        [across[:, i:j].transpose(0, 2, 1) @ product[i:j] for i, j in zip(first, ends, strict=True)], axis=1
+    ).reshape(k, n, 3, 3, 3, 3)
+    _, vectors = np.linalg.eigh(M.transpose(0, 1, 2, 4, 3, 5).reshape(k, n, 9, 9))
+    H = vectors[..., 0].reshape(k, n, 3, 3)
+    view = np.repeat(np.arange(n), ends - first)
+    ahead = np.add.reduceat(((H[:, view] @ x[:, :, None])[..., 0] * b).sum(axis=2), first, axis=1)
+    H = H * np.where(ahead < 0, -1.0, 1.0)[..., None, None]
+    length = np.sqrt(np.linalg.norm(H[..., 0], axis=2) * np.linalg.norm(H[..., 1], axis=2))
+    H = H / length[..., None, None]
+    R = nearest_rotation(np.stack([H[..., 0], H[..., 1], np.cross(H[..., 0], H[..., 1])], axis=3))
+    t = H[..., 2] * scale
+    P = (R[:, view] @ xyz[:, :, None])[..., 0] + t[:, view]
+    away = np.arctan2(np.linalg.norm(np.cross(b, P), axis=2), (b * P).sum(axis=2))
     return R, t, away
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -98,13 +99,16 @@ def command(
     check_target(out)
     with reporting(progress) as tell:
         done = calibrate(photos, options, tell)
+        began = time.perf_counter()
         write_result(
             done.adjustment, out, report="none" if no_report else "html", additions=additions(done),
             qualities=done.quality, progress=tell,
         )  # fmt: skip
+    seconds = {**done.seconds, "result" if no_report else "report": time.perf_counter() - began}
     click.echo("\n".join(f" {line}" for line in lines(done)))
     for q in done.quality if keep else ():
         click.echo(f" {_kept(done, q, out)}")
+    click.echo(" seconds: " + ", ".join(f"{stage} {s:.2f}" for stage, s in seconds.items()))
     click.echo(f" result: {out}, calibration: {out / 'calibration.toml'}"
                + ("" if no_report else f", report: {out / 'report.html'}"))  # fmt: skip
     return 0

@@ -1,4 +1,7 @@
-"""Critical values, detectability and tests."""
+"""Critical values, detectability and tests.
+
+Distributions come from scipy.special: scipy.stats takes half a second to load.
+"""
 
 from __future__ import annotations
 
@@ -20,40 +23,51 @@ def noncentrality(alpha: float, power: float) -> tuple[float, float]:
 
     The chance to exceed the limit on the far side is neglected, as in Baarda's tables.
     """
-    from scipy.stats import norm  # noqa: PLC0415
+    from scipy.special import ndtri  # noqa: PLC0415
 
-    k = float(norm.isf(alpha / 2))
-    return k, k + float(norm.ppf(power))
+    k = -float(ndtri(alpha / 2))
+    return k, k + float(ndtri(power))
 
 
 def family_wise_normal(significance: float, count: int) -> float:
     """Critical |w| such that among `count` tests one false alarm has at most this probability (Bonferroni)."""
-    from scipy.stats import norm  # noqa: PLC0415
+    from scipy.special import ndtri  # noqa: PLC0415
 
-    return float(norm.isf(significance / (2 * max(count, 1))))
+    return -float(ndtri(significance / (2 * max(count, 1))))
 
 
 def family_wise_tau(significance: float, count: int, redundancy: int) -> float:
     """The same for tau = v / (sigma0 s sqrt r), sigma0 from the same adjustment (Pope 1976)."""
-    from scipy.stats import t as student  # noqa: PLC0415
+    from scipy.special import stdtrit  # noqa: PLC0415
 
     if redundancy < 2:
         return float("nan")
-    q = float(student.isf(significance / (2 * max(count, 1)), redundancy - 1))
+    q = -float(stdtrit(redundancy - 1, significance / (2 * max(count, 1))))
     return float(np.sqrt(redundancy) * q / np.sqrt(redundancy - 1 + q * q))
 
 
 def global_test(square_sum: float, redundancy: int, significance: float = 0.05) -> tuple[float, float, float]:
     """Lower limit, weighted square sum, upper limit of the two-sided chi-square test of sigma0 = 1."""
-    from scipy.stats import chi2  # noqa: PLC0415
+    from scipy.special import gammainccinv, gammaincinv  # noqa: PLC0415
 
     if redundancy < 1:
         return float("nan"), square_sum, float("nan")
-    return (
-        float(chi2.ppf(significance / 2, redundancy)),
-        square_sum,
-        float(chi2.isf(significance / 2, redundancy)),
-    )
+    half = redundancy / 2
+    return 2 * float(gammaincinv(half, significance / 2)), square_sum, 2 * float(gammainccinv(half, significance / 2))
+
+
+def chi_square_tails(value: float, freedom: float) -> tuple[float, float]:
+    """Probabilities of a smaller and of a larger chi-square value."""
+    from scipy.special import gammainc, gammaincc  # noqa: PLC0415
+
+    return float(gammainc(freedom / 2, value / 2)), float(gammaincc(freedom / 2, value / 2))
+
+
+def fisher_tail(value: float, first: int, second: int) -> float:
+    """Probability of a larger F value with so many degrees of freedom."""
+    from scipy.special import fdtrc  # noqa: PLC0415
+
+    return float(fdtrc(first, second, value))
 
 
 def mahalanobis2(error: Array, covariance: Array) -> Array:

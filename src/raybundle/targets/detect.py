@@ -45,6 +45,11 @@ class DetectionOptions:
     """largest standard deviation of a grey value from the whole of a small target drawn, in units of the contrast"""
     loose: float = 0.22
     """the same for targets that are not small: rings may be worn, unevenly lit or bent by perspective"""
+    sector: float = 0.13
+    """largest mean departure of a sector from the target drawn, in units of the contrast: of whole rings below 0.1; a
+    grey thing that covers two sectors and makes another number of them leaves more"""
+    sector_small: float = 0.10
+    """the same for targets that are small"""
     small: float = 6.0
     """mean radius of the dot below which a target is small: its sectors, blurred as they are, need only a third of
     `margin`, but the whole must look like the target drawn [px]"""
@@ -281,10 +286,12 @@ def _measure(image: Array, found: Found, family: RingFamily | None, o: Detection
     residual = dots.residual / np.maximum(abs(contrast), 1e-9)
     good = dots.measured & (residual < o.residual) & (np.sign(contrast) == np.sign(e.contrast))
     if family is not None:
-        limit = np.where(_radius(e.ellipse) < o.small, o.pattern, o.loose)
+        small = _radius(e.ellipse) < o.small
+        limit, most = np.where(small, o.pattern, o.loose), np.where(small, o.sector_small, o.sector)
         for i in np.flatnonzero(good & coded):
             ring = int(found.code[chosen[i]]), float(found.begin[chosen[i]])
-            good[i] = pattern_misfit(image, dots.values[i], *ring, family) < limit[i]
+            misfit, sector = pattern_misfit(image, dots.values[i], *ring, family)
+            good[i] = misfit < limit[i] and sector < most[i]
     begin = np.einsum(
         "nij,nj->ni", frame(e.ellipse), np.stack([np.cos(found.begin[chosen]), -np.sin(found.begin[chosen])], axis=1)
     )

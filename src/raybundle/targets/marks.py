@@ -168,6 +168,14 @@ def nothing(family: str, *remarks: str) -> Marks:
     )  # fmt: skip
 
 
+def two_seen(title: str) -> str:
+    """What is said of a photograph that shows the same board twice."""
+    return (
+        f"the {title} is seen in two places, and nothing tells which is which: cover one of them, or take a second one "
+        "with other numbers of points"
+    )
+
+
 def grid_objects(columns: int, rows: int) -> dict[str, Array]:
     """Places of r0c0 .. in units of the spacing: columns to the right, rows downwards."""
     return {f"r{r}c{c}": np.array([c, -r, 0.0]) for r in range(rows) for c in range(columns)}

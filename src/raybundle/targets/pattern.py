@@ -23,15 +23,17 @@ PALEST = 0.35
 """Least ratio of the contrasts of ring and dot, either way round."""
 
 
-def pattern_misfit(image: Array, values: Array, code: int, begin: float, family: RingFamily) -> float:
-    """Standard deviation of grey values from those of the target drawn, in units of the contrast.
+def pattern_misfit(image: Array, values: Array, code: int, begin: float, family: RingFamily) -> tuple[float, float]:
+    """How far grey values are from those of the target drawn, in units of the contrast.
 
     image   (h, w)
     values  (10,) of the dot, as `fit_dots` gives them
     begin   where sector 0 begins in the frame of the dot, counter-clockwise as seen [rad]
 
-    Ground, contrasts of dot and ring and a slope of the light over the ring are fitted; infinite where the contrasts do
-    not match.
+    returns  their standard deviation; the largest mean departure of a sector, which is small wherever nothing lies on
+             the ring, however noisy or blurred it is
+    Ground, contrasts of dot and ring and slopes of the light over ground and ring are fitted; infinite where the
+    contrasts do not match.
     """
     L = np.array([[values[A], 0], [values[A + 1], values[D]]])
     reach = (family.ring[1] + BEYOND) * np.hypot(L[:, 0], L[:, 1])
@@ -46,11 +48,16 @@ def pattern_misfit(image: Array, values: Array, code: int, begin: float, family:
     within = np.hypot(p, q) < 1 + BEYOND / family.ring[1]
     p, q, dot, ring = p[within], q[within], dot[within], ring[within]
     grey = image[rows, columns][within].astype(float)
-    J = np.stack([np.ones_like(grey), dot, ring, ring * p, ring * q], axis=1)
+    J = np.stack([np.ones_like(grey), dot, ring, ring * p, ring * q, p, q], axis=1)
     levels, *_ = np.linalg.lstsq(J, grey)
     if not PALEST < levels[2] / levels[1] < 1 / PALEST:
-        return np.inf
-    return float(np.sqrt(np.mean((grey - J @ levels) ** 2)) / abs(levels[1]))
+        return np.inf, np.inf
+    e = (grey - J @ levels) / levels[1]
+    sector = ((np.arctan2(-q, p) - begin) % (2 * np.pi) * family.bits / (2 * np.pi)).astype(int) % family.bits
+    sector = np.where(np.hypot(p, q) > family.ring[0] / family.ring[1], sector, family.bits)  # the last is no sector
+    sector[np.hypot(p, q) > 1] = family.bits
+    count, total = (np.bincount(sector, w, minlength=family.bits + 1)[:-1] for w in (None, e))
+    return float(np.sqrt(np.mean(e**2))), float(np.abs(total / np.maximum(count, 1)).max())
 
 
 def blurred_region(edge: tuple[Array, Array], x: Array, y: Array, s: float) -> Array:

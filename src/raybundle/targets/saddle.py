@@ -18,6 +18,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from raybundle.numerics import native
 from raybundle.numerics.arrays import Array, Mask
 
 UNKNOWNS = 9
@@ -65,6 +66,21 @@ class Corners:
     """(n,) whether the fit came to its end within its limits"""
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Windows:
+    """Where corners are fitted."""
+
+    xy_px: Array
+    """(n, 2) approximate corners"""
+    u: Array
+    v: Array
+    """(n, 2) arms: half the window along the two edges [px]"""
+    band: Array
+    """(n, 2) distance from an edge up to which pixels count, in arms"""
+    half: Array
+    """(n,) the longer arm; a step is at most half of it [px]"""
+
+
 def fit_corners(image: Array, xy_px: Array, u: Array, v: Array, options: CornerOptions | None = None) -> Corners:
     """Fit corners from approximate places.
 
@@ -85,29 +101,47 @@ def fit_corners(image: Array, xy_px: Array, u: Array, v: Array, options: CornerO
         )
     lengths = np.stack([np.hypot(*u.T), np.hypot(*v.T)], axis=1)
     shrink = np.minimum(o.reach, o.most_px / np.maximum(lengths, 1e-9))
-    half = (shrink * lengths).max(axis=1)
-    grey, dx, dy, weight, inside = _pixels(
-        image,
-        xy,
-        shrink[:, :1] * u,
-        shrink[:, 1:] * v,
-        np.maximum(o.band * lengths - o.clear_px, 1.2) / (shrink * lengths),
+    windows = Windows(
+        xy_px=xy,
+        u=shrink[:, :1] * u,
+        v=shrink[:, 1:] * v,
+        band=np.maximum(o.band * lengths - o.clear_px, 1.2) / np.maximum(shrink * lengths, 1e-9),
+        half=(shrink * lengths).max(axis=1),
     )
-    p = _start(xy, u, v, grey, dx, dy, weight)
-    lively = inside & (abs(p[:, HALF]) > o.contrast / 2)
-    p, Q, variance, ended = _iterate(p, grey, dx, dy, weight, half, lively, o.iterations)
+    module = native.module()
+    if module is None:
+        p, Q, variance, ended = fit_twin(image, windows, o.contrast / 2, o.iterations)
+    else:
+        w = [np.ascontiguousarray(k, float) for k in (xy, windows.u, windows.v, windows.band, windows.half)]
+        grey = np.ascontiguousarray(image, np.uint16)
+        p, packed, variance, steady = module.fit_corners(grey, *w, o.contrast / 2, o.iterations)
+        Q, ended = packed[:, [0, 2, 2, 1]].reshape(-1, 2, 2), steady > 0
     contrast = 2 * p[:, HALF]
     residual = np.sqrt(variance) / np.maximum(abs(contrast), 1e-9)
     measured = ended & (abs(contrast) >= o.contrast) & (residual < o.residual)
-    measured &= np.hypot(*(p[:, :2] - (xy - np.floor(xy) - 0.5)).T) < o.moved * half
+    measured &= np.hypot(*(p[:, :2] - (xy - np.floor(xy) - 0.5)).T) < o.moved * windows.half
     return Corners(
         xy_px=p[:, :2] + np.floor(xy) + 0.5,
-        covariance=Q[:, :2, :2] * variance[:, None, None],
+        covariance=Q * variance[:, None, None],
         contrast=contrast,
         residual=residual,
         blur_px=p[:, S],
         measured=measured,
     )
+
+
+def fit_twin(image: Array, windows: Windows, least: float, iterations: int) -> tuple[Array, Array, Array, Mask]:
+    """The fit with NumPy: unknowns, cofactors of the corner, variances of a grey value, whether each came to its end.
+
+    least    half the contrast below which nothing is fitted
+    returns  (n, 9), the corner relative to the middle of the pixel of the start; (n, 2, 2); (n,); (n,)
+    """
+    w = windows
+    grey, dx, dy, weight, inside = _pixels(image, w.xy_px, w.u, w.v, w.band)
+    p = _start(w.xy_px, w.u, w.v, grey, dx, dy, weight)
+    lively = inside & (abs(p[:, HALF]) > least)
+    p, Q, variance, ended = _iterate(p, grey, dx, dy, weight, w.half, lively, iterations)
+    return p, Q[:, :2, :2], variance, ended
 
 
 def _pixels(image: Array, xy: Array, u: Array, v: Array, band: Array) -> tuple[Array, Array, Array, Array, Mask]:

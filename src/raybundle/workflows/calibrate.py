@@ -8,8 +8,9 @@ ellipses are corrected; parameters are chosen by significance and determinabilit
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -27,15 +28,12 @@ from raybundle.io.photos.cameras import CameraGroup, camera_groups
 from raybundle.io.photos.photo import Found, Photo, find_photos
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress, silent
-from raybundle.orientation.assembly import possible_values
-from raybundle.orientation.camera_constant import checked_by_pairs
 from raybundle.sensors import sensor_models
 from raybundle.targets.kinds.rings import Rings
 from raybundle.targets.marks import Marks, Target, target
 from raybundle.targets.sidecar import PrintedSheet
 from raybundle.workflows.board_start import board_oriented
 from raybundle.workflows.camera_split import cameras_apart
-from raybundle.workflows.marks import Given
 from raybundle.workflows.model_choice import choose_models, with_model
 from raybundle.workflows.recognise import recognised
 from raybundle.workflows.target_block import (
@@ -109,6 +107,8 @@ class Calibration:
     dots: int
     """object points that are dots without a code"""
     largest_eccentricity_px: float
+    seconds: Mapping[str, float] = field(default_factory=dict[str, float])
+    """what each stage took, in their order"""
 
     @property
     def used(self) -> int:
@@ -128,6 +128,7 @@ def calibrate(
     photographs, and for the part of the format in which targets were seen.
     """
     options = options or CalibrateOptions()
+    clock = _Clock()
     if options.model not in {"auto", *sensor_models}:
         raise InputError(f"unknown sensor model {options.model!r}; known: auto, {', '.join(sorted(sensor_models))}")
     targets = tuple(target(name) for name in options.targets)
@@ -140,15 +141,18 @@ def calibrate(
         targets = recognised(photos, progress)
     if not targets:
         return _by_tie_points(inputs, found, options, progress)
+    clock.stop("photographs")
     groups = camera_groups(photos, (), options.separate)
     if options.dots:
         targets = tuple(replace(t, dots=True) if isinstance(t, Rings) else t for t in targets)
     marks = measure_all(photos, targets, options.jobs, progress)
+    clock.stop("targets")
     given = block_of_targets(photos, groups, targets, marks, options.spacing, options.sheet)
     block, radius = _asked(given.block, options), given.radius_px
     if len(np.unique(block.observations.image)) < 2:
         raise InputError(_too_few(photos, marks, targets), file=", ".join(str(p) for p in inputs))
     approximate, lost, told = _approximate(given, block, targets, options, progress)
+    clock.stop("start")
     start, rows = oriented_part(approximate)
     notices = (*told, *_remarks(found, groups))
     settings = AdjustmentOptions(threads=options.jobs or os.cpu_count() or 1, reject="snooping", robust_start=True)
@@ -171,9 +175,12 @@ def calibrate(
     if options.model == "spline":  # its surfaces take up what the best of the others leaves
         start = replace(start, cameras=tuple(spline_camera(c) for c in start.cameras))
     result, largest = _adjust(start, first, radius[rows], options, settings, notices, progress)
+    clock.stop("adjustment")
+    quality = calibration_qualities(result, progress)
+    clock.stop("verdict")
     return Calibration(
         adjustment=result,
-        quality=calibration_qualities(result, progress),
+        quality=quality,
         photos=photos,
         groups=groups,
         refused=tuple((p.name, r) for p, r in found.refused),
@@ -183,12 +190,28 @@ def calibrate(
         completed=added,
         dots=linked,
         largest_eccentricity_px=largest,
+        seconds=clock.seconds,
     )
+
+
+class _Clock:
+    """What the stages of a run take."""
+
+    def __init__(self) -> None:
+        self.seconds: dict[str, float] = {}
+        self._began = time.perf_counter()
+
+    def stop(self, stage: str) -> None:
+        """End a stage; the next one begins."""
+        now = time.perf_counter()
+        self.seconds[stage] = now - self._began
+        self._began = now
 
 
 def _by_tie_points(inputs: Sequence[Path], found: Found, options: CalibrateOptions, progress: Progress) -> Calibration:
     """Calibration by the natural points of the object, where there are no targets."""
-    from raybundle.workflows.orient import OrientOptions, orient  # noqa: PLC0415  (features only where they are used)
+    from raybundle.workflows.marks import Given  # noqa: PLC0415  (loaded only where they are used, as features are)
+    from raybundle.workflows.orient import OrientOptions, orient  # noqa: PLC0415
 
     with TemporaryDirectory() as folder:
         done = orient(
@@ -214,6 +237,9 @@ def _approximate(
 ) -> tuple[Block, dict[str, str], tuple[Notice, ...]]:
     """The block with approximate values, images that could not be oriented and why, and what there is to say."""
     if not given.places:
+        from raybundle.orientation.assembly import possible_values  # noqa: PLC0415  (boards do without)
+        from raybundle.orientation.camera_constant import checked_by_pairs  # noqa: PLC0415
+
         values = possible_values(checked_by_pairs(block), progress)
         return values.block, dict(values.not_oriented), values.notices
     model = "auto" if options.model == "spline" else options.model
@@ -327,16 +353,19 @@ def _adjust(
 ) -> tuple[Adjustment, float]:
     """The free network, ellipse centres corrected with the orientations of the adjustment before."""
     shift = _eccentricity(start, first, radius_px, options)
-    result = decide(_moved(start, shift), settings, progress, notices=tuple(notices))
+    # decisions do not change with the scale of all standard deviations
+    known = not shift.any() and _alike(start, first.given)
+    result = first if known else decide(_moved(start, shift), settings, progress, notices=tuple(notices))
     sheared = [] if options.shear else _sheared(result)
     if sheared:
         notices = (*notices, *sheared)
         settings = replace(settings, never=("S",))
         flat = tuple(replace(c, values={**c.values, "S": 0.0}) if "S" in c.values else c for c in start.cameras)
         start = replace(start, cameras=flat)
+    if sheared or known:
         result = decide(_moved(start, shift), settings, progress, notices=tuple(notices))
-    if _without_leftovers(start, result) is not start:
-        start = _without_leftovers(start, result)
+    if start is not (clean := _without_leftovers(start, result)):
+        start = clean
         result = decide(_moved(start, shift), settings, progress, notices=tuple(notices))
     again = _eccentricity(start, result, radius_px, options)
     used = result.image_observations.used
@@ -345,6 +374,16 @@ def _adjust(
         here = reweighted(_moved(with_values(start, result.adjusted), shift), result.sigma0)
         result = decide(here, settings, progress, notices=tuple(notices))
     return result, float(np.linalg.norm(shift[used], axis=1).max(initial=0.0))
+
+
+def _alike(start: Block, given: Block) -> bool:
+    """Whether a block has the image points and the models of another; their standard deviations may differ."""
+    a, b = start.observations, given.observations
+    return (
+        a.xy_px.shape == b.xy_px.shape
+        and bool((a.xy_px == b.xy_px).all())
+        and [c.model for c in start.cameras] == [c.model for c in given.cameras]
+    )
 
 
 def _without_leftovers(start: Block, result: Adjustment) -> Block:

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from raybundle.adjustment.decide import decide
+from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.one_camera import Split, find_splits
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment, Notice
@@ -19,6 +20,8 @@ from raybundle.workflows.target_block import reweighted, with_values
 MOST_CAMERAS = 8
 SHARE = 0.7
 """Share of sigma0 to which two cameras in place of one must bring it."""
+SLACK = 1.3
+"""How much more may be left of it before the rejections are decided anew."""
 
 
 def cameras_apart(
@@ -38,6 +41,8 @@ def cameras_apart(
         best: tuple[Adjustment, Block, Split] | None = None
         for split in find_splits(first, camera.id):
             trial = _taken_apart(start, k, split)
+            if not _promising(trial, camera, first, settings, SLACK * SHARE * first.sigma0 / scale):
+                continue
             try:
                 after = decide(trial, settings, progress)
             except NotSolvable:
@@ -71,6 +76,18 @@ def cameras_apart(
     if len(start.cameras) > given:
         start = reweighted(start, first.sigma0)
     return start, first, tuple(told)
+
+
+def _promising(trial: Block, camera: Camera, first: Adjustment, settings: AdjustmentOptions, most: float) -> bool:
+    """Whether two cameras in place of one, with its parameters and rejections, bring sigma0 below a limit."""
+    free = {i.camera: i.free for i in first.interior}
+    free[trial.cameras[-1].id] = free[camera.id]
+    options = replace(settings, reject="none", robust_start=False, statistics=False, tolerance=1e-3)
+    try:
+        quick = adjust_block(trial, options, free=free, rejected=first.image_observations.rejected)
+    except NotSolvable:
+        return True  # decided anew, it may be solvable
+    return bool(quick.sigma0 <= most)
 
 
 def _unstable(camera: Camera, share: float, after: Adjustment, split: Split) -> Notice:

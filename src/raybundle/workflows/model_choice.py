@@ -17,6 +17,10 @@ from raybundle.workflows.target_block import with_values
 
 CANDIDATES = (("brown", 0.0), ("rational", np.radians(35)), ("fisheye", np.radians(40)))
 """Models, and the half angle of the field from which they are tried."""
+MOST_ITERATIONS = 30
+"""Of a trial: models that hardly determine a parameter move along it for ever, and fit no better for it."""
+FITTED = 400
+"""Image points by which one model takes over from another."""
 GAIN = 0.95
 """A model that is not the simplest must reduce sigma0 to this share at least."""
 
@@ -77,7 +81,7 @@ def with_model(block: Block, k: int, name: str) -> Block | None:
     old = sensor_models[camera.model]
     values = camera.parameters
     rows = np.flatnonzero(block.images.camera[block.observations.image] == k)
-    rows = rows[:: max(1, len(rows) // 2000)]
+    rows = rows[:: max(1, len(rows) // FITTED)]
     xy = camera.image_from_pixel(block.observations.xy_px[rows])
     ray = old.ray(xy.T, np.repeat(values[:, None], len(xy), axis=1)).T
     new = sensor_models[name]
@@ -102,7 +106,9 @@ def _tried(block: Block, settings: AdjustmentOptions, rejected: tuple[str, ...])
     free = {
         c.id: tuple(p.symbol for p in sensor_models[c.model].parameters if p.kind != "other") for c in block.cameras
     }
-    options = replace(settings, reject="none", robust_start=False, statistics=False, tolerance=1e-4)
+    options = replace(
+        settings, reject="none", robust_start=False, statistics=False, tolerance=1e-4, max_iterations=MOST_ITERATIONS
+    )
     try:
         return adjust_block(block, options, free=free, rejected=rejected)
     except RaybundleError:

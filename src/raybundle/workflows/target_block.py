@@ -17,8 +17,6 @@ from raybundle.io.photos.cameras import CameraGroup, camera_of
 from raybundle.io.photos.photo import Photo, read_grey
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent
-from raybundle.orientation.rays import intersect_linear, object_rays, rays_of
-from raybundle.orientation.unnamed import link_unnamed
 from raybundle.platforms.station import sensor_from_object
 from raybundle.targets.marks import Marks, Target, detect
 from raybundle.targets.sidecar import PrintedSheet
@@ -203,6 +201,8 @@ def with_dots(
 
     Only dots that stand for no point yet are taken: those at an observed place are left out.
     """
+    from raybundle.orientation.unnamed import link_unnamed  # noqa: PLC0415  (boards do without)
+
     o = block.observations
     bare: list[tuple[Array, Array, Array]] = []
     for i, sets in enumerate(marks):
@@ -236,6 +236,8 @@ def with_dots(
 
 def with_coordinates(block: Block) -> Block:
     """The block with points that have none intersected from its orientations."""
+    from raybundle.orientation.rays import intersect_linear, object_rays, rays_of  # noqa: PLC0415  (boards do without)
+
     missing: Mask = np.asarray(~np.isfinite(block.points.xyz).all(axis=1))
     o = block.observations
     mine = missing[o.point] & block.images.oriented[o.image]

@@ -18,12 +18,24 @@ from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
 from raybundle.targets.detect import eight_bits
 from raybundle.targets.kinds.tags import dictionary
-from raybundle.targets.marks import Kind, MarkOptions, Marks, Target, grid_objects, no_ellipses, nothing, register
+from raybundle.targets.marks import (
+    Kind,
+    MarkOptions,
+    Marks,
+    Target,
+    grid_objects,
+    no_ellipses,
+    nothing,
+    register,
+    two_seen,
+)
 from raybundle.targets.saddle import CornerOptions, fit_corners
 
 NAME = re.compile(r"charuco-(\d+)x(\d+)-([a-z0-9_]+?)(?:-(0\.\d+))?")
 LEAST = 6
 """Corners below which a board is not used."""
+TWICE = 2
+"""Tags seen in two places that say that there are two boards."""
 RATIO = 0.75
 
 
@@ -67,7 +79,10 @@ class Charuco:
         """Corners between the tags seen."""
         del options
         eight = eight_bits(image)[0]
-        corners, ids = max((_corners(eight, self.board(old=old)) for old in (False, True)), key=lambda c: len(c[1]))
+        found = [_corners(eight, self.board(old=old)) for old in (False, True)]
+        if max(f[2] for f in found) >= TWICE:
+            return nothing(self.family, two_seen(self.title))
+        corners, ids, _ = max(found, key=lambda c: len(c[1]))
         if len(ids) < LEAST:
             return nothing(self.family, f"{len(ids)} corners of a {self.title} seen, {LEAST} are needed")
         columns = self.columns - 1
@@ -99,13 +114,14 @@ class Charuco:
         return board
 
 
-def _corners(image: Array, board: Any) -> tuple[Array, Array]:
-    """Approximate corners (n, 2), pixel frame, and their numbers (n,)."""
+def _corners(image: Array, board: Any) -> tuple[Array, Array, int]:
+    """Approximate corners (n, 2), pixel frame, their numbers (n,), and how many tags were seen in two places."""
     found: Any = cv2.aruco.CharucoDetector(board).detectBoard(image)
-    corners, ids = found[:2]
+    corners, ids, _, tags = found
+    twice = 0 if tags is None else len(tags) - len(np.unique(tags))
     if ids is None or not len(ids):
-        return np.zeros((0, 2)), np.zeros(0, int)
-    return corners.reshape(-1, 2).astype(float) + 0.5, ids.reshape(-1).astype(int)
+        return np.zeros((0, 2)), np.zeros(0, int), twice
+    return corners.reshape(-1, 2).astype(float) + 0.5, ids.reshape(-1).astype(int), twice
 
 
 def _arms(place: Array, xy: Array) -> tuple[Array, Array]:

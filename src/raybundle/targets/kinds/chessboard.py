@@ -15,7 +15,17 @@ import numpy as np
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
 from raybundle.targets.detect import eight_bits
-from raybundle.targets.marks import Kind, MarkOptions, Marks, Target, grid_objects, no_ellipses, nothing, register
+from raybundle.targets.marks import (
+    Kind,
+    MarkOptions,
+    Marks,
+    Target,
+    grid_objects,
+    no_ellipses,
+    nothing,
+    register,
+    two_seen,
+)
 from raybundle.targets.saddle import CornerOptions, Corners, fit_corners
 
 NAME = re.compile(r"chessboard-(\d+)x(\d+)")
@@ -25,6 +35,10 @@ LEAST_SHARE = 0.8
 """Share of the corners that must be measurable."""
 LARGER = 0.6
 """Share of the corners beyond one side that, seen, say that the board is larger."""
+BORDER = 1.3
+"""How far around its corners a board is painted over, when another one is sought, in squares."""
+COARSE = 14.0
+"""Side of a square of the first board where a second one is sought [px]: one of half its size is found, too."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -64,9 +78,13 @@ class Chessboard:
     def find(self, image: Array, options: MarkOptions) -> Marks:
         """All corners that can be measured, or none."""
         del options
-        rough = find_board(eight_bits(image)[0], (self.columns, self.rows))
-        if rough is None:
+        boards = find_boards(eight_bits(image)[0], (self.columns, self.rows))
+        if not boards:
             return nothing(self.family, f"no whole {self.title} seen")
+        if len(boards) > 1:
+            return nothing(self.family, two_seen(self.title))
+        (rough,) = boards
+        image = np.ascontiguousarray(image, np.uint16)
         fitted = measure_grid(image, rough)
         good = fitted.measured.reshape(rough.shape[:2])
         if good.mean() < LEAST_SHARE:
@@ -125,8 +143,8 @@ def _heading(v: Array) -> float:
     return v[0] / max(float(np.hypot(*v)), 1e-9)
 
 
-def find_board(image: Array, size: tuple[int, int]) -> Array | None:
-    """Approximate corners (rows, columns, 2), pixel frame, of a whole board; image (h, w) uint8."""
+def find_boards(image: Array, size: tuple[int, int]) -> list[Array]:
+    """Approximate corners (rows, columns, 2), pixel frame, of whole boards, at most two; image (h, w) uint8."""
     scale = 1
     small = image
     while max(small.shape) > SIDE:
@@ -134,13 +152,34 @@ def find_board(image: Array, size: tuple[int, int]) -> Array | None:
         small = cv2.resize(small[: small.shape[0] // 2 * 2, : small.shape[1] // 2 * 2], None, fx=0.5, fy=0.5,
                            interpolation=cv2.INTER_AREA)  # fmt: skip
     flags = cv2.CALIB_CB_ADAPTIVE_THRESH | cv2.CALIB_CB_NORMALIZE_IMAGE | cv2.CALIB_CB_FAST_CHECK
-    seen, corners = cv2.findChessboardCorners(small, size, flags=flags)
+    seen, found = cv2.findChessboardCorners(small, size, flags=flags)
     if not seen:
-        seen, corners = cv2.findChessboardCornersSB(small, size, flags=cv2.CALIB_CB_NORMALIZE_IMAGE)
+        seen, found = cv2.findChessboardCornersSB(small, size, flags=cv2.CALIB_CB_NORMALIZE_IMAGE)
+    if not seen:
+        return []
+    # OpenCV's frame begins at the centre of the first pixel, ours at its outer corner
+    boards = [found.reshape(size[1], size[0], 2).astype(float) + 0.5]
+    another = _another(small, boards[0], flags)
+    if another is not None:
+        boards.append(another)
+    return [b * scale for b in boards]
+
+
+def _another(image: Array, xy: Array, flags: int) -> Array | None:
+    """Corners of a second board of about the same size, with the first one (rows, columns, 2) painted over."""
+    steps = (xy[0] - xy[1], xy[-1] - xy[-2], xy[:, 0] - xy[:, 1], xy[:, -1] - xy[:, -2])
+    rims = (xy[0], xy[-1], xy[:, 0], xy[:, -1])
+    outer = np.concatenate([*rims, *(rim + BORDER * step for rim, step in zip(rims, steps, strict=True))])
+    rest = image.copy()
+    cv2.fillConvexPoly(rest, np.round(cv2.convexHull(outer.astype(np.float32))).astype(np.int32), int(np.median(image)))
+    scale = max(1.0, float(np.median([np.hypot(*step.T).mean() for step in steps])) / COARSE)
+    size = (round(image.shape[1] / scale), round(image.shape[0] / scale))
+    rest = cv2.resize(rest, size, interpolation=cv2.INTER_AREA)
+    seen, found = cv2.findChessboardCorners(rest, xy.shape[1::-1], flags=flags)
     if not seen:
         return None
-    # OpenCV's frame begins at the centre of the first pixel, ours at its outer corner
-    return (corners.reshape(size[1], size[0], 2).astype(float) + 0.5) * scale
+    ratio = np.array([image.shape[1] / size[0], image.shape[0] / size[1]])
+    return (found.reshape(xy.shape).astype(float) + 0.5) * ratio
 
 
 def measure_grid(image: Array, xy: Array, options: CornerOptions | None = None) -> Corners:
@@ -154,15 +193,13 @@ def beyond(image: Array, xy: Array) -> bool:
 
     A quick look: small windows, few iterations.
     """
-    for k in range(4):
-        turned = np.rot90(xy, k)
-        a, b, c = turned[0], turned[1], turned[2]
-        place = 3 * a - 3 * b + c
-        along = np.gradient(place, axis=0)
-        seen = fit_corners(image, place, along, a - b, CornerOptions(moved=0.6, most_px=5.0, iterations=6))
-        if seen.measured.mean() >= LARGER:
-            return True
-    return False
+    turned = [np.rot90(xy, k) for k in range(4)]
+    place = [3 * t[0] - 3 * t[1] + t[2] for t in turned]
+    along, across = [np.gradient(p, axis=0) for p in place], [t[0] - t[1] for t in turned]
+    quick = CornerOptions(moved=0.6, most_px=5.0, iterations=6)
+    seen = fit_corners(image, np.concatenate(place), np.concatenate(along), np.concatenate(across), quick)
+    ends = np.cumsum([len(p) for p in place])[:-1]
+    return any(side.mean() >= LARGER for side in np.split(seen.measured, ends))
 
 
 def _make(name: str) -> Target | None:

@@ -12,7 +12,7 @@ from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
 from raybundle.targets.detect import DetectionOptions, Detections, detect_targets
 from raybundle.targets.lattice import lattices
-from raybundle.targets.marks import Kind, MarkOptions, Marks, Target, grid_objects, nothing, register
+from raybundle.targets.marks import Kind, MarkOptions, Marks, Target, grid_objects, nothing, register, two_seen
 
 NAME = re.compile(r"(a?)circles-(\d+)x(\d+)")
 MISSING = 0.1
@@ -64,9 +64,10 @@ class Circles:
             chosen = dots.rows(dots.polarity == sign)
             found = lattices(chosen.xy_px, chosen.ellipse, max(5, int((1 - MISSING) * total)))
             grids = [g for k in found if (g := self._fits(k.grid(), chosen.xy_px)) is not None]
+            if len(grids) > 1:
+                return nothing(self.family, two_seen(self.title))
             if grids:
-                remarks = (f"{len(grids)} rasters of this size seen, the fullest was taken",) if len(grids) > 1 else ()
-                return marks_of_grid(self.family, chosen, grids[0], remarks)
+                return marks_of_grid(self.family, chosen, grids[0])
             if found:
                 return nothing(self.family, f"dots in {found[0].size[0]} columns and {found[0].size[1]} rows seen, "
                                f"which are not a {self.title}")  # fmt: skip
@@ -106,13 +107,13 @@ def _straight(grid: Index, columns: int, rows: int) -> Index | None:
     return out
 
 
-def marks_of_grid(family: str, dots: Detections, grid: Index, remarks: tuple[str, ...]) -> Marks:
+def marks_of_grid(family: str, dots: Detections, grid: Index) -> Marks:
     """The dots of a raster (rows, columns) by name."""
     r, c = np.nonzero(grid >= 0)
     chosen = dots.rows(grid[r, c])
     return Marks(
         family=family, name=tuple(f"r{a}c{b}" for a, b in zip(r, c, strict=True)), xy_px=chosen.xy_px,
-        covariance=chosen.covariance, ellipse=chosen.ellipse, gate=chosen.residual, remarks=remarks,
+        covariance=chosen.covariance, ellipse=chosen.ellipse, gate=chosen.residual,
     )  # fmt: skip
 
 

@@ -16,7 +16,7 @@ from raybundle.numerics.arrays import Array, Index
 from raybundle.targets.detect import DetectionOptions, Detections, detect_targets
 from raybundle.targets.kinds.circles import marks_of_grid
 from raybundle.targets.lattice import Lattice, lattices
-from raybundle.targets.marks import Kind, MarkOptions, Marks, Target, nothing, register
+from raybundle.targets.marks import Kind, MarkOptions, Marks, Target, nothing, register, two_seen
 from raybundle.targets.rings import circle, frame, sample
 
 FAMILY = "photomodeler-sheet"
@@ -27,6 +27,8 @@ FILLED = {1: 5 / 8, 2: 1 / 2, 3: 3 / 8, 4: 1 / 2}
 """Share of the circle that the arcs take."""
 RADII = (2.9, 3.3, 3.7)
 """Where arcs are read, in radii of the dot; they reach from 2.6 to 4.3."""
+TWICE = 4
+"""Dots of two lattices with the same names that say that there are two sheets; else they are parts of one."""
 LEAST = 25
 """Dots below which a lattice says nothing."""
 
@@ -69,8 +71,9 @@ class Sheet:
         grids = [g for k in found if (g := _named(k, arcs(image, dots.rows(k.dot)))) is not None]
         if not grids:
             return nothing(FAMILY, f"{len(found[0].dot)} dots in a raster seen, but not two rings of one to four arcs")
-        remarks = (f"{len(grids)} sheets seen, the fullest was taken",) if len(grids) > 1 else ()
-        marks = marks_of_grid(FAMILY, dots, max(grids, key=lambda g: int((g >= 0).sum())), remarks)
+        if (np.sum([g >= 0 for g in grids], axis=0) > 1).sum() >= TWICE:
+            return nothing(FAMILY, two_seen(self.title))
+        marks = marks_of_grid(FAMILY, dots, np.max(grids, axis=0))
         places = [n[1:].split("c") for n in marks.name]
         names = tuple(_name(int(c), int(r)) for r, c in places)
         return Marks(
