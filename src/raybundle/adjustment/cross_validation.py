@@ -11,7 +11,7 @@ from raybundle.adjustment.engine import carry_out
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.reliability import image_statistics
 from raybundle.adjustment.result import Adjustment
-from raybundle.block import Block, Role
+from raybundle.block import Block, Role, no_attitudes, no_stations
 from raybundle.block.select import with_rows
 from raybundle.errors import NotSolvable, RaybundleError
 from raybundle.numerics.arrays import Array, Index, Mask
@@ -144,7 +144,6 @@ def _left_out(block: Block, kept: Block, own: _Adjusted, rows: Mask) -> Block:
             part.distances, start=part.distances.start[:0], end=part.distances.end[:0],
             length=part.distances.length[:0], sigma=part.distances.sigma[:0],
         ),
-        stations=replace(
-            part.stations, image=part.stations.image[:0], xyz=part.stations.xyz[:0], sigma=part.stations.sigma[:0]
-        ),
+        stations=no_stations(),
+        attitudes=no_attitudes(),
     )  # fmt: skip

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.block.block import Block, Role
+from raybundle.block.block import Attitudes, Block, Role, Stations
 from raybundle.numerics.arrays import Array, Mask
 
 
@@ -39,6 +39,24 @@ def with_rows(block: Block, keep: Mask) -> Block:
         ),
         distances=replace(d, start=new[d.start].astype(np.int32), end=new[d.end].astype(np.int32)),
     )
+
+
+def stations_of(stations: Stations, keep: Mask) -> Stations:
+    """These rows (k,) of observed projection centres."""
+    antenna, time, velocity = (
+        None if a is None else a[keep] for a in (stations.antenna, stations.time, stations.velocity)
+    )
+    return Stations(
+        image=stations.image[keep], xyz=stations.xyz[keep], sigma=stations.sigma[keep], antenna=antenna, time=time,
+        velocity=velocity,
+    )  # fmt: skip
+
+
+def attitudes_of(attitudes: Attitudes, keep: Mask) -> Attitudes:
+    """These rows (k,) of observed attitudes."""
+    a = attitudes
+    imu = None if a.imu is None else a.imu[keep]
+    return Attitudes(image=a.image[keep], angles=a.angles[keep], sigma=a.sigma[keep], imu=imu)
 
 
 def transformed(block: Block, scale: float, R: Array, t: Array) -> Block:

@@ -9,7 +9,7 @@ from typing import Literal, cast
 import click
 import numpy as np
 
-from raybundle.block import Block, Images, Stations
+from raybundle.block import Block, Images
 from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, counted
 from raybundle.errors import InputError
 from raybundle.io.coordinate_systems import LocalFrame, frame_from_mapping, local_frame
@@ -282,7 +282,8 @@ def in_frame(export: Export, frame: LocalFrame) -> Export:
     rotation[known] = rotation[known] @ turn
     centre[known] = frame.local_from_crs(centre[known])
     stations = block.stations
-    moved = Stations(image=stations.image, xyz=frame.local_from_crs(stations.xyz), sigma=stations.sigma)
+    # velocities would have to be turned; without them they follow from the positions
+    moved = replace(stations, xyz=frame.local_from_crs(stations.xyz), velocity=None)
     points = replace(block.points, xyz=_known_plan(frame, block.points.xyz))
     images = replace(block.images, centre=centre, rotation=rotation)
     return replace(export, block=replace(block, images=images, points=points, stations=moved))

@@ -13,7 +13,7 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.structure import structure_notice
 from raybundle.block import Block
-from raybundle.block.select import with_rows
+from raybundle.block.select import attitudes_of, stations_of, with_rows
 from raybundle.errors import NoConvergence, RankDefect
 from raybundle.io.photos.cameras import CameraGroup
 from raybundle.numerics.progress import Progress
@@ -35,7 +35,7 @@ def final_adjustment(
     """The final adjustment: parameters by significance and determinability, blunders by data snooping."""
     notices = [Notice(code="photographs", message=r) for r in remarks]
     notices += [Notice(code="camera", message=f"camera {g.id}: {r}", ids=(g.id,)) for g in groups for r in g.remarks]
-    options = AdjustmentOptions(threads=jobs, reject="snooping", tolerance=FINAL)
+    options = AdjustmentOptions(threads=jobs, reject="snooping", tolerance=FINAL, datum_over="good")
     block, flat = placed.block, flat_points(placed.block) & ~placed.marked
     flat &= ~placed.block.points.is_control.any(axis=1)
     flat &= np.bincount(block.observations.point, minlength=len(block.points)) > 0
@@ -92,11 +92,10 @@ def _without_image(placed: Georeferenced, name: str) -> Georeferenced:
         centre=np.where(out[:, None], np.nan, thin.images.centre),
         rotation=np.where(out[:, None, None], np.nan, thin.images.rotation),
     )
-    s = thin.stations
-    stay = ~out[s.image]
-    stations = replace(s, image=s.image[stay], xyz=s.xyz[stay], sigma=s.sigma[stay])
+    stations = stations_of(thin.stations, ~out[thin.stations.image])
+    attitudes = attitudes_of(thin.attitudes, ~out[thin.attitudes.image])
     marked = placed.marked[np.isin(block.points.ids, thin.points.ids)]
-    return replace(placed, block=replace(thin, images=images, stations=stations), marked=marked)
+    return replace(placed, block=replace(thin, images=images, stations=stations, attitudes=attitudes), marked=marked)
 
 
 def adjusted_part(placed: Georeferenced, groups: Sequence[CameraGroup], jobs: int, progress: Progress) -> Part:
