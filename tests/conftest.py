@@ -8,6 +8,8 @@ import pytest
 DATA = Path(os.environ.get("RAYBUNDLE_DATA", Path(__file__).resolve().parents[2] / "shared/data"))
 
 
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+"""Tests run side by side: threads within small matrices only stand in each other's way."""
 os.environ["RAYBUNDLE_CAMERAS"] = str(Path(__file__).parent / "no-cameras")
 """No test finds the calibrations of whoever runs it."""
 
