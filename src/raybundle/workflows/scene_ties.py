@@ -26,7 +26,7 @@ from raybundle.workflows.scene_geometry import (
     view_of_scene,
 )
 from raybundle.workflows.scene_images import SceneImage, scene_features
-from raybundle.workflows.tie_points import FeatureStore
+from raybundle.workflows.tie_points import FeatureStore, stored_features
 
 VERSION = 1
 """Raised with every change of what matching gives."""
@@ -71,25 +71,10 @@ def find_scene_features(
         key_of("features", "scene", VERSION, s.sha256, method.name, method.version, n)
         for s, n in zip(images, counts, strict=True)
     )
-    missing = [i for i, key in enumerate(keys) if not project.has(key)]
-    failed: dict[int, str] = {}
-
-    def work(i: int) -> str:
-        try:
-            f = scene_features(method, images[i], counts[i])
-        except InputError as error:
-            return str(error).removeprefix(f"{images[i].path}: ")
-        project.store(
-            keys[i], {"xy_px": f.xy_px, "scale_px": f.scale_px, "angle": f.angle, "descriptors": f.descriptors}
-        )
-        return ""
-
-    with ThreadPoolExecutor(jobs) as pool:
-        for k, (i, reason) in enumerate(zip(missing, pool.map(work, missing), strict=True)):
-            progress("features", (k + 1) / len(missing))
-            if reason:
-                failed[i] = reason
-    return FeatureStore(project, keys), failed, not missing
+    failed, kept = stored_features(
+        project, keys, lambda i: scene_features(method, images[i], counts[i]), [s.path for s in images], jobs, progress
+    )
+    return FeatureStore(project, keys), failed, kept
 
 
 def match_scenes(

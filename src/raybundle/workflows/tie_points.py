@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -93,6 +94,32 @@ class FeatureStore:
         return found
 
 
+def stored_features(
+    project: Project, keys: Sequence[str], find: Callable[[int], Features], paths: Sequence[Path], jobs: int,
+    progress: Progress,
+) -> tuple[dict[int, str], bool]:  # fmt: skip
+    """Find and store the features that the project lacks; which images failed and why, and whether none was lacking."""
+    missing = [i for i, key in enumerate(keys) if not project.has(key)]
+    failed: dict[int, str] = {}
+
+    def work(i: int) -> str:
+        try:
+            f = find(i)
+        except InputError as error:
+            return str(error).removeprefix(f"{paths[i]}: ")
+        project.store(
+            keys[i], {"xy_px": f.xy_px, "scale_px": f.scale_px, "angle": f.angle, "descriptors": f.descriptors}
+        )
+        return ""
+
+    with ThreadPoolExecutor(jobs) as pool:
+        for k, (i, reason) in enumerate(zip(missing, pool.map(work, missing), strict=True)):
+            progress("features", (k + 1) / len(missing))
+            if reason:
+                failed[i] = reason
+    return failed, not missing
+
+
 def find_features(
     project: Project,
     stage: Stage,
@@ -105,26 +132,10 @@ def find_features(
     """Features of every photograph; also the photographs whose pixels could not be read, with the reason."""
     counts = [feature_count(p, count) for p in photos]
     keys = tuple(feature_key(p, method, n) for p, n in zip(photos, counts, strict=True))
-    missing = [i for i, key in enumerate(keys) if not project.has(key)]
     stage.key = key_of("features", keys)
-    stage.from_cache = not missing
-    failed: dict[int, str] = {}
-
-    def work(i: int) -> str:
-        try:
-            f = detected(method, photos[i], counts[i])
-        except InputError as error:
-            return str(error).removeprefix(f"{photos[i].path}: ")
-        project.store(
-            keys[i], {"xy_px": f.xy_px, "scale_px": f.scale_px, "angle": f.angle, "descriptors": f.descriptors}
-        )
-        return ""
-
-    with ThreadPoolExecutor(jobs) as pool:
-        for k, (i, reason) in enumerate(zip(missing, pool.map(work, missing), strict=True)):
-            progress("features", (k + 1) / len(missing))
-            if reason:
-                failed[i] = reason
+    failed, stage.from_cache = stored_features(
+        project, keys, lambda i: detected(method, photos[i], counts[i]), [p.path for p in photos], jobs, progress
+    )
     stage.summary = f"{len(photos) - len(failed)} photographs"
     return FeatureStore(project, keys), failed
 
