@@ -5,14 +5,12 @@ python benchmarks/truth_trajectories.py [--runs 200] > benchmarks/results/truth_
 
 from __future__ import annotations
 
-import argparse
-import json
 import sys
 import tempfile
+from collections.abc import Callable
 from pathlib import Path
 
-import numpy as np
-from scipy.stats import chi2, kstest
+from truth_bands import Errors, run
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from tests.adjustment.test_attitudes import Carried, flight
@@ -42,31 +40,10 @@ BLOCKS = {
 }
 
 
-def figures(name: str, runs: int) -> list[dict]:
-    """Each kind of unknown: the sum of the normalised squared errors against the 99.9 % band of chi-square."""
-    rows = []
-    for kind, (d2, degrees) in Carried.of(BLOCKS[name]()).errors(runs, seed=1).items():
-        low, high = chi2(degrees * len(d2)).interval(0.999)
-        rows.append(
-            {
-                "block": name, "unknowns": kind, "runs": len(d2), "degrees": degrees,
-                "mean_over_degrees": float(np.mean(d2) / degrees), "sum": float(d2.sum()), "low": float(low),
-                "high": float(high), "inside": bool(low < d2.sum() < high),
-                "ks_p": float(kstest(d2, chi2(degrees).cdf).pvalue),
-            }
-        )  # fmt: skip
-    return rows
-
-
-def main() -> int:
-    """Print the figures as JSON; 1 if one of them lies outside its band."""
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--runs", type=int, default=200)
-    runs = parser.parse_args().runs
-    rows = [row for name in BLOCKS for row in figures(name, runs)]
-    print(json.dumps(rows, indent=1))
-    return int(not all(row["inside"] for row in rows))
+def errors_of(name: str) -> Callable[[int], Errors]:
+    """The errors of a block as a function of the number of runs."""
+    return lambda runs: Carried.of(BLOCKS[name]()).errors(runs, seed=1)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run({name: errors_of(name) for name in BLOCKS}, 200))

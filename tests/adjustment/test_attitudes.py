@@ -13,9 +13,9 @@ from raybundle.block.block import Attitudes
 from raybundle.block.simulate import AerialStrips, Survey, aerial_scene, measured, simulate
 from raybundle.errors import DatumDefect, InputError, RankDefect
 from raybundle.io.block_folder import read_block, write_block
-from raybundle.numerics.rotation import angles_from_rotation, rotation_from_vector
+from raybundle.numerics.rotation import angles_from_rotation, left_jacobian, rotation_from_vector
 from raybundle.sensors.antenna import ANTENNA
-from raybundle.sensors.imu import IMU, left_jacobian, told
+from raybundle.sensors.imu import IMU, told
 from tests.truth.mixed_blocks import MonteCarlo
 
 LEVER = np.array([0.10, -0.05, 0.30])

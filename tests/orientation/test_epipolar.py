@@ -53,7 +53,6 @@ def test_wrong_correspondences_leave():
     q[:30] = rng.uniform(0, 3000, (30, 2))
     q[30] += 3.0  # 10 sigma, mostly across the epipolar line
     found = fundamental_matrix(p, q, sigma_px=SIGMA)
-    assert not found.inliers[31:].all() or found.inliers[31:].sum() == 89
     line = found.lines(p)
     across = np.abs((line[:, :2] * q).sum(axis=1) + line[:, 2])
     assert across[:30][found.inliers[:30]].max(initial=0) < 5 * SIGMA  # what chance put onto its line

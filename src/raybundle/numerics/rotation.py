@@ -74,6 +74,18 @@ def vector_from_rotation(rotation: Array) -> Array:
     return Rotation.from_matrix(R.reshape(-1, 3, 3)).as_rotvec().reshape(R.shape[:-1])
 
 
+def left_jacobian(vector: Array) -> Array:
+    """J (..., 3, 3) of exp([v + d]x) = exp([J d]x) exp([v]x) to first order in d, for rotation vectors (..., 3)."""
+    v = np.asarray(vector, dtype=float)
+    angle2 = np.sum(v * v, axis=-1)[..., None, None]
+    small = angle2 < 1e-6
+    safe = np.where(small, 1.0, np.sqrt(angle2))
+    a = np.where(small, 0.5 - angle2 / 24, (1 - np.cos(safe)) / safe**2)
+    b = np.where(small, 1 / 6 - angle2 / 120, (safe - np.sin(safe)) / safe**3)
+    K = cross_matrix(v)
+    return np.eye(3) + a * K + b * (K @ K)
+
+
 def cross_matrix(vector: Array) -> Array:
     """[v]x (..., 3, 3) of vectors (..., 3), so that [v]x w = v x w."""
     x, y, z = np.moveaxis(np.asarray(vector, dtype=float), -1, 0)

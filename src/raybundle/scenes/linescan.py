@@ -34,10 +34,10 @@ from raybundle.numerics.geodesy import (
     geographic_from_geocentric,
 )
 from raybundle.numerics.places import Local, Place
-from raybundle.numerics.rotation import cross_matrix, rotation_from_vector
+from raybundle.numerics.rotation import cross_matrix, left_jacobian, rotation_from_vector
 from raybundle.scenes.corrections import Fixes
 from raybundle.scenes.rpc import Observed
-from raybundle.scenes.trajectory import CorrectionModel, CorrectionValues, Shape, Trajectory, left_jacobian
+from raybundle.scenes.trajectory import CorrectionModel, CorrectionValues, Shape, Trajectory
 
 C_LIGHT = 299792458.0
 SCALE_HEIGHT_M = 8400.0

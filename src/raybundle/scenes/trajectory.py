@@ -18,7 +18,6 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
-from raybundle.numerics.rotation import cross_matrix
 from raybundle.scenes.corrections import Curve, Fixes, Pieces
 
 GAP = 1.5
@@ -323,9 +322,3 @@ class Shape:
         """Correction and its derivative by tau (n, 3), with coefficients (k, 3)."""
         mine = coefficients[self.touched]
         return np.einsum("nm,nmi->ni", self.values, mine), np.einsum("nm,nmi->ni", self.slopes, mine)
-
-
-def left_jacobian(vector: Array) -> Array:
-    """(n, 3, 3): exp([v + d]x) = exp([J d]x) exp([v]x) to first order; series, for angles up to 0.01 rad."""
-    K = cross_matrix(vector)
-    return np.eye(3) + K / 2 + K @ K / 6

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from typing import ClassVar
 
-import numpy as np
-
 from raybundle.numerics.arrays import Array
-from raybundle.numerics.rotation import cross_matrix, rotation_from_vector
+from raybundle.numerics.rotation import left_jacobian, rotation_from_vector
 from raybundle.sensors.model import Parameter, SensorModel
 
 
@@ -39,13 +37,3 @@ def told(rotation: Array, boresight: Array) -> tuple[Array, Array, Array]:
     """
     back = rotation_from_vector(-boresight)
     return back @ rotation, back, -back @ left_jacobian(boresight)
-
-
-def left_jacobian(vector: Array) -> Array:
-    """J (3, 3) of exp([v + d]x) = exp([J d]x) exp([v]x), to first order in d, for any angle."""
-    angle2 = float(vector @ vector)
-    K = cross_matrix(vector)
-    if angle2 < 1e-6:
-        return np.eye(3) + K / 2 + K @ K / 6
-    angle = np.sqrt(angle2)
-    return np.eye(3) + (1 - np.cos(angle)) / angle2 * K + (angle - np.sin(angle)) / (angle2 * angle) * K @ K
