@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.adjustment.eccentricity import eccentricity_px, ellipse_points
+from raybundle.adjustment.eccentricity import eccentricity_px, ellipse_points, radius_scale
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block.calibration_networks import ROLLS, FlatField, flat_field_scene
@@ -71,3 +71,35 @@ def test_an_adjustment_with_ellipse_centres_is_right_after_the_correction():
     result = adjust_block(corrected, options)
     assert result.sigma0 < 10
     assert abs(result.adjusted.cameras[0].values["c"] - c) < 0.02 * abs(biased.adjusted.cameras[0].values["c"] - c)
+
+
+def dotted(radius, used, sigma_px):
+    """Photographs of dots adjusted with radii `used` where `radius` is true; the result and its offsets."""
+    plan = FlatField(tilt_deg=40.0, rolls_deg=ROLLS, photographs=16)
+    seen = simulate(flat_field_scene(plan), replace(EXACT, image_sigma_px=sigma_px)).observed
+    normal = np.tile([0.0, 0.0, 1.0], (len(seen.points), 1))
+    count = len(seen.points)
+    offset = eccentricity_px(seen, np.full(count, used), normal)
+    true = eccentricity_px(seen, np.full(count, radius), normal)
+    o = seen.observations
+    block = replace(seen, observations=replace(o, xy_px=o.xy_px + true - offset))
+    return adjust_block(block, AdjustmentOptions(threads=1)), offset
+
+
+def test_large_dots_tell_their_radius():
+    for used in (0.03, 0.027, 0.033):
+        found = radius_scale(*dotted(0.03, used, 0.005))
+        assert found.determinable
+        assert abs(found.value - 0.03 / used) < 4 * found.std
+        assert found.significant == (used != 0.03)
+
+
+def test_small_dots_do_not():
+    found = radius_scale(*dotted(0.004, 0.004, 0.1))
+    assert not found.determinable
+    assert not found.significant
+
+
+def test_without_circles_there_is_no_radius():
+    result, offset = dotted(0.0, 0.0, 0.1)
+    assert radius_scale(result, offset) is None

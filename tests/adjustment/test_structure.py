@@ -5,10 +5,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from raybundle.adjustment.decide import decide
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.structure import residual_structure, structure_notice
+from raybundle.adjustment.structure import repeated_residuals, residual_structure, structure_notice
+from raybundle.block.calibration_networks import ROLLS, FlatField, flat_field_scene
 from raybundle.block.simulate import AerialStrips, Survey, aerial_scene, simulate
+from raybundle.sensors import sensor_models
+from raybundle.workflows.model_choice import choose_models
 
 
 @pytest.fixture(scope="module")
@@ -59,3 +63,43 @@ def test_few_points_give_no_answer(block):
 
     few = with_rows(block, np.isin(block.observations.point, np.arange(60)))
     assert residual_structure(adjusted(few)) is None
+
+
+def test_what_repeats_in_every_photograph_is_noticed_and_taken_up_by_harmonics():
+    """A lens with fourfold distortion, 1 px at the edges, adjusted with Brown's model."""
+    plan = FlatField(tilt_deg=35.0, rolls_deg=ROLLS, photographs=16, distances=(0.75, 0.95))
+    scene = flat_field_scene(plan)
+    camera = scene.camera
+    half = camera.size_mm[0] / 2
+    term = 1.0 * camera.pixel_mm[0] / half**3
+    harmonic = sensor_models["brown_harmonic"]
+    values = {s: camera.values.get(s, 0.0) for s in harmonic.symbols} | {"Q1": term}
+    fourfold = replace(camera, model="brown_harmonic", values=values)
+    survey = Survey(orientation="exact", points="exact", interior="exact", image_sigma_px=0.05)
+    seen = simulate(replace(scene, camera=fourfold), survey).observed
+    plain = replace(seen, cameras=(replace(camera, estimate="auto"),))
+    settings = AdjustmentOptions(threads=1, reject="snooping")
+    first = decide(plain, settings)
+    found = repeated_residuals(first, 0)
+    assert found.noticed
+    assert 0.01 < found.rms_px < 0.1
+    start, told = choose_models(plain, first, settings)
+    assert start.cameras[0].model == "brown_harmonic"
+    assert [n.code for n in told] == ["model"]
+    done = decide(start, settings)
+    q1 = done.interior[0].parameters["Q1"]
+    assert abs(q1.value - term) < 4 * q1.std
+    assert not repeated_residuals(done, 0).noticed
+
+
+def test_residuals_of_the_right_model_do_not_repeat():
+    scene = flat_field_scene(FlatField(tilt_deg=35.0, rolls_deg=ROLLS, photographs=16, distances=(0.75, 0.95)))
+    survey = Survey(orientation="exact", points="exact", interior="exact", image_sigma_px=0.05)
+    seen = simulate(scene, survey).observed
+    first = adjusted(seen)
+    found = repeated_residuals(first, 0)
+    assert found.pairs > 500
+    assert abs(found.correlation) < 5 * found.std
+    start, told = choose_models(seen, first, AdjustmentOptions(threads=1))
+    assert start.cameras[0].model == "brown"
+    assert not told

@@ -7,6 +7,7 @@ import pytest
 
 from raybundle.adjustment.engine import adjust_block
 from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+from raybundle.block.stored import joint_covariance
 from raybundle.cli.main import main
 from raybundle.io.camera_library import find_calibrations, read_library, with_library
 from raybundle.io.photos.cameras import camera_groups
@@ -57,13 +58,14 @@ def test_from_results_to_any_focal_length(settings, tmp_path, capsys):
     (best,) = find_calibrations(photo(42.0), library)
     assert best.fits
     assert best.camera.values["c"] == pytest.approx(lens(42.0)["c"], abs=0.05)
-    assert best.camera.estimate == ("c",)
-    assert 1.01 * 0.1 / np.sqrt(12) < best.camera.sigma["c"] < 0.05  # rounding, and the calibrations
+    free, covariance = joint_covariance(best.camera)
+    assert best.camera.estimate == free == ("c", "x0", "y0", "K1", "P1", "P2")
+    assert 1.01 * 0.1 / np.sqrt(12) < np.sqrt(covariance[0, 0]) < 0.05  # rounding, and the calibrations
     assert any("within 24.2 to 68.3 mm of a calibrated zoom lens" in r for r in best.reasons)
     photos = [photo(42.0), photo(85.0)]
     taken, left = with_library(photos, camera_groups(photos), library)
     assert taken.stored is not None
-    assert "held but for c" in taken.remarks[-1]
+    assert "is observed with its covariance" in taken.remarks[-1]
     assert left.stored is None
     (beyond,) = find_calibrations(photo(85.0), library)
     assert beyond.reasons == ("it is for 24.2 to 68.3 mm of a zoom lens, the photograph has 85 mm",)
@@ -74,7 +76,9 @@ def test_focal_lengths_that_are_not_rounded_leave_nothing_open(settings, tmp_pat
     words = ["calibration", "zoom", *settings, "--out", str(tmp_path / "lens"), "--keep", "--library", str(library)]
     assert main([*words, "--resolution", "0"]) == 0
     (best,) = find_calibrations(photo(42.0), library)
-    assert best.camera.estimate == ()
+    free, covariance = joint_covariance(best.camera)
+    assert free[0] == "c"
+    assert np.sqrt(covariance[0, 0]) < 0.01  # what the calibrations leave
 
 
 def test_what_cannot_be_combined(settings, tmp_path, capsys):

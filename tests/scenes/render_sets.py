@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -37,10 +37,13 @@ def make_scenes(folder, names=("ahead", "behind"), terrain=None, size_px=1500, *
     return made
 
 
-def make_photos(folder, made, count=6):
-    """Photographs of the same terrain."""
-    for k, view in enumerate(flight(count)):
+def make_photos(folder, made, count=6, of=None, size=(900, 700)):
+    """Photographs of the same terrain, all of the same field of view: a flight of so many, or those `of` it."""
+    for k, full in enumerate(flight(count)):
+        view = replace(full, size=size, c_px=full.c_px * size[0] / full.size[0])
         name = f"photo_{k + 1}.jpg"
+        if of is not None and k + 1 not in of:
+            continue
         write_photo(folder / name, view.pixels(made.terrain, seed=20 + k))
         made.views[name] = view
 

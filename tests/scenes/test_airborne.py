@@ -11,9 +11,15 @@ from raybundle.block.simulate import measured
 from raybundle.errors import InputError, RankDefect
 from raybundle.io.block_folder import read_block, write_block
 from raybundle.io.scenes import read_scene
+from raybundle.io.scenes.airborne import companions
 from raybundle.io.tables import write_table
 from raybundle.numerics.attitude import NADIR_FROM_BODY, opk_from_rotation, rotation_from_rpy
-from raybundle.numerics.geodesy import LocalPlace, enu_from_geocentric, geocentric_from_geographic
+from raybundle.numerics.geodesy import (
+    LocalPlace,
+    enu_from_geocentric,
+    geocentric_from_geographic,
+    geographic_from_geocentric,
+)  # fmt: skip
 from raybundle.numerics.places import Local
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.scenes.corrections import Fixes
@@ -240,6 +246,128 @@ def test_strips_go_through_block_folders(tmp_path):
         assert (
             np.abs(b.scene.localise(xy, 300.0, b.parameters) - a.scene.localise(xy, 300.0, a.parameters)).max() < 1e-6
         )
+
+
+def with_own_attitudes(folder, name, every=3, shift=0.004):
+    """The strip's angles in a table of their own, at other times than the positions."""
+    from raybundle.io.scenes.airborne import _table
+
+    path = folder / f"{name}.csv"
+    given = read_scene(folder / f"{name}.toml").line.trajectory
+    both = _table(path, "both")
+    rows = [r.split(",") for r in path.read_text().splitlines()]
+    keep = [k for k, n in enumerate(rows[0]) if not n.removeprefix("s").startswith(("omega", "phi", "kappa"))]
+    path.write_text("\n".join(",".join(r[k] for k in keep) for r in rows) + "\n")
+    t = np.arange(both.time[2], both.time[-3], 0.01 * every) + shift
+    R = given.rotation(t)[0].swapaxes(1, 2)
+    P = geographic_from_geocentric(given.position(t)[0])
+    angles = np.degrees(opk_from_rotation(R @ np.swapaxes(enu_from_geocentric(P), 1, 2)))
+    names = ("omega_deg", "phi_deg", "kappa_deg")
+    write_table(folder / "ins.csv", {"time_s": t} | {n: angles[:, k] for k, n in enumerate(names)})
+    toml = folder / f"{name}.toml"
+    toml.write_text(toml.read_text().replace(f'file = "{name}.csv"', f'file = "{name}.csv"\nattitudes = "ins.csv"'))
+    return toml
+
+
+def test_angles_with_times_of_their_own(tmp_path):
+    write_strip(tmp_path, "one", 40.0)
+    before = read_scene(tmp_path / "one.toml").line
+    after = read_scene(with_own_attitudes(tmp_path, "one")).line
+    assert len(after.trajectory.attitude_times) < len(after.trajectory.position_times) / 2
+    xy = np.array([[10.0, 10.0], [7990.0, 2500.0], [4000.0, 4990.0]])
+    # 0.03 s between attitudes that swing with a period of 6 s
+    np.testing.assert_allclose(after.project(before.localise(xy, 300.0)), xy, atol=0.02)
+    names = {f.name for f in companions(tmp_path / "one.toml")}
+    assert names == {"one.csv", "ins.csv"}
+
+
+def test_a_table_of_angles_without_angles(tmp_path):
+    write_strip(tmp_path, "one", 40.0)
+    toml = with_own_attitudes(tmp_path, "one")
+    (tmp_path / "ins.csv").write_text("time_s,omega_deg,phi_deg\n0,1,2\n1,1,2\n")
+    with pytest.raises(InputError, match=r"ins.csv, line 1: time_s, three angles .* are needed"):
+        read_scene(toml)
+    (tmp_path / "ins.csv").write_text("time_s,X\n0,1\n1,1\n")
+    with pytest.raises(InputError, match=r"ins.csv, line 1"):
+        read_scene(toml)
+
+
+UNEVEN = (0.0, 1.5, 2.0, 4.5, 7.0, 9.9)
+
+
+def test_fixes_at_given_times_go_through_block_folders(tmp_path):
+    """By a list, by the times of the trajectory's table and by a file with what is known there."""
+    line = read_scene(write_strip(tmp_path, "one", 40.0)).line
+    text = BLOCK.format(fixes=f"attitude_fixes = {list(UNEVEN)}")
+    block = one_strip(tmp_path, text)
+    curve = block.cameras[0].scene.corrections.attitude_curve
+    assert curve == line.fixes_at(np.array(UNEVEN))
+    np.testing.assert_allclose([line.time_of_fix(t) for t in curve.at], UNEVEN, atol=1e-9)
+    write_block(block, tmp_path / "again")
+    written = (tmp_path / "again/block.toml").read_text()
+    assert "attitude_fixes = [0.0, 1.5, 2.0, 4.5, 7.0, 9.9]" in written
+    assert read_block(tmp_path / "again").cameras[0].scene.corrections == block.cameras[0].scene.corrections
+
+    with pytest.raises(InputError, match="1002 orientation fixes; from 2 to 1000"):  # a hundred a second
+        one_strip(tmp_path, BLOCK.format(fixes='position_fixes = "table"'))
+    with_own_attitudes(tmp_path, "one", every=20)
+    camera = one_strip(tmp_path, BLOCK.format(fixes='attitude_fixes = "table"')).cameras[0]
+    scene = camera.scene.scene
+    times = [scene.time_of_fix(t) for t in camera.scene.corrections.attitude_curve.at]
+    given = scene.trajectory.attitude_times
+    first, last = scene.time(np.array([0.0, float(scene.height_px)]))[0]
+    assert times[0] <= first < times[1]
+    assert times[-2] < last <= times[-1]
+    np.testing.assert_allclose(times, given[np.isin(given.round(6), np.round(times, 6))], atol=1e-9)
+
+    (tmp_path / "fixes.csv").write_text(
+        "time_s,rx_rad,srx_rad,srz_rad\n0,1e-5,2e-6,\n2,,2e-6,3e-5\n5,3e-5,4e-6,3e-5\n9,0,2e-6,3e-5\n"
+    )
+    camera = one_strip(tmp_path, BLOCK.format(fixes='attitude_fixes = "fixes.csv"\nsigma = {rx_1 = 1e-6}')).cameras[0]
+    assert (camera.values["rx_1"], camera.values["rx_2"], camera.values["rx_3"]) == (1e-5, 0.0, 3e-5)
+    assert camera.sigma["rx_1"] == 1e-6  # block.toml stands before the file
+    assert camera.sigma["rx_3"] == 4e-6
+    assert camera.sigma["rz_2"] == 3e-5
+    assert "rz_1" not in camera.sigma
+
+
+@pytest.mark.parametrize(
+    ("fixes", "message"),
+    [
+        ("[1.0]", r"block.toml, line \d+, column cameras.one.attitude_fixes: 1 orientation fixes; from 2"),
+        ("[1.0, 2.0, 2.0]", "fix 3 does not follow fix 2"),
+        ("[100.0, 200.0]", "all of them lie before the first line or after the last"),
+        ('["a", 2.0]', "is not a number"),
+        ('"none.csv"', "none.csv"),
+    ],
+)
+def test_fixes_that_are_none(tmp_path, fixes, message):
+    write_strip(tmp_path, "one", 40.0)
+    with pytest.raises(InputError, match=message):
+        one_strip(tmp_path, BLOCK.format(fixes=f"attitude_fixes = {fixes}"))
+
+
+BLOCK = """
+name = "one"
+length_unit = "m"
+[frame]
+kind = "local"
+origin = [15.0, 48.0, 300.0]
+[cameras.one]
+model = "linescan"
+scene = "one.toml"
+height_m = 300.0
+{fixes}
+"""
+
+
+def one_strip(folder, text):
+    """A block folder of one scene, with one point."""
+    (folder / "block.toml").write_text(text)
+    (folder / "images.csv").write_text("image,camera,file,X,Y,Z,omega_deg,phi_deg,kappa_deg\none,one,,,,,,,\n")
+    (folder / "observations.csv").write_text("image,point,x_px,y_px,sx_px,sy_px\none,a,4000,2500,0.3,0.3\n")
+    (folder / "points.csv").write_text("point,role,X,Y,Z,sX,sY,sZ\na,control,0,0,0,0.1,0.1,0.1\n")
+    return read_block(folder)
 
 
 def test_refraction_from_the_air_and_its_derivatives():

@@ -95,6 +95,24 @@ def test_errors_in_words(file, tmp_path, capsys, sensors):
     assert not out.exists()
 
 
+def test_info_of_a_scene_that_looks_past_its_body(sensors, capsys):
+    assert main(["rpc", "info", str(sensors / "usgscsm/constVelocityLineScan.json")]) == 0
+    assert capsys.readouterr().out.count("looks past the body") == 4
+
+
+def test_points_of_another_place_are_refused(file, tmp_path, capsys):
+    (tmp_path / "p.csv").write_text("point,lon_deg,lat_deg,h_m\na,10.0,10.0,0\n")
+    assert main(["rpc", "project", str(file), str(tmp_path / "p.csv"), "--out", str(tmp_path / "o.csv")]) == 2
+    assert "1 of 1 points lie far outside the scene: point a at longitude 10.000000" in capsys.readouterr().err
+    assert not (tmp_path / "o.csv").exists()
+    (tmp_path / "q.csv").write_text("point,x_px,y_px,h_m\na,10,10,1e6\n")
+    arguments = ["rpc", "project", str(file), str(tmp_path / "q.csv"), "--to-ground", "--out", str(tmp_path / "o.csv")]
+    assert main(arguments) == 3
+    told = capsys.readouterr().err
+    assert f"{file}: the image point of line 9.50, sample 9.50" in told
+    assert "give a height within this range" in told
+
+
 def test_help_names_the_conventions(capsys):
     assert main(["rpc", "--help"]) == 0
     assert "0.5, 0.5" in capsys.readouterr().out

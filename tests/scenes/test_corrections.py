@@ -12,7 +12,7 @@ from raybundle.block.simulate import measured
 from raybundle.errors import InputError, NoConvergence, RankDefect
 from raybundle.numerics.places import Local
 from raybundle.numerics.rotation import rotation_from_vector
-from raybundle.scenes.corrections import Fixes, Pieces, bends
+from raybundle.scenes.corrections import Fixes, FixesAt, Pieces, bends
 from raybundle.scenes.linescan import observe_line
 from raybundle.scenes.sensor import LineSensor, scene_camera, view_of
 from raybundle.scenes.simulate import OrbitPlan, _quaternions, orbit_scene
@@ -23,6 +23,8 @@ CURVES = {
     "2 fixes": Fixes(count=2),
     "3 fixes": Fixes(count=3),
     "11 fixes": Fixes(count=11),
+    "2 fixes at times": FixesAt(at=(-0.7, 0.9)),
+    "7 fixes at times": FixesAt(at=(-1.2, -0.9, -0.1, 0.0, 0.35, 0.8, 1.3)),
     "lines, continuous": Pieces(count=4, degree=1),
     "parabolas, continuous": Pieces(count=3, degree=2, continuity=0),
     "parabolas, smooth": Pieces(count=4, degree=2, continuity=1),
@@ -86,10 +88,21 @@ def test_continuity_is_what_was_asked_for(degree, continuity):
         assert (abs(jump[0] - jump[1]) < 1e-5) == (order <= continuity)
 
 
+def test_fixes_at_equal_times_are_those_at_equal_distances():
+    tau = np.linspace(-1.4, 1.4, 57)
+    even, given = Fixes(count=9), FixesAt(at=tuple(np.linspace(-1, 1, 9).tolist()))
+    for a, b in zip(dense(even, tau), dense(given, tau), strict=True):
+        np.testing.assert_allclose(a, b, atol=1e-12)
+
+
 @pytest.mark.parametrize(
     ("make", "message"),
     [
         (lambda: Fixes(count=1), "1 orientation fixes"),
+        (lambda: FixesAt(at=(0.0,)), "1 orientation fixes"),
+        (lambda: FixesAt(at=(-1.0, 0.5, 0.5)), "fix 3 does not follow fix 2"),
+        (lambda: FixesAt(at=(-1.0, np.nan)), "fix 2 does not follow"),
+        (lambda: FixesAt(at=(1.0, 1.5)), "all of them lie before the first line or after the last"),
         (lambda: Pieces(count=0), "0 pieces"),
         (lambda: Pieces(count=3, degree=4), "degree 4"),
         (lambda: Pieces(count=3, degree=2, continuity=2), "continuity 2 of pieces of degree 2"),

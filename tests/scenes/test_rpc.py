@@ -11,6 +11,8 @@ from raybundle.errors import InputError, NoConvergence
 from raybundle.io.scenes import read_scene
 from raybundle.scenes.bias import BIAS_PARAMETERS, bias_kind
 from raybundle.scenes.rpc import correct_image, observe_rpc
+from raybundle.scenes.rpc_fit import fit_rpc
+from raybundle.scenes.simulate import OrbitPlan, orbit_scene
 
 TABLES = ("rpc/expected.csv", "maxar/expected_rpc.csv", "shareloc/expected_rpc.csv")
 FILES = (
@@ -154,13 +156,59 @@ def test_zero_denominator_is_named(rpc):
 
 def test_no_ground_point_at_an_absurd_height(sensors):
     rpc = read_scene(sensors / "rpc/rpc_IKONOS.txt").rpc
-    with pytest.raises(NoConvergence, match=r"heights of -54 to 110 m"):
-        rpc.localise(np.array([[100.0, 100.0]]), 4e7)
+    message = r"line 99\.50, sample 119\.50 .* height 4e\+07 m .* heights of -54 to 110 m"
+    with pytest.raises(NoConvergence, match=message):
+        rpc.localise(np.array([[120.0, 100.0]]), 4e7)
+
+
+def test_ground_points_of_a_small_scene_over_a_wide_range_of_heights():
+    """Rounding of 50 degrees of latitude is 1e-12 of such a scene, and its parallax several times its size."""
+    rpc = small_scene()
+    size = 2 * rpc.image_scale
+    rng = np.random.default_rng(5)
+    xy = np.concatenate([rng.uniform(0, size, (2000, 2)), [[0, 0], [0, size[1]], [size[0], 0], size]])
+    for height in (-100.0, 100.0, 1000.0, 3000.0, 9000.0, rng.uniform(-500, 9000, len(xy))):
+        ground = rpc.localise(xy, height)
+        assert np.abs(rpc.project(ground) - xy).max() < 1e-6
+        assert (ground[:, 2] == height).all()
+
+
+def small_scene():
+    """160 px of 0.5 m, seen at 35 degrees from the vertical, as an RPC of a vendor that scales by its scene."""
+    plan = OrbitPlan(target=(15.0, 48.0, 300.0), pitch_deg=25.0, roll_deg=25.0, width_px=160, height_px=160)
+    return fit_rpc(orbit_scene(plan).localise, (160, 160), (100.0, 500.0)).rpc
+
+
+def test_points_without_a_place_cost_only_themselves(rpc):
+    """A denominator that vanishes above the scene: below it every point is found, and what is found is one."""
+    c = rpc.coefficients.copy()
+    c[1, 3] = c[3, 3] = -0.9
+    bent = replace(rpc, coefficients=c)
+    xy = bent.image_offset + bent.image_scale * np.array([[0.0, 0.0], [0.3, -0.4]])
+    heights = bent.ground_offset[2] + bent.ground_scale[2] * np.array([0.5, 1.5])
+    found = bent.ground_where_any(xy, heights)
+    assert np.isnan(found[:, 0]).tolist() == [False, True]
+    assert np.abs(bent.project(found[:1]) - xy[:1]).max() < 1e-6
+    with pytest.raises(NoConvergence, match="sample .* has no ground point"):
+        bent.localise(xy, heights)
+
+
+def test_points_far_away_and_exchanged_coordinates(rpc):
+    ground = inside(rpc, 4)
+    names = ("a", "b", "c", "d")
+    rpc.check_near(ground, names)
+    away = ground.copy()
+    away[2, 0] += 9.0
+    with pytest.raises(InputError, match=r"1 of 4 points lie far outside the scene: point c .*limit 5.* belong"):
+        rpc.check_near(away, names)
+    with pytest.raises(InputError, match="4 of 4 points .* they fit with longitude and latitude exchanged"):
+        rpc.check_near(ground[:, [1, 0, 2]], names)
 
 
 @pytest.mark.parametrize(
     ("changes", "message"),
     [
+        ({"ground_offset": np.array([15.0, 95.0, 0.0])}, r"latitude 95 and longitude 15 deg .* exchanged"),
         ({"coefficients": np.zeros((4, 19))}, "coefficients"),
         ({"ground_scale": np.array([1.0, 0.0, 1.0])}, "ground_scale"),
         ({"image_offset": np.array([1.0, np.nan])}, "image_offset"),

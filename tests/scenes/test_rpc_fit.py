@@ -11,6 +11,7 @@ from raybundle.scenes import rpc_fit as module
 from raybundle.scenes.bias import BIAS_PARAMETERS
 from raybundle.scenes.rpc import observe_rpc
 from raybundle.scenes.rpc_fit import corrected_rpc, fit_rpc
+from raybundle.scenes.simulate import OrbitPlan, orbit_scene
 
 
 def apart(size, low, high, n=2000):
@@ -42,6 +43,7 @@ def test_dg_example1_within_half_a_pixel(sensors):
 def test_misfit_that_is_stated_is_that_at_other_points(scene, monkeypatch):
     # a restraint far too strong: the statement must not hide it
     monkeypatch.setattr(module, "STRENGTHS", (1e-3,))
+    monkeypatch.setattr(module, "MISFIT_PX", 1e3)
     fit = fit_rpc(scene.localise, (scene.width_px, scene.height_px), (0.0, 500.0))
     xy, h = apart((scene.width_px, scene.height_px), 0, 500)
     miss = np.abs(fit.rpc.project(scene.localise(xy, h)) - xy)
@@ -90,3 +92,15 @@ def test_a_model_with_a_pole_has_no_rpc():
     with contextlib.suppress(NotSolvable):
         worst = fit_rpc(localise, (100, 100), (0.0, 100.0)).largest_px.max()
     assert worst > 0.5
+
+
+@pytest.mark.parametrize(("longitude", "latitude"), [(180.0, 10.0), (-179.999, -60.0), (0.0, 89.9)])
+def test_scenes_across_the_date_line_and_not_far_from_a_pole(longitude, latitude):
+    scene = orbit_scene(OrbitPlan(target=(longitude, latitude, 100.0), width_px=2000, height_px=2000))
+    assert fit_rpc(scene.localise, (2000, 2000), (0.0, 500.0)).largest_px.max() < 1e-3
+
+
+def test_no_rpc_stands_for_a_scene_over_a_pole():
+    scene = orbit_scene(OrbitPlan(target=(0.0, 89.999, 0.0), width_px=2000, height_px=2000))
+    with pytest.raises(NotSolvable, match=r"misses it by \d+ px \(limit 20\); .* latitude 89.999 deg, near a"):
+        fit_rpc(scene.localise, (2000, 2000), (0.0, 500.0))

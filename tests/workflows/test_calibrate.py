@@ -7,6 +7,7 @@ import cv2
 import numpy as np
 import pytest
 
+from raybundle.block.stored import joint_covariance
 from raybundle.cli.main import main
 from raybundle.errors import InputError
 from raybundle.io.block_toml import read_cameras
@@ -157,7 +158,9 @@ def test_command_line(tmp_path, capsys):
     assert verdict["advice"][0]["ratio"] < 0.9
     assert told["images"] == {"given": 13, "oriented": 13, "not_oriented": []}
     (camera,) = read_cameras(out / "calibration.toml")
-    assert camera.estimate == ()
+    free, covariance = joint_covariance(camera)
+    assert camera.estimate == free == ("c", "x0", "y0", "K1", "K2", "K3", "P1", "P2", "A")
+    assert np.sqrt(covariance[0, 0]) == pytest.approx(told["cameras"][camera.id]["c"]["std"], rel=1e-6)
     text = (out / "report.html").read_text()
     assert text.index("Verdict on the calibration") < text.index("Interior orientation")
 
@@ -192,7 +195,8 @@ def test_coded_targets_and_two_cameras_mixed():
     done = calibrate(chosen, CalibrateOptions(targets=("aicon14",)))
     assert len(done.adjustment.adjusted.cameras) == 2
     assert any(n.code == "two_cameras" and "names beginning with" in n.message for n in done.adjustment.notices)
-    assert all(q.image_sigma_px < 0.0145 for q in done.quality)
+    assert {c.model for c in done.adjustment.adjusted.cameras} == {"brown_harmonic"}  # fourfold, the same in both
+    assert all(0.005 < q.image_sigma_px < 0.0105 for q in done.quality)
     assert 0.005 < done.largest_eccentricity_px < 0.05
     apart = calibrate(chosen, CalibrateOptions(targets=("aicon14",), separate=("043_*", "671_*")))
     for a, b in zip(done.adjustment.adjusted.cameras, apart.adjustment.adjusted.cameras, strict=True):

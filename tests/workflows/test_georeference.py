@@ -125,6 +125,36 @@ def test_one_point_is_too_little(flight):
         georeference(flight.free, flight.photos, Given(control=(control(flight, xyz),)))
 
 
+def marked_as(flight, rays):
+    """The marks of the control points, each in so many photographs that look at it from different sides."""
+    m = flight.marks
+    keep = []
+    for k, count in enumerate(rays):
+        mine = np.flatnonzero(m.point == k)
+        keep += mine[np.linspace(0, len(mine) - 1, count).astype(int)].tolist()
+    return replace(
+        m, image=tuple(m.image[k] for k in keep), point=m.point[keep], xy_px=m.xy_px[keep], line=m.line[keep]
+    )
+
+
+@pytest.mark.parametrize("rays", [(2, 2, 1, 0, 0, 0), (2, 2, 1, 1, 1, 0), (2, 1, 1, 1, 0, 0), (1, 1, 1, 1, 1, 1)])
+def test_points_that_one_photograph_shows_place_the_block_as_well(flight, rays):
+    """Obliques of the same ground are no aerial set by their looks: the level by the view would be wrong by far."""
+    placed = georeference(flight.free, flight.photos, Given(control=(control(flight, marks=marked_as(flight, rays)),)))
+    assert placed.fixed
+    assert error(flight, placed) < 1.0  # of a flight at 1000 m
+    turn = np.einsum("nij,nkj->nik", placed.block.images.rotation, flight.truth.images.rotation)
+    assert np.degrees(np.arccos((np.trace(turn, axis1=1, axis2=2) - 1) / 2)).max() < 0.1
+
+
+def test_a_wrong_point_among_those_seen_once_does_not_bend_the_start(flight):
+    xyz = flight.xyz.copy()
+    xyz[4] += [0.0, 300.0, 0.0]
+    marks = marked_as(flight, (2, 2, 1, 1, 1, 1))
+    placed = georeference(flight.free, flight.photos, Given(control=(control(flight, xyz, marks),)))
+    assert error(flight, placed) < 1.0
+
+
 def test_a_scale_bar_gives_the_scale(flight):
     length = float(np.linalg.norm(flight.xyz[0] - flight.xyz[2]))
     nothing = control(flight, np.full_like(flight.xyz, np.nan))

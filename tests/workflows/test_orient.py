@@ -16,8 +16,7 @@ from raybundle.io.camera_library import LibraryEntry, add_entry, key_of
 from raybundle.io.photos.cameras import camera_groups, camera_of
 from raybundle.io.photos.photo import find_photos
 from raybundle.io.project import Project
-from raybundle.workflows import orient as workflow
-from raybundle.workflows import tie_points
+from raybundle.workflows import photo_run, tie_points
 from raybundle.workflows.orient import OrientOptions, orient
 
 PORTAL = Path(__file__).resolve().parents[2] / "demo_data/portal"
@@ -219,7 +218,7 @@ def test_features_that_are_damaged_during_the_work_say_what_to_do(project, photo
         products(project, "features")[2].write_bytes(b"damaged")
         return original(*arguments)
 
-    monkeypatch.setattr(workflow, "match_pairs", damaged_before)
+    monkeypatch.setattr(photo_run, "match_pairs", damaged_before)
     with pytest.raises(InputError, match="features stage is damaged or gone; run the same command again"):
         orient([photos], project, replace(QUICK, redo_from="matching"))
 

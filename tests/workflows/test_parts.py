@@ -15,7 +15,7 @@ from raybundle.block.simulate import AerialStrips, Survey, aerial_scene, simulat
 from raybundle.io.control_files import ControlFile, Measurements
 from raybundle.numerics.rotation import rotation_from_angles
 from raybundle.workflows.marks import Given
-from raybundle.workflows.parts import FEWEST_IMAGES, apart_notice, merged, place_parts, start_parts
+from raybundle.workflows.parts import FEWEST_IMAGES, apart_notice, kinds, merged, place_parts, start_parts
 
 
 @pytest.fixture(scope="module")
@@ -112,9 +112,33 @@ def test_a_part_without_control_stays_apart_and_is_told(flight):
     assert not apart[0].fixed
     told = apart_notice(placed.block, apart, ["result-2"])
     assert "2 parts" in told.message
-    assert "5 in result-2" in told.message
+    assert told.message.startswith(
+        "the photographs fall into 2 parts that nothing joins: 5 photographs are in this result, 5 photographs in "
+        "result-2 ("
+    )
+    assert told.message.endswith("or mark three control points in each part")
     assert set(told.ids) == set(flight.truth.images.ids[5:])
     decide(apart[0].block, AdjustmentOptions(threads=1))
+
+
+def test_what_is_apart_is_called_by_its_name(flight):
+    """One scene and panoramas are no photographs."""
+    placed, apart = place_parts(flight.parts, flight.photos, Given(control=(control(flight, np.arange(5)),)))
+    photograph = placed.block.cameras[0]
+    scene = replace(photograph, id="scene", scene=photograph.sensor)
+    panorama = replace(photograph, id="pano", model="panorama")
+    images = placed.block.images
+    of_scene = replace(
+        placed.block, cameras=(scene, photograph), images=replace(images, camera=np.array([0] + [1] * 9, np.int32))
+    )
+    assert kinds(of_scene) == "1 scene and 4 photographs"
+    alone = replace(of_scene, images=replace(of_scene.images, camera=np.zeros(10, np.int32)))
+    of_panoramas = replace(apart[0], block=replace(apart[0].block, cameras=(panorama,)))
+    told = apart_notice(alone, [of_panoramas], ["result-2"]).message
+    assert told.startswith(
+        "the images fall into 2 parts that nothing joins: 5 scenes are in this result, 5 panoramas in result-2 ("
+    )
+    assert told.endswith("both in the scenes and in two photographs of each other part")
 
 
 def test_without_control_nothing_is_joined(flight):

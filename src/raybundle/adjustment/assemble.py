@@ -479,7 +479,9 @@ def _extra(
                 parts.append((3, r, position, given, camera.sigma[symbol]))
         free = {row.model.symbols[k] for k in row.free}
         parts += [
-            (4, r, k, 0.0, relation.sigma) for k, relation in enumerate(camera.relations) if free & {*relation.terms}
+            (4, r, k, relation.observed, relation.sigma)
+            for k, relation in enumerate(camera.relations)
+            if free & {*relation.terms}
         ]
     table = np.array(parts, float).reshape(-1, 5)
     return Extra(

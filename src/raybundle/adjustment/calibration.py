@@ -58,8 +58,35 @@ def projection_uncertainty(
     free        symbols of the estimated parameters, in the order of `covariance` (u, u)
     distance    of the object along each ray; None: infinitely far.  Nearer, the user's exterior orientation takes up
                 a translation too
+    What it does not tell: errors of a model that does not fit the lens.
+    """
+    return projection_shifts(camera, free, distance=distance, columns=columns, rows=rows).uncertainty(covariance)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ProjectionShifts:
+    """How the images of fixed rays move by errors of an interior orientation, the best rotation taken out."""
+
+    xy_px: Array
+    """(rows, columns, 2) image points"""
+    by_parameter: Array
+    """(rows, columns, 2, u) motion [px] per unit of each parameter; NaN where the model sees nothing"""
+    distance: float | None
+    """Object distance in length units of the block; None: infinity"""
+
+    def uncertainty(self, covariance: Array) -> UncertaintyMap:
+        """What a covariance (u, u) of the parameters makes of it."""
+        C = self.by_parameter @ np.asarray(covariance) @ np.swapaxes(self.by_parameter, -1, -2)
+        return UncertaintyMap(xy_px=self.xy_px, covariance=C, distance=self.distance)
+
+
+def projection_shifts(
+    camera: Camera, free: tuple[str, ...], *, distance: float | None = None, columns: int = 60, rows: int = 40
+) -> ProjectionShifts:
+    """The motions behind `projection_uncertainty`, see there; they serve for any number of covariances.
+
     The image of a ray moves by -B^-1 (dg/dp dp); the rotation that fits this field best over the whole format is taken
-    out.  What it does not tell: errors of a model that does not fit the lens.
+    out.
     """
     model, values = sensor_models[camera.model], camera.parameters
     xy, image = _grid(camera, columns, rows)
@@ -69,12 +96,12 @@ def projection_uncertainty(
     position = [model.symbols.index(s) for s in free]
     shift = _in_pixels(camera, B[seen], by_parameter[seen][:, :, position])
     motion = _in_pixels(camera, B[seen], by_point[seen] @ _motions(points[:, seen].T, distance))
-    flat = motion.reshape(-1, motion.shape[2])
-    taken, *_ = np.linalg.lstsq(flat, shift.reshape(-1, len(free)), rcond=None)
-    left = shift - motion @ taken
-    full = np.full((len(seen), 2, 2), np.nan)
-    full[seen] = left @ np.asarray(covariance) @ np.swapaxes(left, 1, 2)
-    return UncertaintyMap(xy_px=xy, covariance=full.reshape(rows, columns, 2, 2), distance=distance)
+    taken_up = np.linalg.qr(motion.reshape(-1, motion.shape[2]))[0]
+    flat = shift.reshape(-1, len(free))
+    left = (flat - taken_up @ (taken_up.T @ flat)).reshape(shift.shape)
+    full = np.full((len(seen), 2, len(free)), np.nan)
+    full[seen] = left
+    return ProjectionShifts(xy_px=xy, by_parameter=full.reshape(rows, columns, 2, len(free)), distance=distance)
 
 
 def uncertainty_of(result: Adjustment, camera: str, *, distance: float | None = None) -> UncertaintyMap:

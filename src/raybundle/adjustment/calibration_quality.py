@@ -15,7 +15,12 @@ from raybundle.adjustment.calibration import projection_uncertainty
 from raybundle.adjustment.cross_validation import CrossValidation, cross_validation
 from raybundle.adjustment.next_photographs import Proposal, next_photographs
 from raybundle.adjustment.result import Adjustment, InteriorResult
-from raybundle.adjustment.structure import ResidualStructure, residual_structure
+from raybundle.adjustment.structure import (
+    RepeatedResiduals,
+    ResidualStructure,
+    repeated_residuals,
+    residual_structure,
+)
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.sensors import sensor_models
@@ -71,6 +76,8 @@ class CalibrationQuality:
     """Of c with the station along the axis, x0 and y0 with decentring: name, name, correlation"""
     validation: CrossValidation | None
     structure: ResidualStructure | None
+    repeated: RepeatedResiduals | None
+    """What the residuals have in common from photograph to photograph"""
 
 
 def calibration_quality(
@@ -106,13 +113,14 @@ def calibration_quality(
     # knots of surfaces in corners that no point reaches say nothing, and are none the worse for it
     surfaces = adjusted.sensor.local_width > 0
     lacking = () if surfaces else tuple(s for s, p in interior.parameters.items() if p.status == "not determinable")
+    repeated = repeated_residuals(result, k)
     reasons = _reasons(
         lacking, interior, len(images), largest, sigma, reach, coverage, rolls, convergence, couplings, validation,
-        structure,
+        structure, repeated,
     )  # fmt: skip
     kinds = {p.symbol: p.kind for p in adjusted.sensor.parameters}
     vital = tuple(s for s in lacking if kinds[s] in {"scale", "principal point"})
-    grade = _grade(vital, largest, sigma, reach, len(images), validation, structure)
+    grade = _grade(vital, largest, sigma, reach, len(images), validation, structure, repeated)
     if lacking and grade == "good":
         grade = "usable"
     unsteady = [n.message.partition(": ")[2] for n in result.notices if n.code in UNSTEADY and camera in n.ids]
@@ -123,7 +131,7 @@ def calibration_quality(
         camera=camera, grade=grade, headline=_headline(grade, vital, largest, typical, sigma, reach),
         reasons=tuple(reasons), advice=advice, photographs=len(images), image_sigma_px=sigma, uncertainty_px=largest,
         typical_px=typical, reach=reach, coverage=coverage, rolls=rolls, convergence=convergence, couplings=couplings,
-        validation=validation, structure=structure,
+        validation=validation, structure=structure, repeated=repeated,
     )  # fmt: skip
 
 
@@ -180,7 +188,7 @@ def _couplings(result: Adjustment, interior: InteriorResult) -> tuple[tuple[str,
 def _reasons(
     lacking: tuple[str, ...], interior: InteriorResult, photographs: int, largest: float, sigma: float, reach: float,
     coverage: float, rolls: int, convergence: float, couplings: tuple[tuple[str, str, float], ...],
-    validation: CrossValidation | None, structure: ResidualStructure | None,
+    validation: CrossValidation | None, structure: ResidualStructure | None, repeated: RepeatedResiduals | None,
 ) -> list[str]:  # fmt: skip
     told: list[str] = []
     for s in lacking:
@@ -222,25 +230,28 @@ def _reasons(
             f"neighbouring residuals agree (correlation {structure.correlation:.2f}): the model lacks something; "
             f"standard deviations are too small by a factor of {structure.factor:.1f} at least"
         )
+    if repeated is not None and repeated.noticed:
+        told.append(
+            f"residuals at the same place of the format agree from photograph to photograph (correlation "
+            f"{repeated.correlation:.2f}, {repeated.rms_px:.2g} px): the lens or the sensor does something that the "
+            "distortion model lacks, and standard deviations are too small by that"
+        )
     return told
 
 
 def _grade(
     lacking: tuple[str, ...], largest: float, sigma: float, reach: float, photographs: int,
-    validation: CrossValidation | None, structure: ResidualStructure | None,
+    validation: CrossValidation | None, structure: ResidualStructure | None, repeated: RepeatedResiduals | None,
 ) -> Grade:  # fmt: skip
     if lacking:
         return "not determinable"
     carries = validation is None or validation.ratio < CARRIES_OVER
-    factor = 1.0 if structure is None else structure.factor
-    if (
-        not np.isfinite(largest)
-        or largest * factor > max(USABLE_SHARE * sigma, USABLE_PX)
-        or reach < 0.6
-        or not carries
-    ):
+    worst = largest * (1.0 if structure is None else structure.factor)
+    if repeated is not None and repeated.noticed:
+        worst = float(np.hypot(worst, 2 * repeated.rms_px))
+    if not np.isfinite(largest) or worst > max(USABLE_SHARE * sigma, USABLE_PX) or reach < 0.6 or not carries:
         return "weak"
-    good = largest * factor <= max(GOOD_SHARE * sigma, GOOD_PX) and reach >= REACH and photographs >= FEW_PHOTOGRAPHS
+    good = worst <= max(GOOD_SHARE * sigma, GOOD_PX) and reach >= REACH and photographs >= FEW_PHOTOGRAPHS
     return "good" if good and validation is not None else "usable"
 
 

@@ -111,7 +111,7 @@ def analyse(system: System, state: State, options: AdjustmentOptions) -> Datum:
     extent = float(np.median(np.linalg.norm(cloud - centre, axis=1))) or 1.0
     rows = _fixing_rows(system, state, centre, extent)
     if len(rows):
-        _, singular, vt = np.linalg.svd(rows, full_matrices=True)
+        _, singular, vt = np.linalg.svd(_folded(rows), full_matrices=True)
         rank = int(np.sum(singular > 1e-7 * max(singular[0], 1e-2)))  # rows of what fixes anything are about 1 long
         basis = _plain(vt[rank:].T)
     else:
@@ -153,12 +153,17 @@ def analyse(system: System, state: State, options: AdjustmentOptions) -> Datum:
     datum = Datum(kind=kind, basis=basis, centre=centre, extent=extent, carriers=carriers)
     if datum.defect and kind == "inner":
         G = point_generators(state.xyz[carriers], centre, extent).reshape(-1, 7) @ basis / extent
-        if np.linalg.matrix_rank(G, tol=1e-6 * max(len(G), 1) ** 0.5) < datum.defect:
+        if np.linalg.matrix_rank(_folded(G), tol=1e-6 * max(len(G), 1) ** 0.5) < datum.defect:
             raise DatumDefect(
                 f"the {int(carriers.sum())} datum points cannot carry {datum.defect} inner constraints "
                 f"({', '.join(datum.open_names)}); choose at least three points that are not collinear"
             )
     return datum
+
+
+def _folded(rows: Array) -> Array:
+    """As many rows as columns with the same singular values and right singular vectors as many rows."""
+    return np.linalg.qr(rows)[1] if len(rows) > rows.shape[1] else rows
 
 
 def _imus_are_open(system: System) -> bool:

@@ -6,15 +6,18 @@ Every decision is listed with its reason; nothing is decided that the options do
 from __future__ import annotations
 
 import time
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from itertools import groupby
 
 import numpy as np
 
-from raybundle.adjustment.engine import adjust_block, as_start, free_parameters
+from raybundle.adjustment.engine import Extent, Start, adjust_block, as_start, free_parameters
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.reliability import UNCONTROLLED
 from raybundle.adjustment.result import Adjustment, InteriorResult, Notice
 from raybundle.block import Block, Role
+from raybundle.block.stored import is_observed_jointly
 from raybundle.errors import NoConvergence, NotSolvable, RankDefect
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress, silent
@@ -23,7 +26,7 @@ from raybundle.sensors import sensor_models
 
 ROUNDS = 40
 BLUNDER = "blunder"
-DROP_ORDER = ("affinity", "decentring", "radial", "principal point", "scale")
+DROP_ORDER = ("harmonic", "affinity", "decentring", "radial", "principal point", "scale")
 """Which kind of parameter is held first where a block determines too few."""
 
 
@@ -47,7 +50,8 @@ def decide(
     automatic = [
         c.id
         for c in block.cameras
-        if c.scene is None and (c.estimate == "auto" or (options.estimate == "auto" and c.estimate))
+        if c.scene is None
+        and (c.estimate == "auto" or (options.estimate == "auto" and c.estimate and not is_observed_jointly(c)))
     ]
     start = block
     if options.reject == "snooping":
@@ -55,25 +59,27 @@ def decide(
     if automatic:
         start = _choose(start, options, choices, automatic, progress)
         if options.reject == "snooping":
-            start = _snoop(start, options, choices, progress, robust=False)
+            start = _snoop(start, options, choices, progress, start="adjusted")
     final = replace(options, robust_start=options.robust_start and start is block)
     result = adjust_block(
-        start, final, progress, free=choices.free, rejected=choices.reasons, notices=(*notices, *choices.notices)
-    )
+        start, final, progress, free=choices.free, rejected=choices.reasons, notices=(*notices, *choices.notices),
+        start="approximate" if start is block else "adjusted",
+    )  # fmt: skip
     return replace(_labelled(result, choices), given=block, options=options, seconds=time.perf_counter() - began)
 
 
 def _quiet(
-    block: Block, options: AdjustmentOptions, choices: Decisions, progress: Progress, *, robust: bool = False
-) -> Adjustment:
-    return adjust_block(
-        block, replace(options, statistics=True, robust_start=robust, tolerance=max(options.tolerance, 1e-4)), progress,
-        free=choices.free, rejected=choices.reasons, extent="decisions",
-    )  # fmt: skip
+    block: Block, options: AdjustmentOptions, choices: Decisions, progress: Progress, *, extent: Extent = "decisions",
+    start: Start = "adjusted",
+) -> Adjustment:  # fmt: skip
+    brief = replace(
+        options, statistics=True, robust_start=start == "approximate", tolerance=max(options.tolerance, 1e-4)
+    )
+    return adjust_block(block, brief, progress, free=choices.free, rejected=choices.reasons, extent=extent, start=start)
 
 
 def _snoop(
-    block: Block, options: AdjustmentOptions, choices: Decisions, progress: Progress, *, robust: bool = True
+    block: Block, options: AdjustmentOptions, choices: Decisions, progress: Progress, *, start: Start = "approximate"
 ) -> Block:
     """Reject blunders in rounds, each round those that do not touch one another; then let rejected ones return.
 
@@ -82,8 +88,8 @@ def _snoop(
     """
     returned: set[int] = set()
     for _ in range(ROUNDS):
-        result = _quiet(block, options, choices, progress, robust=robust)
-        robust = False
+        result = _quiet(block, options, choices, progress, extent="tests", start=start)
+        start = "adjusted"
         block = as_start(block, result.adjusted)
         choices.reasons = result.image_observations.rejected
         control = _worst_control(result)
@@ -207,28 +213,35 @@ def _choose(
                 for p in model.parameters
                 if (p.kind != "other" or p.symbol in named) and p.symbol not in options.never
             )
+    given = {c.id: c.values for c in block.cameras}
     result: Adjustment | None = None
     for _ in range(30):
         try:
-            result = _quiet(block, options, choices, progress, robust=result is None and options.reject == "none")
+            first = result is None and options.reject == "none"
+            result = _quiet(block, options, choices, progress, start="approximate" if first else "adjusted")
         except (RankDefect, NoConvergence) as error:
-            if not _hold_next(block, choices, automatic, str(error).splitlines()[0]):
+            held = _hold_next(block, choices, automatic, str(error).splitlines()[0])
+            if held is None:
                 raise
+            block = _with_values(block, held[0], {held[1]: given[held[0]][held[1]]})
             continue
         block = as_start(block, result.adjusted)
         worst = _least_determinable(result, automatic)
         if worst is not None:
-            interior, symbol, reason = worst
-            _hold(block, choices, interior, symbol, reason)
+            camera, symbol, reason = worst
+            _hold(choices, camera, symbol, reason)
+            # what it took in the fit is no value of it; the others are to be what they are beside the given one
+            block = _with_values(block, camera, {symbol: given[camera][symbol]})
             continue
-        if not _drop_insignificant(block, options, choices, automatic, result, progress):
+        without = _drop_insignificant(block, options, choices, automatic, result, progress)
+        if without is None:
             return block
+        block = without
     assert result is not None
     return as_start(block, result.adjusted)
 
 
-def _hold(block: Block, choices: Decisions, camera: str, symbol: str, reason: str) -> None:
-    del block
+def _hold(choices: Decisions, camera: str, symbol: str, reason: str) -> None:
     choices.free[camera] = tuple(s for s in choices.free[camera] if s != symbol)
     choices.not_determinable.append((camera, symbol))
     choices.notices.append(
@@ -240,16 +253,16 @@ def _hold(block: Block, choices: Decisions, camera: str, symbol: str, reason: st
     )
 
 
-def _hold_next(block: Block, choices: Decisions, automatic: list[str], reason: str) -> bool:
-    """Hold the parameter that is least needed, where the block is singular; False if none is left."""
+def _hold_next(block: Block, choices: Decisions, automatic: list[str], reason: str) -> tuple[str, str] | None:
+    """Hold the parameter that is least needed, where the block is singular: camera and symbol; None if none is left."""
     for kind in DROP_ORDER:
         for camera in automatic:
             model = sensor_models[next(c.model for c in block.cameras if c.id == camera)]
             mine = [p.symbol for p in model.parameters if p.kind == kind and p.symbol in choices.free[camera]]
             if mine:
-                _hold(block, choices, camera, mine[-1], reason)
-                return True
-    return False
+                _hold(choices, camera, mine[-1], reason)
+                return camera, mine[-1]
+    return None
 
 
 def _least_determinable(result: Adjustment, automatic: list[str]) -> tuple[str, str, str] | None:
@@ -269,7 +282,7 @@ def _least_determinable(result: Adjustment, automatic: list[str]) -> tuple[str, 
 
 
 def _candidates(interior: InteriorResult, result: Adjustment) -> list[tuple[str, ...]]:
-    """Groups that may leave: the highest radial term, decentring as a pair, affinity and shear; K1 always stays."""
+    """Groups that may leave: the highest radial term, decentring as a pair, affinity and shear, pairs of harmonics; K1 stays."""
     model = sensor_models[next(c.model for c in result.given.cameras if c.id == interior.camera)]
     kinds = {p.symbol: p.kind for p in model.parameters}
     radial = [s for s in interior.free if kinds[s] == "radial"]
@@ -278,14 +291,16 @@ def _candidates(interior: InteriorResult, result: Adjustment) -> list[tuple[str,
         group = tuple(s for s in interior.free if kinds[s] == kind)
         if group:
             groups.append(group)
+    harmonics = [p for p in model.parameters if p.kind == "harmonic" and p.symbol in interior.free]
+    groups += [tuple(p.symbol for p in pair) for _, pair in groupby(harmonics, key=lambda p: p.meaning)]
     return groups
 
 
 def _drop_insignificant(
     block: Block, options: AdjustmentOptions, choices: Decisions, automatic: list[str], result: Adjustment,
     progress: Progress,
-) -> bool:  # fmt: skip
-    """Drop the group with the largest probability of being nil if BIC agrees; False if none leaves.
+) -> Block | None:  # fmt: skip
+    """The block without the group that is most probably nil, if BIC agrees; None if none leaves.
 
     A group stays, however uncertain, where it could move image points by more than their standard deviation: that it
     is not significant then says that the block cannot tell, and without it the others would be biased and their
@@ -307,21 +322,21 @@ def _drop_insignificant(
             if p > options.significance and (weakest is None or p > weakest[0]):
                 weakest = (p, interior.camera, group)
     if weakest is None:
-        return False
+        return None
     probability, camera, group = weakest
     before = dict(choices.free)
     choices.free[camera] = tuple(s for s in choices.free[camera] if s not in group)
-    zeroed = _with_zero(block, camera, group)
+    zeroed = _with_values(block, camera, dict.fromkeys(group, 0.0))
     try:
         without = _quiet(zeroed, options, choices, progress)
     except NotSolvable:
         choices.free = before
-        return False
+        return None
     m = result.observations
     gain = m * np.log(result.weighted_square_sum / without.weighted_square_sum) + len(group) * np.log(m)
     if gain < 0:  # BIC prefers to keep the group
         choices.free = before
-        return False
+        return None
     choices.not_significant += [(camera, s) for s in group]
     own = next(i for i in result.interior if i.camera == camera)
     choices.notices.append(
@@ -333,7 +348,7 @@ def _drop_insignificant(
             ids=(camera, *group),
         )
     )
-    return True
+    return as_start(zeroed, without.adjusted)
 
 
 def _hidden(interior: InteriorResult, group: tuple[str, ...]) -> float:
@@ -342,10 +357,9 @@ def _hidden(interior: InteriorResult, group: tuple[str, ...]) -> float:
     return max((p.effect_px or 0.0) + 2 * (p.effect_std_px or 0.0) for p in parts)
 
 
-def _with_zero(block: Block, camera: str, group: tuple[str, ...]) -> Block:
-    cameras = tuple(
-        replace(c, values={**c.values, **dict.fromkeys(group, 0.0)}) if c.id == camera else c for c in block.cameras
-    )
+def _with_values(block: Block, camera: str, values: Mapping[str, float]) -> Block:
+    """The block with these values of a camera."""
+    cameras = tuple(replace(c, values={**c.values, **values}) if c.id == camera else c for c in block.cameras)
     return replace(block, cameras=cameras)
 
 

@@ -15,12 +15,15 @@ from raybundle.numerics.arrays import Array, Mask
 PIVOT = 1e-12
 """Pivot of the scaled reduced normal matrix below which an unknown counts as undetermined."""
 SHOWN = 10
+NEAR = 4
+"""Steps from image to image over common points within which a network is seen at once to hang together."""
 SUGGESTIONS = {
     "scale": "hold c (leave it out of `estimate`), or add images that converge or see points at different depths",
     "principal point": "hold it, or add images rolled by 90 degrees",
     "radial": "hold it, or measure points up to the corners of the format",
     "decentring": "hold it, or add images rolled by 90 degrees",
     "affinity": "hold it, or add images rolled by 90 degrees",
+    "harmonic": "hold it, or measure points up to the edges of the format, in images rolled by 90 degrees",
     "other": "hold it",
 }
 
@@ -89,21 +92,41 @@ def check_images(block: Block, rejected: Mask, free: dict[str, tuple[str, ...]])
 
 def components(block: Block, rejected: Mask) -> list[Array]:
     """Connected parts of the network (arrays of image positions): images joined by common object points."""
-    from scipy.sparse import coo_matrix  # noqa: PLC0415
-    from scipy.sparse.csgraph import connected_components  # noqa: PLC0415
-
     rows = ~rejected
     n, p = len(block.images), len(block.points)
     image, point = block.observations.image[rows], block.observations.point[rows]
-    known = block.points.is_control.all(axis=1) & (np.nan_to_num(block.points.sigma, nan=1.0) == 0).all(axis=1)
-    joins = ~known[point]
+    joins = ~_known(block)[point]
+    used = np.unique(image)
+    if _all_near(image[joins], point[joins], used, n, p):
+        return [used]
+    if not joins.any() and not len(block.distances):
+        return [used[[k]] for k in range(len(used))]
+    from scipy.sparse import coo_matrix  # noqa: PLC0415
+    from scipy.sparse.csgraph import connected_components  # noqa: PLC0415
+
     graph = coo_matrix((np.ones(joins.sum(), np.int8), (image[joins], n + point[joins])), shape=(n + p, n + p))
     if len(block.distances):
         a, b = n + block.distances.start, n + block.distances.end
         graph = graph + coo_matrix((np.ones(len(a), np.int8), (a, b)), shape=graph.shape)
     _, label = connected_components(graph, directed=False)
-    used = np.unique(image)
     return [used[label[used] == k] for k in np.unique(label[used])]
+
+
+def _known(block: Block) -> Mask:
+    """(p,) points of which every coordinate is held."""
+    return block.points.is_control.all(axis=1) & (np.nan_to_num(block.points.sigma, nan=1.0) == 0).all(axis=1)
+
+
+def _all_near(image: Array, point: Array, used: Array, n: int, p: int) -> bool:
+    """Whether every image that is used is reached from the first within a few common points."""
+    reached, met = np.zeros(n, bool), np.zeros(p, bool)
+    reached[image[:1]] = True
+    for _ in range(NEAR):
+        met[point[reached[image]]] = True
+        reached[image[met[point]]] = True
+        if reached[used].all():
+            return True
+    return False
 
 
 def check_components(block: Block, rejected: Mask, defect_of: object) -> int:
@@ -129,6 +152,17 @@ def check_components(block: Block, rejected: Mask, defect_of: object) -> int:
             "  Measure points that join the parts, give each part control, or adjust them one by one."
         )
     return len(parts)
+
+
+def held_by_points(block: Block, rows: Mask) -> bool:
+    """Whether known points in these rows span a plane at least: position, rotation and scale are then determined."""
+    seen = np.zeros(len(block.points), bool)
+    seen[block.observations.point[rows]] = True
+    xyz = block.points.xyz[seen & _known(block)]
+    if len(xyz) < 3:
+        return False
+    size = np.linalg.svd(xyz - xyz.mean(axis=0), compute_uv=False)
+    return bool(size[1] > 1e-2 * size[0])
 
 
 def explain(normals: Normals, state: State, weak: Sequence[int], failed: int) -> RankDefect:
@@ -174,12 +208,11 @@ def null_vectors(normals: Normals, count: int = 6) -> tuple[Array, Array]:
 
     Inverse subspace iteration with a tiny shift; vectors are per unit of the scaled unknowns.
     """
-    solver = normals.solver
     size = len(normals.right)
     diagonal = np.maximum(normals.diagonal, 1e-300)
     shift = 1e-11
     for _ in range(6):
-        if not solver.factorise(normals.values, shift * diagonal):
+        if not normals.factorise(shift * diagonal):
             break
         shift *= 10
     rng = np.random.default_rng(1)
@@ -189,9 +222,7 @@ def null_vectors(normals: Normals, count: int = 6) -> tuple[Array, Array]:
     values = np.zeros(count)
     for _ in range(6):
         # (D^-1/2 S D^-1/2 + shift)^-1 basis
-        x = np.ascontiguousarray(basis * scale[:, None])
-        solver.solve(x, count)
-        x *= scale[:, None]
+        x = normals.solved(basis * scale[:, None]) * scale[:, None]
         basis, r = np.linalg.qr(x)
         values = 1 / np.maximum(np.abs(np.diagonal(r)), 1e-300) - shift
     order = np.argsort(values)

@@ -2,14 +2,22 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+import math
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from raybundle.adjustment.engine import adjust_block, as_start
 from raybundle.adjustment.predict import residuals_px
+from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
 from raybundle.numerics.arrays import Array
 from raybundle.platforms.station import sensor_from_object
+
+STEP = 0.5
+"""Share of the offsets by which they are changed, to see what the residuals do."""
+DETERMINED = 0.03
+"""Standard deviation of the common factor from which on radii are left to the adjustment."""
 
 
 def ellipse_points(P: Array, normal: Array, radius: Array) -> Array:
@@ -51,6 +59,61 @@ def eccentricity_px(block: Block, radius: Array, normal: Array) -> Array:
     at_ellipse = residuals_px(_with_points(block, rows, shifted), np.arange(len(rows)))
     offset[rows] = at_ellipse - at_centre
     return offset
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RadiusScale:
+    """By how much the radii of circular targets differ from those that were used, all by the same factor."""
+
+    value: float
+    """Radius over the radius used."""
+    std: float
+
+    @property
+    def determinable(self) -> bool:
+        """Whether the images tell it better than a ruler."""
+        return self.std < DETERMINED
+
+    @property
+    def significant(self) -> bool:
+        """Whether it is determinable and differs from 1 (99 percent)."""
+        return self.determinable and abs(self.value - 1) > 2.6 * self.std
+
+
+def radius_scale(result: Adjustment, offset: Array) -> RadiusScale | None:
+    """A common factor of all radii as an unknown of the adjustment; None where no centre is eccentric.
+
+    offset  (m, 2) [px] `eccentricity_px`, which the image observations of `result` are already without
+    Eccentricity grows with r^2, so that its part that no other unknown takes up is one more column of the design
+    matrix: it is what the residuals change by when the offsets change (Gauss-Newton step of that unknown alone, exact
+    for all the others).  What it does not tell: radii that differ from target to target.
+    """
+    s = result.image_observations
+    used = s.used
+    if not np.abs(offset[used]).max(initial=0.0) > 0:
+        return None
+    block = as_start(result.given, result.adjusted)
+    o = result.given.observations
+    more = replace(block, observations=replace(o, xy_px=o.xy_px - STEP * offset))
+    free = {i.camera: i.free for i in result.interior if i.image is None}
+    plain = replace(result.options, statistics=False, reject="none", robust_start=False, estimate="given")
+    moved = adjust_block(more, plain, free=free, rejected=s.rejected, start="adjusted")
+    column = ((moved.image_observations.residuals_px - s.residuals_px) / STEP)[used]
+    weighted = _weighted(column, o.cov_px2[used])
+    square = float(np.sum(weighted * column))
+    if not square > 0:
+        return None
+    share = 1 - float(np.sum(weighted * s.residuals_px[used])) / square
+    ratio = math.sqrt(max(share, 0.0))
+    # of r, from that of r^2
+    return RadiusScale(value=ratio, std=result.sigma0 / math.sqrt(square) / (2 * max(ratio, 0.5)))
+
+
+def _weighted(column: Array, cov: Array) -> Array:
+    """Inverse covariances (variances of x and y and their covariance, (m, 3)) times (m, 2)."""
+    a, b, c = cov.T
+    x, y = column.T
+    return np.stack([b * x - c * y, a * y - c * x], axis=1) / (a * b - c * c)[:, None]
 
 
 def _with_points(block: Block, rows: Array, xyz: Array) -> Block:

@@ -35,20 +35,21 @@ from raybundle.adjustment.reliability import (
     variance_components,
 )
 from raybundle.adjustment.result import Adjustment, Notice, Precision
-from raybundle.adjustment.solve import HUBER, solve
+from raybundle.adjustment.solve import CAUTIOUS, FLOOR, HUBER, solve
 from raybundle.adjustment.work import Work
 from raybundle.block import Block, Camera
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.statistics import family_wise_normal, family_wise_tau, global_test
 
-Extent = Literal["report", "decisions"]
+Extent = Literal["report", "decisions", "tests"]
+Start = Literal["approximate", "adjusted"]
 
 
 def free_parameters(camera: Camera) -> tuple[str, ...]:
     """The parameters that an `estimate` frees; "auto" starts with all but affinity and shear."""
     if camera.estimate == "auto":
-        return tuple(p.symbol for p in camera.sensor.parameters if p.kind not in {"affinity", "other"})
+        return tuple(p.symbol for p in camera.sensor.parameters if p.kind not in {"affinity", "harmonic", "other"})
     return tuple(camera.estimate)
 
 
@@ -61,13 +62,16 @@ def adjust_block(
     rejected: tuple[str, ...] | None = None,
     notices: tuple[Notice, ...] = (),
     extent: Extent = "report",
+    start: Start = "approximate",
 ) -> Adjustment:
     """Adjust a block whose images are oriented and whose points have coordinates, approximately.
 
     free      camera id -> free parameters; None: as the cameras' `estimate` says
     rejected  (m,) reason for each image observation, "" = takes part; None: all take part
     notices   what earlier steps have to say; passed on
-    extent    decisions: of the statistics only redundancy numbers, tests and the interior orientations' covariances
+    extent    decisions: of the statistics only redundancy numbers, tests and the interior orientations' covariances;
+              tests: without these and what is said of the interior orientations, too
+    start     adjusted: the values come from an adjustment of nearly the same; the first step is not damped
     raises    InputError, DatumDefect, RankDefect, NoConvergence
 
     What it does not do: find approximate values (`raybundle.orientation`), reject blunders or choose
@@ -77,7 +81,7 @@ def adjust_block(
     options = options or AdjustmentOptions()
     free = free if free is not None else {c.id: free_parameters(c) for c in block.cameras}
     reasons = rejected or ("",) * len(block.observations)
-    work, reasons = carry_out(block, options, free, reasons, progress)
+    work, reasons = carry_out(block, options, free, reasons, progress, start=start)
     return result_of(work, block, options, reasons, notices, time.perf_counter() - began, progress, extent)
 
 
@@ -91,14 +95,14 @@ says more than an error would.
 
 def carry_out(
     block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]], reasons: tuple[str, ...],
-    progress: Progress = silent,
+    progress: Progress = silent, *, start: Start = "approximate",
 ) -> tuple[Work, tuple[str, ...]]:  # fmt: skip
     """Estimate and cofactors; observations whose point ends behind the camera are rejected, and it starts again."""
     mask = np.array([bool(r) for r in reasons])
     defects.check_rays(block, mask)
     reasons, mask = reject_single_rays(block, reasons, mask)
     defects.check_images(block, mask, free)
-    work = _estimate(block, options, free, mask, progress)
+    work = _estimate(block, options, free, mask, start, progress)
     for _ in range(5):
         _, flags = work.normals.residuals(work.solution.state)
         behind = work.system.rows[(flags & 1) > 0]
@@ -109,11 +113,11 @@ def carry_out(
             new[i] = "behind the camera"
         reasons, mask = reject_single_rays(block, tuple(new), np.array([bool(r) for r in new]))
         defects.check_images(block, mask, free)
-        work = _estimate(block, options, free, mask, progress)
+        work = _estimate(block, options, free, mask, start, progress)
     weak = not work.solution.step < UNENDING or defects.without_base(work.system, work.solution.state)
     if not work.solution.converged and weak:
         raise defects.no_convergence(work.system, work.solution.state, work.solution.iterations, work.solution.step)
-    _factor(work)
+    _factor(work.normals, work.solution.state, work.datum)
     if options.statistics:
         progress("statistics", 0.0)
         work.found = cofactors(work.normals, work.solution.state, work.datum)
@@ -141,6 +145,28 @@ def estimate_only(
     return as_start(block, _adjusted_block(system, state)), bad
 
 
+def expected_interior(
+    block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]], reasons: tuple[str, ...], camera: str
+) -> Array:
+    """Cofactor (u, u) of the free parameters of a camera that the network promises, nothing being adjusted.
+
+    raises  InputError, DatumDefect, RankDefect
+    Where the values will move far, the covariance will, too.
+    """
+    mask = np.array([bool(r) for r in reasons])
+    defects.check_images(block, mask, free)
+    system = assemble(block, options, mask, free)
+    state = system.initial_state()
+    normals = Normals.of(system, options.threads)
+    _factor(normals, state, analyse(system, state, options))
+    row = next(i for i in system.interior if i.image < 0 and block.cameras[i.camera].id == camera)
+    # lengths apart, which nobody sees from afar, an interior orientation is the same in every datum
+    mine = interior_unknowns(system, row)
+    columns = np.zeros((len(normals.right), len(mine)))
+    columns[mine, np.arange(len(mine))] = 1.0
+    return normals.solved(columns)[mine]
+
+
 def reject_single_rays(block: Block, reasons: tuple[str, ...], mask: Mask) -> tuple[tuple[str, ...], Mask]:
     """Reject the last ray of tie points whose others were rejected."""
     if not mask.any():
@@ -157,22 +183,25 @@ def reject_single_rays(block: Block, reasons: tuple[str, ...], mask: Mask) -> tu
 
 
 def _estimate(
-    block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]], mask: Mask, progress: Progress
-) -> Work:
+    block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]], mask: Mask, start: Start,
+    progress: Progress,
+) -> Work:  # fmt: skip
     system = assemble(block, options, mask, free)
     state = system.initial_state()
     datum = analyse(system, state, options)
 
     def open_of(rows: Mask) -> tuple[str, ...]:
+        if options.datum in {"auto", "control"} and defects.held_by_points(block, rows):
+            return ()
         part = assemble(block, options, ~rows, free)
         return open_names(analyse(part, part.initial_state(), replace(options, datum="auto")).basis)
 
     parts = defects.check_components(block, mask, open_of) if datum.defect == 0 or _may_fall_apart(block, mask) else 1
     normals = Normals.of(system, options.threads)
     if options.robust_start:
-        start = solve(normals, state, options, huber=HUBER, tolerance=1e-2, progress=progress)
-        state = start.state
-    solution = solve(normals, state, options, progress=progress)
+        state = solve(normals, state, options, huber=HUBER, tolerance=1e-2, progress=progress).state
+    damping = FLOOR if start == "adjusted" else CAUTIOUS
+    solution = solve(normals, state, options, damping=damping, progress=progress)
     return Work(system=system, normals=normals, datum=datum, solution=solution, found=None, parts=parts)
 
 
@@ -181,13 +210,13 @@ def _may_fall_apart(block: Block, mask: Mask) -> bool:
     return len(block.images) > 1
 
 
-def _factor(work: Work) -> None:
-    """Undamped factor in a minimal datum at the solution; RankDefect where there is none."""
-    system, normals, state = work.system, work.normals, work.solution.state
-    system.held = system.control_held | hold_minimal(system, state, work.datum)
+def _factor(normals: Normals, state: State, datum: Datum) -> None:
+    """Undamped factor in a minimal datum at a state; RankDefect where there is none."""
+    system = normals.system
+    system.held = system.control_held | hold_minimal(system, state, datum)
     normals.solver.set_held((system.held * np.array([1, 2, 4])).sum(axis=1).astype(np.uint8))
     _, _, weak = normals.reduce(state)
-    failed = normals.solver.factorise(normals.values, np.zeros(0))
+    failed = normals.factorise()
     if failed or weak or normals.solver.smallest_pivot < defects.PIVOT:
         at = failed - 1 if failed else normals.solver.smallest_pivot_at
         raise defects.explain(normals, state, weak, at)
@@ -198,7 +227,7 @@ def result_of(
     seconds: float, progress: Progress = silent, extent: Extent = "report",
 ) -> Adjustment:  # fmt: skip
     """Everything a report needs from an adjusted system, or what decisions need."""
-    brief = extent == "decisions"
+    brief = extent != "report"
     began = time.perf_counter()
     system, normals, datum, solution = work.system, work.normals, work.datum, work.solution
     redundancy = system.observations - system.unknowns + datum.defect
@@ -213,13 +242,13 @@ def result_of(
         found = work.found = _moved(work, state, found)
     work.state = state
     covariances = None
-    if found is not None:
+    if found is not None and extent != "tests":
         covariances = (interior_precision if brief else precision)(normals, state, found, variance)
     progress("statistics", 1.0)
     observations = image_statistics(system, whitened, found, sigma0, reasons)
     groups = observation_groups(normals, state, found, sigma0)
     tests = 2 * len(system.rows) + sum(int((g.sigma > 0).sum()) for g in groups)
-    interior = interior_results(normals, state, covariances, sigma0, redundancy)
+    interior = () if extent == "tests" else interior_results(normals, state, covariances, sigma0, redundancy)
     std = None if covariances is None else covariances.object_point_std
     unit_mm = 1000.0 if block.length_unit == "m" else 1.0
     adjustment = Adjustment(
@@ -297,7 +326,7 @@ def _name(camera: str, image: str | None) -> str:
 def _moved(work: Work, state: State, found: Cofactors) -> Cofactors:
     """Cofactors at the solution moved by a similarity within the open datum."""
     work.normals.reduce(state)
-    failed = work.normals.solver.factorise(work.normals.values, np.zeros(0))
+    failed = work.normals.factorise()
     return found if failed else cofactors(work.normals, state, work.datum)
 
 

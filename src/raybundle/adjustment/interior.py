@@ -15,7 +15,7 @@ from raybundle.block import Camera
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.statistics import correlation, fisher_tail
 
-JOINT = ("radial", "decentring", "affinity", "principal point")
+JOINT = ("radial", "decentring", "affinity", "harmonic", "principal point")
 PLAUSIBLE = {"scale": 0.05, "principal point": 0.02}
 """Sigma beyond which a block says less about a parameter than one knows before: shares of c and of the format."""
 PLAUSIBLE_SHIFT = 0.05

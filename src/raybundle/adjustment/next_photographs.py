@@ -6,13 +6,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from raybundle.adjustment.calibration import projection_uncertainty
-from raybundle.adjustment.engine import carry_out
+from raybundle.adjustment.calibration import ProjectionShifts, projection_shifts
+from raybundle.adjustment.engine import expected_interior
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.precision import interior_unknowns, node_cofactor
 from raybundle.adjustment.predict import image_points
 from raybundle.adjustment.result import Adjustment
-from raybundle.block import Block, Camera, Images, Observations
+from raybundle.block import Block, Images, Observations
 from raybundle.errors import RaybundleError
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rotation import rotation_from_vector
@@ -24,8 +23,8 @@ TILT = np.radians(45)
 NEARER = 0.7
 WORTH = 0.9
 """A proposal that leaves more than this share of the uncertainty is none."""
-NEAR = 1e-3
-"""Where an adjustment may end whose covariance alone is wanted: last step in standard deviations."""
+FEWEST = 8
+"""Points that a photograph must see to take part."""
 GRAZING = np.cos(np.radians(75))
 
 
@@ -44,9 +43,9 @@ class Proposal:
 def next_photographs(result: Adjustment, camera: str) -> tuple[Proposal, ...]:
     """Proposals for a camera, the best first; only those that reduce the largest uncertainty of projection by a tenth.
 
-    Each set of four is added with the image points that it would see, of the precision of the others, and the block is
-    adjusted again; what comes out is the covariance to be expected.  What it does not tell: whether there is room to
-    stand there, and whether targets can be recognised at that angle.
+    Each set of four is added with the image points that it would see, of the precision of the others; what comes out is
+    the covariance to be expected.  What it does not tell: whether there is room to stand there, and whether targets can
+    be recognised at that angle.
     """
     k = next(i for i, c in enumerate(result.given.cameras) if c.id == camera)
     interior = next((i for i in result.interior if i.camera == camera and i.image is None), None)
@@ -58,13 +57,15 @@ def next_photographs(result: Adjustment, camera: str) -> tuple[Proposal, ...]:
     if len(mine) < 2:
         return ()
     free = _free(result)
-    lacking = free[camera] != interior.free
-    rejected = tuple(result.image_observations.rejected)
-    C = result.precision.interior[camera]
-    now = _uncertainty(block, result, free, rejected, k) if lacking else _largest(block.cameras[k], interior.free, C)
+    shifts = projection_shifts(block.cameras[k], free[camera], columns=18, rows=12)
+    if free[camera] == interior.free:
+        now = shifts.uncertainty(result.precision.interior[camera]).largest
+    else:
+        now = _uncertainty(block, result, free, tuple(result.image_observations.rejected), shifts, camera)
     found: list[Proposal] = []
     for words, centre, rotation in _sets(block, mine, used):
-        then = _with(result, block, free, k, centre, rotation)
+        more, rejected = _with(result, block, k, centre, rotation)
+        then = _uncertainty(more, result, free, rejected, shifts, camera)
         if np.isfinite(then) and then < WORTH * now:
             found.append(Proposal(words=words, uncertainty_px=then, ratio=then / now))
     return tuple(sorted(found, key=lambda p: p.uncertainty_px))
@@ -82,11 +83,6 @@ def _free(result: Adjustment) -> dict[str, tuple[str, ...]]:
         wanted = {s for s, p in i.parameters.items() if p.status == "not determinable"} | set(i.free)
         free[i.camera] = tuple(s for s in model.symbols if s in wanted)
     return free
-
-
-def _largest(camera: Camera, free: tuple[str, ...], covariance: Array) -> float:
-    """Largest standard deviation of projection over the format [px]."""
-    return projection_uncertainty(camera, free, covariance, columns=18, rows=12).largest
 
 
 def _sets(block: Block, mine: Index, used: Mask) -> list[tuple[str, Array, Array]]:
@@ -148,32 +144,21 @@ def _into_corners(block: Block, k: int, rotation: Array) -> Array:
     return rotation_from_vector(turn) @ rotation
 
 
-def _with(
-    result: Adjustment, block: Block, free: dict[str, tuple[str, ...]], k: int, centre: Array, rotation: Array
-) -> float:
-    """Uncertainty with these photographs of camera k; infinite where they see too little or it fails."""
+def _with(result: Adjustment, block: Block, k: int, centre: Array, rotation: Array) -> tuple[Block, tuple[str, ...]]:
+    """The block with these photographs of camera k, those that see too little without points; reasons of rejections."""
     o, points, used = block.observations, block.points, result.image_observations.used
-    rng = np.random.default_rng(7)
-    sigma = result.sigma0 * np.sqrt(np.median(o.cov_px2[used, :2], axis=0))
     known = np.flatnonzero(np.bincount(o.point[used], minlength=len(points)) > 1)
     normal, flat = _facing(points.xyz[known], block.images.centre[np.unique(o.image[used])])
-    image, point, xy = list[Array](), list[Array](), list[Array]()
-    for i, (X0, R) in enumerate(zip(centre, rotation, strict=True)):
-        to = X0 - points.xyz[known]
-        seen = np.abs(to @ normal) > GRAZING * np.linalg.norm(to, axis=1) if flat else np.ones(len(known), bool)
-        camera = block.cameras[k]
-        at = image_points(camera, R, X0, points.xyz[known[seen]])
-        inside = ((at > 0) & (at < [camera.width_px, camera.height_px])).all(axis=1)
-        rows = known[seen][inside]
-        if len(rows) < 8:
-            continue
-        image.append(np.full(len(rows), len(block.images) + i))
-        point.append(rows)
-        xy.append(at[inside] + sigma * rng.standard_normal((len(rows), 2)))
-    if not image:
-        return np.inf
-    n, added = len(centre), int(sum(len(r) for r in point))
-    old = block.images
+    n, camera = len(centre), block.cameras[k]
+    image, point = np.repeat(np.arange(n), len(known)), np.tile(known, n)
+    to = centre[image] - points.xyz[point]
+    if flat:
+        facing = np.abs(to @ normal) > GRAZING * np.linalg.norm(to, axis=1)
+        image, point = image[facing], point[facing]
+    at = image_points(camera, rotation[image], centre[image], points.xyz[point])
+    inside = ((at > 0) & (at < [camera.width_px, camera.height_px])).all(axis=1)
+    inside &= np.bincount(image[inside], minlength=n)[image] >= FEWEST
+    added, old = int(inside.sum()), block.images
     more = replace(
         block,
         images=Images(
@@ -184,32 +169,24 @@ def _with(
             held=None if old.held is None else np.append(old.held, [False] * n), interior=old.interior,
         ),
         observations=Observations(
-            image=np.concatenate([o.image, *image]).astype(np.int32),
-            point=np.concatenate([o.point, *point]).astype(np.int32), xy_px=np.vstack([o.xy_px, *xy]),
+            image=np.concatenate([o.image, len(old) + image[inside]]).astype(np.int32),
+            point=np.concatenate([o.point, point[inside]]).astype(np.int32), xy_px=np.vstack([o.xy_px, at[inside]]),
             cov_px2=np.vstack([o.cov_px2, np.tile([*np.median(o.cov_px2[used, :2], axis=0), 0.0], (added, 1))]),
         ),
     )  # fmt: skip
-    return _uncertainty(more, result, free, tuple(result.image_observations.rejected) + ("",) * added, k)
+    return more, tuple(result.image_observations.rejected) + ("",) * added
 
 
 def _uncertainty(
-    block: Block, result: Adjustment, free: dict[str, tuple[str, ...]], rejected: tuple[str, ...], k: int
-) -> float:
-    """Largest standard deviation of projection [px] of camera k after an adjustment; infinite where it fails."""
-    options = AdjustmentOptions(datum=result.options.datum, threads=result.options.threads, tolerance=NEAR)
+    block: Block, result: Adjustment, free: dict[str, tuple[str, ...]], rejected: tuple[str, ...],
+    shifts: ProjectionShifts, camera: str,
+) -> float:  # fmt: skip
+    """Largest standard deviation of projection [px] of a camera that a network promises; infinite where it fails."""
+    options = AdjustmentOptions(datum=result.options.datum, threads=result.options.threads)
     try:
-        work, _ = carry_out(block, options, free, rejected)
+        return shifts.uncertainty(result.sigma0**2 * expected_interior(block, options, free, rejected, camera)).largest
     except RaybundleError:
         return np.inf
-    system, state = work.system, work.solution.state
-    r, row = next((r, i) for r, i in enumerate(system.interior) if i.camera == k and i.image < 0)
-    redundancy = system.observations - system.unknowns + work.datum.defect
-    assert work.found is not None
-    Q = node_cofactor(work.normals, work.found, interior_unknowns(system, row))
-    values = dict(zip(row.model.symbols, state.interior[r].tolist(), strict=False))
-    camera = replace(block.cameras[k], values={**block.cameras[k].values, **values})
-    symbols = tuple(row.model.symbols[i] for i in row.free)
-    return _largest(camera, symbols, 2 * work.solution.cost / max(redundancy, 1) * Q)
 
 
 def _facing(xyz: Array, centres: Array) -> tuple[Array, bool]:

@@ -2,48 +2,21 @@
 
 from __future__ import annotations
 
-import ctypes
 import os
 from dataclasses import dataclass, field
-from functools import cache
 from typing import Any
 
 import numpy as np
 
 from raybundle.adjustment.assemble import State, System
 from raybundle.adjustment.carried import antenna_rows, attitude_rows
+from raybundle.adjustment.dense import as_many_threads_as_help, set_dense_kernels
 from raybundle.numerics import native
 from raybundle.numerics.arrays import Array, Index, Mask
 
 _NONE = np.zeros(0)
-
-
-@cache
-def _set_dense_kernels() -> None:
-    """Hand SciPy's BLAS and LAPACK to the native factor."""
-    from importlib import import_module  # noqa: PLC0415
-
-    cython_blas = import_module("scipy.linalg.cython_blas")
-    cython_lapack = import_module("scipy.linalg.cython_lapack")
-
-    get_name = ctypes.pythonapi.PyCapsule_GetName
-    get_name.restype, get_name.argtypes = ctypes.c_char_p, [ctypes.py_object]
-    get_pointer = ctypes.pythonapi.PyCapsule_GetPointer
-    get_pointer.restype, get_pointer.argtypes = ctypes.c_void_p, [ctypes.py_object, ctypes.c_char_p]
-
-    def address(module: Any, name: str) -> int:
-        capsule = module.__pyx_capi__[name]
-        return int(get_pointer(capsule, get_name(capsule)) or 0)
-
-    solver = native.module()
-    assert solver is not None
-    solver.set_dense(
-        address(cython_lapack, "dpotrf"),
-        address(cython_lapack, "dpotri"),
-        address(cython_blas, "dtrsm"),
-        address(cython_blas, "dsyrk"),
-        address(cython_blas, "dgemm"),
-    )
+LEAST_OBSERVATIONS = 2000
+"""Image observations for each thread, below which it takes longer to start it than to work alone."""
 
 
 @dataclass(slots=True)
@@ -54,6 +27,9 @@ class Linearised:
     row: Index
     unknown: Array
     value: Array
+
+
+_NOTHING = Linearised(_NONE, np.zeros(0, np.int32), np.zeros(0, np.int64), _NONE)
 
 
 @dataclass(slots=True)
@@ -83,7 +59,7 @@ class Normals:
 
             solver: Any = Solver(system.block, system)
         else:
-            _set_dense_kernels()
+            set_dense_kernels()
             solver = module.Solver()
         external = _fill(solver, system, frozenset() if module is None else native.sensor_models())
         touched = _nodes_of_extra(system)
@@ -91,7 +67,7 @@ class Normals:
         normals = cls(
             system=system,
             solver=solver,
-            threads=max(1, count),
+            threads=max(1, min(count, len(system.rows) // LEAST_OBSERVATIONS)),
             values=np.zeros(solver.values_size),
             right=np.zeros(solver.unknowns),
             diagonal=np.zeros(solver.unknowns),
@@ -131,6 +107,8 @@ class Normals:
     def extra(self, state: State) -> Linearised:
         """Extra observations at a state: residual adjusted - observed over sigma."""
         system, extra = self.system, self.system.extra
+        if not len(extra):
+            return _NOTHING
         residual = np.zeros(len(extra))
         rows: list[Array] = []
         unknowns: list[Array] = []
@@ -141,7 +119,7 @@ class Normals:
             unknowns.append(unknown)
             values.append(value)
 
-        weight = 1 / extra.sigma if len(extra) else _NONE
+        weight = 1 / extra.sigma
         i = np.flatnonzero(extra.kind == 0)
         if len(i):
             point, axis = extra.item[i], extra.component[i]
@@ -235,9 +213,9 @@ class Normals:
             *self.arguments(state), huber, damping, self.threads, self.values, self.right, self.diagonal
         )
         e = self.extra(state)
-        np.add.at(self.right, e.unknown, -e.value * e.residual[e.row])
-        np.add.at(self.diagonal, e.unknown, e.value**2)
-        if len(self.pair_at):
+        if len(e.value):
+            np.add.at(self.right, e.unknown, -e.value * e.residual[e.row])
+            np.add.at(self.diagonal, e.unknown, e.value**2)
             np.add.at(self.values, self.pair_at, e.value[self.pairs[0]] * e.value[self.pairs[1]])
         self._hold_retained()
         return float(cost) + 0.5 * float(e.residual @ e.residual), int(behind), list(weak)
@@ -258,17 +236,36 @@ class Normals:
         """
         # an unknown that nothing touches stays where it is; the undamped factor then names it
         added = damping * np.where(self.diagonal > 0, self.diagonal, 1.0) if damping else _NONE
-        failed = self.solver.factorise(self.values, added)
+        failed = self.factorise(added)
         if failed:
-            return int(failed) - 1
-        nodes = self.right.copy()
-        self.solver.solve(nodes, 1)
+            return failed - 1
+        nodes = self.solved(self.right)
         points = np.zeros_like(state.xyz)
         cost = self.solver.back_substitute(*self.arguments(state), huber, damping, self.threads, nodes, points)
         e = self.extra(state)
         moved = e.residual.copy()
-        np.add.at(moved, e.row, e.value * nodes[e.unknown])
+        if len(moved):
+            np.add.at(moved, e.row, e.value * nodes[e.unknown])
         return nodes, points, float(cost) + 0.5 * float(moved @ moved)
+
+    def factorise(self, added: Array = _NONE) -> int:
+        """Factor the matrix of the last `reduce` with this added to its diagonal; 0, or 1 + the unknown that fails."""
+        with as_many_threads_as_help(len(self.right)):
+            return int(self.solver.factorise(self.values, added))
+
+    def solved(self, right: Array) -> Array:
+        """N^-1 applied to right sides (N,) or (N, k) of the nodes, with the last factor."""
+        found = np.array(right, order="C")
+        with as_many_threads_as_help(len(found)):
+            self.solver.solve(found, 1 if found.ndim == 1 else found.shape[1])
+        return found
+
+    def selected_inverse(self) -> Array:
+        """The inverse at the entries of the normal matrix and in its layout, with the last factor."""
+        inverse = np.zeros_like(self.values)
+        with as_many_threads_as_help(len(self.right)):
+            self.solver.selected_inverse(inverse)
+        return inverse
 
     def cost(self, state: State, *, huber: float = 0.0) -> tuple[float, int]:
         """Half the weighted square sum, and the observations behind the camera."""
@@ -291,9 +288,7 @@ class Normals:
         """The nodes' part (N, k) of N^-1 applied to right sides for nodes (N, k) and points (p, 3, k)."""
         columns = nodes.shape[1]
         condensed = self.solver.condense(*self.arguments(state), self.threads, self._free_rows(points), columns)
-        right = np.ascontiguousarray(nodes + condensed)
-        self.solver.solve(right, columns)
-        return right
+        return self.solved(nodes + condensed)
 
     def solve_points(self, state: State, nodes: Array, points: Array) -> Array:
         """The points' part (p, 3, k) that belongs to the nodes' part (N, k) of a solution."""

@@ -34,8 +34,7 @@ class Cofactors:
 def cofactors(normals: Normals, state: State, datum: Datum) -> Cofactors:
     """All selected cofactors; `normals` holds the undamped factor in its minimal datum."""
     system = normals.system
-    inverse = np.zeros_like(normals.values)
-    normals.solver.selected_inverse(inverse)
+    inverse = normals.selected_inverse()
     change = transformation(normals, state, datum)
     d = 0 if change is None else datum.defect
     none = np.zeros(0)

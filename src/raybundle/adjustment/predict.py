@@ -45,7 +45,10 @@ def predicted_px(block: Block, image: int, xyz: Array) -> Array:
 
 
 def image_points(camera: Camera, rotation: Array, centre: Array, xyz: Array) -> Array:
-    """Image points (n, 2) [px] of object points (n, 3); NaN behind the camera or far outside the format."""
+    """Image points (n, 2) [px] of object points (n, 3); NaN behind the camera or far outside the format.
+
+    rotation, centre  (3, 3) and (3,) of one image, or (n, 3, 3) and (n, 3) of each point's
+    """
     model, values, n = camera.sensor, camera.parameters, len(xyz)
     P = sensor_from_object(np.broadcast_to(rotation, (n, 3, 3)), np.broadcast_to(centre, (n, 3)), xyz)
     start = model.start(P, values)

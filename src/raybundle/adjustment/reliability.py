@@ -199,7 +199,7 @@ def variance_components(
         square = float(np.sum((g.residual[weighted] / g.sigma[weighted]) ** 2))
         name = {
             "control": "control", "distance": "distances", "station": "stations", "attitude": "attitudes",
-            "relation": "smoothness",
+            "relation": "relations",
         }.get(g.kind, "parameters")  # fmt: skip
         add(name, "all", int(weighted.sum()), square, float(np.nansum(g.redundancy[weighted])))
     return tuple(result)

@@ -150,7 +150,7 @@ class VarianceComponent:
     """Ratio of the a-posteriori to the a-priori sigma of a group of observations (Förstner 1979)."""
 
     kind: str
-    """image observations | camera | image | control | distances | stations | attitudes | smoothness | ..."""
+    """image observations | camera | image | control | distances | stations | attitudes | relations | ..."""
     group: str
     count: int
     redundancy: float

@@ -17,6 +17,13 @@ from raybundle.numerics.progress import Progress, silent
 
 FLOOR = 1e-10
 """Smallest damping: it carries the open datum, and is too small to slow anything else."""
+CAUTIOUS = 1e-4
+"""Damping of the first step from approximate values."""
+CLOSE = 1.0
+"""Steps, in standard deviations, from which on damping is not needed where they bring what they promise.
+
+Where a step was refused before, it goes down slowly.
+"""
 ROUNDING = 1e-13
 """Share of the square sum below which a predicted decrease is rounding."""
 NOISE = 1e-11
@@ -46,6 +53,7 @@ def solve(
     *,
     huber: float = 0.0,
     tolerance: float | None = None,
+    damping: float = CAUTIOUS,
     progress: Progress = silent,
 ) -> Solution:
     """Minimise the weighted square sum (or its robust form) from a state.
@@ -58,11 +66,11 @@ def solve(
     system = normals.system
     unknowns = max(system.unknowns, 1)
     redundancy = max(system.observations - system.unknowns, 1)
-    damping, growth = 1e-4, 2.0
+    growth = 2.0
     cost, behind, _ = normals.reduce(state, damping=damping, huber=huber)
     excess = _excess(normals, state, huber)
     length, refused_behind = np.inf, 0
-    start = None
+    start, refused = None, False
     for iteration in range(1, options.max_iterations + 1):
         trial = normals.step(state, damping=damping, huber=huber)
         if isinstance(trial, int):
@@ -93,12 +101,11 @@ def solve(
             excess = _excess(normals, state, huber)
             growth = 2.0
             damping *= 1 / 30 if 0.95 < gain < 1.05 else max(1 / 3, 1 - (2 * min(gain, 1.0) - 1) ** 3)
-            if gain > 0.9 and length < 1e-3:
-                damping *= 1e-3
-            damping = max(damping, FLOOR)
+            damping = FLOOR if gain > 0.9 and length < CLOSE and not refused else max(damping, FLOOR)
             start = length if start is None else start
             progress("adjusting", _share(start, length, limit))
         else:
+            refused = True
             refused_behind += int(turned)
             damping, growth = max(damping, 1e-9) * growth, growth * 2
             if damping > 1e12:

@@ -17,6 +17,8 @@ MOST_POINTS = 4000
 NOTICED = 0.05
 """Correlation from which on it is worth a notice."""
 FEWEST_PAIRS = 500
+CELL = 0.04
+"""Side of a cell in which image points are at the same place of the format, in diagonals."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -44,8 +46,6 @@ def residual_structure(result: Adjustment) -> ResidualStructure | None:
     information than n independent ones.  What it does not tell: errors that are common to a whole image, which its
     orientation absorbs.
     """
-    from scipy.spatial import KDTree  # noqa: PLC0415
-
     o, block = result.given.observations, result.given
     s = result.image_observations
     used = np.array([not r for r in s.rejected])
@@ -66,14 +66,12 @@ def residual_structure(result: Adjustment) -> ResidualStructure | None:
             continue
         camera = block.cameras[block.images.camera[i]]
         diagonal = math.hypot(camera.width_px, camera.height_px)
-        near = KDTree(o.xy_px[rows]).query_pairs(FAR * diagonal, output_type="ndarray")
-        distance = np.linalg.norm(o.xy_px[rows[near[:, 0]]] - o.xy_px[rows[near[:, 1]]], axis=1)
-        near = near[distance > NEAR * diagonal]
-        products = np.sum(z[rows[near[:, 0]]] * z[rows[near[:, 1]]], axis=1) / 2 / variance
-        if len(near) >= FEWEST_PAIRS // 5:
+        one, other = _neighbours(o.xy_px[rows], NEAR * diagonal, FAR * diagonal)
+        products = np.sum(z[rows[one]] * z[rows[other]], axis=1) / 2 / variance
+        if len(one) >= FEWEST_PAIRS // 5:
             images[i] = float(products.mean())
         total += float(products.sum())
-        pairs += len(near)
+        pairs += len(one)
         weight += 2 * float(products.sum()) * thinned
     if pairs < FEWEST_PAIRS:
         return None
@@ -84,6 +82,78 @@ def residual_structure(result: Adjustment) -> ResidualStructure | None:
         images=images,
         factor=math.sqrt(max(1.0, 1 + weight / int(used.sum()))),
     )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RepeatedResiduals:
+    """Correlation of the residuals of different images at the same place of the format."""
+
+    correlation: float
+    """0 where the interior orientation explains everything"""
+    std: float
+    """Of the correlation, where there is none"""
+    pairs: int
+    rms_px: float
+    """Of what the residuals have in common, per coordinate"""
+
+    @property
+    def noticed(self) -> bool:
+        """Whether it is there, and large enough to be worth a word."""
+        return self.correlation > max(NOTICED, 5 * self.std)
+
+
+def repeated_residuals(result: Adjustment, camera: int) -> RepeatedResiduals | None:
+    """How much the residuals of a camera agree from image to image; None where there are too few.
+
+    camera  position in `Block.cameras`
+    Image points of different images and of different object points within a cell (CELL diagonals of the format wide)
+    are multiplied, all pairs of them.  A positive mean says that the distortion model lacks something that the camera
+    does to every image.  What it does not tell: distortion that changes within a cell, and what exterior orientations
+    and object coordinates absorb.
+    """
+    o, block, s = result.given.observations, result.given, result.image_observations
+    rows = np.flatnonzero((block.images.camera[o.image] == camera) & np.array([not r for r in s.rejected], bool))
+    safe = np.sqrt(np.maximum(s.redundancy[rows], 0.05))
+    v = s.residuals_px[rows] / safe
+    sigma = np.sqrt(o.cov_px2[rows, :2])
+    good = np.isfinite(v / sigma).all(axis=1)
+    rows, v, sigma = rows[good], v[good], sigma[good]
+    if len(rows) < 2:
+        return None
+    known = block.cameras[camera]
+    cell = np.floor(o.xy_px[rows] / (CELL * math.hypot(known.width_px, known.height_px))).astype(np.int64)
+    cell = (cell[:, 0] - cell[:, 0].min()) * (1 + cell[:, 1].max() - cell[:, 1].min()) + cell[:, 1] - cell[:, 1].min()
+    z = v / sigma
+    z /= math.sqrt(float(np.mean(z**2)))
+    both = [np.zeros(len(rows), np.int64), o.image[rows].astype(np.int64), o.point[rows].astype(np.int64)]
+    whole, image, point = (_pair_sums(cell, other, z) for other in both)
+    pairs = whole[1] - image[1] - point[1]  # a point is measured once in an image
+    if pairs < FEWEST_PAIRS:
+        return None
+    correlation = (whole[0] - image[0] - point[0]) / pairs / 2
+    rms = math.sqrt(max(correlation, 0.0) * float(np.mean(v**2)))
+    return RepeatedResiduals(correlation=correlation, std=1 / math.sqrt(2 * pairs), pairs=pairs, rms_px=rms)
+
+
+def _pair_sums(cell: Array, other: Array, z: Array) -> tuple[float, int]:
+    """Sum of z_i . z_j over the pairs of rows that agree in both labels, and their number."""
+    _, group = np.unique(cell * (1 + other.max()) + other, return_inverse=True)
+    count = np.bincount(group)
+    square = sum(float((np.bincount(group, z[:, k]) ** 2).sum()) for k in (0, 1)) - float((z**2).sum())
+    return square / 2, int((count * (count - 1) // 2).sum())
+
+
+def _neighbours(xy: Array, near: float, far: float) -> tuple[Array, Array]:
+    """Pairs of rows of points (n, 2) that are more than `near` and at most `far` apart, each pair once."""
+    order = np.argsort(xy[:, 0], kind="stable")
+    x = xy[order, 0]
+    following = np.searchsorted(x, x + far, side="right") - np.arange(len(x)) - 1
+    one = np.repeat(np.arange(len(x)), following)
+    other = one + 1 + np.arange(len(one)) - np.repeat(np.cumsum(following) - following, following)
+    one, other = order[one], order[other]
+    distance = np.linalg.norm(xy[one] - xy[other], axis=1)
+    good = (distance > near) & (distance <= far)
+    return one[good], other[good]
 
 
 def structure_notice(result: Adjustment) -> Notice | None:

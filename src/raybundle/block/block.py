@@ -33,13 +33,15 @@ class Role(IntEnum):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Relation:
-    """A sum of parameters of one camera that is observed as zero."""
+    """A sum of parameters of one camera that is observed."""
 
     name: str
     """For statistics and messages."""
     terms: Mapping[str, float]
     """Symbol -> factor."""
     sigma: float
+    observed: float = 0.0
+    """What the sum is."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -18,18 +18,20 @@ from raybundle.sensors import sensor_models
 
 FEWEST = 6
 """Points of a view that takes part."""
-SCALES = np.geomspace(0.15, 4.0, 36)
+SCALES = np.geomspace(0.15, 4.0, 18)
 """Camera constants that are tried, in widths of the format."""
 BENDS = np.array([0.1, 0.05, 0.0, -0.05, -0.1, -0.15, -0.2, -0.25, -0.3, -0.35])
 """Bends that are tried: 0 is the central projection, -1/4 the stereographic, about -1/3 the equidistant fisheye."""
-ASKED = 24
-"""Views on which they are tried."""
-TRIED = 24
-"""Points of a view on which they are tried."""
+ASKED = (8, 24)
+"""Views on which they are tried, all of them and those near the best."""
+TRIED = (12, 24)
+"""Points of each of these views."""
 RIDGE = 3e-4
 """Weight of the pull towards zero in the fit of radial terms, as a share of what a term does in the image."""
 FITTED = 2000
 """Image points to which they are fitted."""
+FITS = 1e-6
+"""Share of the square sum whose gain is none."""
 POOR = 0.02
 """Residual of the start, in widths of the format, beyond which it is not believed."""
 
@@ -142,25 +144,7 @@ def planar_start(camera: Camera, xy_px: Array, image: Array, xyz: Array) -> tupl
         per_px = values[0] / camera.pixel_mm[0]
         residual = float(np.median(_by_view(away, first))) * per_px
         return BoardStart(camera=camera, c=float(values[0]), bend=0.0, residual_px=residual), R, _centres(R, t)
-    asked = np.unique(np.linspace(0, len(first) - 1, ASKED).astype(int))
-    ends = np.append(first, len(image))
-    rows = np.concatenate([_spread(int(first[i]), int(ends[i + 1])) for i in asked])
-    some = np.flatnonzero(np.diff(image[rows], prepend=-1))
-    best = (np.inf, size, 0.0)
-
-    def tried(c: Array, bend: Array) -> tuple[float, float, float]:
-        score = _scores(xy[rows], xyz[rows], some, c, bend)
-        k = int(score.argmin())
-        return min(best, (float(score[k]), float(c[k]), float(bend[k])))
-
-    for c in size * SCALES:
-        best = tried(np.full(len(BENDS), c), BENDS)
-    step = np.array([-1, 0, 1])
-    for width in (0.5, 0.25, 0.12, 0.06):
-        _, c0, b0 = best
-        ratio = SCALES[1] / SCALES[0]
-        best = tried(np.repeat(c0 * ratio ** (width * step), 3), np.tile(b0 + 0.05 * width * step, 3))
-    score, c, bend = best
+    score, c, bend = _best_lens(xy, image, xyz, size)
     if not score < POOR * size:
         raise NotSolvable(
             f"no lens explains the views of the board: the best start leaves {score / camera.pixel_mm[0]:.0f} px; "
@@ -173,9 +157,32 @@ def planar_start(camera: Camera, xy_px: Array, image: Array, xyz: Array) -> tupl
     return BoardStart(camera=fitted, c=c, bend=bend, residual_px=residual), R, _centres(R, t)
 
 
-def _spread(begin: int, end: int) -> Index:
-    """Some rows of a view, well spread."""
-    return np.unique(np.linspace(begin, end - 1, min(TRIED, end - begin)).astype(int))
+def _best_lens(xy: Array, image: Array, xyz: Array, size: float) -> tuple[float, float, float]:
+    """Score, camera constant [mm] and bend of the lens that explains the views best; rows in the order of the views."""
+    few, more = (_some(image, views, points) for views, points in zip(ASKED, TRIED, strict=True))
+
+    def tried(rows: Index, c: Array, bend: Array) -> tuple[float, float, float]:
+        first = np.flatnonzero(np.diff(image[rows], prepend=-1))
+        score = _scores(xy[rows], xyz[rows], first, c, bend)
+        k = int(score.argmin())
+        return float(score[k]), float(c[k]), float(bend[k])
+
+    best = min(tried(few, np.full(len(BENDS), c), BENDS) for c in size * SCALES)
+    step, ratio = np.array([-1, 0, 1]), SCALES[1] / SCALES[0]
+    for width in (0.5, 0.25, 0.12, 0.06, 0.03):
+        _, c, bend = best
+        best = tried(more, np.repeat(c * ratio ** (width * step), 3), np.tile(bend + 0.05 * width * step, 3))
+    return best
+
+
+def _some(image: Array, views: int, points: int) -> Index:
+    """So many rows of so many views, well spread, where there are more; `image` (m,) ascends."""
+    first = np.flatnonzero(np.diff(image, prepend=-1))
+    ends = np.append(first[1:], len(image))
+    asked = np.unique(np.linspace(0, len(first) - 1, views).astype(int))
+    return np.concatenate(
+        [np.unique(np.linspace(first[i], ends[i] - 1, min(points, ends[i] - first[i])).astype(int)) for i in asked]
+    )
 
 
 def _centres(R: Array, t: Array) -> Array:
@@ -275,7 +282,7 @@ def fitted_to_rays(camera: Camera, xy_mm: Array, ray: Array, c: float) -> Camera
         tried[free] -= step / scale
         new = linearised(tried)
         if new[2] < least:
-            done = least - new[2] < 1e-12 * least
+            done = least - new[2] < FITS * least
             values, (v, A, least), damping = tried, new, damping / 5
             if done:
                 break

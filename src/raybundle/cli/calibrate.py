@@ -10,11 +10,15 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, counted
+from raybundle.errors import InputError
 
 if TYPE_CHECKING:
     from raybundle.adjustment.calibration_quality import CalibrationQuality
+    from raybundle.targets.marks import Target
     from raybundle.workflows.calibrate import Calibration
 
+FRAME_MODELS = ("aicon", "brown", "brown_harmonic", "fisheye", "radial", "rational", "spline")
+"""Models of cameras that can be calibrated from photographs of targets."""
 MOST_PARAMETERS, SHOWN = 16, 15
 """Parameters and warnings that are printed."""
 
@@ -27,9 +31,11 @@ MOST_PARAMETERS, SHOWN = 16, 15
     "targets",
     multiple=True,
     metavar="FAMILY",
-    help="What was photographed, as aicon14 or chessboard-9x6; `raybundle targets --help` lists them.  [default: found "
+    help="What was photographed, as aicon14 or chessboard-9x6; how-to Coded targets lists them.  [default: found "
     "out; natural points where there is nothing]",
 )
+@click.option("--table", type=FOLDER, metavar="FILE", help="Rings of one's own: a table id,code; with --bits.")
+@click.option("--bits", type=click.IntRange(3, 24), help="Sectors of the rings of --table.")
 @click.option(
     "--sheet", type=FOLDER, metavar="SHEET.toml", help="The file beside the printed sheet, in place of --target."
 )
@@ -41,7 +47,8 @@ MOST_PARAMETERS, SHOWN = 16, 15
     help="Photographs whose names match, as 'left_*', are a camera apart; for those without metadata.",
 )
 @click.option("--model", default="auto", show_default=True, metavar="NAME",
-    help="Distortion model: brown, rational, fisheye ...; auto: brown, or what fits a wide lens better.",
+    help="Distortion model: aicon, brown, brown_harmonic, fisheye, radial, rational, spline; auto: brown, or what fits "
+    "a wide lens or what repeats in all residuals better.",
 )  # fmt: skip
 @click.option("--estimate", default="", metavar="SYMBOLS",
     help="Parameters to be estimated, as c,x0,y0,K1,K2,P1,P2.  [default: what is significant and determinable]",
@@ -60,6 +67,8 @@ def command(
     photos: tuple[Path, ...],
     out: Path,
     targets: tuple[str, ...],
+    table: Path | None,
+    bits: int | None,
     sheet: Path | None,
     separate: tuple[str, ...],
     model: str,
@@ -85,16 +94,18 @@ def command(
       raybundle targets sheet --family aicon14 --codes 1-50 --paper A3 --out sheet.pdf
       raybundle calibrate photos/ --target aicon14 --out calibration
       raybundle calibrate board/ --target chessboard-9x6 --out calibration --keep
+      raybundle calibrate photos/ --sheet sheet.toml --out calibration
     """  # noqa: D301
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.report.result_folder import check_target, write_result  # noqa: PLC0415
     from raybundle.targets.sidecar import read_sidecar  # noqa: PLC0415
     from raybundle.workflows.calibrate import CalibrateOptions, calibrate  # noqa: PLC0415
 
+    check_model(model)
     options = CalibrateOptions(
-        targets=targets, sheet=None if sheet is None else read_sidecar(sheet), separate=separate, model=model,
-        spacing=spacing, estimate=tuple(t.strip() for t in estimate.split(",") if t.strip()), dots=dots, shear=shear,
-        jobs=jobs,
+        targets=wanted_targets(targets, table, bits, sheet), sheet=None if sheet is None else read_sidecar(sheet),
+        separate=separate, model=model, spacing=spacing,
+        estimate=tuple(t.strip() for t in estimate.split(",") if t.strip()), dots=dots, shear=shear, jobs=jobs,
     )  # fmt: skip
     check_target(out)
     with reporting(progress) as tell:
@@ -114,6 +125,35 @@ def command(
     return 0
 
 
+def check_model(name: str) -> None:
+    """Raise InputError for what is not the interior orientation of a camera with a plane sensor."""
+    if name in {"auto", *FRAME_MODELS}:
+        return
+    from raybundle.sensors import sensor_models  # noqa: PLC0415
+
+    known = f"known: auto, {', '.join(FRAME_MODELS)}"
+    if name in sensor_models:
+        raise InputError(
+            f"the sensor model {name} cannot be calibrated from photographs of targets: it is not that of a camera "
+            f"that sees all at one instant from one place; {known}. Blocks that use {name} are for `raybundle adjust`"
+        )
+    raise InputError(f"unknown sensor model {name!r}; {known}")
+
+
+def wanted_targets(
+    names: tuple[str, ...], table: Path | None, bits: int | None, sheet: Path | None
+) -> tuple[str | Target, ...]:
+    """What was photographed, as the options say; raises InputError."""
+    if table is None and bits is None:
+        return names
+    if table is None or bits is None or names or sheet is not None:
+        raise InputError("--table goes with --bits, and without --target and --sheet")
+    from raybundle.targets.codes import read_table  # noqa: PLC0415
+    from raybundle.targets.kinds.rings import Rings  # noqa: PLC0415
+
+    return (Rings(rings=read_table(table, bits)),)
+
+
 def additions(done: Calibration) -> dict[str, object]:
     """What result.json says beside the adjustment."""
     lost = [{"file": f, "reason": r} for f, r in (*done.refused, *done.not_used)]
@@ -125,6 +165,7 @@ def additions(done: Calibration) -> dict[str, object]:
             "completed": done.completed,
             "dots": done.dots,
             "largest_eccentricity_px": done.largest_eccentricity_px,
+            "radius_scale": None if done.radius is None else {"value": done.radius.value, "std": done.radius.std},
         },
         "calibration": {q.camera: {**_as_table(q), "exif": _exif(done, q.camera)} for q in done.quality},
     }
@@ -193,7 +234,6 @@ def _kept(done: Calibration, q: CalibrationQuality, out: Path) -> str:
     from dataclasses import replace  # noqa: PLC0415
     from datetime import UTC, datetime  # noqa: PLC0415
 
-    from raybundle.errors import InputError  # noqa: PLC0415
     from raybundle.io.camera_library import LibraryEntry, add_entry, key_of  # noqa: PLC0415
 
     if q.grade not in {"good", "usable"}:
@@ -209,6 +249,7 @@ def _kept(done: Calibration, q: CalibrationQuality, out: Path) -> str:
         source=f"calibration {out.name}",
         sigma0=a.sigma0,
         photographs=q.photographs,
+        grade=q.grade,
     )
     try:
         return f"kept in the camera library: {add_entry(entry)}"

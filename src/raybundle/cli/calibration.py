@@ -129,9 +129,11 @@ def _of_result(folder: Path) -> list[tuple[Calibration, dict[str, Any]]]:
         covariance = None
         if free and all(s is not None for s in std):
             covariance = np.array([[table[a][b] for b in free] for a in free]) * np.outer(std, std)
+        verdict: dict[str, Any] = result.result.get("calibration", {}).get(camera.id, {})
         facts = {
             "sigma0": result.result.get("sigma0"),
-            "photographs": int((np.asarray(images.camera) == k).sum()),
+            "photographs": int(verdict.get("photographs", (np.asarray(images.camera) == k).sum())),
+            "grade": verdict.get("grade", ""),
             "source": f"adjustment {folder.name} of {result.block.name}",
         }
         calibration = Calibration(
@@ -303,7 +305,8 @@ def _row(entry: LibraryEntry) -> str:
     sigma0 = "" if entry.sigma0 is None else f", sigma0 {significant(entry.sigma0)}"
     count = "" if entry.photographs is None else f", {counted(entry.photographs, 'photograph')}"
     size = f"{c.width_px} x {c.height_px} px"
-    return f" {entry.name}\n   {entry.key}; {size}, {c.model}; {entry.date}, {entry.source}{count}{sigma0}"
+    verdict = f", called {entry.grade}" if entry.grade else ""
+    return f" {entry.name}\n   {entry.key}; {size}, {c.model}; {entry.date}, {entry.source}{count}{sigma0}{verdict}"
 
 
 @command.command("list", context_settings=COMMAND_SETTINGS)

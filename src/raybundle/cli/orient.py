@@ -33,7 +33,7 @@ class StageName(click.Choice[str]):
 @click.argument("photos", type=FOLDER, nargs=-1, required=True)
 @click.option("--out", type=FOLDER, required=True, metavar="PROJECT", help="Project folder; begun, or continued.")
 @click.option(
-    "--calibration", type=FOLDER, metavar="CAMERAS.toml", help="Known cameras; `estimate = []` in it holds them."
+    "--calibration", type=FOLDER, metavar="CAMERAS.toml", help="Known cameras; `estimate = []` in it holds them; one of `raybundle calibrate` is observed with its covariance."
 )
 @click.option(
     "--camera",

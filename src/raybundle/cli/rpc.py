@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import click
 
 from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, counted, significant
-from raybundle.errors import InputError
+from raybundle.errors import InputError, NotSolvable, RaybundleError
 
 if TYPE_CHECKING:
     from raybundle.io.scenes import Scene
@@ -86,8 +86,13 @@ def project(scene: Path, points: Path, out: Path, model: str, *, to_ground: bool
     s = read_scene(scene)
     chosen = _model(s, model)
     ids, rows = _table(points, ("x_px", "y_px", "h_m") if to_ground else ("lon_deg", "lat_deg", "h_m"))
-    ground = chosen.localise(rows[:, :2], rows[:, 2]) if to_ground else rows
-    image = rows[:, :2] if to_ground else chosen.project(rows)
+    try:
+        if s.rpc is not None and not to_ground:
+            s.rpc.check_near(rows, ids)
+        ground = chosen.localise(rows[:, :2], rows[:, 2]) if to_ground else rows
+        image = rows[:, :2] if to_ground else chosen.project(rows)
+    except RaybundleError as error:
+        raise type(error)(f"{scene}: {error}") from None
     columns = ("x_px", "y_px", "lon_deg", "lat_deg", "h_m")
     both = dict(zip(columns, (*image.T, *ground.T), strict=True))
     write_table(out, {"point": ids, **both})
@@ -129,8 +134,12 @@ def correct(
     if s.rpc is None:
         raise InputError("it holds no RPC to be corrected; make one with `raybundle rpc fit`", file=scene)
     sigmas = ("sE_m", "sN_m", "sU_m")
-    _, rows = _table(points, ("lon_deg", "lat_deg", "h_m", "x_px", "y_px"), sigmas)
+    ids, rows = _table(points, ("lon_deg", "lat_deg", "h_m", "x_px", "y_px"), sigmas)
     stated = rows[:, 5:] if rows.shape[1] == 8 else None
+    try:
+        s.rpc.check_near(rows[:, :3], ids)
+    except InputError as error:
+        raise InputError(str(error), file=scene) from None
     advice = choose_bias(s.rpc, rows[:, :3], rows[:, 3:5], sigma_px=sigma, sigma_ground_m=stated)
     _tell_advice(advice)
     chosen = next((f for f in advice.fits if f.kind == bias), None) if bias != "auto" else advice.advised
@@ -247,10 +256,14 @@ def _tell_line(s: Scene, line: LineScene) -> None:
 
     size = np.array([line.width_px, line.height_px])
     h = 0.0 if s.rpc is None else float(s.rpc.ground_offset[2])
-    corners = line.localise(np.array(CORNERS) * size, h)
     click.echo(f" rigorous model: {abs(2 * line.middle_and_half[1]):.4g} s, corners at height {h:g} m")
-    for (u, v), (lon, lat, _) in zip(CORNERS, corners, strict=True):
-        click.echo(f"      x {u * size[0]:7.0f}  y {v * size[1]:7.0f}   {lon:.6f} E  {lat:.6f} N")
+    for u, v in CORNERS:
+        try:
+            lon, lat, _ = line.localise(np.array([[u, v]]) * size, h)[0]
+            place = f"{lon:.6f} E  {lat:.6f} N"
+        except NotSolvable:
+            place = "looks past the body"
+        click.echo(f"      x {u * size[0]:7.0f}  y {v * size[1]:7.0f}   {place}")
     if s.rpc is None:
         return
     xy, heights = _grid(s, s.rpc)

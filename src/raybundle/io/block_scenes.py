@@ -10,7 +10,7 @@ import json
 import shutil
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, Literal, cast
 
 import numpy as np
 
@@ -22,7 +22,8 @@ from raybundle.numerics.places import Geocentric, Local, Place, Projected
 
 if TYPE_CHECKING:
     from raybundle.io.block_toml import Section
-    from raybundle.scenes.corrections import Fixes, Pieces
+    from raybundle.io.scene_fixes import GivenFixes
+    from raybundle.scenes.linescan import LineScene
     from raybundle.scenes.sensor import LineSensor, RpcSensor
 
 MODELS = ("rpc", "linescan")
@@ -118,17 +119,21 @@ def read_scene_camera(section: Section, id_: str, place: Place | None) -> Camera
         if found.rpc is None:
             section.fail("model", f'{file.name} holds no RPC; give model = "linescan"')
         check_image(found.rpc, width, height, file)
-        sensor = _rpc_sensor(section, found.rpc, place, (width, height), file)
+        sensor, known = _rpc_sensor(section, found.rpc, place, (width, height), file), list["GivenFixes"]()
     else:
         if found.line is None:
             section.fail("model", f'{file.name} holds no rigorous model that is understood; give model = "rpc"')
-        sensor = _line_sensor(section, found.line, place, file)
+        sensor, known = _line_sensor(section, found.line, place, file)
     estimate = section.values.get("estimate")
     if estimate is not None and not isinstance(estimate, list):
         section.fail("estimate", "give a list of parameters; a scene's are not chosen by themselves")
     stated = section.section("sigma") if "sigma" in section.values else None
     sigma = None if stated is None else _sigma(stated, sensor)
-    values = {s: section.number(s, 0.0) for s in sensor.symbols}
+    told = {s: v for g in known for s, v in g.sigma.items()}
+    if told:  # what block.toml states stands before what the file of the fixes does
+        sigma = told | (sensor.priors() | told if sigma is None else sigma)
+    before = {s: v for g in known for s, v in g.values.items()}
+    values = {s: section.number(s, before.get(s, 0.0)) for s in sensor.symbols}
     named = None if estimate is None else [m for s in cast("list[Any]", estimate) for m in _members(sensor, str(s))]
     if named is not None:
         order = {s: k for k, s in enumerate(sensor.symbols)}
@@ -170,12 +175,13 @@ def _rpc_sensor(section: Section, rpc: Any, place: Place, size: tuple[int, int],
     return RpcSensor(rpc, place, size, cast("Any", bias), file)
 
 
-def _line_sensor(section: Section, line: Any, place: Place, file: Path) -> LineSensor:
+def _line_sensor(section: Section, line: Any, place: Place, file: Path) -> tuple[LineSensor, list[GivenFixes]]:
     from raybundle.scenes.sensor import LineSensor  # noqa: PLC0415
     from raybundle.scenes.trajectory import CorrectionModel  # noqa: PLC0415
 
     degrees: list[int] = []
-    curves = [_curve(section, part) for part in ("position", "attitude")]
+    given = [_curve(section, part, line) for part in ("position", "attitude")]
+    curves = [None if g is None else g.curve for g in given]
     for part, curve in zip(("position", "attitude"), curves, strict=True):
         value = section.number(f"{part}_degree", 0 if curve is None else -1)
         if value not in {-1, 0, 1, 2}:
@@ -189,9 +195,10 @@ def _line_sensor(section: Section, line: Any, place: Place, file: Path) -> LineS
     smooth = section.section("smooth")
     stated = {s: smooth.checked(s, v, above=0) for s, v in smooth.values.items()}
     try:
-        return LineSensor(line, place, corrections, section.number("height_m", 0.0), file, stated)
+        sensor = LineSensor(line, place, corrections, section.number("height_m", 0.0), file, stated)
     except InputError as error:
         section.fail("smooth" if stated else "scene", str(error))
+    return sensor, [g for g in given if g is not None]
 
 
 def _flag(section: Section, key: str) -> bool:
@@ -201,30 +208,30 @@ def _flag(section: Section, key: str) -> bool:
     return value
 
 
-def _curve(section: Section, part: str) -> Fixes | Pieces | None:
-    """The curve of position_... or attitude_...: a number of fixes, or pieces of polynomials."""
-    from raybundle.scenes.corrections import Fixes, Pieces  # noqa: PLC0415
+def _curve(section: Section, part: Literal["position", "attitude"], line: LineScene) -> GivenFixes | None:
+    """The curve of position_... or attitude_...: fixes, or pieces of polynomials."""
+    from raybundle.io.scene_fixes import GivenFixes, read_fixes  # noqa: PLC0415
+    from raybundle.scenes.corrections import Pieces  # noqa: PLC0415
 
     fixes, pieces = f"{part}_fixes", f"{part}_pieces"
     if fixes in section.values and pieces in section.values:
         section.fail(pieces, f"{fixes} stands there as well; take one of the two away")
-    key = fixes if fixes in section.values else pieces
+    if fixes in section.values:
+        return read_fixes(section, part, line)
+    if pieces not in section.values:
+        return None
     try:
-        if fixes in section.values:
-            return Fixes(count=section.whole(fixes))
-        if pieces not in section.values:
-            return None
         own = section.section(pieces)
         own.allow(("count", "degree", "continuity"))
         degree = own.whole("degree") if "degree" in own.values else 3
         continuity = own.number("continuity", degree - 1)
         if continuity != int(continuity):
             own.fail("continuity", f"{continuity:g} is not a whole number")
-        return Pieces(count=own.whole("count"), degree=degree, continuity=int(continuity))
+        return GivenFixes(curve=Pieces(count=own.whole("count"), degree=degree, continuity=int(continuity)))
     except InputError as error:
         if error.file is not None:
             raise
-        section.fail(key, str(error))
+        section.fail(pieces, str(error))
 
 
 def scene_lines(camera: Camera, number: int) -> list[str]:
@@ -251,7 +258,8 @@ def scene_lines(camera: Camera, number: int) -> list[str]:
 
 
 def _correction_lines(sensor: LineSensor) -> list[str]:
-    from raybundle.scenes.corrections import Fixes  # noqa: PLC0415
+    from raybundle.io.scene_fixes import fixes_text  # noqa: PLC0415
+    from raybundle.scenes.corrections import Pieces  # noqa: PLC0415
 
     c = sensor.corrections
     lines: list[str] = []
@@ -260,8 +268,8 @@ def _correction_lines(sensor: LineSensor) -> list[str]:
         ("attitude", c.attitude_degree, c.attitude_curve),
     ):
         lines.append(f"{part}_degree = {degree}")
-        if isinstance(curve, Fixes):
-            lines.append(f"{part}_fixes = {curve.count}")
+        if curve is not None and not isinstance(curve, Pieces):
+            lines.append(f"{part}_fixes = {fixes_text(curve, sensor.scene)}")
         elif curve is not None:
             continuity = curve.degree - curve.new
             lines.append(

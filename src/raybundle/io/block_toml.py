@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, Literal, NoReturn, cast
 
 from raybundle.block import Block, Camera
-from raybundle.block.block import LengthUnit, Residuals
+from raybundle.block.block import LengthUnit, Relation, Residuals
 from raybundle.errors import InputError, UnknownSensorModel
 from raybundle.io.block_scenes import MODELS as SCENE_MODELS
 from raybundle.io.block_scenes import frame_lines, read_frame, read_scene_camera, scene_lines
@@ -223,7 +223,7 @@ def _camera(cameras: Section, id_: str, place: Place | None = None) -> Camera:
         line = section.lines.get((*section.at, "model"), 0)
         raise UnknownSensorModel(model_name, known=(*sensor_models, *SCENE_MODELS), file=f"{section.file}, line {line}")
     keys = [p.key for p in model.parameters]
-    section.allow(("model", "width_px", "height_px", "pixel_mm", *keys, "estimate", "sigma", "interior", "per_image"))
+    section.allow(("model", "width_px", "height_px", "pixel_mm", *keys, "estimate", "sigma", "relations", "interior", "per_image"))
     interior = section.choice("interior", ("shared", "per_image"), "shared")
     return Camera(
         id=id_,
@@ -236,6 +236,7 @@ def _camera(cameras: Section, id_: str, place: Place | None = None) -> Camera:
         sigma=_sigma(section, model),
         interior=cast("Literal['shared', 'per_image']", interior),
         per_image=_per_image(section, model, interior),
+        relations=_relations(section, model),
     )
 
 
@@ -329,6 +330,32 @@ def _sigma(section: Section, model: SensorModel) -> dict[str, float]:
     return values
 
 
+def _relations(section: Section, model: SensorModel) -> tuple[Relation, ...]:
+    """What is observed of several parameters together."""
+    value = section.values.get("relations", [])
+    if not isinstance(value, list):
+        section.fail("relations", f"{_shown(value)} is no list of tables {{name, terms, observed, sigma}}")
+    found: list[Relation] = []
+    for number, given in enumerate(cast("list[Any]", value), 1):
+        table = cast("dict[str, Any]", given) if isinstance(given, dict) else {}
+        terms = cast("dict[str, Any]", table.get("terms")) if isinstance(table.get("terms"), dict) else {}
+        if not terms or set(table) - {"name", "terms", "observed", "sigma"} or "sigma" not in table:
+            section.fail("relations", f"number {number} is no table {{name, terms = {{symbol = factor}}, observed, sigma}}")
+        unknown = [s for s in terms if s not in model.symbols]
+        if unknown:
+            known = ", ".join(model.symbols)
+            section.fail("relations", f"{_shown(unknown[0])} is no parameter of {model.name}; known: {known}")
+        found.append(
+            Relation(
+                name=str(table.get("name", f"relation {number}")),
+                terms={s: section.checked("relations", f) for s, f in terms.items()},
+                observed=section.checked("relations", table.get("observed", 0.0)),
+                sigma=section.checked("relations", table["sigma"], above=0),
+            )
+        )
+    return tuple(found)
+
+
 def head_text(block: Block) -> str:
     """The block.toml of a block; reads back equal."""
     lines = [f"{key} = {_quoted(getattr(block, key))}" for key in ("name", "about", "source", "licence", "length_unit")]
@@ -370,11 +397,19 @@ def _camera_lines(camera: Camera) -> list[str]:
         lines.append(f"estimate = [{', '.join(_quoted(s) for s in camera.estimate)}]")
     if camera.sigma:
         lines.append("sigma = {" + ", ".join(f"{s} = {float(v)!r}" for s, v in camera.sigma.items()) + "}")
+    if camera.relations:
+        lines += ["relations = [", *(f"    {_relation_text(r)}," for r in camera.relations), "]"]
     if camera.interior != "shared":
         lines.append(f"interior = {_quoted(camera.interior)}")
     if camera.per_image:
         lines.append(f"per_image = [{', '.join(_quoted(s) for s in camera.per_image)}]")
     return lines
+
+
+def _relation_text(relation: Relation) -> str:
+    terms = ", ".join(f"{s} = {float(f)!r}" for s, f in relation.terms.items())
+    tail = f"observed = {float(relation.observed)!r}, sigma = {float(relation.sigma)!r}"
+    return f"{{name = {_quoted(relation.name)}, terms = {{{terms}}}, {tail}}}"
 
 
 def _quoted(text: str) -> str:

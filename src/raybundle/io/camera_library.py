@@ -20,6 +20,7 @@ from typing import Any
 import numpy as np
 
 from raybundle.block import Camera
+from raybundle.block.stored import observed_jointly
 from raybundle.block.zoom import ZoomCalibration
 from raybundle.errors import InputError
 from raybundle.io.block_toml import read_cameras
@@ -33,6 +34,8 @@ from raybundle.numerics.arrays import Array
 from raybundle.sensors import sensor_models
 
 VARIABLE = "RAYBUNDLE_CAMERAS"
+POOR = ("weak", "not determinable")
+"""Verdicts that are told where such a calibration is used."""
 SAME_FOCAL = 5e-4
 """Relative difference of EXIF focal lengths that is rounding."""
 
@@ -76,6 +79,8 @@ class LibraryEntry:
     source: str = ""
     sigma0: float | None = None
     photographs: int | None = None
+    grade: str = ""
+    """The verdict: good, usable, weak; "" where there is none"""
     zoom: ZoomCalibration | None = None
     """Of a zoom lens: the calibration as a function of the EXIF focal length; the key names none then"""
 
@@ -178,6 +183,7 @@ def read_entry(place: Path) -> LibraryEntry:
         source=_text(top, "source"),
         sigma0=_number(top, "sigma0"),
         photographs=top.get("photographs").whole(0) if top.has("photographs") else None,
+        grade=_text(top, "grade"),
         zoom=read_zoom(place) if (place / ZOOM).is_file() else None,
     )
 
@@ -218,6 +224,7 @@ def _entry_text(entry: LibraryEntry) -> str:
     lines = [f"date = {_quoted(entry.date)}", f"source = {_quoted(entry.source)}"]
     lines += [f"sigma0 = {float(entry.sigma0)!r}"] if entry.sigma0 is not None else []
     lines += [f"photographs = {int(entry.photographs)}"] if entry.photographs is not None else []
+    lines += [f"grade = {_quoted(entry.grade)}"] if entry.grade else []
     k = entry.key
     lines += ["", "[key]"]
     lines += [
@@ -238,6 +245,11 @@ def add_entry(entry: LibraryEntry, folder: Path | None = None) -> Path:
     raises  InputError where its key names no camera model or no focal length: it could never be found again
     """
     folder = folder or library_folder()
+    if entry.grade == "not determinable":
+        raise InputError(
+            "the photographs did not determine this camera (see the verdict of its calibration); it would spoil every "
+            "block that finds it. Take the photographs that the report names, and calibrate again"
+        )
     k = entry.key
     focal = k.focal_mm is not None and math.isfinite(k.focal_mm) and k.focal_mm > 0
     if not k.model or not (focal or entry.zoom is not None):
@@ -257,7 +269,7 @@ def add_entry(entry: LibraryEntry, folder: Path | None = None) -> Path:
     name, number = base, 2
     while (folder / name).exists():
         name, number = f"{base}-{number}", number + 1
-    camera = replace(entry.camera, estimate=(), sigma={}, interior="shared")
+    camera = replace(entry.camera, estimate=(), sigma={}, relations=(), interior="shared")
     with new_folder(folder / name) as temporary:
         (temporary / "camera.toml").write_text(cameras_text([camera]), encoding="utf-8", newline="\n")
         if entry.zoom is not None:
@@ -288,6 +300,8 @@ def match(entry: LibraryEntry, photo: Photo) -> Match:
         reasons.append(f"{name} {value}" if equal else f"{name} not compared: not known to both")
     camera = _for_format(base, photo)
     assert camera is not None
+    if entry.zoom is None and entry.covariance is not None:
+        camera = observed_jointly(camera, entry.free, entry.covariance)
     whole = (camera.width_px, camera.height_px) == (entry.camera.width_px, entry.camera.height_px)
     size = f"{entry.camera.width_px} x {entry.camera.height_px} px"
     reasons.append(
@@ -351,13 +365,14 @@ def _beyond(zoom: ZoomCalibration, focal_mm: float | None) -> str:
 
 
 def _zoomed(zoom: ZoomCalibration, own: CameraKey) -> tuple[Camera, tuple[str, ...]]:
-    """The camera at the photograph's focal length: held, or c free and observed where that length is rounded."""
+    """The camera at the photograph's focal length, observed with the covariance that the zoom calibration has there."""
     at = zoom.predict(own.focal_mm or 0.0, own.focus_m)
+    camera = observed_jointly(at.camera, at.free, at.covariance)
     if zoom.resolution_mm > 0 and "c" in at.free:
         sigma = float(np.sqrt(at.covariance[at.free.index("c"), at.free.index("c")]))
         told = f"EXIF rounds the focal length to {zoom.resolution_mm:g} mm: c is estimated from {sigma:.2g} mm"
-        return replace(at.camera, estimate=("c",), sigma={"c": sigma}), (*at.remarks, told)
-    return at.camera, at.remarks
+        return camera, (*at.remarks, told)
+    return camera, at.remarks
 
 
 def _for_format(camera: Camera, photo: Photo) -> Camera | None:
@@ -396,8 +411,9 @@ def with_library(
             continue
         taken = with_calibration(group, best.camera)
         of = f", of {best.entry.date}" if best.entry.date else ""
-        how = "is held" if not best.camera.estimate else f"is held but for {', '.join(best.camera.estimate)}"
-        told = f"the calibration {best.entry.name} of the camera library{of} {how} (--no-library: estimate it)"
+        how = "is observed with its covariance" if best.camera.relations else "is held: its covariance is not known"
+        weak = f"; it was called {best.entry.grade}" if best.entry.grade in POOR else ""
+        told = f"the calibration {best.entry.name} of the camera library{of} {how}{weak} (--no-library: estimate it)"
         result.append(replace(taken, remarks=(*group.remarks, *taken.remarks, told)))
     return tuple(result)
 
@@ -409,5 +425,5 @@ def as_table(entry: LibraryEntry) -> dict[str, Any]:
         "name": entry.name, "make": k.make, "model": k.model, "serial": k.serial, "lens": k.lens,
         "focal_mm": k.focal_mm, "focus_m": k.focus_m, "width_px": c.width_px, "height_px": c.height_px,
         "sensor_model": c.model, "values": dict(c.values), "free": list(entry.free), "date": entry.date,
-        "source": entry.source, "sigma0": entry.sigma0, "photographs": entry.photographs,
+        "source": entry.source, "sigma0": entry.sigma0, "photographs": entry.photographs, "grade": entry.grade,
     }  # fmt: skip

@@ -14,6 +14,7 @@ from scipy.sparse.csgraph import breadth_first_order, connected_components, mini
 from scipy.sparse.linalg import splu
 
 from raybundle.block import Block
+from raybundle.errors import NoOrientation
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.rotation import nearest_rotation, rotation_from_vector, vector_from_rotation
@@ -55,6 +56,7 @@ def average_start(block: Block, progress: Progress = silent) -> Block:
     in the tangent space).  Positions: the sum of squared distances between rays and points is least while the mean
     depth is held, reweighted to angles.  What it does not tell: a pair of look-alikes that no third image contradicts
     enters like any other.
+    raises  NoOrientation where no pair is left
     """
     rays = rays_of(block)
     chosen = skeleton(block)
@@ -62,7 +64,12 @@ def average_start(block: Block, progress: Progress = silent) -> Block:
     n = len(block.images)
     R, part = _rotations(pairs, n)
     good = [p for p in pairs if part[p.first] and part[p.second] and np.linalg.norm(_misfit(R, p)) < WRONG]
-    rows = np.unique(np.concatenate([r for p in good for r in p.rows] or [np.zeros(0, np.int64)]))
+    if not good:
+        raise NoOrientation(
+            f"no two images have a relative orientation: {LEAST_COMMON} common points whose rays meet are needed, and a "
+            "depth in them; were the photographs taken of one object, and from different places?"
+        )
+    rows = np.unique(np.concatenate([r for p in good for r in p.rows]))
     progress("orienting all images at once", 0.8)
     centre, xyz, angle = _positions(rays, rows, R, n, len(block.points))
     agree = angle < AGREE

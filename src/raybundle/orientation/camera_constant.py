@@ -94,7 +94,7 @@ def checked_by_pairs(block: Block) -> Block:
     for k, camera in enumerate(block.cameras):
         model = sensor_models[camera.model]
         symbol = model.symbols[0]
-        if type(model).start is not SensorModel.start or symbol not in camera.estimate:
+        if type(model).start is not SensorModel.start or symbol not in camera.estimate or camera.relations:
             continue
         size = float(camera.size_mm.max())
         values = np.array(_from_pairs(block, camera, np.asarray(block.images.camera) == k))

@@ -15,7 +15,7 @@ from raybundle.block import Camera
 from raybundle.numerics.arrays import Array
 from raybundle.sensors import SensorModel
 
-ADDITIONAL = frozenset({"radial", "decentring", "affinity"})
+ADDITIONAL = frozenset({"radial", "decentring", "affinity", "harmonic"})
 TOLERANCE = 1e-9
 """Image points whose condition is not met to this share of the format's diagonal are left out."""
 
@@ -110,7 +110,10 @@ def _image_of(model: SensorModel, ray: Array, values: Array, start: Array, limit
         g, J = model.condition_and_jacobian(*image, *ray, *values)
         (a, b), (c, d) = J[:, :2]
         det = a * d - b * c
-        image = image - np.stack([(d * g[0] - b * g[1]) / det, (a * g[1] - c * g[0]) / det])
+        step = np.stack([(d * g[0] - b * g[1]) / det, (a * g[1] - c * g[0]) / det])
+        image = image - step
+        if np.nanmax(np.abs(step), initial=0.0) < 1e-4 * limit:
+            break
     return np.where(np.abs(model.condition_at(image, ray, values)).max(axis=0) < limit, image, np.nan)
 
 

@@ -13,6 +13,7 @@ import numpy as np
 
 from raybundle.adjustment.result import Adjustment, InteriorResult, ObservationGroup
 from raybundle.block import Block, Camera, Role
+from raybundle.block.stored import observed_jointly
 from raybundle.errors import InputError
 from raybundle.io.block_folder import (
     ANGLES,
@@ -129,6 +130,18 @@ def _is_ours(path: Path) -> bool:
     return isinstance(content, dict) and {"sigma0", "redundancy", "cameras"} <= cast("dict[str, Any]", content).keys()
 
 
+def stored_camera(adjustment: Adjustment, camera: Camera, qualities: Sequence[CalibrationQuality]) -> Camera:
+    """An adjusted camera as a calibration: observed with its covariance; free where it could not be determined."""
+    interior = next((i for i in adjustment.interior if i.camera == camera.id and i.image is None), None)
+    precision = adjustment.precision
+    plain = replace(camera, estimate=(), sigma={}, relations=())
+    if any(q.camera == camera.id and q.grade == "not determinable" for q in qualities):
+        return replace(plain, estimate="auto")
+    if interior is None or precision is None or not interior.free:
+        return plain
+    return observed_jointly(plain, interior.free, precision.interior[camera.id])
+
+
 def write_result(
     adjustment: Adjustment,
     path: str | Path,
@@ -164,8 +177,10 @@ def write_result(
         if qualities:
             from raybundle.io.calibrations.ours import cameras_text  # noqa: PLC0415
 
-            held = [replace(c, estimate=(), sigma={}) for c in adjustment.adjusted.cameras]
-            (folder / "calibration.toml").write_text(cameras_text(held), encoding="utf-8", newline="\n")
+            cameras = [stored_camera(adjustment, c, qualities) for c in adjustment.adjusted.cameras]
+            verdicts = "".join(f"# {q.camera}: {q.headline}\n" for q in qualities)
+            text = f"{verdicts}\n{cameras_text(cameras)}"
+            (folder / "calibration.toml").write_text(text, encoding="utf-8", newline="\n")
         contents = {**result_json(adjustment), **(additions or {})}
         text = json.dumps(_clean(contents), indent=1, ensure_ascii=False, allow_nan=False)
         (folder / "result.json").write_text(text + "\n", encoding="utf-8")

@@ -35,7 +35,7 @@ KINDS = (
     ("station", "Observed projection centres", "image", "stations.csv"),
     ("attitude", "Observed attitudes", "image", "attitudes.csv"),
     ("parameter", "Observed parameters of the interior orientation", "camera", "result.json"),
-    ("relation", "Smoothness of trajectories", "camera", "result.json"),
+    ("relation", "Calibrations with their covariance, smoothness of trajectories", "camera", "result.json"),
 )
 LENGTHS = {"control", "distance", "station"}
 """Kinds of observations that are lengths; the others have units of their own."""

@@ -9,7 +9,7 @@ import numpy as np
 from raybundle.adjustment.calibration import projection_uncertainty
 from raybundle.adjustment.result import InteriorResult, ParameterResult
 from raybundle.numerics.arrays import Array
-from raybundle.report.distortion import Curve, Interior, balanced, decentring_curve, radial_curve
+from raybundle.report.distortion import ADDITIONAL, Curve, Interior, balanced, decentring_curve, radial_curve
 from raybundle.report.figures_interior import correction_field, curves, heat_map, sigma_curve, uncertainty_figure
 from raybundle.report.numbers import NONE, fixed, grouped, probability, significant, unit_text, with_sigma
 from raybundle.report.parts import (
@@ -145,7 +145,7 @@ def _details(view: View, result: InteriorResult) -> list[Part]:
     parts += _uncertainty(view, result)
     interior = adjusted_interior(view, result)
     reach = _reach(view, result, interior)
-    if any(interior.has(k) for k in ("radial", "decentring", "affinity")):
+    if any(interior.has(k) for k in sorted(ADDITIONAL)):
         parts += _distortion(interior, reach, name_of(result))
     else:
         parts.append(

@@ -101,7 +101,7 @@ def _counts(view: View) -> list[tuple[str, str]]:
         weighted, held = int((g.sigma > 0).sum()), int((g.sigma == 0).sum())
         rows.append((
             {"control": "control coordinates", "distance": "scale bars", "station": "coordinates of projection centres",
-             "attitude": "angles of attitudes", "relation": "smoothness of trajectories",
+             "attitude": "angles of attitudes", "relation": "relations of parameters",
              "parameter": "observed parameters of the interior orientation"}.get(g.kind, g.kind),
             f"{grouped(weighted)} observed" + (f", {grouped(held)} held" if held else ""),
         ))  # fmt: skip

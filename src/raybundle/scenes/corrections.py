@@ -87,6 +87,58 @@ class Fixes:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class FixesAt:
+    """Orientation fixes at given times, as those of a table of an orbit or an INS; else as `Fixes`."""
+
+    at: tuple[float, ...]
+    """tau of each, increasing; some may lie before the first line or after the last."""
+
+    def __post_init__(self) -> None:
+        """Refuse times that are none, or that say nothing of the image."""
+        if not 2 <= len(self.at) <= MOST:
+            raise InputError(f"{len(self.at)} orientation fixes; from 2 to {MOST} can be given")
+        step = np.diff(self.at)
+        if not (np.isfinite(self.at).all() and (step > 0).all()):
+            k = int(np.argmin(step))
+            raise InputError(f"orientation fixes: fix {k + 2} does not follow fix {k + 1} in time; sort them")
+        if self.at[0] >= 1 or self.at[-1] <= -1:
+            raise InputError("orientation fixes: all of them lie before the first line or after the last")
+
+    @property
+    def coefficients(self) -> int:
+        """As `Curve`."""
+        return len(self.at)
+
+    @property
+    def width(self) -> int:
+        """As `Curve`."""
+        return min(4, len(self.at))
+
+    @property
+    def places(self) -> Array:
+        """As `Curve`."""
+        return np.array(self.at)
+
+    def local(self, tau: Array) -> tuple[Index, Array, Array]:
+        """As `Curve`."""
+        at, m = np.array(self.at), self.width
+        inside = np.clip(tau, at[0], at[-1])
+        between = np.searchsorted(at, inside, side="right").astype(np.int32) - 1
+        first = np.clip(between - (m - 1) // 2, 0, len(at) - m)
+        near = at[first[:, None] + np.arange(m)]
+        values, slopes = np.ones((len(inside), m)), np.zeros((len(inside), m))
+        for k in range(m):
+            for j in range(m):
+                if j == k:
+                    continue
+                width = near[:, k] - near[:, j]
+                share = (inside - near[:, j]) / width
+                slopes[:, k] = slopes[:, k] * share + values[:, k] / width
+                values[:, k] *= share
+        return first, values + (tau - inside)[:, None] * slopes, slopes
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Pieces:
     """Polynomials over pieces of equal length that go over into each other smoothly.
 

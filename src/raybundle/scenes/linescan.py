@@ -19,7 +19,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -35,7 +35,7 @@ from raybundle.numerics.geodesy import (
 )
 from raybundle.numerics.places import Local, Place
 from raybundle.numerics.rotation import cross_matrix, left_jacobian, rotation_from_vector
-from raybundle.scenes.corrections import Fixes
+from raybundle.scenes.corrections import Fixes, FixesAt
 from raybundle.scenes.rpc import Observed
 from raybundle.scenes.trajectory import CorrectionModel, CorrectionValues, Shape, Trajectory
 
@@ -115,6 +115,23 @@ class LineScene:
     def fixes_every(self, seconds: float) -> Fixes:
         """Orientation fixes at least as close as this, for the corrections of this scene."""
         return Fixes(count=max(2, int(np.ceil(abs(2 * self.middle_and_half[1]) / seconds - 1e-9)) + 1))
+
+    def fixes_at(self, times: Array) -> FixesAt:
+        """Orientation fixes at times (k,) [s] of the trajectory's clock, for the corrections of this scene."""
+        middle, half = self.middle_and_half
+        return FixesAt(at=tuple(np.sort((np.asarray(times, float) - middle) / half).tolist()))
+
+    def fixes_of_table(self, part: Literal["position", "attitude"]) -> FixesAt:
+        """Orientation fixes at the times of the trajectory's own table: those within the image and one on each side."""
+        times = self.trajectory.position_times if part == "position" else self.trajectory.attitude_times
+        first, last = sorted(self.time(np.array([0.0, float(self.height_px)]))[0].tolist())
+        before, after = np.searchsorted(times, first, side="right") - 1, np.searchsorted(times, last)
+        return self.fixes_at(times[max(before, 0) : after + 1])
+
+    def time_of_fix(self, tau: float) -> float:
+        """Time [s] of a fix at tau, to the nanosecond."""
+        middle, half = self.middle_and_half
+        return round(middle + tau * half, 9)
 
     @cached_property
     def track_axes(self) -> Array:

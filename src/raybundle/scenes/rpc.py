@@ -12,7 +12,7 @@ raybundle, the centre of the first pixel is 0.5, 0.5, and the readers convert.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -22,6 +22,7 @@ from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.geodesy import LocalPlace, metres_per_geographic
 from raybundle.numerics.places import Local, Place
 from raybundle.scenes.bias import BiasKind, bias_design, bias_slope
+from raybundle.scenes.rpc_ground import LEAST_DENOMINATOR, ground_points
 
 TERMS = (
     "1", "L", "P", "H", "LP", "LH", "PH", "LL", "PP", "HH",
@@ -37,8 +38,10 @@ SHAPES = {
 }
 CHUNK = 4096
 """Points evaluated at once, so that all terms stay in the processor's cache."""
-LEAST_DENOMINATOR = 1e-3
-"""Share of its value at the centre below which a denominator counts as zero."""
+FAR_RANGES, FAR_M = 10.0, 20e3
+"""Heights farther from the middle than so many times half the range, and so many metres, have no ground points."""
+NO_PLACE = 5.0
+"""Points farther from the middle than so many times the range have no place in the scene."""
 RANGE = 1.1
 """Normalised coordinates up to which an RPC is taken to hold; vendors fit it for -1 to 1."""
 
@@ -86,6 +89,12 @@ class Rpc:
         for name in ("ground_scale", "image_scale"):
             if not (getattr(self, name) > 0).all():
                 raise InputError(f"RPC: {name} {getattr(self, name).tolist()} must be positive")
+        lon, lat = self.ground_offset[:2].tolist()
+        if abs(lat) > 90 or abs(lon) > 360:
+            raise InputError(
+                f"RPC: latitude {lat:g} and longitude {lon:g} deg of the middle are none (limits 90 and 360); look "
+                "whether the two are exchanged"
+            )
         zero = np.flatnonzero(self.coefficients[[1, 3], 0] == 0)
         if len(zero):
             which = ("line", "sample")[int(zero[0])]
@@ -125,44 +134,32 @@ class Rpc:
     def localise(self, xy_px: Array, height: Array | float) -> Array:
         """Longitude, latitude, height (n, 3) of image points (n, 2) at heights (n,) or one height [m].
 
-        Newton on the projection with its own Jacobian, steps held within the scene's size.
         raises  NoConvergence where the polynomials have no such point, as at heights far outside their range
         """
+        geographic = self.ground_where_any(xy_px, height)
+        lost = np.flatnonzero(np.isnan(geographic[:, 0]))
+        if len(lost):
+            k = int(lost[0])
+            x, y = np.atleast_2d(xy_px)[k]
+            more = f" (nor have {len(lost) - 1} more of {len(geographic)})" if len(lost) > 1 else ""
+            raise NoConvergence(
+                f"the image point of line {y - 0.5:.2f}, sample {x - 0.5:.2f} (x {x:.2f}, y {y:.2f} px) has no ground "
+                f"point at height {geographic[k, 2]:g} m in this RPC{more}, which holds for {self._height_range()}; "
+                "give a height within this range"
+            )
+        return geographic
+
+    def ground_where_any(self, xy_px: Array, height: Array | float) -> Array:
+        """As `localise`, with NaN for longitude and latitude of image points that have no ground point there."""
         xy_px = np.atleast_2d(np.asarray(xy_px, float))
         geographic = np.empty((len(xy_px), 3))
-        geographic[:, :2], geographic[:, 2] = self.ground_offset[:2], height
-        left = np.arange(len(xy_px))
-        best = np.full(len(xy_px), np.inf)
-        for _ in range(60):
-            xy, J = self._project_anywhere(geographic[left])
-            miss = xy_px[left] - xy
-            size = np.abs(miss / self.image_scale).max(axis=1)
-            done = size < 1e-15 * 16
-            with np.errstate(all="ignore"):
-                det = J[:, 0, 0] * J[:, 1, 1] - J[:, 0, 1] * J[:, 1, 0]
-                step = np.stack(
-                    [
-                        (J[:, 1, 1] * miss[:, 0] - J[:, 0, 1] * miss[:, 1]) / det,
-                        (J[:, 0, 0] * miss[:, 1] - J[:, 1, 0] * miss[:, 0]) / det,
-                    ],
-                    axis=1,
-                )
-            longest = np.abs(step / self.ground_scale[:2]).max(axis=1)
-            # at the floor of rounding the step no longer shrinks
-            done |= (size < 1e-12) & (size >= 0.5 * best[left])
-            best[left] = np.minimum(best[left], size)
-            with np.errstate(invalid="ignore", divide="ignore"):
-                step *= np.minimum(1.0, 0.5 / longest)[:, None]
-            geographic[left, :2] += np.where(done[:, None] | ~np.isfinite(step), 0.0, step)
-            left = left[~done]
-            if len(left) == 0:
-                return geographic
-        k = int(left[0])
-        x, y = xy_px[k]
-        raise NoConvergence(
-            f"image point {x:.2f}, {y:.2f} px has no ground point at height {geographic[k, 2]:g} m in this RPC, which "
-            f"holds for {self._height_range()}; give a height within this range"
-        )
+        geographic[:, 2] = height
+        H = (geographic[:, 2] - self.ground_offset[2]) / self.ground_scale[2]
+        near = np.abs(H) <= max(FAR_RANGES, FAR_M / float(self.ground_scale[2]))
+        found = np.full((len(xy_px), 2), np.nan)
+        found[near] = ground_points(self._ratios, ((xy_px - self.image_offset) / self.image_scale)[near], H[near])
+        geographic[:, :2] = self.ground_offset[:2] + self.ground_scale[:2] * found
+        return geographic
 
     def pixel_on_ground(self) -> Array:
         """(2, 2) metres east and north (columns) of one pixel in x and in y (rows), at the centre of the scene."""
@@ -187,6 +184,31 @@ class Rpc:
         beyond: Mask = np.abs(from_centre / self.ground_scale) > RANGE
         return np.logical_or.reduce(beyond, axis=1)
 
+    def check_near(self, geographic: Array, names: Sequence[str]) -> None:
+        """Raise InputError where points (n, 3) lie so far from the scene that the RPC says nothing of them."""
+        from_centre = _rows(geographic) - self.ground_offset
+        from_centre[:, 0] -= 360 * np.round(from_centre[:, 0] / 360)
+        far = np.abs(from_centre / self.ground_scale)[:, :2].max(axis=1, initial=0.0)
+        lost = np.flatnonzero(~(far < NO_PLACE))
+        if not len(lost):
+            return
+        turned = np.abs((geographic[:, [1, 0]] - self.ground_offset[:2]) / self.ground_scale[:2]).max(axis=1)
+        swapped = bool((turned[lost] < NO_PLACE).all())
+        k = int(lost[0])
+        lon, lat, _ = geographic[k]
+        centre = self.ground_offset
+        raise InputError(
+            f"{len(lost)} of {len(far)} points lie far outside the scene: point {names[k]} at longitude {lon:.6f}, "
+            f"latitude {lat:.6f} is {far[k]:.4g} times the RPC's range from its middle at {centre[0]:.6f}, "
+            f"{centre[1]:.6f} (limit {NO_PLACE:g}); "
+            + (
+                "they fit with longitude and latitude exchanged, in the points or in the RPC: correct the one that is "
+                "wrong"
+                if swapped
+                else "look whether points and scene belong together, and at the columns' order and the units"
+            )
+        )
+
     def _height_range(self) -> str:
         low, high = self.ground_offset[2] + self.ground_scale[2] * np.array([-1, 1])
         return f"heights of {low:g} to {high:g} m"
@@ -194,21 +216,25 @@ class Rpc:
     def _image(self, u: Array, v: Array) -> Array:
         return self.image_offset + self.image_scale * np.stack([u, v], axis=1)
 
-    def _project_anywhere(self, geographic: Array) -> tuple[Array, Array]:
-        """As `project_with_partials`, but infinite or NaN beyond a pole."""
-        xy, J = np.empty((len(geographic), 2)), np.empty((len(geographic), 2, 3))
-        to_image = self.image_scale[:, None] / self.ground_scale
+    def _ratios(self, normalised: Array) -> tuple[Array, Array, Array]:
+        """As `Ratios`; infinite or NaN at a pole."""
+        n = len(normalised)
+        uv, J, least = np.empty((n, 2)), np.empty((n, 2, 2)), np.empty(n)
+        c = self.coefficients
+        slopes_of = np.concatenate(c @ _DERIVATIVES[:2])  # (8, 10)
         with np.errstate(all="ignore"):
-            for part, (values, slopes) in self._evaluated(geographic, partials=True, check=False):
-                u, v = values[2] / values[3], values[0] / values[1]
-                xy[part] = self._image(u, v)
-                J[part, 0] = ((slopes[:, 2] - u * slopes[:, 3]) / values[3]).T * to_image[0]
-                J[part, 1] = ((slopes[:, 0] - v * slopes[:, 1]) / values[1]).T * to_image[1]
-        return xy, J
+            for start in range(0, n, CHUNK):
+                part = slice(start, start + CHUNK)
+                T = fill_terms(normalised[part].T, np.empty((20, len(normalised[part]))))
+                values, slopes = c @ T, (slopes_of @ T[:10]).reshape(2, 4, -1)
+                for axis, top in ((0, 2), (1, 0)):  # x is the sample, y the line
+                    ratio = values[top] / values[top + 1]
+                    uv[part, axis] = ratio
+                    J[part, axis] = ((slopes[:, top] - ratio * slopes[:, top + 1]) / values[top + 1]).T
+                least[part] = np.minimum(values[1] / c[1, 0], values[3] / c[3, 0])
+        return uv, J, least
 
-    def _evaluated(
-        self, geographic: Array, *, partials: bool, check: bool = True
-    ) -> Iterator[tuple[slice, tuple[Array, Array]]]:
+    def _evaluated(self, geographic: Array, *, partials: bool) -> Iterator[tuple[slice, tuple[Array, Array]]]:
         """The four polynomials (4, m) and their slopes (3, 4, m) by L, P, H, chunk by chunk."""
         c = self.coefficients
         slopes_of = np.concatenate(c @ _DERIVATIVES)  # (12, 10)
@@ -221,8 +247,7 @@ class Rpc:
             from_centre[:, 0] -= 360 * np.round(from_centre[:, 0] / 360)  # across 180 degrees
             fill_terms((from_centre / self.ground_scale).T, T)
             values = c @ T
-            if check:
-                self._check_denominators(values, geographic, start)
+            self._check_denominators(values, geographic, start)
             slopes = (slopes_of @ T[:10]).reshape(3, 4, m) if partials else T
             yield part, (values, slopes)
 

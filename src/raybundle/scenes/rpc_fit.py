@@ -29,6 +29,10 @@ TOLERATED = 1.05
 LEAST_DENOMINATOR = 0.1
 """Of a fitted denominator over the whole range, whose value at the centre is 1."""
 CHECK_POINTS = 4000
+MISFIT_PX = 20.0
+"""Misfit above which an RPC stands for nothing."""
+POLAR_DEG = 89.0
+"""Latitude from which on a failure is put down to the pole."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -53,7 +57,8 @@ def fit_rpc(
 
     size_px       width and height of the image
     height_range  lowest and highest ellipsoidal height [m]; the RPC holds there and little beyond
-    raises        InputError for an empty range; NotSolvable where every denominator found has a zero in the range
+    raises        InputError for an empty range; NotSolvable where every denominator found has a zero in the range, or
+                  where the best misfit is above `MISFIT_PX`, as at a pole
     """
     low, high = height_range
     if not (np.isfinite([low, high]).all() and high - low >= 1):
@@ -75,6 +80,17 @@ def fit_rpc(
             "no RPC without a zero in a denominator was found; the range of heights or the image is too large for one"
         )
     smallest = min(miss for miss, _, _ in found)
+    if smallest > MISFIT_PX:
+        lat = float(np.abs(ground[:, 1]).max())
+        why = (
+            f"the scene reaches latitude {lat:.3f} deg, near a pole, where longitudes turn within the image"
+            if lat > POLAR_DEG
+            else "the image or the range of heights is too large for one, or the model is not smooth"
+        )
+        raise NotSolvable(
+            f"no RPC stands for this model: the best misses it by {smallest:.3g} px (limit {MISFIT_PX:g}); {why}. Use "
+            "the rigorous model, or a part of the image"
+        )
     _, strength, rpc = next(f for f in reversed(found) if f[0] <= TOLERATED * smallest)
     deviation = rpc.project(checked) - apart[:, :2]
     return RpcFit(

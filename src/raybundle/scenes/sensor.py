@@ -155,7 +155,10 @@ class RpcSensor(SceneSensor, registered=False):
 
     def localise(self, xy_px: Array, height: Array | float, values: Array) -> Array:
         """As `SceneSensor`."""
-        ground = self.rpc.localise(correct_image(self.rpc, xy_px, self.bias, values), height)
+        try:
+            ground = self.rpc.localise(correct_image(self.rpc, xy_px, self.bias, values), height)
+        except NoConvergence as error:
+            raise NoConvergence(f"{self.file or 'scene'}: {error}") from None
         return self.place.block_from_geographic(ground)
 
     def priors(self) -> dict[str, float]:

@@ -18,7 +18,7 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
-from raybundle.scenes.corrections import Curve, Fixes, Pieces
+from raybundle.scenes.corrections import Curve
 
 GAP = 1.5
 """Interval in multiples of the median interval above which a table counts as broken."""
@@ -174,8 +174,8 @@ class CorrectionModel:
     """Of a polynomial along track, across track and up, -1: none; 2 is good to 1 mm over a scene of 1 to 2 s."""
     attitude_degree: int = -1
     """Of one about the detector's three axes; 2 leaves up to 1.4 px over such a scene."""
-    position_curve: Fixes | Pieces | None = None
-    attitude_curve: Fixes | Pieces | None = None
+    position_curve: Curve | None = None
+    attitude_curve: Curve | None = None
     """Fixes every 0.1 s leave 0.05 px."""
     time_offset: bool = False
     """dt [s]: the tables hold for line time + dt."""

@@ -19,7 +19,7 @@ import numpy as np
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.maths import Scalar
 
-Kind = Literal["scale", "principal point", "radial", "decentring", "affinity", "other"]
+Kind = Literal["scale", "principal point", "radial", "decentring", "affinity", "harmonic", "other"]
 
 
 @dataclass(frozen=True, slots=True)

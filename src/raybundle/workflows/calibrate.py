@@ -18,7 +18,7 @@ import numpy as np
 
 from raybundle.adjustment.calibration_quality import CalibrationQuality, calibration_qualities
 from raybundle.adjustment.decide import decide
-from raybundle.adjustment.eccentricity import eccentricity_px
+from raybundle.adjustment.eccentricity import RadiusScale, eccentricity_px, radius_scale
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Block, Camera, Role
@@ -56,6 +56,8 @@ SETTLED_PX = 0.003
 FEWEST_PHOTOGRAPHS = 3
 SHEAR = 1e-4
 """Shear that is believed: rows and columns of a sensor are at right angles by lithography."""
+SIGNIFICANT = 2.6
+"""Standard deviations beyond it from which a larger one says that the model lacks something (99 percent)."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -107,6 +109,8 @@ class Calibration:
     dots: int
     """object points that are dots without a code"""
     largest_eccentricity_px: float
+    radius: RadiusScale | None = None
+    """What the eccentricities say of the targets' radii; None where nothing is round"""
     seconds: Mapping[str, float] = field(default_factory=dict[str, float])
     """what each stage took, in their order"""
 
@@ -174,7 +178,7 @@ def calibrate(
         notices = (*notices, *chosen)
     if options.model == "spline":  # its surfaces take up what the best of the others leaves
         start = replace(start, cameras=tuple(spline_camera(c) for c in start.cameras))
-    result, largest = _adjust(start, first, radius[rows], options, settings, notices, progress)
+    result, largest, scale = _adjust(start, first, radius[rows], options, settings, notices, progress)
     clock.stop("adjustment")
     quality = calibration_qualities(result, progress)
     clock.stop("verdict")
@@ -190,6 +194,7 @@ def calibrate(
         completed=added,
         dots=linked,
         largest_eccentricity_px=largest,
+        radius=scale,
         seconds=clock.seconds,
     )
 
@@ -322,12 +327,16 @@ def _remarks(found: Found, groups: Sequence[CameraGroup]) -> list[Notice]:
     ]
 
 
-def _sheared(result: Adjustment) -> list[Notice]:
-    """A notice for each camera whose shear is larger than that of any sensor."""
+def _sheared(result: Adjustment) -> tuple[bool, list[Notice]]:
+    """Whether a shear is larger than that of any sensor, with a notice for each camera where it is significantly so."""
     found: list[Notice] = []
+    large = False
     for i in result.interior:
         p = i.parameters.get("S")
         if p is None or not p.std or abs(p.value) < SHEAR:
+            continue
+        large = True
+        if abs(p.value) - SHEAR < SIGNIFICANT * p.std:
             continue
         found.append(
             Notice(
@@ -339,7 +348,7 @@ def _sheared(result: Adjustment) -> list[Notice]:
                 ids=(i.camera,),
             )
         )
-    return found
+    return large, found
 
 
 def _adjust(
@@ -350,15 +359,18 @@ def _adjust(
     settings: AdjustmentOptions,
     notices: Sequence[Notice],
     progress: Progress,
-) -> tuple[Adjustment, float]:
-    """The free network, ellipse centres corrected with the orientations of the adjustment before."""
+) -> tuple[Adjustment, float, RadiusScale | None]:
+    """The free network, ellipse centres corrected with the orientations of the adjustment before.
+
+    Radii are those that the images show; where the eccentricities tell them better, they are estimated.
+    """
     shift = _eccentricity(start, first, radius_px, options)
     # decisions do not change with the scale of all standard deviations
     known = not shift.any() and _alike(start, first.given)
     result = first if known else decide(_moved(start, shift), settings, progress, notices=tuple(notices))
-    sheared = [] if options.shear else _sheared(result)
+    sheared, told = (False, []) if options.shear else _sheared(result)
     if sheared:
-        notices = (*notices, *sheared)
+        notices = (*notices, *told)
         settings = replace(settings, never=("S",))
         flat = tuple(replace(c, values={**c.values, "S": 0.0}) if "S" in c.values else c for c in start.cameras)
         start = replace(start, cameras=flat)
@@ -373,7 +385,14 @@ def _adjust(
         shift = again
         here = reweighted(_moved(with_values(start, result.adjusted), shift), result.sigma0)
         result = decide(here, settings, progress, notices=tuple(notices))
-    return result, float(np.linalg.norm(shift[used], axis=1).max(initial=0.0))
+    scale = radius_scale(result, shift)
+    if scale is not None and scale.significant:
+        shift = shift * scale.value**2
+        told = f"radii of the targets are {scale.value:.3f} ± {scale.std:.3f} times what their images show; estimated"
+        notices = (*notices, Notice(code="target_radius", message=told))
+        here = reweighted(_moved(with_values(start, result.adjusted), shift), result.sigma0)
+        result = decide(here, settings, progress, notices=tuple(notices))
+    return result, float(np.linalg.norm(shift[used], axis=1).max(initial=0.0)), scale
 
 
 def _alike(start: Block, given: Block) -> bool:
@@ -394,7 +413,7 @@ def _without_leftovers(start: Block, result: Adjustment) -> Block:
         left = [
             p.symbol
             for p in camera.sensor.parameters
-            if p.kind in {"radial", "decentring", "affinity"} and p.symbol not in free
+            if p.kind in {"radial", "decentring", "affinity", "harmonic"} and p.symbol not in free
             and camera.values.get(p.symbol, 0.0) != 0
         ]  # fmt: skip
         auto = camera.estimate == "auto"

@@ -84,7 +84,9 @@ def _promising(trial: Block, camera: Camera, first: Adjustment, settings: Adjust
     free[trial.cameras[-1].id] = free[camera.id]
     options = replace(settings, reject="none", robust_start=False, statistics=False, tolerance=1e-3)
     try:
-        quick = adjust_block(trial, options, free=free, rejected=first.image_observations.rejected)
+        quick = adjust_block(
+            trial, options, free=free, rejected=first.image_observations.rejected, extent="tests", start="adjusted"
+        )
     except NotSolvable:
         return True  # decided anew, it may be solvable
     return bool(quick.sigma0 <= most)

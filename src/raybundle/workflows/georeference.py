@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
+from typing import Literal
 
 import numpy as np
 
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Block, Role
-from raybundle.block.select import transformed
+from raybundle.block.select import transformed, with_rows
 from raybundle.errors import InputError
 from raybundle.io.coordinate_systems import WGS84, LocalFrame, local_frame
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.transform import similarity
+from raybundle.orientation.onto_rays import KnownRays, onto_rays
+from raybundle.orientation.rays import object_rays, rays_of
 from raybundle.workflows.marks import (
     Given,
     Placing,
@@ -31,6 +34,8 @@ from raybundle.workflows.positions import SCALE, Positions, mean_place, observe,
 LEVEL = 0.05
 """Tangent of the angle to which a block is level by the viewing direction of its photographs."""
 TRIALS = 2000
+TOLD, PASSED = 8, 0.05
+"""Coordinates that rays to control must tell, one more than a similarity has, and by how much they may miss [rad]."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -46,36 +51,48 @@ class Georeferenced:
     """placed in the object system by control or positions"""
 
 
-def georeference(block: Block, photos: Sequence[Photo], given: Given, frame: LocalFrame | None = None) -> Georeferenced:
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Surroundings:
+    """What stands in object space already: satellite scenes."""
+
+    frame: LocalFrame
+    places: Mapping[str, Array]
+    """Name of a marked point -> its place (3,) by the scenes, good enough to begin with"""
+
+
+def georeference(
+    block: Block, photos: Sequence[Photo], given: Given, around: Surroundings | None = None
+) -> Georeferenced:
     """Add what is known of object space to a free block and bring the block there.
 
-    frame   the frame to bring it to, where others stand there already; None: that of the control or the positions
+    around  what the block is brought to; None: to the control or the positions, in their frame
     The similarity onto control or GNSS positions is found robustly (least median of squares), so that a blunder among
     them does not bend it; the adjustment afterwards tests each of them.
     raises  InputError for photographs, points or coordinate systems that do not fit together
     """
     state = Placing(block)
-    set_by_others = frame is not None
-    frame = frame or frame_of(photos, given)
+    frame = frame_of(photos, given) if around is None else around.frame
     add_points(state, photos, given, frame)
     add_bars(state, given)
-    drop_single_marks(state)
+    if around is None:  # else a scene may show the point as well
+        drop_single_marks(state)
     free = intersected(state.block)
     drop_gross_marks(state, free, given.mark_px)
     control = _control_to_fit(state.block, free)
     positions = None
     if frame is not None and given.gps:
         positions = positions_of(photos, state.block.images.oriented, frame)
-    fixed = _fix_by_control(state, free, control, given, alone=positions is None or len(positions) < 3)
+    fixed = _fix_by_control(state, free, control, given, alone=positions is None or len(positions) < 3, around=around)
     if not fixed and positions is not None:
         fixed = _fix_by_positions(state, positions)
         _refuse_little_control(state, control, given, placed=fixed)
     if fixed and positions is not None and len(positions):
         observe(state, positions, given)
     if not fixed:
+        drop_single_marks(state)
         _fix_by_bars(state, free)
         frame = None
-    if frame is not None and not set_by_others:
+    if frame is not None and around is None:
         state.notices += [Notice(code="coordinate_system", message=r) for r in frame.remarks]
     state.notices += [Notice(code="control_file", message=r) for c in given.control for r in c.remarks]
     drop_unseen_checks(state)
@@ -118,10 +135,12 @@ def _control_to_fit(block: Block, free: Array) -> Index:
     return np.flatnonzero(given[:, 0] & given[:, 1] & np.isfinite(free).all(axis=1))
 
 
-def _fix_by_control(state: Placing, free: Array, control: Index, given: Given, *, alone: bool) -> bool:
+def _fix_by_control(
+    state: Placing, free: Array, control: Index, given: Given, *, alone: bool, around: Surroundings | None = None
+) -> bool:
     """Move the block onto the control; False where there is none, or too little and positions that may help."""
     block = state.block
-    if not block.points.is_control.any():
+    if not block.points.is_control.any() and around is None:
         return False
     height = block.points.is_control[control, 2]
     target = block.points.xyz
@@ -129,8 +148,11 @@ def _fix_by_control(state: Placing, free: Array, control: Index, given: Given, *
         chosen = control[height]
         s, R, t = _robust(free[chosen], target[chosen], 3)
         residual = s * free[chosen] @ R.T + t - target[chosen]
+    elif (by_rays := _by_rays(block, free, around)) is not None:
+        s, R, t = by_rays
+        residual = s * free[control[height]] @ R.T + t - target[control[height]]
     elif len(control) >= 2:
-        up = level_rotation(block)
+        up = level_rotation(block, "unknown" if around is None else "ground")
         flat = free @ up.T
         s, turn, shift = _robust_plan(flat[control], target[control])
         R = turn @ up
@@ -143,7 +165,6 @@ def _fix_by_control(state: Placing, free: Array, control: Index, given: Given, *
             else -float(np.median(lifted[control, 2]))
         )
         residual = (lifted[control] + t - target[control])[:, :2]
-        chosen = control
     else:
         if alone:
             _refuse_little_control(state, control, given, placed=False)
@@ -152,6 +173,43 @@ def _fix_by_control(state: Placing, free: Array, control: Index, given: Given, *
     _weigh_control(state, given, residual)
     _guess_heights(state)
     return True
+
+
+def _by_rays(block: Block, free: Array, around: Surroundings | None) -> tuple[float, Array, Array] | None:
+    """The similarity onto control of which too little has two rays; None where its rays do not determine it either.
+
+    Where control alone does not, the places of marked points by the scenes help.
+    """
+    full = np.isin(np.arange(len(block.points)), np.flatnonzero(block.points.is_control.all(axis=1)))
+    known = np.where(full[:, None], block.points.xyz, np.nan)
+    found = _by_rays_to(block, free, known)
+    if found is None and around is not None:
+        for k, name in enumerate(block.points.ids):
+            if name in around.places and not np.isfinite(known[k]).all():
+                known[k] = around.places[name]
+        found = _by_rays_to(block, free, known)
+    return found
+
+
+def _by_rays_to(block: Block, free: Array, known: Array) -> tuple[float, Array, Array] | None:
+    """The similarity onto points (p, 3) that are known, else NaN."""
+    o = block.observations
+    mine = np.isin(o.point, np.flatnonzero(np.isfinite(known).all(axis=1))) & np.asarray(block.images.oriented)[o.image]
+    _, count = np.unique(o.point[mine], return_counts=True)
+    if np.minimum(2 * count, 3).sum() < TOLD:
+        return None
+    image, point = o.image[mine], o.point[mine]
+    rays = KnownRays(
+        image=image,
+        point=point,
+        target=known[point],
+        centre=block.images.centre[image],
+        direction=object_rays(block.images.rotation[image], rays_of(with_rows(block, mine)).direction),
+    )
+    found = onto_rays(rays, free[point])
+    if found is None or np.median(found.angle) > PASSED:
+        return None
+    return found.scale, found.rotation, found.translation
 
 
 def _refuse_little_control(state: Placing, control: Index, given: Given, *, placed: bool) -> None:
@@ -186,7 +244,7 @@ def _apply(state: Placing, free: Array, s: float, R: Array, t: Array) -> None:
 def _weigh_control(state: Placing, given: Given, residual: Array) -> None:
     """Where the file states no standard deviation and the points fit worse, the fit says how good they are."""
     block, d = state.block, given.defaults
-    if given.sigma_given:
+    if given.sigma_given or not len(residual):
         return
     scatter = float(np.median(np.linalg.norm(residual[:, :2], axis=1)) / 1.1774)  # median of a Rayleigh variable
     default = (block.points.sigma[:, :2] == d.plan).all(axis=1) & (np.asarray(block.points.role) == Role.CONTROL)
@@ -277,8 +335,10 @@ def _fix_by_bars(state: Placing, free: Array) -> None:
     _apply(state, free, s, R, -s * R @ middle)
 
 
-def level_rotation(block: Block) -> Array:
+def level_rotation(block: Block, shown: Literal["unknown", "ground"] = "unknown") -> Array:
     """Rotation that makes a free block level: Z against the common viewing direction, or along the images' upward axes.
+
+    shown  ground: what the photographs show is the ground, for satellites see it as well
 
     Photographs that look down together are aerial ones: Z is against their mean direction.  Otherwise Z is the mean
     upward direction of the photographs, X to the right of the mean view.
@@ -286,8 +346,8 @@ def level_rotation(block: Block) -> Array:
     rotation = block.images.rotation[block.images.oriented]
     view = -rotation[:, 2].mean(axis=0)
     up = _upward(rotation)
-    planar = _thickness(block)
-    if np.linalg.norm(view) > 0.9 and planar:
+    down = shown == "ground" or _thickness(block)
+    if np.linalg.norm(view) > 0.9 and down:
         z = -view
         x = rotation[:, 0].mean(axis=0)
     else:

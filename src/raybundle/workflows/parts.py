@@ -12,11 +12,10 @@ from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Block, Distances, Role, Stations
 from raybundle.block.select import with_rows
 from raybundle.errors import InputError, NoOrientation
-from raybundle.io.coordinate_systems import LocalFrame
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.progress import Progress, silent
-from raybundle.workflows.georeference import Georeferenced, georeference
+from raybundle.workflows.georeference import Georeferenced, Surroundings, georeference
 from raybundle.workflows.marks import Given
 from raybundle.workflows.positions import without_idle
 from raybundle.workflows.tie_block import TieBlock
@@ -24,6 +23,8 @@ from raybundle.workflows.tie_start import start
 
 FEWEST_IMAGES = 3
 """Photographs of a part that is worth a result of its own."""
+PANORAMAS = ("panorama", "spherical")
+"""Sensor models of images that are called panoramas."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -73,24 +74,24 @@ def _left(raw: Block, first: TieBlock) -> Array:
 
 
 def place_parts(
-    blocks: Sequence[Block], photos: Sequence[Photo], given: Given, frame: LocalFrame | None = None
+    blocks: Sequence[Block], photos: Sequence[Photo], given: Given, around: Surroundings | None = None
 ) -> tuple[Georeferenced, tuple[Georeferenced, ...]]:
     """Bring every part to object space: the block of all that are placed there, and the parts that are not.
 
-    frame  where others stand already, as `georeference` takes it
+    around  what stands there already, as `georeference` takes it
     The first part leads: where nothing places it, no part is joined to it.
-    raises  InputError as `georeference` does for the first part, unless others give the frame: it is apart then
+    raises  InputError as `georeference` does for the first part, unless others stand there: it is apart then
     """
     try:
-        first = georeference(blocks[0], photos, given, frame)
+        first = georeference(blocks[0], photos, given, around)
     except InputError:
-        if frame is None:
+        if around is None:
             raise
         first = georeference(blocks[0], photos, Given(gps=False))
     joined, apart = [first], list[Georeferenced]()
     for block in blocks[1:]:
         try:
-            placed = georeference(block, photos, given, frame)
+            placed = georeference(block, photos, given, around)
         except InputError:
             placed = georeference(block, photos, Given(gps=False))
         (joined if placed.fixed and first.fixed else apart).append(placed)
@@ -187,13 +188,40 @@ def apart_notice(main: Block, apart: Sequence[Georeferenced], folders: Sequence[
     """What the result of the main part says of the others."""
     names = [tuple(n for n, o in zip(p.block.images.ids, p.block.images.oriented, strict=True) if o) for p in apart]
     told = "; ".join(
-        f"{len(n)} in {f} ({', '.join(n[:3])}{' ...' if len(n) > 3 else ''})"
-        for n, f in zip(names, folders, strict=True)
+        f"{kinds(p.block)} in {f} ({', '.join(n[:3])}{' ...' if len(n) > 3 else ''})"
+        for p, n, f in zip(apart, names, folders, strict=True)
     )
+    blocks = [main, *(p.block for p in apart)]
+    every = {kind for b in blocks for kind in _count(b)}
+    what = f"{every.pop()}s" if len(every) == 1 else "images"
+    verb = "is" if len(_oriented(main)) == 1 else "are"
+    remedy = "Take photographs that show both sides of each gap, or mark three control points in each part"
+    if any(_count(b).keys() == {"scene"} for b in blocks):
+        remedy = "Mark three points, control or not, both in the scenes and in two photographs of each other part"
     return Notice(
         code="parts_apart",
-        message=f"the photographs fall into {len(apart) + 1} parts that nothing joins: "
-        f"{int(main.images.oriented.sum())} photographs are in this result, {told}. Take photographs that show both "
-        "sides of each gap, or mark three control points in each part",
+        message=f"the {what} fall into {len(blocks)} parts that nothing joins: {kinds(main)} {verb} in this result, "
+        f"{told}. {remedy}",
         ids=tuple(n for part in names for n in part),
     )
+
+
+def kinds(block: Block) -> str:
+    """What the oriented images of a block are, with their numbers: "2 scenes and 1 photograph"."""
+    words = [f"{n} {kind}{'' if n == 1 else 's'}" for kind, n in _count(block).items()]
+    return " and ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
+
+
+def _oriented(block: Block) -> list[int]:
+    """The cameras of the oriented images."""
+    return block.images.camera[block.images.oriented].tolist()
+
+
+def _count(block: Block) -> dict[str, int]:
+    """Oriented images by what they are: scene, panorama or photograph."""
+    found: dict[str, int] = {}
+    for c in _oriented(block):
+        camera = block.cameras[c]
+        kind = "scene" if camera.is_scene else "panorama" if camera.model in PANORAMAS else "photograph"
+        found[kind] = found.get(kind, 0) + 1
+    return dict(sorted(found.items(), reverse=True))

@@ -1,16 +1,23 @@
-"""What was photographed: the family of targets that some photographs show, where nobody said it."""
+"""What was photographed: the family of targets or the board that some photographs show, where nobody said it.
+
+Coded rings, square tags and ChArUco boards, PhotoModeler's sheet, rasters of dots, chessboards, in this order.  What
+none of them explains is left to natural points.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.io.photos.photo import Photo, read_grey
+from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress, silent
 from raybundle.targets.families import families
 from raybundle.targets.marks import Target, detect, target
+from raybundle.targets.seen import charuco_of, chessboard_of, raster_of, ring_end, smallest, tags_seen
 
 ASKED = 3
 """Photographs that are looked at."""
@@ -18,39 +25,126 @@ ENOUGH = 6
 """Named points on a photograph that say a family is there."""
 RIVAL = 0.5
 """Share of the points of the best family from which on another one could be meant."""
-BOARDS = (
-    "photomodeler-sheet", "chessboard-9x6", "chessboard-8x6", "chessboard-7x6", "chessboard-8x5", "chessboard-7x5",
-    "chessboard-10x7", "chessboard-11x8", "chessboard-8x7", "chessboard-9x7", "chessboard-6x5",
-)  # fmt: skip
-"""Boards that many have; others must be named."""
-TAGS = ("apriltag-36h11",)
+OWN = 3
+"""Codes, read in two photographs, that the other family does not have, from which on it is not meant."""
+RING = 0.2
+"""How far from their family's outer radius rings may end, in radii of the dot."""
+FEWEST_TAGS = 2
+"""Tags of a dictionary on a photograph that say it is there."""
+SHEET = "photomodeler-sheet"
+TRIED = (
+    f"{', '.join(families)}; AprilTags and ArUco tags, alone and on ChArUco boards; {SHEET}; rasters of dots, straight "
+    "and staggered; chessboards"
+)
 
 
 def recognised(photos: Sequence[Photo], progress: Progress = silent) -> tuple[Target, ...]:
-    """The family that the photographs show, () for none; raises InputError where more than one can be meant."""
+    """The family that the photographs show, () for none.
+
+    Raises InputError where more than one can be meant, or where a board is seen that cannot be told.
+    """
     asked = [photos[i] for i in np.unique(np.linspace(0, len(photos) - 1, ASKED).astype(int))]
     grey = [read_grey(p) for p in asked]
-    found: dict[str, int] = {}
-    names = (*families, *TAGS, *BOARDS)
-    for k, name in enumerate(names):
-        progress("what was photographed", k / len(names))
-        if name in BOARDS and found:
-            break
-        wanted = target(name)
-        counts = sorted(int(detect(g, wanted).named.sum()) for g in grey)
-        if counts[len(counts) // 2] >= ENOUGH:
-            found[name] = sum(counts)
-            if name in BOARDS:
-                break
+    steps: tuple[Callable[[list[Array]], str | None], ...] = (_ring_family, _tags, _sheet, _raster, _chessboard)
+    for k, step in enumerate(steps):
+        progress("what was photographed", k / len(steps))
+        name = step(grey)
+        if name is not None:
+            progress("what was photographed", 1.0)
+            return (target(name),)
     progress("what was photographed", 1.0)
+    return ()
+
+
+def _most(grey: list[Array], wanted: Target) -> list[set[str]]:
+    """Names read on each photograph; all empty where fewer than half of them show enough."""
+    read = [{n for n in detect(g, wanted).name if n} for g in grey]
+    return read if sorted(map(len, read))[len(read) // 2] >= ENOUGH else [set() for _ in read]
+
+
+def _ring_family(grey: list[Array]) -> str | None:
+    """The family of coded rings; raises InputError where more than one can be meant."""
+    found = {name: read for name in families if any(read := _most(grey, target(name)))}
     if not found:
-        return ()
-    best = max(found, key=lambda n: found[n])
-    rivals = [n for n in found if n != best and found[n] > RIVAL * found[best]]
+        return None
+    count = {name: sum(map(len, read)) for name, read in found.items()}
+    best = max(found, key=lambda n: (len(_repeated(n, found[n], "")), count[n]))
+    rivals = [
+        n
+        for n in found
+        if n != best
+        and count[n] > RIVAL * count[best]
+        and not (len(_repeated(best, found[best], n)) >= OWN and not _repeated(n, found[n], best))
+    ]
+    if rivals and (fitting := _by_ring(grey, best, rivals)) is not None:
+        return fitting
     if rivals:
-        read = ", ".join(f"{n} {found[n]}" for n in (best, *rivals))
+        read = ", ".join(f"{n} {count[n]}" for n in (best, *rivals))
         raise InputError(
-            f"the targets can be of more than one family (points read on {len(asked)} photographs: {read}); name the "
-            "one that was printed, as --target " + best
+            f"the targets can be of more than one family (points read on {len(grey)} photographs: {read}), and neither "
+            f"codes nor the widths of the rings tell which; name the one that was printed, as --target {best}"
         )
-    return (target(best),)
+    return best
+
+
+def _by_ring(grey: list[Array], best: str, rivals: list[str]) -> str | None:
+    """The one family whose rings end where those of the photographs do."""
+    ends = [ring_end(g, families[best]) for g in grey]
+    fit = [n for n in (best, *rivals) if abs(np.nanmedian(ends) - families[n].ring[1]) < RING]
+    return fit[0] if len(fit) == 1 else None
+
+
+def _repeated(name: str, read: list[set[str]], other: str) -> set[int]:
+    """Codes that were read in two photographs, less those that the other family has, too."""
+    seen = Counter(int(n) for names in read for n in names)
+    twice = np.array([n for n, times in seen.items() if times > 1], int)
+    codes = set(families[name].code_of(twice).tolist()) if len(twice) else set[int]()
+    if other and families[other].bits == families[name].bits:
+        codes -= set(families[other].codes.tolist())
+    return codes
+
+
+def _tags(grey: list[Array]) -> str | None:
+    """The ChArUco board or the dictionary of tags."""
+    views = [tags_seen(g) for g in grey]
+    count = Counter(name for v in views for name, tags in v.items() if len(tags.id) >= FEWEST_TAGS)
+    likely = [name for name, times in count.items() if times > len(grey) // 2]
+    # shapes that are no tags are taken for those of a dictionary now and then: the right one has more of them
+    likely.sort(key=lambda name: -sum(len(v[name].id) for v in views if name in v))
+    for name in likely:
+        seen = [v[name] for v in views if name in v]
+        board = charuco_of(name, seen)
+        if board is not None and any(_most(grey, target(board))):
+            return board
+        tags = smallest(name, max(int(s.id.max()) for s in seen))
+        if any(_most(grey, target(tags))):
+            return tags
+    return None
+
+
+def _sheet(grey: list[Array]) -> str | None:
+    return SHEET if any(_most(grey, target(SHEET))) else None
+
+
+def _raster(grey: list[Array]) -> str | None:
+    return _agreed(grey, raster_of, "a raster of dots", "circles-7x5, or acircles-4x11 where it is staggered")
+
+
+def _chessboard(grey: list[Array]) -> str | None:
+    return _agreed(grey, chessboard_of, "a chessboard", "chessboard-9x6, by the corners between squares")
+
+
+def _agreed(grey: list[Array], look: Callable[[Array], str | None], what: str, example: str) -> str | None:
+    """The board that most photographs show; raises InputError where most show one, but none that can be told."""
+    names = [name for g in grey if (name := look(g)) is not None]
+    if not names:
+        return None
+    for name, _ in Counter(names).most_common():
+        if any(_most(grey, target(name))):
+            return name
+    if len(names) <= len(grey) // 2:
+        return None
+    raise InputError(
+        f"{what} is seen, but not which one (it looks like {', '.join(sorted(set(names)))}, which is not found whole "
+        f"on most of {len(grey)} photographs); name it, as --target {example}. Tried were: {TRIED}"
+    )

@@ -26,7 +26,13 @@ from raybundle.numerics.places import Local
 from raybundle.numerics.progress import Progress
 from raybundle.orientation.cleaning import clean
 from raybundle.scenes.bias import BiasKind
-from raybundle.workflows.scene_geometry import ATTITUDE_RAD, USUAL_BIAS_M, bias_stated, camera_of_scene
+from raybundle.workflows.scene_geometry import (
+    ATTITUDE_RAD,
+    USUAL_BIAS_M,
+    bias_stated,
+    camera_of_scene,
+    middle_of_scene,
+)
 from raybundle.workflows.scene_images import SceneImage, ScenePixels
 from raybundle.workflows.scene_ties import ScenePair
 from raybundle.workflows.tie_block import TieBlock, Weights, block_of_tracks, flat_points, refine
@@ -301,13 +307,24 @@ def _held(block: Block) -> Array:
     return np.zeros(len(block.images), bool) if block.images.held is None else block.images.held
 
 
-def refuse_nothing_common(scenes: SceneSet, pairs: Sequence[ScenePair], marks: int, photographs: int) -> None:
-    """Raise NoOrientation where scenes have neither tie points nor marks."""
+def refuse_nothing_common(
+    scenes: SceneSet, pairs: Sequence[ScenePair], marks: int, photographs: int, refused: Sequence[tuple[str, str]]
+) -> None:
+    """Raise NoOrientation where scenes have neither tie points nor marks; `refused` files and why are told as well."""
     if marks or photographs or any(len(p.pair.matches) for p in pairs):
         return
-    names = ", ".join(s.name for s in scenes.images[:6])
+    names = ", ".join(f"{s.name} at {_middle_words(s)}" for s in scenes.images[:6])
+    several = len(scenes.images) > 1
     compared = f"{len(pairs)} pairs show common ground" if pairs else "no two of them show common ground"
-    raise NoOrientation(
-        f"the scenes {names} have no tie points: {compared}, and no control is marked in them.\n"
-        "  Look whether they show the same place at a similar season, or mark control points in them (--control)."
+    have = f"s {names} have no tie points: {compared}" if several else f" {names} is the only one that can be used"
+    message = (
+        f"the scene{have}, and no control is marked in {'them' if several else 'it'}.\n"
+        "  Look whether they show the same place at a similar season, whether each has its own RPC, or mark control "
+        "points in them (--control)."
     )
+    raise NoOrientation("\n".join([message, *(f"  {name} is not used: {why}" for name, why in refused[:10])]))
+
+
+def _middle_words(image: SceneImage) -> str:
+    lon, lat, _ = middle_of_scene(image)
+    return f"{abs(lon):.3f} {'E' if lon >= 0 else 'W'}, {abs(lat):.3f} {'N' if lat >= 0 else 'S'}"

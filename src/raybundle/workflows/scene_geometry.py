@@ -32,18 +32,18 @@ LEVELS_M, MOST_LEVELS = (20.0, 100.0), 100
 """Distance of the heights at which common ground is looked for, and their number at the most."""
 RANGE = 3.0
 """Points farther from the middle of an RPC than so many times its range have no place in it."""
-STEPS, NEWTON = 6, 14
+STEPS = 6
 
 
 def place_of_scenes(scenes: Sequence[SceneImage]) -> Local:
     """A local frame in the middle of the scenes."""
-    middles = np.array([_middle(s) for s in scenes])
+    middles = np.array([middle_of_scene(s) for s in scenes])
     middles[:, 0] -= 360 * np.round((middles[:, 0] - middles[0, 0]) / 360)
     lon, lat, h = middles.mean(axis=0).tolist()
     return Local(origin=(round(lon, 7), round(lat, 7), round(h, 2)))
 
 
-def _middle(image: SceneImage) -> Array:
+def middle_of_scene(image: SceneImage) -> Array:
     """Longitude, latitude, height of the middle of a scene."""
     middle = np.array([[image.width_px / 2, image.height_px / 2]])
     if image.rpc is not None:
@@ -102,24 +102,8 @@ class SceneView:
     """(2,)"""
 
     def ground(self, xy_px: Array, height: float) -> Array:
-        """Local points (n, 3) of image points (n, 2) at a height; NaN where there are none.
-
-        Newton, to a millionth of a pixel: more than matching asks for; a point that has no place costs only itself.
-        """
-        rpc = self.sensor.rpc
-        geographic = np.tile([*rpc.ground_offset[:2], height], (len(xy_px), 1))
-        miss = np.full((len(xy_px), 2), np.inf)
-        try:
-            for _ in range(NEWTON):
-                seen, J = rpc.project_with_partials(geographic)
-                miss = xy_px - seen
-                step = np.linalg.solve(J[:, :, :2], miss[..., None])[..., 0]
-                longest = np.abs(step / rpc.ground_scale[:2]).max(axis=1, keepdims=True)
-                geographic[:, :2] += step * np.minimum(1.0, 0.5 / np.maximum(longest, 1e-300))
-        except (InputError, np.linalg.LinAlgError):
-            return np.full((len(xy_px), 3), np.nan)
-        geographic[~(np.abs(miss).max(axis=1) < 1e-6)] = np.nan
-        return self.sensor.place.block_from_geographic(geographic)
+        """Local points (n, 3) of image points (n, 2) at a height; NaN where there are none."""
+        return self.sensor.place.block_from_geographic(self.sensor.rpc.ground_where_any(xy_px, height))
 
     def image(self, xyz: Array) -> Array:
         """Image points (n, 2) of local points (n, 3), NaN where there are none."""

@@ -125,10 +125,8 @@ def _candidates(inputs: Sequence[Path]) -> list[Path]:
 def _model_of(path: Path) -> Path | None:
     """The file that tells the geometry of an image; None where nothing does, so that it is a photograph."""
     stem = path.stem
-    names = [
-        f"{stem}{end}"
-        for end in ("_RPC.TXT", "_rpc.txt", "_RPC.txt", ".RPB", ".rpb", ".XML", ".xml", ".geom", ".DIM", ".json")
-    ]
+    own = [f"{stem}{end}" for end in ("_RPC.TXT", "_rpc.txt", "_RPC.txt", ".RPB", ".rpb")]
+    names = [*own, *(f"{stem}{end}" for end in (".XML", ".xml", ".geom", ".DIM", ".json"))]
     if stem.upper() == "IMAGERY":  # as SPOT 5 names them
         names += ["METADATA.DIM", "metadata.dim"]
     for begin in ("IMG_", "img_"):
@@ -138,7 +136,8 @@ def _model_of(path: Path) -> Path | None:
             names += [f"{kind}{r}{end}" for kind in ("RPC_", "DIM_") for r in (rest, short) for end in (".XML", ".xml")]
     for name in names:
         beside = path.with_name(name)
-        if beside.is_file() and _recognised(beside):
+        # whatever has the name of an RPC is to be one: an empty one costs the scene and makes it no photograph
+        if beside.is_file() and (name in own or _recognised(beside)):
             return beside
     if is_tiff(path):
         try:

@@ -14,8 +14,9 @@ from raybundle.block import Block, Role
 from raybundle.errors import InputError
 from raybundle.io.control_files import ControlFile
 from raybundle.io.coordinate_systems import WGS84, LocalFrame, local_frame
+from raybundle.numerics.arrays import Array
 from raybundle.numerics.places import Local
-from raybundle.scenes.sensor import SceneSensor
+from raybundle.scenes.sensor import RpcSensor, SceneSensor
 from raybundle.workflows.georeference import Georeferenced, frame_of
 from raybundle.workflows.marks import Given, Placing, add_points, drop_single_marks, drop_unseen_checks
 from raybundle.workflows.scene_block import SceneSet, joined, with_cameras
@@ -174,6 +175,12 @@ def check_marks(block: Block, images: Sequence[SceneImage], first: int, mark_px:
         if len(rows) < 2:
             continue
         sensor = cast("SceneSensor", block.cameras[int(block.images.camera[i])].scene)
+        if isinstance(sensor, RpcSensor):
+            try:
+                ids = [p.ids[k] for k in o.point[rows].tolist()]
+                sensor.rpc.check_near(sensor.place.geographic_from_block(p.xyz[o.point[rows]]), ids)
+            except InputError as error:
+                raise InputError(f"control marked in it: {error}", file=image.path) from None
         seen = sensor.observe(p.xyz[o.point[rows]], sensor.defaults)
         apart = o.xy_px[rows] - seen.xy_px
         own = np.sqrt(mark_px**2 + ((seen.by_point * p.sigma[o.point[rows]][:, None]) ** 2).sum(axis=2))
@@ -198,6 +205,49 @@ def check_marks(block: Block, images: Sequence[SceneImage], first: int, mark_px:
                 f"allowed{about}",
                 file=image.path,
             )
+
+
+def heights_notice(frame: LocalFrame) -> tuple[Notice, ...]:
+    """That heights above a geoid without a grid do not go with scenes, whose heights are above the ellipsoid."""
+    if not any("geoid" in r and "as if they stood on the ellipsoid" in r for r in frame.remarks):
+        return ()
+    message = (
+        f"the geometry of the scenes holds for heights above the ellipsoid, those of {frame.crs} stand above a geoid "
+        "whose grid is missing: by up to 100 m too high or too low, they move the points in the scenes; the shift of "
+        "the scenes takes that up where all look alike, and nothing does where they do not. Install the grid with "
+        "`pyproj sync`, or give ellipsoidal heights"
+    )
+    return (Notice(code="scene_heights", message=message),)
+
+
+def places_of_marks(block: Block) -> dict[str, Array]:
+    """Where points that are marked in scenes stand by them: points of one scene at the height of the control."""
+    o, p = block.observations, block.points
+    full = p.is_control.all(axis=1)
+    marked = np.unique(o.point[np.asarray(p.role)[o.point] != Role.TIE])
+    if not len(marked):
+        return {}
+    start = with_scene_points(replace(block, points=replace(p, xyz=np.where(p.is_control, p.xyz, np.nan)))).points.xyz
+    tie = np.asarray(p.role) == Role.TIE
+    known = full | (tie & np.isfinite(p.xyz).all(axis=1))
+    height = float(np.median(p.xyz[known, 2])) if known.any() else 0.0
+    found: dict[str, Array] = {}
+    for k in marked.tolist():
+        row = int(np.flatnonzero(o.point == k)[0])
+        camera = block.cameras[int(block.images.camera[o.image[row]])]
+        place = start[k]
+        if not np.isfinite(place).all():
+            sensor = cast("SceneSensor", camera.scene)
+            place = sensor.localise(o.xy_px[row : row + 1], _ellipsoidal(sensor, height), camera.parameters)[0]
+        found[p.ids[k]] = place
+    return found
+
+
+def _ellipsoidal(sensor: SceneSensor, height: float) -> float:
+    """The ellipsoidal height [m] of a local height near the middle of a scene."""
+    middle = np.array([sensor.size_px], float) / 2
+    ground = sensor.localise(middle, sensor.height_m, sensor.defaults)
+    return sensor.height_m + height - float(ground[0, 2])
 
 
 def finish(state: Placing, photographs: Georeferenced | None, placed: Placed, more: Sequence[Notice]) -> Georeferenced:

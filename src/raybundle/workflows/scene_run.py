@@ -12,17 +12,31 @@ from raybundle.io.project import Project, Stage, key_of
 from raybundle.matching.features import FeatureMethod
 from raybundle.numerics.progress import Progress
 from raybundle.scenes.bias import BiasKind
-from raybundle.workflows.georeference import Georeferenced
+from raybundle.workflows.georeference import Georeferenced, Surroundings
 from raybundle.workflows.marks import Given, add_bars
 from raybundle.workflows.parts import place_parts
 from raybundle.workflows.scene_block import SceneSet, refine_scenes, refuse_nothing_common, start_scenes
 from raybundle.workflows.scene_geometry import place_of_scenes
 from raybundle.workflows.scene_images import FoundScenes, SceneImage
 from raybundle.workflows.scene_joins import with_joins
-from raybundle.workflows.scene_place import common_frame, control_in_system, finish, in_frame, marks_in, place_scenes
+from raybundle.workflows.scene_place import (
+    common_frame,
+    control_in_system,
+    finish,
+    heights_notice,
+    in_frame,
+    marks_in,
+    place_scenes,
+    places_of_marks,
+)
 from raybundle.workflows.scene_ties import ScenePair, contradicting, find_scene_features, match_scenes
 from raybundle.workflows.tie_block import TieBlock, Weights
 from raybundle.workflows.tie_points import FeatureStore
+
+NOT_JOINED = (
+    "nothing joins it to the photographs: mark three points, control or not, in it and in two photographs, or give "
+    "control for the photographs"
+)
 
 
 @dataclass(slots=True)
@@ -92,7 +106,7 @@ class SceneRun:
         names = [s.name for s in self.images]
         inside = marks_in(given, names, inside=True)
         marks = sum(len(c.measurements) for c in inside.control)
-        refuse_nothing_common(scenes, self.pairs, marks, photographs)
+        refuse_nothing_common(scenes, self.pairs, marks, photographs, [*self.refused, *self.lost])
         self.tie = start_scenes(project, stage, name, scenes, self.store, self.pairs, jobs, progress)
         marked = {n.rsplit(".", 1)[0].lower() for c in inside.control for n in c.measurements.image}
         self.lost += [(n, w) for n, w in self.tie.not_oriented if n.rsplit(".", 1)[0].lower() not in marked]
@@ -121,16 +135,26 @@ class SceneRun:
         state = place_scenes(self.block, scenes, marks_in(given, names, inside=True), placed)
         notices = [*told, *scenes.notices(), *_files(given)]
         notices += [Notice(code="coordinate_system", message=r) for r in placed.frame.remarks]
+        notices += heights_notice(placed.frame)
         if not blocks:
             add_bars(state, given)
             return finish(state, None, placed, notices), ()
-        first, apart = place_parts(blocks, photos, marks_in(given, names, inside=False), placed.frame)
+        first, apart = place_parts(
+            blocks,
+            photos,
+            marks_in(given, names, inside=False),
+            Surroundings(frame=placed.frame, places=places_of_marks(state.block)),
+        )
         if first.fixed:
             assert self.store is not None
             whole = finish(state, first, placed, notices)
             photographs = {p.name: i for i, p in enumerate(photos)}
             block, more = with_joins(whole.block, photographs, store, names, self.store, method)
             return replace(whole, block=block, notices=(*more, *whole.notices)), apart
+        if not len(state.block.observations):
+            # scenes in which nothing is measured: there is no block but that of the photographs
+            self.lost = [(n, w) for n, w in self.lost if n not in names] + [(n, NOT_JOINED) for n in names]
+            return first, apart
         return finish(state, None, placed, notices), (first, *apart)
 
     @property

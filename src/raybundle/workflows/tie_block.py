@@ -14,6 +14,7 @@ from raybundle.adjustment.predict import residuals_px
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block, Camera, Images, Observations, Points
 from raybundle.block.select import with_rows
+from raybundle.block.stored import is_observed_jointly
 from raybundle.io.photos.photo import Photo
 from raybundle.matching.refine import (
     NEIGHBOURS_FROM,
@@ -69,6 +70,8 @@ class TieBlock:
 
 def free_at_start(camera: Camera) -> tuple[str, ...]:
     """Parameters that the start may move: none of a camera that was given as calibrated."""
+    if is_observed_jointly(camera):
+        return ()
     if camera.estimate == "auto":
         return FIRST_FREE
     return tuple(s for s in camera.estimate if s in FIRST_FREE)

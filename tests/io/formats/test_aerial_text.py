@@ -83,6 +83,62 @@ def test_a_folder_by_hand(name, files, tmp_path):
         assert "tells neither format nor pixels" in " ".join(read.remarks)
 
 
+# sin phi = 3/5, sin omega = 5/13, kappa a right angle:
+#   R2(phi) = [4 0 -3; 0 5 0; 3 0 4] / 5,  R1(omega) = [13 0 0; 0 12 5; 0 -5 12] / 13
+#   R3(kappa) = [0 1 0; -1 0 0; 0 0 1]
+#   R3 R1 R2 = [15 60 20; -52 0 39; 36 -25 48] / 65
+# (U, V, W) = (65, 130, -650) m in the image's axes is R' (U, V, W) = (-449, 310, -382) m in the object's, and
+# x = -c U / W = 15 mm, y = -c V / W = 30 mm with c = 150 mm; the others alike
+TURNED = np.array([[15, 60, 20], [-52, 0, 39], [36, -25, 48]]) / 65
+BY_HAND = {
+    "11": ("15.0 30.0", (-449, 310, -382)),
+    "12": ("0.0 0.0", (-360, 250, -480)),
+    "13": ("15.0 -15.0", (-293, 310, -499)),
+    "14": ("-30.0 15.0", (-442, 130, -481)),
+}
+TURNED_PATB = {
+    "b.im": " 7 150000.0\n" + "".join(
+        f" {p} {' '.join(str(1000 * float(v)) for v in xy.split())}\n" for p, (xy, _) in BY_HAND.items()
+    ) + " -99\n",
+    "b.ori": (
+        "               7                      1000.00000      2000.00000       900.00000\n"
+        "  0.230769230769 -0.800000000000  0.553846153846  0.923076923077  0.000000000000\n"
+        " -0.384615384615  0.307692307692  0.600000000000  0.738461538462\n"
+    ),
+    "b.con": "".join(f"{p} {1000 + X} {2000 + Y} {900 + Z} 1 1\n" for p, (_, (X, Y, Z)) in BY_HAND.items()) + "-99\n",
+}  # fmt: skip
+TURNED_BINGO = {
+    "image.dat": "7 RMK\n" + "".join(f"{p} {xy}\n" for p, (xy, _) in BY_HAND.items()) + "-99\n",
+    "itera.dat": "ORIA 7 1000 2000 900 40.966552940 25.133183244 100.0\n",
+    "geoin.dat": "".join(
+        f"CONT {p} {1000 + X} {2000 + Y} {900 + Z} 0.1 0.1 0.1\n" for p, (_, (X, Y, Z)) in BY_HAND.items()
+    ),
+    "cameras.toml": BINGO["cameras.toml"],
+}
+
+
+@pytest.mark.parametrize(("name", "files"), [("patb", TURNED_PATB), ("bingo", TURNED_BINGO)], ids=BOTH)
+def test_turns_by_hand(name, files, tmp_path):
+    """Both ways: what is read is the matrix worked out above, and what is written from it are the same numbers."""
+    read = read_format(name, folder(tmp_path / "b", files))
+    assert not any("transpose" in r or "omega, phi, kappa" in r for r in read.remarks)
+    block = read.block
+    np.testing.assert_allclose(block.images.rotation[0], TURNED, atol=1e-9)
+    # and the image points fit: every one is where the condition puts it
+    o = block.observations
+    image = block.cameras[0].image_from_pixel(o.xy_px)
+    U, V, W = TURNED @ (block.points.xyz[o.point] - block.images.centre[0]).T
+    np.testing.assert_allclose(image, -150 * np.stack([U, V], axis=1) / W[:, None], atol=1e-9)
+    write_format(name, Export(block=block), tmp_path / "out")
+    if name == "bingo":
+        (line,) = [r for r in (tmp_path / "out/itera.dat").read_text().splitlines() if r.startswith("ORIA")]
+        np.testing.assert_allclose([float(w) for w in line.split()[-3:]], [40.966552940, 25.133183244, 100], atol=1e-8)
+    else:
+        _, *elements = (tmp_path / "out/block.ori").read_text().splitlines()
+        numbers = [float(w) for row in elements for w in row.split()]
+        np.testing.assert_allclose(numbers, [float(w) for w in files["b.ori"].split()[4:]], atol=1e-11)
+
+
 def flight(**camera):
     survey = Survey(control=3, check=2, control_sigma=(0.02, 0.02, 0.04), check_sigma=0.03)
     plan = AerialStrips(camera=brown_camera(values=camera), strips=2, images_per_strip=3, points_per_image=12)

@@ -265,3 +265,19 @@ def test_no_change_of_some_bytes_makes_the_readers_fail(changes):
     m, orientation = read_metadata(bytes(exif), bytes(xmp))
     assert 1 <= orientation <= 8
     assert m.focal_mm is None or m.focal_mm > 0
+
+
+def test_text_where_numbers_are_due_is_told():
+    """What an aircraft wrote and cannot be used is named; a photograph is no worse off than without it."""
+    packet = (
+        '<x:xmpmeta xmlns:x="adobe:ns:meta/"><rdf:RDF xmlns:rdf="http://www.w3.org/1999/02/22-rdf-syntax-ns#">'
+        '<rdf:Description xmlns:drone-dji="http://www.dji.com/drone-dji/1.0/" drone-dji:GpsLatitude="north" '
+        'drone-dji:GpsLongitude="11.5" drone-dji:RtkStdLat="nan" drone-dji:GimbalYawDegree="+12.5"/>'
+        "</rdf:RDF></x:xmpmeta>"
+    )
+    metadata, _ = read_metadata(None, packet.encode())
+    assert metadata.gps is None
+    assert set(metadata.remarks) == {
+        "XMP drone-dji:GpsLatitude: 'north' is not a number; it is not used",
+        "XMP drone-dji:RtkStdLat: 'nan' is not a number; it is not used",
+    }

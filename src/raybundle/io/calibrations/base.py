@@ -105,7 +105,7 @@ class CalibrationFormat:
     """Of a forward model, the simplest first."""
     recognises: Callable[[str, str], bool]
     """Whether a text, with the suffix of its file, is of this format."""
-    keeps: Literal["", "standard deviations"] = ""
+    keeps: Literal["", "standard deviations", "covariance"] = ""
     """What the format has a place for beside the values."""
 
 
@@ -196,6 +196,8 @@ def _lost(calibration: Calibration, format_: CalibrationFormat, *, exact: bool) 
         return ()
     if not exact:
         return ("the covariance is lost: it belongs to parameters of another model",)
+    if format_.keeps == "covariance":
+        return ()
     if format_.keeps == "standard deviations":
         off = calibration.covariance - np.diag(np.diag(calibration.covariance))
         return ("the correlations are lost: the format has a place for standard deviations alone",) if off.any() else ()

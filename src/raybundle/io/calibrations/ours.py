@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.block import Block, Camera, Images, Observations, Points
+from raybundle.block.stored import joint_covariance, observed_jointly
 from raybundle.errors import InputError
 from raybundle.io.block_toml import head_text, read_cameras, read_head
 from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, register
@@ -24,14 +25,11 @@ def read(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibration, ...]
 
 
 def _calibration(camera: Camera) -> Calibration:
-    free = tuple(s for s in camera.values if s in camera.sigma)
-    return Calibration(
-        id=camera.id,
-        camera=camera,
-        pixel_mm=camera.pixel_mm,
-        free=free,
-        covariance=np.diag([camera.sigma[s] ** 2 for s in free]) if free else None,
-    )
+    free, covariance = joint_covariance(camera)
+    if covariance is None:
+        free = tuple(s for s in camera.values if s in camera.sigma)
+        covariance = np.diag([camera.sigma[s] ** 2 for s in free]) if free else None
+    return Calibration(id=camera.id, camera=camera, pixel_mm=camera.pixel_mm, free=free, covariance=covariance)
 
 
 def cameras_text(cameras: Sequence[Camera]) -> str:
@@ -54,7 +52,10 @@ def write(conversions: Sequence[Conversion], suffix: str) -> str:
     for conversion in conversions:
         camera = conversion.calibration.camera
         assert isinstance(camera, Camera)
-        cameras.append(camera)
+        covariance = conversion.calibration.covariance
+        cameras.append(
+            camera if covariance is None else observed_jointly(camera, conversion.calibration.free, covariance)
+        )
     return cameras_text(cameras)
 
 
@@ -67,6 +68,7 @@ register(
         write=write,
         several=True,
         model="any",
+        keeps="covariance",
         recognises=lambda text, suffix: suffix == ".toml" and bool(re.search(r"^\[cameras\.", text, re.MULTILINE)),
     )
 )

@@ -126,7 +126,8 @@ def read_json(path: Path) -> Json:
     try:
         return Json(path, json.loads(text))
     except json.JSONDecodeError as error:
-        message = f"this is not JSON: {error.msg} (character {error.colno})"
+        cut = "; the file is cut off: get it again" if error.pos >= len(text.rstrip()) - 1 else ""
+        message = f"this is not JSON: {error.msg} (character {error.colno}){cut}"
         raise InputError(message, file=path, line=error.lineno) from None
     except (RecursionError, ValueError):
         raise InputError("this is not JSON: nested too deeply, or a number is too long", file=path) from None
@@ -231,7 +232,9 @@ def read_xml(path: Path, root: str) -> Element:
     try:
         parser.Parse(data, True)
     except expat.ExpatError as error:
-        raise InputError(f"this is not XML: {expat.ErrorString(error.code)}", file=path, line=error.lineno) from None
+        cut = "; the file is cut off: get it again" if error.lineno >= data.count(b"\n") else ""
+        message = f"this is not XML: {expat.ErrorString(error.code)}{cut}"
+        raise InputError(message, file=path, line=error.lineno) from None
     except (ValueError, LookupError) as error:
         raise InputError(f"this is not XML that can be read: {error}", file=path, line=1) from None
     if not top or top[0].name != root:

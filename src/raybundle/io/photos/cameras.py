@@ -84,7 +84,7 @@ def camera_of(group: CameraGroup) -> Camera:
         s = group.stored
         return Camera(
             id=group.id, model=s.model, width_px=s.width_px, height_px=s.height_px, pixel_mm=s.pixel_mm,
-            values=s.values, estimate=s.estimate, sigma=s.sigma, interior=s.interior,
+            values=s.values, estimate=s.estimate, sigma=s.sigma, interior=s.interior, relations=s.relations,
         )  # fmt: skip
     values = {p.symbol: 0.0 for p in sensor_models["brown"].parameters}
     return Camera(

@@ -119,7 +119,21 @@ def find_photos(
         photos.append(photo)
     kept, thumbnails = _without_thumbnails(photos)
     progress("reading photographs", 1.0)
+    remarks += _together([(p.name, r) for p in kept for r in p.metadata.remarks if r.startswith("XMP ")])
     return Found(photos=kept, refused=tuple(sorted(refused + thumbnails)), remarks=tuple(remarks))
+
+
+def _together(remarks: list[tuple[str, str]]) -> list[str]:
+    """One remark for all photographs in which the same entry is of no use, with the first of them."""
+    by_entry: dict[str, list[tuple[str, str]]] = {}
+    for name, remark in remarks:
+        by_entry.setdefault(remark.split(": ")[0], []).append((name, remark))
+    found: list[str] = []
+    for same in by_entry.values():
+        name, remark = same[0]
+        more = f" and {len(same) - 1} more" if len(same) > 1 else ""
+        found.append(f"{name}{more}: {remark}")
+    return found
 
 
 def read_photo(path: Path, *, name: str = "", limit_pixels: int = LIMIT_PIXELS) -> Photo:

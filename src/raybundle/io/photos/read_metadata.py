@@ -10,10 +10,20 @@ from datetime import datetime, timedelta, timezone
 from raybundle.io.photos.exif import Tags, read_tags
 from raybundle.io.photos.metadata import Gps, Metadata
 from raybundle.io.photos.xmp import read_xmp
+from raybundle.io.tables import shown
 
 MM_PER_UNIT = {2: 25.4, 3: 10.0, 4: 1.0, 5: 0.001}
 """EXIF FocalPlaneResolutionUnit; inch where it is absent (4 and 5 are not in the standard but are written)."""
 RTK_FIX = {0: "none", 16: "single", 34: "rtk float", 50: "rtk fixed"}
+NUMBERS = tuple(
+    f"drone-dji:{name}"
+    for name in (
+        "GpsLatitude", "GpsLongitude", "GpsLongtitude", "AbsoluteAltitude", "RelativeAltitude", "RtkFlag", "RtkStdLon",
+        "RtkStdLat", "RtkStdHgt",
+        *(f"{what}{axis}Degree" for what in ("Gimbal", "Flight") for axis in ("Yaw", "Pitch", "Roll")),
+    )
+)  # fmt: skip
+"""Entries that are numbers."""
 NAN = math.nan
 
 
@@ -27,7 +37,7 @@ def read_metadata(exif: bytes | memoryview | None, xmp: bytes | None) -> tuple[M
     if xmp is None and isinstance(found := tags.main.get(700), bytes | tuple):
         xmp = found if isinstance(found, bytes) else bytes(int(v) & 255 for v in found)
     entries, xmp_remarks = read_xmp(xmp) if xmp else ({}, ())
-    remarks = [*tags.remarks, *xmp_remarks]
+    remarks = [*tags.remarks, *xmp_remarks, *_no_numbers(entries)]
     orientation = int(tags.number(0x0112) or _number(entries, "tiff:Orientation") or 1)
     if not 1 <= orientation <= 8:
         remarks.append(f"the EXIF orientation {orientation} is not one of 1 to 8; taken as 1")
@@ -54,6 +64,12 @@ def read_metadata(exif: bytes | memoryview | None, xmp: bytes | None) -> tuple[M
         xmp=entries,
         remarks=tuple(remarks),
     ), orientation
+
+
+def _no_numbers(entries: Mapping[str, str]) -> list[str]:
+    """What is told of entries of an aircraft's XMP that are to be numbers and are none."""
+    bad = [k for k in NUMBERS if entries.get(k) and _number(entries, k) is None]
+    return [f"XMP {k}: {shown(entries[k])} is not a number; it is not used" for k in bad]
 
 
 def _number(entries: Mapping[str, str], *keys: str) -> float | None:

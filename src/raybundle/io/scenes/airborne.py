@@ -18,6 +18,7 @@
 
     [trajectory]
     file = "flight.csv"          time_s, a position, three angles and, if known, their standard deviations
+    attitudes = "ins.csv"        where the angles have times of their own: time_s and the three angles, not in the file
     crs = "EPSG:25832"           of positions X, Y, Z; longitude_deg, latitude_deg, height_m need none
     lever_arm_m = [0, 0, 0]      from the projection centre to the point whose positions the table has
     boresight_deg = [0, 0, 0]    R = exp([b]x) R_table
@@ -30,8 +31,9 @@ carries the lens downwards, against true north; in _deg, _gon or _rad.  Files st
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
-from typing import Any, cast
+from typing import Any, Literal, cast
 
 import numpy as np
 
@@ -49,7 +51,7 @@ from raybundle.scenes.linescan import LineScene
 from raybundle.scenes.trajectory import Trajectory as Path3d
 
 ANGLES = {("omega", "phi", "kappa"): rotation_from_opk, ("roll", "pitch", "yaw"): rotation_from_rpy}
-FILES = (("lens", "detector"), ("lines", "table"), ("trajectory", "file"))
+FILES = (("lens", "detector"), ("lines", "table"), ("trajectory", "file"), ("trajectory", "attitudes"))
 
 
 def read(path: Path) -> Scene:
@@ -145,36 +147,42 @@ def _lines(lines: Section, height: int) -> tuple[Array, Array]:
 
 def _trajectory(section: Section) -> tuple[Path3d, tuple[float | None, float | None]]:
     """Positions of the projection centre and rotations of the image, geocentric; the usual standard deviations."""
-    section.allow(("file", "crs", "lever_arm_m", "boresight_deg"))
+    section.allow(("file", "attitudes", "crs", "lever_arm_m", "boresight_deg"))
     if "file" not in section.values:
         section.fail("file", "key 'file' is missing; give the table of positions and attitudes")
     file = _beside(section, "file")
-    given = _table(file)
+    apart = _beside(section, "attitudes") if "attitudes" in section.values else None
+    given = _table(file, "both" if apart is None else "positions")
     crs = section.text("crs", "") or given.crs
     if given.crs is not None and crs != given.crs:
         section.fail("crs", "the table has longitude and latitude, which need no coordinate system; take the key away")
     if crs is None:
         section.fail("crs", 'positions X, Y, Z need their coordinate system: crs = "EPSG:25832"')
-    time = cast("Array", given.time)
-    late = np.flatnonzero(np.diff(time) <= 0)
-    if len(late):
-        k = int(late[0])
-        raise InputError(
-            f"time {time[k + 1]:.10g} s does not follow {time[k]:.10g} s; sort the table", file=file, line=k + 3,
-            column="time_s",
-        )  # fmt: skip
     frame = local_frame(crs, given.xyz[len(given) // 2])
     centre, to_local = frame._place  # noqa: SLF001
+    turned = given if apart is None else _at_times_of(_table(apart, "attitudes"), given)
     boresight = rotation_from_vector(np.radians(_three(section, "boresight_deg")))
-    R = boresight @ rotations_in(given, frame) @ to_local
+    R = boresight @ rotations_in(turned, frame) @ to_local
     P = frame.local_from_crs(given.xyz) @ to_local + centre
-    trajectory = Path3d(
+    time, turned_time = cast("Array", given.time), cast("Array", turned.time)
+    path = Path3d(
         position_times=time,
-        positions=P - _three(section, "lever_arm_m") @ R,
-        attitude_times=time,
+        positions=P,
+        attitude_times=turned_time,
         quaternions=_quaternions(np.swapaxes(R, 1, 2)),
     )
-    return trajectory, (_usual(given.sigma), _usual(given.rotation_sigma))
+    lever = _three(section, "lever_arm_m")
+    # far beyond the attitudes a lever arm is that of their ends; the lines do not reach there
+    back = path.rotation(np.clip(time, turned_time[0], turned_time[-1]))[0] if apart is not None else R.swapaxes(1, 2)
+    trajectory = replace(path, positions=P - back @ lever)
+    return trajectory, (_usual(given.sigma), _usual(turned.rotation_sigma))
+
+
+def _at_times_of(attitudes: Trajectory, positions: Trajectory) -> Trajectory:
+    """Attitudes of a table of their own with the places, to some metres, where they hold: north differs there."""
+    time, known = cast("Array", attitudes.time), cast("Array", positions.time)
+    xyz = np.stack([np.interp(time, known, column) for column in positions.xyz.T], axis=1)
+    return replace(attitudes, xyz=xyz, crs=positions.crs, true_north=attitudes.true_north or positions.crs is not None)
 
 
 def _usual(sigma: Array | None) -> float | None:
@@ -189,37 +197,55 @@ def _three(section: Section, key: str) -> Array:
     return np.array([section.checked(key, v) for v in cast("list[Any]", value)])
 
 
-def _table(file: Path) -> Trajectory:
+def _table(file: Path, holds: Literal["both", "positions", "attitudes"]) -> Trajectory:
     """Times, positions, rotations of a table of GNSS and INS; raises InputError with line and column."""
     columns = [Column(name="time_s", kind="number"), Column(name="image", kind="text", optional=True, empty=True)]
-    columns += [Column(name=n, kind="number", optional=True) for n in (*GRID, *GEOGRAPHIC)]
-    columns += [Column(name=n, kind="number", optional=True, empty=True, limit=">= 0") for n in SIGMA]
-    choices = [(names, unit) for names in ANGLES for unit in UNITS]
+    if holds != "attitudes":
+        columns += [Column(name=n, kind="number", optional=True) for n in (*GRID, *GEOGRAPHIC)]
+        columns += [Column(name=n, kind="number", optional=True, empty=True, limit=">= 0") for n in SIGMA]
+    choices = [(names, unit) for names in ANGLES for unit in UNITS] if holds != "positions" else []
     for names, unit in choices:
         columns += [Column(name=f"{n}_{unit}", kind="number", optional=True) for n in names]
         columns += [Column(name=f"s{n}_{unit}", kind="number", optional=True, empty=True, limit=">= 0") for n in names]
     table = read_table(file, columns, least_rows=2)
     places = [names for names in (GRID, GEOGRAPHIC) if all(n in table.number for n in names)]
     full = [(names, unit) for names, unit in choices if all(f"{n}_{unit}" in table.number for n in names)]
-    if len(places) != 1 or len(full) != 1:
-        what = "a position (X, Y, Z or longitude_deg, latitude_deg, height_m)"
-        angles = "three angles (omega_deg, phi_deg, kappa_deg or roll_deg, pitch_deg, yaw_deg; also _gon, _rad)"
-        raise InputError(f"time_s, {what} and {angles} are needed, of one kind each", file=file, line=1)
-    return _given(file, table, places[0], *full[0])
+    what = "a position (X, Y, Z or longitude_deg, latitude_deg, height_m)"
+    angles = "three angles (omega_deg, phi_deg, kappa_deg or roll_deg, pitch_deg, yaw_deg; also _gon, _rad)"
+    if (holds != "attitudes" and len(places) != 1) or (holds != "positions" and len(full) != 1):
+        needed = {"both": f"{what} and {angles}", "positions": what, "attitudes": angles}[holds]
+        raise InputError(f"time_s, {needed} are needed, of one kind each", file=file, line=1)
+    time = table.number["time_s"]
+    late = np.flatnonzero(np.diff(time) <= 0)
+    if len(late):
+        k = int(late[0])
+        raise InputError(
+            f"time {time[k + 1]:.10g} s does not follow {time[k]:.10g} s; sort the table", file=file, line=k + 3,
+            column="time_s",
+        )  # fmt: skip
+    return _given(file, table, places[0] if places else (), full[0] if full else None)
 
 
-def _given(file: Path, table: Table, place: tuple[str, ...], names: tuple[str, str, str], unit: str) -> Trajectory:
-    sigma = table.numbers(*(f"s{n}_{unit}" for n in names)) * UNITS[unit]
+def _given(
+    file: Path, table: Table, place: tuple[str, ...], angles: tuple[tuple[str, str, str], str] | None
+) -> Trajectory:
+    """What the columns `place` and `angles` (names, unit) of a table hold; NaN for positions that it has not."""
     geographic = place == GEOGRAPHIC
+    unknown = np.full((table.rows, 3), np.nan)
+    rotation = rotation_sigma = None
+    if angles is not None:
+        names, unit = angles
+        rotation = ANGLES[names](table.numbers(*(f"{n}_{unit}" for n in names)) * UNITS[unit])
+        rotation_sigma = table.numbers(*(f"s{n}_{unit}" for n in names)) * UNITS[unit]
     return Trajectory(
         path=file,
         names=tuple(str(k + 1) for k in range(table.rows)),
-        xyz=table.numbers(*place),
-        sigma=table.numbers(*SIGMA),
+        xyz=table.numbers(*place) if place else unknown,
+        sigma=table.numbers(*SIGMA) if place else unknown,
         crs=WGS84_HEIGHT if geographic else None,
-        rotation=ANGLES[names](table.numbers(*(f"{n}_{unit}" for n in names)) * UNITS[unit]),
-        rotation_sigma=sigma,
-        true_north=geographic or names[0] == "roll",
+        rotation=rotation,
+        rotation_sigma=rotation_sigma,
+        true_north=geographic or (angles is not None and angles[0][0] == "roll"),
         time=table.number["time_s"],
     )
 

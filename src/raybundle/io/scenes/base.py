@@ -14,6 +14,8 @@ from raybundle.numerics.arrays import Array
 from raybundle.scenes.linescan import LineScene
 from raybundle.scenes.rpc import Rpc
 
+BEYOND = 1.5
+"""Ground of an image at the middle height lies within so many times the range of the RPC."""
 HEAD_BYTES = 4096
 """What is read of a file to recognise it."""
 WIDER = 1.5
@@ -71,6 +73,8 @@ def read_scene(path: str | Path) -> Scene:
             head = file.read(HEAD_BYTES)
     except OSError as error:
         raise InputError(f"cannot be read: {error.strerror}; check the permissions", file=path) from None
+    if not head.strip():
+        raise InputError("the file is empty; get the scene's metadata or RPC again", file=path)
     for format_ in scene_formats.values():
         if format_.recognises(path, head):
             return _placed(path, format_)
@@ -119,8 +123,11 @@ def check_denominators(rpc: Rpc, file: Path | str) -> None:
         # loosely scaled RPCs (a whole degree for a small scene) may have poles outside the scene: look along its rays
         try:
             grid = rpc.image_offset + rpc.image_scale * np.stack([u, v], axis=1)
-            xy = rpc.project(rpc.localise(grid, float(rpc.ground_offset[2])))
+            ground = rpc.localise(grid, float(rpc.ground_offset[2]))
+            xy = rpc.project(ground)
         except Exception:  # noqa: BLE001  (whatever fails along the rays, the first reason is the clearer one)
+            raise InputError(str(error), file=file) from None
+        if (np.abs(ground - rpc.ground_offset) > BEYOND * rpc.ground_scale).any():
             raise InputError(str(error), file=file) from None
     if not np.isfinite(xy).all():
         raise InputError("RPC: its projection is not finite inside the scene; the file is damaged", file=file)

@@ -1,0 +1,61 @@
+"""Calibrations that are known with their covariance, as observations of all parameters together."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+
+from raybundle.block.block import Camera, Relation
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array
+
+NAME = "calibration: "
+"""How the relations begin by which a calibration is observed."""
+
+
+def observed_jointly(camera: Camera, free: tuple[str, ...], covariance: Array) -> Camera:
+    """The camera with its values observed as a calibration gave them, and free to move within its covariance.
+
+    free        symbols that the calibration estimated; the others stay held
+    covariance  (u, u) of `free`, positive definite
+    With C = L L', the rows of L^-1 p are u independent observations with standard deviation 1: relation k is what the
+    calibration says of its k-th parameter beside those before.  What it does not tell: whether zoom, focus or
+    stabilisation have moved since; the residuals of these observations do.
+    """
+    if not free:
+        return replace(camera, estimate=(), sigma={}, relations=())
+    size = np.sqrt(np.abs(np.diag(covariance)))
+    try:
+        root = np.linalg.inv(np.linalg.cholesky(covariance / np.outer(size, size))) / size
+    except np.linalg.LinAlgError:
+        raise InputError(f"camera {camera.id}: the covariance of its calibration is not positive definite") from None
+    values = np.array([camera.values[s] for s in free])
+    relations = tuple(
+        Relation(
+            name=f"{NAME}{symbol}",
+            terms={s: float(f) for s, f in zip(free[: k + 1], root[k], strict=False)},
+            sigma=1.0,
+            observed=float(root[k] @ values),
+        )
+        for k, symbol in enumerate(free)
+    )
+    return replace(camera, estimate=free, sigma={}, relations=relations)
+
+
+def is_observed_jointly(camera: Camera) -> bool:
+    """Whether a calibration with its covariance was given for the camera."""
+    return any(r.name.startswith(NAME) for r in camera.relations)
+
+
+def joint_covariance(camera: Camera) -> tuple[tuple[str, ...], Array | None]:
+    """Symbols and covariance (u, u) of the calibration by which a camera is observed; (), None where there is none."""
+    mine = [r for r in camera.relations if r.name.startswith(NAME)]
+    free = tuple(r.name.removeprefix(NAME) for r in mine)
+    nested = all(set(a.terms) < set(b.terms) for a, b in pairwise(mine))
+    if not mine or not nested or set(mine[-1].terms) != set(free):
+        return (), None
+    root = np.array([[r.terms.get(s, 0.0) / r.sigma for s in free] for r in mine])
+    inverse = np.linalg.inv(root)
+    return free, inverse @ inverse.T

@@ -1,0 +1,244 @@
+"""The part of a run that belongs to photographs, stage by stage beside the satellite scenes."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass, field, replace
+from pathlib import Path
+from threading import Lock
+from typing import Literal
+
+import numpy as np
+
+from raybundle.block import Block, Camera
+from raybundle.io.block_arrays import arrays_of_block, block_of_arrays
+from raybundle.io.camera_library import with_library
+from raybundle.io.photos.cameras import CameraGroup, camera_groups, camera_of
+from raybundle.io.photos.photo import Photo
+from raybundle.io.project import Project, Stage, key_of
+from raybundle.matching.features import FeatureMethod
+from raybundle.matching.refine import smoothed
+from raybundle.matching.tracks import tracks_of
+from raybundle.matching.verify import VerifiedPair, trusted
+from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.progress import Progress
+from raybundle.workflows.parts import start_parts
+from raybundle.workflows.tie_block import PreciseBlock, TieBlock, Weights, block_of_tracks, refine
+from raybundle.workflows.tie_points import FeatureStore, find_features, grey_of, match_pairs, pairs_of
+
+START, PRECISION = 7, 15
+"""Versions of the stages' results."""
+ALONE = "one photograph alone cannot be oriented; at least 2 are needed"
+
+
+@dataclass(slots=True)
+class PhotoRun:
+    """The photographs of a project on their way to a block."""
+
+    photos: tuple[Photo, ...]
+    jobs: int
+    progress: Progress
+    refused: list[tuple[str, str]] = field(default_factory=list[tuple[str, str]])
+    lost: list[tuple[str, str]] = field(default_factory=list[tuple[str, str]])
+    """Photographs that take no part, and why"""
+    store: FeatureStore | None = None
+    groups: tuple[CameraGroup, ...] = ()
+    pairs: list[VerifiedPair] = field(default_factory=list[VerifiedPair])
+    ties: tuple[TieBlock, ...] = ()
+    blocks: list[Block] = field(default_factory=list[Block])
+    weights: list[Weights] = field(default_factory=list[Weights])
+
+    def features(self, project: Project, stage: Stage, method: FeatureMethod, most: int) -> None:
+        """Features of the photographs."""
+        self.store, failed = find_features(project, stage, self.photos, method, most, self.jobs, self.progress)
+        if failed:
+            self.refused += [(self.photos[i].name, reason) for i, reason in failed.items()]
+            kept = [i for i in range(len(self.photos)) if i not in failed]
+            self.photos = tuple(self.photos[i] for i in kept)
+            self.store = FeatureStore(project, tuple(self.store.keys[i] for i in kept))
+
+    def cameras(self, calibration: Sequence[Camera], separate: Sequence[str], library: Path | None) -> None:
+        """Which photographs are of one camera; one photograph alone takes no part."""
+        if len(self.photos) < 2:
+            self.lost = [(p.name, ALONE) for p in self.photos]
+            self.photos = ()
+            self.groups = camera_groups((), calibration, separate) if calibration else ()
+            return
+        self.groups = camera_groups(self.photos, calibration, separate)
+        if library is not None:
+            self.groups = with_library(self.photos, self.groups, library)
+
+    def matching(self, project: Project, stage: Stage, method: FeatureMethod) -> None:
+        """Pairs of photographs."""
+        assert self.store is not None
+        if self.photos:
+            chosen = pairs_of(self.photos, self.store, method, _positions(self.photos), self.progress)
+            self.pairs = match_pairs(project, stage, self.photos, self.store, method, chosen, self.jobs, self.progress)
+
+    def start(self, project: Project, stage: Stage, name: str, method: Literal["auto", "growing", "averaging"]) -> None:
+        """Approximate values of every part."""
+        assert self.store is not None
+        if self.photos:
+            self.ties = _start(
+                project, stage, name, self.photos, self.groups, self.pairs, self.store, method, self.jobs, self.progress
+            )
+            self.lost = list(self.ties[0].not_oriented)
+            self.blocks = [tie.block for tie in self.ties]
+
+    def precision(self, project: Project, stage: Stage, memory_gb: float) -> None:
+        """Least-squares matching of their tie points."""
+        if self.photos:
+            self.blocks, self.weights = _precision(
+                project, stage, self.ties, self.photos, memory_gb, self.jobs, self.progress
+            )
+
+
+def _positions(photos: Sequence[Photo]) -> Array | None:
+    """(n, 3) rough metres by GPS for the choice of pairs; None where fewer than two photographs have any."""
+    result = np.full((len(photos), 3), np.nan)
+    for i, photo in enumerate(photos):
+        gps = photo.metadata.gps
+        if gps is not None:
+            result[i] = gps.latitude_deg, gps.longitude_deg, gps.altitude_m or 0.0
+    known = np.isfinite(result[:, 0])
+    if known.sum() < 2:
+        return None
+    result[:, 1] *= np.cos(np.radians(np.nanmean(result[:, 0])))
+    result[:, :2] *= 111_000
+    return result[:, [1, 0, 2]]
+
+
+def _cameras(groups: Sequence[CameraGroup], count: int) -> tuple[tuple[Camera, ...], Index]:
+    cameras: list[Camera] = []
+    of_photo = np.zeros(count, np.int32)
+    for k, group in enumerate(groups):
+        camera = camera_of(group)
+        cameras.append(camera if group.stored is not None else replace(camera, estimate="auto"))
+        of_photo[list(group.photos)] = k
+    return tuple(cameras), of_photo
+
+
+def _start(
+    project: Project,
+    stage: Stage,
+    name: str,
+    photos: Sequence[Photo],
+    groups: Sequence[CameraGroup],
+    pairs: Sequence[VerifiedPair],
+    store: FeatureStore,
+    method: Literal["auto", "growing", "averaging"],
+    jobs: int,
+    progress: Progress,
+) -> tuple[TieBlock, ...]:
+    cameras, of_photo = _cameras(groups, len(photos))
+    # names are part of the block
+    stage.key = key_of(
+        "start", START, method, store.keys, [(p.first, p.second) for p in pairs], [p.name for p in photos],
+        [asdict(c) for c in cameras], of_photo,
+    )  # fmt: skip
+    kept = project.load(stage.key)
+    if kept is not None:
+        ties = tuple(_tie_of_arrays(a) for a in _unpacked(kept))
+    else:
+        stage.from_cache = False
+        features = [store.places(i) for i in range(len(photos))]
+        tracks = tracks_of(trusted(pairs, len(photos)), [f.xy_px for f in features])
+        raw = block_of_tracks(name, photos, cameras, of_photo, [f.xy_px for f in features], tracks)
+        scale, angle = np.empty(len(tracks.image)), np.empty(len(tracks.image))
+        for i, f in enumerate(features):
+            mine = tracks.image == i
+            scale[mine], angle[mine] = f.scale_px[tracks.feature[mine]], f.angle[tracks.feature[mine]]
+        ties = start_parts(raw, scale, angle, jobs, progress, method)
+        project.store(stage.key, _packed([_arrays_of_tie(t) for t in ties]))
+    oriented = sum(int(t.block.images.oriented.sum()) for t in ties)
+    split = f" in {len(ties)} parts" if len(ties) > 1 else ""
+    points = sum(len(t.block.points) for t in ties)
+    stage.summary = f"{oriented} of {len(photos)} photographs{split}, {points} points"
+    return ties
+
+
+def _arrays_of_tie(tie: TieBlock) -> dict[str, Array]:
+    lost = tie.not_oriented
+    return {
+        **arrays_of_block(tie.block), "scale_px": tie.scale_px, "angle": tie.angle,
+        "lost": np.array([n for n, _ in lost], dtype=np.str_),
+        "reasons": np.array([r for _, r in lost], dtype=np.str_),
+    }  # fmt: skip
+
+
+def _tie_of_arrays(a: dict[str, Array]) -> TieBlock:
+    lost = tuple(zip(a["lost"].tolist(), a["reasons"].tolist(), strict=True))
+    return TieBlock(block=block_of_arrays(a), scale_px=a["scale_px"], angle=a["angle"], not_oriented=lost)
+
+
+def _packed(parts: Sequence[dict[str, Array]]) -> dict[str, Array]:
+    """The arrays of some parts under names of their own."""
+    return {f"{k}:{name}": values for k, part in enumerate(parts) for name, values in part.items()}
+
+
+def _unpacked(arrays: Mapping[str, Array]) -> list[dict[str, Array]]:
+    found: dict[int, dict[str, Array]] = {}
+    for key, values in arrays.items():
+        k, name = key.split(":", 1)
+        found.setdefault(int(k), {})[name] = values
+    return [found[k] for k in sorted(found)]
+
+
+def _precision(
+    project: Project,
+    stage: Stage,
+    ties: Sequence[TieBlock],
+    photos: Sequence[Photo],
+    memory_gb: float,
+    jobs: int,
+    progress: Progress,
+) -> tuple[list[Block], list[Weights]]:
+    stage.key = key_of("precision", PRECISION, *((arrays_of_block(t.block), t.scale_px, t.angle) for t in ties))
+    kept = project.load(stage.key)
+    if kept is None:
+        stage.from_cache = False
+        cache = _GreyCache(photos, memory_gb)
+        arrays: list[dict[str, Array]] = []
+        for tie in ties:
+            precise: PreciseBlock = refine(tie, cache.of, jobs, progress)
+            w = precise.weights
+            arrays.append(
+                {
+                    **arrays_of_block(precise.block),
+                    "weights": np.array([w.factor, w.floor_px2, w.reference_px2]),
+                    "counts": np.array([precise.offered, precise.measured, precise.added]),
+                }
+            )
+        kept = _packed(arrays)
+        project.store(stage.key, kept)
+    parts = _unpacked(kept)
+    blocks = [block_of_arrays(a) for a in parts]
+    weights = [Weights(factor=w[0], floor_px2=w[1], reference_px2=w[2]) for w in (a["weights"].tolist() for a in parts)]
+    offered, measured, added = np.sum([a["counts"] for a in parts], axis=0).tolist()
+    used = sum(len(b.observations) for b in blocks)
+    stage.summary = f"{measured} of {offered} features measured again, {added} rays added, {used} used"
+    return blocks, weights
+
+
+class _GreyCache:
+    """Smoothed photographs, the latest used ones within a limit of memory."""
+
+    def __init__(self, photos: Sequence[Photo], limit_gb: float) -> None:
+        self.photos = photos
+        self.limit = limit_gb * 1e9
+        self.held: OrderedDict[int, Array] = OrderedDict()
+        self.lock = Lock()
+
+    def of(self, i: int) -> Array:
+        """Photograph i, (h, w) uint16."""
+        with self.lock:
+            if i in self.held:
+                self.held.move_to_end(i)
+                return self.held[i]
+        image = smoothed(grey_of(self.photos[i]))
+        with self.lock:
+            self.held[i] = image
+            while len(self.held) > 2 and sum(a.nbytes for a in self.held.values()) > self.limit:
+                self.held.popitem(last=False)
+        return image

@@ -1,0 +1,45 @@
+"""What is held takes the value that was given, not what a fit that could not determine it left there."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from raybundle.adjustment.decide import decide
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.block.calibration_networks import ROLLS, FlatField, flat_field_scene
+from raybundle.block.simulate import Survey, simulate
+
+GIVEN = {"x0": 0.02, "y0": -0.03, "K1": 2e-6, "K2": 0.0, "K3": 0.0, "P1": 1e-6, "P2": 0.0, "A": 0.0, "S": 0.0}
+
+
+def decided(seed, tilt_deg, rolls_deg):
+    """A free calibration on a flat field whose parameters are all left to the adjustment, and the camera's truth."""
+    plan = FlatField(tilt_deg=tilt_deg, rolls_deg=rolls_deg)
+    survey = Survey(seed=seed, orientation="exact", points="exact", interior="exact", image_sigma_px=0.3)
+    simulated = simulate(flat_field_scene(plan), survey)
+    block = simulated.observed
+    camera = block.cameras[0]
+    block = replace(block, cameras=(replace(camera, estimate="auto", values={**camera.values, **GIVEN}),))
+    return decide(block, AdjustmentOptions(threads=1)), camera
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_what_is_not_determinable_is_held_at_what_was_given_and_spoils_nothing(seed):
+    result, camera = decided(seed, 5.0, (0.0,))
+    parameters = result.interior[0].parameters
+    held = {s: p for s, p in parameters.items() if p.status == "not determinable"}
+    assert held
+    assert {s: p.value for s, p in held.items()} == {s: GIVEN[s] for s in held}
+    c = parameters["c"]
+    assert abs(c.value - camera.values["c"]) < 3.5 * c.std
+    estimated = [s for s, p in parameters.items() if p.status == "estimated"]
+    assert np.isfinite([parameters[s].std for s in estimated]).all()
+
+
+def test_what_is_not_significant_is_zero():
+    result, _ = decided(0, 5.0, ROLLS)
+    left = {s: p for s, p in result.interior[0].parameters.items() if p.status == "not significant"}
+    assert set(left) >= {"A", "S"}
+    assert all(p.value == 0 for p in left.values())
+    assert f"A (camera {result.interior[0].camera})" in result.not_significant

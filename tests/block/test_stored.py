@@ -1,0 +1,72 @@
+"""Calibrations that are observed with their covariance: the same numbers back, and true standard deviations with them."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.stats import chi2
+
+from raybundle.adjustment.engine import adjust_block
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.block.calibration_networks import ROLLS, FlatField, flat_field_scene
+from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.block.stored import joint_covariance, observed_jointly
+from raybundle.errors import InputError
+from raybundle.io.block_toml import read_cameras
+from raybundle.io.calibrations.ours import cameras_text
+
+FREE = ("c", "x0", "y0", "K1", "K2", "P1", "P2")
+
+
+@pytest.fixture(scope="module")
+def calibrated():
+    """A camera of which only a mean network was taken, its covariance, and the truth."""
+    plan = FlatField(tilt_deg=25.0, rolls_deg=ROLLS, distances=(0.8, 1.1))
+    survey = Survey(seed=3, orientation="exact", points="exact", interior="exact", image_sigma_px=0.3)
+    seen = simulate(flat_field_scene(plan), survey).observed
+    free = replace(seen, cameras=(replace(seen.cameras[0], estimate=FREE),))
+    result = adjust_block(free, AdjustmentOptions(threads=1))
+    return seen.cameras[0], result.precision.interior[seen.cameras[0].id] / result.sigma0**2
+
+
+def test_covariance_and_values_come_back(calibrated, tmp_path):
+    camera, C = calibrated
+    known = observed_jointly(camera, FREE, C)
+    assert known.estimate == FREE
+    path = tmp_path / "camera.toml"
+    path.write_text(cameras_text([known]))
+    (again,) = read_cameras(path)
+    assert again == known
+    free, back = joint_covariance(again)
+    size = np.sqrt(np.diag(C))
+    assert free == FREE
+    np.testing.assert_allclose(back / np.outer(size, size), C / np.outer(size, size), atol=1e-9)
+    assert joint_covariance(camera) == ((), None)
+    with pytest.raises(InputError, match="not positive definite"):
+        observed_jointly(camera, FREE, -C)
+
+
+def test_object_points_carry_the_uncertainty_of_the_calibration(calibrated):
+    """60 blocks, each with a calibration drawn from its covariance: held it is 10 times too sure, observed it is true."""
+    camera, C = calibrated
+    scene = replace(field_scene(TargetField()), camera=camera)
+    root = np.linalg.cholesky(C)
+    rng = np.random.default_rng(8)
+    squares = {"held": [], "observed": []}
+    for run in range(60):
+        survey = Survey(
+            seed=run, control=4, orientation="exact", points="exact", interior="exact", image_sigma_px=0.05
+        )
+        simulated = simulate(scene, survey)
+        values = np.array([camera.values[s] for s in FREE]) + root @ rng.standard_normal(len(FREE))
+        drawn = replace(camera, estimate=(), values={**camera.values, **dict(zip(FREE, values, strict=True))})
+        for name, used in (("held", drawn), ("observed", observed_jointly(drawn, FREE, C))):
+            block = replace(simulated.observed, cameras=(used,))
+            result = adjust_block(block, AdjustmentOptions(threads=1))
+            k = int(np.flatnonzero(simulated.truth.points.role == 0)[run % 20])
+            error = result.adjusted.points.xyz[k] - simulated.truth.points.xyz[k]
+            covariance = result.precision.object_points[k] / result.sigma0**2
+            squares[name].append(error @ np.linalg.solve(covariance, error))
+    low, high = chi2.ppf([0.0005, 0.9995], 3 * 60)
+    assert low < sum(squares["observed"]) < high
+    assert sum(squares["held"]) > 3 * high
