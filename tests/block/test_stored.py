@@ -54,9 +54,7 @@ def test_object_points_carry_the_uncertainty_of_the_calibration(calibrated):
     rng = np.random.default_rng(8)
     squares = {"held": [], "observed": []}
     for run in range(60):
-        survey = Survey(
-            seed=run, control=4, orientation="exact", points="exact", interior="exact", image_sigma_px=0.05
-        )
+        survey = Survey(seed=run, control=4, orientation="exact", points="exact", interior="exact", image_sigma_px=0.05)
         simulated = simulate(scene, survey)
         values = np.array([camera.values[s] for s in FREE]) + root @ rng.standard_normal(len(FREE))
         drawn = replace(camera, estimate=(), values={**camera.values, **dict(zip(FREE, values, strict=True))})

@@ -72,7 +72,10 @@ def test_compare_prints_the_map(ours, tmp_path, capsys):
         TEXT.replace("600", "300").replace("400", "200").replace("[0.04, 0.04]", "[0.08, 0.08]")
     )
     run("compare", ours, tmp_path / "half.toml")
-    assert float(capsys.readouterr().out.split("rms ")[1].split()[0]) < 1e-6
+    printed = capsys.readouterr().out
+    assert float(printed.split("rms ")[1].split()[0]) < 1e-6
+    assert "is of 300 x 200 px" in printed
+    assert "covariances" not in printed  # none is known
     (tmp_path / "crop.toml").write_text(TEXT.replace("400", "300"))
     with pytest.raises(InputError, match="cropped"):
         run("compare", ours, tmp_path / "crop.toml")
@@ -102,7 +105,11 @@ def test_a_result_is_kept_with_its_covariance_and_found(tmp_path, capsys):
     assert "1 calibration in" in capsys.readouterr().out
     assert run("find", taken, "--out", tmp_path / "best.toml", "--library", library) == 0
     assert "fits maker-model-one-28mm-600x400" in capsys.readouterr().out
+    capsys.readouterr()
     run("compare", tmp_path / "best.toml", tmp_path / "result")
+    printed = capsys.readouterr().out
+    assert "their covariances let expect" in printed
+    assert "as far apart as they may be" in printed
     other = exif_photo(tmp_path / "b.jpg", focal=35.0)
     assert run("find", other, "--library", library) == 2
     assert "the photograph has 35 mm" in capsys.readouterr().out
@@ -134,3 +141,27 @@ def test_several_cameras_in_a_file(ours, tmp_path):
 def test_errors_leave_by_the_exit_status(tmp_path, capsys):
     assert main(["calibration", "convert", str(tmp_path / "no.yaml"), "--to", "opencv", "--out", "x.yaml"]) == 2
     assert "cannot be read" in capsys.readouterr().err
+
+
+def result_with(grade, folder):
+    """A result folder of a simulated calibration with this verdict in it."""
+    field = TargetField(
+        camera=brown_camera(size_px=(600, 400), pixel_mm=0.04), stations=4, frontal=1, rows=4, columns=5
+    )
+    result = adjust(simulate(field_scene(field), Survey()).observed)
+    camera = result.adjusted.cameras[0].id
+    write_result(result, folder, additions={"calibration": {camera: {"grade": grade, "photographs": 3}}})
+    return folder
+
+
+def test_the_verdict_goes_into_the_library_or_keeps_out_of_it(tmp_path, capsys):
+    library = tmp_path / "library"
+    key = ("--make", "Maker", "--model", "One", "--focal", 28, "--library", library)
+    run("add", result_with("weak", tmp_path / "weak"), *key)
+    (entry,) = read_library(library).entries
+    assert (entry.grade, entry.photographs) == ("weak", 3)
+    run("list", "--library", library)
+    assert "called weak" in capsys.readouterr().out
+    with pytest.raises(InputError, match="did not determine this camera"):
+        run("add", result_with("not determinable", tmp_path / "nothing"), *key)
+    assert len(read_library(library).entries) == 1

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from raybundle.block import Block, Camera, Distances, Images, Observations, Points, Stations
+from raybundle.block.block import Relation
 from raybundle.block.select import transformed, with_rows
 from raybundle.block.simulate import AerialStrips, Survey, TargetField, aerial_scene, field_scene, simulate
 from raybundle.io.block_arrays import arrays_of_block, block_of_arrays
@@ -48,6 +49,11 @@ def rich():
     survey = Survey(control=5, control_sigma=(1e-3, 2e-3, 0.0), check=3, scale_bars=2, station_sigma=0.02)
     block = simulate(field_scene(TargetField(rows=4, columns=5, stations=4, frontal=1)), survey).observed
     camera = replace(block.cameras[0], sigma={"c": 0.01}, interior="per_image", estimate="auto")
+    camera = replace(
+        camera,
+        per_image=("K1",),
+        relations=(Relation(name="r", terms={"c": 2.0, "x0": -1.0}, sigma=0.1, observed=3.0),),
+    )
     images = replace(block.images, held=np.arange(len(block.images)) < 2, interior={1: {"c": 20.5}, 3: {"c": 20.1}})
     return replace(block, cameras=(camera,), images=images, about="ä 雪", residuals="corrected", length_unit="mm")
 

@@ -7,6 +7,7 @@ import pytest
 
 from raybundle.block.select import with_rows
 from raybundle.block.simulate import AerialStrips, Ring, Survey, aerial_scene, brown_camera, ring_scene, simulate
+from raybundle.errors import NoOrientation
 from raybundle.numerics.transform import similarity
 from raybundle.orientation.averaging import average_start
 from raybundle.orientation.camera_constant import checked_by_pairs
@@ -78,3 +79,12 @@ def test_a_camera_constant_far_off_is_corrected_by_pairs():
     assert checked_by_pairs(s.observed.with_cameras(right)).cameras[0].values["c"] == pytest.approx(c, rel=0.03)
     held = replace(off, estimate=())
     assert checked_by_pairs(s.observed.with_cameras(held)).cameras[0].values["c"] == 1.35 * c
+
+
+def test_images_without_any_relative_orientation_are_refused():
+    """Points that are nowhere the same: chance alone."""
+    s = simulate(ring_scene(Ring(stations=4)), NOTHING)
+    o = s.observed.observations
+    xy = np.random.default_rng(3).uniform(0, (6000, 4000), (len(o), 2))
+    with pytest.raises(NoOrientation, match="no two images have a relative orientation"):
+        average_start(replace(s.observed, observations=replace(o, xy_px=xy)))

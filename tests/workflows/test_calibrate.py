@@ -235,3 +235,14 @@ def test_a_board_that_looks_the_same_when_turned_is_held(tmp_path):
     camera = done.adjustment.adjusted.cameras[0]
     assert camera.values["c"] / camera.pixel_mm[0] == pytest.approx(620, abs=1.5)
     assert (np.asarray(done.adjustment.given.points.sigma) == 0).all()
+
+
+@needs_board
+def test_mirrored_photographs_among_others_are_named_and_left_out(tmp_path):
+    folder = changed(tmp_path / "some", lambda k, image: image[:, ::-1] if k in {2, 5} else image)
+    done = calibrate([folder], WANTED)
+    assert [name for name, _ in done.not_used] == ["left03.png", "left06.png"]
+    assert all("is it mirrored" in why for _, why in done.not_used)
+    assert done.used == 11
+    c = done.adjustment.adjusted.cameras[0].values["c"] / done.adjustment.adjusted.cameras[0].pixel_mm[0]
+    assert c == pytest.approx(534.6, abs=1.0)

@@ -42,6 +42,8 @@ UNSTEADY = frozenset({"unstable_camera", "shear"})
 """Notices that speak against a calibration."""
 GOOD_PX, USABLE_PX = 0.1, 0.3
 """What is good and usable whatever the precision of these image points: natural points are no better than that."""
+UNTOLD = 0.01
+"""Median uncertainty of projection, in half diagonals of the format, from which on nothing is told."""
 TILT_SPREAD = np.radians(20)
 
 
@@ -120,6 +122,8 @@ def calibration_quality(
     )  # fmt: skip
     kinds = {p.symbol: p.kind for p in adjusted.sensor.parameters}
     vital = tuple(s for s in lacking if kinds[s] in {"scale", "principal point"})
+    if not vital and typical > UNTOLD * float(np.hypot(adjusted.width_px, adjusted.height_px)) / 2:
+        vital = ("the interior orientation as a whole",)
     grade = _grade(vital, largest, sigma, reach, len(images), validation, structure, repeated)
     if lacking and grade == "good":
         grade = "usable"

@@ -14,6 +14,8 @@ from raybundle.errors import InputError
 
 if TYPE_CHECKING:
     from raybundle.adjustment.calibration_quality import CalibrationQuality
+    from raybundle.adjustment.result import InteriorResult
+    from raybundle.block import Camera
     from raybundle.targets.marks import Target
     from raybundle.workflows.calibrate import Calibration
 
@@ -219,14 +221,34 @@ def lines(done: Calibration) -> list[str]:
             told.append(f"  next: {best.words}; the largest uncertainty is then {best.uncertainty_px:.2g} px")
         camera = next(c for c in done.adjustment.adjusted.cameras if c.id == q.camera)
         interior = next(i for i in done.adjustment.interior if i.camera == q.camera)
+        # beside what could not be determined the others' standard deviations are conditional
+        sure = q.grade != "not determinable"
         told.append(f"  model {camera.model}: " + ", ".join(
-            f"{p.symbol} {p.value:.6g}" + (f" ± {p.std:.2g}" if p.std else "")
+            f"{p.symbol} {p.value:.6g}" + (f" ± {p.std:.2g}" if p.std and sure else "")
             for p in list(interior.parameters.values())[:MOST_PARAMETERS] if p.std or p.value
         ))  # fmt: skip
+        told.append(f"  in pixels: {in_pixels(camera, interior, sure=sure)}")
     told += [f"warning: {n.message}" for n in done.adjustment.notices[:SHOWN]]
     if len(done.adjustment.notices) > SHOWN:
         told.append(f"and {counted(len(done.adjustment.notices) - SHOWN, 'more warning')}, see result.json")
     return told
+
+
+def in_pixels(camera: Camera, interior: InteriorResult, *, sure: bool) -> str:
+    """Camera constant and principal point [px], the latter from the outer corner of the first pixel, y down."""
+    width, height = camera.pixel_mm
+    p = interior.parameters
+    middle = (camera.width_px / 2, camera.height_px / 2)
+    told: list[str] = []
+    for symbol, words, factor, zero in (
+        ("c", "c", 1 / width, 0.0), ("x0", "principal point x", 1 / width, middle[0]),
+        ("y0", "y", -1 / height, middle[1]),
+    ):  # fmt: skip
+        if symbol in p:
+            std = p[symbol].std
+            spread = f" ± {abs(factor) * std:.2g}" if std and sure else ""
+            told.append(f"{words} {zero + factor * p[symbol].value:.2f}{spread}")
+    return ", ".join(told)
 
 
 def _kept(done: Calibration, q: CalibrationQuality, out: Path) -> str:

@@ -75,7 +75,12 @@ def convert(
 
     In the same direction the conversion is exact. Otherwise the simplest model within 0.01 px is taken, or else the
     best; --model chooses one.
-    """
+
+    \b
+    Example:
+      raybundle calibration convert camera.yaml --to metashape --out camera.xml
+      raybundle calibration convert result --to opencv --model 8 --out camera.yaml
+    """  # noqa: D301
     from raybundle.io.calibrations import convert_calibration, write_calibrations  # noqa: PLC0415
 
     conversions = [
@@ -197,34 +202,58 @@ def compare(
     """Say how far apart two calibrations place the image of the same ray, after the best rotation.
 
     The rotation is what the exterior orientation of a user takes up; at --distance a translation too.
-    """
+
+    \b
+    Example:
+      raybundle calibration compare may.toml october.toml
+      raybundle calibration compare may.toml october.toml --distance 5
+    """  # noqa: D301
     import numpy as np  # noqa: PLC0415
 
-    from raybundle.adjustment.calibration import calibration_difference, scaled  # noqa: PLC0415
+    from raybundle.adjustment.calibration import calibration_difference, projection_uncertainty, scaled  # noqa: PLC0415
 
     cameras: list[Camera] = []
+    notes: list[str] = []
+    expected: float | None = 0.0
     for path in (first, second):
-        own, words = _our_camera(_one(path, None, size, camera))
-        if words and not as_json:
-            click.echo(f" note: {path}: {words}")
+        one = _one(path, None, size, camera)
+        own, words = _our_camera(one)
+        notes += [f"{path}: {words}"] if words else []
+        if cameras and (own.width_px, own.height_px) != (cameras[0].width_px, cameras[0].height_px):
+            notes.append(
+                f"{path} is of {own.width_px} x {own.height_px} px; it is compared as if its pictures were reduced or "
+                f"enlarged as a whole to {cameras[0].width_px} x {cameras[0].height_px} px"
+            )
+            own = scaled(own, cameras[0].width_px, cameras[0].height_px)
         cameras.append(own)
+        if one.covariance is None or words:
+            expected = None
+        elif expected is not None:
+            spread = projection_uncertainty(own, one.free, one.covariance, distance=distance).covariance
+            expected += float(np.nanmean(np.trace(spread, axis1=2, axis2=3)))
     a, b = cameras
-    if (a.width_px, a.height_px) != (b.width_px, b.height_px):
-        b = scaled(b, a.width_px, a.height_px)
     d = calibration_difference(a, b, distance=distance)
     length = np.linalg.norm(d.shift_px, axis=2)
+    expected_px = None if expected is None else float(np.sqrt(expected))
     if as_json:
         values = {
             "rms_px": d.rms, "largest_px": d.largest, "rotation_rad": d.rotation.tolist(),
             "translation": d.translation.tolist(), "xy_px": d.xy_px.tolist(),
             "shift_px": np.where(np.isfinite(d.shift_px), d.shift_px, 0).tolist(),
+            "expected_rms_px": expected_px, "notes": notes,
         }  # fmt: skip
         click.echo(json.dumps(values))
         return
+    for note in notes:
+        click.echo(f" note: {note}")
     turn = float(np.degrees(np.linalg.norm(d.rotation)))
     where = "at infinity" if distance is None else f"at the distance {distance:g}"
     click.echo(f" difference {where}, after a rotation of {turn:.4f} deg: rms {significant(d.rms)} px, "
                f"largest {significant(d.largest)} px")  # fmt: skip
+    if expected_px is not None and expected_px > 0:
+        ratio = d.rms / expected_px
+        verdict = "as far apart as they may be" if ratio < 2 else "they are not of one camera in one state"
+        click.echo(f" their covariances let expect {significant(expected_px)} px: {ratio:.1f} times that, {verdict}")
     click.echo(" largest difference [px] in 3 x 3 parts of the format, as seen in the picture:")
     for row in np.array_split(length, 3, axis=0):
         parts = [float(np.nanmax(part)) for part in np.array_split(row, 3, axis=1)]
@@ -261,7 +290,12 @@ def add(
     camera: str | None,
     library: Path | None,
 ) -> None:
-    """Keep a calibration; FILE is a file of any format, or the result folder of an adjustment (with covariance)."""
+    """Keep a calibration; FILE is a file of any format, or the result folder of an adjustment (with covariance).
+
+    \b
+    Example:
+      raybundle calibration add result --photo images/DSC_0001.JPG
+    """  # noqa: D301
     from dataclasses import replace  # noqa: PLC0415
 
     from raybundle.io.camera_library import CameraKey, LibraryEntry, add_entry, key_of  # noqa: PLC0415
@@ -314,7 +348,12 @@ def _row(entry: LibraryEntry) -> str:
 @LIBRARY
 @TRACEBACK
 def list_(library: Path | None, *, as_json: bool) -> None:
-    """Show the calibrations of the library."""
+    """Show the calibrations of the library.
+
+    \b
+    Example:
+      raybundle calibration list
+    """  # noqa: D301
     from raybundle.io.camera_library import as_table, read_library  # noqa: PLC0415
 
     found = read_library(library)
@@ -337,7 +376,11 @@ def find(photo: Path, out: Path | None, library: Path | None) -> int:
     """Say which calibrations of the library serve a photograph, and why the others do not.
 
     Exit status 2 if none does.
-    """
+
+    \b
+    Example:
+      raybundle calibration find images/DSC_0001.JPG
+    """  # noqa: D301
     from raybundle.io.calibrations.base import write_whole  # noqa: PLC0415
     from raybundle.io.calibrations.ours import cameras_text  # noqa: PLC0415
     from raybundle.io.camera_library import find_calibrations, key_of  # noqa: PLC0415

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from raybundle.block import Block, Camera, Distances, Images, Observations, Points, Stations
+from raybundle.block.block import Relation
 from raybundle.numerics.arrays import Array
 
 
@@ -96,4 +97,6 @@ def _camera(values: dict[str, Any]) -> Camera:
         estimate="auto" if values["estimate"] == "auto" else tuple(values["estimate"]),
         sigma=values["sigma"],
         interior=values["interior"],
+        per_image=tuple(values["per_image"]),
+        relations=tuple(Relation(**r) for r in values["relations"]),
     )

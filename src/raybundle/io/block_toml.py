@@ -223,7 +223,9 @@ def _camera(cameras: Section, id_: str, place: Place | None = None) -> Camera:
         line = section.lines.get((*section.at, "model"), 0)
         raise UnknownSensorModel(model_name, known=(*sensor_models, *SCENE_MODELS), file=f"{section.file}, line {line}")
     keys = [p.key for p in model.parameters]
-    section.allow(("model", "width_px", "height_px", "pixel_mm", *keys, "estimate", "sigma", "relations", "interior", "per_image"))
+    section.allow(
+        ("model", "width_px", "height_px", "pixel_mm", *keys, "estimate", "sigma", "relations", "interior", "per_image")
+    )
     interior = section.choice("interior", ("shared", "per_image"), "shared")
     return Camera(
         id=id_,
@@ -340,7 +342,9 @@ def _relations(section: Section, model: SensorModel) -> tuple[Relation, ...]:
         table = cast("dict[str, Any]", given) if isinstance(given, dict) else {}
         terms = cast("dict[str, Any]", table.get("terms")) if isinstance(table.get("terms"), dict) else {}
         if not terms or set(table) - {"name", "terms", "observed", "sigma"} or "sigma" not in table:
-            section.fail("relations", f"number {number} is no table {{name, terms = {{symbol = factor}}, observed, sigma}}")
+            section.fail(
+                "relations", f"number {number} is no table {{name, terms = {{symbol = factor}}, observed, sigma}}"
+            )
         unknown = [s for s in terms if s not in model.symbols]
         if unknown:
             known = ", ".join(model.symbols)

@@ -23,10 +23,11 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Block, Camera, Role
 from raybundle.block.boards import spline_camera
+from raybundle.block.select import with_rows
 from raybundle.errors import InputError
 from raybundle.io.photos.cameras import CameraGroup, camera_groups
 from raybundle.io.photos.photo import Found, Photo, find_photos
-from raybundle.numerics.arrays import Array
+from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.sensors import sensor_models
 from raybundle.targets.kinds.rings import Rings
@@ -54,6 +55,8 @@ from raybundle.workflows.target_block import (
 SETTLED_PX = 0.003
 """Change of a circle centre's correction below which it is not repeated."""
 FEWEST_PHOTOGRAPHS = 3
+STRANGE = 0.25
+"""Share of a photograph's points that are rejected, from which on it does not belong to the others."""
 SHEAR = 1e-4
 """Shear that is believed: rows and columns of a sensor are at right angles by lithography."""
 SIGNIFICANT = 2.6
@@ -173,6 +176,12 @@ def calibrate(
     if options.split:
         start, first, split = cameras_apart(start, first, settings, progress)
         notices = (*notices, *split)
+    strange = _strange(first)
+    if strange:
+        lost = {**lost, **{first.given.images.ids[i]: why for i, why in strange.items()}}
+        start, rows = _without_images(start, rows, tuple(strange))
+        first = decide(start, settings, progress)
+        start = reweighted(with_values(start, first.adjusted), first.sigma0)
     if options.model in {"auto", "spline"} and not options.estimate:
         start, chosen = choose_models(start, first, settings)
         notices = (*notices, *chosen)
@@ -299,6 +308,31 @@ def _enough(found: Found, inputs: Sequence[Path]) -> None:
         lines = [first]
         lines += [f"  {p.name}: {r}" for p, r in found.refused[:20]]
         raise InputError("\n".join(lines), file=", ".join(str(p) for p in inputs))
+
+
+def _strange(result: Adjustment) -> dict[int, str]:
+    """Photographs of which so many points are rejected that they cannot be of this camera and object, and why."""
+    o = result.given.observations
+    count = np.bincount(o.image, minlength=len(result.given.images))
+    out = np.bincount(o.image[~result.image_observations.used], minlength=len(count))
+    found = np.flatnonzero((out > STRANGE * count) & (out >= FEWEST_TARGETS))
+    if len(found) > np.count_nonzero(count) / 3:  # then it is the others, or the model
+        return {}
+    return {
+        int(i): f"{out[i]} of its {count[i]} points contradict the other photographs; is it mirrored, cropped or of "
+        "another camera, or was the zoom moved, or the object?"
+        for i in found
+    }
+
+
+def _without_images(block: Block, rows: Index, images: tuple[int, ...]) -> tuple[Block, Index]:
+    """The block without the observations of some images, and its rows (k,) of those."""
+    keep: Mask = ~np.isin(block.observations.image, images)
+    centre, rotation = block.images.centre.copy(), block.images.rotation.copy()
+    centre[list(images)], rotation[list(images)] = np.nan, np.nan
+    without = replace(block, images=replace(block.images, centre=centre, rotation=rotation))
+    part, own = oriented_part(with_rows(without, keep))
+    return part, rows[np.flatnonzero(keep)[own]]
 
 
 def _lost(lost: dict[str, str], before: Sequence[tuple[str, str]]) -> list[tuple[str, str]]:

@@ -132,7 +132,8 @@ def start_scenes(
 
 def _plain(block: Block) -> Block:
     """The block without what cannot be kept as arrays: the sensors are made again from the scenes."""
-    return replace(block, place=None, cameras=tuple(replace(c, scene=None, relations=()) for c in block.cameras))
+    plain = tuple(c if c.scene is None else replace(c, scene=None, relations=()) for c in block.cameras)
+    return replace(block, place=None, cameras=plain)
 
 
 def _again(block: Block, scenes: SceneSet) -> Block:
