@@ -1,4 +1,4 @@
-"""Calibrations that are observed with their covariance: the same numbers back, and true standard deviations with them."""
+"""Calibrations that are observed with their covariance: the same numbers back, true standard deviations with them."""
 
 from dataclasses import replace
 
@@ -47,7 +47,7 @@ def test_covariance_and_values_come_back(calibrated, tmp_path):
 
 
 def test_object_points_carry_the_uncertainty_of_the_calibration(calibrated):
-    """60 blocks, each with a calibration drawn from its covariance: held it is 10 times too sure, observed it is true."""
+    """60 blocks, each with a calibration drawn from its covariance: held it is far too sure, observed it is true."""
     camera, C = calibrated
     scene = replace(field_scene(TargetField()), camera=camera)
     root = np.linalg.cholesky(C)
@@ -68,3 +68,14 @@ def test_object_points_carry_the_uncertainty_of_the_calibration(calibrated):
     low, high = chi2.ppf([0.0005, 0.9995], 3 * 60)
     assert low < sum(squares["observed"]) < high
     assert sum(squares["held"]) > 3 * high
+
+
+def test_correlations_that_were_rounded_are_taken(calibrated):
+    """Two terms of a polynomial that hardly differ, as a file with six digits has them."""
+    camera, _ = calibrated
+    C = np.array([[1.0, 0.9999997], [0.9999997, 1.0]])
+    C = np.round(C, 6)
+    known = observed_jointly(camera, ("K1", "K2"), C * 1e-18)
+    free, back = joint_covariance(known)
+    assert free == ("K1", "K2")
+    assert np.diag(back) == pytest.approx(1e-18, rel=1e-5)

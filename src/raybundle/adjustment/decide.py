@@ -55,7 +55,7 @@ def decide(
     ]
     start = block
     if options.reject == "snooping":
-        start = _snoop(start, options, choices, progress)
+        start = _snoop_what_is_determined(start, options, choices, automatic, progress)
     if automatic:
         start = _choose(start, options, choices, automatic, progress)
         if options.reject == "snooping":
@@ -76,6 +76,21 @@ def _quiet(
         options, statistics=True, robust_start=start == "approximate", tolerance=max(options.tolerance, 1e-4)
     )
     return adjust_block(block, brief, progress, free=choices.free, rejected=choices.reasons, extent=extent, start=start)
+
+
+def _snoop_what_is_determined(
+    block: Block, options: AdjustmentOptions, choices: Decisions, automatic: list[str], progress: Progress
+) -> Block:
+    """As `_snoop`; parameters that make the block singular are held first, the least needed ones before the others."""
+    given = {c.id: c.values for c in block.cameras}
+    while True:
+        try:
+            return _snoop(block, options, choices, progress)
+        except RankDefect as error:
+            held = _hold_next(block, choices, automatic, str(error))
+            if held is None:
+                raise
+            block = _with_values(block, held[0], {held[1]: given[held[0]][held[1]]})
 
 
 def _snoop(
@@ -220,7 +235,7 @@ def _choose(
             first = result is None and options.reject == "none"
             result = _quiet(block, options, choices, progress, start="approximate" if first else "adjusted")
         except (RankDefect, NoConvergence) as error:
-            held = _hold_next(block, choices, automatic, str(error).splitlines()[0])
+            held = _hold_next(block, choices, automatic, str(error))
             if held is None:
                 raise
             block = _with_values(block, held[0], {held[1]: given[held[0]][held[1]]})
@@ -253,16 +268,20 @@ def _hold(choices: Decisions, camera: str, symbol: str, reason: str) -> None:
     )
 
 
-def _hold_next(block: Block, choices: Decisions, automatic: list[str], reason: str) -> tuple[str, str] | None:
-    """Hold the parameter that is least needed, where the block is singular: camera and symbol; None if none is left."""
-    for kind in DROP_ORDER:
-        for camera in automatic:
-            model = sensor_models[next(c.model for c in block.cameras if c.id == camera)]
-            mine = [p.symbol for p in model.parameters if p.kind == kind and p.symbol in choices.free[camera]]
-            if mine:
-                _hold(choices, camera, mine[-1], reason)
-                return camera, mine[-1]
-    return None
+def _hold_next(block: Block, choices: Decisions, automatic: list[str], problem: str) -> tuple[str, str] | None:
+    """Hold the least needed parameter, of those that the error names; camera and symbol, None if none is left."""
+    found: list[tuple[bool, int, int, str, str]] = []
+    for camera in automatic:
+        model = sensor_models[next(c.model for c in block.cameras if c.id == camera)]
+        for k, p in enumerate(model.parameters):
+            if p.kind in DROP_ORDER and p.symbol in choices.free[camera]:
+                named = f"{p.symbol} of camera {camera}" in problem
+                found.append((not named, DROP_ORDER.index(p.kind), -k, camera, p.symbol))
+    if not found:
+        return None
+    _, _, _, camera, symbol = min(found)
+    _hold(choices, camera, symbol, problem.splitlines()[0])
+    return camera, symbol
 
 
 def _least_determinable(result: Adjustment, automatic: list[str]) -> tuple[str, str, str] | None:
@@ -282,7 +301,7 @@ def _least_determinable(result: Adjustment, automatic: list[str]) -> tuple[str, 
 
 
 def _candidates(interior: InteriorResult, result: Adjustment) -> list[tuple[str, ...]]:
-    """Groups that may leave: the highest radial term, decentring as a pair, affinity and shear, pairs of harmonics; K1 stays."""
+    """Groups that may leave: highest radial term (not K1), decentring, affinity with shear, pairs of harmonics."""
     model = sensor_models[next(c.model for c in result.given.cameras if c.id == interior.camera)]
     kinds = {p.symbol: p.kind for p in model.parameters}
     radial = [s for s in interior.free if kinds[s] == "radial"]

@@ -11,6 +11,8 @@ from raybundle.block.block import Camera, Relation
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
 
+ROUNDED = 1e-6
+"""Of a variance: what six digits of the correlations in a file may lose; a little more uncertainty, never less."""
 NAME = "calibration: "
 """How the relations begin by which a calibration is observed."""
 
@@ -27,10 +29,9 @@ def observed_jointly(camera: Camera, free: tuple[str, ...], covariance: Array) -
     if not free:
         return replace(camera, estimate=(), sigma={}, relations=())
     size = np.sqrt(np.abs(np.diag(covariance)))
-    try:
-        root = np.linalg.inv(np.linalg.cholesky(covariance / np.outer(size, size))) / size
-    except np.linalg.LinAlgError:
-        raise InputError(f"camera {camera.id}: the covariance of its calibration is not positive definite") from None
+    root = _inverse_root(covariance / np.outer(size, size)) / size
+    if not np.isfinite(root).all():
+        raise InputError(f"camera {camera.id}: the covariance of its calibration is not positive definite")
     values = np.array([camera.values[s] for s in free])
     relations = tuple(
         Relation(
@@ -42,6 +43,16 @@ def observed_jointly(camera: Camera, free: tuple[str, ...], covariance: Array) -
         for k, symbol in enumerate(free)
     )
     return replace(camera, estimate=free, sigma={}, relations=relations)
+
+
+def _inverse_root(correlation: Array) -> Array:
+    """L^-1 of a correlation matrix L L'; NaN where it is none, also after what rounding may have taken is put back."""
+    for lost in (0.0, ROUNDED):
+        try:
+            return np.linalg.inv(np.linalg.cholesky(correlation + lost * np.eye(len(correlation))))
+        except np.linalg.LinAlgError:
+            continue
+    return np.full_like(correlation, np.nan)
 
 
 def is_observed_jointly(camera: Camera) -> bool:
