@@ -69,7 +69,7 @@ def test_held_out_settings_are_predicted_to_three_tenths_of_a_pixel_within_their
         q, true = error(prediction, f + 0.123)
         difference = calibration_difference(prediction.camera, true)
         assert difference.rms < 0.2
-        assert difference.largest < (0.3 if 30 < f < 62 else 0.4), "the wide gaps at the ends are harder"
+        assert difference.largest < (0.3 if f < 62 else 0.32), "the widest gap, 62 to 85 mm, is the hardest"
         sums.append(q)
     m = len(FREE)
     assert max(sums) < chi2.isf(1e-3, m)

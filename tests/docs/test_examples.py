@@ -67,3 +67,22 @@ def test_the_readme_shows_the_two_commands():
     readme = (DOCS.parent / "README.md").read_text()
     assert "make demo" in readme
     assert "make test" in readme
+
+
+def test_the_page_of_benchmarks_lists_every_script():
+    page = (DOCS / "explanation/benchmarks.md").read_text()
+    for script in (DOCS.parent / "benchmarks").glob("*.py"):
+        assert f"`benchmarks/{script.name}`" in page
+
+
+def test_every_command_shows_an_example():
+    """Also those of groups; `datasets` and the like are examples themselves."""
+    page = (DOCS / "reference/command-line.md").read_text()
+    groups = {
+        "rpc": ("fit", "correct", "project", "info"),
+        "targets": ("sheet", "choose", "detect"),
+        "calibration": ("add", "convert", "compare", "find", "list"),
+    }
+    for words in (f"{group} {name}" for group, names in groups.items() for name in names):
+        text = page.partition(f"### raybundle {words}\n")[2].partition("\n#")[0]
+        assert "Example:" in text, words

@@ -2,9 +2,10 @@
 
 import numpy as np
 import pytest
+from pyproj import Transformer
 
 from raybundle.errors import InputError
-from raybundle.io.coordinate_systems import _vertical, frame_from_mapping, local_frame, parse_crs
+from raybundle.io.coordinate_systems import LocalFrame, _vertical, frame_from_mapping, local_frame, parse_crs
 
 BONN = (7.0, 50.7, 100.0)
 SYSTEMS = {
@@ -17,8 +18,8 @@ SYSTEMS = {
     "EPSG:4978": ((4_018_000.0, 493_000.0, 4_913_000.0), 1.0),
     "EPSG:2263": ((980_000.0, 200_000.0, 30.0), 3.28),
     "+proj=utm +zone=11 +ellps=WGS84 +datum=WGS84 +units=m +no_defs": ((235_263.0, 3_811_208.0, 0.0), 1.0),
-    "EPSG:25832+7837": ((365_000.0, 5_620_000.0, 120.0), 1.0),
 }
+GEOID, RHINE = "EPSG:25832+7837", (365_000.0, 5_620_000.0, 120.0)
 
 
 @pytest.mark.parametrize("crs", SYSTEMS)
@@ -118,14 +119,11 @@ def test_plan_without_heights():
     ("crs", "words"),
     [
         ("EPSG:25832", "says nothing about heights"),
-        ("EPSG:25832+7837", "is not installed"),
         ("EPSG:4979", None),
         ("EPSG:4978", None),
     ],
 )
 def test_heights_are_said_plainly(crs, words):
-    if words == "is not installed" and _vertical(crs)[0] is not None:
-        pytest.skip("this machine has the geoid")
     remarks = " ".join(local_frame(crs, SYSTEMS[crs][0]).remarks)
     if words is None:
         assert not remarks
@@ -134,7 +132,7 @@ def test_heights_are_said_plainly(crs, words):
 
 
 def test_a_given_undulation_raises_the_frame():
-    crs, origin = "EPSG:25832+7837", SYSTEMS["EPSG:25832+7837"][0]
+    crs, origin = GEOID, RHINE
     frame = local_frame(crs, origin, undulation_m=46.0)
     assert "46" in frame.remarks[0]
     line = np.array([origin, (origin[0] + 10_000, origin[1], origin[2])])
@@ -187,3 +185,50 @@ def test_a_frame_is_stored_and_made_again():
     assert frame_from_mapping(frame.as_mapping()) == frame
     with pytest.raises(InputError, match="not complete"):
         frame_from_mapping({"crs": "EPSG:32632"})
+
+
+@pytest.fixture
+def no_geoid():
+    if _vertical(GEOID)[0] is not None:
+        pytest.skip("this machine has the geoid")
+
+
+@pytest.mark.usefixtures("no_geoid")
+def test_heights_above_a_missing_geoid_are_refused():
+    with pytest.raises(InputError, match=r"DHHN2016 height.*\.tif.*pyproj sync --file .*without heights: EPSG:25832$"):
+        local_frame(GEOID, RHINE)
+    with pytest.raises(InputError, match="a geoid that is not installed"):
+        LocalFrame(crs=GEOID, origin=RHINE).local_from_crs(np.array([RHINE]))
+    with pytest.raises(InputError, match="a geoid that is not installed"):  # stored where the grid was there
+        frame_from_mapping({"crs": GEOID, "origin": list(RHINE)})
+    ellipsoidal = local_frame("EPSG:25832", RHINE)
+    assert "above the ellipsoid" in ellipsoidal.remarks[0]
+    assert ellipsoidal.wgs84_from_local(np.zeros((1, 3)))[0, 2] == pytest.approx(120.0, abs=1e-6)
+
+
+@pytest.mark.usefixtures("no_geoid")
+def test_an_undulation_of_zero_is_a_statement():
+    frame = local_frame(GEOID, RHINE, undulation_m=0.0)
+    assert frame.wgs84_from_local(np.zeros((1, 3)))[0, 2] == pytest.approx(120.0, abs=1e-6)
+    assert frame_from_mapping(frame.as_mapping()) == frame
+    assert "undulation_m" not in local_frame("EPSG:25832", RHINE).as_mapping()
+
+
+def test_heights_go_through_the_geoid_where_it_is(monkeypatch):
+    """A vertical grid of its own making: 40 m everywhere."""
+    from raybundle.io import coordinate_systems
+
+    class Grid:
+        def transform(self, x, y, z, direction=None):
+            there = Transformer.from_crs("EPSG:25832", "EPSG:4258", always_xy=True)
+            if direction is None:
+                return (*there.transform(x, y), z + 40)
+            return (*there.transform(x, y, direction=direction), z - 40)
+
+    monkeypatch.setattr(coordinate_systems, "_vertical", lambda _: (Grid(), ""))
+    coordinate_systems._place.cache_clear()
+    frame = local_frame(GEOID, RHINE)
+    assert frame.remarks == ()
+    assert frame.wgs84_from_local(np.zeros((1, 3)))[0, 2] == pytest.approx(160.0, abs=1e-6)
+    np.testing.assert_allclose(frame.crs_from_local(np.zeros((1, 3)))[0], RHINE, atol=1e-6)
+    coordinate_systems._place.cache_clear()

@@ -266,3 +266,60 @@ def test_defaults_of_marks(files):
     assert read_calibrated(files / "certificate.csv").sigma_mm.max() == 0
     assert read_marks(files / "points.csv", "point").sigma_px.min() == 0.2
     assert brown_camera().model == "brown"
+
+
+def exchanged(i, j, names=NAMES, **how):
+    xy = scanned(EIGHT, **how)
+    xy[[i, j]] = xy[[j, i]]
+    at = [NAMES.index(n) for n in names]
+    return names, xy[at], np.full((len(at), 2), 0.2), FIDUCIALS
+
+
+@pytest.mark.parametrize("model", ["similarity", "affine", "projective"])
+@pytest.mark.parametrize("how", [{}, {"mirrored": True}, {"turn": np.radians(91.0)}])
+@pytest.mark.parametrize("pair", [(0, 1), (2, 5), (4, 7)])
+def test_exchanged_marks_are_named(model, how, pair):
+    a, b = (NAMES[k] for k in pair)
+    with pytest.raises(InputError, match=rf"image s: (residuals|no proj).*; the marks {a} and {b} seem exchanged"):
+        film_of("s", *exchanged(*pair, **how), pixel_mm=PIXEL, model=model)
+
+
+def test_three_marks_tell_by_the_shape_of_the_film():
+    with pytest.raises(InputError, match="the marks F1 and F3 seem exchanged|or F1 and F3 seem exchanged"):
+        film_of("s", *exchanged(0, 2, names=("F1", "F3", "F5")), pixel_mm=PIXEL)
+
+
+def test_a_mark_far_off_is_named():
+    xy = scanned(EIGHT)
+    xy[6] += [900.0, 0.0]
+    with pytest.raises(InputError, match=r"mark F7 is 11\.3 mm off where the others put it"):
+        film_of("s", NAMES, xy, np.full((8, 2), 0.2), FIDUCIALS, pixel_mm=PIXEL)
+    rng = np.random.default_rng(3)
+    with pytest.raises(InputError, match="no exchange of two marks mends it"):
+        film_of("s", NAMES, xy[rng.permutation(8)], np.full((8, 2), 0.2), FIDUCIALS, pixel_mm=PIXEL)
+
+
+def test_standard_deviations_grow_with_sigma0():
+    """Marks measured ten times worse than stated: the stated sigma of the shrinkage covers its error all the same."""
+    normalised = []
+    for seed in range(100):
+        xy = scanned(EIGHT) + np.random.default_rng(seed).normal(0, 1.0, (8, 2))
+        f = film_of("s", NAMES, xy, np.full((8, 2), 0.1), FIDUCIALS, pixel_mm=PIXEL)
+        assert f.misfit == f.sigma0 > 2
+        normalised.append((f.shrinkage.values[0] - SHRINKAGE[0]) / f.shrinkage.std[0])
+    assert np.sqrt(np.mean(np.square(normalised))) == pytest.approx(1.05, abs=0.25)  # t with 10 degrees of freedom
+    assert film().misfit == 1
+
+
+def test_the_command_writes_nothing_for_exchanged_marks(files):
+    text = (files / "marks.csv").read_text()
+    (files / "marks.csv").write_text(text.replace(",F1,", ",Fx,").replace(",F2,", ",F1,").replace(",Fx,", ",F2,"))
+    result = run(files)
+    assert isinstance(result.exception, InputError)
+    assert "F1 and F2 seem exchanged" in str(result.exception)
+    assert "nothing is written" in str(result.exception)
+    assert not (files / "film").exists()
+
+
+def test_a_wrong_pixel_of_the_scanner_is_noticed(files):
+    assert "look at --pixel-mm" in run(files, "--pixel-mm", "0.025").output

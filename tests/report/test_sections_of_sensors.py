@@ -3,24 +3,31 @@
 import functools
 import re
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from raybundle import adjust
 from raybundle.adjustment.engine import adjust_block
+from raybundle.cli.summary import summary_lines
 from raybundle.report.document import write_report
+from raybundle.report.figures_corrections import correction_figures
 from raybundle.report.figures_series import running
+from raybundle.report.section_control import control_section
+from raybundle.report.section_interior import interior_section
 from raybundle.report.section_panoramas import panorama_section
-from raybundle.report.section_scenes import scene_section
+from raybundle.report.section_result import result_section
+from raybundle.report.section_scenes import scene_section, strip_section
 from raybundle.report.section_trajectories import trajectory_section
 from raybundle.report.view import view_of
+from raybundle.report.words import verdict
 from tests.adjustment.test_antennas import SHIFT, flight
 from tests.adjustment.test_moving_sensors import SIGMA, rolling
 from tests.report.conftest import free
 from tests.truth.mixed_blocks import MonteCarlo, ikonos_pair, room
 
-SECTIONS = (scene_section, panorama_section, trajectory_section)
+SECTIONS = (scene_section, strip_section, panorama_section, trajectory_section)
 
 
 def noisy(block, seed=5):
@@ -65,7 +72,7 @@ def scenes(bias="shift", wave=0.0, rigorous=()):
 
 def test_blocks_of_photographs_have_none_of_these_pages():
     view = view_of(free())
-    assert [make(view) for make in SECTIONS] == [None, None, None]
+    assert [make(view) for make in SECTIONS] == [None] * 4
 
 
 def test_a_page_of_scenes():
@@ -146,3 +153,98 @@ def test_running_means_weigh_and_are_tested():
     assert weighed.probability > 1e-3
     assert running(at, v + 0.03 * np.sin(at / 5), 0, 100, sigma=sigma).probability < 1e-3
     assert np.isnan(running(at[:5], v[:5], 0, 100).mean).all()
+
+
+@functools.cache
+def flown():
+    from tempfile import TemporaryDirectory
+
+    from raybundle.scenes.corrections import Fixes
+    from raybundle.scenes.trajectory import CorrectionModel
+    from tests.scenes.test_airborne import noisy as measured
+    from tests.scenes.test_airborne import strips
+
+    model = CorrectionModel(position_curve=Fixes(count=3), attitude_degree=0, attitude_curve=Fixes(count=5))
+    with TemporaryDirectory() as folder:
+        return adjust_block(measured(strips(Path(folder), model), 0.3))
+
+
+def test_strips_of_line_scanners_have_their_own_section():
+    view = view_of(flown())
+    assert scene_section(view) is None
+    section = strip_section(view)
+    told = words(section.parts)
+    assert section.title == "Strips of line scanners"
+    assert "GNSS and INS" in told
+    assert not re.search(r"ERR_BIAS|vendor|[Ss]atellite|bias", told)
+    # for each of the two strips: residuals, two along the track, three of the position and three of the attitude
+    assert len(drawings(section)) == 2 * (1 + 2 + 6)
+    assert "Correction of the attitude about z about its mean of " in told
+    assert told.count("band: one sigma") == 12
+    assert strip_section(view_of(scenes())) is None
+
+
+def test_the_band_of_a_correction_is_its_standard_deviation():
+    view = view_of(flown())
+    camera = view.adjusted.cameras[0]
+    figure = correction_figures(view, camera)[2]  # the height
+    p = flown().interior[0].parameters
+    heights = [p[f"up_{k}"].value * view.factor for k in (1, 2, 3)]
+    mean = np.array([1, 4, 1]) @ heights / 6  # Simpson's rule is exact for the parabola through three fixes
+    told = float(re.search(r"mean of ([−\d.]+) ±", figure.caption)[1].replace("\N{MINUS SIGN}", "-"))
+    assert told == pytest.approx(mean, abs=0.51)
+    assert 'class="band first"' in figure.drawing.svg
+
+
+def test_parameters_of_scenes_stand_in_one_table_alone():
+    view = view_of(flown())
+    rows = [" ".join(r) for p in flat(strip_section(view).parts) if p.kind == "table" for r in p.rows]
+    assert sum("rx_2" in r for r in rows) == 2
+    assert any("rx_2 [°]" in r for r in rows)
+    for section in (control_section(view), interior_section(view)):
+        assert not any("rx_2" in " ".join(r) for p in flat(section.parts) if p.kind == "table" for r in p.rows)
+    assert "own section: strip1, strip2" in words(interior_section(view).parts)
+
+
+def flat(parts):
+    return [q for p in parts for q in (flat(p.parts) if p.kind == "folded" else [p])]
+
+
+def test_scenes_are_not_compared_with_photographs():
+    for result in (scenes(), flown()):
+        view = view_of(result)
+        facts = next(p for p in result_section(view, verdict(view)).parts if p.kind == "facts").facts
+        assert facts[0].remark == "of the largest extent"
+        assert "class" not in dict(verdict(view).statements)["Precision"]
+        assert " um" not in " ".join(summary_lines(result))
+        assert result.network.precision_class not in " ".join(summary_lines(result))
+    view = view_of(free())
+    facts = next(p for p in result_section(view, verdict(view)).parts if p.kind == "facts").facts
+    assert facts[0].remark != "of the largest extent"
+    assert "class" in dict(verdict(view).statements)["Precision"]
+    assert " um = " in " ".join(summary_lines(free()))
+
+
+def test_observed_parameters_have_the_units_of_the_report():
+    attitudes = pytest.importorskip("tests.adjustment.test_attitudes")
+    block = noisy(attitudes.flight(arm=("ax",), arm_sigma={"ax": 0.05}, boresight_sigma={"bx": 0.01}))
+    result = adjust_block(block)
+    view = view_of(result)
+    parts = flat(control_section(view).parts)
+    titles = [p.text for p in parts if p.kind == "heading"]
+    at = next(k for k, p in enumerate(parts) if p.kind == "heading" and p.text == "Observed parameters")
+    said, body = parts[at + 1 : at + 3]
+    assert "Observed attitudes" in titles
+    assert "rms of residual by sigma" in said.text
+    units = {r[1]: r[2] for r in body.rows}
+    assert (units["ax"], units["bx"]) == (view.unit, "°")
+    given = next(float(r[4]) for r in body.rows if r[1] == "bx")
+    assert given == pytest.approx(np.degrees(0.01), rel=1e-2)
+    attitude = next(
+        p for p in parts[titles.index("Observed attitudes") :] if p.kind == "table" and "omega" in str(p.rows)
+    )
+    assert any("°" in str(c) for c in attitude.columns)
+    imu = [p for p in flat(interior_section(view).parts) if p.kind == "table" and any("bx" in r for r in p.rows)]
+    assert any("°" in cell for r in imu[0].rows for cell in r)
+    assert not any(cell in {"rad", "length"} for p in flat(interior_section(view).parts) if p.kind == "table"
+                   for r in p.rows for cell in r)  # fmt: skip

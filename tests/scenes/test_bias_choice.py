@@ -7,9 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, NotSolvable
 from raybundle.scenes.bias import BIAS_PARAMETERS
-from raybundle.scenes.bias_choice import choose_bias
+from raybundle.scenes.bias_blunders import agreeing
+from raybundle.scenes.bias_choice import check_fit, choose_bias
 from raybundle.scenes.rpc import Rpc, observe_rpc
 
 
@@ -123,3 +124,70 @@ def test_bad_input(rpc):
         choose_bias(rpc, np.zeros((0, 3)), np.zeros((0, 2)), sigma_px=1.0)
     with pytest.raises(InputError, match="must be positive"):
         choose_bias(rpc, rpc.ground_offset[None], rpc.image_offset[None], sigma_px=0.0)
+
+
+@pytest.mark.parametrize("kind", ["none", "shift", "drift", "affine"])
+@pytest.mark.parametrize("seed", range(4))
+def test_a_wrong_point_is_named_and_left_out(rpc, place, scene, kind, seed):
+    ground, measured, bias = simulated(rpc, place, scene, kind, 10, seed)
+    measured[seed] += [60, 0]
+    advice = choose_bias(rpc, ground, measured, sigma_px=0.3)
+    assert advice.set_aside == (seed,)
+    assert advice.set_aside_px[0] == pytest.approx([60, 0], abs=3)
+    assert advice.advised.kind == kind
+    assert advice.advised.values == pytest.approx(bias, abs=2)
+    assert "1 of 10 points set aside" in advice.reason
+    check_fit(advice, advice.advised)
+
+
+def test_two_wrong_points_that_hide_each_other(rpc, place, scene):
+    ground, measured, bias = simulated(rpc, place, scene, "shift", 8, 4)
+    measured[[2, 5]] += [[25, 25], [22, 27]]
+    advice = choose_bias(rpc, ground, measured, sigma_px=0.3)
+    assert set(advice.set_aside) == {2, 5}
+    assert advice.advised.values == pytest.approx(bias, abs=0.6)
+
+
+def test_good_points_are_not_set_aside_more_often_than_stated(rpc, place, scene):
+    """At 1 % over all points of a set, among 400 sets: 4, at most 12 by chance (probability 3e-4)."""
+    rng = np.random.default_rng(8)
+    lost = 0
+    for n in (3, 5, 8, 12):
+        covariance = np.broadcast_to(0.09 * np.eye(2), (n, 2, 2))
+        for _ in range(100):
+            lost += int((~agreeing(rng.uniform(-1, 1, (n, 2)), rng.normal(0, 0.3, (n, 2)), covariance)).any())
+    assert lost <= 12
+
+
+def test_points_that_fit_nothing_are_no_agreement(rpc, place, scene):
+    """Noise of 5 px where 0.3 px are stated."""
+    ground, measured, _ = simulated(rpc, place, scene, "none", 8, 3, sigma=5.0)
+    advice = choose_bias(rpc, ground, measured, sigma_px=0.3)
+    assert advice.set_aside == ()
+    assert "agrees" not in advice.reason
+    assert "do not agree" in advice.reason
+    assert 8 < advice.advised.misfit < 30
+    with pytest.raises(NotSolvable, match=r"times their sigma \(limit 5, sigma 0.3 px\)"):
+        check_fit(advice, advice.advised)
+    check_fit(told := choose_bias(rpc, ground, measured, sigma_px=5.0), told.advised)
+    assert "agrees with the points" in told.reason
+
+
+def test_standard_deviations_grow_with_the_misfit(rpc, place, scene):
+    ground, measured, _ = simulated(rpc, place, scene, "shift", 20, 3, sigma=0.9)
+    fit = choose_bias(rpc, ground, measured, sigma_px=0.3).advised
+    assert fit.misfit == pytest.approx(3, rel=0.35)
+    assert fit.sigma == pytest.approx([0.9 / np.sqrt(20)] * 2, rel=0.35)
+    honest = choose_bias(rpc, ground, measured, sigma_px=0.9).advised
+    assert honest.misfit == 1
+    assert honest.sigma == pytest.approx(np.sqrt(np.diag(honest.covariance)))
+
+
+def test_two_points_that_contradict_each_other_are_both_kept_and_refused(rpc, place, scene):
+    ground, measured, _ = simulated(rpc, place, scene, "shift", 2, 3)
+    measured[0] += [60, 0]
+    advice = choose_bias(rpc, ground, measured, sigma_px=0.3)
+    assert advice.set_aside == ()
+    shift = next(f for f in advice.fits if f.kind == "shift")
+    with pytest.raises(NotSolvable, match="residuals of rms"):
+        check_fit(advice, shift)

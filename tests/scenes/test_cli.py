@@ -1,5 +1,6 @@
 """`raybundle rpc`: what it says and writes."""
 
+import csv
 import json
 import re
 
@@ -20,9 +21,8 @@ def file(rpc, tmp_path):
 
 
 def table(path):
-    lines = path.read_text().splitlines()
-    names = lines[0].split(",")
-    return [dict(zip(names, row.split(","), strict=True)) for row in lines[1:]]
+    with path.open(newline="") as rows:
+        return list(csv.DictReader(rows))
 
 
 def test_there_and_back(file, rpc, tmp_path, capsys):
@@ -58,6 +58,8 @@ def test_correct(file, rpc, place, scene, tmp_path, capsys, bias):
     corrected = read_scene(out).rpc
     assert np.abs(corrected.project(ground) - seen).max() < 1.0
     assert ("refitted" in said) == (bias == "affine")
+    terms = {"auto": "A0 B0", "shift": "A0 B0", "affine": "A0 A1 A2 B0 B1 B2"}[bias].split()
+    assert re.findall(r"([AB]\d) [+-]\d+\.\d+ \+- ", said) == terms  # what is built in, and all of it
 
 
 def test_info_and_fit(sensors, tmp_path, capsys):
@@ -109,10 +111,65 @@ def test_points_of_another_place_are_refused(file, tmp_path, capsys):
     arguments = ["rpc", "project", str(file), str(tmp_path / "q.csv"), "--to-ground", "--out", str(tmp_path / "o.csv")]
     assert main(arguments) == 3
     told = capsys.readouterr().err
-    assert f"{file}: the image point of line 9.50, sample 9.50" in told
+    assert f"{file}: point a: the image point of line 9.50, sample 9.50" in told
     assert "give a height within this range" in told
 
 
 def test_help_names_the_conventions(capsys):
     assert main(["rpc", "--help"]) == 0
     assert "0.5, 0.5" in capsys.readouterr().out
+
+
+def control(rpc, path, wrong=None, sigma=0.2):
+    rng = np.random.default_rng(1)
+    ground = rpc.localise(rng.uniform(0, [8000, 7000], (8, 2)), rng.uniform(0, 800, 8))
+    seen = rpc.project(ground) + np.array([12, -7]) + rng.normal(0, sigma, (8, 2))
+    if wrong is not None:
+        seen[wrong, 0] += 60
+    pairs = zip(ground.tolist(), seen.tolist(), strict=True)
+    rows = [",".join([f"P{k}", *(repr(v) for v in (*g, *p))]) for k, (g, p) in enumerate(pairs)]
+    path.write_text("\n".join(["point,lon_deg,lat_deg,h_m,x_px,y_px", *rows]) + "\n")
+    return str(path)
+
+
+def test_correct_names_a_wrong_point_and_leaves_it_out(file, rpc, tmp_path, capsys):
+    points, out = control(rpc, tmp_path / "c.csv", wrong=3), tmp_path / "new_RPC.TXT"
+    assert main(["rpc", "correct", str(file), points, "--sigma", "0.2", "--out", str(out)]) == 0
+    said = capsys.readouterr().out
+    assert re.search(r"warning: 1 point of 8 contradicts .*: P3 \(\+60\.\d\d, [+-]0\.\d\d px\)", said)
+    assert read_scene(out).rpc.image_offset - rpc.image_offset == pytest.approx([12, -7], abs=0.4)
+
+
+def test_correct_writes_nothing_where_nothing_fits(file, rpc, tmp_path, capsys):
+    points, out = control(rpc, tmp_path / "c.csv", sigma=30.0), tmp_path / "new_RPC.TXT"
+    assert main(["rpc", "correct", str(file), points, "--sigma", "0.2", "--out", str(out)]) == 3
+    said = capsys.readouterr()
+    assert "agrees with the points" not in said.out
+    assert "do not fit the RPC" in said.err
+    assert "nothing is written" in said.err
+    assert not out.exists()
+
+
+def test_every_point_keeps_its_row(file, rpc, tmp_path, capsys):
+    lon, lat, _ = rpc.ground_offset.tolist()
+    points, out, back = (tmp_path / n for n in ("p.csv", "o.csv", "b.csv"))
+    rows = [("in", lon, lat, 120), ("high", lon, lat, 1500), ("away", lon - 60, lat, 100)]
+    points.write_text("point,lon_deg,lat_deg,h_m\n" + "".join(f"{i},{a!r},{b!r},{h}\n" for i, a, b, h in rows))
+    assert main(["rpc", "project", str(file), str(points), "--out", str(out)]) == 0
+    said = capsys.readouterr().out
+    inside, high, away = table(out)
+    expected = rpc.project(np.array([[lon, lat, 120.0]]))[0]
+    assert [float(inside[k]) for k in ("x_px", "y_px")] == pytest.approx(expected, abs=1e-6)
+    assert inside["note"] == ""
+    assert "note: 1 point outside the range for which the RPC was made: high (height 1500 m" in said
+    assert "warning: 1 point without image coordinates, their cells are empty: away (" in said
+    assert (away["x_px"], away["y_px"]) == ("", "")
+    assert "times the RPC's range" in away["note"]
+    assert high["x_px"] != ""
+    points.write_text("point,x_px,y_px,h_m\nA,100,100,200\nB,100,100,90000\n")
+    assert main(["rpc", "project", str(file), str(points), "--to-ground", "--out", str(back)]) == 0
+    assert "1 point without ground coordinates" in capsys.readouterr().out
+    found, none = table(back)
+    assert [none[k] for k in ("x_px", "y_px", "lon_deg", "lat_deg", "h_m")] == ["100", "100", "", "", "90000"]
+    assert "no ground point at height 90000 m" in none["note"]
+    assert float(found["lon_deg"]) == pytest.approx(rpc.localise(np.array([[100.0, 100.0]]), 200.0)[0, 0])

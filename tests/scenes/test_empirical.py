@@ -6,6 +6,7 @@ import pytest
 from raybundle.errors import InputError, RankDefect
 from raybundle.io.scenes import read_scene
 from raybundle.numerics.geodesy import LocalPlace
+from raybundle.numerics.rotation import rotation_from_angles
 from raybundle.scenes.empirical import empirical_models, fit_empirical
 
 SKYSAT = "rpc/20191015_073816_ssc1d3_0011_basic_l1a_panchromatic_dn_RPC.TXT"
@@ -48,12 +49,24 @@ def cube(n=40, seed=1):
     return np.random.default_rng(seed).uniform([-500, -400, -60], [500, 400, 60], (n, 3)) + np.array([1000, 0, 300])
 
 
+LENS = np.array([-0.08, 0.02, -0.005, 0.003, -0.002])
+
+
+def oblique_camera():
+    """L1 .. L11 of a camera that looks obliquely, principal point (0.03, -0.02), c = 1.4, in normalised coordinates."""
+    R = rotation_from_angles(np.radians([35.0, -20.0, 10.0]))
+    P = np.array([[1.4, 0, -0.03], [0, 1.4, 0.02], [0, 0, -1.0]]) @ np.column_stack([R, [0.0, 0.0, -2.2]])
+    return (P / P[2, 3]).ravel()[:11]
+
+
 def made(name, xyz, seed=2):
     """Image points that fulfil a model exactly, with parameters like those of an oblique view."""
     rng = np.random.default_rng(seed)
     model = empirical_models[name]
     low, high = xyz.min(axis=0), xyz.max(axis=0)
     X = (xyz - (low + high) / 2) / ((high - low).max() / 2)
+    if name == "dlt-brown":
+        return model.evaluate(X, np.concatenate([oblique_camera(), LENS]))[0] * 1000 + 2000
     values = rng.uniform(-0.05, 0.05, len(model.symbols))
     first = {"affine2": (0, 10), "parallel-perspective": (0, 8), "plane-affine": (0, 4), "plane-projective": (0, 4)}
     values[list(first.get(name, (0, 5)))] = 0.9
@@ -96,7 +109,7 @@ def test_derivatives(name):
 def test_stated_covariance_is_true(name):
     from scipy.stats import chi2, kstest
 
-    xyz = cube(25)
+    xyz = cube(80 if name == "dlt-brown" else 25)
     exact = made(name, xyz)
     rng = np.random.default_rng(7)
     check = cube(3, 8)
@@ -125,7 +138,9 @@ def test_points_in_a_plane():
 
 def test_bad_input():
     xyz = cube(4)
-    with pytest.raises(InputError, match="known: affine, affine2, parallel-perspective, dlt, sdlt, plane-affine"):
+    with pytest.raises(
+        InputError, match="known: affine, affine2, parallel-perspective, dlt, dlt-brown, sdlt, plane-affine"
+    ):
         fit_empirical("spline", xyz, xyz[:, :2], sigma_px=1.0)
     with pytest.raises(InputError, match="need at least 6"):
         fit_empirical("dlt", xyz, xyz[:, :2], sigma_px=1.0)
@@ -134,3 +149,46 @@ def test_bad_input():
     exact = fit_empirical("affine", xyz, made("affine", xyz), sigma_px=1.0)
     assert exact.redundancy == 0
     assert "no redundancy" in exact.reason
+
+
+def test_brown_corrections_at_the_image_point():
+    """m + corrections(m - x0) = the DLT's image, by the formula of `sensors.brown` itself."""
+    from raybundle.sensors.brown import Brown
+
+    rng = np.random.default_rng(5)
+    X = rng.uniform(-0.9, 0.9, (30, 3))
+    L = oblique_camera()
+    plain = empirical_models["dlt"].evaluate(X, L)[0]
+    m = empirical_models["dlt-brown"].evaluate(X, np.concatenate([L, LENS]))[0]
+    a, c = L[:8].reshape(2, 4)[:, :3], L[8:]
+    x0 = a @ c / (c @ c)
+    none = np.zeros(30)
+    u, v = Brown.condition(*m.T, none, none, none - 1, 0.0, *x0, *LENS, 0.0, 0.0)
+    assert np.abs(np.stack([u, v], axis=1) + x0 - plain).max() < 1e-12
+    assert np.abs(m - plain).max() > 0.01
+
+
+def test_closed_form_start_of_the_lens_is_near():
+    xyz = cube(60)
+    fit = fit_empirical("dlt-brown", xyz, made("dlt-brown", xyz), sigma_px=0.5)
+    n = fit.normalisation
+    start = fit.model.start(
+        (xyz - n.object_offset) / n.object_scale, (made("dlt-brown", xyz) - n.image_offset) / n.image_scale
+    )
+    assert np.abs(start[:11] - fit.values[:11]).max() < 0.02
+    assert start[11] == pytest.approx(fit.values[11], rel=0.3)
+
+
+def test_parameters_that_are_left_out():
+    xyz = cube(60)
+    xy = made("dlt-brown", xyz) + np.random.default_rng(3).normal(0, 0.2, (60, 2))
+    fit = fit_empirical("dlt-brown", xyz, xy, sigma_px=0.2, without=("K3", "P2"))
+    assert fit.redundancy == 120 - 14
+    assert fit.values[[13, 15]].tolist() == [0, 0]
+    assert not fit.covariance[13].any()
+    every = ("K1", "K2", "K3", "P1", "P2")
+    bare = fit_empirical("dlt-brown", xyz, xy, sigma_px=0.2, without=every)
+    assert np.abs(bare.values[:11] - fit_empirical("dlt", xyz, xy, sigma_px=0.2).values).max() < 1e-9
+    assert not bare.adequate
+    with pytest.raises(InputError, match="only K1, K2, K3, P1, P2 can be left out"):
+        fit_empirical("dlt-brown", xyz, xy, sigma_px=0.2, without=("L3",))

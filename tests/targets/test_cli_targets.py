@@ -1,15 +1,22 @@
 """`raybundle targets`: sheet, choose, detect."""
 
 import csv
+import re
 
+import cv2
 import numpy as np
 import pytest
 from PIL import Image
 
+from raybundle.cli.calibrate import wanted_targets
 from raybundle.cli.main import main
+from raybundle.errors import InputError
+from raybundle.targets.codes import read_table
 from raybundle.targets.families import families
+from raybundle.targets.marks import MarkOptions, detect, target
 from raybundle.targets.sidecar import read_sidecar
 from tests.targets.render import shot
+from tests.targets.test_sheets import PX, raster
 
 
 def photographs(folder):
@@ -103,7 +110,8 @@ def test_sheets_of_boards_and_tags(tmp_path, capsys):
         (["apriltag-36h11", "--spacing", "40mm", "--codes", "0-3"], "16 points of square tags apriltag-36h11"),
         (["aruco-4x4_50", "--spacing", "4cm", "--count", "2"], "8 points of square tags aruco-4x4_50"),
     ):
-        assert main(["targets", "sheet", "--family", *arguments, "--out", str(tmp_path / "s.pdf")]) == 0
+        out = tmp_path / f"{arguments[0]}.pdf"
+        assert main(["targets", "sheet", "--family", *arguments, "--out", str(out)]) == 0
         assert text in capsys.readouterr().out
 
 
@@ -113,3 +121,104 @@ def test_table_of_ones_own(tmp_path, capsys):
     arguments = ["--table", str(table), "--bits", "8", "--codes", "1,2", "--out", str(tmp_path / "s.svg")]
     assert main(["targets", "sheet", *arguments]) == 0
     assert "rings of 8 bits" in capsys.readouterr().out
+
+
+def test_the_file_of_another_sheet_stays(tmp_path, capsys):
+    arguments = ["targets", "sheet", "--family", "aicon12"]
+    assert main([*arguments, "--codes", "1-9", "--out", str(tmp_path / "w.pdf")]) == 0
+    before = (tmp_path / "w.toml").read_bytes()
+    assert main([*arguments, "--codes", "2-9", "--out", str(tmp_path / "w.svg")]) == 2
+    told = capsys.readouterr().err
+    assert "w.toml: belongs to another sheet" in told
+    assert "choose another name than w.svg" in told
+    assert (tmp_path / "w.toml").read_bytes() == before
+    assert not (tmp_path / "w.svg").exists()
+    assert main([*arguments, "--codes", "1-9", "--out", str(tmp_path / "w.svg")]) == 0  # the same sheet
+
+
+def test_a_table_of_ones_own_goes_with_its_sheet(tmp_path, capsys):
+    """The file beside a sheet of rings by a table is enough to read its targets; tables may have a header."""
+    table = tmp_path / "Rings.csv"
+    table.write_text("code,id\n51,7\n85,3\n119,4\n")
+    out = tmp_path / "own.svg"
+    assert main(["targets", "sheet", "--table", str(table), "--bits", "8", "--codes", "3,7", "--out", str(out)]) == 0
+    capsys.readouterr()
+    beside = read_sidecar(tmp_path / "own.toml")
+    marks = detect(cv2.GaussianBlur(raster(out), (0, 0), 0.8), beside.target)
+    assert sorted(marks.name) == ["3", "7"]
+    assert beside.scaled(1.001).target.title == beside.target.title
+    plain = read_table(table, 8)
+    assert dict(zip(plain.ids.tolist(), plain.codes.tolist(), strict=True)) == {7: 51, 3: 85, 4: 119}
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (("bits = 8", "bits = 30"), "bits is to be a number of sectors, 3 to 24"),
+        (("ring_radii_mm = [10.0, 15.0]", "ring_radii_mm = [15.0]"), "do not go with a dot of 5 mm radius"),
+        (("ring_radii_mm = [10.0, 15.0]", 'ring_radii_mm = "wide"'), "two lengths in mm, found 'wide'"),
+        (("code = 51", "code = 256"), "target 2: its code is to lie between 1 and 255, found 256"),
+        (("code = 51", "code = 30"), "two targets have the same ring"),
+    ],
+)
+def test_damaged_codes_beside_a_sheet(tmp_path, change, message):
+    table = tmp_path / "rings.txt"
+    table.write_text("1 15\n2 51\n")
+    arguments = ["--table", str(table), "--bits", "8", "--codes", "1,2", "--out", str(tmp_path / "s.svg")]
+    assert main(["targets", "sheet", *arguments]) == 0
+    file = tmp_path / "s.toml"
+    file.write_text(file.read_text().replace(*change))
+    with pytest.raises(InputError, match=re.escape(message)):
+        read_sidecar(file)
+
+
+def test_dots_are_printed(tmp_path, capsys):
+    for polarity, number in (("dark", 117), ("light", 108)):
+        out = tmp_path / f"{polarity}.svg"
+        arguments = ["--family", "dots", "--spacing", "20mm", "--polarity", polarity, "--out", str(out)]
+        assert main(["targets", "sheet", *arguments]) == 0
+        assert f"{number} points of dots without a code" in capsys.readouterr().out
+        found = detect(cv2.GaussianBlur(raster(out), (0, 0), 0.8), "dots", MarkOptions(polarity=polarity))
+        place = np.array([(t.x_mm, 297 - t.y_mm) for t in read_sidecar(out.with_suffix(".toml")).targets]) * PX
+        away = np.linalg.norm(found.xy_px[:, None] - place, axis=2)
+        assert len(found) == len(place) == number
+        assert away.min(axis=0).max() < 0.1
+    for more, message in (
+        (["--spacing", "20mm", "--count", "200"], "room for 117 dots at a spacing of 20 mm, 200 are wanted"),
+        (["--spacing", "10mm"], "too large for a spacing of 10 mm: 3.8 mm at most"),
+        (["--spacing", "20mm", "--codes", "1-3"], "no numbers to choose from"),
+    ):
+        assert main(["targets", "sheet", "--family", "dots", *more, "--out", str(tmp_path / "x.svg")]) == 2
+        assert message in capsys.readouterr().err
+
+
+def test_a_sheet_for_calibration_is_printed(tmp_path, capsys):
+    out = tmp_path / "c.svg"
+    arguments = ["--family", "photomodeler-sheet", "--spacing", "18mm", "--out", str(out)]
+    assert main(["targets", "sheet", *arguments]) == 2
+    assert "give --dot-radius, 3mm at most" in capsys.readouterr().err
+    assert main(["targets", "sheet", *arguments, "--dot-radius", "3mm"]) == 0
+    marks = detect(cv2.GaussianBlur(raster(out), (0, 0), 0.8), "photomodeler-sheet")
+    place = {t.name: (t.x_mm, 297 - t.y_mm) for t in read_sidecar(out.with_suffix(".toml")).targets}
+    assert set(marks.name) == set(place)
+    assert {"1001", "1002", "1003", "1004"} < set(place)
+    assert abs(marks.xy_px / PX - np.array([place[n] for n in marks.name])).max() < 0.05
+
+
+def test_what_calibrate_refuses_before_it_looks(tmp_path, capsys):
+    table = tmp_path / "rings.csv"
+    table.write_text("id,code\n1,15\n2,51\n")
+    begin = ["calibrate", str(tmp_path), "--out", str(tmp_path / "out")]
+    for more, message in (
+        (["--model", "panorama"], "the sensor model panorama cannot be calibrated from photographs of targets"),
+        (["--model", "brown_mounted"], "known: auto, aicon, brown, brown_harmonic, fisheye, radial, rational, spline"),
+        (["--model", "antenna"], "unknown sensor model 'antenna'; known: auto, aicon"),
+        (["--table", str(table)], "--table goes with --bits, and without --target and --sheet"),
+        (["--table", str(table), "--bits", "8", "--target", "aicon12"], "--table goes with --bits, and without"),
+    ):
+        assert main([*begin, *more]) == 2
+        assert message in capsys.readouterr().err
+    (wanted,) = wanted_targets((), table, 8, None)
+    assert not isinstance(wanted, str)
+    assert wanted.title == "rings of 8 bits by the table rings.csv"
+    assert target(wanted) is wanted

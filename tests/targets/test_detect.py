@@ -9,13 +9,15 @@ from PIL import Image
 
 from raybundle.errors import InputError
 from raybundle.targets import detect as detect_module
+from raybundle.targets.centre import triangle_from_ellipse
 from raybundle.targets.detect import DetectionOptions, detect_targets
 from raybundle.targets.families import families
-from raybundle.targets.pattern import pattern_misfit
+from raybundle.targets.pattern import pattern_misfit, settled_misfit
 from tests.conftest import DATA
 from tests.targets.render import shot
 
 ONLY_RINGS = DetectionOptions(uncoded="none")
+LEAST_OF_20_BITS = 5
 
 
 def photographs(name):
@@ -57,6 +59,50 @@ def test_small_targets_seen_askew():
         assert set(d.id.tolist()) <= {f.ids[k]}
         lost += not len(d)
     assert lost <= 1
+
+
+@pytest.mark.parametrize("name", ["aicon20", "agisoft20"])
+def test_large_rings_of_many_sectors(name):
+    """Near targets are bent by perspective, and their sectors begin between the steps of the reading."""
+    f = families[name]
+    rng = np.random.default_rng(5)
+    for k in rng.integers(len(f), size=6):
+        s = shot(rng, 26.0, np.radians(rng.uniform(0, 60)), bits=20, code=int(f.codes[k]), ring=f.ring, blur=0.8)
+        assert detect_targets(s.image, f, ONLY_RINGS).id.tolist() == [f.ids[k]]
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("name", families)
+@pytest.mark.parametrize("radius", [4, 5, 6, 8, 12, 20, 30, 45, 60])
+def test_rings_of_all_sizes(name, radius):
+    """Rings of 20 sectors need dots of 5 px radius at least, since a sector is to be seen as broad as a pixel."""
+    f = families[name]
+    if f.bits == 20 and radius < LEAST_OF_20_BITS:
+        pytest.skip("too small for 20 sectors")
+    rng = np.random.default_rng(radius)
+    for k in rng.integers(len(f), size=12):
+        tilt, blur = np.radians(rng.uniform(0, 60)), rng.uniform(0.4, 1.0)
+        s = shot(rng, float(radius), tilt, bits=f.bits, code=int(f.codes[k]), ring=f.ring, blur=blur)
+        assert detect_targets(s.image, f, ONLY_RINGS).id.tolist() == [f.ids[k]]
+
+
+def test_a_ring_moved_to_where_the_grey_values_want_it():
+    """A turn of a fifth of a sector and perspective are found; another code is not made to fit."""
+    f = families["aicon20"]
+    rng = np.random.default_rng(9)
+    code = int(f.codes[1000])
+    s = shot(rng, 40.0, np.radians(45), bits=20, code=code, ring=f.ring, noise=2.0)
+    values = np.zeros(10)
+    values[:2], values[2:5] = s.centre, triangle_from_ellipse(s.ellipse[None])[0]
+    values[5] = 0.75
+    H = np.linalg.inv(s.plane_from_pixel)
+    along = H[:, 0] + H[:, 2]
+    along = along[:2] / along[2] - s.projected
+    u = np.linalg.solve(np.array([[values[2], 0], [values[3], values[4]]]), along)
+    begin = float(np.arctan2(-u[1], u[0])) + 0.2 * 2 * np.pi / 20
+    assert pattern_misfit(s.image, values, code, begin, f)[1] > 0.15
+    assert settled_misfit(s.image, values, code, begin, f)[1] < 0.03
+    assert settled_misfit(s.image, values, code ^ 0b110, begin, f)[1] > 0.3
 
 
 def test_where_the_code_begins():

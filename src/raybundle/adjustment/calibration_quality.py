@@ -26,6 +26,8 @@ from raybundle.numerics.progress import Progress, silent
 from raybundle.sensors import sensor_models
 
 Grade = Literal["good", "usable", "weak", "not determinable"]
+CROSSED = 0.5
+"""Correlation from which x0 with P2, and y0 with P1, are listed too."""
 COUPLED = 0.9
 """Correlation from which two parameters are named as coupled."""
 REACH = 0.85
@@ -170,7 +172,9 @@ def _couplings(result: Adjustment, interior: InteriorResult) -> tuple[tuple[str,
         for j, b in enumerate(free):
             if kind[a] == "principal point" and kind[b] == "decentring" and len(R):
                 found.append((a, b, float(R[i, j])))
-    best = {a: max((f for f in found if f[0] == a), key=lambda f: abs(f[2])) for a, _, _ in found}
+    # each coordinate of the principal point has its own decentring term; the crosses are told where they matter
+    points = [s for s in free if kind[s] == "principal point"]
+    own = dict(zip(points, [s for s in free if kind[s] == "decentring"], strict=False))
     scale = [i for i, a in enumerate(free) if kind[a] == "scale"]
     precision = result.precision
     cross = None if precision is None else precision.interior_exterior.get(interior.camera)
@@ -185,7 +189,7 @@ def _couplings(result: Adjustment, interior: InteriorResult) -> tuple[tuple[str,
             covariance = np.einsum("ni,ni,ni->n", cross[:, scale[0], :3], std, axis)
             r = covariance / np.sqrt(np.einsum("ni,nij,nj->n", axis, C, axis))
             along = float(r[np.nanargmax(np.abs(r))]) if np.isfinite(r).any() else np.nan
-    named = [best[a] for a in free if a in best]
+    named = [f for f in found if own.get(f[0]) == f[1] or abs(f[2]) > CROSSED]
     return (*([(free[scale[0]], "Z", along)] if scale and np.isfinite(along) else []), *named)
 
 

@@ -98,7 +98,9 @@ def carry_out(
     progress: Progress = silent, *, start: Start = "approximate",
 ) -> tuple[Work, tuple[str, ...]]:  # fmt: skip
     """Estimate and cofactors; observations whose point ends behind the camera are rejected, and it starts again."""
-    mask = np.array([bool(r) for r in reasons])
+    mask = np.array([bool(r) for r in reasons], bool)
+    defects.check_observed(block, mask)
+    defects.check_cameras(block, free)
     defects.check_rays(block, mask)
     reasons, mask = reject_single_rays(block, reasons, mask)
     defects.check_images(block, mask, free)
@@ -111,7 +113,7 @@ def carry_out(
         new = list(reasons)
         for i in behind:
             new[i] = "behind the camera"
-        reasons, mask = reject_single_rays(block, tuple(new), np.array([bool(r) for r in new]))
+        reasons, mask = reject_single_rays(block, tuple(new), np.array([bool(r) for r in new], bool))
         defects.check_images(block, mask, free)
         work = _estimate(block, options, free, mask, start, progress)
     weak = not work.solution.step < UNENDING or defects.without_base(work.system, work.solution.state)
@@ -153,7 +155,7 @@ def expected_interior(
     raises  InputError, DatumDefect, RankDefect
     Where the values will move far, the covariance will, too.
     """
-    mask = np.array([bool(r) for r in reasons])
+    mask = np.array([bool(r) for r in reasons], bool)
     defects.check_images(block, mask, free)
     system = assemble(block, options, mask, free)
     state = system.initial_state()

@@ -55,7 +55,9 @@ def implausible(
     """Whether a standard deviation exceeds what one knows of the parameter beforehand."""
     parameter = row.model.parameters[position]
     if not row.model.has_images:
-        return std > PLAUSIBLE_CARRIED.get(parameter.unit, np.inf)
+        # what is observed is known as well as stated; sigma0 may make a little more of it
+        stated = 1.5 * camera.sigma.get(parameter.symbol, 0.0)
+        return std > max(PLAUSIBLE_CARRIED.get(parameter.unit, np.inf), stated)
     if parameter.kind == "scale":
         return std > PLAUSIBLE["scale"] * abs(values[position])
     if parameter.kind == "principal point":

@@ -52,6 +52,8 @@ def own_interiors(result: Adjustment, camera: str) -> tuple[Index, Array, Array]
     kinds = [p.kind for p in model.parameters]
     wanted = [kinds.index("scale"), *[i for i, kind in enumerate(kinds) if kind == "principal point"][:2]]
     used = result.image_observations.used & (block.images.camera[o.image] == k)
+    if len(wanted) < 3:  # a model without a principal point says nothing of where it is
+        used = np.zeros_like(used)
     images: list[int] = []
     shift, spread = list[Array](), list[Array]()
     for i in np.unique(o.image[used]):

@@ -8,6 +8,7 @@ import numpy as np
 
 from raybundle.block.block import Block, Camera, Images, Observations, Points, Role, Stations
 from raybundle.block.simulate import Scene, brown_camera, measured
+from raybundle.numerics.arrays import Array
 from raybundle.numerics.attitude import rotation_from_gimbal
 from raybundle.numerics.rotation import rotation_from_vector
 
@@ -52,6 +53,28 @@ class Flight:
     """Standard deviations of the positions east, north, up [m]"""
     least_points: int = 4
     """Photographs that show fewer are left out"""
+    control: int = 0
+    """Control points: the first in the middle, the others in the corners; at most 5"""
+    control_sigma: tuple[float, float, float] = (0.01, 0.01, 0.02)
+    """Their standard deviations [m]"""
+
+    @property
+    def footprint(self) -> tuple[float, float]:
+        """What a level photograph covers along and across the flight [m]."""
+        c = self.camera
+        width, height = (n * size for n, size in zip((c.width_px, c.height_px), c.pixel_mm, strict=True))
+        return self.height * height / c.values["c"], self.height * width / c.values["c"]
+
+    @property
+    def overlap(self) -> tuple[float, float]:
+        """Share of a photograph that the next along and the next line show as well; negative for a gap."""
+        along, across = self.footprint
+        return 1 - self.base / along, 1 - self.spacing / across
+
+    @property
+    def pixel_on_ground(self) -> float:
+        """Side of a pixel on level ground [m]."""
+        return self.height * self.camera.pixel_mm[0] / self.camera.values["c"]
 
 
 def flight_scene(plan: Flight) -> Scene:
@@ -85,11 +108,15 @@ def flight_block(plan: Flight) -> Block:
     """The block that a flight gives, with noise of the stated standard deviations and true approximate values."""
     block = _exact(flight_scene(plan), plan)
     rng = np.random.default_rng([plan.seed, 1])
-    o, s = block.observations, block.stations
+    o, s, p = block.observations, block.stations, block.points
+    image_noise = rng.normal(0, plan.image_sigma_px, o.xy_px.shape)
+    station_noise = rng.normal(0, 1, s.xyz.shape) * s.sigma
+    given = rng.normal(0, 1, p.xyz.shape) * np.nan_to_num(p.sigma)
     return replace(
         block,
-        observations=replace(o, xy_px=o.xy_px + rng.normal(0, plan.image_sigma_px, o.xy_px.shape)),
-        stations=replace(s, xyz=s.xyz + rng.normal(0, 1, s.xyz.shape) * s.sigma),
+        points=replace(p, xyz=p.xyz + given),
+        observations=replace(o, xy_px=o.xy_px + image_noise),
+        stations=replace(s, xyz=s.xyz + station_noise),
     )
 
 
@@ -107,6 +134,9 @@ def _exact(scene: Scene, plan: Flight) -> Block:
 def _empty(scene: Scene, plan: Flight) -> Block:
     """Stations and points without image points."""
     n, p = len(scene.centre), len(scene.xyz)
+    role, sigma = np.full(p, Role.TIE, np.int32), np.full((p, 3), np.nan)
+    chosen = _control(scene.xyz, plan)
+    role[chosen], sigma[chosen] = Role.CONTROL, plan.control_sigma
     none = np.zeros(0, np.int32)
     return Block(
         name=scene.name,
@@ -123,9 +153,9 @@ def _empty(scene: Scene, plan: Flight) -> Block:
         observations=Observations(image=none, point=none, xy_px=np.zeros((0, 2)), cov_px2=np.zeros((0, 3))),
         points=Points(
             ids=tuple(f"p{k + 1}" for k in range(p)),
-            role=np.full(p, Role.TIE, np.int32),
+            role=role,
             xyz=scene.xyz,
-            sigma=np.full((p, 3), np.nan),
+            sigma=sigma,
         ),
         stations=Stations(
             image=np.arange(n, dtype=np.int32),
@@ -133,3 +163,9 @@ def _empty(scene: Scene, plan: Flight) -> Block:
             sigma=np.tile(np.array(plan.station_sigma), (n, 1)),
         ),
     )
+
+
+def _control(xyz: Array, plan: Flight) -> list[int]:
+    """Rows of the tie points nearest to the middle and to the corners of the ground."""
+    places = np.array([[0, 0], [-1, -1], [1, 1], [-1, 1], [1, -1]]) * 0.4 * plan.size
+    return [int(np.linalg.norm(xyz[:, :2] - at, axis=1).argmin()) for at in places[: plan.control]]

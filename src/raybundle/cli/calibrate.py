@@ -19,8 +19,6 @@ if TYPE_CHECKING:
     from raybundle.targets.marks import Target
     from raybundle.workflows.calibrate import Calibration
 
-FRAME_MODELS = ("aicon", "brown", "brown_harmonic", "fisheye", "radial", "rational", "spline")
-"""Models of cameras that can be calibrated from photographs of targets."""
 MOST_PARAMETERS, SHOWN = 16, 15
 """Parameters and warnings that are printed."""
 
@@ -103,7 +101,6 @@ def command(
     from raybundle.targets.sidecar import read_sidecar  # noqa: PLC0415
     from raybundle.workflows.calibrate import CalibrateOptions, calibrate  # noqa: PLC0415
 
-    check_model(model)
     options = CalibrateOptions(
         targets=wanted_targets(targets, table, bits, sheet), sheet=None if sheet is None else read_sidecar(sheet),
         separate=separate, model=model, spacing=spacing,
@@ -125,21 +122,6 @@ def command(
     click.echo(f" result: {out}, calibration: {out / 'calibration.toml'}"
                + ("" if no_report else f", report: {out / 'report.html'}"))  # fmt: skip
     return 0
-
-
-def check_model(name: str) -> None:
-    """Raise InputError for what is not the interior orientation of a camera with a plane sensor."""
-    if name in {"auto", *FRAME_MODELS}:
-        return
-    from raybundle.sensors import sensor_models  # noqa: PLC0415
-
-    known = f"known: auto, {', '.join(FRAME_MODELS)}"
-    if name in sensor_models:
-        raise InputError(
-            f"the sensor model {name} cannot be calibrated from photographs of targets: it is not that of a camera "
-            f"that sees all at one instant from one place; {known}. Blocks that use {name} are for `raybundle adjust`"
-        )
-    raise InputError(f"unknown sensor model {name!r}; {known}")
 
 
 def wanted_targets(

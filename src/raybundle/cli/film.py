@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     from raybundle.block import Camera
     from raybundle.io.fiducials import Film, Marks, Model, Reseau
 
+LARGE_SHRINKAGE = 0.01
+
 
 @click.command("film", context_settings=COMMAND_SETTINGS)
 @click.argument("marks_file", type=FOLDER, metavar="MARKS")
@@ -69,18 +71,24 @@ def command(
     marks = read_marks(marks_file, "mark", certificate)
     points = None if points_file is None else read_marks(points_file, "point")
     films: dict[str, Film] = {}
+    failed: list[str] = []
     for image in dict.fromkeys(marks.image):
         rows = marks.of(image)
-        films[image] = film_of(
-            image,
-            [marks.name[k] for k in rows.tolist()],
-            marks.xy_px[rows],
-            marks.sigma_px[rows],
-            certificate,
-            pixel_mm=pixel_mm or camera.pixel_mm[0],
-            model=cast("Model", model),
-            reseau=cast("Reseau", reseau),
-        )
+        try:
+            films[image] = film_of(
+                image,
+                [marks.name[k] for k in rows.tolist()],
+                marks.xy_px[rows],
+                marks.sigma_px[rows],
+                certificate,
+                pixel_mm=pixel_mm or camera.pixel_mm[0],
+                model=cast("Model", model),
+                reseau=cast("Reseau", reseau),
+            )
+        except InputError as error:
+            failed.append(str(error))
+    if failed:
+        raise InputError("\n  ".join([*failed, "nothing is written"]), file=marks_file)
     straight = None if points is None else straight_points(points, films, camera)
     _write(out, films, camera, straight)
     _print(films, points)
@@ -163,6 +171,16 @@ def _print(films: dict[str, Film], points: Marks | None) -> None:
         mirror = "  mirrored" if f.mirrored else ""
         fit = f"  {f.image:<14}{len(f.marks):>4}  {sigma0}  {rms:8.1f}"
         click.echo(f"{fit}   {x:>12}, {y:<12} {shear:8.1f}   {turn:9.4f}{mirror}")
+        if f.mirrored:
+            click.echo(
+                "    mirrored: the film was scanned from behind, or two marks opposite to each other are exchanged"
+            )
+        if np.abs(s.values[:2]).max() > LARGE_SHRINKAGE:
+            click.echo("    no film shrinks by more than 1 %: look at --pixel-mm")
+        if f.misfit > 1:
+            click.echo(
+                f"    residuals are larger than stated; standard deviations are enlarged by sigma0 = {f.sigma0:.3g}"
+            )
         if bad := suspects(f):
             click.echo(f"    suspect marks: {', '.join(bad)}; measure them again")
     if all(f.redundancy == 0 for f in films.values()):

@@ -30,6 +30,8 @@ COMMANDS = {
     "datasets": "Fetch public sets of photographs, checked file by file.",
     "film": "Bring image points of scanned film into the camera's frame by its fiducial marks.",
     "rpc": "Satellite scenes: show, project, correct and make rational polynomials (RPC).",
+    "empirical": "Fit affine, projective and DLT models to an image of an unknown sensor.",
+    "plan": "Predict what a flight will determine, before it is flown.",
     "simulate": "Write a simulated block and its truth.",
     "demo": "Simulate a calibration field, calibrate it, show truth beside estimate.",
     "doctor": "Say what is installed, what is missing and what it would bring.",

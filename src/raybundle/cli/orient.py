@@ -33,7 +33,11 @@ class StageName(click.Choice[str]):
 @click.argument("photos", type=FOLDER, nargs=-1, required=True)
 @click.option("--out", type=FOLDER, required=True, metavar="PROJECT", help="Project folder; begun, or continued.")
 @click.option(
-    "--calibration", type=FOLDER, metavar="CAMERAS.toml", help="Known cameras; `estimate = []` in it holds them; one of `raybundle calibrate` is observed with its covariance."
+    "--calibration",
+    type=FOLDER,
+    metavar="CAMERAS.toml",
+    help="Known cameras; `estimate = []` in it holds them; those of `raybundle calibrate` are observed with their "
+    "covariance.",
 )
 @click.option(
     "--camera",
@@ -77,6 +81,23 @@ class StageName(click.Choice[str]):
     help="Positions of the photographs, as an MRK file or CSV, in place of those that they state.",
 )  # fmt: skip
 @click.option(
+    "--attitudes", type=click.Choice(("auto", "none", "opk", "rpy-ned", "gimbal")), default="auto", show_default=True,
+    help="Observe attitudes of --positions, or the gimbal's in the photographs, by their convention; auto: what the "
+    "file holds with standard deviations.",
+)  # fmt: skip
+@click.option(
+    "--attitude-sigma", type=(float, float), metavar="TILT HEADING",
+    help="Standard deviations [deg] of attitudes that state none; observes those of the gimbal as well.",
+)  # fmt: skip
+@click.option(
+    "--no-misalignment", is_flag=True, help="Attitudes are those of the camera itself: no misalignment is estimated."
+)
+@click.option(
+    "--relative", type=click.Choice(("shift", "drift")),
+    help="Relative aerial control: positions and attitudes of a flight line count by their differences alone; drift: "
+    "after a drift of the positions as well.",
+)  # fmt: skip
+@click.option(
     "--lever-arm", type=(float, float, float, float), metavar="RIGHT UP BACK SIGMA",
     help="Positions belong to an antenna that stands there in the axes of the image, seen from the projection centre; "
     "SIGMA 0 holds it.",
@@ -90,7 +111,9 @@ class StageName(click.Choice[str]):
     help="What is estimated of a satellite scene's RPC.",
 )  # fmt: skip
 @click.option(
-    "--crs", metavar="SYSTEM", help="With satellite scenes: the system of control files that name none, as EPSG:32633."
+    "--crs",
+    metavar="SYSTEM",
+    help="As EPSG:32633, of --positions in a grid and, with satellite scenes, of control files that name none.",
 )
 @click.option("--no-gps", is_flag=True, help="Leave positions out that the photographs state.")
 @click.option("--features", default="rootsift", show_default=True, metavar="METHOD",
@@ -127,6 +150,10 @@ def command(
     mark_sigma: float,
     scale_bar: tuple[tuple[str, str, float, float], ...],
     positions: Path | None,
+    attitudes: str,
+    attitude_sigma: tuple[float, float] | None,
+    no_misalignment: bool,  # noqa: FBT001
+    relative: str | None,
     lever_arm: tuple[float, float, float, float] | None,
     no_shift: bool,  # noqa: FBT001
     scene_bias: str,
@@ -179,6 +206,8 @@ def command(
         features=features, feature_count=feature_count, start=cast("Any", start), precise=not quick, jobs=jobs,
         memory_gb=memory, separate=separate, library=None if no_library else library_folder(),
         redo_from=cast("Any", redo_from or ""), scene_bias=cast("Any", scene_bias), crs=crs,
+        attitudes=cast("Any", attitudes), attitude_sigma_deg=_positive(attitude_sigma),
+        relative=cast("Any", relative or ""),
     )  # fmt: skip
     cameras = read_cameras(calibration) if calibration is not None else ()
     plan, height = control_sigma or (DEFAULTS.plan, DEFAULTS.height)
@@ -189,7 +218,8 @@ def command(
             *(read_control(f, defaults=replace(usual, role="check")) for f in check),
         ),
         scale_bars=tuple(ScaleBar(start=a, end=b, length=d, sigma=e) for a, b, d, e in scale_bar),
-        gps=not no_gps, shift=not no_shift, lever_arm=None if lever_arm is None else (lever_arm[:3], lever_arm[3]),
+        gps=not no_gps, shift=not no_shift, misalignment=not no_misalignment,
+        lever_arm=None if lever_arm is None else (lever_arm[:3], lever_arm[3]),
         defaults=usual, sigma_given=control_sigma is not None, mark_px=mark_sigma,
     )  # fmt: skip
     result = out / "result"
@@ -225,6 +255,12 @@ def command(
         + ("" if no_report else f", report: {result / 'report.html'}, in 3D: {result / 'network.html'}")
     )
     return 0
+
+
+def _positive(sigma: tuple[float, float] | None) -> tuple[float, float] | None:
+    if sigma is not None and not min(sigma) > 0:
+        raise click.BadParameter(f"{min(sigma):g} is no standard deviation; give two positive ones [deg]")
+    return sigma
 
 
 def _keep_settings(out: Path) -> None:

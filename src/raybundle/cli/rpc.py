@@ -11,9 +11,11 @@ from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, counted, significant
 from raybundle.errors import InputError, NotSolvable, RaybundleError
 
 if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+
     from raybundle.io.scenes import Scene
     from raybundle.numerics.arrays import Array
-    from raybundle.scenes.bias_choice import BiasAdvice
+    from raybundle.scenes.bias_choice import BiasAdvice, BiasFit
     from raybundle.scenes.linescan import LineScene
     from raybundle.scenes.rpc import Rpc
 
@@ -34,6 +36,8 @@ HEIGHTS = click.option(
 TRACEBACK = click.option(
     "--traceback", is_flag=True, expose_value=False, help="After an error, show where in the program it arose."
 )
+SHOWN = 6
+"""Points named in a line."""
 CORNERS = ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0))
 
 
@@ -56,7 +60,12 @@ def command() -> None:
 @click.argument("scene", type=FOLDER)
 @TRACEBACK
 def info(scene: Path) -> None:
-    """Show what a scene file tells, and how far its RPC is from its rigorous model."""
+    """Show what a scene file tells, and how far its RPC is from its rigorous model.
+
+    \b
+    Example:
+      raybundle rpc info 13MAY08000330.XML
+    """  # noqa: D301
     from raybundle.io.scenes import read_scene  # noqa: PLC0415  (what computes is loaded after the help)
 
     s = read_scene(scene)
@@ -78,26 +87,45 @@ def info(scene: Path) -> None:
 @MODEL
 @TRACEBACK
 def project(scene: Path, points: Path, out: Path, model: str, *, to_ground: bool) -> None:
-    """Image points of POINTS (point,lon_deg,lat_deg,h_m), or the other way."""
+    """Image points of POINTS (point,lon_deg,lat_deg,h_m), or the other way.
+
+    Every point keeps its row; where the model has no coordinates for it they are empty, and the column note says why.
+
+    \b
+    Example:
+      raybundle rpc project 13MAY08000330.XML ground.csv --out image.csv
+      raybundle rpc project 13MAY08000330.XML image.csv --to-ground --out ground.csv
+    """  # noqa: D301
     from raybundle.io.scenes import read_scene  # noqa: PLC0415
     from raybundle.io.tables import write_table  # noqa: PLC0415
+    from raybundle.scenes.rpc import NO_PLACE  # noqa: PLC0415
 
     _check_new(out)
     s = read_scene(scene)
     chosen = _model(s, model)
     ids, rows = _table(points, ("x_px", "y_px", "h_m") if to_ground else ("lon_deg", "lat_deg", "h_m"))
-    try:
-        if s.rpc is not None and not to_ground:
-            s.rpc.check_near(rows, ids)
-        ground = chosen.localise(rows[:, :2], rows[:, 2]) if to_ground else rows
-        image = rows[:, :2] if to_ground else chosen.project(rows)
-    except RaybundleError as error:
-        raise type(error)(f"{scene}: {error}") from None
+    if s.rpc is not None and not to_ground and not (s.rpc.ranges_away(rows) < NO_PLACE).any():
+        _check_near(s, s.rpc, rows, ids)  # none of them: its message says more than a table without coordinates
+    found, why = _each(lambda part: _placed(s, chosen, part, to_ground=to_ground), ids, rows, scene)
+    ground, image = (found, rows[:, :2]) if to_ground else (rows, found)
+    notes = ["" if e is None else str(e) for e in why]
+    lost = [k for k, e in enumerate(why) if e is not None]
+    if s.rpc is not None and chosen is s.rpc:
+        there = [k for k in range(len(ids)) if why[k] is None]
+        for k, note in _beyond(s.rpc, ground, there).items():
+            notes[k] = note
     columns = ("x_px", "y_px", "lon_deg", "lat_deg", "h_m")
     both = dict(zip(columns, (*image.T, *ground.T), strict=True))
-    write_table(out, {"point": ids, **both})
-    if s.rpc is not None and chosen is s.rpc and (beyond := int(s.rpc.outside(ground).sum())):
-        click.echo(f" note: {counted(beyond, 'point')} outside the range for which the RPC was made")
+    if to_ground:
+        both["h_m"] = rows[:, 2]
+    write_table(out, {"point": ids, **both, **({"note": notes} if any(notes) else {})})
+    if beyond := [k for k, note in enumerate(notes) if note and why[k] is None]:
+        told = f"{counted(len(beyond), 'point')} outside the range for which the RPC was made"
+        click.echo(f" note: {told}: {_named(ids, notes, beyond)}")
+    if lost:
+        which = "ground" if to_ground else "image"
+        told = f"{counted(len(lost), 'point')} without {which} coordinates, their cells are empty"
+        click.echo(f" warning: {told}: {_named(ids, notes, lost)}")
     click.echo(f" {counted(len(ids), 'point')}: {out}")
 
 
@@ -124,9 +152,15 @@ def project(scene: Path, points: Path, out: Path, model: str, *, to_ground: bool
 def correct(
     scene: Path, points: Path, out: Path | None, bias: str, sigma: float, heights: tuple[float, float] | None
 ) -> None:
-    """Correct an RPC on control points (point,lon_deg,lat_deg,h_m,x_px,y_px[,sE_m,sN_m,sU_m])."""
+    """Correct an RPC on control points (point,lon_deg,lat_deg,h_m,x_px,y_px[,sE_m,sN_m,sU_m]).
+
+    \b
+    Example:
+      raybundle rpc correct 13MAY08000330.XML control.csv
+      raybundle rpc correct 13MAY08000330.XML control.csv --bias shift --out corrected_RPC.TXT
+    """  # noqa: D301
     from raybundle.io.scenes import read_scene  # noqa: PLC0415
-    from raybundle.scenes.bias_choice import choose_bias  # noqa: PLC0415
+    from raybundle.scenes.bias_choice import check_fit, choose_bias  # noqa: PLC0415
 
     if out is not None:
         _check_new(out)
@@ -136,15 +170,19 @@ def correct(
     sigmas = ("sE_m", "sN_m", "sU_m")
     ids, rows = _table(points, ("lon_deg", "lat_deg", "h_m", "x_px", "y_px"), sigmas)
     stated = rows[:, 5:] if rows.shape[1] == 8 else None
-    try:
-        s.rpc.check_near(rows[:, :3], ids)
-    except InputError as error:
-        raise InputError(str(error), file=scene) from None
+    _check_near(s, s.rpc, rows, ids)
+    for k, note in _beyond(s.rpc, rows[:, :3], range(len(ids)), only_heights=True).items():
+        click.echo(f" warning: {ids[k]}: {note}")
     advice = choose_bias(s.rpc, rows[:, :3], rows[:, 3:5], sigma_px=sigma, sigma_ground_m=stated)
-    _tell_advice(advice)
+    _tell_advice(advice, ids)
     chosen = next((f for f in advice.fits if f.kind == bias), None) if bias != "auto" else advice.advised
     if chosen is None:
         raise InputError(f"{counted(len(rows), 'point')} do not determine the bias model {bias}", file=points)
+    _tell_fit(advice, chosen, s.rpc)
+    try:
+        check_fit(advice, chosen)
+    except NotSolvable as error:
+        raise NotSolvable(f"{points}: {error}{'; nothing is written' if out else ''}") from None
     if out is None:
         return
     from raybundle.io.scenes.rpc_text import write_rpc_text  # noqa: PLC0415
@@ -163,7 +201,12 @@ def correct(
 @HEIGHTS
 @TRACEBACK
 def fit(scene: Path, out: Path, heights: tuple[float, float] | None) -> None:
-    """Make an RPC that stands for the rigorous model of a scene."""
+    """Make an RPC that stands for the rigorous model of a scene.
+
+    \b
+    Example:
+      raybundle rpc fit 13MAY08000330.XML --heights 0 400 --out fitted_RPC.TXT
+    """  # noqa: D301
     from raybundle.io.scenes import read_scene  # noqa: PLC0415
     from raybundle.io.scenes.rpc_text import write_rpc_text  # noqa: PLC0415
     from raybundle.numerics.geodesy import WGS84  # noqa: PLC0415
@@ -286,15 +329,110 @@ def _grid(s: Scene, rpc: Rpc) -> tuple[Array, Array]:
     return np.stack([x, y], axis=1), z
 
 
-def _tell_advice(advice: BiasAdvice) -> None:
+def _tell_advice(advice: BiasAdvice, ids: tuple[str, ...]) -> None:
     click.echo(f" {'bias':8}{'parameters':>12}{'rms x, y [px]':>20}{'left out x, y [px]':>22}")
     for f in advice.fits:
         rms, out = (", ".join(f"{v:.3f}" for v in pair) for pair in (f.rms, f.left_out_rms))
         click.echo(f" {f.kind:8}{len(f.values):12d}{rms:>20}{out:>22}")
+    if advice.set_aside:
+        away = ", ".join(
+            f"{ids[k]} ({x:+.2f}, {y:+.2f} px)"
+            for k, (x, y) in zip(advice.set_aside, advice.set_aside_px.tolist(), strict=True)
+        )
+        verb = "contradicts" if len(advice.set_aside) == 1 else "contradict"
+        click.echo(
+            f" warning: {counted(len(advice.set_aside), 'point')} of {len(ids)} {verb} the others and took no part; "
+            f"look at coordinates, height and measurement: {away}"
+        )
     click.echo(f" advised: {advice.reason}")
-    if advice.advised.kind != "none":
-        values = ", ".join(f"{v:+.3f}" for v in advice.advised.values)
-        sigmas = ", ".join(f"{v:.3f}" for v in advice.advised.covariance.diagonal() ** 0.5)
-        click.echo(f" to be added to the RPC's image points: {values} px (sigma {sigmas})")
     if advice.prior_ratio is not None:
-        click.echo(f" that is {advice.prior_ratio:.2g} times the bias that the vendor states")
+        click.echo(f" that shift is {advice.prior_ratio:.2g} times the bias that the vendor states")
+
+
+def _tell_fit(advice: BiasAdvice, fit: BiasFit, rpc: Rpc) -> None:
+    """The correction that is advised, or was asked for: every term that is built in."""
+    from raybundle.scenes.bias import BIAS_PARAMETERS  # noqa: PLC0415
+
+    if fit.kind != "none":
+        named = zip(BIAS_PARAMETERS[fit.kind], fit.values, fit.sigma, strict=True)
+        values = ", ".join(f"{symbol} {v:+.3f} +- {s:.3f}" for symbol, v, s in named)
+        click.echo(f" {fit.kind}, to be added to the RPC's image points: {values} px")
+        if fit.kind != "shift":
+            (x0, y0), (u, v) = rpc.image_offset, rpc.image_scale
+            scaled = f"u = (x - {x0:g}) / {u:g}, v = (y - {y0:g}) / {v:g}"
+            click.echo(f"   x: A0 + A1 u + A2 v, y: B0 + B1 u + B2 v, {scaled}")
+    if fit.redundancy == 0:
+        click.echo(" note: no redundancy: a wrong point would not be noticed; measure one more")
+    if fit.misfit > 1:
+        click.echo(
+            f" warning: residuals are {fit.misfit:.3g} times the stated sigma of {advice.sigma_px:g} px; standard "
+            "deviations are enlarged by it"
+        )
+
+
+def _check_near(s: Scene, rpc: Rpc, rows: Array, ids: tuple[str, ...]) -> None:
+    try:
+        rpc.check_near(rows[:, :3], ids)
+    except InputError as error:
+        raise InputError(str(error), file=s.file) from None
+
+
+def _placed(s: Scene, model: Rpc | LineScene, rows: Array, *, to_ground: bool) -> Array:
+    from raybundle.scenes.rpc import NO_PLACE  # noqa: PLC0415
+
+    if to_ground:
+        return model.localise(rows[:, :2], rows[:, 2])
+    if s.rpc is not None and (far := float(s.rpc.ranges_away(rows).max())) >= NO_PLACE:
+        raise InputError(f"{far:.4g} times the RPC's range from the middle of the scene (limit {NO_PLACE:g})")
+    return model.project(rows)
+
+
+def _each(
+    function: Callable[[Array], Array], ids: tuple[str, ...], rows: Array, scene: Path
+) -> tuple[Array, list[RaybundleError | None]]:
+    """Results (n, k) and what hinders a row from having one; raises only where no row has one.
+
+    Halves are tried again where a whole cannot be computed, so that few bad rows among many cost little.
+    """
+    import numpy as np  # noqa: PLC0415
+
+    found: dict[int, Array] = {}
+    why: list[RaybundleError | None] = [None] * len(rows)
+    parts = [(0, len(rows))] if len(rows) else []
+    while parts:
+        start, end = parts.pop()
+        try:
+            found[start] = function(rows[start:end])
+        except RaybundleError as error:
+            if end - start == 1:
+                why[start] = error
+            else:
+                middle = (start + end) // 2
+                parts += [(start, middle), (middle, end)]
+    if why and not found:
+        error = why[0]
+        assert error is not None
+        raise type(error)(f"{scene}: point {ids[0]}: {error}; no other of the {len(ids)} points has a place either")
+    width = next(iter(found.values())).shape[1] if found else 3
+    values = np.full((len(rows), width), np.nan)
+    for start, part in found.items():
+        values[start : start + len(part)] = part
+    return values, why
+
+
+def _beyond(rpc: Rpc, ground: Array, rows: Iterable[int], *, only_heights: bool = False) -> dict[int, str]:
+    """What lies outside the range of an RPC, by row."""
+    high, out = rpc.heights_outside(ground), rpc.outside(ground)
+    notes: dict[int, str] = {}
+    for k in rows:
+        if high[k]:
+            notes[k] = f"height {ground[k, 2]:g} m, the RPC holds for {rpc.height_range_words()}"
+        elif out[k] and not only_heights:
+            notes[k] = "beside the area of the RPC"
+    return notes
+
+
+def _named(ids: tuple[str, ...], notes: list[str], rows: list[int]) -> str:
+    """Points with what is to be said of them, the first few."""
+    told = "; ".join(f"{ids[k]} ({notes[k]})" for k in rows[:SHOWN])
+    return told + (f"; and {len(rows) - SHOWN} more, see the column note" if len(rows) > SHOWN else "")

@@ -46,7 +46,8 @@ def a_priori(block: Block) -> str:
     std = np.sqrt(block.observations.cov_px2[:, :2])
     pixel = np.array([c.pixel_mm for c in block.cameras])[block.images.camera[block.observations.image]]
     px, um = float(np.median(std)), float(np.median(std * pixel * 1000))
-    return f"{um:.2g} um = {px:.2g} px" + ("" if np.ptp(std) <= 1e-3 * px else ", median")
+    lengths = "" if all(c.is_scene for c in block.cameras) else f"{um:.2g} um = "  # a scene's pixel has no size
+    return f"{lengths}{px:.2g} px" + ("" if np.ptp(std) <= 1e-3 * px else ", median")
 
 
 def _precision(a: Adjustment) -> list[str]:
@@ -64,7 +65,10 @@ def _precision(a: Adjustment) -> list[str]:
     if a.network is not None and math.isfinite(a.network.relative_precision):
         n = round(float(f"{a.network.relative_precision:.2g}"))
         meaning = "(mean standard deviation / largest extent)"
-        lines.append(f"relative precision 1 : {grouped(n)} {meaning}; {a.network.precision_class}")
+        photographs = not any(c.is_scene for c in a.given.cameras)
+        lines.append(
+            f"relative precision 1 : {grouped(n)} {meaning}" + (f"; {a.network.precision_class}" if photographs else "")
+        )
     return lines
 
 

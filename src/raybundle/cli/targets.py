@@ -43,7 +43,7 @@ def family_options(function: Any) -> Any:
     """--family, --table and --bits."""
     function = click.option("--bits", type=click.IntRange(3, 24), help="Sectors of the rings of --table.")(function)
     function = click.option(
-        "--table", type=FOLDER, metavar="FILE", help="Targets of one's own: id and code a line; with --bits."
+        "--table", type=FOLDER, metavar="FILE", help="Targets of one's own: a table id,code; with --bits."
     )(function)
     return click.option("--family", "family_name", metavar="FAMILY", help=FAMILY_HELP)(function)
 
@@ -161,7 +161,7 @@ def designed_sheet(
         ids = choose_codes(target.rings, count).ids if count is not None else read_ids(cast("str", codes))
         return design(target.rings, ids, options)
     from raybundle.targets.kinds.tags import Tags  # noqa: PLC0415  (loads OpenCV)
-    from raybundle.targets.layout_boards import design_board, design_tags  # noqa: PLC0415
+    from raybundle.targets.layout_boards import design_board, design_dots, design_tags  # noqa: PLC0415
 
     if spacing is None:
         raise InputError(f"{target.family}: give --spacing, the side of a square or the distance of dots, as 25mm")
@@ -170,6 +170,10 @@ def designed_sheet(
             raise InputError("give either --codes or --count")
         numbers = read_ids(codes).tolist() if codes is not None else list(range(cast("int", count)))
         return design_tags(target, numbers, spacing, options)
+    if isinstance(target, Rings):
+        if codes is not None:
+            raise InputError("dots have no numbers to choose from; give --count, or nothing: all there is room for")
+        return design_dots(spacing, count, options)
     if codes is not None or count is not None:
         raise InputError(f"{target.family} is a board: its points have no numbers to choose from")
     return design_board(target, spacing, options)

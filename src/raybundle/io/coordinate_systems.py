@@ -37,17 +37,17 @@ STEP_M = 1.0
 class LocalFrame:
     """A local east-north-up frame at a point; lengths in metres.
 
-    Heights: `crs_from_local` gives back heights of the kind that went in.  Where the geoid is not known, heights
-    above the geoid are taken as if they stood on the ellipsoid; a constant undulation changes lengths by
-    1 / 6 400 000 a metre, and the slope of the geoid (to 1 : 10 000 in mountains) tilts the frame.
+    Heights: `crs_from_local` gives back heights of the kind that went in.  Heights above a geoid need its grid, or an
+    undulation; a constant one neglects the slope of the geoid, which tilts the frame (to 1 : 10 000 in mountains).
+    A system that says nothing about heights is taken to count them from the ellipsoid.
     """
 
     crs: str
     """As it was given: EPSG:25832, EPSG:25832+7837, a PROJ string or WKT."""
     origin: tuple[float, float, float]
     """In that system; the height counts as 0 where it was not known."""
-    undulation_m: float = 0.0
-    """Height of the geoid above the ellipsoid at the origin, added to heights that no grid converts."""
+    undulation_m: float | None = None
+    """Height of the geoid above the ellipsoid at the origin, added to all heights; None: by the grid of the geoid."""
     remarks: tuple[str, ...] = ()
     """What is assumed about heights and datum."""
 
@@ -154,7 +154,8 @@ class LocalFrame:
 
     def as_mapping(self) -> dict[str, Any]:
         """What a file needs to make the same frame again with `local_frame`."""
-        return {"crs": self.crs, "origin": list(self.origin), "undulation_m": self.undulation_m}
+        given = {} if self.undulation_m is None else {"undulation_m": self.undulation_m}
+        return {"crs": self.crs, "origin": list(self.origin), **given}
 
     @property
     def _place(self) -> tuple[Array, Array]:
@@ -169,15 +170,15 @@ def local_frame(
 
     crs           "EPSG:25832", "EPSG:25832+7837" (plan + heights), a PROJ string, WKT or "WGS84 UTM 32N"
     origin        x, y, z there (longitude before latitude); a height of NaN counts as 0, and is said in a remark
-    undulation_m  height of the geoid above the ellipsoid; None: by pyproj's grid where it is there, else 0
-    raises        InputError for an unknown system or an origin outside its area
+    undulation_m  height of the geoid above the ellipsoid; None: by pyproj's grid
+    raises        InputError for an unknown system, an origin outside its area, or a geoid whose grid is missing
     """
     x, y, z = (float(v) for v in origin)
     remarks = height_remarks(crs, undulation_m)
     if np.isnan(z):
         z = 0.0
         remarks += ("the height of the origin is not known and counts as 0",)
-    frame = LocalFrame(crs=crs, origin=(x, y, z), undulation_m=undulation_m or 0.0, remarks=remarks)
+    frame = LocalFrame(crs=crs, origin=(x, y, z), undulation_m=undulation_m, remarks=remarks)
     frame.local_from_crs(np.array([[x, y, z]]))
     return frame
 
@@ -186,12 +187,13 @@ def frame_from_mapping(values: Mapping[str, Any]) -> LocalFrame:
     """The frame that `LocalFrame.as_mapping` described; raises InputError where a value is missing or wrong."""
     try:
         x, y, z = (float(v) for v in values["origin"])
-        crs, undulation = str(values["crs"]), float(values.get("undulation_m") or 0.0)
+        crs, given = str(values["crs"]), values.get("undulation_m")
+        undulation = None if given is None else float(given)
     except (KeyError, TypeError, ValueError):
         raise InputError(
             'the coordinate system is not complete; give crs = "EPSG:..." and origin = [east, north, height]'
         ) from None
-    return local_frame(crs, (x, y, z), undulation_m=undulation or None)
+    return local_frame(crs, (x, y, z), undulation_m=undulation)
 
 
 def height_remarks(crs: str, undulation_m: float | None = None) -> tuple[str, ...]:
@@ -209,16 +211,24 @@ def height_remarks(crs: str, undulation_m: float | None = None) -> tuple[str, ..
     vertical = system.sub_crs_list[1].name
     if undulation_m is not None:
         return (f"{vertical}: heights above the geoid; a constant undulation of {undulation_m:g} m is added",)
-    transformer, grid = _vertical(crs)
-    if transformer is not None:
-        return ()
-    need = f" (grid {grid})" if grid else ""
-    message = (
-        f"{vertical}: the geoid{need} is not installed; heights above the geoid are taken as if they stood on the "
-        "ellipsoid. Lengths change by 1 : 6 400 000 for each metre between the two; give the undulation, or install "
-        "the grid with `pyproj sync`"
+    return ()
+
+
+def _missing_geoid(crs: str, grid: str) -> InputError:
+    from pyproj.datadir import get_data_dir  # noqa: PLC0415
+
+    plan, vertical = (s.name for s in parse_crs(crs).sub_crs_list[:2])
+    code = parse_crs(crs).sub_crs_list[0].to_authority()
+    alone = ":".join(code) if code else plan
+    get = "pyproj knows no grid for it"
+    if grid:
+        offline = f"without a network put https://cdn.proj.org/{grid} into {get_data_dir()}"
+        get = f"get its grid {grid}: `pyproj sync --file {grid}`, or {offline}"
+    return InputError(
+        f"{vertical} counts heights above a geoid that is not installed; taken as heights above the ellipsoid they "
+        f"would be wrong by up to 100 m; {get}; or give the height of the geoid, where --undulation is an option; or, "
+        f"where the heights do stand above the ellipsoid, say so by the system without heights: {alone}"
     )
-    return (message,)
 
 
 @lru_cache(maxsize=64)
@@ -313,7 +323,7 @@ def _unit(crs: str) -> tuple[float, float]:
 
 
 @lru_cache(maxsize=64)
-def _place(crs: str, origin: tuple[float, float, float], undulation_m: float) -> tuple[Array, Array]:
+def _place(crs: str, origin: tuple[float, float, float], undulation_m: float | None) -> tuple[Array, Array]:
     at = LocalFrame(crs=crs, origin=origin, undulation_m=undulation_m)
     geographic = _geographic(at, np.array([origin]))
     return _geocentric_from_geographic(geographic, _horizontal(crs))[0], _enu_from_geocentric(geographic)[0]
@@ -326,15 +336,25 @@ def _rows(xyz: Array) -> Array:
     return rows
 
 
+def _geoid(frame: LocalFrame) -> Transformer | None:
+    """What converts the heights of a frame; None where an undulation is given or nothing has to be converted."""
+    if frame.undulation_m is not None or not parse_crs(frame.crs).is_compound:
+        return None
+    transformer, grid = _vertical(frame.crs)
+    if transformer is None:
+        raise _missing_geoid(frame.crs, grid)
+    return transformer
+
+
 def _geographic(frame: LocalFrame, xyz: Array) -> Array:
     """Longitude, latitude [deg] and ellipsoidal height [m] (n, 3), on the datum of the system."""
     if _horizontal(frame.crs).is_geocentric:
         return _geographic_from_geocentric(xyz, _horizontal(frame.crs))
-    transformer = None if frame.undulation_m else _vertical(frame.crs)[0]
+    transformer = _geoid(frame)
     if transformer is not None:
         return _transformed(transformer, xyz)
     lon, lat = _plan(frame.crs).transform(xyz[:, 0], xyz[:, 1])
-    result = np.stack([lon, lat, xyz[:, 2] * _unit(frame.crs)[1] + frame.undulation_m], axis=1)
+    result = np.stack([lon, lat, xyz[:, 2] * _unit(frame.crs)[1] + (frame.undulation_m or 0.0)], axis=1)
     return _checked(result, xyz, frame.crs)
 
 
@@ -350,11 +370,11 @@ def _crs_from_geocentric(frame: LocalFrame, xyz: Array) -> Array:
     if system.is_geocentric:
         return xyz
     geographic = _geographic_from_geocentric(xyz, system)
-    transformer = None if frame.undulation_m else _vertical(frame.crs)[0]
+    transformer = _geoid(frame)
     if transformer is not None:
         return np.stack(transformer.transform(*geographic.T, direction=TransformDirection.INVERSE), axis=1)
     x, y = _plan(frame.crs).transform(geographic[:, 0], geographic[:, 1], direction=TransformDirection.INVERSE)
-    result = np.stack([x, y, (geographic[:, 2] - frame.undulation_m) / _unit(frame.crs)[1]], axis=1)
+    result = np.stack([x, y, (geographic[:, 2] - (frame.undulation_m or 0.0)) / _unit(frame.crs)[1]], axis=1)
     return _checked(result, xyz, frame.crs)
 
 

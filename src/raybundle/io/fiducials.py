@@ -22,8 +22,10 @@ import numpy as np
 
 from raybundle.block import Camera
 from raybundle.errors import InputError
+from raybundle.io.exchanged_marks import exchanges, implausible, wrong_mark
 from raybundle.io.tables import SHOWN, Column, Problem, fail, read_table, shown
 from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.statistics import global_test
 
 Model = Literal["similarity", "affine", "projective"]
 Reseau = Literal["none", "bilinear", "affine"]
@@ -88,7 +90,7 @@ class Film:
     h: Array
     """(8,) x = (h0 + h1 u + h2 v) / (1 + h6 u + h7 v), y = (h3 + h4 u + h5 v) / (1 + ...), u, v: pixels in mm, v up."""
     covariance: Array
-    """(8, 8) of h, a priori; the fiducials' part in the error of every point of this image."""
+    """(8, 8) of h, enlarged by misfit^2; the fiducials' part in the error of every point of this image."""
     residuals_mm: Array
     """(n, 2) transformed minus calibrated."""
     w: Array
@@ -96,6 +98,8 @@ class Film:
     redundancy: int
     sigma0: float
     """A posteriori against 1; NaN without redundancy."""
+    misfit: float = 1.0
+    """sigma0 where a test at 1 % says that the residuals are larger than stated, else 1."""
     reseau: Reseau = "none"
     crosses_mm: Array = field(default_factory=lambda: np.zeros((0, 2)))
     """(n, 2) calibrated positions of the crosses of a reseau."""
@@ -219,7 +223,8 @@ def film_of(
 
     names, xy_px, sigma_px  measured marks (n), (n, 2) [px], (n, 2)
     pixel_mm                size of a pixel of the scanner; shrinkage counts from it
-    raises                  InputError for too few marks, or marks on one line
+    raises                  InputError for too few marks, marks on one line, or marks that make no film: the message
+                            names those that seem exchanged
     What it does not tell: with as many marks as the model needs, whether one of them is wrong; and shrinkage includes
     an error of the scanner's pixel size.
     """
@@ -233,13 +238,23 @@ def film_of(
     at = [calibrated.names.index(n) for n in names]
     target, sigma_mm = calibrated.xy_mm[at], calibrated.sigma_mm[at]
     middle = np.asarray(xy_px, float).mean(axis=0)
-    fits = [
-        _fit(image, (xy_px - middle) * [side, -1.0] * pixel_mm, target, sigma_px * pixel_mm, sigma_mm, model)
-        for side in (1.0, -1.0)
-    ]
+    uv = (xy_px - middle) * [1.0, -1.0] * pixel_mm
+    try:
+        fits = [_fit(image, uv * [side, 1.0], target, sigma_px * pixel_mm, sigma_mm, model) for side in (1.0, -1.0)]
+    except InputError:
+        if len(names) > 3 and exchanges(names, uv, target):
+            message = f"image {image}: no {model} transformation fits the marks; {_blame(names, uv, target)}"
+            raise InputError(message) from None
+        raise
     mirrored = _mirrored(fits[0].h) if model != "similarity" else fits[1].square_sum < fits[0].square_sum
     found = fits[1] if mirrored else fits[0]
+    J = None if model == "projective" else _uv_partials(np.zeros((1, 2)), found.h)[1][0]  # a print may stand askew
+    if wrong := implausible(found.residuals, J):
+        raise InputError(f"image {image}: {wrong}; {_blame(names, uv, target)}")
     redundancy = 2 * len(names) - _BASIS[model].shape[1]
+    sigma0 = float(np.sqrt(found.square_sum / redundancy)) if redundancy else float("nan")
+    excess = redundancy > 0 and found.square_sum > global_test(found.square_sum, redundancy, 0.02)[2]
+    misfit = sigma0 if excess else 1.0
     return Film(
         image=image,
         model=model,
@@ -248,14 +263,25 @@ def film_of(
         mirrored=bool(mirrored),
         middle_px=middle,
         h=found.h,
-        covariance=found.covariance,
+        covariance=found.covariance * misfit**2,
         residuals_mm=found.residuals,
         w=found.w,
         redundancy=redundancy,
-        sigma0=float(np.sqrt(found.square_sum / redundancy)) if redundancy else float("nan"),
+        sigma0=sigma0,
+        misfit=misfit,
         reseau=reseau,
         crosses_mm=target if reseau != "none" else np.zeros((0, 2)),
     )
+
+
+def _blame(names: Sequence[str], uv: Array, target: Array) -> str:
+    """What is probably wrong with marks that make no film."""
+    if pairs := exchanges(names, uv, target):
+        told = ", or ".join(f"{a} and {b}" for a, b in pairs)
+        return f"the marks {told} seem exchanged: exchange their names"
+    if wrong := wrong_mark(names, uv, target):
+        return f"mark {wrong}: measure it again, or correct its calibrated position"
+    return "no exchange of two marks mends it; compare names, calibrated positions and measured ones"
 
 
 @dataclass(frozen=True, slots=True)

@@ -66,7 +66,7 @@ def average_start(block: Block, progress: Progress = silent) -> Block:
     good = [p for p in pairs if part[p.first] and part[p.second] and np.linalg.norm(_misfit(R, p)) < WRONG]
     if not good:
         raise NoOrientation(
-            f"no two images have a relative orientation: {LEAST_COMMON} common points whose rays meet are needed, and a "
+            f"no two images have a relative orientation: {LEAST_COMMON} common points whose rays meet are needed, and "
             "depth in them; were the photographs taken of one object, and from different places?"
         )
     rows = np.unique(np.concatenate([r for p in good for r in p.rows]))

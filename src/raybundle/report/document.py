@@ -23,7 +23,7 @@ from raybundle.report.section_photographs import PhotographFacts, photograph_sec
 from raybundle.report.section_reliability import reliability_section
 from raybundle.report.section_residuals import residual_section
 from raybundle.report.section_result import result_section, summary_section
-from raybundle.report.section_scenes import scene_section, with_near_viewpoints
+from raybundle.report.section_scenes import scene_section, strip_section, with_near_viewpoints
 from raybundle.report.section_tables import provenance_section, tables_section
 from raybundle.report.section_trajectories import trajectory_section
 from raybundle.report.view import view_of
@@ -79,6 +79,7 @@ def write_report(
         ("precision", lambda: precision_section(view)),
         ("control", lambda: control_section(view)),
         ("trajectories", lambda: trajectory_section(view)),
+        ("strips", lambda: strip_section(view)),
         ("scenes", lambda: scene_section(view)),
         ("panoramas", lambda: panorama_section(view)),
         ("interior orientation", lambda: interior_section(view)),

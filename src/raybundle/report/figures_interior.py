@@ -28,6 +28,8 @@ from raybundle.report.svg import (
     vectors,
 )
 
+MOST_CELLS = 600
+"""Cells of a map of uncertainty that are drawn: each shows the largest of those computed in it."""
 NEGATIVE, POSITIVE = (31, 90, 138), (181, 83, 42)
 """Colours of a heat map at -1 and at +1."""
 
@@ -89,9 +91,11 @@ def curves(
     """
     um = [(c.radius_mm, 1000 * c.value_mm, None if c.std_mm is None else 1000 * c.std_mm) for c, _, _ in drawn]
     spans = [v for _, v, _ in um] + [v + k * s for _, v, s in um if s is not None for k in (-1, 1)]
+    top = 26 if len(drawn) > 1 else 10  # names stand above, where no curve runs
     plot = Plot(
-        width=400, height=262, left=54, right=52, x_range=(0.0, interior.corner_mm), y_range=span(*spans, zero=True)
-    )
+        width=400, height=252 + top, left=54, right=52, top=top, x_range=(0.0, interior.corner_mm),
+        y_range=span(*spans, zero=True),
+    )  # fmt: skip
     parts = [
         _beyond(plot, reach),
         axes(plot, "radius from the principal point [mm]", f"{y_name} [µm]"),
@@ -99,13 +103,15 @@ def curves(
         line(plot, np.array([0.0, interior.corner_mm]), np.zeros(2), "zero"),
     ]
     x0, y0, _, _ = plot.box
-    for k, ((r, v, s), (_, style, name)) in enumerate(zip(um, drawn, strict=True)):
+    place = x0
+    for (r, v, s), (_, style, name) in zip(um, drawn, strict=True):
         if s is not None:
             parts.append(band(plot, r, v - s, v + s, f"band {style}"))
         parts.append(line(plot, r, v, f"curve {style}"))
         if len(drawn) > 1:
-            parts.append(f'<path class="curve {style}" d="M{x0 + 8:.1f} {y0 + 12 + 14 * k:.1f}h18"/>')
-            parts.append(label(x0 + 31, y0 + 15.5 + 14 * k, name))
+            parts.append(f'<path class="curve {style}" d="M{place:.1f} {y0 - 10:.1f}h18"/>')
+            parts.append(label(place + 23, y0 - 6.5, name))
+            place += 40 + 6 * len(name)
     return drawing(plot.width, plot.height, parts, what)
 
 
@@ -147,16 +153,16 @@ def correction_field(interior: Interior, what: str) -> tuple[Drawing, float]:
 def uncertainty_figure(camera: Camera, found: UncertaintyMap) -> Drawing:
     """Standard deviation of projection over the format, as cells of colour with a key."""
     plot, parts = format_plot(camera.size_mm, 400)
-    std, most = found.std, found.largest
+    most = found.largest
+    std = coarser(found.std, MOST_CELLS)
     rows, columns = std.shape
     left, top, width, height = plot.box
     w, h = width / columns, height / rows
-    fine = columns * rows <= 600
     for j in range(rows):
         for i in range(columns):
             if not math.isfinite(std[j, i]):
                 continue
-            title = f"<title>{significant(float(std[j, i]), 2)} px</title>" if fine else ""
+            title = f"<title>{significant(float(std[j, i]), 2)} px</title>"
             parts.append(
                 f'<rect x="{left + i * w:.1f}" y="{top + j * h:.1f}" width="{w + 0.3:.1f}" height="{h + 0.3:.1f}" '
                 f'fill="{mixed(0.05 + 0.95 * float(std[j, i]) / most if most > 0 else 0.0, POSITIVE)}">{title}</rect>'
@@ -168,6 +174,18 @@ def uncertainty_figure(camera: Camera, found: UncertaintyMap) -> Drawing:
     ]
     parts.append(label(100, y + 8, f"0 … {significant(most, 2)} px", "t"))
     return drawing(plot.width, plot.height, parts, "standard deviation of projection over the format")
+
+
+def coarser(values: Array, most: int) -> Array:
+    """The largest of each block of cells (rows, columns), so that no more than so many are left; NaN is none."""
+    rows, columns = values.shape
+    step = math.ceil(math.sqrt(rows * columns / most))
+    if step <= 1:
+        return values
+    low = np.full((-(-rows // step) * step, -(-columns // step) * step), -np.inf)
+    low[:rows, :columns] = np.where(np.isfinite(values), values, -np.inf)
+    blocks = low.reshape(low.shape[0] // step, step, low.shape[1] // step, step).max(axis=(1, 3))
+    return np.where(np.isfinite(blocks), blocks, np.nan)
 
 
 def format_plot(size: Array, width: float, foot: float = 22.0) -> tuple[Plot, list[str]]:

@@ -197,12 +197,13 @@ def profile_figure(profile: Profile, what: str) -> Drawing:
     """Mean radial and tangential residual against the radius, with the standard deviation of each mean."""
     mean, std = profile.mean_px, profile.std_px
     reach = float(profile.radius_mm.max(initial=0.0)) * 1.05 or 1.0
-    plot = fitted(Plot(width=400, height=250, x_range=(0.0, reach), y_range=span(mean - std, mean + std, zero=True)))
+    limits = span(mean - std, mean + std, zero=True)
+    plot = fitted(Plot(width=400, height=266, top=26, x_range=(0.0, reach), y_range=limits))
     parts = [
         axes(plot, "radius from the principal point [mm]", "mean residual [px]"),
         line(plot, np.array([0, reach]), np.zeros(2), "zero"),
     ]
-    x0, y0, w, _ = plot.box
+    x0, y0, _, _ = plot.box
     for k, (style, name) in enumerate((("first", "radial"), ("second", "tangential"))):
         shift = (k - 0.5) * 3
         x = plot.x(profile.radius_mm) + shift
@@ -215,8 +216,9 @@ def profile_figure(profile: Profile, what: str) -> Drawing:
             f'<circle class="fill {style}" cx="{a:.1f}" cy="{b:.1f}" r="2.4"/>'
             for a, b in zip(x.tolist(), plot.y(mean[:, k]).tolist(), strict=True)
         ]
-        parts.append(f'<circle class="fill {style}" cx="{x0 + w - 80:.1f}" cy="{y0 + 12 + 14 * k:.1f}" r="3"/>')
-        parts.append(label(x0 + w - 72, y0 + 15.5 + 14 * k, name))
+        # names stand above, where no whisker runs
+        parts.append(f'<circle class="fill {style}" cx="{x0 + 4 + 70 * k:.1f}" cy="{y0 - 10:.1f}" r="3"/>')
+        parts.append(label(x0 + 12 + 70 * k, y0 - 6.5, name))
     return drawing(plot.width, plot.height, parts, what)
 
 

@@ -27,6 +27,9 @@ WINDOWS = 60
 FEWEST = 8
 """Values in a window from which on it has a mean."""
 MOST_DOTS = 2500
+CROWD = 800
+"""Dots from which on they are drawn paler, so that the mean stays in sight."""
+PALEST = 0.55
 NORMAL_95 = 1.96
 
 
@@ -87,10 +90,11 @@ def series_figure(
     plot = fitted(Plot(width=width, height=220, right=18, x_range=limits, y_range=span(np.array([-reach, reach]))))
     rows = spread_rows(len(at), MOST_DOTS)
     inside = rows[(np.abs(values[rows]) <= plot.y_range[1]) & (at[rows] >= limits[0]) & (at[rows] <= limits[1])]
+    opacity = min(1.0, max(PALEST, CROWD / max(len(inside), 1)))
     parts = [
         axes(plot, x_label, y_label),
-        f'<g opacity=".35">{dots(plot.x(at[inside]), plot.y(values[inside]), "points")}</g>',
         band(plot, found.at, -NORMAL_95 * found.std, NORMAL_95 * found.std, "band second"),
+        f'<g opacity="{opacity:.2g}">{dots(plot.x(at[inside]), plot.y(values[inside]), "points")}</g>',
         line(plot, np.array(limits), np.zeros(2), "zero"),
         line(plot, found.at, found.mean, "curve first"),
     ]

@@ -27,14 +27,14 @@ from raybundle.report.parts import (
     text,
 )
 from raybundle.report.view import View, rms
-from raybundle.report.words import controlled, expected_check_std
+from raybundle.report.words import controlled, expected_check_std, printed
 
 KINDS = (
     ("control", "Control points", "point", "control.csv"),
     ("distance", "Scale bars", "from–to", "distances.csv"),
     ("station", "Observed projection centres", "image", "stations.csv"),
     ("attitude", "Observed attitudes", "image", "attitudes.csv"),
-    ("parameter", "Observed parameters of the interior orientation", "camera", "result.json"),
+    ("parameter", "Observed parameters", "camera", "result.json"),
     ("relation", "Calibrations with their covariance, smoothness of trajectories", "camera", "result.json"),
 )
 LENGTHS = {"control", "distance", "station"}
@@ -48,7 +48,8 @@ def control_section(view: View) -> Section:
     """What was given besides image points, and what became of it."""
     parts: list[Part] = []
     for kind, title, what, rest in KINDS:
-        for g in view.adjustment.groups:
+        for whole in view.adjustment.groups:
+            g = _without_scenes(view, whole)
             if g.kind == kind and len(g.ids):
                 parts += [Heading(text=title), *_group(view, g, what, rest)]
     parts += _check(view)
@@ -57,6 +58,14 @@ def control_section(view: View) -> Section:
         parts.append(Paragraph(text="Neither control, check points, scale bars nor projection centres were given."))
     parts += _components(view)
     return Section(anchor="control", title="Control, check points and groups of observations", parts=tuple(parts))
+
+
+def _without_scenes(view: View, g: ObservationGroup) -> ObservationGroup:
+    """A group without the parameters of scenes, which stand in the section of these."""
+    scenes = {c.id for c in view.given.cameras if c.is_scene}
+    if g.kind != "parameter" or not scenes & set(g.ids):
+        return g
+    return _rows_of(g, np.flatnonzero([i not in scenes for i in g.ids]))
 
 
 def _marks(view: View) -> list[Part]:
@@ -78,14 +87,21 @@ def _marks(view: View) -> list[Part]:
 
 def _group(view: View, g: ObservationGroup, what: str, rest: str) -> list[Part]:
     weighted = g.sigma > 0
-    factor, unit = (view.factor, view.unit) if g.kind in LENGTHS else (1.0, "rad" if g.kind == "attitude" else "")
+    factor, unit = _unit(view, g)
     parts: list[Part] = []
     if not weighted.any():
         text_ = f"{counted(len(g.ids), 'coordinate')} held as given; they have no residuals of their own."
         return [Paragraph(text=text_), Folded(summary="Held coordinates", parts=(_held_table(view, g),))]
     told = controlled(g)
     head = f"{counted(int(weighted.sum()), 'value')} observed, {grouped(int((~weighted).sum()))} held"
-    if told.any():
+    if told.any() and g.kind not in {*LENGTHS, "attitude"}:
+        # units differ from row to row: what they have in common is the residual by its sigma
+        v, w = g.residual[told] / g.sigma[told], g.w[told]
+        size = f"rms of residual by sigma {fixed(rms(v), 2)}"
+        if np.isfinite(w).any():
+            size += f", largest |w| {fixed(float(np.nanmax(np.abs(w))), 2)}"
+        parts.append(Paragraph(text=f"{head}; {size}."))
+    elif told.any():
         v = g.residual[told] * factor
         size = f"rms residual {significant(rms(v))} {unit}, largest {significant(float(np.nanmax(np.abs(v))))} {unit}"
         parts.append(Paragraph(text=f"{head}; {size.strip()}."))
@@ -97,6 +113,20 @@ def _group(view: View, g: ObservationGroup, what: str, rest: str) -> list[Part]:
     order = np.argsort(-np.nan_to_num(np.abs(g.w)), kind="stable")[:LARGEST]
     worst = replace(_group_table(view, _rows_of(g, order), what, rest, factor, unit), caption="The largest |w|")
     return [*parts, worst, Folded(summary=f"All {counted(len(g.ids), 'row')}", parts=(whole,))]
+
+
+def _unit(view: View, g: ObservationGroup) -> tuple[float, str]:
+    """Factor and unit in print of all rows of a group; none where each row has its own."""
+    if g.kind in LENGTHS:
+        return view.factor, view.unit
+    return (math.degrees(1), "°") if g.kind == "attitude" else (1.0, "")
+
+
+def _row_units(view: View, g: ObservationGroup) -> list[tuple[float, str]]:
+    """Factor and unit in print of each row of a group that holds parameters."""
+    units = {(c.id, p.symbol): p.unit for c in view.given.cameras for p in c.sensor.parameters}
+    pairs = zip(g.ids, g.component, strict=True)
+    return [printed(view, units.get((i.partition("/")[0], s), "1")) for i, s in pairs]
 
 
 def _rows_of(g: ObservationGroup, rows: Array) -> ObservationGroup:
@@ -122,10 +152,12 @@ def _held_table(view: View, g: ObservationGroup) -> Table:
 
 
 def _group_table(view: View, g: ObservationGroup, what: str, rest: str, factor: float, unit: str) -> Table:
+    own = None if g.kind in {*LENGTHS, "attitude"} else _row_units(view, g)
     if g.kind not in LENGTHS:
-        given, adjusted = ([significant(float(v), 6) for v in column] for column in (g.given, g.adjusted))
+        by = np.full(len(g.ids), factor) if own is None else np.array([f for f, _ in own])
+        given, adjusted = ([significant(float(v), 6) for v in column * by] for column in (g.given, g.adjusted))
         sigma, std, v, mdb = (
-            [significant(float(x), 3) for x in column] for column in (g.sigma, g.adjusted_std, g.residual, g.mdb)
+            [significant(float(x), 3) for x in column * by] for column in (g.sigma, g.adjusted_std, g.residual, g.mdb)
         )
     else:
         fine = column_decimals(np.concatenate([g.sigma, g.adjusted_std]) * factor)
@@ -137,14 +169,16 @@ def _group_table(view: View, g: ObservationGroup, what: str, rest: str, factor: 
     limit = view.adjustment.critical_w * max(view.scale, 1.0)
     beyond = np.flatnonzero(np.abs(np.nan_to_num(g.w)) > limit).tolist()
     length = view.length_unit if g.kind in LENGTHS else unit
+    unit_column, unit_cells = ([], []) if own is None else ([text("unit")], [[u for _, u in own]])
     return table(
         (
-            text(what), text(""), number("given", length), number("sigma", unit), number("adjusted", length),
-            number("sigma", unit), number("residual", unit), number("r"), number("w"), number("τ"),
-            number("mdb", unit), *([text("")] if any(g.rejected) else []),
+            text(what), text(""), *unit_column, number("given", length), number("sigma", unit),
+            number("adjusted", length), number("sigma", unit), number("residual", unit), number("r"), number("w"),
+            number("τ"), number("mdb", unit), *([text("")] if any(g.rejected) else []),
         ),
         (
-            g.ids, g.component, given, ["held" if s == 0 else t for s, t in zip(g.sigma, sigma, strict=True)], adjusted,
+            g.ids, g.component, *unit_cells, given,
+            ["held" if s == 0 else t for s, t in zip(g.sigma, sigma, strict=True)], adjusted,
             [NONE if s == 0 else t for s, t in zip(g.sigma, std, strict=True)],
             [NONE if s == 0 else t for s, t in zip(g.sigma, v, strict=True)],
             [NONE if s == 0 else t for s, t in zip(g.sigma, cells(g.redundancy.tolist(), 3), strict=True)],

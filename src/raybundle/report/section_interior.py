@@ -11,7 +11,7 @@ from raybundle.adjustment.result import InteriorResult, ParameterResult
 from raybundle.numerics.arrays import Array
 from raybundle.report.distortion import ADDITIONAL, Curve, Interior, balanced, decentring_curve, radial_curve
 from raybundle.report.figures_interior import correction_field, curves, heat_map, sigma_curve, uncertainty_figure
-from raybundle.report.numbers import NONE, fixed, grouped, probability, significant, unit_text, with_sigma
+from raybundle.report.numbers import NONE, fixed, grouped, listed, probability, significant, unit_text, with_sigma
 from raybundle.report.parts import (
     Figure,
     Figures,
@@ -26,6 +26,7 @@ from raybundle.report.parts import (
     text,
 )
 from raybundle.report.view import View, adjusted_interior, key_of, name_of
+from raybundle.report.words import printed
 
 MOST_DRAWN = 6
 """Interior orientations with figures of their own."""
@@ -43,14 +44,23 @@ def interior_section(view: View) -> Section:
     for k, result in enumerate(a.interior):
         if k >= MOST_DRAWN and result.image is not None:
             break
-        own: list[Part] = [Heading(text=_title(view, result)), parameter_table(result)]
+        if _is_scene(view, result):
+            continue
+        own: list[Part] = [Heading(text=_title(view, result)), parameter_table(result, view)]
         if k < MOST_DRAWN:
             own += _details(view, result)
         parts += own if result.image is None else [Folded(summary=name_of(result), parts=tuple(own))]
-    if len(a.interior) > MOST_DRAWN:
-        what = f"Figures are drawn for {MOST_DRAWN} of {grouped(len(a.interior))} interior orientations."
+    if scenes := [r.camera for r in a.interior if _is_scene(view, r)]:
+        what = f"What was estimated for the scenes stands in their own section: {listed(scenes)}."
+        parts.append(Paragraph(text=what, note=True))
+    if len(a.interior) - len(scenes) > MOST_DRAWN:
+        what = f"Figures are drawn for {MOST_DRAWN} of {grouped(len(a.interior) - len(scenes))} interior orientations."
         parts.append(Paragraph(text=what, note=True))
     return Section(anchor="interior", title="Interior orientation", parts=tuple(parts))
+
+
+def _is_scene(view: View, result: InteriorResult) -> bool:
+    return any(c.id == result.camera and c.is_scene for c in view.given.cameras)
 
 
 def _title(view: View, result: InteriorResult) -> str:
@@ -70,16 +80,17 @@ def _optional(value: float | None, digits: int = 3) -> str:
     return NONE if value is None else significant(value, digits)
 
 
-def _value_cells(p: ParameterResult) -> tuple[str, str]:
+def _value_cells(p: ParameterResult, factor: float = 1.0) -> tuple[str, str]:
     if p.std is None or not p.std > 0:
-        return significant(p.value, 6), NONE
-    return with_sigma(p.value, p.std)
+        return significant(p.value * factor, 6), NONE
+    return with_sigma(p.value * factor, p.std * factor)
 
 
-def parameter_table(result: InteriorResult) -> Table:
+def parameter_table(result: InteriorResult, view: View) -> Table:
     """The parameters of one interior orientation."""
     rows = list(result.parameters.values())[:MOST_PARAMETERS]
-    cells = [_value_cells(p) for p in rows]
+    units = [printed(view, p.unit) for p in rows]
+    cells = [_value_cells(p, factor) for p, (factor, _) in zip(rows, units, strict=True)]
     return table(
         (
             text("symbol"), text("meaning"), text("unit"), number("value"), number("sigma"), number("t"),
@@ -88,7 +99,7 @@ def parameter_table(result: InteriorResult) -> Table:
         (
             [p.symbol for p in rows],
             [p.meaning + (f" ({p.remark})" if p.remark else "") for p in rows],
-            [unit_text(p.unit) for p in rows],
+            [unit for _, unit in units],
             [c[0] for c in cells],
             [c[1] for c in cells],
             [NONE if p.t is None else _limited(p.t) for p in rows],
@@ -211,7 +222,7 @@ def _uncertainty(view: View, result: InteriorResult) -> list[Part]:
     for distance in (None, _typical_distance(view)):
         if distance is not None and not distance > 0:
             continue
-        found = projection_uncertainty(camera, result.free, C, distance=distance, columns=30, rows=20)
+        found = projection_uncertainty(camera, result.free, C, distance=distance)
         if not math.isfinite(found.largest):
             continue
         where = "infinity" if distance is None else f"a distance of {significant(distance, 2)} {view.length_unit}"

@@ -10,7 +10,7 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.report.numbers import NONE, counted, fixed, grouped, listed, significant
 from raybundle.report.parts import Column, Fact, Facts, Heading, Paragraph, Part, Section, Statements, table, text
 from raybundle.report.view import View, rms
-from raybundle.report.words import Verdict, datum_words, free_std, important, not_told, open_datum
+from raybundle.report.words import Verdict, datum_words, free_std, important, not_told, open_datum, photographic
 
 
 def result_section(view: View, verdict: Verdict) -> Section:
@@ -38,7 +38,9 @@ def _key_figures(view: View) -> tuple[Fact, ...]:
         n = grouped(float(f"{network.relative_precision:.2g}"))
         facts.append(
             Fact(
-                label="relative precision", value=f"1 : {n}", remark=f"{network.precision_class}; of the largest extent"
+                label="relative precision",
+                value=f"1 : {n}",
+                remark=(f"{network.precision_class}; " if photographic(view) else "") + "of the largest extent",
             )
         )
     std = free_std(view)
@@ -102,7 +104,7 @@ def _counts(view: View) -> list[tuple[str, str]]:
         rows.append((
             {"control": "control coordinates", "distance": "scale bars", "station": "coordinates of projection centres",
              "attitude": "angles of attitudes", "relation": "relations of parameters",
-             "parameter": "observed parameters of the interior orientation"}.get(g.kind, g.kind),
+             "parameter": "observed parameters"}.get(g.kind, g.kind),
             f"{grouped(weighted)} observed" + (f", {grouped(held)} held" if held else ""),
         ))  # fmt: skip
     return [

@@ -1,4 +1,4 @@
-"""Section: satellite scenes, their bias, residuals along the track, and the jitter of rigorous ones."""
+"""Sections: satellite scenes, and strips of aerial line scanners: corrections, residuals along the track, jitter."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ import numpy as np
 from raybundle.adjustment.result import InteriorResult
 from raybundle.block import Camera
 from raybundle.numerics.arrays import Array, Index
+from raybundle.report.figures_corrections import correction_figures
 from raybundle.report.figures_interior import format_plot, scale_bar
 from raybundle.report.figures_residuals import exaggeration, image_vectors
 from raybundle.report.figures_series import Running, line_figure, running, series_figure
@@ -33,10 +34,13 @@ from raybundle.report.parts import (
 from raybundle.report.residuals import normalised
 from raybundle.report.svg import Drawing, drawing, round_below, vectors
 from raybundle.report.view import View, rms
+from raybundle.report.words import printed
 
 if TYPE_CHECKING:
     from raybundle.scenes.sensor import LineSensor, SceneSensor
 
+OPEN_ROWS = 60
+"""Longer tables are folded."""
 MOST_DRAWN = 6
 """Scenes with figures of their own."""
 GRID = 8
@@ -54,27 +58,72 @@ WIDTH = 300.0
 
 
 def scene_section(view: View) -> Section | None:
-    """Bias, residuals along the track and jitter of every scene; None for a block without scenes."""
-    images = [i for i, c in enumerate(view.given.images.camera) if view.given.cameras[int(c)].is_scene]
+    """Bias, residuals along the track and jitter of every satellite scene; None for a block without any."""
+    images = [i for i in _images(view) if not is_strip(_camera(view, i))]
     if not images:
         return None
+    about = (
+        f"{counted(len(images), 'scene')} with the geometry of their vendors; what the adjustment adds is listed here. "
+        "A bias is added to what the geometry projects, in pixels of the scene. Maps and figures of the network show a "
+        "scene near its ground, in the direction from which it was taken."
+    )
+    known = (
+        "Stated sigma: what was known before, as the vendor's ERR_BIAS. Marked: more than three times as large, which "
+        "says that the file, the control or its coordinate system deserves a second look."
+    )
+    parts = [Paragraph(text=about), _bias_table(view, images, known), *_figures_and_words(view, images, "scene")]
+    return Section(anchor="scenes", title="Satellite scenes", parts=tuple(parts))
+
+
+def strip_section(view: View) -> Section | None:
+    """Corrections of position and attitude of aerial line scanners over time; None for a block without any."""
+    images = [i for i in _images(view) if is_strip(_camera(view, i))]
+    if not images:
+        return None
+    about = (
+        f"{counted(len(images), 'strip')} of line scanners, whose lines were placed by GNSS and INS. What the "
+        "adjustment adds to these positions and attitudes is listed and drawn here: along track, across track and in "
+        "height; about the axes of the line; and where they were estimated, the offset of the clocks and the lever arm."
+    )
+    known = (
+        "Stated sigma: that of positions and attitudes as their table tells it; – where nothing was known, as of the "
+        "misalignment of the INS. Marked: more than three times as large, which says that the table, the control or "
+        "its coordinate system deserves a second look."
+    )
+    body = _bias_table(view, images, known)
+    shown: list[Part] = [body] if len(body.rows) <= OPEN_ROWS else [Folded(summary="Every parameter", parts=(body,))]
+    parts = [Paragraph(text=about), *shown, *_figures_and_words(view, images, "strip")]
+    return Section(anchor="strips", title="Strips of line scanners", parts=tuple(parts))
+
+
+def is_strip(camera: Camera) -> bool:
+    """Whether a camera is a line scanner on an aircraft: below the height of any satellite."""
+    from raybundle.numerics.geodesy import geographic_from_geocentric  # noqa: PLC0415  (only where there are scenes)
+    from raybundle.scenes.sensor import LOW_M  # noqa: PLC0415
+
+    if camera.model != "linescan":
+        return False
+    line = cast("LineSensor", camera.scene).scene
+    sensor = line.rays(np.array([[line.width_px, line.height_px]], float) / 2)[0]
+    return bool(geographic_from_geocentric(sensor, line.ellipsoid)[0, 2] < LOW_M)
+
+
+def _images(view: View) -> list[int]:
+    return [i for i, c in enumerate(view.given.images.camera) if view.given.cameras[int(c)].is_scene]
+
+
+def _figures_and_words(view: View, images: list[int], noun: str) -> list[Part]:
     found = {i: _track(view, i) for i in images}
-    parts: list[Part] = [
-        Paragraph(
-            text=f"{counted(len(images), 'scene')} with the geometry of their vendors; what the adjustment adds is "
-            "listed here. A bias is added to what the geometry projects, in pixels of the scene. Maps and figures of "
-            "the network show a scene near its ground, in the direction from which it was taken."
-        ),
-        _bias_table(view, images),
-        Statements(statements=_words(view, images, found)),
-    ]
+    parts: list[Part] = [Statements(statements=_words(view, images, found, noun))]
     for n, i in enumerate(images[:MOST_DRAWN]):
         own = _scene_parts(view, i, found[i])
-        name = view.given.images.ids[i]
-        parts += [Heading(text=f"Scene {name}"), *own] if n < 2 else [Folded(summary=f"Scene {name}", parts=tuple(own))]
+        name = f"{noun.capitalize()} {view.given.images.ids[i]}"
+        parts += [Heading(text=name), *own] if n < 2 else [Folded(summary=name, parts=tuple(own))]
     if len(images) > MOST_DRAWN:
-        parts.append(Paragraph(text=f"Figures are drawn for {MOST_DRAWN} of {grouped(len(images))} scenes.", note=True))
-    return Section(anchor="scenes", title="Satellite scenes", parts=tuple(parts))
+        parts.append(
+            Paragraph(text=f"Figures are drawn for {MOST_DRAWN} of {grouped(len(images))} {noun}s.", note=True)
+        )
+    return parts
 
 
 def _camera(view: View, image: int) -> Camera:
@@ -89,8 +138,14 @@ def _rows(view: View, image: int) -> Index:
     return np.flatnonzero(view.used & (view.given.observations.image == image)).astype(np.int32)
 
 
-def _bias_table(view: View, images: list[int]) -> Table:
+def _bias_table(view: View, images: list[int], note: str) -> Table:
     """A row for every parameter of every scene."""
+    ground = any(_camera(view, i).model == "rpc" for i in images)
+    columns: tuple[Column, ...] = (
+        text("strip" if is_strip(_camera(view, images[0])) else "scene"), text("model"), number("image points"),
+        text("parameter"), number("value"), number("sigma"), *([number("on the ground", "m")] if ground else []),
+        number("stated sigma"), number("value / stated sigma"), number("r"), number("w"),
+    )  # fmt: skip
     rows: list[list[str]] = []
     marked: list[int] = []
     for i in images:
@@ -99,29 +154,24 @@ def _bias_table(view: View, images: list[int]) -> Table:
         first = [view.given.images.ids[i], _kind(camera), grouped(len(_rows(view, i)))]
         symbols = camera.sensor.symbols
         if not symbols or result is None:
-            rows.append([*first, NONE, NONE, NONE, NONE, NONE, NONE])
+            rows.append([*first, *[NONE] * (len(columns) - 3)])
             continue
         for s in symbols:
             p = result.parameters.get(s)
             sigma = next(c.sigma.get(s, math.nan) for c in view.given.cameras if c.id == camera.id)
             value, std = (camera.values[s], None) if p is None else (p.value, p.std)
-            shown = with_sigma(value, std) if std else (significant(value, 4), "held")
+            factor, unit = printed(view, camera.sensor.parameters[symbols.index(s)].unit)
+            shown = with_sigma(value * factor, std * factor) if std else (significant(value * factor, 4), "held")
             ratio = abs(value) / sigma if sigma > 0 else math.nan
             if ratio > 3:
                 marked.append(len(rows))
-            unit = camera.sensor.parameters[symbols.index(s)].unit
-            rows.append([*first, f"{s} [{unit}]", *shown, _on_ground(camera, s, value), significant(sigma, 3),
-                         fixed(ratio, 1)])  # fmt: skip
+            rows.append([*first, f"{s} [{unit}]", *shown, *([_on_ground(camera, s, value)] if ground else []),
+                         significant(sigma * factor, 3), fixed(ratio, 1), *_tested(view, camera, s)])  # fmt: skip
             first = ["", "", ""]
-    columns: tuple[Column, ...] = (
-        text("scene"), text("model"), number("image points"), text("parameter"), number("value"), number("sigma"),
-        number("on the ground", "m"), number("stated sigma"), number("value / stated sigma"),
-    )  # fmt: skip
     return table(
         columns,
         zip(*rows, strict=True),
-        note="Stated sigma: what was known before, as the vendor's ERR_BIAS. Marked: more than three times as large, "
-        "which says that the file, the control or its coordinate system deserves a second look.",
+        note=note,
         marked=marked,
         rest="result.json",
     )
@@ -129,7 +179,19 @@ def _bias_table(view: View, images: list[int]) -> Table:
 
 def _kind(camera: Camera) -> str:
     sensor = cast("SceneSensor", camera.scene)
-    return f"RPC, {getattr(sensor, 'bias', '')}" if camera.model == "rpc" else "orbit and attitude"
+    if camera.model == "rpc":
+        return f"RPC, {getattr(sensor, 'bias', '')}"
+    return "GNSS and INS" if is_strip(camera) else "orbit and attitude"
+
+
+def _tested(view: View, camera: Camera, symbol: str) -> tuple[str, str]:
+    """Redundancy number and test value of an observed parameter."""
+    for g in view.adjustment.groups:
+        if g.kind == "parameter":
+            for k, pair in enumerate(zip(g.ids, g.component, strict=True)):
+                if pair == (camera.id, symbol):
+                    return fixed(float(g.redundancy[k]), 3), fixed(float(g.w[k]), 2)
+    return NONE, NONE
 
 
 def _on_ground(camera: Camera, symbol: str, value: float) -> str:
@@ -158,7 +220,7 @@ def _track(view: View, image: int) -> tuple[Index, Running, Running] | None:
 
 
 def _words(
-    view: View, images: list[int], found: dict[int, tuple[Index, Running, Running] | None]
+    view: View, images: list[int], found: dict[int, tuple[Index, Running, Running] | None], noun: str
 ) -> tuple[tuple[str, str], ...]:
     """What the residuals along the track say, and what they do not."""
     ids = view.given.images.ids
@@ -171,12 +233,17 @@ def _words(
             if curve.probability < BELIEVED:
                 size = float(np.nanmax(np.abs(curve.mean)))
                 waves.append(f"{ids[i]} in {axis} by up to {significant(size, 2)} px")
+    remedy = (
+        "Jitter of the attitude or a drift that the bias does not have looks like this; a bias of the kind drift, or a "
+        "curve for a rigorous scene, takes it up."
+        if noun == "scene"
+        else "Movements of the aircraft between the fixes of the corrections look like this; more fixes take them up."
+    )
     words = [
         (
             "along track",
             f"The mean residual changes with the line: {listed(waves)}, which is less than 0.1 % likely by chance. "
-            "Jitter of the attitude or a drift that the bias does not have looks like this; a bias of the kind drift, "
-            "or a curve for a rigorous scene, takes it up."
+            f"{remedy}"
             if waves
             else "No mean residual changes with the line by more than chance allows: no jitter is seen.",
         )
@@ -188,8 +255,8 @@ def _words(
             (
                 "not seen",
                 (
-                    "Most points are seen by two scenes. An error along the plane of their two rays goes into heights "
-                    "and leaves no residual: jitter along the track of a stereo pair shows here only in part."
+                    f"Most points are seen by two {noun}s. An error along the plane of their two rays goes into "
+                    "heights and leaves no residual: jitter along the track of a stereo pair shows here only in part."
                 ),
             )
         )
@@ -221,6 +288,9 @@ def _scene_parts(view: View, image: int, track: tuple[Index, Running, Running] |
     if track is not None:
         parts.append(Figures(figures=_track_figures(view, image, track)))
     if camera.model == "linescan":
+        drawn_over_time = correction_figures(view, camera)
+        parts += [Figures(figures=drawn_over_time)] if drawn_over_time else []
+    if camera.model == "linescan" and not is_strip(camera):
         jitter = _jitter(camera)
         parts += [jitter] if jitter is not None else []
     return parts

@@ -10,7 +10,7 @@ import numpy as np
 from raybundle.adjustment.result import InteriorResult, ObservationGroup
 from raybundle.numerics.arrays import Array, Index
 from raybundle.report.figures_series import line_figure
-from raybundle.report.numbers import NONE, counted, decimals_for, fixed, grouped, significant, unit_text, with_sigma
+from raybundle.report.numbers import NONE, counted, decimals_for, fixed, grouped, significant, with_sigma
 from raybundle.report.parts import (
     Figure,
     Figures,
@@ -25,6 +25,7 @@ from raybundle.report.parts import (
     text,
 )
 from raybundle.report.view import View, rms
+from raybundle.report.words import printed
 
 FEWEST = 3
 """Observed images from which there is a line to draw."""
@@ -144,7 +145,7 @@ def _carried_table(view: View, carried: list[InteriorResult]) -> Table:
         for p in r.parameters.values():
             if p.status == "held" and not p.value:
                 continue
-            factor, unit = _printed(view, p.unit)
+            factor, unit = printed(view, p.unit)
             shown = (
                 with_sigma(p.value * factor, p.std * factor) if p.std else (significant(p.value * factor, 4), "held")
             )
@@ -161,17 +162,6 @@ def _carried_table(view: View, carried: list[InteriorResult]) -> Table:
         "error of the attitude hides in the misalignment.",
         marked=marked,
     )  # fmt: skip
-
-
-def _printed(view: View, unit: str) -> tuple[float, str]:
-    """Factor and unit in print of a parameter's unit."""
-    if unit == "length":
-        return view.factor, view.unit
-    if unit == "length/s":
-        return view.factor, f"{view.unit}/s"
-    if unit == "rad":
-        return math.degrees(1), "°"
-    return 1.0, unit_text(unit)
 
 
 def _lines(view: View, groups: dict[str, ObservationGroup]) -> list[Line]:

@@ -11,7 +11,7 @@ import numpy as np
 from raybundle.adjustment.reliability import UNCONTROLLED
 from raybundle.adjustment.result import Notice, ObservationGroup
 from raybundle.numerics.arrays import Array, Mask
-from raybundle.report.numbers import counted, grouped, listed, significant
+from raybundle.report.numbers import counted, grouped, listed, significant, unit_text
 from raybundle.report.view import View, rms
 
 Grade = Literal["good", "remarks", "attention"]
@@ -46,6 +46,22 @@ def verdict(view: View) -> Verdict:
     ]
     grade = _grade(view)
     return Verdict(grade=grade, headline=_headline(view, grade), statements=tuple(s for s in statements if s[1]))
+
+
+def printed(view: View, unit: str) -> tuple[float, str]:
+    """Factor and unit in print of a parameter's unit: lengths as elsewhere in the report, angles in degrees."""
+    if unit == "length":
+        return view.factor, view.unit
+    if unit == "length/s":
+        return view.factor, f"{view.unit}/s"
+    if unit in {"rad", "rad/s"}:
+        return math.degrees(1), unit.replace("rad", "°")
+    return 1.0, unit_text(unit)
+
+
+def photographic(view: View) -> bool:
+    """Whether all images are photographs, with which classes of relative precision compare."""
+    return not any(c.is_scene for c in view.given.cameras)
 
 
 def _grade(view: View) -> Grade:
@@ -177,10 +193,8 @@ def _precision(view: View) -> str:
     )
     network = a.network
     if network is not None and math.isfinite(network.relative_precision):
-        text += (
-            f" Relative precision{_relative(network.relative_precision)} of the largest extent, class: "
-            f"{network.precision_class}."
-        )
+        text += f" Relative precision{_relative(network.relative_precision)} of the largest extent"
+        text += f", class: {network.precision_class}." if photographic(view) else "."
     return text
 
 

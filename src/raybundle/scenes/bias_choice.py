@@ -1,4 +1,7 @@
-"""Which bias an RPC needs, judged on control points: by significance, and by points that were left out."""
+"""Which bias an RPC needs, judged on control points: by significance, and by points that were left out.
+
+Points that contradict the others are set aside first and named; what remains has to pass a global test.
+"""
 
 from __future__ import annotations
 
@@ -6,13 +9,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, NotSolvable
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.geodesy import metres_per_geographic
 from raybundle.scenes.bias import BIAS_PARAMETERS, BiasKind, bias_design
+from raybundle.scenes.bias_blunders import SIGNIFICANCE, agreeing, misfit, solve_bias
 from raybundle.scenes.rpc import Rpc
 
-SIGNIFICANCE = 0.01
+LARGEST_MISFIT = 5.0
+"""Residuals larger than so many times the stated sigma are no fit: nothing should be built on it."""
 ENOUGH = 4
 """Redundancy from which the scatter of the residuals itself says what is significant; below, the stated sigma does."""
 
@@ -36,17 +41,36 @@ class BiasFit:
     """Weighted residuals."""
     redundancy: int
 
+    @property
+    def misfit(self) -> float:
+        """How many times the stated sigma the residuals are; 1 where the global test at 1 % finds no excess.
+
+        Standard deviations have to be multiplied by it.  1 without redundancy, too: then nothing was tested.
+        """
+        return misfit(self.square_sum, self.redundancy)
+
+    @property
+    def sigma(self) -> Array:
+        """(k,) standard deviations [px] of the values, enlarged by the misfit."""
+        return self.misfit * np.sqrt(np.diagonal(self.covariance))
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BiasAdvice:
-    """All models that the points allow, and the one to use."""
+    """All models that the points allow, and the one to use; from the points that do not contradict the others."""
 
     fits: tuple[BiasFit, ...]
     advised: BiasFit
     reason: str
+    sigma_px: float
+    """Stated, of an image coordinate."""
     prior_ratio: float | None
     """Length of the advised shift in the middle of the RPC over the sigma that the vendor states (ERR_BIAS);
     None without either.  Above 3 the points or the RPC deserve a second look."""
+    set_aside: tuple[int, ...]
+    """Rows of points that contradict the others and took no part, the worst first."""
+    set_aside_px: Array
+    """(len(set_aside), 2) measured - corrected projection of these points."""
 
 
 def choose_bias(
@@ -73,18 +97,47 @@ def choose_bias(
         covariance = covariance + J @ (np.asarray(sigma_ground_m)[:, :, None] ** 2 * np.eye(3)) @ np.swapaxes(J, 1, 2)
     uv = (projected - rpc.image_offset) / rpc.image_scale
     difference = xy_px - projected
-    fits = tuple(f for kind in BIAS_PARAMETERS if (f := _fit(kind, uv, difference, covariance)) is not None)
+    kept = agreeing(uv, difference, covariance)
+    fits = tuple(
+        f for kind in BIAS_PARAMETERS if (f := _fit(kind, uv[kept], difference[kept], covariance[kept])) is not None
+    )
     advised, reason = _advised(fits, sigma_px)
+    if aside := int((~kept).sum()):
+        reason += f"; {aside} of {len(kept)} points set aside"
     prior, ratio = rpc.bias_sigma_px(), None
     if prior is not None and advised.kind != "none":
         shift = advised.values[[s in {"A0", "B0"} for s in BIAS_PARAMETERS[advised.kind]]]
         ratio = float(np.sqrt(np.mean((shift / prior) ** 2)))
-    return BiasAdvice(fits=fits, advised=advised, reason=reason, prior_ratio=ratio)
+    aside = np.flatnonzero(~kept)
+    left = difference[aside] - bias_design(advised.kind, uv[aside]) @ advised.values
+    order = np.argsort(-np.hypot(*left.T), kind="stable")
+    return BiasAdvice(
+        fits=fits,
+        advised=advised,
+        reason=reason,
+        sigma_px=sigma_px,
+        prior_ratio=ratio,
+        set_aside=tuple(aside[order].tolist()),
+        set_aside_px=left[order],
+    )
+
+
+def check_fit(advice: BiasAdvice, fit: BiasFit) -> None:
+    """Raise NotSolvable where a fit leaves residuals so large that nothing should be built on it."""
+    if fit.misfit > LARGEST_MISFIT:
+        x, y = fit.rms
+        other = f"{advice.advised.kind} is advised; " if fit.kind != advice.advised.kind else ""
+        raise NotSolvable(
+            f"the points do not fit the RPC with bias {fit.kind}: residuals of rms {x:.3g}, {y:.3g} px are "
+            f"{fit.misfit:.3g} times their sigma (limit {LARGEST_MISFIT:g}, sigma {advice.sigma_px:g} px); "
+            f"{other}look whether points and scene belong together, whether heights are above the ellipsoid and pixels "
+            "count from the outer corner, or state a larger sigma if the points are measured no better"
+        )
 
 
 def _fit(kind: BiasKind, uv: Array, difference: Array, covariance: Array) -> BiasFit | None:
     """Weighted least squares; None where the points do not determine the model."""
-    solved = _solve(kind, uv, difference, covariance)
+    solved = solve_bias(kind, uv, difference, covariance)
     if solved is None:
         return None
     values, Q, square_sum = solved
@@ -92,7 +145,7 @@ def _fit(kind: BiasKind, uv: Array, difference: Array, covariance: Array) -> Bia
     left_out = np.full(difference.shape, np.nan)
     for i in range(len(uv)):
         others = np.arange(len(uv)) != i
-        part = _solve(kind, uv[others], difference[others], covariance[others])
+        part = solve_bias(kind, uv[others], difference[others], covariance[others])
         if part is not None and others.any():
             left_out[i] = difference[i] - bias_design(kind, uv[i : i + 1])[0] @ part[0]
     return BiasFit(
@@ -107,24 +160,10 @@ def _fit(kind: BiasKind, uv: Array, difference: Array, covariance: Array) -> Bia
     )
 
 
-def _solve(kind: BiasKind, uv: Array, difference: Array, covariance: Array) -> tuple[Array, Array, float] | None:
-    design = bias_design(kind, uv)
-    k = design.shape[2]
-    if 2 * len(uv) < k:
-        return None
-    P = np.linalg.inv(covariance)
-    N = np.einsum("nia,nij,njb->ab", design, P, design)
-    if k and (np.linalg.matrix_rank(design.reshape(-1, k)) < k or np.linalg.cond(N) > 1e12):
-        return None
-    values = np.linalg.solve(N, np.einsum("nia,nij,nj->a", design, P, difference)) if k else np.zeros(0)
-    v = difference - design @ values
-    return values, np.linalg.inv(N) if k else np.zeros((0, 0)), float(np.einsum("ni,nij,nj->", v, P, v))
-
-
 def _advised(fits: tuple[BiasFit, ...], sigma_px: float) -> tuple[BiasFit, str]:
     from scipy.stats import chi2, f  # noqa: PLC0415  (SciPy only where it is asked for)
 
-    chosen, reason = fits[0], f"none: the RPC agrees with the points within their sigma of {sigma_px:g} px"
+    chosen, reason = fits[0], ""
     for larger in fits[1:]:
         more = len(larger.values) - len(chosen.values)
         gain = chosen.square_sum - larger.square_sum
@@ -141,4 +180,14 @@ def _advised(fits: tuple[BiasFit, ...], sigma_px: float) -> tuple[BiasFit, str]:
                 reason += f", and points left out are predicted within {after:.3g} px (before: {before:.3g})"
             else:
                 reason += "; too few points to leave one out"
-    return chosen, reason
+    return chosen, reason or _why_none(chosen, len(fits), sigma_px)
+
+
+def _why_none(none: BiasFit, models: int, sigma_px: float) -> str:
+    if none.misfit > 1:
+        more = "no larger model fits better by more than chance" if models > 1 else "no larger model can be tried"
+        return (
+            f"none: {more}, but the points do not agree with the RPC: their residuals are {none.misfit:.3g} times "
+            f"their sigma of {sigma_px:g} px"
+        )
+    return f"none: the RPC agrees with the points within their sigma of {sigma_px:g} px"

@@ -144,8 +144,8 @@ class Rpc:
             more = f" (nor have {len(lost) - 1} more of {len(geographic)})" if len(lost) > 1 else ""
             raise NoConvergence(
                 f"the image point of line {y - 0.5:.2f}, sample {x - 0.5:.2f} (x {x:.2f}, y {y:.2f} px) has no ground "
-                f"point at height {geographic[k, 2]:g} m in this RPC{more}, which holds for {self._height_range()}; "
-                "give a height within this range"
+                f"point at height {geographic[k, 2]:g} m in this RPC{more}, which holds for "
+                f"{self.height_range_words()}; give a height within this range"
             )
         return geographic
 
@@ -184,11 +184,23 @@ class Rpc:
         beyond: Mask = np.abs(from_centre / self.ground_scale) > RANGE
         return np.logical_or.reduce(beyond, axis=1)
 
-    def check_near(self, geographic: Array, names: Sequence[str]) -> None:
-        """Raise InputError where points (n, 3) lie so far from the scene that the RPC says nothing of them."""
+    def heights_outside(self, geographic: Array) -> Mask:
+        """(n,) whether the height of a point lies outside those for which the polynomials were fitted."""
+        beyond: Mask = np.abs(_rows(geographic)[:, 2] - self.ground_offset[2]) > RANGE * self.ground_scale[2]
+        return beyond
+
+    def ranges_away(self, geographic: Array) -> Array:
+        """(n,) distance in plan from the middle of the scene, in units of half its range; beyond 5 there is no place.
+
+        The larger of that in longitude and that in latitude.
+        """
         from_centre = _rows(geographic) - self.ground_offset
         from_centre[:, 0] -= 360 * np.round(from_centre[:, 0] / 360)
-        far = np.abs(from_centre / self.ground_scale)[:, :2].max(axis=1, initial=0.0)
+        return np.abs(from_centre / self.ground_scale)[:, :2].max(axis=1, initial=0.0)
+
+    def check_near(self, geographic: Array, names: Sequence[str]) -> None:
+        """Raise InputError where points (n, 3) lie so far from the scene that the RPC says nothing of them."""
+        far = self.ranges_away(geographic)
         lost = np.flatnonzero(~(far < NO_PLACE))
         if not len(lost):
             return
@@ -209,7 +221,8 @@ class Rpc:
             )
         )
 
-    def _height_range(self) -> str:
+    def height_range_words(self) -> str:
+        """The heights for which the polynomials were fitted, in words."""
         low, high = self.ground_offset[2] + self.ground_scale[2] * np.array([-1, 1])
         return f"heights of {low:g} to {high:g} m"
 
@@ -259,7 +272,7 @@ class Rpc:
                 raise InputError(
                     f"RPC: the {which} denominator is {relative[k]:.2g} of its value at the centre (limit "
                     f"{LEAST_DENOMINATOR:g}) at longitude {lon:.6f}, latitude {lat:.6f}, height {h:.1f} m; it lies "
-                    f"far outside the scene ({self._height_range()}), or the RPC is damaged"
+                    f"far outside the scene ({self.height_range_words()}), or the RPC is damaged"
                 )
 
 

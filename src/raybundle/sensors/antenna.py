@@ -16,6 +16,7 @@ class Antenna(SensorModel, registered=False):
     """
 
     name = "antenna"
+    one_exposure = False
     has_images: ClassVar[bool] = False
     parameters = (
         Parameter("ax", "length", "lever arm to the right in the image"),

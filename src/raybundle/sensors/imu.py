@@ -18,6 +18,7 @@ class Imu(SensorModel, registered=False):
     """
 
     name = "imu"
+    one_exposure = False
     has_images: ClassVar[bool] = False
     parameters = (
         Parameter("bx", "rad", "misalignment about the image's x axis"),

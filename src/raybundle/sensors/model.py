@@ -67,6 +67,8 @@ class SensorModel:
     """False for what is adjusted like a camera but sees nothing: a GNSS antenna."""
     fixes_scale: ClassVar[bool] = False
     """Whether the model itself knows lengths in object space, as a satellite scene does."""
+    one_exposure: ClassVar[bool] = True
+    """Whether an image is taken at one instant from one place on a plane sensor: targets calibrate it."""
     local_width: ClassVar[int] = 0
     """Parameters that one image point touches, where they are few of many (see `local`); 0: it may touch all."""
 

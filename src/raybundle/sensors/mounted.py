@@ -22,6 +22,7 @@ class BrownMounted(SensorModel):
     """
 
     name = "brown_mounted"
+    one_exposure = False
     parameters = (
         *Brown.parameters,
         Parameter("bx", "length", "offset of the projection centre, x of the rig", typical=0.11),

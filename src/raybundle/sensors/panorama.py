@@ -20,6 +20,7 @@ class Panorama(SensorModel):
     """
 
     name = "panorama"
+    one_exposure = False
     parameters = (
         Parameter("c", "mm", "camera constant", 50.0, kind="scale"),
         Parameter("y0", "mm", "principal point on the line", typical=0.1, kind="principal point"),

@@ -26,6 +26,7 @@ class Pushbroom(SensorModel):
     """
 
     name = "pushbroom"
+    one_exposure = False
     parameters = (
         Parameter("c", "mm", "camera constant", 50.0, kind="scale"),
         Parameter("x0", "mm", "principal point on the line", typical=0.05, kind="principal point"),

@@ -17,6 +17,7 @@ class BrownRolling(SensorModel):
     """
 
     name = "brown_rolling"
+    one_exposure = False
     parameters = (
         *Brown.parameters,
         Parameter("r", "s/mm", "read-out time over height of the format", typical=1.5e-3),

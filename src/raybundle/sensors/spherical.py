@@ -17,6 +17,7 @@ class Spherical(SensorModel):
     """
 
     name = "spherical"
+    one_exposure = False
     parameters = (
         Parameter("c", "mm", "radius of the sphere", 50.0, kind="scale"),
         Parameter("y0", "mm", "image of the horizon", typical=0.1, kind="principal point"),

@@ -144,7 +144,8 @@ def read_table(
 ) -> RingFamily:
     """A family of one's own from a text file: one target a line, its id and its code in decimal.
 
-    Separated by blanks, commas or semicolons; `#` begins a comment.  Any reading of a ring will do for its code.
+    Separated by blanks, commas or semicolons; `#` begins a comment.  A first line may name the columns, id and code, in
+    either order.  Any reading of a ring will do for its code.
     Raises InputError with the line where a row cannot be used: no numbers, an id given twice, a ring given twice.
     """
     if not 3 <= bits <= MOST_BITS:
@@ -155,13 +156,20 @@ def read_table(
         raise InputError("cannot be read as a table of target codes", file=path) from error
     table: dict[int, int] = {}
     seen: dict[int, int] = {}
+    columns = ["id", "code"]
+    header = True
     for number, row in enumerate(text.splitlines(), start=1):
         words = row.partition("#")[0].replace(",", " ").replace(";", " ").split()
         if not words:
             continue
+        if header and sorted(w.strip('"').lower() for w in words) == sorted(columns):
+            columns = [w.strip('"').lower() for w in words]
+            header = False
+            continue
+        header = False
         if len(words) != 2 or not all(w.isdecimal() for w in words):
             raise InputError(f"expected an id and a code, two whole numbers; found {row!r}", file=path, line=number)
-        id_, code = int(words[0]), int(words[1])
+        id_, code = (int(words[columns.index(c)]) for c in ("id", "code"))
         if not 0 < code < 1 << bits:
             raise InputError(f"code {code} does not lie between 1 and {(1 << bits) - 1}", file=path, line=number)
         code = int(canonical(np.array([code]), bits)[0])
@@ -171,13 +179,18 @@ def read_table(
         table[id_], seen[code] = code, id_
     if not table:
         raise InputError("holds no target", file=path)
+    if not 1.2 <= ring[0] < ring[1]:
+        raise InputError(f"a ring from {ring[0]} to {ring[1]} radii of the dot leaves no gap to the dot", file=path)
+    return own_family(name or path.stem, f"rings of {bits} bits by the table {path.name}", bits, ring, table)
+
+
+def own_family(name: str, title: str, bits: int, ring: tuple[float, float], table: Mapping[int, int]) -> RingFamily:
+    """A family of one's own by codes of ids, each the least reading of its ring."""
     inner, outer = ring
-    if not 1.2 <= inner < outer:
-        raise InputError(f"a ring from {inner} to {outer} radii of the dot leaves no gap to the dot", file=path)
     quarter = (outer - inner) / 4
     return RingFamily(
-        name=name or path.stem,
-        title=f"rings of {bits} bits by the table {path.name}",
+        name=name,
+        title=title,
         bits=bits,
         ring=ring,
         ground=outer + (inner - 1),

@@ -11,7 +11,7 @@ from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.targets.centre import DotOptions, fit_dots
 from raybundle.targets.codes import RingFamily, rotations
-from raybundle.targets.pattern import pattern_misfit
+from raybundle.targets.pattern import pattern_misfit, settled_misfit
 from raybundle.targets.rings import Edges, circle, find_edges, frame, read_rings, rough_gate, sample
 
 Polarity = Literal["light", "dark", "both"]
@@ -19,6 +19,16 @@ LEAST_RADIUS, LEAST_MAJOR = 2.3, 2.9
 """Least mean radius and least semi-major axis of a dot [px]: texture is full of smaller ones."""
 GROUND_PX = 14.0
 """Ground around a dot that is used where there is so much: it tells the slope of the light [px]."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Gate:
+    """How much grey values may differ from those of the target drawn, in units of the contrast."""
+
+    pattern: float
+    """largest standard deviation of a grey value"""
+    sector: float
+    """largest mean departure of a sector"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -41,15 +51,12 @@ class DetectionOptions:
     """least margin of the sectors where something lies on a target"""
     residual: float = 0.08
     """largest standard deviation of a grey value in the fit of the dot, in units of the contrast"""
-    pattern: float = 0.10
-    """largest standard deviation of a grey value from the whole of a small target drawn, in units of the contrast"""
-    loose: float = 0.22
-    """the same for targets that are not small: rings may be worn, unevenly lit or bent by perspective"""
-    sector: float = 0.13
-    """largest mean departure of a sector from the target drawn, in units of the contrast: of whole rings below 0.1; a
-    grey thing that covers two sectors and makes another number of them leaves more"""
-    sector_small: float = 0.10
-    """the same for targets that are small"""
+    small_gates: tuple[Gate, ...] = (Gate(pattern=0.10, sector=0.10),)
+    """of targets that are small"""
+    large_gates: tuple[Gate, ...] = (Gate(pattern=0.22, sector=0.13), Gate(pattern=0.10, sector=0.06))
+    """of others: as they were read, since rings may be worn, unevenly lit or bent by perspective; and where that is
+    not enough, moved to where the grey values want them.  A grey thing that covers two sectors and makes another
+    number of them leaves more"""
     small: float = 6.0
     """mean radius of the dot below which a target is small: its sectors, blurred as they are, need only a third of
     `margin`, but the whole must look like the target drawn [px]"""
@@ -236,6 +243,17 @@ def _distinct(edges: Edges, badness: Array) -> Index:
     return np.sort(np.array(kept, np.int64))
 
 
+def _as_drawn(
+    image: Array, values: Array, code: int, begin: float, family: RingFamily, gates: tuple[Gate, ...]
+) -> bool:
+    """Whether a target looks like the one that was read: as it was read, or moved to where the grey values want it."""
+    return any(
+        misfit < gate.pattern and sector < gate.sector
+        for gate, drawn in zip(gates, (pattern_misfit, settled_misfit), strict=False)
+        for misfit, sector in [drawn(image, values, code, begin, family)]
+    )
+
+
 def clean_ground(image: Array, edges: Edges, farthest: float = 4.2) -> Array:
     """Radii (n,) to which the ground around dots is even; at most `farthest`."""
     rho = np.arange(1.3, farthest + 0.01, 0.1)
@@ -287,11 +305,9 @@ def _measure(image: Array, found: Found, family: RingFamily | None, o: Detection
     good = dots.measured & (residual < o.residual) & (np.sign(contrast) == np.sign(e.contrast))
     if family is not None:
         small = _radius(e.ellipse) < o.small
-        limit, most = np.where(small, o.pattern, o.loose), np.where(small, o.sector_small, o.sector)
         for i in np.flatnonzero(good & coded):
             ring = int(found.code[chosen[i]]), float(found.begin[chosen[i]])
-            misfit, sector = pattern_misfit(image, dots.values[i], *ring, family)
-            good[i] = misfit < limit[i] and sector < most[i]
+            good[i] = _as_drawn(image, dots.values[i], *ring, family, o.small_gates if small[i] else o.large_gates)
     begin = np.einsum(
         "nij,nj->ni", frame(e.ellipse), np.stack([np.cos(found.begin[chosen]), -np.sin(found.begin[chosen])], axis=1)
     )

@@ -107,6 +107,8 @@ class Sheet:
     ring_radii_mm: tuple[float, ...] = ()
     spacing_mm: float = math.nan
     """of a board; side of square tags"""
+    bits: int = 0
+    """sectors of rings by a table of one's own, whose codes must go with the sheet; 0: the family's name says all"""
     pages: tuple[Page, ...]
     """as designed, before they are cut into tiles"""
     printed: tuple[Page, ...] = field(default=())
@@ -156,6 +158,7 @@ def design(family: RingFamily, ids: Index, options: SheetOptions) -> Sheet:
     return Sheet(
         family=family.name, title=family.title, options=o, dot_radius_mm=o.dot_radius_mm,
         ring_radii_mm=(family.ring[0] * o.dot_radius_mm, family.ring[1] * o.dot_radius_mm),
+        bits=0 if family.rule is not None else family.bits,
         pages=tuple(pages), printed=printed(pages, o.tile),
     )  # fmt: skip
 

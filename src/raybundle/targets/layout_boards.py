@@ -10,6 +10,7 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
+from raybundle.targets.kinds import photomodeler
 from raybundle.targets.kinds.charuco import Charuco
 from raybundle.targets.kinds.chessboard import Chessboard
 from raybundle.targets.kinds.circles import Circles
@@ -34,6 +35,8 @@ from raybundle.targets.layout import (
 from raybundle.targets.marks import Target
 
 Shape = Disc | Outline | Words
+GROUND = 2.2
+"""Dark ground around light dots, in radii of the dots."""
 
 
 def design_board(target: Target, spacing_mm: float, options: SheetOptions) -> Sheet:
@@ -68,7 +71,7 @@ def design_board(target: Target, spacing_mm: float, options: SheetOptions) -> Sh
     )  # fmt: skip
     return Sheet(
         family=target.family, title=target.title, options=options, spacing_mm=spacing_mm, pages=(page,),
-        dot_radius_mm=options.dot_radius_mm if isinstance(target, Circles) else math.nan,
+        dot_radius_mm=options.dot_radius_mm if isinstance(target, Circles | photomodeler.Sheet) else math.nan,
         printed=printed((page,), options.tile),
     )  # fmt: skip
 
@@ -117,6 +120,47 @@ def design_tags(target: Tags, ids: Sequence[int], side_mm: float, options: Sheet
     )  # fmt: skip
 
 
+def design_dots(spacing_mm: float, count: int | None, options: SheetOptions) -> Sheet:
+    """Dots without a code in rows and columns on one page; raises InputError where they do not fit.
+
+    count  of dots, by rows from the upper left one; None: as many as there is room for
+    """
+    o = options
+    width, height = paper_size(o.paper, o.orientation)
+    dark = o.polarity == "dark"
+    edge = (GROUND if not dark else 1.3) * o.dot_radius_mm
+    room = np.array([width - 2 * MARGIN, height - 2 * MARGIN - FOOT]) - 2 * edge
+    if not 0 < 2.6 * o.dot_radius_mm < spacing_mm:
+        raise InputError(
+            f"dots of {o.dot_radius_mm:g} mm radius are too large for a spacing of {spacing_mm:g} mm: "
+            f"{spacing_mm / 2.6:.1f} mm at most (--dot-radius), so that ground is left between them"
+        )
+    columns, rows = (1 + int(r // spacing_mm) if r >= 0 else 0 for r in room)
+    most = columns * rows
+    if most < 1 or (count or 1) > most:
+        raise InputError(
+            f"{o.paper} has room for {most} dots at a spacing of {spacing_mm:g} mm, {count or 1} are wanted: take a "
+            "smaller spacing or a larger paper"
+        )
+    place = [divmod(k, columns) for k in range(count or most)]
+    left = width / 2 - (columns - 1) / 2 * spacing_mm
+    top = height - MARGIN - edge
+    at = [(f"r{r}c{c}", left + c * spacing_mm, top - r * spacing_mm) for r, c in place]
+    shapes: list[Shape] = []
+    if not dark:
+        low, high = np.min([a[1:] for a in at], axis=0) - edge, np.max([a[1:] for a in at], axis=0) + edge
+        shapes.append(box(*low, *(high - low)))
+    shapes += [Disc(x=x, y=y, radius=o.dot_radius_mm, black=dark) for _, x, y in at]
+    bar = bar_length(width)
+    shapes += foot(width, bar, f"dots without a code, radius {o.dot_radius_mm:g} mm; print at 100 %")
+    points = tuple(Placed(name=n, code=-1, x_mm=float(x), y_mm=float(y)) for n, x, y in at)
+    page = Page(width=width, height=height, shapes=tuple(shapes), targets=points, bar_mm=bar)
+    return Sheet(
+        family="dots", title="dots without a code", options=o, spacing_mm=spacing_mm, dot_radius_mm=o.dot_radius_mm,
+        pages=(page,), printed=printed((page,), o.tile),
+    )  # fmt: skip
+
+
 def _dark(options: SheetOptions) -> None:
     if options.polarity != "dark":
         raise InputError("boards and square tags are printed dark on light: leave out --polarity light")
@@ -140,7 +184,30 @@ def _drawn(target: Target, spacing: float, o: SheetOptions) -> tuple[Array, Arra
             )
         discs: list[Shape] = [Disc(x=x + 0.5, y=y + 0.5, radius=o.dot_radius_mm / spacing) for x, y in places]
         return places.max(axis=0) + 1, np.array([0.5, 0.5]), discs
+    if isinstance(target, photomodeler.Sheet):
+        return _photomodeler(target, spacing, o)
     raise InputError(f"{target.family} cannot be printed from here; boards, tags and rings can")
+
+
+def _photomodeler(target: photomodeler.Sheet, spacing: float, o: SheetOptions) -> tuple[Array, Array, list[Shape]]:
+    """Dots, and four of them within arcs, which take the room to the next dots."""
+    radius = o.dot_radius_mm / spacing
+    inner, outer = photomodeler.RING
+    if not 0 < radius * (outer + 1.6) <= 1:
+        raise InputError(
+            f"dots of {o.dot_radius_mm:g} mm radius are too large for {target.title} at a spacing of {spacing:g} mm, "
+            f"since rings of {outer:g} radii stand around four of them: give --dot-radius, "
+            f"{np.floor(10 * spacing / (outer + 1.6)) / 10:g}mm at most"
+        )
+    shapes: list[Shape] = [Disc(x=p[0] + 0.5, y=0.5 - p[1], radius=radius) for p in target.objects.values()]
+    for count, (column, row) in photomodeler.CONTROL.items():
+        width = 2 * np.pi * photomodeler.FILLED[count] / count
+        for k in range(count):
+            t = 2 * np.pi * k / count + np.linspace(0, width, 60)
+            u = np.stack([np.cos(t), np.sin(t)], axis=1)
+            arc = radius * np.concatenate([outer * u, inner * u[::-1]])
+            shapes.append(Outline(xy=np.array([column, row]) + 0.5 + arc))
+    return np.array([photomodeler.SIDE, photomodeler.SIDE]), np.array([0.5, 0.5]), shapes
 
 
 def _charuco(target: Charuco) -> list[Shape]:

@@ -134,8 +134,10 @@ def forms() -> list[str]:
     return [kinds[k].form for k in sorted(kinds)]
 
 
-def target(family: str) -> Target:
-    """The target that a family name stands for; raises InputError."""
+def target(family: str | Target) -> Target:
+    """The target that a family name stands for, or the target itself; raises InputError."""
+    if not isinstance(family, str):
+        return family
     _load()
     name = family.strip().lower()
     for kind in kinds.values():
@@ -151,8 +153,7 @@ def detect(image: Array, family: str | Target, options: MarkOptions | None = Non
         raise InputError(
             f"targets are sought in grey images of 8 or 16 bits, not in {image.dtype} of shape {image.shape}"
         )
-    wanted = target(family) if isinstance(family, str) else family
-    return wanted.find(image, options or MarkOptions())
+    return target(family).find(image, options or MarkOptions())
 
 
 def no_ellipses(n: int) -> Array:

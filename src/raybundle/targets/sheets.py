@@ -16,7 +16,8 @@ POINT = 72 / 25.4
 def write_sheet(sheet: Sheet, path: Path) -> tuple[Path, ...]:
     """Write FILE.pdf, or FILE.svg (FILE-2.svg and so on for further pages), and FILE.toml; returns what was written.
 
-    Raises InputError for another ending, where nothing can be written, or where reportlab is missing for a PDF.
+    Raises InputError for another ending, where nothing can be written, where reportlab is missing for a PDF, or where
+    FILE.toml describes another sheet; nothing is written then.
     """
     kind = path.suffix.lower()
     if kind not in {".pdf", ".svg"}:
@@ -30,7 +31,14 @@ def write_sheet(sheet: Sheet, path: Path) -> tuple[Path, ...]:
         for k, page in enumerate(sheet.printed, start=1):
             name = path if k == 1 else path.with_name(f"{path.stem}-{k}{path.suffix}")
             files[name] = svg(page).encode()
-    files[path.with_suffix(".toml")] = sidecar(sheet).encode()
+    beside = path.with_suffix(".toml")
+    files[beside] = sidecar(sheet).encode()
+    if beside.exists() and beside.read_bytes() != files[beside]:
+        raise InputError(
+            "belongs to another sheet and is not overwritten, since who photographs that sheet needs it; choose "
+            f"another name than {path.name} for this one, or remove both files of the other",
+            file=beside,
+        )
     for name, content in files.items():
         try:
             name.write_bytes(content)

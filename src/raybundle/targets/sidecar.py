@@ -14,6 +14,7 @@
       { name = "3", code = 21, x_mm = 32.0, y_mm = 250.0 },
     ]
 
+Rings by a table of one's own have `bits`, too, and are read back by the codes of the sheet's targets.
 A board has `spacing_mm` in place of rings, and its points in place of targets; for square tags that is their side, and
 their corners are listed.
 """
@@ -26,8 +27,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, cast
 
+import numpy as np
+
 from raybundle.errors import InputError
+from raybundle.targets.codes import MOST_BITS, RingFamily, canonical, own_family
+from raybundle.targets.kinds.rings import Rings
 from raybundle.targets.layout import Sheet
+from raybundle.targets.marks import Target, target
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -55,6 +61,13 @@ class PrintedSheet:
     bar_mm: float
     """length of the scale bar; 0 without"""
     targets: tuple[PrintedTarget, ...]
+    rings: RingFamily | None = None
+    """rings by a table of one's own: those of the sheet"""
+
+    @property
+    def target(self) -> Target:
+        """What was printed; raises InputError for a family that is not known."""
+        return target(self.family) if self.rings is None else Rings(rings=self.rings)
 
     def scaled(self, factor: float) -> PrintedSheet:
         """As printed: `factor` is the measured length of the scale bar over `bar_mm`; raises InputError beyond 5 %."""
@@ -63,7 +76,7 @@ class PrintedSheet:
                 f"the print would be {factor:.3f} times its design, which no printer is: measure the scale bar again"
             )
         return PrintedSheet(
-            family=self.family, polarity=self.polarity, dot_radius_mm=self.dot_radius_mm * factor,
+            family=self.family, polarity=self.polarity, rings=self.rings, dot_radius_mm=self.dot_radius_mm * factor,
             spacing_mm=self.spacing_mm * factor, bar_mm=self.bar_mm * factor,
             targets=tuple(
                 PrintedTarget(name=t.name, page=t.page, x_mm=t.x_mm * factor, y_mm=t.y_mm * factor)
@@ -85,6 +98,8 @@ def sidecar(sheet: Sheet) -> str:
         lines.append(f"dot_radius_mm = {_number(sheet.dot_radius_mm)}")
     if sheet.ring_radii_mm:
         lines.append(f"ring_radii_mm = [{', '.join(map(_number, sheet.ring_radii_mm))}]")
+    if sheet.bits:
+        lines.append(f"bits = {sheet.bits}")
     if not math.isnan(sheet.spacing_mm):
         lines.append(f"spacing_mm = {_number(sheet.spacing_mm)}")
     for p in sheet.pages:
@@ -121,6 +136,7 @@ def read_sidecar(path: Path) -> PrintedSheet:
     if not isinstance(top.get("family"), str) or not isinstance(pages, list):
         raise InputError("is not the file beside a sheet of targets: no family, or no [[pages]]", file=path)
     targets: list[PrintedTarget] = []
+    codes: dict[str, Any] = {}
     bar = 0.0
     for number, page in enumerate(cast("list[Any]", pages), start=1):
         where = f"page {number}"
@@ -131,6 +147,7 @@ def read_sidecar(path: Path) -> PrintedSheet:
             what = f"{where}, target {k}"
             if not isinstance(entry, dict) or not isinstance(entry.get("name"), str):
                 raise InputError(f"{what} has no name", file=path)
+            codes[cast("str", entry["name"])] = entry.get("code")
             targets.append(
                 PrintedTarget(
                     name=cast("str", entry["name"]), page=number, x_mm=_length(entry, "x_mm", what, path),
@@ -148,7 +165,34 @@ def read_sidecar(path: Path) -> PrintedSheet:
         spacing_mm=_length(top, "spacing_mm", "the sheet", path, math.nan),
         bar_mm=bar,
         targets=tuple(targets),
+        rings=_own_rings(top, codes, path),
     )
+
+
+def _own_rings(top: dict[str, Any], codes: dict[str, Any], path: Path) -> RingFamily | None:
+    """The rings of a sheet that says their number of sectors."""
+    bits: Any = top.get("bits")
+    if bits is None:
+        return None
+    if isinstance(bits, bool) or not isinstance(bits, int) or not 3 <= bits <= MOST_BITS:
+        raise InputError(f"bits is to be a number of sectors, 3 to {MOST_BITS}; found {bits!r}", file=path)
+    radius, radii = _length(top, "dot_radius_mm", "the sheet", path), top.get("ring_radii_mm")
+    if not isinstance(radii, list) or not all(isinstance(r, int | float) for r in cast("list[Any]", radii)):
+        raise InputError(f"ring_radii_mm is to be two lengths in mm, found {radii!r}", file=path)
+    ring = [float(r) / radius for r in cast("list[float]", radii)] if radius > 0 else []
+    if len(ring) != 2 or not 1.2 <= ring[0] < ring[1]:
+        raise InputError(f"rings of {radii!r} mm do not go with a dot of {radius:g} mm radius", file=path)
+    table: dict[int, int] = {}
+    for name, code in codes.items():
+        if not name.isdecimal() or isinstance(code, bool) or not isinstance(code, int) or not 0 < code < 1 << bits:
+            raise InputError(
+                f"target {name}: its code is to lie between 1 and {(1 << bits) - 1}, found {code!r}", file=path
+            )
+        table[int(name)] = int(canonical(np.array([code]), bits)[0])
+    if len(set(table.values())) < len(table):
+        raise InputError("two targets have the same ring", file=path)
+    family = cast("str", top["family"])
+    return own_family(family, f"rings of {bits} bits by {path.name}", bits, (ring[0], ring[1]), table)
 
 
 def _length(table: Any, key: str, where: str, path: Path, default: float | None = None) -> float:

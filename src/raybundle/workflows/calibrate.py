@@ -67,8 +67,8 @@ SIGNIFICANT = 2.6
 class CalibrateOptions:
     """How cameras are calibrated.  The defaults need no change."""
 
-    targets: tuple[str, ...] = ()
-    """families of what was photographed, as "aicon14" or "chessboard-9x6"; (): found out"""
+    targets: tuple[str | Target, ...] = ()
+    """families of what was photographed, as "aicon14" or "chessboard-9x6", or targets of one's own; (): found out"""
     sheet: PrintedSheet | None = None
     """the sheet that was photographed, by the file beside it: its family, and where its targets are, as a start"""
     separate: tuple[str, ...] = ()
@@ -136,14 +136,13 @@ def calibrate(
     """
     options = options or CalibrateOptions()
     clock = _Clock()
-    if options.model not in {"auto", *sensor_models}:
-        raise InputError(f"unknown sensor model {options.model!r}; known: auto, {', '.join(sorted(sensor_models))}")
-    targets = tuple(target(name) for name in options.targets)
+    _check_model(options.model)
+    targets = tuple(target(given) if isinstance(given, str) else given for given in options.targets)
     found = find_photos(inputs, progress=progress)
     _enough(found, inputs)
     photos = found.photos
     if options.sheet is not None:
-        targets = (target(options.sheet.family),)
+        targets = (options.sheet.target,)
     elif not targets:
         targets = recognised(photos, progress)
     if not targets:
@@ -206,6 +205,18 @@ def calibrate(
         radius=scale,
         seconds=clock.seconds,
     )
+
+
+def _check_model(name: str) -> None:
+    """Raise InputError for what is not the interior orientation of a camera with a plane sensor."""
+    known = f"known: auto, {', '.join(sorted(n for n, m in sensor_models.items() if m.one_exposure))}"
+    if name != "auto" and name not in sensor_models:
+        raise InputError(f"unknown sensor model {name!r}; {known}")
+    if name != "auto" and not sensor_models[name].one_exposure:
+        raise InputError(
+            f"the sensor model {name} cannot be calibrated from photographs of targets: it is not that of a camera "
+            f"that sees all at one instant from one place; {known}. Blocks that use {name} are for `raybundle adjust`"
+        )
 
 
 class _Clock:

@@ -19,6 +19,7 @@ from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.transform import similarity
 from raybundle.orientation.onto_rays import KnownRays, onto_rays
 from raybundle.orientation.rays import object_rays, rays_of
+from raybundle.workflows.attitudes import observe_attitudes
 from raybundle.workflows.marks import (
     Given,
     Placing,
@@ -88,6 +89,8 @@ def georeference(
         _refuse_little_control(state, control, given, placed=fixed)
     if fixed and positions is not None and len(positions):
         observe(state, positions, given)
+    if fixed and frame is not None:
+        observe_attitudes(state, photos, given, frame)
     if not fixed:
         drop_single_marks(state)
         _fix_by_bars(state, free)

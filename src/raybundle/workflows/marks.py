@@ -16,6 +16,7 @@ from raybundle.errors import InputError
 from raybundle.io.control_files import DEFAULTS, ControlDefaults, ControlFile
 from raybundle.io.coordinate_systems import LocalFrame
 from raybundle.io.photos.photo import Photo
+from raybundle.io.trajectories import PhotoAttitudes
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.orientation.rays import intersect_linear, object_rays, rays_of
 
@@ -49,6 +50,10 @@ class Given:
     lever_arm: tuple[tuple[float, float, float], float] | None = None
     """from the projection centre to the antenna, to the right, upwards in the image and backwards, and the standard
     deviation of each; 0: held"""
+    attitudes: PhotoAttitudes | None = None
+    """what an INS or a gimbal tells of the photographs' attitudes"""
+    misalignment: bool = True
+    """a misalignment of each camera against its attitudes is estimated"""
     defaults: ControlDefaults = DEFAULTS
     sigma_given: bool = False
     """the standard deviations in `defaults` are known, not assumed"""

@@ -8,8 +8,11 @@ from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Literal
 
-from raybundle.adjustment.result import Adjustment
+import numpy as np
+
+from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Camera
+from raybundle.block.relative import relative_control
 from raybundle.errors import InputError
 from raybundle.io.coordinate_systems import LocalFrame
 from raybundle.io.photos.cameras import CameraGroup
@@ -20,11 +23,13 @@ from raybundle.matching.features import FeatureMethod, feature_method
 from raybundle.matching.verify import VerifiedPair
 from raybundle.numerics.progress import Progress, silent
 from raybundle.scenes.bias import BiasKind
+from raybundle.workflows.attitudes import Convention, find_attitudes
 from raybundle.workflows.final import adjusted_part, final_adjustment, left_out
 from raybundle.workflows.georeference import Georeferenced, accuracy
 from raybundle.workflows.marks import Given
 from raybundle.workflows.parts import Part, apart_notice, place_parts
 from raybundle.workflows.photo_run import PhotoRun
+from raybundle.workflows.positions import GPS_M, flight_lines, without_idle
 from raybundle.workflows.scene_images import FoundScenes, SceneImage, find_scenes
 from raybundle.workflows.scene_run import SceneRun
 from raybundle.workflows.scene_ties import ScenePair
@@ -59,7 +64,14 @@ class OrientOptions:
     scene_bias: BiasKind = "shift"
     """what is estimated of a satellite scene's RPC: none, shift, drift, affine"""
     crs: str | None = None
-    """coordinate system of control files that name none, where there are scenes"""
+    """coordinate system of positions in a grid and, where there are scenes, of control files that name none"""
+    attitudes: Convention = "auto"
+    """attitudes that are observed, by their convention; auto: what there is with standard deviations"""
+    attitude_sigma_deg: tuple[float, float] | None = None
+    """about level axes and about the vertical, of attitudes that state none; also asks for those of the gimbal"""
+    relative: Literal["", "shift", "drift"] = ""
+    """relative aerial control: positions and attitudes of a flight line count by their differences alone, or also after
+    a drift; "": they count as they are"""
     redo_from: Literal["", "photographs", "features", "matching", "start", "precision", "adjustment", "report"] = ""
     """stage from which on everything is done again"""
 
@@ -158,7 +170,8 @@ def orient(
     given = given or Given()
     project = Project.open(folder)
     try:
-        found, scenes_found, refused = _search(project, inputs, positions, progress)
+        found, scenes_found, refused = _search(project, inputs, positions, options.crs, progress)
+        given, told = _with_attitudes(found.photos, positions, given, options)
         _forget(project, options)
         photographs = PhotoRun(found.photos, jobs, progress, refused)
         scenes = SceneRun.of(scenes_found, options.scene_bias, options.crs) if scenes_found.scenes else None
@@ -167,7 +180,7 @@ def orient(
         _check_number(inputs, photographs.photos, 0 if scenes is None else len(scenes.images), refused)
         photographs.cameras(calibration, options.separate, options.library)
         _ties(project, photographs, scenes, given, options, method)
-        remarks = (*found.remarks, *scenes_found.remarks)
+        remarks = (*found.remarks, *told, *scenes_found.remarks)
         with project.stage("adjustment") as stage:
             blocks, photos = photographs.blocks, photographs.photos
             if scenes is None:
@@ -175,10 +188,46 @@ def orient(
             else:
                 assert photographs.store is not None
                 placed, apart = scenes.place(blocks, photos, given, photographs.store, method)
+            placed = _relative(placed, photos, options.relative)
             adjustment, parts = _adjusted(stage, placed, apart, photographs.groups, jobs, progress, remarks)
         return _orientation(project, photographs, scenes, adjustment, parts, placed.frame, remarks)
     finally:
         project.close()
+
+
+def _with_attitudes(
+    photos: Sequence[Photo], positions: Trajectory | None, given: Given, options: OrientOptions
+) -> tuple[Given, tuple[str, ...]]:
+    """What is known of object space with the attitudes of the photographs, and remarks."""
+    found, told = find_attitudes(
+        photos, positions, use=options.attitudes, sigma_deg=options.attitude_sigma_deg, crs=options.crs
+    )
+    return replace(given, attitudes=found), told
+
+
+def _relative(placed: Georeferenced, photos: Sequence[Photo], kind: Literal["", "shift", "drift"]) -> Georeferenced:
+    """Observed positions and attitudes as relative aerial control of the flight lines, where that is asked for."""
+    if not kind or not len(placed.block.stations):
+        return placed
+    of_name = dict(zip([p.name for p in photos], flight_lines(photos).tolist(), strict=True))
+    line = np.array([of_name.get(name, -1) for name in placed.block.images.ids], np.int32)
+    known = np.asarray(placed.block.points.is_control.any(axis=0), bool)
+    place = tuple(np.where(known, np.nan, GPS_M).tolist())
+    block = without_idle(relative_control(placed.block, line, drift=kind == "drift", shift_sigma=place))
+    lines = len(np.unique(line[block.stations.image]))
+    left = len(placed.block.stations) - len(block.stations)
+    told = (
+        f"relative aerial control: the positions of {len(block.stations)} photographs on {lines} flight lines are used "
+    )
+    told += "by their differences" + (", after a drift of each line" if kind == "drift" else "")
+    told += f"; {left} on no line are left out" if left else ""
+    if not known.all():
+        axes = ", ".join(a for a, k in zip("XYZ", known, strict=True) if not k)
+        told += (
+            f". No control tells the place in {axes}: there the shift of a line is taken to be good to {GPS_M[0]:g} m "
+        )
+        told += f"in plan and {GPS_M[2]:g} m in height"
+    return replace(placed, block=block, notices=(*placed.notices, Notice(code="relative_control", message=told)))
 
 
 def _features(
@@ -239,14 +288,14 @@ def _orientation(
 
 
 def _search(
-    project: Project, inputs: Sequence[Path], positions: Trajectory | None, progress: Progress
+    project: Project, inputs: Sequence[Path], positions: Trajectory | None, crs: str | None, progress: Progress
 ) -> tuple[Found, FoundScenes, list[tuple[str, str]]]:
     """The photographs and scenes among the inputs, and photographs that are refused with the reason."""
     with project.stage("photographs") as stage:
         scenes = find_scenes(inputs)
         found = find_photos(inputs, leave=scenes.files, progress=progress)
         if positions is not None:
-            placed, told = with_positions(found.photos, positions)
+            placed, told = with_positions(found.photos, positions, crs)
             found = replace(found, photos=placed, remarks=(*found.remarks, *told))
         refused = [(p.name, r) for p, r in found.refused]
         _check_number(inputs, found.photos, len(scenes.scenes), [*refused, *scenes.refused])

@@ -10,6 +10,7 @@ import numpy as np
 
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Block, Distances, Role, Stations
+from raybundle.block.block import Attitudes
 from raybundle.block.select import with_rows
 from raybundle.errors import InputError, NoOrientation
 from raybundle.io.photos.photo import Photo
@@ -142,7 +143,7 @@ def merged(blocks: Sequence[Block]) -> Block:
         point.append(number[o.point])
         xy.append(o.xy_px)
         cov.append(o.cov_px2)
-    s = [b.stations for b in blocks]
+    s, a = [b.stations for b in blocks], [b.attitudes for b in blocks]
     return replace(
         base,
         images=replace(base.images, centre=centre, rotation=rotation),
@@ -161,16 +162,22 @@ def merged(blocks: Sequence[Block]) -> Block:
             image=np.concatenate([x.image for x in s]).astype(np.int32),
             xyz=np.vstack([x.xyz for x in s]),
             sigma=np.vstack([x.sigma for x in s]),
-            antenna=_antennas(s),
+            antenna=_carriers(s, [x.antenna for x in s]),
+        ),
+        attitudes=Attitudes(
+            image=np.concatenate([x.image for x in a]).astype(np.int32),
+            angles=np.vstack([x.angles for x in a]),
+            sigma=np.vstack([x.sigma for x in a]),
+            imu=_carriers(a, [x.imu for x in a]),
         ),
     )
 
 
-def _antennas(stations: Sequence[Stations]) -> Index | None:
-    """Antennas of the parts' positions one after the other; all parts number them alike."""
-    if all(s.antenna is None for s in stations):
+def _carriers(tables: Sequence[Stations | Attitudes], carriers: Sequence[Index | None]) -> Index | None:
+    """Antennas or IMUs of the parts' rows one after the other; all parts number them alike."""
+    if all(c is None for c in carriers):
         return None
-    rows = [np.full(len(s), -1) if s.antenna is None else s.antenna for s in stations]
+    rows = [np.full(len(t), -1) if c is None else c for t, c in zip(tables, carriers, strict=True)]
     return np.concatenate(rows).astype(np.int32)
 
 

@@ -23,6 +23,8 @@ GPS_M = (5.0, 5.0, 10.0)
 """Standard deviation of a GPS position that states none."""
 PAUSE_S, PAUSE = 120.0, 20.0
 """Seconds without a photograph after which a new flight begins, and the same in usual intervals; the longer counts."""
+TURN, STEP = float(np.radians(30)), 3.0
+"""Turn at which a flight line ends, and length of a step in usual ones."""
 SCALE = 0.1
 """Relative standard deviation of the scale from which positions are too near each other to place a block."""
 
@@ -100,6 +102,52 @@ def flights(photos: Sequence[Photo]) -> Index:
     return result
 
 
+def flight_lines(photos: Sequence[Photo]) -> Index:
+    """Numbers (n,) of the straight flight lines; -1 where a photograph has no position or belongs to none.
+
+    A line is a run of photographs of one flight, in the order of their times (else of their names), along which the
+    direction from one to the next turns by less than TURN and no step is longer than STEP usual ones.
+    """
+    stated = [i for i, p in enumerate(photos) if p.metadata.gps is not None]
+    result = np.full(len(photos), -1, np.int32)
+    if not stated:
+        return result
+    flight = flights([photos[i] for i in stated])
+    lonlat = np.array([(g.longitude_deg, g.latitude_deg) for i in stated if (g := photos[i].metadata.gps) is not None])
+    xy = np.radians(lonlat) * 6.371e6 * [np.cos(np.radians(lonlat[:, 1].mean())), 1.0]
+    number = 0
+    for f in range(int(flight.max()) + 1):
+        mine = np.flatnonzero(flight == f)
+        taken = [photos[stated[k]].metadata.taken for k in mine.tolist()]
+        if all(t is not None for t in taken):
+            mine = mine[np.argsort([t.replace(tzinfo=UTC).timestamp() for t in taken if t is not None], kind="stable")]
+        for run in _straight(xy[mine]):
+            result[[stated[k] for k in mine[run].tolist()]] = number
+            number += 1
+    return result
+
+
+def _straight(xy: Array) -> list[Index]:
+    """Rows of straight runs of places (n, 2), the longest first; a place belongs to one run."""
+    step = np.diff(xy, axis=0)
+    length = np.linalg.norm(step, axis=1)
+    if not (length > 0).any():
+        return []
+    far = (length > STEP * np.median(length[length > 0])) | (length == 0)
+    with np.errstate(invalid="ignore"):
+        cosine = np.sum(step[1:] * step[:-1], axis=1) / (length[1:] * length[:-1])
+    begin = np.concatenate([[True], ~(cosine > np.cos(TURN)) | far[1:] | far[:-1]])
+    runs = [r for r in np.split(np.arange(len(step)), np.flatnonzero(begin)[1:]) if not far[r].any()]
+    used = np.zeros(len(xy), bool)
+    found: list[Index] = []
+    for run in sorted(runs, key=len, reverse=True):
+        rows = np.array([k for k in range(run[0], run[-1] + 2) if not used[k]], np.int32)
+        if len(rows) > 1:
+            used[rows] = True
+            found.append(rows)
+    return found
+
+
 def scale_sigma(positions: Positions) -> float:
     """Relative standard deviation with which positions tell the scale of a block."""
     plan = positions.xyz[:, :2] - positions.xyz[:, :2].mean(axis=0)
@@ -132,19 +180,23 @@ def observe(state: Placing, positions: Positions, given: Given) -> None:
 
 
 def without_idle(block: Block) -> Block:
-    """The block without antennas of which no position is observed, as those of flights that are not oriented."""
-    antenna = block.stations.antenna
-    used = set() if antenna is None else set(antenna.tolist())
-    keep = np.array([c.model != ANTENNA.name or k in used for k, c in enumerate(block.cameras)], bool)
+    """The block without antennas and IMUs of which nothing is observed, as those of flights that are not oriented."""
+    antenna, imu = block.stations.antenna, block.attitudes.imu
+    used = {int(k) for rows in (antenna, imu) if rows is not None for k in rows}
+    keep = np.array([c.sensor.has_images or k in used for k, c in enumerate(block.cameras)], bool)
     if keep.all():
         return block
     number = (np.cumsum(keep) - 1).astype(np.int32)
-    moved = None if antenna is None else np.where(antenna >= 0, number[antenna], -1).astype(np.int32)
+
+    def moved(rows: Index | None) -> Index | None:
+        return None if rows is None else np.where(rows >= 0, number[rows], -1).astype(np.int32)
+
     return replace(
         block,
         cameras=tuple(c for c, k in zip(block.cameras, keep, strict=True) if k),
         images=replace(block.images, camera=number[block.images.camera]),
-        stations=replace(block.stations, antenna=moved),
+        stations=replace(block.stations, antenna=moved(antenna)),
+        attitudes=replace(block.attitudes, imu=moved(imu)),
     )
 
 

@@ -139,12 +139,12 @@ def _agreed(grey: list[Array], look: Callable[[Array], str | None], what: str, e
     names = [name for g in grey if (name := look(g)) is not None]
     if not names:
         return None
-    for name, _ in Counter(names).most_common():
-        if any(_most(grey, target(name))):
-            return name
+    (name, times), *_ = Counter(names).most_common()
+    if 2 * times > len(names) and any(_most(grey, target(name))):
+        return name
     if len(names) <= len(grey) // 2:
         return None
     raise InputError(
-        f"{what} is seen, but not which one (it looks like {', '.join(sorted(set(names)))}, which is not found whole "
-        f"on most of {len(grey)} photographs); name it, as --target {example}. Tried were: {TRIED}"
+        f"{what} is seen, but not which one: it looks like {', '.join(sorted(set(names)))}, and must look alike and be "
+        f"found whole on most of {len(grey)} photographs; name it, as --target {example}. Tried were: {TRIED}"
     )

@@ -207,19 +207,6 @@ def check_marks(block: Block, images: Sequence[SceneImage], first: int, mark_px:
             )
 
 
-def heights_notice(frame: LocalFrame) -> tuple[Notice, ...]:
-    """That heights above a geoid without a grid do not go with scenes, whose heights are above the ellipsoid."""
-    if not any("geoid" in r and "as if they stood on the ellipsoid" in r for r in frame.remarks):
-        return ()
-    message = (
-        f"the geometry of the scenes holds for heights above the ellipsoid, those of {frame.crs} stand above a geoid "
-        "whose grid is missing: by up to 100 m too high or too low, they move the points in the scenes; the shift of "
-        "the scenes takes that up where all look alike, and nothing does where they do not. Install the grid with "
-        "`pyproj sync`, or give ellipsoidal heights"
-    )
-    return (Notice(code="scene_heights", message=message),)
-
-
 def places_of_marks(block: Block) -> dict[str, Array]:
     """Where points that are marked in scenes stand by them: points of one scene at the height of the control."""
     o, p = block.observations, block.points

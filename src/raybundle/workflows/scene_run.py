@@ -23,7 +23,6 @@ from raybundle.workflows.scene_place import (
     common_frame,
     control_in_system,
     finish,
-    heights_notice,
     in_frame,
     marks_in,
     place_scenes,
@@ -135,7 +134,6 @@ class SceneRun:
         state = place_scenes(self.block, scenes, marks_in(given, names, inside=True), placed)
         notices = [*told, *scenes.notices(), *_files(given)]
         notices += [Notice(code="coordinate_system", message=r) for r in placed.frame.remarks]
-        notices += heights_notice(placed.frame)
         if not blocks:
             add_bars(state, given)
             return finish(state, None, placed, notices), ()

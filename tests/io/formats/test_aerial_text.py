@@ -292,5 +292,24 @@ def test_what_does_not_fit_is_refused(tmp_path):
         read_format("patb", folder(tmp_path / "c", {}))
     with pytest.raises(InputError, match="2 files of this kind"):
         read_format("patb", folder(tmp_path / "d", {**PATB, "c.im": IMAGES_PATB}))
-    with pytest.raises(InputError, match="scale it first"):
-        write_format("patb", Export(block=replace(flight(), length_unit="mm")), tmp_path / "e")
+
+
+@pytest.mark.parametrize("name", BOTH)
+def test_a_block_in_millimetres_is_written_in_metres(name, tmp_path):
+    metres = flight()
+    millimetres = replace(
+        metres,
+        length_unit="mm",
+        images=replace(metres.images, centre=metres.images.centre * 1000),
+        points=replace(metres.points, xyz=metres.points.xyz * 1000, sigma=metres.points.sigma * 1000),
+    )
+    written = write_format(name, Export(block=millimetres), tmp_path / "mm")
+    assert any("the block is in mm; its coordinates are written in m" in r for r in written.remarks)
+    plain = write_format(name, Export(block=metres), tmp_path / "m")
+    assert not any("written in m," in r for r in plain.remarks)
+    a, b = (read_format(name, tmp_path / n).block for n in ("mm", "m"))
+    assert a.length_unit == "m"
+    np.testing.assert_allclose(a.images.centre, metres.images.centre, atol=1e-6)
+    np.testing.assert_allclose(a.points.xyz, b.points.xyz, atol=1e-6)
+    np.testing.assert_allclose(a.points.sigma, b.points.sigma, rtol=1e-6)
+    np.testing.assert_allclose(a.observations.xy_px, b.observations.xy_px, atol=1e-4)

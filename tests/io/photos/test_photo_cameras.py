@@ -146,6 +146,14 @@ def test_a_focal_plane_width_that_contradicts_the_body_gives_way():
     assert any("36.78 mm wide, the table says 36.00 mm" in r for r in start.remarks)
 
 
+def test_a_focal_plane_that_is_too_wide_by_a_millimetre_gives_way():
+    """5616 px at a resolution that makes them 37.06 mm; the body is 36.0 mm wide."""
+    wrong = replace(BODY, focal_plane_px_per_mm=(5616 / 37.06, 5616 / 37.06))
+    c, start = px(wrong, 5616, 3744)
+    assert 24 * 5616 / c == pytest.approx(36.0, abs=0.2)
+    assert any("37.06 mm wide, the table says 36.00 mm" in r for r in start.remarks)
+
+
 def test_a_reduced_copy_keeps_the_sensor():
     small = replace(BODY, focal_plane_px_per_mm=(156.0, 156.0), exif_width=5616, exif_height=3744)
     c, start = px(small, 1404, 936)
@@ -184,6 +192,22 @@ def test_xmp_that_cannot_be_meant_is_left_out():
     c, start = px(replace(BODY, xmp={"drone-dji:CalibratedFocalLength": "9000"}), 5616, 3744)
     assert c == pytest.approx(3744)
     assert "XMP is not taken" in start.remarks[0]
+
+
+@pytest.mark.parametrize(
+    ("entry", "told"),
+    [
+        ({"DewarpData": "2024-01-31;abc,3651.2,-10.5,4.2,-0.27,0.11,0.0001,0,-0.03"}, "begins with 'abc', which is no"),
+        ({"DewarpData": "none"}, "DewarpData 'none' is no date and 9 numbers"),
+        ({"DewarpData": "2024-01-31;3.6,3651.2,-10.5,4.2,-0.27,0.11,0.0001,0,-0.03"}, "of '3.6' is no camera constant"),
+        ({"CalibratedFocalLength": "long"}, "CalibratedFocalLength begins with 'long', which is no number"),
+    ],
+)
+def test_xmp_that_cannot_be_read_is_remarked(entry, told):
+    plain, _ = px(BODY, 5616, 3744)
+    c, start = px(replace(BODY, xmp={f"drone-dji:{k}": v for k, v in entry.items()}), 5616, 3744)
+    assert c == plain
+    assert any(told in r and "not taken" in r for r in start.remarks), start.remarks
 
 
 def test_a_panorama_is_remarked():

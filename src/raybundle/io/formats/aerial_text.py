@@ -19,6 +19,7 @@ from typing import NoReturn
 import numpy as np
 
 from raybundle.block import Camera, Images, Role
+from raybundle.block.block import no_distances, no_stations
 from raybundle.errors import InputError
 from raybundle.io.block_toml import read_cameras
 from raybundle.io.calibrations.ours import cameras_text
@@ -31,6 +32,7 @@ from raybundle.numerics.arrays import Array
 CAMERAS, IMAGES, POINTS = "cameras.toml", "raybundle-images.csv", "raybundle-points.csv"
 ROLES = {"tie": Role.TIE, "control": Role.CONTROL, "check": Role.CHECK}
 END = "-99"
+METRES = {"m": 1.0, "mm": 0.001}
 NOMINAL_PIXEL_MM = 0.005
 LARGEST_MM = 1000.0
 """Image coordinates beyond are no millimetres."""
@@ -129,13 +131,29 @@ def numbered(ids: Sequence[str]) -> list[str]:
     return [str(k + 1) for k in range(len(ids))]
 
 
-def checked(export: Export, s: Scene, name: str) -> None:
+def in_metres(export: Export, name: str) -> tuple[Export, tuple[str, ...]]:
+    """The block in m with what belongs to its points and images, and a remark where its unit was another."""
+    block = export.block
+    if block.length_unit == "m":
+        return export, ()
+    metres = METRES[block.length_unit]
+    images = replace(block.images, centre=block.images.centre * metres)
+    points = replace(block.points, xyz=block.points.xyz * metres, sigma=block.points.sigma * metres)
+    kept = replace(block, length_unit="m", images=images, points=points)
+    scaled = replace(
+        export,
+        block=replace(kept, stations=no_stations(), distances=no_distances()),  # these formats have no place for them
+        sigma=None if export.sigma is None else export.sigma * metres,
+        station_sigma=None if export.station_sigma is None else export.station_sigma * metres,
+    )
+    return scaled, (f"the block is in {block.length_unit}; its coordinates are written in m, as {name} counts",)
+
+
+def checked(s: Scene, name: str) -> None:
     """Refuse what has no image coordinates in a plane."""
     for camera in s.cameras:
         if camera.is_scene:
             raise InputError(f"camera {camera.id} is a satellite scene, which {name} cannot hold")
-    if export.block.length_unit != "m":
-        raise InputError(f"block {export.block.name} is in {export.block.length_unit}, {name} is in m; scale it first")
 
 
 def write_own(folder: Path, s: Scene, export: Export, photographs: Sequence[str], points: Sequence[str]) -> None:

@@ -33,6 +33,7 @@ from raybundle.io.formats.aerial_text import (
     assembled,
     checked,
     image_mm,
+    in_metres,
     lines,
     numbered,
     write_own,
@@ -50,8 +51,9 @@ Known = dict[str, tuple[float, float, float]]
 
 def write(export: Export, folder: Path) -> Draft:
     """Write the three files, and beside them cameras and names."""
+    export, converted = in_metres(export, "BINGO")
     s = scene(export)
-    checked(export, s, "BINGO")
+    checked(s, "BINGO")
     photographs = numbered(s.names)
     points = numbered([export.block.points.ids[k] for k in s.points.tolist()])
     (folder / IMAGE).write_text("".join(_image_lines(s, photographs, points)), encoding="utf-8")
@@ -62,7 +64,7 @@ def write(export: Export, folder: Path) -> Draft:
         "image points are the measured ones, in mm about the image centre; principal point and distortion stand in "
         "cameras.toml alone: give them to the other program, or straighten the photographs first (--undistort)"
     )
-    return Draft(remarks=(*s.remarks, remark))
+    return Draft(remarks=(*converted, *s.remarks, remark))
 
 
 def _image_lines(s: Scene, photographs: list[str], points: list[str]) -> Iterator[str]:

@@ -30,6 +30,7 @@ from raybundle.io.formats.aerial_text import (
     assembled,
     checked,
     image_mm,
+    in_metres,
     lines,
     numbered,
     write_own,
@@ -45,8 +46,9 @@ READINGS = ("image axes to object axes", "object axes to image axes, the transpo
 
 def write(export: Export, folder: Path) -> Draft:
     """Write the four files, and beside them cameras and names."""
+    export, converted = in_metres(export, "PAT-B")
     s = scene(export)
-    checked(export, s, "PAT-B")
+    checked(s, "PAT-B")
     photographs = numbered(s.names)
     points = numbered([export.block.points.ids[k] for k in s.points.tolist()])
     (folder / f"{STEM}.im").write_text("".join(_image_lines(s, photographs, points)), encoding="utf-8")
@@ -59,7 +61,7 @@ def write(export: Export, folder: Path) -> Draft:
         "image points are the measured ones, in micrometres about the image centre; principal point and distortion "
         "stand in cameras.toml alone: give them to the other program, or straighten the photographs first (--undistort)"
     )
-    return Draft(remarks=(*s.remarks, remark))
+    return Draft(remarks=(*converted, *s.remarks, remark))
 
 
 def _row(values: Array, digits: int = 10) -> str:

@@ -27,6 +27,9 @@ SAME_EQUIVALENT = 0.12
 SAME_CAMERA = 0.15
 """Relative difference up to which a calibration in XMP can belong to the focal length."""
 
+DEWARP_VALUES = 9
+"""fx, fy, cx, cy, k1, k2, p1, p2, k3 after the date."""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Start:
@@ -71,7 +74,7 @@ def starting_value(metadata: Metadata, width_px: int, height_px: int) -> Start:
     if best and focal is not None:
         c = focal * (zoom if best != "35 mm" else 1.0) * density[best] / taken.ratio
     pixel = taken.ratio / density[best] if best else NOMINAL_PIXEL_MM
-    found = _from_xmp(metadata, taken, density.get(best))
+    found = _from_xmp(metadata, taken, density.get(best), remarks)
     if found is not None and c is not None and abs(math.log(found / c)) > SAME_CAMERA:
         remarks.append(f"XMP gives {found:.0f} px where {c:.0f} px are to be expected; XMP is not taken")
     elif found is not None:
@@ -169,24 +172,35 @@ def _focal_plane(m: Metadata, long: int, remarks: list[str]) -> float | None:
     return math.sqrt(x * y)
 
 
-def _from_xmp(m: Metadata, taken: _Taken, density: float | None) -> float | None:
+def _from_xmp(m: Metadata, taken: _Taken, density: float | None, remarks: list[str]) -> float | None:
     """Camera constant [px of the file] as the manufacturer wrote it.
 
     DJI: DewarpData or CalibratedFocalLength [px]; Pix4D's camera tags: PerspectiveFocalLength [mm].
     """
-    values = m.xmp.get("drone-dji:DewarpData", "").partition(";")[2].split(",")
-    candidates = [(values[0], 1.0)] if len(values) >= 9 else []
-    candidates.append((m.xmp.get("drone-dji:CalibratedFocalLength", ""), 1.0))
+    dewarp = m.xmp.get("drone-dji:DewarpData", "")
+    values = dewarp.partition(";")[2].split(",")
+    if dewarp and len(values) < DEWARP_VALUES:
+        remarks.append(f"XMP's DewarpData {_short(dewarp)} is no date and {DEWARP_VALUES} numbers; it is not taken")
+    candidates = [("DewarpData", values[0], 1.0)] if len(values) >= DEWARP_VALUES else []
+    candidates.append(("CalibratedFocalLength", m.xmp.get("drone-dji:CalibratedFocalLength", ""), 1.0))
     if density is not None:
-        candidates.append((m.xmp.get("Camera:PerspectiveFocalLength", ""), density))
-    for text, px in candidates:
+        candidates.append(("PerspectiveFocalLength", m.xmp.get("Camera:PerspectiveFocalLength", ""), density))
+    for name, text, px in candidates:
+        if not text:
+            continue
         try:
             c = float(text) * px
         except ValueError:
+            remarks.append(f"XMP's {name} begins with {_short(text)}, which is no number; it is not taken")
             continue
         if 0.2 * taken.long < c < 50 * taken.long:
             return c / taken.ratio
+        remarks.append(f"XMP's {name} of {_short(text)} is no camera constant of this image; it is not taken")
     return None
+
+
+def _short(text: str) -> str:
+    return repr(text if len(text) <= 40 else text[:37] + "...")
 
 
 def _focus(m: Metadata, remarks: list[str]) -> float:

@@ -6,9 +6,11 @@ A new format is one new file: it makes a `TrajectoryFormat` and hands it to `reg
 from importlib import import_module
 from pkgutil import iter_modules
 
+from raybundle.io.trajectories.attitudes import PhotoAttitudes, attitudes_of_file, attitudes_of_gimbals
 from raybundle.io.trajectories.base import (
     Trajectory,
     TrajectoryFormat,
+    in_wgs84,
     matched,
     read_trajectory,
     rotations_in,
@@ -22,8 +24,12 @@ for _module in iter_modules(__path__):
     import_module(f"{__name__}.{_module.name}")
 
 __all__ = [
+    "PhotoAttitudes",
     "Trajectory",
     "TrajectoryFormat",
+    "attitudes_of_file",
+    "attitudes_of_gimbals",
+    "in_wgs84",
     "matched",
     "read_trajectory",
     "rotations_in",

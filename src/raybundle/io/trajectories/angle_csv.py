@@ -17,6 +17,8 @@ from raybundle.numerics.attitude import GON
 UNITS = {"deg": np.pi / 180, "gon": GON, "rad": 1.0}
 GRID, GEOGRAPHIC = ("X", "Y", "Z"), ("longitude_deg", "latitude_deg", "height_m")
 SIGMA = ("sX", "sY", "sZ")
+CONVENTIONS = {"omega": "opk", "roll": "rpy-ned", "gimbal_yaw": "gimbal"}
+"""Names of the conventions by the first of their angles."""
 
 
 def header(head: str) -> list[str]:
@@ -71,6 +73,8 @@ def read_angles(
         crs=crs,
         rotation=rotation,
         rotation_sigma=spread if np.isfinite(spread).any() else None,
+        convention=CONVENTIONS[angles[0]],
+        angles=np.where(np.isfinite(rotation[:, :, 0]), given, np.nan),
         true_north=true_north or crs == WGS84_HEIGHT,
         time=time,
         lines=np.arange(table.rows, dtype=np.int32) + 2,

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path, PurePosixPath
 
 import numpy as np
 
 from raybundle.block import Stations
 from raybundle.errors import InputError
-from raybundle.io.coordinate_systems import LocalFrame
+from raybundle.io.coordinate_systems import LocalFrame, local_frame
 from raybundle.numerics.arrays import Array, Index
 
 WGS84_HEIGHT = "EPSG:4979"
@@ -40,6 +40,10 @@ class Trajectory:
     """(n, 3, 3) object axes to image axes; NaN where not known.  None: the file has no attitudes."""
     rotation_sigma: Array | None = None
     """(n, 3) standard deviations of the three angles of the file, in its order [rad]."""
+    convention: str = ""
+    """Of the angles in the file: "opk", "rpy-ned" or "gimbal"; empty without attitudes."""
+    angles: Array | None = None
+    """(n, 3) the angles as the file has them, in the order of its convention [rad]."""
     true_north: bool = False
     """Whether the object axes of the attitudes are east, north, up at each position and not those of the grid."""
     time: Array | None = None
@@ -189,6 +193,41 @@ def stations_of(
         xyz=xyz if frame is None else frame.local_from_crs(xyz),
         sigma=np.where(np.isfinite(xyz), np.where(sigma > 0, sigma, default_sigma), np.nan),
     )
+
+
+def in_wgs84(trajectory: Trajectory, crs: str | None) -> Trajectory:
+    """The trajectory in longitude, latitude and ellipsoidal height, its attitudes against true north.
+
+    crs     the system of positions whose file tells none
+    raises  InputError where neither tells a system
+    Standard deviations along the grid are taken for those along east and north.
+    """
+    crs = trajectory.crs or crs
+    if crs is None:
+        raise InputError(
+            "it holds positions of a grid, and no coordinate system is told; give --crs, as EPSG:25832, or the columns "
+            "longitude_deg, latitude_deg, height_m",
+            file=trajectory.path,
+        )
+    if crs == WGS84_HEIGHT:
+        return trajectory
+    known = np.isfinite(trajectory.xyz[:, :2]).all(axis=1)
+    if not known.any():
+        raise InputError("it holds no position", file=trajectory.path)
+    place = trajectory.xyz[known]
+    heights = place[np.isfinite(place[:, 2]), 2]
+    frame = local_frame(crs, (*place[:, :2].mean(axis=0), heights.mean() if len(heights) else np.nan))
+    xyz = np.full_like(trajectory.xyz, np.nan)
+    xyz[known] = frame.wgs84_from_local(frame.local_from_crs(place))
+    rotation = trajectory.rotation
+    if rotation is not None and not trajectory.true_north:
+        turned = np.full_like(rotation, np.nan)
+        turned[known] = rotation[known] @ frame.crs_from_local_rotation(place) @ frame.local_from_enu(place)
+        rotation = turned
+    return replace(
+        trajectory, xyz=xyz, crs=WGS84_HEIGHT, rotation=rotation, true_north=rotation is not None,
+        remarks=(*trajectory.remarks, *frame.remarks),
+    )  # fmt: skip
 
 
 def rotations_in(trajectory: Trajectory, frame: LocalFrame | None) -> Array:

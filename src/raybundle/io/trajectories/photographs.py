@@ -9,21 +9,19 @@ from dataclasses import replace
 from raybundle.errors import InputError
 from raybundle.io.photos.metadata import Gps
 from raybundle.io.photos.photo import Photo
-from raybundle.io.trajectories.base import WGS84_HEIGHT, Trajectory, matched
+from raybundle.io.trajectories.base import Trajectory, in_wgs84, matched
 from raybundle.numerics.arrays import Array
 
 
-def with_positions(photos: Sequence[Photo], trajectory: Trajectory) -> tuple[tuple[Photo, ...], tuple[str, ...]]:
+def with_positions(
+    photos: Sequence[Photo], trajectory: Trajectory, crs: str | None = None
+) -> tuple[tuple[Photo, ...], tuple[str, ...]]:
     """The photographs with the positions of a trajectory, and remarks; those without one keep their own.
 
-    raises  InputError where the positions are not longitude and latitude, or belong to none of the photographs
+    crs     the system of a trajectory that tells none
+    raises  InputError where the system is not known, or the positions belong to none of the photographs
     """
-    if trajectory.crs != WGS84_HEIGHT:
-        raise InputError(
-            "photographs take longitude, latitude and height above the ellipsoid; give the columns longitude_deg, "
-            "latitude_deg, height_m",
-            file=trajectory.path,
-        )
+    trajectory = in_wgs84(trajectory, crs)
     rows = matched(trajectory, [p.name for p in photos]).tolist()
     gps = [None if row < 0 else _gps(trajectory, row) for row in rows]
     found = sum(g is not None for g in gps)

@@ -35,6 +35,8 @@ LEAST_SHARE = 0.8
 """Share of the corners that must be measurable."""
 LARGER = 0.6
 """Share of the corners beyond one side that, seen, say that the board is larger."""
+MOST = 200
+"""Corners along a side at most."""
 BORDER = 1.3
 """How far around its corners a board is painted over, when another one is sought, in squares."""
 COARSE = 14.0
@@ -171,7 +173,8 @@ def _another(image: Array, xy: Array, flags: int) -> Array | None:
     rims = (xy[0], xy[-1], xy[:, 0], xy[:, -1])
     outer = np.concatenate([*rims, *(rim + BORDER * step for rim, step in zip(rims, steps, strict=True))])
     rest = image.copy()
-    cv2.fillConvexPoly(rest, np.round(cv2.convexHull(outer.astype(np.float32))).astype(np.int32), int(np.median(image)))
+    middle = int(np.median(image[::4, ::4]))
+    cv2.fillConvexPoly(rest, np.round(cv2.convexHull(outer.astype(np.float32))).astype(np.int32), middle)
     scale = max(1.0, float(np.median([np.hypot(*step.T).mean() for step in steps])) / COARSE)
     size = (round(image.shape[1] / scale), round(image.shape[0] / scale))
     rest = cv2.resize(rest, size, interpolation=cv2.INTER_AREA)
@@ -189,7 +192,22 @@ def measure_grid(image: Array, xy: Array, options: CornerOptions | None = None) 
 
 
 def beyond(image: Array, xy: Array) -> bool:
-    """Whether the board goes on beyond the corners (rows, columns, 2) that were taken for all of them.
+    """Whether the board goes on beyond the corners (rows, columns, 2) that were taken for all of them."""
+    return any(seen for seen, _ in _next_rows(image, xy))
+
+
+def grown(image: Array, xy: Array) -> Array:
+    """Corners (rows, columns, 2) of a whole board, of which some were found; image (h, w) uint16."""
+    while True:
+        turn = next((k for k, (seen, _) in enumerate(_next_rows(image, xy)) if seen), None)
+        if turn is None or max(xy.shape) > MOST:
+            return xy
+        turned = np.rot90(xy, turn)
+        xy = np.rot90(np.concatenate([_next_rows(image, xy)[turn][1][None], turned]), -turn)
+
+
+def _next_rows(image: Array, xy: Array) -> list[tuple[bool, Array]]:
+    """Whether there is one more row beyond each side, and its corners (n, 2): of the board turned k times.
 
     A quick look: small windows, few iterations.
     """
@@ -199,7 +217,11 @@ def beyond(image: Array, xy: Array) -> bool:
     quick = CornerOptions(moved=0.6, most_px=5.0, iterations=6)
     seen = fit_corners(image, np.concatenate(place), np.concatenate(along), np.concatenate(across), quick)
     ends = np.cumsum([len(p) for p in place])[:-1]
-    return any(side.mean() >= LARGER for side in np.split(seen.measured, ends))
+    at = np.where(seen.measured[:, None], seen.xy_px, np.concatenate(place))
+    return [
+        (bool(good.mean() >= LARGER), corners)
+        for good, corners in zip(np.split(seen.measured, ends), np.split(at, ends), strict=True)
+    ]
 
 
 def _make(name: str) -> Target | None:
@@ -209,7 +231,7 @@ def _make(name: str) -> Target | None:
     if match is None:
         raise InputError(f"{name!r}: a chessboard is named by its inner corners, as chessboard-9x6")
     columns, rows = int(match[1]), int(match[2])
-    if min(columns, rows) < 3 or max(columns, rows) > 200:
+    if min(columns, rows) < 3 or max(columns, rows) > MOST:
         raise InputError(f"{name!r}: a chessboard needs at least 3 x 3 inner corners")
     return Chessboard(columns=columns, rows=rows)
 

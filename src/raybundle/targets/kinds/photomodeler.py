@@ -25,8 +25,10 @@ CONTROL = {1: (1, 1), 2: (8, 1), 3: (1, 8), 4: (8, 8)}
 """Column and row of the rings of so many arcs, which are called 1001 to 1004."""
 FILLED = {1: 5 / 8, 2: 1 / 2, 3: 3 / 8, 4: 1 / 2}
 """Share of the circle that the arcs take."""
+RING = (2.6, 4.3)
+"""Inner and outer radius of the arcs, in radii of the dot."""
 RADII = (2.9, 3.3, 3.7)
-"""Where arcs are read, in radii of the dot; they reach from 2.6 to 4.3."""
+"""Where arcs are read, in radii of the dot."""
 TWICE = 4
 """Dots of two lattices with the same names that say that there are two sheets; else they are parts of one."""
 LEAST = 25

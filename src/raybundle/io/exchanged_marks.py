@@ -1,0 +1,95 @@
+"""Fiducial marks that do not lie as their certificate says: which of them seem exchanged."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import combinations
+
+import numpy as np
+
+from raybundle.numerics.arrays import Array
+
+LARGEST_RESIDUAL_MM = 1.0
+"""No film and no scanner deforms by so much; larger residuals are wrong names or wrong measurements."""
+LARGEST_SHEAR, LARGEST_RATIO = 0.05, 1.1
+"""Deviation from the right angle [rad], and stretch along one axis by that along the other, that no film shows."""
+TRIED = 60
+"""Marks with the largest residuals among which exchanges are tried."""
+
+
+def implausible(residuals_mm: Array, affine: Array | None) -> str:
+    """Why a fit of marks cannot be that of a film, in words; empty where it can.
+
+    residuals_mm  (n, 2)
+    affine        (2, 2) derivatives of the camera's frame by the scan's, in the same unit; None: any shape will do
+    """
+    worst = float(np.linalg.norm(residuals_mm, axis=1).max(initial=0.0))
+    if worst > LARGEST_RESIDUAL_MM:
+        return f"residuals of the marks reach {worst:.3g} mm (limit {LARGEST_RESIDUAL_MM:g} mm)"
+    if affine is None:
+        return ""
+    ratio, shear = _shape(affine)
+    if ratio > LARGEST_RATIO:
+        return (
+            f"the film would be stretched {ratio:.3g} times as much along one axis as along the other (limit "
+            f"{LARGEST_RATIO:g})"
+        )
+    if shear > LARGEST_SHEAR:
+        limit = np.degrees(LARGEST_SHEAR)
+        return f"the axes would be {np.degrees(shear):.3g} degrees off the right angle (limit {limit:.2g})"
+    return ""
+
+
+def exchanges(names: Sequence[str], uv: Array, target: Array) -> tuple[tuple[str, str], ...]:
+    """Pairs of marks whose exchange makes a film of what was none, the best first; at most three.
+
+    uv, target  (n, 2) measured, and in the camera [mm]
+    With three marks every exchange fits without residuals; only the shape of the film can speak against it.
+    """
+    v = _residuals(uv, target)[0]
+    among = (
+        np.sort(np.argsort(-np.linalg.norm(v, axis=1), kind="stable")[:TRIED]) if len(uv) > 3 else np.arange(len(uv))
+    )
+    found: list[tuple[float, tuple[str, str]]] = []
+    for i, j in combinations(among.tolist(), 2):
+        order = np.arange(len(uv))
+        order[[i, j]] = j, i
+        v, affine = _residuals(uv, target[order])
+        if not implausible(v, affine):
+            found.append((float(np.sqrt(np.mean(v**2))), (min(names[i], names[j]), max(names[i], names[j]))))
+    found.sort(key=lambda f: f[0])
+    least = max(found[0][0], 1e-3) if found else 0.0
+    return tuple(pair for rms, pair in found if rms < 3 * least)[:3]
+
+
+def wrong_mark(names: Sequence[str], uv: Array, target: Array) -> str:
+    """The one mark without which the others make a film, with its misfit; empty where there is none or five are few."""
+    if len(uv) < 5:
+        return ""
+    found: list[tuple[float, str]] = []
+    for k in range(len(uv)):
+        others = np.arange(len(uv)) != k
+        v, affine = _residuals(uv[others], target[others])
+        if implausible(v, affine):
+            continue
+        middle = uv[others].mean(axis=0)
+        there = target[others].mean(axis=0) + affine @ (uv[k] - middle)
+        off = float(np.linalg.norm(there - target[k]))
+        found.append((float(np.sqrt(np.mean(v**2))), f"{names[k]} is {off:.3g} mm off where the others put it"))
+    return min(found)[1] if found else ""
+
+
+def _residuals(uv: Array, target: Array) -> tuple[Array, Array]:
+    """Residuals (n, 2) of the affine transformation by least squares, and its linear part (2, 2)."""
+    u, x = uv - uv.mean(axis=0), target - target.mean(axis=0)
+    solved = np.linalg.lstsq(u, x, rcond=None)[0]
+    return u @ solved - x, solved.T
+
+
+def _shape(affine: Array) -> tuple[float, float]:
+    """Stretch of one axis by the other, at least 1, and deviation from the right angle [rad]."""
+    x, y = affine
+    lengths = np.hypot(*x), np.hypot(*y)
+    if min(lengths) == 0:
+        return float("inf"), 0.0
+    return float(max(lengths) / min(lengths)), abs(float(np.arcsin(np.clip(x @ y / (lengths[0] * lengths[1]), -1, 1))))

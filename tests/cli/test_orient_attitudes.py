@@ -1,0 +1,68 @@
+"""`raybundle orient --positions` with a file of positions and attitudes, from photographs to the report."""
+
+import csv
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from raybundle.cli.main import main
+from raybundle.io.coordinate_systems import local_frame
+from raybundle.io.trajectories import Trajectory, write_trajectory
+from raybundle.numerics.rotation import rotation_from_angles, rotation_from_vector
+
+PORTAL = Path(__file__).resolve().parents[2] / "demo_data/portal/photos"
+needs_portal = pytest.mark.skipif(
+    not PORTAL.is_dir(), reason="demo_data/portal is part of the repository, not of the package"
+)
+QUICK = ("--quick", "--feature-count", "600", "--jobs", "1", "--no-library")
+
+
+@needs_portal
+def test_a_file_of_attitudes_is_observed_and_compared_in_the_report(tmp_path, capsys):
+    photos = tmp_path / "photos"
+    photos.mkdir()
+    for k in range(1, 7):
+        shutil.copy(PORTAL / f"portal_{k:02d}.jpg", photos)
+    out = tmp_path / "project"
+    assert main(["orient", str(photos), "--out", str(out), "--no-report", *QUICK]) == 0
+    with (out / "result/images.csv").open(encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    rng = np.random.default_rng(1)
+    centre = 10 * np.array([[float(r[a]) for a in "XYZ"] for r in rows])
+    rotation = rotation_from_angles(
+        np.radians([[float(r[f"{a}_deg"]) for a in ("omega", "phi", "kappa")] for r in rows])
+    )
+    frame = local_frame("EPSG:4979", (11.0, 48.0, 400.0))
+    xyz = frame.crs_from_local(centre + rng.normal(0, 0.05, centre.shape))
+    told = rotation_from_vector(rng.normal(0, np.radians(0.2), (len(rows), 3))) @ rotation
+    n = len(rows)
+    file = tmp_path / "told.csv"
+    trajectory = Trajectory(
+        path=file, names=tuple(r["image"] for r in rows), xyz=xyz, sigma=np.full((n, 3), 0.05), crs="EPSG:4979",
+        rotation=told, rotation_sigma=np.full((n, 3), np.radians(0.2)), true_north=True,
+    )  # fmt: skip
+    write_trajectory(trajectory, file, name="opk")
+    capsys.readouterr()
+    assert main(["orient", str(photos), "--out", str(out), "--positions", str(file), "--attitudes", "opk", *QUICK]) == 0
+    printed = capsys.readouterr().out
+    assert f" {n} of {n} photographs oriented" in printed
+    report = (out / "result/report.html").read_text(encoding="utf-8")
+    assert "Direct minus integrated orientation" in report
+    assert f"the attitudes of {n} photographs are observed (opk, from told.csv)" in report.replace("&#39;", "'")
+    again = ["orient", str(photos), "--out", str(out), "--positions", str(file), "--no-report", *QUICK]
+    assert main([*again, "--relative", "shift"]) == 0
+    printed = capsys.readouterr().out
+    assert "relative aerial control: the positions of 5 photographs on 2 flight lines are used" in printed
+    assert "not determinable" not in printed
+    assert main([*again, "--attitudes", "rpy-ned"]) == 2
+    assert "told.csv has attitudes as opk, not as rpy-ned" in capsys.readouterr().err
+
+
+def test_options_that_do_not_fit(tmp_path, capsys):
+    photos = tmp_path / "photos"
+    photos.mkdir()
+    status = main(["orient", str(photos), "--out", str(tmp_path / "p"), "--attitude-sigma", "0", "1"])
+    assert status == 2
+    assert "is no standard deviation" in capsys.readouterr().err

@@ -1,0 +1,98 @@
+"""`raybundle plan flight`: what a flight will not determine is said before it is flown, and what mends it."""
+
+import numpy as np
+import pytest
+
+from raybundle.block import Role
+from raybundle.block.uav_networks import Flight, flight_block
+from raybundle.cli.main import main
+from raybundle.io.block_folder import read_block
+from raybundle.workflows.plan_flight import forecast, plan_flight
+
+PUBLISHED = ("--base", "16", "--spacing", "48", "--ground", "120", "--points", "9")
+
+
+def test_one_heading_is_warned_of_and_mended(capsys, tmp_path):
+    out = tmp_path / "block"
+    assert main(["plan", "flight", *PUBLISHED[:-1], "12", "--out", str(out)]) == 0
+    told = capsys.readouterr().out
+    assert "overlap 80 % along, 60 % across" in told
+    (planned,) = [line for line in told.splitlines() if line.startswith(" as planned")]
+    assert planned.endswith("none (c, x0, y0)")
+    (turned,) = [line for line in told.splitlines() if line.startswith(" headings alternate  ")]
+    assert turned.endswith("none (c)")
+    assert (
+        "warning: c, x0, y0 hang on the unevenness of the flight alone; what mends it: headings alternate, lines"
+        in told
+    )
+    assert len(read_block(out).images) == 32
+    assert main(["plan", "flight", *PUBLISHED, "--out", str(out)]) == 2
+    assert "stands there already" in capsys.readouterr().err
+
+
+def test_what_is_lost_is_no_figure(capsys):
+    assert main(["plan", "flight", *PUBLISHED, "--jitter", "0", "0", "--alternate"]) == 0
+    told = capsys.readouterr().out
+    (planned,) = [line for line in told.splitlines() if line.startswith(" as planned")]
+    assert planned.split()[2:] == ["32", "-", "-", "-", "-", "c", "(c)"]
+    assert "warning: c cannot be determined by this flight; what mends it" in told
+
+
+def test_a_sound_plan_and_a_held_camera(capsys):
+    assert main(["plan", "flight", *PUBLISHED, "--cross", "30", "--control", "1"]) == 0
+    assert "everything is determined by design" in capsys.readouterr().out
+    assert main(["plan", "flight", *PUBLISHED, "--hold-camera"]) == 0
+    assert "everything is determined by design" in capsys.readouterr().out
+
+
+def test_gaps_are_said(capsys):
+    assert (
+        main(
+            [
+                "plan",
+                "flight",
+                "--overlap",
+                "0.4",
+                "0.3",
+                "--points",
+                "9",
+                "--hold-camera",
+                "--control",
+                "5",
+                "--cross",
+                "20",
+            ]
+        )
+        == 0
+    )
+    assert "below 50 % along" in capsys.readouterr().out
+    assert (
+        main(["plan", "flight", "--base", "16", "--spacing", "130", "--points", "14", "--hold-camera", "--cross", "20"])
+        == 0
+    )
+    assert "the lines leave gaps" in capsys.readouterr().out
+
+
+def test_the_forecast_is_that_of_the_adjustment_and_control_helps():
+    free = forecast(Flight(alternating=True, points=9))
+    one = forecast(Flight(alternating=True, points=9, control=1))
+    assert not free.sure
+    assert one.sure
+    assert one.sigma_m[2] < 0.6 * free.sigma_m[2]
+    assert one.sigma_c_px < free.sigma_c_px
+    done = plan_flight(Flight(alternating=True, points=9, control=1))
+    assert done.advised is None
+    assert [r.name for r in done.remedies] == ["lines across, tilted 30 deg"]
+
+
+def test_control_of_a_simulated_flight():
+    plan = Flight(points=11, control=5, control_sigma=(0.01, 0.01, 0.02))
+    block, bare = flight_block(plan), flight_block(Flight(points=11))
+    known = np.flatnonzero(np.asarray(block.points.role) == Role.CONTROL)
+    assert len(known) == 5
+    assert block.points.sigma[known].tolist() == [[0.01, 0.01, 0.02]] * 5
+    np.testing.assert_array_equal(block.observations.xy_px, bare.observations.xy_px)
+    off = block.points.xyz[known] - bare.points.xyz[known]
+    assert 0 < np.abs(off).max() < 0.1
+    assert plan.overlap == pytest.approx((0.7999, 0.5997), abs=1e-3)
+    assert plan.pixel_on_ground == pytest.approx(80 / 3650)

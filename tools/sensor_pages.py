@@ -1,0 +1,257 @@
+"""One reference page for each sensor model: what it is, its formula as MathML, its parameters, the text behind them.
+
+The formula is read from the condition itself: each line of it is evaluated with symbols, so that it cannot differ from
+what is computed.
+"""
+
+from __future__ import annotations
+
+import ast
+import inspect
+import re
+import textwrap
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import sympy as sp
+from sympy.printing.mathml import mathml
+
+from raybundle.scenes.bias import BIAS_PARAMETERS
+from raybundle.scenes.empirical import empirical_models
+from raybundle.scenes.sensor import MEANINGS, LineSensor, RpcSensor
+from raybundle.scenes.trajectory import CorrectionModel
+from raybundle.sensors import sensor_models
+from raybundle.sensors.antenna import ANTENNA
+from raybundle.sensors.imu import IMU
+from raybundle.sensors.model import Parameter, SensorModel
+
+MANY, LISTED = 60, 10
+"""Parameters of a model beyond which only the first ones are listed."""
+POINT = ("x", "y", "X", "Y", "Z")
+HEAD = "| parameter | key in block.toml | unit | meaning | default |\n|---|---|---|---|---|"
+RPC_FORMULA = (
+    "y_n = P1(φ, λ, h) / P2(φ, λ, h)      x_n = P3(φ, λ, h) / P4(φ, λ, h)\n\n"
+    "P = a1 + a2 λ + a3 φ + a4 h + a5 λφ + a6 λh + a7 φh + a8 λ² + a9 φ² + a10 h² + a11 φλh + a12 λ³\n"
+    "    + a13 λφ² + a14 λh² + a15 λ²φ + a16 φ³ + a17 φh² + a18 λ²h + a19 φ²h + a20 h³\n\n"
+    "φ, λ, h, x_n, y_n: latitude, longitude, height, column and row, less their offset, over their scale\n\n"
+    "x = x_RPC + A0 + A1 u + A2 v      y = y_RPC + B0 + B1 u + B2 v      u, v: column and row, -1 .. 1 over the scene"
+)
+LINE_FORMULA = (
+    "w = R(t) u(X - P(t))      w_x / w_z = psi_x(x)      w_y / w_z = psi_y(x)      t = t(y), the time of the line\n\n"
+    "R(t) = exp([r(tau)]x) R_table(t + dt)\n"
+    "P(t) = P_table(t + dt) + E' p(tau) - R(t)' a      E: along track, across track, up\n\n"
+    "u              direction, with velocity aberration and refraction\n"
+    "psi_x, psi_y   directions of the detector of column x\n"
+    "p, r           corrections of position and attitude: c0 + c1 tau + c2 tau^2, and curves: sum of B_k(tau) c_k\n"
+    "               of pieces, of fixes (Lagrange) or of splines; tau = -1 at the first line, +1 at the last\n"
+    "dt, a          offset between the clocks, lever arm"
+)
+EMPIRICAL = {
+    "affine": ("x = a1 X + a2 Y + a3 Z + a4", "y = b1 X + b2 Y + b3 Z + b4"),
+    "affine2": (
+        "x = a1 X + a2 Y + a3 Z + a4 + a5 XY + a6 XZ + a7 YZ + a8 X² + a9 Y²",
+        "y = b1 X + b2 Y + b3 Z + b4 + b5 XY + b6 XZ + b7 YZ + b8 X² + b9 Y²",
+    ),
+    "parallel-perspective": (
+        "x = (L1 X + L2 Y + L3 Z + L4) / (1 + L5 X + L6 Y + L7 Z)", "y = L8 X + L9 Y + L10 Z + L11",
+    ),
+    "dlt": (
+        "x = (L1 X + L2 Y + L3 Z + L4) / (1 + L9 X + L10 Y + L11 Z)",
+        "y = (L5 X + L6 Y + L7 Z + L8) / (1 + L9 X + L10 Y + L11 Z)",
+    ),
+    "dlt-brown": (
+        "x + dx = (L1 X + L2 Y + L3 Z + L4) / (1 + L9 X + L10 Y + L11 Z)",
+        "y + dy = (L5 X + L6 Y + L7 Z + L8) / (1 + L9 X + L10 Y + L11 Z)",
+        "dx = u (K1 r² + K2 r⁴ + K3 r⁶) + P1 (r² + 2 u²) + 2 P2 u v",
+        "dy = v (K1 r² + K2 r⁴ + K3 r⁶) + P2 (r² + 2 v²) + 2 P1 u v",
+        "u, v: x, y from the principal point, (L1 L9 + L2 L10 + L3 L11, L5 L9 + L6 L10 + L7 L11) / (L9² + L10² + L11²)",
+    ),
+    "sdlt": (
+        "x = (L1 X + L2 Y + L3 Z + L4) / (1 + L9 X + L10 Y + L11 Z)",
+        "y = (L5 X + L6 Y + L7 Z + L8) / (1 + L9 X + L10 Y + L11 Z) / (1 - L12 x)",
+    ),
+    "plane-affine": ("x = a1 X + a2 Y + a3", "y = b1 X + b2 Y + b3"),
+    "plane-projective": (
+        "x = (h1 X + h2 Y + h3) / (1 + h7 X + h8 Y)", "y = (h4 X + h5 Y + h6) / (1 + h7 X + h8 Y)",
+    ),
+}  # fmt: skip
+
+
+def pages() -> dict[str, str]:
+    """Name of the page -> its text, for every model."""
+    found = {name: model_page(name, model) for name, model in sorted(sensor_models.items())}
+    found["antenna"] = plain_page("antenna", ANTENNA, "X_GNSS = X0 + Rᵀ a + s + d t + v dt")
+    found["imu"] = plain_page("imu", IMU, "R = exp([b]x) R_IMU")
+    found["rpc"] = rpc_page()
+    found["linescan"] = line_page()
+    found["empirical"] = empirical_page()
+    return found
+
+
+def overview() -> str:
+    """What the pages are of."""
+    lines = [
+        "# Sensor models\n",
+        (
+            "Each model of a camera is one condition `g(x, y, X, Y, Z, parameters) = 0` between the image point (mm, "
+            "image frame) and the object point in the sensor's own frame (x right, y up, view along -Z). Jacobians and "
+            "kernels are derived from the text that its page shows.\n"
+        ),
+        "| model | what it is |\n|---|---|",
+    ]
+    for name, text in pages().items():
+        lines.append(f"| [{name}](sensors/{name}.md) | {text.split(chr(10) + chr(10))[1].split(chr(10))[0]} |")
+    return "\n".join(lines) + "\n"
+
+
+def parameter_table(parameters: Sequence[Parameter]) -> str:
+    """Symbols, keys, units, meanings and defaults."""
+    shown = parameters[:LISTED] if len(parameters) > MANY else parameters
+    rows = [HEAD, *(f"| {p.symbol} | `{p.key}` | {p.unit} | {p.meaning} | {p.default:g} |" for p in shown)]
+    if len(shown) < len(parameters):
+        last = parameters[-1]
+        more = len(parameters) - len(shown)
+        rows.append(f"| ... {last.symbol} | | {last.unit} | {more} more, the last: {last.meaning} | {last.default:g} |")
+    return "\n".join(rows)
+
+
+def model_page(name: str, model: SensorModel) -> str:
+    """Page of a model that states a condition."""
+    source = inspect.cleandoc(inspect.getsource(type(model).condition))
+    formula = formulas(type(model).condition, model.symbols) if len(model.parameters) <= MANY else ""
+    parts = [f"# {name}", inspect.getdoc(type(model)) or ""]
+    if formula:
+        parts += ["## Formula", formula]
+    parts += ["## Parameters", parameter_table(model.parameters), "## As it is written"]
+    return "\n\n".join([*parts, f"```text\n{source}\n```"]) + "\n"
+
+
+def plain_page(name: str, model: SensorModel, formula: str) -> str:
+    """Page of what is adjusted like a camera and has no images."""
+    return "\n\n".join([
+        f"# {name}", inspect.getdoc(type(model)) or "", "## Formula", f"```text\n{formula}\n```", "## Parameters",
+        parameter_table(model.parameters),
+    ]) + "\n"  # fmt: skip
+
+
+def rpc_page() -> str:
+    """Rational polynomials with their bias."""
+    table = ["| bias | parameters |", "|---|---|"]
+    table += [f"| {kind} | {', '.join(symbols) or 'none'} |" for kind, symbols in BIAS_PARAMETERS.items()]
+    rows = ["| parameter | unit | meaning |", "|---|---|---|"]
+    rows += [f"| {s} | px | {MEANINGS[s]} |" for s in MEANINGS]
+    return "\n\n".join([
+        "# rpc", inspect.getdoc(RpcSensor) or "",
+        "Order of the coefficients as in RPC00B. Pixels count from the outer corner of the first one.",
+        "## Formula", f"```text\n{RPC_FORMULA}\n```", "## Parameters", "\n".join(table), "\n".join(rows),
+    ]) + "\n"  # fmt: skip
+
+
+def line_page() -> str:
+    """A line scanner on a trajectory with corrections."""
+    model = CorrectionModel(position_degree=2, attitude_degree=2, time_offset=True, lever_arm=True)
+    rows = ["| parameter | unit | meaning |", "|---|---|---|"]
+    rows += [f"| {s} | {model.unit(s)} | {model.meaning(s)} |" for s in model.symbols]
+    return "\n\n".join([
+        "# linescan", inspect.getdoc(LineSensor) or "", "## Formula", f"```text\n{LINE_FORMULA}\n```",
+        "## Parameters", "With polynomials of degree 2; curves have a coefficient for each place and axis instead.",
+        "\n".join(rows), inspect.getdoc(CorrectionModel) or "",
+    ]) + "\n"  # fmt: skip
+
+
+def empirical_page() -> str:
+    """All empirical models; their formulas are held against the program."""
+    parts = [
+        "# empirical",
+        "Models without a camera: fitted to points by least squares (`raybundle.scenes.empirical.fit_empirical`).",
+        "Object and image coordinates are first centred and scaled to -1 .. 1; the parameters belong to those.",
+    ]
+    for name, model in empirical_models.items():
+        if name not in EMPIRICAL:
+            raise ValueError(f"the empirical model {name} has no formula in tools/sensor_pages.py")
+        lines = "\n".join(EMPIRICAL[name])
+        words = set(re.findall(r"[abLhKP]\d+", lines))
+        if words != set(model.symbols):
+            raise ValueError(f"the formula of {name} has {sorted(words ^ set(model.symbols))} of its own")
+        parts += [
+            f"## {name}",
+            f"{len(model.symbols)} parameters, {model.least_points} points at least.",
+            f"```text\n{lines}\n```",
+        ]
+    return "\n\n".join(parts) + "\n"
+
+
+def formulas(condition: Callable[..., Any], symbols: Sequence[str]) -> str:
+    """The lines of a condition as formulas, its result as 0 = ...; '' where a line is more than a formula."""
+    tree = ast.parse(textwrap.dedent(inspect.getsource(condition))).body[0]
+    assert isinstance(tree, ast.FunctionDef)
+    names: dict[str, Any] = {n: sp.Symbol(n, real=True) for n in (*POINT, *symbols)}
+    around = getattr(condition, "__func__", condition).__globals__
+    lines: list[str] = []
+    for statement in tree.body:
+        if isinstance(statement, ast.Expr):
+            continue  # the docstring
+        if isinstance(statement, ast.Return) and statement.value is not None and _other_model(statement.value):
+            lines.append(_words(f"0 = condition of {_other_model(statement.value)} at {_arguments(statement.value)}"))
+            continue
+        if isinstance(statement, ast.Return) and isinstance(statement.value, ast.Tuple):
+            lines += [_equation("0", _value(part, around, names)) for part in statement.value.elts]
+            continue
+        if not isinstance(statement, ast.Assign) or len(statement.targets) != 1:
+            return ""
+        target = statement.targets[0]
+        if not isinstance(target, ast.Name | ast.Tuple):
+            return ""
+        left = [target] if isinstance(target, ast.Name) else target.elts
+        if not all(isinstance(t, ast.Name) for t in left):
+            return ""
+        own = [t.id for t in left if isinstance(t, ast.Name)]
+        model = _other_model(statement.value)
+        if model:
+            lines.append(_words(f"{', '.join(own)}: as of {model}"))
+        elif _of_vectors(statement.value, own):
+            told = ast.unparse(statement.value)
+            lines.append(_words(f"{', '.join(own)} = {told.strip('()') if told.startswith('(') else told}"))
+        else:
+            value = _value(statement.value, around, names)
+            values = [value] if isinstance(target, ast.Name) else list(value)
+            if len(values) != len(own) or not all(isinstance(v, sp.Expr | int | float) for v in values):
+                return ""
+            lines += [_equation(n, v) for n, v in zip(own, values, strict=True)]
+        names |= {n: sp.Symbol(n, real=True) for n in own}
+    return "\n".join(f"<p>{line}</p>" for line in lines)
+
+
+def _value(node: ast.expr, around: dict[str, Any], names: dict[str, Any]) -> Any:
+    return eval(compile(ast.Expression(node), "condition", "eval"), around, names)  # noqa: S307  (our own models)
+
+
+def _of_vectors(node: ast.expr, names: Sequence[str]) -> bool:
+    """Whether a line holds whole vectors: three from a function of frames, or three under one name."""
+    if isinstance(node, ast.Tuple):
+        return len(names) == 1
+    return isinstance(node, ast.Call) and len(names) == 3
+
+
+def _words(text: str) -> str:
+    """A line that is told, with its symbols as they are written."""
+    return f"<code>{text.replace('**', '^')}</code>"
+
+
+def _arguments(node: ast.expr) -> str:
+    """The image and object point at which another condition is taken."""
+    assert isinstance(node, ast.Call)
+    return ", ".join(ast.unparse(a) for a in node.args[:5])
+
+
+def _other_model(node: ast.expr) -> str:
+    """The name of the model whose condition is called."""
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == "condition":
+        return ast.unparse(node.func.value).lower()
+    return ""
+
+
+def _equation(left: str, right: Any) -> str:
+    both = [mathml(sp.Symbol(left) if left != "0" else sp.Integer(0), printer="presentation")]
+    both.append(mathml(sp.sympify(right), printer="presentation"))
+    return f"<math>{both[0]}<mo>=</mo>{both[1]}</math>"
