@@ -34,31 +34,12 @@ def name_some(names: Sequence[str]) -> str:
     return text if len(names) <= SHOWN else f"{text} and {len(names) - SHOWN} more"
 
 
-MOST_TURNS = 1.25
-"""Turns that the format of a panorama can span: one, and an overlap."""
-MOTION = ("vx", "vy", "vz", "wx", "wy", "wz")
-
-
 def check_cameras(block: Block, free: dict[str, tuple[str, ...]]) -> None:
-    """Raise InputError for values of cameras with which their observations say nothing, or something else.
-
-    A rolling shutter without read-out time shows no motion; a format of several turns puts points behind the camera.
-    """
+    """Raise InputError for values of cameras with which their observations say nothing, or something else."""
     for camera in block.cameras:
-        moving = [s for s in free.get(camera.id, ()) if s in MOTION]
-        if camera.model == "brown_rolling" and moving and not camera.values.get("r") and "r" not in free[camera.id]:
-            raise InputError(
-                f"camera {camera.id}: the read-out time r is 0, with which no observation touches {name_some(moving)}; "
-                "give r (read-out time over the height of the format, s/mm), or take the model brown"
-            )
-        if camera.model in {"panorama", "spherical"}:
-            c, width = camera.values["c"], camera.size_mm[0]
-            turns = width / (2 * np.pi * c)
-            if turns > MOST_TURNS:
-                raise InputError(
-                    f"camera {camera.id}: a format {width:.4g} mm wide spans {turns:.3g} turns about an axis with c = "
-                    f"{c:.4g} mm (limit {MOST_TURNS:g}); a whole turn has c = width / (2 pi) = {width / 2 / np.pi:.4g}"
-                )
+        objection = camera.sensor.objection(camera.values, float(camera.size_mm[0]), free.get(camera.id, ()))
+        if objection:
+            raise InputError(f"camera {camera.id}: {objection}")
 
 
 def check_observed(block: Block, rejected: Mask) -> None:

@@ -18,7 +18,7 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.io.block_toml import Section
-from raybundle.io.tables import Column, read_table
+from raybundle.io.tables import Column, read_table, times_in_order
 from raybundle.numerics.arrays import Array
 from raybundle.scenes.corrections import Curve, Fixes, FixesAt
 from raybundle.scenes.linescan import LineScene
@@ -64,14 +64,7 @@ def _of_file(file: Path, part: Part, line: LineScene) -> GivenFixes:
     columns += [Column(name=n, kind="number", optional=True, empty=True) for n in names]
     columns += [Column(name=f"s{n}", kind="number", optional=True, empty=True, limit="> 0") for n in names]
     table = read_table(file, columns, least_rows=2)
-    times = table.number["time_s"]
-    late = np.flatnonzero(np.diff(times) <= 0)
-    if len(late):
-        k = int(late[0])
-        raise InputError(
-            f"time {times[k + 1]:.10g} s does not follow {times[k]:.10g} s; sort the table", file=file, line=k + 3,
-            column="time_s",
-        )  # fmt: skip
+    times = times_in_order(table, file)
     try:
         curve = line.fixes_at(times)
     except InputError as error:

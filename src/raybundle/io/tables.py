@@ -428,3 +428,16 @@ def _text_cells(values: Sequence[str]) -> list[str]:
     if not any(special in joined for special in ',"\r\n'):
         return list(values)
     return [f'"{v.replace(chr(34), chr(34) * 2)}"' if any(s in v for s in ',"\r\n') else v for v in values]
+
+
+def times_in_order(table: Table, file: Path) -> Array:
+    """The column time_s; raises InputError where a time does not follow the one before."""
+    time = table.number["time_s"]
+    late = np.flatnonzero(np.diff(time) <= 0)
+    if len(late):
+        k = int(late[0])
+        raise InputError(
+            f"time {time[k + 1]:.10g} s does not follow {time[k]:.10g} s; sort the table", file=file, line=k + 3,
+            column="time_s",
+        )  # fmt: skip
+    return time

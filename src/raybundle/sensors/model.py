@@ -8,7 +8,7 @@ view along -Z; the length unit is the block's).
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from importlib import import_module
@@ -145,6 +145,14 @@ class SensorModel:
         """(n,) whether sensor-frame points (3, n) lie on the side that the sensor sees (measured at `image`)."""
         del image, values
         return points[2] < 0
+
+    def objection(self, values: Mapping[str, float], width_mm: float, free: Sequence[str]) -> str:
+        """Why observations would say nothing of these values, or something else, and what to do; "" for nothing.
+
+        values    parameters by symbol; width_mm of the format; free  symbols that are estimated
+        """
+        del values, width_mm, free
+        return ""
 
     def condition_at(self, image: Array, points: Array, values: Array) -> Array:
         """G (2, n) at image points (2, n) [mm], sensor-frame points (3, n) and parameters (k,) or (k, n)."""

@@ -2,11 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+
 import numpy as np
 
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.maths import Scalar, cos, sin
 from raybundle.sensors.model import Parameter, SensorModel
+
+MOST_TURNS = 1.25
+"""Turns that the format of a panorama can span: one, and an overlap."""
+
+
+def too_many_turns(width_mm: float, c: float) -> str:
+    """What is wrong with a format [mm] that is longer than a turn about an axis at the distance c; "" for nothing."""
+    whole = width_mm / (2 * np.pi)
+    if whole / c <= MOST_TURNS:
+        return ""
+    return (
+        f"a format {width_mm:.4g} mm wide spans {whole / c:.3g} turns about an axis with c = {c:.4g} mm (limit "
+        f"{MOST_TURNS:g}); a whole turn has c = width / (2 pi) = {whole:.4g}"
+    )
 
 
 class Panorama(SensorModel):
@@ -34,6 +50,11 @@ class Panorama(SensorModel):
         Parameter("u1", "rad", "tumbling of the axis, cosine of twice the turn", typical=1e-4),
         Parameter("u2", "rad", "tumbling of the axis, sine of twice the turn", typical=-1e-4),
     )
+
+    def objection(self, values: Mapping[str, float], width_mm: float, free: Sequence[str]) -> str:
+        """A format of several turns would put points behind the camera."""
+        del free
+        return too_many_turns(width_mm, values["c"])
 
     @staticmethod
     def condition(

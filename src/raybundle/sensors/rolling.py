@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+
 from raybundle.numerics.maths import Scalar
 from raybundle.numerics.motion import turned_axes
 from raybundle.sensors.brown import Brown
 from raybundle.sensors.model import Parameter, SensorModel
+
+MOTION = ("vx", "vy", "vz", "wx", "wy", "wz")
 
 
 class BrownRolling(SensorModel):
@@ -28,6 +32,17 @@ class BrownRolling(SensorModel):
         Parameter("wy", "rad/s", "rotation rate about the y axis", typical=-0.2),
         Parameter("wz", "rad/s", "rotation rate about the viewing axis", typical=0.15),
     )
+
+    def objection(self, values: Mapping[str, float], width_mm: float, free: Sequence[str]) -> str:
+        """A rolling shutter without read-out time shows no motion."""
+        del width_mm
+        moving = [s for s in free if s in MOTION]
+        if not moving or values.get("r") or "r" in free:
+            return ""
+        return (
+            f"the read-out time r is 0, with which no observation touches {', '.join(moving)}; give r (read-out time "
+            "over the height of the format, s/mm), or take the model brown"
+        )
 
     @staticmethod
     def condition(

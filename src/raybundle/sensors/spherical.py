@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+
 import numpy as np
 
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.maths import Scalar, cos, sin
 from raybundle.sensors.model import Parameter, SensorModel
+from raybundle.sensors.panorama import too_many_turns
 
 
 class Spherical(SensorModel):
@@ -22,6 +25,11 @@ class Spherical(SensorModel):
         Parameter("c", "mm", "radius of the sphere", 50.0, kind="scale"),
         Parameter("y0", "mm", "image of the horizon", typical=0.1, kind="principal point"),
     )
+
+    def objection(self, values: Mapping[str, float], width_mm: float, free: Sequence[str]) -> str:
+        """A format of several turns would put points behind the camera."""
+        del free
+        return too_many_turns(width_mm, values["c"])
 
     @staticmethod
     def condition(

@@ -41,7 +41,7 @@ from raybundle.errors import InputError
 from raybundle.io.block_toml import Section, read_toml
 from raybundle.io.coordinate_systems import local_frame
 from raybundle.io.scenes.base import Scene, SceneFormat, register
-from raybundle.io.tables import Column, Table, read_table
+from raybundle.io.tables import Column, Table, read_table, times_in_order
 from raybundle.io.trajectories.angle_csv import GEOGRAPHIC, GRID, SIGMA, UNITS
 from raybundle.io.trajectories.base import WGS84_HEIGHT, Trajectory, rotations_in
 from raybundle.numerics.arrays import Array
@@ -215,14 +215,7 @@ def _table(file: Path, holds: Literal["both", "positions", "attitudes"]) -> Traj
     if (holds != "attitudes" and len(places) != 1) or (holds != "positions" and len(full) != 1):
         needed = {"both": f"{what} and {angles}", "positions": what, "attitudes": angles}[holds]
         raise InputError(f"time_s, {needed} are needed, of one kind each", file=file, line=1)
-    time = table.number["time_s"]
-    late = np.flatnonzero(np.diff(time) <= 0)
-    if len(late):
-        k = int(late[0])
-        raise InputError(
-            f"time {time[k + 1]:.10g} s does not follow {time[k]:.10g} s; sort the table", file=file, line=k + 3,
-            column="time_s",
-        )  # fmt: skip
+    times_in_order(table, file)
     return _given(file, table, places[0] if places else (), full[0] if full else None)
 
 
