@@ -195,6 +195,7 @@ int64_t Factor::factorise(const double* values, const double* added) {
   }
   smallest_pivot_ = 1;
   smallest_pivot_at_ = -1;
+  pivots_.assign(scale_.size(), 0.0);
   const Dense& blas = dense();
   std::vector<std::vector<double>> update(supernodes_.size());
   std::vector<double> u;
@@ -247,9 +248,11 @@ int64_t Factor::factorise(const double* values, const double* added) {
     if (info != 0) return unknown(info - 1) + 1;
     for (int e = 0; e < c; ++e) {
       const double pivot = F[size_t(e) * m + e] * F[size_t(e) * m + e];
+      const int64_t at = unknown(e);
+      pivots_[at] = pivot / (scale_[at] * scale_[at]);
       if (pivot < smallest_pivot_) {
         smallest_pivot_ = pivot;
-        smallest_pivot_at_ = unknown(e);
+        smallest_pivot_at_ = at;
       }
     }
     if (r > 0) {

@@ -38,6 +38,8 @@ class Factor {
 
   double smallest_pivot() const { return smallest_pivot_; }
   int64_t smallest_pivot_at() const { return smallest_pivot_at_; }
+  // (N) of the matrix itself, not of the scaled one: what is left of each unknown's diagonal after those eliminated before
+  const std::vector<double>& pivots() const { return pivots_; }
   int64_t entries() const { return entries_; }
   double operations() const { return operations_; }
 
@@ -56,7 +58,7 @@ class Factor {
   };
   const Problem& problem_;
   std::vector<Supernode> supernodes_;
-  std::vector<double> scale_;
+  std::vector<double> scale_, pivots_;
   double smallest_pivot_ = 0, operations_ = 0;
   int64_t smallest_pivot_at_ = -1, entries_ = 0;
 };

@@ -284,6 +284,11 @@ NB_MODULE(_native, m) {
       .def_prop_ro("factor_operations", [](const Solver& s) { return s.factor->operations(); })
       .def_prop_ro("smallest_pivot", [](const Solver& s) { return s.factor->smallest_pivot(); })
       .def_prop_ro("smallest_pivot_at", [](const Solver& s) { return s.factor->smallest_pivot_at(); })
+      .def("pivots", [](const Solver& s, Doubles out) {
+             const std::vector<double>& pivots = s.factor->pivots();
+             s.check(out.size() == pivots.size(), "pivots have the wrong size");
+             std::copy(pivots.begin(), pivots.end(), out.data());
+           })
       .def("reduce",
            [](Solver& s, Const R, Const C, Const I, Const X, double huber, double damping, int threads, Doubles values, Doubles right,
               Doubles diagonal) {

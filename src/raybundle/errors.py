@@ -9,13 +9,16 @@
         NoConvergence
         NoOrientation       approximate values could not be found
 
-Each message says what is wrong, in which object, the number against its limit, and what to do next.
+Each message says what is wrong, in which object, the number against its limit, and what to do next.  What a program
+needs to know of a defect stands beside it as data (`undetermined`, `open_names`, `images`): nothing reads words.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Literal
 
 
 class RaybundleError(Exception):
@@ -50,18 +53,54 @@ class UnknownSensorModel(InputError):
         super().__init__(f"unknown sensor model {name!r}; known: {', '.join(sorted(known))}", file=file)
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Undetermined:
+    """An object whose unknowns the observations do not determine, or hardly."""
+
+    kind: Literal["parameter", "image", "point", "other"]
+    name: str
+    """Camera, image or point."""
+    symbol: str = ""
+    """Of a parameter."""
+    image: str = ""
+    """Of a parameter that each image has for itself."""
+    share: float = 1.0
+    """Share of its scaled unknowns in what is not determined: 1 = it is not determined by itself."""
+
+
 class NotSolvable(RaybundleError):
-    """Well-formed input without a solution."""
+    """Well-formed input without a solution; names what is not determined, where that is known, the worst first."""
 
     exit_status = 3
+
+    def __init__(self, message: str, *, undetermined: Sequence[Undetermined] = ()) -> None:
+        super().__init__(message)
+        self.undetermined: tuple[Undetermined, ...] = tuple(undetermined)
+
+    def names(self, kind: str) -> tuple[str, ...]:
+        """What is not determined of one kind: the names of images or points, the worst first."""
+        return tuple(u.name for u in self.undetermined if u.kind == kind)
+
+    def worded(self, message: str) -> NotSolvable:
+        """The same defect with other words."""
+        other = type(self)(message)
+        other.undetermined = self.undetermined
+        return other
 
 
 class DatumDefect(NotSolvable):
     """Position, orientation or scale of object space is left open."""
 
+    def __init__(
+        self, message: str, *, open_names: Sequence[str] = (), undetermined: Sequence[Undetermined] = ()
+    ) -> None:
+        super().__init__(message, undetermined=undetermined)
+        self.open_names: tuple[str, ...] = tuple(open_names)
+        """"X", "rotation about Z", "scale" ..., where known."""
+
 
 class RankDefect(NotSolvable):
-    """Unknowns that the observations do not determine, named in words."""
+    """Unknowns that the observations do not determine, named in words and as data."""
 
 
 class NoConvergence(NotSolvable):
@@ -71,7 +110,13 @@ class NoConvergence(NotSolvable):
 class NoOrientation(NotSolvable):
     """Approximate values were not found; names the images and why."""
 
-    def __init__(self, message: str, *, images: Mapping[str, str] | None = None) -> None:
-        super().__init__(message)
+    def __init__(
+        self,
+        message: str,
+        *,
+        images: Mapping[str, str] | None = None,
+        undetermined: Sequence[Undetermined] = (),
+    ) -> None:
+        super().__init__(message, undetermined=undetermined)
         self.images: Mapping[str, str] = dict(images or {})
         """Images that could not be oriented, with the reason; the others could be."""

@@ -87,7 +87,7 @@ def _snoop_what_is_determined(
         try:
             return _snoop(block, options, choices, progress)
         except RankDefect as error:
-            held = _hold_next(block, choices, automatic, str(error))
+            held = _hold_next(block, choices, automatic, error)
             if held is None:
                 raise
             block = _with_values(block, held[0], {held[1]: given[held[0]][held[1]]})
@@ -235,7 +235,7 @@ def _choose(
             first = result is None and options.reject == "none"
             result = _quiet(block, options, choices, progress, start="approximate" if first else "adjusted")
         except (RankDefect, NoConvergence) as error:
-            held = _hold_next(block, choices, automatic, str(error))
+            held = _hold_next(block, choices, automatic, error)
             if held is None:
                 raise
             block = _with_values(block, held[0], {held[1]: given[held[0]][held[1]]})
@@ -268,19 +268,24 @@ def _hold(choices: Decisions, camera: str, symbol: str, reason: str) -> None:
     )
 
 
-def _hold_next(block: Block, choices: Decisions, automatic: list[str], problem: str) -> tuple[str, str] | None:
-    """Hold the least needed parameter, of those that the error names; camera and symbol, None if none is left."""
+def _hold_next(block: Block, choices: Decisions, automatic: list[str], error: NotSolvable) -> tuple[str, str] | None:
+    """Hold the least needed parameter, of those that the error names; camera and symbol, None if none is left.
+
+    Where images or points alone are not determined, it is no parameter's fault.
+    """
+    named = {(u.name, u.symbol) for u in error.undetermined if u.kind == "parameter"}
+    if error.undetermined and not named:
+        return None
     found: list[tuple[bool, int, int, str, str]] = []
     for camera in automatic:
         model = sensor_models[next(c.model for c in block.cameras if c.id == camera)]
         for k, p in enumerate(model.parameters):
             if p.kind in DROP_ORDER and p.symbol in choices.free[camera]:
-                named = f"{p.symbol} of camera {camera}" in problem
-                found.append((not named, DROP_ORDER.index(p.kind), -k, camera, p.symbol))
+                found.append(((camera, p.symbol) not in named, DROP_ORDER.index(p.kind), -k, camera, p.symbol))
     if not found:
         return None
     _, _, _, camera, symbol = min(found)
-    _hold(choices, camera, symbol, problem.splitlines()[0])
+    _hold(choices, camera, symbol, str(error).splitlines()[0])
     return camera, symbol
 
 

@@ -6,15 +6,26 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from raybundle.adjustment.assemble import State, System
+from raybundle.adjustment.assemble import InteriorRow, State, System
 from raybundle.adjustment.normals import Normals
 from raybundle.block import Block, Role
-from raybundle.errors import DatumDefect, InputError, NoConvergence, RankDefect
+from raybundle.errors import DatumDefect, InputError, NoConvergence, RankDefect, Undetermined
 from raybundle.numerics.arrays import Array, Mask
 
-PIVOT = 1e-12
-"""Pivot of the scaled reduced normal matrix below which an unknown counts as undetermined."""
+SHARE = 1e-13
+"""Share of an unknown's information that must be left after the unknowns eliminated before it.
+
+The information is the diagonal of the normal matrix before anything is eliminated; every elimination changes it by
+some units of 2.2e-16 of that, so that what is left of an unknown without information is rounding, some 1e-15 of
+either sign, however the pivot compares with other pivots.  The least share of networks that are determined is above
+1e-12: a network in between has interior orientations a hundred times less certain than anyone knows beforehand, and
+`steady` says the same of it on both sides.
+"""
+NULL = 1e-9
+"""Eigenvalue of the scaled reduced normal matrix below which a direction is part of what is left open."""
 SHOWN = 10
+SHOWN_SHARE = 0.02
+"""Share in the null space from which on an object is named."""
 NEAR = 4
 """Steps from image to image over common points within which a network is seen at once to hang together."""
 SUGGESTIONS = {
@@ -83,9 +94,12 @@ def _one_image(block: Block, points: Sequence[str]) -> RankDefect:
     free = camera.sensor.symbols if camera.estimate == "auto" else camera.estimate
     names = [f"object points {name_some(points)}", f"the exterior orientation of image {block.images.ids[image]}"]
     names += [f"{', '.join(free)} of camera {camera.id}"] if free else []
+    lost = [Undetermined(kind="image", name=block.images.ids[image])]
+    lost += [Undetermined(kind="parameter", name=camera.id, symbol=s) for s in free]
     return RankDefect(
         f"not determinable from one image without enough control: {'; '.join(names)}. A tie point needs at least two "
-        "rays: add images from other stations, or give control points for a resection of this one."
+        "rays: add images from other stations, or give control points for a resection of this one.",
+        undetermined=[*lost, *(Undetermined(kind="point", name=p) for p in points)],
     )
 
 
@@ -94,6 +108,7 @@ def check_images(block: Block, rejected: Mask, free: dict[str, tuple[str, ...]])
     counts = np.bincount(block.observations.image[~rejected], minlength=len(block.images))
     held = block.images.held if block.images.held is not None else np.zeros(len(block.images), bool)
     bad: list[str] = []
+    lost: list[Undetermined] = []
     for i, image_id in enumerate(block.images.ids):
         camera = block.cameras[block.images.camera[i]]
         own = 0 if held[i] else 6
@@ -101,10 +116,12 @@ def check_images(block: Block, rejected: Mask, free: dict[str, tuple[str, ...]])
             own += len(free.get(camera.id, ()))
         if counts[i] and 2 * counts[i] < own:
             bad.append(f"{image_id} ({counts[i]} image points for {own} unknowns)")
+            lost.append(Undetermined(kind="image", name=image_id))
     if bad:
         raise RankDefect(
             f"too few image points in image{'s' * (len(bad) > 1)} {name_some(bad)}; an exterior orientation needs "
-            "at least three. Measure more points there, or leave the images out."
+            "at least three. Measure more points there, or leave the images out.",
+            undetermined=lost,
         )
 
 
@@ -156,6 +173,8 @@ def check_components(block: Block, rejected: Mask, defect_of: object) -> int:
     if len(parts) < 2:
         return len(parts)
     lines: list[str] = []
+    apart: list[str] = []
+    largest = max(parts, key=len)
     for part in parts:
         inside = np.zeros(len(block.images), bool)
         inside[part] = True
@@ -163,11 +182,13 @@ def check_components(block: Block, rejected: Mask, defect_of: object) -> int:
         if names:
             images = name_some([block.images.ids[i] for i in part])
             lines.append(f"  images {images}: {', '.join(names)} open")
+            apart += [] if part is largest else [block.images.ids[i] for i in part]
     if lines:
         raise DatumDefect(
             f"the block falls into {len(parts)} parts without a common tie point, "
             f"and not each of them has its own datum:\n" + "\n".join(lines) + "\n"
-            "  Measure points that join the parts, give each part control, or adjust them one by one."
+            "  Measure points that join the parts, give each part control, or adjust them one by one.",
+            undetermined=[Undetermined(kind="image", name=n) for n in apart],
         )
     return len(parts)
 
@@ -184,23 +205,50 @@ def held_by_points(block: Block, rows: Mask) -> bool:
 
 
 def explain(normals: Normals, state: State, weak: Sequence[int], failed: int) -> RankDefect:
-    """The error that names the null space in words: which parameters, images and points it moves."""
+    """The error that names the null space in words and as data: which parameters, images and points it moves."""
+    del state
     system, block = normals.system, normals.system.block
     lines: list[str] = []
+    lost: list[Undetermined] = []
     untouched = np.flatnonzero(~(normals.diagonal > 0))
     if len(untouched):
+        lost = [of_unknown(system, int(u)) for u in untouched]
         names = name_some([unknown_name(system, int(u)) for u in untouched])
         lines.append(f"  no observation touches {names}; give them a sigma, a smoothness, or points there")
     elif weak:
-        names = name_some([block.points.ids[p] for p in sorted(set(weak))])
-        lines.append(f"  object points whose rays are parallel or coincide: {names}; observe them from another station")
+        names = [block.points.ids[p] for p in sorted(set(weak))]
+        lost = [Undetermined(kind="point", name=n) for n in names]
+        lines.append(
+            f"  object points whose rays are parallel or coincide: {name_some(names)}; "
+            "observe them from another station"
+        )
     else:
-        lines += _null_space(normals, state)
+        lost, line = null_space(normals)
+        lines += [line] if line else []
     if not lines and failed >= 0:
+        lost = [of_unknown(system, failed)]
         lines.append(f"  {unknown_name(system, failed)}")
     return RankDefect(
-        "the observations do not determine all unknowns; no standard deviation can be given.\n" + "\n".join(lines)
+        "the observations do not determine all unknowns; no standard deviation can be given.\n" + "\n".join(lines),
+        undetermined=lost,
     )
+
+
+def of_unknown(system: System, unknown: int) -> Undetermined:
+    """The object that a scalar unknown of the nodes belongs to."""
+    block = system.block
+    node = int(np.searchsorted(system.offsets, unknown, side="right") - 1)
+    local = unknown - int(system.offsets[node])
+    images = np.flatnonzero(system.image_node == node)
+    if len(images) and system.exterior_free[images[0]] and local < 6:
+        return Undetermined(kind="image", name=block.images.ids[images[0]])
+    for row in system.interior:
+        if row.node == node and row.start <= local < row.start + len(row.free):
+            return _of_parameter(block, row, row.free[local - row.start])
+    points = np.flatnonzero(system.point_node == node)
+    if len(points):
+        return Undetermined(kind="point", name=block.points.ids[points[0]])
+    return Undetermined(kind="other", name=f"unknown {unknown}")
 
 
 def unknown_name(system: System, unknown: int) -> str:
@@ -247,34 +295,58 @@ def null_vectors(normals: Normals, count: int = 6) -> tuple[Array, Array]:
     return values[order], basis[:, order]
 
 
-def _null_space(normals: Normals, state: State) -> list[str]:
-    del state
+def _of_parameter(block: Block, row: InteriorRow, position: int, share: float = 1.0) -> Undetermined:
+    return Undetermined(
+        kind="parameter", name=block.cameras[row.camera].id, symbol=row.model.symbols[position],
+        image="" if row.image < 0 else block.images.ids[row.image], share=share,
+    )  # fmt: skip
+
+
+def shares(normals: Normals, vectors: Array) -> list[Undetermined]:
+    """The objects that a space of scaled unknowns moves, by their share of it, the largest first.
+
+    vectors  (N, k) orthonormal, per unit of the scaled unknowns
+    An unknown's share is the diagonal element of the projector, which does not depend on the choice of the vectors.
+    """
     system, block = normals.system, normals.system.block
+    share = (vectors**2).sum(axis=1)
+    found: list[Undetermined] = []
+    for row in system.interior:
+        for k, position in enumerate(row.free if row.node >= 0 else ()):
+            at = int(system.offsets[row.node]) + row.start + k
+            found.append(_of_parameter(block, row, position, float(share[at])))
+    for i in np.flatnonzero((system.image_node >= 0) & system.exterior_free):
+        at = int(system.offsets[system.image_node[i]])
+        found.append(Undetermined(kind="image", name=block.images.ids[i], share=float(share[at : at + 6].sum())))
+    for p in np.flatnonzero(system.point_node >= 0):
+        at = int(system.offsets[system.point_node[p]])
+        found.append(Undetermined(kind="point", name=block.points.ids[p], share=float(share[at : at + 3].sum())))
+    return sorted(found, key=lambda u: -round(u.share, 3))
+
+
+def null_space(normals: Normals) -> tuple[list[Undetermined], str]:
+    """What is not determined, and the line that says so; the null space must be the factor's reason to fail."""
     values, vectors = null_vectors(normals)
-    null = vectors[:, values < 1e-9]
-    lines: list[str] = []
-    for vector in null.T[:4]:
-        share = vector**2
-        parts: list[tuple[float, str, str]] = []
-        for row in system.interior:
-            for k, position in enumerate(row.free):
-                if row.node >= 0:
-                    parameter = row.model.parameters[position]
-                    at = int(system.offsets[row.node]) + row.start + k
-                    parts.append(
-                        (share[at], f"{parameter.symbol} of camera {row.key(block)}", SUGGESTIONS[parameter.kind])
-                    )
-        for i in np.flatnonzero(system.image_node >= 0):
-            if system.exterior_free[i]:
-                at = int(system.offsets[system.image_node[i]])
-                name = block.images.ids[i]
-                parts.append((float(share[at : at + 6].sum()), f"exterior orientation of image {name}", ""))
-        parts.sort(key=lambda part: -part[0])
-        shown = [p for p in parts if p[0] > 0.02][:6] or parts[:3]
-        advice = next((p[2] for p in parts if p[2] and p[0] > 1e-4), "")
-        line = "  undetermined together: " + ", ".join(f"{name} ({100 * s:.0f} %)" for s, name, _ in shown)
-        lines.append(line + (f"; {advice}" if advice else "; add points or control there, or leave the images out"))
-    return lines
+    null = vectors[:, values < NULL]
+    if not null.shape[1]:
+        return [], ""
+    found = [u for u in shares(normals, null) if u.share > 1e-4]
+    shown = [u for u in found if u.share > SHOWN_SHARE][:6] or found[:3]
+    words = ", ".join(f"{_named(u)} ({100 * min(u.share, 1.0):.0f} %)" for u in shown)
+    advice = next((_advice(normals.system, u) for u in found if u.kind == "parameter"), "")
+    advice = advice or "add points or control there, or leave the images out"
+    return found, f"  undetermined together: {words}; {advice}"
+
+
+def _named(u: Undetermined) -> str:
+    if u.kind == "parameter":
+        return f"{u.symbol} of camera {u.name}" + (f"/{u.image}" if u.image else "")
+    return f"exterior orientation of image {u.name}" if u.kind == "image" else f"point {u.name}"
+
+
+def _advice(system: System, u: Undetermined) -> str:
+    model = next(row.model for row in system.interior if system.block.cameras[row.camera].id == u.name)
+    return SUGGESTIONS[next(p.kind for p in model.parameters if p.symbol == u.symbol)]
 
 
 def parallel_rays(system: System, state: State) -> tuple[Mask, Mask]:
@@ -297,19 +369,27 @@ def without_base(system: System, state: State) -> bool:
     return bool(tied.any() and parallel.sum() > 0.3 * tied.sum())
 
 
-def no_convergence(system: System, state: State, iterations: int, step: float) -> NoConvergence:
-    """The error of an iteration that found no minimum, with what is most likely behind it."""
+def no_convergence(normals: Normals, state: State, iterations: int, step: float) -> NoConvergence:
+    """The error of an iteration that found no minimum, with what is most likely behind it.
+
+    normals  in a minimal datum, formed at the state
+    """
+    system = normals.system
     block = system.block
     parallel, tied = parallel_rays(system, state)
     image, point = block.observations.image[system.rows], block.observations.point[system.rows]
+    values, vectors = null_vectors(normals)
+    lost = [u for u in shares(normals, vectors[:, values < NULL]) if u.share > 1e-4]
     head = f"no convergence after {iterations} iterations (last step {step:.2g} standard deviations). "
     if without_base(system, state):
         images = name_some([block.images.ids[i] for i in np.unique(image[parallel[point]])])
         return NoConvergence(
             f"{head}The rays to {int(parallel.sum())} of {int(tied.sum())} object points are parallel within 0.2 "
-            f"degrees: images {images} have no base, or are the same photo twice. Take images from different stations."
+            f"degrees: images {images} have no base, or are the same photo twice. Take images from different stations.",
+            undetermined=lost,
         )
     return NoConvergence(
         f"{head}Look for gross errors (--robust-start, --reject snooping), wrong point numbers, "
-        "or better approximate values."
+        "or better approximate values.",
+        undetermined=lost,
     )

@@ -36,8 +36,10 @@ from raybundle.adjustment.reliability import (
 )
 from raybundle.adjustment.result import Adjustment, Notice, Precision
 from raybundle.adjustment.solve import CAUTIOUS, FLOOR, HUBER, solve
+from raybundle.adjustment.steady import steadied, without_priors
 from raybundle.adjustment.work import Work
 from raybundle.block import Block, Camera
+from raybundle.errors import NoConvergence, RankDefect
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.statistics import family_wise_normal, family_wise_tau, global_test
@@ -74,6 +76,8 @@ def adjust_block(
     start     adjusted: the values come from an adjustment of nearly the same; the first step is not damped
     raises    InputError, DatumDefect, RankDefect, NoConvergence
 
+    Camera parameters that the network leaves open are kept near what was given (`steady`), and called not determinable.
+
     What it does not do: find approximate values (`raybundle.orientation`), reject blunders or choose
     parameters (`raybundle.adjustment.decide`).
     """
@@ -81,8 +85,17 @@ def adjust_block(
     options = options or AdjustmentOptions()
     free = free if free is not None else {c.id: free_parameters(c) for c in block.cameras}
     reasons = rejected or ("",) * len(block.observations)
-    work, reasons = carry_out(block, options, free, reasons, progress, start=start)
-    return result_of(work, block, options, reasons, notices, time.perf_counter() - began, progress, extent)
+    try:
+        work, found = carry_out(block, options, free, reasons, progress, start=start)
+        return result_of(work, block, options, found, notices, time.perf_counter() - began, progress, extent)
+    except (RankDefect, NoConvergence) as error:
+        steady = steadied(block, free, error)
+        if steady is None:
+            raise
+    work, found = carry_out(steady.block, options, free, reasons, progress, start=start)
+    seconds = time.perf_counter() - began
+    result = result_of(work, steady.block, options, found, notices, seconds, progress, extent)
+    return without_priors(result, block, steady.added)
 
 
 UNENDING = 0.05
@@ -118,7 +131,8 @@ def carry_out(
         work = _estimate(block, options, free, mask, start, progress)
     weak = not work.solution.step < UNENDING or defects.without_base(work.system, work.solution.state)
     if not work.solution.converged and weak:
-        raise defects.no_convergence(work.system, work.solution.state, work.solution.iterations, work.solution.step)
+        _in_minimal_datum(work.normals, work.solution.state, work.datum)
+        raise defects.no_convergence(work.normals, work.solution.state, work.solution.iterations, work.solution.step)
     _factor(work.normals, work.solution.state, work.datum)
     if options.statistics:
         progress("statistics", 0.0)
@@ -212,15 +226,22 @@ def _may_fall_apart(block: Block, mask: Mask) -> bool:
     return len(block.images) > 1
 
 
-def _factor(normals: Normals, state: State, datum: Datum) -> None:
-    """Undamped factor in a minimal datum at a state; RankDefect where there is none."""
+def _in_minimal_datum(normals: Normals, state: State, datum: Datum) -> list[int]:
+    """Form the undamped normal equations in a minimal datum at a state; returns points without an intersection."""
     system = normals.system
     system.held = system.control_held | hold_minimal(system, state, datum)
     normals.solver.set_held((system.held * np.array([1, 2, 4])).sum(axis=1).astype(np.uint8))
-    _, _, weak = normals.reduce(state)
+    return normals.reduce(state)[2]
+
+
+def _factor(normals: Normals, state: State, datum: Datum) -> None:
+    """Undamped factor in a minimal datum at a state; RankDefect where there is none."""
+    weak = _in_minimal_datum(normals, state, datum)
     failed = normals.factorise()
-    if failed or weak or normals.solver.smallest_pivot < defects.PIVOT:
-        at = failed - 1 if failed else normals.solver.smallest_pivot_at
+    if failed or weak:
+        raise defects.explain(normals, state, weak, failed - 1)
+    share, at = normals.least_share()
+    if share < defects.SHARE:
         raise defects.explain(normals, state, weak, at)
 
 

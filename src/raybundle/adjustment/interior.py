@@ -14,6 +14,7 @@ from raybundle.adjustment.result import InteriorResult, ParameterResult, Precisi
 from raybundle.block import Camera
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.statistics import correlation, fisher_tail
+from raybundle.sensors import SensorModel
 
 JOINT = ("radial", "decentring", "affinity", "harmonic", "principal point")
 PLAUSIBLE = {"scale": 0.05, "principal point": 0.02}
@@ -28,14 +29,13 @@ PLAUSIBLE_CARRIED = {"length": 0.3, "rad": 0.02, "s": 0.1}
 """The same for what GNSS and INS have: a tape tells a lever arm better, a look at the mounting the misalignment."""
 
 
-def image_effects(row: InteriorRow, camera: Camera, values: Array, distance: float = 1.0) -> Array:
+def image_effects(model: SensorModel, camera: Camera, values: Array, distance: float = 1.0) -> Array:
     """Largest shifts (k,) [px] over the format per unit of each parameter, the viewing rays held.
 
     distance  of the object points, which the effect of a length in object space depends on
     d x / d parameter = -B^-1 d g / d parameter at image points along the border and over the format.
     """
     half = camera.size_mm / 2
-    model = row.model
     t = np.linspace(-1, 1, 9)
     # a parameter that acts in its neighbourhood alone must not fall between the lines
     lines = np.linspace(-1, 1, NEAR_LINES) if model.local_width else t
@@ -49,21 +49,24 @@ def image_effects(row: InteriorRow, camera: Camera, values: Array, distance: flo
     return np.nanmax(np.linalg.norm(shift / np.array(camera.pixel_mm)[:, None], axis=1), axis=0)
 
 
-def implausible(
-    row: InteriorRow, camera: Camera, values: Array, position: int, std: float, effects: Callable[[], Array]
-) -> bool:
-    """Whether a standard deviation exceeds what one knows of the parameter beforehand."""
-    parameter = row.model.parameters[position]
-    if not row.model.has_images:
+def plausible_std(
+    model: SensorModel, camera: Camera, values: Array, position: int, effects: Callable[[], Array]
+) -> float:
+    """Standard deviation of a parameter beyond which a block says less of it than one knows beforehand.
+
+    effects  gives the largest shift [px] over the format per unit of each parameter (`image_effects`)
+    """
+    parameter = model.parameters[position]
+    if not model.has_images:
         # what is observed is known as well as stated; sigma0 may make a little more of it
         stated = 1.5 * camera.sigma.get(parameter.symbol, 0.0)
-        return std > max(PLAUSIBLE_CARRIED.get(parameter.unit, np.inf), stated)
+        return max(PLAUSIBLE_CARRIED.get(parameter.unit, np.inf), stated)
     if parameter.kind == "scale":
-        return std > PLAUSIBLE["scale"] * abs(values[position])
+        return PLAUSIBLE["scale"] * abs(float(values[position]))
     if parameter.kind == "principal point":
-        return std > PLAUSIBLE["principal point"] * float(camera.size_mm.max())
+        return PLAUSIBLE["principal point"] * float(camera.size_mm.max())
     limit = PLAUSIBLE_SHIFT * 0.5 * float(np.hypot(camera.width_px, camera.height_px))
-    return std * float(effects()[position]) > limit
+    return limit / max(float(effects()[position]), 1e-300)
 
 
 def interior_results(
@@ -103,7 +106,7 @@ def _one(
 
     @cache
     def effects() -> Array:
-        return image_effects(row, camera, values, distance)
+        return image_effects(row.model, camera, values, distance)
 
     for position in row.carries:
         parameter = row.model.parameters[position]
@@ -121,7 +124,7 @@ def _one(
             determinability = float(1 / max(C[k, k] / variance * diagonal[k], 1e-300))
             effect_std = float(effects()[position]) * std if row.model.has_images else None
             t = abs(value) / std if parameter.kind != "scale" and std > 0 else None
-            if implausible(row, camera, values, position, std, effects):
+            if std > plausible_std(row.model, camera, values, position, effects):
                 status = "not determinable"
         parameters[parameter.symbol] = ParameterResult(
             symbol=parameter.symbol, unit=parameter.unit, meaning=parameter.meaning, value=value, std=std, t=t,

@@ -253,6 +253,20 @@ class Normals:
         with as_many_threads_as_help(len(self.right)):
             return int(self.solver.factorise(self.values, added))
 
+    def least_share(self) -> tuple[float, int]:
+        """The least share of an unknown's information that the factor found left over, and the unknown.
+
+        Of the information that the observations bring for it (the diagonal before object points are eliminated) what
+        the unknowns eliminated before it have not taken.
+        """
+        if not len(self.right):
+            return 1.0, -1
+        pivots = np.empty(len(self.right))
+        self.solver.pivots(pivots)
+        share = pivots / np.maximum(self.diagonal, 1e-300)
+        at = int(share.argmin())
+        return float(share[at]), at
+
     def solved(self, right: Array) -> Array:
         """N^-1 applied to right sides (N,) or (N, k) of the nodes, with the last factor."""
         found = np.array(right, order="C")

@@ -147,6 +147,7 @@ class Solver:
         del block
         self.system = system
         self.smallest_pivot, self.smallest_pivot_at = 1.0, -1
+        self.own_pivots = np.ones(0)
 
     def set_observations(self, image: Index, point: Index, xy: Array, whiten: Array, external_row: Index) -> None:
         """Observations, sorted by point: xy (m, 2) [mm]; lower triangle (m, 3) of the whitening matrices."""
@@ -366,9 +367,14 @@ class Solver:
         if info:
             return int(info)
         pivots = np.diagonal(self.L) ** 2
+        self.own_pivots = pivots / self.scale**2
         self.smallest_pivot_at = int(pivots.argmin()) if len(pivots) else -1
         self.smallest_pivot = float(pivots.min(initial=1.0))
         return 0
+
+    def pivots(self, out: Array) -> None:
+        """Pivots (N,) of the matrix itself, in the order of the unknowns."""
+        out[:] = self.own_pivots
 
     def solve(self, x: Array, columns: int) -> None:
         """Solve in place for right sides (N, columns)."""
