@@ -1,0 +1,104 @@
+"""Interior orientations that a network does not determine: kept near what was given, so that all else can be said.
+
+A network that leaves a camera parameter open (square views of a plane and the camera constant; no rolls and the
+principal point) is singular, or nearly so: whether its factor fails, its iteration ends, or a standard deviation of
+metres comes out hangs on the last bits.  Observed with a standard deviation far beyond what anybody knows of a camera
+beforehand, the parameter is carried instead of the rounding, and its own standard deviation says what is true on
+every machine: it is not determinable.  Nothing that is determined notices: its weight is 1e-4 of the least that the
+observations of a determinable parameter bring.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cache
+
+import numpy as np
+
+from raybundle.adjustment.interior import image_effects, plausible_std
+from raybundle.adjustment.result import Adjustment, InteriorResult
+from raybundle.block import Block, Camera
+from raybundle.errors import NotSolvable
+from raybundle.numerics.arrays import Array
+
+FAR = 10.0
+"""Times the standard deviation from which on a parameter counts as not determinable."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Steadied:
+    """A block whose undetermined parameters are observed, and which."""
+
+    block: Block
+    added: frozenset[tuple[str, str]]
+    """Camera and symbol."""
+
+
+def steadied(block: Block, free: dict[str, tuple[str, ...]], error: NotSolvable) -> Steadied | None:
+    """The block with the free parameters of the cameras that a defect names observed; None where it names none."""
+    named = {u.name for u in error.undetermined if u.kind == "parameter"}
+    cameras = list[Camera]()
+    added = set[tuple[str, str]]()
+    for camera in block.cameras:
+        own = _priors(camera, free.get(camera.id, ())) if camera.id in named and camera.scene is None else {}
+        added |= {(camera.id, symbol) for symbol in own}
+        cameras.append(replace(camera, sigma={**camera.sigma, **own}) if own else camera)
+    if not added:
+        return None
+    return Steadied(block=replace(block, cameras=tuple(cameras)), added=frozenset(added))
+
+
+def _priors(camera: Camera, free: tuple[str, ...]) -> dict[str, float]:
+    """Standard deviations of the free parameters of a camera that are not observed already."""
+    model = camera.sensor
+    if not model.has_images:
+        return {}
+
+    @cache
+    def effects() -> Array:
+        return image_effects(model, camera, camera.parameters)
+
+    found: dict[str, float] = {}
+    for position, symbol in enumerate(model.symbols):
+        if symbol in free and symbol not in camera.sigma:
+            std = FAR * plausible_std(model, camera, camera.parameters, position, effects)
+            if np.isfinite(std) and std > 0:
+                found[symbol] = std
+    return found
+
+
+def without_priors(result: Adjustment, given: Block, added: frozenset[tuple[str, str]]) -> Adjustment:
+    """The result as one of the block that was given: what was added is no observation of the user's."""
+    cameras = tuple(replace(a, sigma=g.sigma) for a, g in zip(result.adjusted.cameras, given.cameras, strict=True))
+    groups = tuple(
+        replace(
+            g,
+            **{name: _taken(getattr(g, name), keep) for name in g.__dataclass_fields__ if name != "kind"},
+        )
+        for g in result.groups
+        if g.kind == "parameter"
+        for keep in [[(i.partition("/")[0], c) not in added for i, c in zip(g.ids, g.component, strict=True)]]
+        if any(keep)
+    )
+    return replace(
+        result,
+        given=given,
+        adjusted=replace(result.adjusted, cameras=cameras),
+        groups=(*(g for g in result.groups if g.kind != "parameter"), *groups),
+        variance_components=tuple(v for v in result.variance_components if v.kind != "parameters" or groups),
+        interior=tuple(_estimated(i, added) for i in result.interior),
+    )
+
+
+def _taken(values: object, keep: list[bool]) -> object:
+    if isinstance(values, tuple):
+        return tuple(v for v, k in zip(values, keep, strict=True) if k)
+    return np.asarray(values)[np.array(keep)]
+
+
+def _estimated(interior: InteriorResult, added: frozenset[tuple[str, str]]) -> InteriorResult:
+    parameters = {
+        s: replace(p, status="estimated") if (interior.camera, s) in added and p.status == "observed" else p
+        for s, p in interior.parameters.items()
+    }
+    return replace(interior, parameters=parameters)
