@@ -12,8 +12,9 @@ from raybundle.block.select import with_rows
 from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 from raybundle.errors import NoOrientation
 from raybundle.matching.refine import TrackPoints
-from raybundle.workflows import tie_block
-from raybundle.workflows.tie_block import Weights, candidates, estimate_weights, flat_points, image_sigma_px
+from raybundle.workflows import precise
+from raybundle.workflows.precise import Weights, candidates, estimate_weights
+from raybundle.workflows.tie_block import flat_points, image_sigma_px
 from raybundle.workflows.tie_start import start
 
 OPTIONS = AdjustmentOptions(threads=1)
@@ -121,7 +122,7 @@ def test_points_seen_from_one_place_are_flat():
 
 
 def test_tie_points_are_looked_for_where_they_are(monkeypatch):
-    monkeypatch.setattr(tie_block, "SURROUNDINGS", 0.2)  # targets stand farther apart than features do
+    monkeypatch.setattr(precise, "SURROUNDINGS", 0.2)  # targets stand farther apart than features do
     truth = field(rows=12, columns=14, stations=4)
     hidden = np.random.default_rng(1).random(len(truth.observations)) < 0.15
     block = with_rows(truth, ~hidden)

@@ -25,6 +25,8 @@ class Notice:
     message: str
     """What, which object, the number against its limit, and what to do."""
     ids: tuple[str, ...] = ()
+    reason: str = ""
+    """Of one object: why, in words that stand after its name in a list."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -41,6 +41,31 @@ def with_rows(block: Block, keep: Mask) -> Block:
     )
 
 
+def without_images(block: Block, out: Mask) -> Block:
+    """The block without the image points, orientation, position and attitude of these images (n,).
+
+    The images stay by name; tie points left with one ray leave.
+    """
+    if not out.any():
+        return block
+    o = block.observations
+    keep = ~out[o.image]
+    rays = np.bincount(o.point[keep], minlength=len(block.points))
+    fixed = block.points.is_control.any(axis=1)
+    thin = with_rows(block, keep & ((rays > 1) | fixed)[o.point])
+    images = replace(
+        thin.images,
+        centre=np.where(out[:, None], np.nan, thin.images.centre),
+        rotation=np.where(out[:, None, None], np.nan, thin.images.rotation),
+    )
+    return replace(
+        thin,
+        images=images,
+        stations=stations_of(thin.stations, ~out[thin.stations.image]),
+        attitudes=attitudes_of(thin.attitudes, ~out[thin.attitudes.image]),
+    )
+
+
 def stations_of(stations: Stations, keep: Mask) -> Stations:
     """These rows (k,) of observed projection centres."""
     antenna, time, velocity = (

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -13,8 +12,8 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.structure import structure_notice
 from raybundle.block import Block
-from raybundle.block.select import attitudes_of, stations_of, with_rows
-from raybundle.errors import NoConvergence, RankDefect
+from raybundle.block.select import with_rows, without_images
+from raybundle.errors import NoConvergence, NotSolvable
 from raybundle.io.photos.cameras import CameraGroup
 from raybundle.numerics.progress import Progress
 from raybundle.workflows.georeference import Georeferenced, rejected_marks
@@ -23,8 +22,9 @@ from raybundle.workflows.tie_block import flat_points
 
 FINAL = 1e-4
 """Last step of the final adjustment, in standard deviations of the unknowns."""
-MOST_LEFT = 8
-"""Photographs that the final adjustment may leave out one after the other."""
+NAMED, ALONE = 0.05, 0.5
+"""Shares of an image in what is not determined: from which on it is named, and from which on it is so by itself."""
+UNHELD = "what is left of its points does not determine its orientation"
 COARSE = 1e-2
 """The same where that is not reached: still far below what a standard deviation can tell."""
 
@@ -43,21 +43,8 @@ def final_adjustment(
         block = with_rows(block, ~flat[block.observations.point])
         message = f"{int(flat.sum())} tie points with parallel rays are left out: they have no depth"
         notices.append(Notice(code="parallel_rays", message=message))
-        kept = np.isin(placed.block.points.ids, block.points.ids)
-        placed = replace(placed, block=block, marked=placed.marked[kept])
-    for _ in range(MOST_LEFT):
-        try:
-            result = _decided(placed.block, options, progress, (*notices, *placed.notices))
-            break
-        except RankDefect as error:
-            named = re.search(r"exterior orientation of image (.+?) \(\d+ %\)", str(error))
-            if named is None or int(placed.block.images.oriented.sum()) < 4:
-                raise
-            placed = _without_image(placed, named[1])
-            message = f"{named[1]} is left out: what is left of its points does not determine its orientation"
-            notices.append(Notice(code="image_left_out", message=message, ids=(named[1],)))
-    else:
-        result = _decided(placed.block, options, progress, (*notices, *placed.notices))
+        placed = _with_block(placed, block)
+    placed, result = _held(placed, options, progress, notices)
     first = list(rejected_marks(result, placed.marked[result.given.observations.point]))
     structure = structure_notice(result)
     first += [structure] if structure is not None else []
@@ -67,7 +54,27 @@ def final_adjustment(
 def left_out(adjustment: Adjustment, parts: Sequence[Part]) -> list[tuple[str, str]]:
     """Photographs that the final adjustments left out, and why."""
     notices = [n for a in (adjustment, *(p.adjustment for p in parts)) for n in a.notices]
-    return [(n.ids[0], n.message.split(": ", 1)[1]) for n in notices if n.code == "image_left_out"]
+    return [(n.ids[0], n.reason) for n in notices if n.code == "image_left_out"]
+
+
+def _held(
+    placed: Georeferenced, options: AdjustmentOptions, progress: Progress, notices: list[Notice]
+) -> tuple[Georeferenced, Adjustment]:
+    """The adjustment of what can be adjusted: what it names as not determined leaves, and is told.
+
+    First images and points that are named, then the cameras' freedom, then the image with the fewest points: a defect
+    ends the run only where it would leave fewer than two images.
+    """
+    while True:
+        try:
+            return placed, _decided(placed.block, options, progress, (*notices, *placed.notices))
+        except NotSolvable as error:
+            less = _without_images(placed, error) or _without_points(placed, error) or _with_held_cameras(placed)
+            less = less or _without_smallest(placed)
+            if less is None:
+                raise
+            placed, told = less
+            notices += told
 
 
 def _decided(block: Block, options: AdjustmentOptions, progress: Progress, notices: tuple[Notice, ...]) -> Adjustment:
@@ -78,24 +85,71 @@ def _decided(block: Block, options: AdjustmentOptions, progress: Progress, notic
         return decide(block, replace(options, tolerance=COARSE), progress, notices=notices)
 
 
-def _without_image(placed: Georeferenced, name: str) -> Georeferenced:
-    """The block without the image points and the orientation of an image."""
+Relieved = tuple[Georeferenced, list[Notice]] | None
+
+
+def _without_images(placed: Georeferenced, error: NotSolvable) -> Relieved:
+    """Without the images that are not determined by themselves, or the one with the largest share in it."""
+    named = [u for u in error.undetermined if u.kind == "image" and u.share > NAMED]
+    if not named or any(u.kind == "parameter" and u.share > named[0].share for u in error.undetermined):
+        return None
+    alone = [u.name for u in named if u.share > ALONE] or [named[0].name]
+    return _left_out(placed, alone, UNHELD)
+
+
+def _left_out(placed: Georeferenced, names: Sequence[str], reason: str) -> Relieved:
+    ids = placed.block.images.ids
+    out = np.isin(np.array(ids), names) & placed.block.images.oriented
+    if not out.any() or int(placed.block.images.oriented.sum()) - int(out.sum()) < 2:
+        return None
+    notices = [
+        Notice(code="image_left_out", message=f"{name} is left out: {reason}", ids=(name,), reason=reason)
+        for name, o in zip(ids, out, strict=True)
+        if o
+    ]
+    return _with_block(placed, without_images(placed.block, out)), notices
+
+
+def _without_points(placed: Georeferenced, error: NotSolvable) -> Relieved:
+    """Without the tie points that are not determined."""
     block = placed.block
-    out = np.array([n == name for n in block.images.ids])
-    o = block.observations
-    keep = ~out[o.image]
-    rays = np.bincount(o.point[keep], minlength=len(block.points))
-    fixed = block.points.is_control.any(axis=1)
-    thin = with_rows(block, keep & ((rays > 1) | fixed)[o.point])
-    images = replace(
-        thin.images,
-        centre=np.where(out[:, None], np.nan, thin.images.centre),
-        rotation=np.where(out[:, None, None], np.nan, thin.images.rotation),
+    control = np.asarray(block.points.is_control).any(axis=1)
+    out = np.isin(np.array(block.points.ids), error.names("point")) & ~control
+    rows = ~out[block.observations.point]
+    if rows.all() or not rows.any():
+        return None
+    message = f"{int(out.sum())} points are left out: their rays do not intersect"
+    return _with_block(placed, with_rows(block, rows)), [Notice(code="points_left_out", message=message)]
+
+
+def _with_held_cameras(placed: Georeferenced) -> Relieved:
+    """With the interior orientations held as they are."""
+    free = [c.id for c in placed.block.cameras if c.scene is None and c.estimate]
+    if not free:
+        return None
+    cameras = tuple(replace(c, estimate=()) if c.id in free else c for c in placed.block.cameras)
+    message = (
+        f"camera{'s' * (len(free) > 1)} {', '.join(free)}: the interior orientation is held as the start found it: "
+        "together with it nothing is determined"
     )
-    stations = stations_of(thin.stations, ~out[thin.stations.image])
-    attitudes = attitudes_of(thin.attitudes, ~out[thin.attitudes.image])
-    marked = placed.marked[np.isin(block.points.ids, thin.points.ids)]
-    return replace(placed, block=replace(thin, images=images, stations=stations, attitudes=attitudes), marked=marked)
+    notice = Notice(code="held_not_determinable", message=message, ids=tuple(free))
+    return replace(placed, block=replace(placed.block, cameras=cameras)), [notice]
+
+
+def _without_smallest(placed: Georeferenced) -> Relieved:
+    """Without the image that has the fewest points."""
+    images = placed.block.images
+    rays = np.bincount(placed.block.observations.image, minlength=len(images))
+    oriented = np.flatnonzero(images.oriented)
+    if not len(oriented):
+        return None
+    k = int(oriented[rays[oriented].argmin()])
+    return _left_out(placed, [images.ids[k]], f"{UNHELD} ({rays[k]} points)")
+
+
+def _with_block(placed: Georeferenced, block: Block) -> Georeferenced:
+    """With a block of fewer points."""
+    return replace(placed, block=block, marked=placed.marked[np.isin(placed.block.points.ids, block.points.ids)])
 
 
 def adjusted_part(placed: Georeferenced, groups: Sequence[CameraGroup], jobs: int, progress: Progress) -> Part:

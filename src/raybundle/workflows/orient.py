@@ -30,13 +30,11 @@ from raybundle.workflows.marks import Given
 from raybundle.workflows.parts import Part, apart_notice, place_parts
 from raybundle.workflows.photo_run import PhotoRun
 from raybundle.workflows.positions import GPS_M, flight_lines, without_idle
+from raybundle.workflows.precise import Weights
 from raybundle.workflows.scene_images import FoundScenes, SceneImage, find_scenes
 from raybundle.workflows.scene_run import SceneRun
 from raybundle.workflows.scene_ties import ScenePair
-from raybundle.workflows.tie_block import (
-    Weights,
-    image_sigma_px,
-)
+from raybundle.workflows.tie_block import image_sigma_px
 
 STAGES = ("photographs", "features", "matching", "start", "precision", "adjustment", "report")
 
@@ -180,7 +178,7 @@ def orient(
         _check_number(inputs, photographs.photos, 0 if scenes is None else len(scenes.images), refused)
         photographs.cameras(calibration, options.separate, options.library)
         _ties(project, photographs, scenes, given, options, method)
-        remarks = (*found.remarks, *told, *scenes_found.remarks)
+        remarks = (*found.remarks, *told, *scenes_found.remarks, *photographs.told)
         with project.stage("adjustment") as stage:
             blocks, photos = photographs.blocks, photographs.photos
             if scenes is None:

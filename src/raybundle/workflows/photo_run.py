@@ -24,10 +24,11 @@ from raybundle.matching.verify import VerifiedPair, trusted
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.progress import Progress
 from raybundle.workflows.parts import start_parts
-from raybundle.workflows.tie_block import PreciseBlock, TieBlock, Weights, block_of_tracks, refine
+from raybundle.workflows.precise import PreciseBlock, Weights, refine
+from raybundle.workflows.tie_block import TieBlock, block_of_tracks
 from raybundle.workflows.tie_points import FeatureStore, find_features, grey_of, match_pairs, pairs_of
 
-START, PRECISION = 7, 15
+START, PRECISION = 7, 17
 """Versions of the stages' results."""
 ALONE = "one photograph alone cannot be oriented; at least 2 are needed"
 
@@ -48,6 +49,8 @@ class PhotoRun:
     ties: tuple[TieBlock, ...] = ()
     blocks: list[Block] = field(default_factory=list[Block])
     weights: list[Weights] = field(default_factory=list[Weights])
+    told: list[str] = field(default_factory=list[str])
+    """what the result is to say of the photographs"""
 
     def features(self, project: Project, stage: Stage, method: FeatureMethod, most: int) -> None:
         """Features of the photographs."""
@@ -89,9 +92,20 @@ class PhotoRun:
     def precision(self, project: Project, stage: Stage, memory_gb: float) -> None:
         """Least-squares matching of their tie points."""
         if self.photos:
-            self.blocks, self.weights = _precision(
-                project, stage, self.ties, self.photos, memory_gb, self.jobs, self.progress
-            )
+            found = _precision(project, stage, self.ties, self.photos, memory_gb, self.jobs, self.progress)
+            self.blocks, self.weights = found.blocks, found.weights
+            self.lost += found.left_out
+            if found.by_features:
+                self.told.append(_by_features_words(found.by_features))
+
+
+def _by_features_words(names: Sequence[str]) -> str:
+    shown = ", ".join(names[:5]) + (f" and {len(names) - 5} more" if len(names) > 5 else "")
+    one = len(names) == 1
+    return (
+        f"{shown} keep{'s' * one} the positions of {'its' if one else 'their'} features, with a standard deviation of "
+        "their own: least-squares matching measures too few of the points there (a soft or very different photograph)"
+    )
 
 
 def _positions(photos: Sequence[Photo]) -> Array | None:
@@ -185,6 +199,14 @@ def _unpacked(arrays: Mapping[str, Array]) -> list[dict[str, Array]]:
     return [found[k] for k in sorted(found)]
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Precise:
+    blocks: list[Block]
+    weights: list[Weights]
+    by_features: list[str]
+    left_out: list[tuple[str, str]]
+
+
 def _precision(
     project: Project,
     stage: Stage,
@@ -193,7 +215,7 @@ def _precision(
     memory_gb: float,
     jobs: int,
     progress: Progress,
-) -> tuple[list[Block], list[Weights]]:
+) -> _Precise:
     stage.key = key_of("precision", PRECISION, *((arrays_of_block(t.block), t.scale_px, t.angle) for t in ties))
     kept = project.load(stage.key)
     if kept is None:
@@ -202,23 +224,29 @@ def _precision(
         arrays: list[dict[str, Array]] = []
         for tie in ties:
             precise: PreciseBlock = refine(tie, cache.of, jobs, progress)
-            w = precise.weights
             arrays.append(
                 {
                     **arrays_of_block(precise.block),
-                    "weights": np.array([w.factor, w.floor_px2, w.reference_px2]),
+                    "weights": precise.weights.array(),
                     "counts": np.array([precise.offered, precise.measured, precise.added]),
+                    "by_features": np.array(precise.by_features, dtype=np.str_),
+                    "left_out": np.array(precise.left_out, dtype=np.str_).reshape(-1, 2),
                 }
             )
         kept = _packed(arrays)
         project.store(stage.key, kept)
     parts = _unpacked(kept)
     blocks = [block_of_arrays(a) for a in parts]
-    weights = [Weights(factor=w[0], floor_px2=w[1], reference_px2=w[2]) for w in (a["weights"].tolist() for a in parts)]
+    weights = [Weights.of(a["weights"]) for a in parts]
     offered, measured, added = np.sum([a["counts"] for a in parts], axis=0).tolist()
     used = sum(len(b.observations) for b in blocks)
     stage.summary = f"{measured} of {offered} features measured again, {added} rays added, {used} used"
-    return blocks, weights
+    return _Precise(
+        blocks=blocks,
+        weights=weights,
+        by_features=[n for a in parts for n in a["by_features"].tolist()],
+        left_out=[(n, r) for a in parts for n, r in a["left_out"].tolist()],
+    )
 
 
 class _GreyCache:

@@ -26,6 +26,7 @@ from raybundle.numerics.places import Local
 from raybundle.numerics.progress import Progress
 from raybundle.orientation.cleaning import clean
 from raybundle.scenes.bias import BiasKind
+from raybundle.workflows.precise import Weights, refine
 from raybundle.workflows.scene_geometry import (
     ATTITUDE_RAD,
     USUAL_BIAS_M,
@@ -35,13 +36,13 @@ from raybundle.workflows.scene_geometry import (
 )
 from raybundle.workflows.scene_images import SceneImage, ScenePixels
 from raybundle.workflows.scene_ties import ScenePair
-from raybundle.workflows.tie_block import TieBlock, Weights, block_of_tracks, flat_points, refine
+from raybundle.workflows.tie_block import TieBlock, block_of_tracks, flat_points
 from raybundle.workflows.tie_points import FeatureStore
 
 if TYPE_CHECKING:
     from raybundle.io.photos.photo import Photo
 
-START, PRECISION = 1, 1
+START, PRECISION = 1, 3
 """Versions of the results."""
 FEWEST_POINTS = 6
 """Tie points below which a scene does not hang together with the others."""
@@ -208,17 +209,15 @@ def refine_scenes(
             held = [_smoothed_file(s, Path(folder) / f"{k}") for k, s in enumerate(scenes.images)]
             precise = refine(tie, held.__getitem__, jobs, progress)
             held.clear()
-        w = precise.weights
         kept = {
             **arrays_of_block(_plain(weighed(precise.block, jobs))),
-            "weights": np.array([w.factor, w.floor_px2, w.reference_px2]),
+            "weights": precise.weights.array(),
             "counts": np.array([precise.offered, precise.measured, precise.added]),
         }
         project.store(key, kept)
-    factor, floor, reference = kept["weights"].tolist()
     offered, measured, added = kept["counts"].tolist()
     block = _again(block_of_arrays(kept), scenes)
-    return block, Weights(factor=factor, floor_px2=floor, reference_px2=reference), (offered, measured, added)
+    return block, Weights.of(kept["weights"]), (offered, measured, added)
 
 
 def _scratch(project: Project) -> Path:

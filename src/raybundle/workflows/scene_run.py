@@ -15,6 +15,7 @@ from raybundle.scenes.bias import BiasKind
 from raybundle.workflows.georeference import Georeferenced, Surroundings
 from raybundle.workflows.marks import Given, add_bars
 from raybundle.workflows.parts import place_parts
+from raybundle.workflows.precise import Weights
 from raybundle.workflows.scene_block import SceneSet, refine_scenes, refuse_nothing_common, start_scenes
 from raybundle.workflows.scene_geometry import place_of_scenes
 from raybundle.workflows.scene_images import FoundScenes, SceneImage
@@ -29,7 +30,7 @@ from raybundle.workflows.scene_place import (
     places_of_marks,
 )
 from raybundle.workflows.scene_ties import ScenePair, contradicting, find_scene_features, match_scenes
-from raybundle.workflows.tie_block import TieBlock, Weights
+from raybundle.workflows.tie_block import TieBlock
 from raybundle.workflows.tie_points import FeatureStore
 
 NOT_JOINED = (

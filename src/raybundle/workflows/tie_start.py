@@ -19,10 +19,8 @@ from raybundle.orientation.assembly import approximate_values, possible_values
 from raybundle.orientation.averaging import average_start
 from raybundle.orientation.camera_constant import checked_by_pairs
 from raybundle.orientation.cleaning import clean
-from raybundle.workflows.tie_block import TieBlock, flat_points, free_at_start
+from raybundle.workflows.tie_block import FEWEST_POINTS, TieBlock, flat_points, free_at_start
 
-FEWEST_POINTS = 12
-"""Tracks below which an image is not oriented."""
 FEWEST_TRIPLE = 4
 """Points that three images must share to carry the scale from two of them to the third."""
 MOST_RAYS = 8

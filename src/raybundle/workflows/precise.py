@@ -1,0 +1,455 @@
+"""Tie points measured precisely: least-squares matching, completion, weights from the residuals.
+
+Nothing that the start has oriented is lost here: a photograph of which matching measures too little keeps the positions
+of its features, with a standard deviation of their own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, cast
+
+import numpy as np
+
+from raybundle.adjustment.engine import adjust_block, as_start
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.predict import residuals_px
+from raybundle.adjustment.result import Adjustment
+from raybundle.block import Block, Camera, Observations
+from raybundle.block.select import with_rows, without_images
+from raybundle.errors import NotSolvable
+from raybundle.matching.refine import NEIGHBOURS_FROM, Candidates, TrackPoints, match_candidates, refine_tracks
+from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.progress import Progress, silent
+from raybundle.orientation.cleaning import clean
+from raybundle.orientation.rays import intersect_linear
+from raybundle.platforms.station import sensor_from_object
+from raybundle.workflows.tie_block import (
+    FEATURE_SIGMA_PX,
+    TieBlock,
+    free_when_precise,
+    viewing_lines,
+)
+
+if TYPE_CHECKING:
+    from raybundle.scenes.sensor import SceneSensor
+
+SURE = 0.95
+"""Least correlation of a point measured where no feature was found."""
+NEAR_PX = 2.0
+"""Largest distance of such a point from its predicted place."""
+SURROUNDINGS = 0.03
+"""Share of the format's diagonal within which neighbours tell whether a point is seen."""
+MARGIN_PX = 20.0
+FEWEST_HELD = 6
+"""Points that hold an image which the start has oriented: as many redundant coordinates as unknowns."""
+MOST_FEATURE_PX = 5.0
+"""Largest standard deviation that the residuals can give a feature: verification leaves none beyond 6 px."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Weights:
+    """Variance of a least-squares match: factor * (covariance from grey values) + floor; of references; of features."""
+
+    factor: float = 9.0
+    floor_px2: float = 0.03**2
+    reference_px2: float = 0.1**2
+    feature_px2: float = FEATURE_SIGMA_PX**2
+
+    @classmethod
+    def of(cls, values: Array) -> Weights:
+        """The weights that `array` gave."""
+        return cls(**dict(zip(cls.__slots__, values.tolist(), strict=True)))
+
+    def array(self) -> Array:
+        """The values, to be stored."""
+        return np.array([getattr(self, name) for name in type(self).__slots__])
+
+    def covariance(self, grey: Array, reference: Mask, feature: Mask | None = None) -> Array:
+        """(m, 3) variances and covariances [px^2]."""
+        cov = self.factor * grey
+        cov[:, :2] += self.floor_px2
+        cov[reference] = self.reference_px2, self.reference_px2, 0.0
+        if feature is not None:
+            cov[feature] = self.feature_px2, self.feature_px2, 0.0
+        return cov
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PreciseBlock:
+    """A block of tie points measured by least-squares matching, with weights that its residuals confirm."""
+
+    block: Block
+    weights: Weights
+    measured: int
+    """image points measured by least-squares matching, references included"""
+    offered: int
+    added: int
+    """image points measured where no feature was found"""
+    by_features: tuple[str, ...] = ()
+    """images that keep positions of features: matching measured too little in them"""
+    left_out: tuple[tuple[str, str], ...] = ()
+    """images that nothing holds, and why"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Spare:
+    """Features that matching did not measure; a photograph that needs them takes them."""
+
+    image: Index
+    point: Index
+    """in the start's block"""
+    xy_px: Array
+    scale_px: Array
+    angle: Array
+
+
+@dataclass(slots=True)
+class _Work:
+    """A block whose measurements and weights are being settled."""
+
+    start: Block
+    spare: _Spare
+    block: Block
+    grey: Array
+    reference: Mask
+    feature: Mask
+    weights: Weights
+    rejected: Mask
+    scale_px: Array
+    angle: Array
+    fallen: set[int] = field(default_factory=set[int])
+    """images that keep features"""
+    left_out: dict[int, str] = field(default_factory=dict[int, str])
+
+    def weighted(self) -> Block:
+        """The block with the covariances of its present weights."""
+        cov = self.weights.covariance(self.grey.copy(), self.reference, self.feature)
+        return replace(self.block, observations=replace(self.block.observations, cov_px2=cov))
+
+
+def refine(
+    tie: TieBlock,
+    image: Callable[[int], Array],
+    threads: int,
+    progress: Progress = silent,
+) -> PreciseBlock:
+    """Measure every track again, also where no feature was found, and weigh the measurements by their residuals.
+
+    An image in which matching measures less than its features tell, or too little to hold it, keeps the features as
+    well; one that even they do not hold is left out by name.
+    """
+    o = tie.block.observations
+    points = TrackPoints(image=o.image, point=o.point, xy_px=o.xy_px, scale_px=tie.scale_px, angle=tie.angle)
+    found = refine_tracks(points, image, threads=threads, progress=progress)
+    keep, left = found.measured, ~found.measured
+    block = with_rows(replace(tie.block, observations=replace(o, xy_px=found.xy_px)), keep)
+    work = _Work(
+        start=tie.block,
+        spare=_Spare(
+            image=o.image[left], point=o.point[left], xy_px=o.xy_px[left], scale_px=tie.scale_px[left],
+            angle=tie.angle[left],
+        ),
+        block=block, grey=found.cov_px2[keep], reference=found.reference[keep],
+        feature=np.zeros(len(block.observations), bool), weights=Weights(),
+        rejected=np.zeros(len(block.observations), bool), scale_px=tie.scale_px[keep],
+        angle=tie.angle[keep],
+    )  # fmt: skip
+    _take_features(work, _told_more_by_features(work, tie.block))
+    # weights and blunders need no more: the final adjustment converges fully
+    options = AdjustmentOptions(threads=threads, tolerance=1e-2)
+    _settle(work, options, first=31)
+    progress("weights", 1 / 3)
+    added = _complete(work, image, threads, progress)
+    for k in range(2):
+        _settle(work, options, first=7.0)
+        progress("weights", (k + 2) / 3)
+    block = work.weighted()
+    kept = with_rows(block, _with_partners(block, ~work.rejected))
+    ids = tie.block.images.ids
+    return PreciseBlock(
+        block=without_images(kept, np.isin(np.arange(len(ids)), list(work.left_out))),
+        weights=work.weights,
+        measured=int(keep.sum()),
+        offered=len(keep),
+        added=added,
+        by_features=tuple(ids[i] for i in sorted(work.fallen - work.left_out.keys())),
+        left_out=tuple((ids[i], reason) for i, reason in sorted(work.left_out.items())),
+    )
+
+
+def _told_more_by_features(work: _Work, start: Block) -> list[int]:
+    """Oriented images of which all features together tell more than the few points that matching measured.
+
+    Information is number over variance: by the weights before any residual is known, 25 features are worth a match.
+    """
+    n = len(start.images)
+    matched = np.bincount(work.block.observations.image, minlength=n)
+    offered = np.bincount(start.observations.image, minlength=n)
+    worth = offered / FEATURE_SIGMA_PX**2 > matched / work.weights.reference_px2
+    return [int(i) for i in np.flatnonzero(start.images.oriented & (offered > 0) & worth)]
+
+
+def _take_features(work: _Work, images: Sequence[int]) -> None:
+    """Add the features of images that matching did not measure, where another ray of their point takes part."""
+    new = [i for i in images if i not in work.fallen]
+    work.fallen.update(new)
+    spare, block = work.spare, work.block
+    rows = np.flatnonzero(np.isin(spare.image, new))
+    if not len(rows):
+        return
+    number = {name: k for k, name in enumerate(block.points.ids)}
+    ids = work.start.points.ids
+    at = np.array([number.get(ids[p], -1) for p in spare.point[rows]])
+    rays = np.bincount(spare.point[rows], minlength=len(ids))
+    present = np.bincount(block.observations.point[~work.rejected], minlength=len(block.points))
+    enough = rays[spare.point[rows]] + np.where(at >= 0, present[at], 0) > 1
+    rows, at = rows[enough], at[enough]
+    fresh = np.unique(spare.point[rows[at < 0]])
+    at[at < 0] = len(number) + np.searchsorted(fresh, spare.point[rows[at < 0]])
+    _append(work, fresh, rows, at)
+
+
+def _append(work: _Work, fresh: Index, rows: Index, at: Index) -> None:
+    """Append the spare rows to the block, at these points of it; `fresh` are points of the start that it lacks."""
+    spare, block, start = work.spare, work.block, work.start.points
+    p, o, k = block.points, block.observations, len(rows)
+    points = replace(
+        p,
+        ids=(*p.ids, *(start.ids[f] for f in fresh)),
+        role=np.concatenate([p.role, start.role[fresh]]),
+        xyz=np.vstack([p.xyz, start.xyz[fresh]]),
+        sigma=np.vstack([p.sigma, start.sigma[fresh]]),
+    )
+    observations = replace(
+        o,
+        image=np.concatenate([o.image, spare.image[rows]]).astype(np.int32),
+        point=np.concatenate([o.point, at]).astype(np.int32),
+        xy_px=np.vstack([o.xy_px, spare.xy_px[rows]]),
+        cov_px2=np.vstack([o.cov_px2, np.tile([1.0, 1.0, 0.0], (k, 1))]),
+    )
+    work.block = replace(block, points=points, observations=observations)
+    work.grey = np.vstack([work.grey, np.zeros((k, 3))])
+    work.reference = np.concatenate([work.reference, np.zeros(k, bool)])
+    work.feature = np.concatenate([work.feature, np.ones(k, bool)])
+    work.rejected = np.concatenate([work.rejected, np.zeros(k, bool)])
+    work.scale_px = np.concatenate([work.scale_px, spare.scale_px[rows]])
+    work.angle = np.concatenate([work.angle, spare.angle[rows]])
+    if len(fresh):  # the block may have moved since the start
+        origin, direction = viewing_lines(work.block)
+        xyz, _, _ = intersect_linear(origin, direction, observations.point, len(points))
+        placed = np.array(points.xyz)
+        placed[len(p) :] = xyz[len(p) :]
+        work.block = replace(work.block, points=replace(points, xyz=placed))
+
+
+def _settle(work: _Work, options: AdjustmentOptions, first: float) -> Adjustment | None:
+    """Clean, adjust with statistics, and take the weights from the residuals; None where nothing can be adjusted.
+
+    Images that lose their points, or that the adjustment names as not determined, take their features first, and
+    leave then.
+    """
+    while True:
+        block = work.weighted()
+        free = {c.id: free_when_precise(c) for c in block.cameras}
+        cleaned = clean(block, options, free, rejected=work.rejected, first=first)
+        work.rejected = cleaned.rejected | _of_images(block, work.left_out)
+        used = np.bincount(block.observations.image[~work.rejected], minlength=len(block.images))
+        there = np.bincount(block.observations.image, minlength=len(block.images)) > 0
+        thin = [int(i) for i in np.flatnonzero(there & (used < FEWEST_HELD)) if i not in work.left_out]
+        if thin and _yield(work, thin, {i: f"only {used[i]} of its points fit the others" for i in thin}):
+            continue
+        if not (~work.rejected).any():
+            return None
+        reasons = tuple("residual" if r else "" for r in work.rejected)
+        try:
+            result = adjust_block(cleaned.block, options, free=free, rejected=reasons)
+        except NotSolvable as error:
+            named = [block.images.ids.index(n) for n in error.names("image")]
+            worst = [i for i in named if i not in work.left_out][:1]
+            why = "what is left of its points does not determine its orientation"
+            if worst and _yield(work, worst, dict.fromkeys(worst, why)):
+                continue
+            return None  # the final adjustment has more ways out; the weights stay as they are
+        work.block = as_start(cleaned.block, result.adjusted)
+        work.weights = estimate_weights(result, work.grey, work.reference, work.weights, work.feature)
+        return result
+
+
+def _of_images(block: Block, images: Iterable[int]) -> Mask:
+    return np.isin(block.observations.image, list(images))
+
+
+def _yield(work: _Work, images: Sequence[int], reasons: Mapping[int, str]) -> bool:
+    """Images take their features; those that have them already are left out; whether two images are left."""
+    again = [i for i in images if i in work.fallen]
+    _take_features(work, images)
+    for i in again:
+        work.left_out[i] = reasons[i]
+    work.rejected |= _of_images(work.block, work.left_out)
+    return int(work.start.images.oriented.sum()) - len(work.left_out) >= 2
+
+
+def _with_partners(block: Block, keep: Mask) -> Mask:
+    """Rows that stay, without those of points that are left with one ray."""
+    rays = np.bincount(block.observations.point[keep], minlength=len(block.points))
+    return keep & (rays[block.observations.point] > 1)
+
+
+def _complete(work: _Work, image: Callable[[int], Array], threads: int, progress: Progress) -> int:
+    """Measure points in images that should see them and where no feature was found; the number of rays gained."""
+    block, o = work.block, work.block.observations
+    used = ~work.rejected
+    points = TrackPoints(
+        image=o.image[used], point=o.point[used], xy_px=o.xy_px[used], scale_px=work.scale_px[used],
+        angle=work.angle[used],
+    )  # fmt: skip
+    places = candidates(block, points, np.flatnonzero(work.reference[used]))
+    found = match_candidates(points, places, image, threads=threads, progress=progress)
+    near = np.linalg.norm(found.xy_px - places.xy_px, axis=1) < NEAR_PX
+    good = found.good & near & (found.correlation > SURE)
+    n = int(good.sum())
+    # a ray that had been rejected gives way to the new measurement of the same point in the same image
+    images = len(block.images)
+    new = places.point[good].astype(np.int64) * images + places.image[good]
+    old = ~np.isin(o.point.astype(np.int64) * images + o.image, new)
+    work.block = replace(
+        block,
+        observations=replace(
+            o,
+            image=np.concatenate([o.image[old], places.image[good]]).astype(np.int32),
+            point=np.concatenate([o.point[old], places.point[good]]).astype(np.int32),
+            xy_px=np.vstack([o.xy_px[old], found.xy_px[good]]),
+            cov_px2=np.vstack([o.cov_px2[old], np.tile([1.0, 1.0, 0.0], (n, 1))]),
+        ),
+    )
+    work.grey = np.vstack([work.grey[old], found.cov_px2[good]])
+    work.reference = np.concatenate([work.reference[old], np.zeros(n, bool)])
+    work.feature = np.concatenate([work.feature[old], np.zeros(n, bool)])
+    work.rejected = np.concatenate([work.rejected[old], np.zeros(n, bool)])
+    own = places.reference[good]
+    work.scale_px = np.concatenate([work.scale_px[old], points.scale_px[own]])
+    work.angle = np.concatenate([work.angle[old], points.angle[own]])
+    return n
+
+
+def candidates(block: Block, points: TrackPoints, references: Index) -> Candidates:
+    """Images in which points should be seen, by the orientation and by neighbours that both images see.
+
+    references  rows of the track points from which windows are taken, one of each point
+    """
+    columns: list[tuple[Index, Index, Array]] = []
+    rows_of = [np.flatnonzero(points.image == i) for i in range(len(block.images))]
+    for a in range(len(block.images)):
+        mine = references[points.image[references] == a]
+        if not len(mine):
+            continue
+        for b in range(len(block.images)):
+            _, in_a, in_b = np.intersect1d(points.point[rows_of[a]], points.point[rows_of[b]], return_indices=True)
+            if b == a or len(in_a) < NEIGHBOURS_FROM:
+                continue
+            unseen = mine[~np.isin(points.point[mine], points.point[rows_of[b]])]
+            common = points.xy_px[rows_of[a][in_a]]
+            unseen = unseen[_near(points.xy_px[unseen], common, block.cameras[block.images.camera[a]])]
+            xy, fine = _project(block, b, points.point[unseen], points.xy_px[rows_of[b][in_b]].mean(axis=0))
+            columns.append((unseen[fine], np.full(int(fine.sum()), b, np.int32), xy[fine]))
+    if not columns:
+        none = np.zeros(0, np.int64)
+        return Candidates(reference=none, image=none, point=none, xy_px=np.zeros((0, 2)), row=none)
+    rows = np.concatenate([c[0] for c in columns])
+    return Candidates(
+        reference=rows,
+        image=np.concatenate([c[1] for c in columns]),
+        point=points.point[rows],
+        xy_px=np.vstack([c[2] for c in columns]),
+        row=np.full(len(rows), -1),
+    )
+
+
+def _near(xy: Array, common: Array, camera: Camera) -> Mask:
+    """Whether the third nearest of the common points is near enough to believe that this point is seen as well."""
+    from scipy.spatial import KDTree  # noqa: PLC0415
+
+    distance = KDTree(common).query(xy, k=3)[0][:, 2]
+    return distance < SURROUNDINGS * float(np.hypot(camera.width_px, camera.height_px))
+
+
+def _project(block: Block, image: int, point: Index, guess: Array) -> tuple[Array, Mask]:
+    """Places (n, 2) [px] of object points in an image, and whether they lie within the format, by Newton steps."""
+    camera = block.cameras[block.images.camera[image]]
+    if camera.is_scene:
+        seen = _roughly_seen(block, image, block.points.xyz[point])
+        if not seen.all():  # an orbit has no place for what lies far beyond its scene
+            xy, inside = np.tile(guess, (len(point), 1)), np.zeros(len(point), bool)
+            if seen.any():
+                xy[seen], inside[seen] = _project(block, image, point[seen], guess)
+            return xy, inside
+    n = len(point)
+    xy = np.tile(guess, (n, 1))
+    step = np.full((n, 2), np.inf)
+    for _ in range(12):
+        o = Observations(
+            image=np.full(n, image, np.int32), point=point.astype(np.int32), xy_px=xy, cov_px2=np.ones((n, 3))
+        )
+        with np.errstate(all="ignore"):
+            step = residuals_px(replace(block, observations=o), np.arange(n))
+        step[~np.isfinite(step)] = 0.0
+        longest = np.linalg.norm(step, axis=1, keepdims=True)
+        step *= np.minimum(1, camera.width_px / 4 / np.maximum(longest, 1e-9))
+        xy = xy + step
+    size = np.array([camera.width_px, camera.height_px])
+    inside = ((xy > MARGIN_PX) & (xy < size - MARGIN_PX)).all(axis=1) & (np.abs(step).max(axis=1, initial=0) < 0.1)
+    P = sensor_from_object(
+        block.images.rotation[[image] * n], block.images.centre[[image] * n], block.points.xyz[point]
+    )
+    return xy, inside & (P[2] < 0)
+
+
+def _roughly_seen(block: Block, image: int, xyz: Array) -> Mask:
+    """Whether points (n, 3) lie in a scene or close to it, by its nominal viewpoint."""
+    camera = block.cameras[block.images.camera[image]]
+    P = (xyz - block.images.centre[image]) @ block.images.rotation[image].T
+    c = cast("SceneSensor", camera.sensor).camera_constant(camera.parameters)
+    return (np.abs(c * P[:, :2] / -P[:, 2:]) < 0.6 * camera.size_mm).all(axis=1)
+
+
+def estimate_weights(
+    result: Adjustment, grey: Array, reference: Mask, before: Weights, feature: Mask | None = None, classes: int = 10
+) -> Weights:
+    """Variance components by the precision that the grey values promise.
+
+    In classes of equal number, sum v^2 / sum r estimates the variance of an image coordinate (Förstner 1979); a line
+    through the classes gives factor and floor.  References and features are classes of their own.
+    """
+    other = np.zeros(len(reference), bool) if feature is None else feature
+    s = result.image_observations
+    used = np.array([not x for x in s.rejected])
+    v2 = (s.residuals_px**2).sum(axis=1)
+    r = np.nan_to_num(s.redundancy.sum(axis=1))
+    mean = (grey[:, 0] + grey[:, 1]) / 2
+    good = used & ~reference & ~other & (r > 0.2)
+    mine = used & other & (r > 0.2)
+    features = before.feature_px2
+    if mine.sum() > 20:
+        features = float(np.clip(v2[mine].sum() / r[mine].sum(), 0.02**2, MOST_FEATURE_PX**2))
+    if good.sum() < 20 * classes:
+        return replace(before, feature_px2=features)
+    edges = np.quantile(mean[good], np.linspace(0, 1, classes + 1))
+    label = np.clip(np.searchsorted(edges, mean, side="right") - 1, 0, classes - 1)
+    x, y = np.empty(classes), np.empty(classes)
+    for k in range(classes):
+        mine = good & (label == k)
+        x[k], y[k] = mean[mine].mean(), v2[mine].sum() / max(r[mine].sum(), 1e-9)
+    A = np.stack([x, np.ones(classes)], axis=1) / y[:, None]
+    factor, floor = np.linalg.lstsq(A, np.ones(classes), rcond=None)[0]
+    if floor < 0:
+        factor, floor = 1 / float(np.mean(x / y)), 0.0
+    if factor < 0:
+        factor, floor = 0.0, float(y.mean())
+    mine = used & reference & (r > 0.2)
+    own = v2[mine].sum() / r[mine].sum() if mine.sum() > 20 else before.reference_px2
+    return Weights(
+        factor=float(factor), floor_px2=max(float(floor), 0.01**2), reference_px2=float(np.clip(own, 0.02**2, 1.0)),
+        feature_px2=features,
+    )  # fmt: skip
