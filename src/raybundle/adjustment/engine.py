@@ -36,7 +36,7 @@ from raybundle.adjustment.reliability import (
 )
 from raybundle.adjustment.result import Adjustment, Notice, Precision
 from raybundle.adjustment.solve import CAUTIOUS, FLOOR, HUBER, solve
-from raybundle.adjustment.steady import steadied, without_priors
+from raybundle.adjustment.steady import steadied, told_by_network, without_priors
 from raybundle.adjustment.work import Work
 from raybundle.block import Block, Camera
 from raybundle.errors import NoConvergence, RankDefect
@@ -92,9 +92,12 @@ def adjust_block(
         steady = steadied(block, free, error)
         if steady is None:
             raise
-    work, found = carry_out(steady.block, options, free, reasons, progress, start=start)
+        work, found = carry_out(steady.block, options, free, reasons, progress, start=start)
+        system = work.system
+        if system.observations - len(steady.added) - system.unknowns + work.datum.defect < 0:
+            raise  # fewer observations than unknowns: what is said would be what was added
     seconds = time.perf_counter() - began
-    result = result_of(work, steady.block, options, found, notices, seconds, progress, extent)
+    result = result_of(work, steady.block, options, found, notices, seconds, progress, extent, steady.added)
     return without_priors(result, block, steady.added)
 
 
@@ -248,8 +251,9 @@ def _factor(normals: Normals, state: State, datum: Datum) -> None:
 def result_of(
     work: Work, block: Block, options: AdjustmentOptions, reasons: tuple[str, ...], notices: tuple[Notice, ...],
     seconds: float, progress: Progress = silent, extent: Extent = "report",
+    added: Mapping[tuple[str, str], float] | None = None,
 ) -> Adjustment:  # fmt: skip
-    """Everything a report needs from an adjusted system, or what decisions need."""
+    """Everything a report needs from an adjusted system, or what decisions need; `added` as in `steady`."""
     brief = extent != "report"
     began = time.perf_counter()
     system, normals, datum, solution = work.system, work.normals, work.datum, work.solution
@@ -272,6 +276,8 @@ def result_of(
     groups = observation_groups(normals, state, found, sigma0)
     tests = 2 * len(system.rows) + sum(int((g.sigma > 0).sum()) for g in groups)
     interior = () if extent == "tests" else interior_results(normals, state, covariances, sigma0, redundancy)
+    if added:
+        interior = tuple(told_by_network(i, added, sigma0) for i in interior)
     std = None if covariances is None else covariances.object_point_std
     unit_mm = 1000.0 if block.length_unit == "m" else 1.0
     adjustment = Adjustment(

@@ -10,19 +10,22 @@ observations of a determinable parameter bring.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cache
 
 import numpy as np
 
 from raybundle.adjustment.interior import image_effects, plausible_std
-from raybundle.adjustment.result import Adjustment, InteriorResult
+from raybundle.adjustment.result import Adjustment, InteriorResult, ParameterResult
 from raybundle.block import Block, Camera
 from raybundle.errors import NotSolvable
 from raybundle.numerics.arrays import Array
 
 FAR = 10.0
 """Times the standard deviation from which on a parameter counts as not determinable."""
+CARRIED = 0.5
+"""Share of the added standard deviation from which on a parameter's own comes from it: a quarter of what is known."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -30,22 +33,22 @@ class Steadied:
     """A block whose undetermined parameters are observed, and which."""
 
     block: Block
-    added: frozenset[tuple[str, str]]
-    """Camera and symbol."""
+    added: Mapping[tuple[str, str], float]
+    """Camera and symbol -> standard deviation."""
 
 
 def steadied(block: Block, free: dict[str, tuple[str, ...]], error: NotSolvable) -> Steadied | None:
     """The block with the free parameters of the cameras that a defect names observed; None where it names none."""
     named = {u.name for u in error.undetermined if u.kind == "parameter"}
     cameras = list[Camera]()
-    added = set[tuple[str, str]]()
+    added = dict[tuple[str, str], float]()
     for camera in block.cameras:
         own = _priors(camera, free.get(camera.id, ())) if camera.id in named and camera.scene is None else {}
-        added |= {(camera.id, symbol) for symbol in own}
+        added |= {(camera.id, symbol): std for symbol, std in own.items()}
         cameras.append(replace(camera, sigma={**camera.sigma, **own}) if own else camera)
     if not added:
         return None
-    return Steadied(block=replace(block, cameras=tuple(cameras)), added=frozenset(added))
+    return Steadied(block=replace(block, cameras=tuple(cameras)), added=added)
 
 
 def _priors(camera: Camera, free: tuple[str, ...]) -> dict[str, float]:
@@ -67,7 +70,7 @@ def _priors(camera: Camera, free: tuple[str, ...]) -> dict[str, float]:
     return found
 
 
-def without_priors(result: Adjustment, given: Block, added: frozenset[tuple[str, str]]) -> Adjustment:
+def without_priors(result: Adjustment, given: Block, added: Mapping[tuple[str, str], float]) -> Adjustment:
     """The result as one of the block that was given: what was added is no observation of the user's."""
     cameras = tuple(replace(a, sigma=g.sigma) for a, g in zip(result.adjusted.cameras, given.cameras, strict=True))
     groups = tuple(
@@ -86,7 +89,8 @@ def without_priors(result: Adjustment, given: Block, added: frozenset[tuple[str,
         adjusted=replace(result.adjusted, cameras=cameras),
         groups=(*(g for g in result.groups if g.kind != "parameter"), *groups),
         variance_components=tuple(v for v in result.variance_components if v.kind != "parameters" or groups),
-        interior=tuple(_estimated(i, added) for i in result.interior),
+        observations=result.observations - len(added),
+        constraints=result.constraints + len(added),
     )
 
 
@@ -96,9 +100,15 @@ def _taken(values: object, keep: list[bool]) -> object:
     return np.asarray(values)[np.array(keep)]
 
 
-def _estimated(interior: InteriorResult, added: frozenset[tuple[str, str]]) -> InteriorResult:
-    parameters = {
-        s: replace(p, status="estimated") if (interior.camera, s) in added and p.status == "observed" else p
-        for s, p in interior.parameters.items()
-    }
+def told_by_network(interior: InteriorResult, added: Mapping[tuple[str, str], float], sigma0: float) -> InteriorResult:
+    """A parameter that its added observation tells rather than the network, sigma0 apart, is not determinable."""
+    scale = sigma0 if np.isfinite(sigma0) and sigma0 > 0 else 1.0
+
+    def status(symbol: str, p: ParameterResult) -> str:
+        prior = added.get((interior.camera, symbol))
+        if prior is not None and p.std is not None and p.std / scale > CARRIED * prior:
+            return "not determinable"
+        return "estimated" if prior is not None and p.status == "observed" else p.status
+
+    parameters = {s: replace(p, status=status(s, p)) for s, p in interior.parameters.items()}
     return replace(interior, parameters=parameters)
