@@ -29,7 +29,7 @@ def machine() -> dict:
 
 def main() -> int:
     """Run what is asked for, or everything."""
-    names = sys.argv[1:] or ["truth", "startup", "speed", "orient", "many_images"]
+    names = sys.argv[1:] or ["truth", "startup", "speed", "orient", "many_images", "verdicts"]
     (HERE / "results").mkdir(exist_ok=True)
     failed = 0
     for name in names:

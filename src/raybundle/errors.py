@@ -6,6 +6,7 @@
       NotSolvable           the input is well formed but has no solution as given; exit status 3
         DatumDefect         position, orientation or scale of object space is not determined
         RankDefect          something else is not determined; the message names it
+          TooFewObservations
         NoConvergence
         NoOrientation       approximate values could not be found
 
@@ -101,6 +102,10 @@ class DatumDefect(NotSolvable):
 
 class RankDefect(NotSolvable):
     """Unknowns that the observations do not determine, named in words and as data."""
+
+
+class TooFewObservations(RankDefect):
+    """Fewer observations than unknowns, whatever they are."""
 
 
 class NoConvergence(NotSolvable):

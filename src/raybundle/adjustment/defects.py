@@ -9,7 +9,7 @@ import numpy as np
 from raybundle.adjustment.assemble import InteriorRow, State, System
 from raybundle.adjustment.normals import Normals
 from raybundle.block import Block, Role
-from raybundle.errors import DatumDefect, InputError, NoConvergence, RankDefect, Undetermined
+from raybundle.errors import DatumDefect, InputError, NoConvergence, RankDefect, TooFewObservations, Undetermined
 from raybundle.numerics.arrays import Array, Mask
 
 SHARE = 1e-13
@@ -23,6 +23,8 @@ either sign, however the pivot compares with other pivots.  The least share of n
 """
 NULL = 1e-9
 """Eigenvalue of the scaled reduced normal matrix below which a direction is part of what is left open."""
+NO_BASE, NOWHERE = 0.3, 0.9
+"""Shares of points with parallel rays: from which on they explain a failure, and from which on there is no result."""
 SHOWN = 10
 SHOWN_SHARE = 0.02
 """Share in the null space from which on an object is named."""
@@ -321,7 +323,7 @@ def shares(normals: Normals, vectors: Array) -> list[Undetermined]:
     for p in np.flatnonzero(system.point_node >= 0):
         at = int(system.offsets[system.point_node[p]])
         found.append(Undetermined(kind="point", name=block.points.ids[p], share=float(share[at : at + 3].sum())))
-    return sorted(found, key=lambda u: -round(u.share, 3))
+    return sorted(found, key=lambda u: (-round(u.share, 2), u.kind, u.name, u.symbol))
 
 
 def null_space(normals: Normals) -> tuple[list[Undetermined], str]:
@@ -363,33 +365,53 @@ def parallel_rays(system: System, state: State) -> tuple[Mask, Mask]:
     return tied & (spread < np.radians(0.2)), tied
 
 
-def without_base(system: System, state: State) -> bool:
+def without_base(system: System, state: State, share: float = NO_BASE) -> bool:
     """Whether so many points have parallel rays that images have no base between them."""
     parallel, tied = parallel_rays(system, state)
-    return bool(tied.any() and parallel.sum() > 0.3 * tied.sum())
+    return bool(tied.any() and parallel.sum() > share * tied.sum())
+
+
+def check_count(system: System, defect: int) -> None:
+    """Raise TooFewObservations where there are fewer observations than unknowns, an open datum apart."""
+    missing = system.unknowns - defect - system.observations
+    if missing <= 0:
+        return
+    block = system.block
+    lost = [_of_parameter(block, row, k) for row in system.interior if row.node >= 0 for k in row.free]
+    hold = f"hold some of {name_some([_named(u) for u in lost])}, or " if lost else ""
+    raise TooFewObservations(
+        f"{system.observations} observations do not determine {system.unknowns - defect} unknowns: {missing} are "
+        f"missing for a solution, and more for standard deviations.\n  To do: {hold}measure more points in more "
+        "images, or give control.",
+        undetermined=lost,
+    )
+
+
+def no_base(system: System, state: State, share: float = NO_BASE) -> RankDefect | None:
+    """The error of images without a base: more than this share of the object points has parallel rays; else None."""
+    if not without_base(system, state, share):
+        return None
+    parallel, tied = parallel_rays(system, state)
+    block = system.block
+    image, point = block.observations.image[system.rows], block.observations.point[system.rows]
+    images = name_some([block.images.ids[i] for i in np.unique(image[parallel[point]])])
+    return RankDefect(
+        f"the rays to {int(parallel.sum())} of {int(tied.sum())} object points are parallel within 0.2 degrees: images "
+        f"{images} have no base, or are the same photo twice. Take images from different stations.",
+        undetermined=[Undetermined(kind="point", name=block.points.ids[p]) for p in np.flatnonzero(parallel)],
+    )
 
 
 def no_convergence(normals: Normals, state: State, iterations: int, step: float) -> NoConvergence:
-    """The error of an iteration that found no minimum, with what is most likely behind it.
+    """The error of an iteration that found no minimum.
 
     normals  in a minimal datum, formed at the state
     """
-    system = normals.system
-    block = system.block
-    parallel, tied = parallel_rays(system, state)
-    image, point = block.observations.image[system.rows], block.observations.point[system.rows]
+    del state
     values, vectors = null_vectors(normals)
     lost = [u for u in shares(normals, vectors[:, values < NULL]) if u.share > 1e-4]
-    head = f"no convergence after {iterations} iterations (last step {step:.2g} standard deviations). "
-    if without_base(system, state):
-        images = name_some([block.images.ids[i] for i in np.unique(image[parallel[point]])])
-        return NoConvergence(
-            f"{head}The rays to {int(parallel.sum())} of {int(tied.sum())} object points are parallel within 0.2 "
-            f"degrees: images {images} have no base, or are the same photo twice. Take images from different stations.",
-            undetermined=lost,
-        )
     return NoConvergence(
-        f"{head}Look for gross errors (--robust-start, --reject snooping), wrong point numbers, "
-        "or better approximate values.",
+        f"no convergence after {iterations} iterations (last step {step:.2g} standard deviations). Look for gross "
+        "errors (--robust-start, --reject snooping), wrong point numbers, or better approximate values.",
         undetermined=lost,
     )

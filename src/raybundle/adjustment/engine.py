@@ -39,7 +39,7 @@ from raybundle.adjustment.solve import CAUTIOUS, FLOOR, HUBER, solve
 from raybundle.adjustment.steady import steadied, told_by_network, without_priors
 from raybundle.adjustment.work import Work
 from raybundle.block import Block, Camera
-from raybundle.errors import NoConvergence, RankDefect
+from raybundle.errors import NoConvergence, RankDefect, TooFewObservations
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.statistics import family_wise_normal, family_wise_tau, global_test
@@ -88,6 +88,8 @@ def adjust_block(
     try:
         work, found = carry_out(block, options, free, reasons, progress, start=start)
         return result_of(work, block, options, found, notices, time.perf_counter() - began, progress, extent)
+    except TooFewObservations:
+        raise
     except (RankDefect, NoConvergence) as error:
         steady = steadied(block, free, error)
         if steady is None:
@@ -133,6 +135,11 @@ def carry_out(
         defects.check_images(block, mask, free)
         work = _estimate(block, options, free, mask, start, progress)
     weak = not work.solution.step < UNENDING or defects.without_base(work.system, work.solution.state)
+    # an iteration that creeps off with all points ends anywhere
+    share = defects.NO_BASE if not work.solution.converged and weak else defects.NOWHERE
+    lying = defects.no_base(work.system, work.solution.state, share)
+    if lying is not None:
+        raise lying
     if not work.solution.converged and weak:
         _in_minimal_datum(work.normals, work.solution.state, work.datum)
         raise defects.no_convergence(work.normals, work.solution.state, work.solution.iterations, work.solution.step)
@@ -208,6 +215,7 @@ def _estimate(
     system = assemble(block, options, mask, free)
     state = system.initial_state()
     datum = analyse(system, state, options)
+    defects.check_count(system, datum.defect)
 
     def open_of(rows: Mask) -> tuple[str, ...]:
         if options.datum in {"auto", "control"} and defects.held_by_points(block, rows):
@@ -242,7 +250,7 @@ def _factor(normals: Normals, state: State, datum: Datum) -> None:
     weak = _in_minimal_datum(normals, state, datum)
     failed = normals.factorise()
     if failed or weak:
-        raise defects.explain(normals, state, weak, failed - 1)
+        raise defects.no_base(normals.system, state) or defects.explain(normals, state, weak, failed - 1)
     share, at = normals.least_share()
     if share < defects.SHARE:
         raise defects.explain(normals, state, weak, at)
