@@ -14,7 +14,7 @@ from raybundle.errors import InputError
 from raybundle.io.formats.reading import read_bytes, shown
 from raybundle.io.scenes.base import Scene, SceneFormat, check_denominators, register
 from raybundle.numerics.arrays import Array
-from raybundle.scenes.rpc import Rpc
+from raybundle.scenes.rpc import Rpc, rpc_of
 
 FILE_BYTES = 1 << 20
 SCALARS = {
@@ -59,7 +59,7 @@ def read(path: Path) -> Scene:
     def pick(*keys: str) -> Array:
         return np.array([scalars[k] for k in keys])
 
-    rpc = Rpc(
+    rpc = rpc_of(
         coefficients=coefficients,
         ground_offset=pick("long_off", "lat_off", "height_off"),
         ground_scale=pick("long_scale", "lat_scale", "height_scale"),
