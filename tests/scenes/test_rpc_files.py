@@ -1,6 +1,7 @@
 """RPC as tools and vendors write them: parts cut out of scenes, negative scales, EnMAP, PHRDIMAP, JSON."""
 
 import json
+import warnings
 from dataclasses import replace
 
 import numpy as np
@@ -9,7 +10,7 @@ import pytest
 from raybundle.errors import InputError
 from raybundle.io.scenes import read_scene, rpc_of_image
 from raybundle.io.scenes.base import CUT_OUT
-from raybundle.io.scenes.rpc_text import write_rpc_text
+from raybundle.io.scenes.rpc_text import write_rpc, write_rpc_text
 from raybundle.scenes.rpc import TERMS, fill_terms, rpc_of
 from tests.conftest import DATA
 from tests.scenes.test_readers import dimap, tiff
@@ -279,3 +280,38 @@ def test_phrdimap_agrees_with_its_own_direct_model():
         stated = max(model.get("Inverse_Model").number(f"MODEL_PRECISION_{k}") for k in ("ROW", "COL"))
         off = np.abs(rpc.project(ground) - rpc.image_offset - rpc.image_scale * uvh[:, :2]).max()
         assert off < 3 * stated
+
+
+# what is written is what its name says
+
+
+@pytest.mark.parametrize("ending", ["_RPC.TXT", ".RPB", ".rpb"])
+def test_gdal_sees_what_is_written(rpc, tmp_path, ending):
+    rasterio = pytest.importorskip("rasterio")
+    image = tmp_path / "a.tif"
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", rasterio.errors.NotGeoreferencedWarning)
+        with rasterio.open(image, "w", driver="GTiff", width=8, height=8, count=1, dtype="uint8") as file:
+            file.write(np.zeros((1, 8, 8), np.uint8))
+        written = replace(rpc, err_bias_m=3.5, err_rand_m=0.25)
+        write_rpc(written, tmp_path / f"a{ending}")
+        with rasterio.open(image) as file:
+            seen = file.rpcs
+    assert seen is not None
+    x, y = rpc.image_offset - 0.5
+    assert (seen.samp_off, seen.line_off) == (x, y)
+    assert (seen.long_off, seen.lat_off, seen.height_off) == tuple(rpc.ground_offset)
+    assert (seen.long_scale, seen.lat_scale, seen.height_scale) == tuple(rpc.ground_scale)
+    rows = (seen.line_num_coeff, seen.line_den_coeff, seen.samp_num_coeff, seen.samp_den_coeff)
+    assert np.array_equal(rows, rpc.coefficients)
+    again = read_scene(tmp_path / f"a{ending}").rpc
+    assert (again.err_bias_m, again.err_rand_m) == (3.5, 0.25)
+    assert np.array_equal(again.coefficients, rpc.coefficients)
+    assert np.array_equal(again.image_offset, rpc.image_offset)
+
+
+@pytest.mark.parametrize("name", ["a.xml", "a", "a.geom", "a.tif"])
+def test_an_unknown_ending_is_refused(rpc, tmp_path, name):
+    with pytest.raises(InputError, match=r"says no format of RPC .* NAME_RPC.TXT or NAME.RPB"):
+        write_rpc(rpc, tmp_path / name)
+    assert not (tmp_path / name).exists()
