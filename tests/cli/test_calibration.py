@@ -1,6 +1,7 @@
 """`raybundle calibration`: convert, compare, and the library, as they are typed."""
 
 import json
+import re
 
 import numpy as np
 import pytest
@@ -56,6 +57,35 @@ def test_convert_says_what_the_fit_leaves(ours, tmp_path, capsys):
     run("compare", ours, tmp_path / "again.toml", "--json")
     lines = capsys.readouterr().out.strip().splitlines()
     assert json.loads(lines[-1])["largest_px"] < 0.05
+
+
+def test_what_is_off_is_not_written_unless_asked_for(tmp_path, capsys):
+    wide = tmp_path / "wide.toml"
+    wide.write_text(
+        '[cameras.wide]\nmodel = "rational"\nwidth_px = 6000\nheight_px = 4000\npixel_mm = [0.006, 0.006]\n'
+        "c_mm = 16.0\n"
+        "k1 = 0.3\nk2 = 0.05\nk3 = 0.001\nk4 = 0.5\nk5 = 0.09\nk6 = 0.003\nestimate = []\n"
+    )
+    run("convert", wide, "--to", "opencv", "--out", tmp_path / "c.yaml")
+    assert "camera wide: 8, exact" in capsys.readouterr().out
+    arguments = [
+        "calibration",
+        "convert",
+        str(wide),
+        "--to",
+        "opencv",
+        "--model",
+        "4",
+        "--out",
+        str(tmp_path / "d.yaml"),
+    ]
+    assert main(arguments) == 2
+    told = capsys.readouterr()
+    assert re.search(r"4, fitted over the format: rms [\d.]+ px, largest [\d.]+ px", told.out)
+    assert "more than 0.1 px; give another format or model, or --approximate" in told.err
+    assert not (tmp_path / "d.yaml").exists()
+    assert main([*arguments, "--approximate"]) == 0
+    assert (tmp_path / "d.yaml").exists()
 
 
 def test_compare_prints_the_map(ours, tmp_path, capsys):

@@ -40,7 +40,7 @@ FORWARD_FORMATS = sorted(n for n, f in calibration_formats.items() if f.model ==
 def written(calibration, name, folder, **options):
     conversion = convert_calibration(calibration, name, **options)
     path = folder / f"camera-{name}{SUFFIX[name]}"
-    write_calibrations(name, [conversion], path)
+    write_calibrations(name, [conversion], path, approximate=True)
     return conversion, path
 
 

@@ -173,3 +173,15 @@ def test_every_point_keeps_its_row(file, rpc, tmp_path, capsys):
     assert [none[k] for k in ("x_px", "y_px", "lon_deg", "lat_deg", "h_m")] == ["100", "100", "", "", "90000"]
     assert "no ground point at height 90000 m" in none["note"]
     assert float(found["lon_deg"]) == pytest.approx(rpc.localise(np.array([[100.0, 100.0]]), 200.0)[0, 0])
+
+
+def test_the_ending_says_what_is_written(rpc, file, tmp_path, capsys):
+    control(rpc, tmp_path / "control.csv")
+    out = tmp_path / "corr.RPB"
+    assert main(["rpc", "correct", str(file), str(tmp_path / "control.csv"), "--out", str(out)]) == 0
+    assert out.read_text().startswith('satId = "unknown";')
+    assert "BEGIN_GROUP = IMAGE" in out.read_text()
+    capsys.readouterr()
+    assert main(["rpc", "correct", str(file), str(tmp_path / "control.csv"), "--out", str(tmp_path / "corr.xml")]) == 2
+    assert "NAME_RPC.TXT or NAME.RPB" in capsys.readouterr().err
+    assert not (tmp_path / "corr.xml").exists()

@@ -69,21 +69,43 @@ BAD = {
         "units of positions and radii",
     ),
     "feet": (lambda d: d["radii"].update(unit="ft"), "'ft' is not m or km"),
-    "frame camera": (lambda d: d.update(name_model="USGS_ASTRO_FRAME_SENSOR_MODEL"), "only line scanners"),
+    "frame camera": (
+        lambda d: d.update(name_model="USGS_ASTRO_FRAME_SENSOR_MODEL"),
+        "a frame camera, whose photograph is oriented like any",
+    ),
+    "radar": (lambda d: d.update(name_model="USGS_ASTRO_SAR_SENSOR_MODEL"), "a radar, which measures ranges"),
     "a time missing": (lambda d: d["instrument_position"]["ephemeris_times"].pop(), "15 times for 16 entries"),
-    "a gap": (
+    "a gap of half the table": (
         lambda d: [
-            d["instrument_pointing"][k].pop(7) for k in ("quaternions", "ephemeris_times", "angular_velocities")
+            d["instrument_pointing"].update({k: d["instrument_pointing"][k][:3] + d["instrument_pointing"][k][11:]})
+            for k in ("quaternions", "ephemeris_times", "angular_velocities")
         ],
-        "attitude has a gap",
+        "the widest of 9.0 steps .* too short to tell",
     ),
     "no focal length": (lambda d: d["focal_length_model"].update(focal_length=0), "focal length is zero"),
     "distortion": (
         lambda d: d.update(optical_distortion={"transverse": {"x": [0, 1], "y": [0, 0]}}),
-        "'transverse' is not known",
+        "cannot be inverted over the detector",
+    ),
+    "unknown distortion": (
+        lambda d: d.update(optical_distortion={"barrel": {"coefficients": [0.1]}}),
+        "'barrel' is not known; known: cahvor, .*radial",
+    ),
+    "radial coefficients of another unit": (
+        lambda d: d.update(optical_distortion={"radial": {"coefficients": [0, 3, 3]}}),
+        "fold the focal plane over at 0.3.* mm from the axis .the detector reaches 0.802 mm",
+    ),
+    "map-projected": (lambda d: d.update(projection="+proj=eqc"), "projected onto a map: its rows are not the lines"),
+    "line times that contradict": (
+        lambda d: d.update(line_scan_rate=[[0.5, -0.85, 0.1], [8.5, 0.75, 0.1]]),
+        "line 8.5 starts at 0.75 s, 8.0 line times off from the lines before it",
+    ),
+    "line times of both signs": (
+        lambda d: d.update(line_scan_rate=[[0.5, -0.85, 0.1], [8.5, 0.0, -0.1]]),
+        "all of one sign",
     ),
     "singular focal plane": (lambda d: d.update(focal2pixel_lines=[0, 0, 20]), "cannot be inverted"),
-    "no line times": (lambda d: d.update(line_scan_rate=[]), "positive time per line"),
+    "no line times": (lambda d: d.update(line_scan_rate=[]), "time per line that is not zero"),
     "quaternion of zeros": (lambda d: d["body_rotation"].update(quaternions=[[0, 0, 0, 0]] * 16), "length zero"),
     "text for a number": (lambda d: d.update(image_lines="many"), "'many' is not a number"),
     "no orbit": (lambda d: d.pop("instrument_position"), "'instrument_position' is missing"),

@@ -313,7 +313,18 @@ def test_unknown_and_absent_files(tmp_path):
         path.write_bytes(nothing)
         with pytest.raises(InputError, match=r"a.txt: the file is empty; get"):
             read_scene(path)
-    assert set(scene_formats) == {"airborne", "maxar", "dimap", "spot", "csm", "rpc-text", "geotiff", "nitf"}
+    assert set(scene_formats) == {
+        "airborne",
+        "maxar",
+        "dimap",
+        "spot",
+        "csm",
+        "rpc-text",
+        "geotiff",
+        "nitf",
+        "enmap",
+        "rpc-json",
+    }
 
 
 @pytest.mark.parametrize("seed", range(40))

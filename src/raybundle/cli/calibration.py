@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, counted, significant
+from raybundle.cli.common import APPROXIMATE, COMMAND_SETTINGS, FOLDER, counted, significant
 from raybundle.errors import InputError
 
 if TYPE_CHECKING:
@@ -60,6 +60,7 @@ def command() -> None:
 @click.option("--pixel-mm", type=float, metavar="MM", help="Size of a pixel, where INPUT does not tell it.")
 @SIZE
 @CAMERA
+@APPROXIMATE
 @TRACEBACK
 def convert(
     source: Path,
@@ -70,11 +71,14 @@ def convert(
     pixel_mm: float | None,
     size: tuple[int, int] | None,
     camera: str | None,
+    *,
+    approximate: bool,
 ) -> None:
     """Convert a calibration; INPUT is a file of any format, or a result folder.
 
-    In the same direction the conversion is exact. Otherwise the simplest model within 0.01 px is taken, or else the
-    best; --model chooses one.
+    In the same direction the conversion is exact where the other model has all terms. Otherwise the simplest model
+    within 0.01 px is taken, or else the best; --model chooses one. What is off by more than 0.1 px is not written
+    without --approximate.
 
     \b
     Example:
@@ -87,9 +91,9 @@ def convert(
         convert_calibration(c, target, variant=model, pixel_mm=pixel_mm)
         for c in _chosen(_calibrations(source, given, size), camera, source)
     ]
-    write_calibrations(target, conversions, out)
     for conversion in conversions:
         _tell(conversion)
+    write_calibrations(target, conversions, out, approximate=approximate)
     click.echo(f" {target}: {out}")
 
 

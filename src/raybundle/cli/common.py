@@ -12,6 +12,11 @@ COMMAND_SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 
 FOLDER = click.Path(path_type=Path)
 
 
+APPROXIMATE = click.option(
+    "--approximate", is_flag=True, help="Write cameras too that deviate from the given ones by more than 0.1 px."
+)
+
+
 def common_options(function: Callable[..., Any]) -> Callable[..., Any]:
     """Add --progress (an argument `progress`) and --traceback (looked up by `main`)."""
     function = click.option(

@@ -10,10 +10,10 @@ import click
 import numpy as np
 
 from raybundle.block import Block, Images
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, counted
+from raybundle.cli.common import APPROXIMATE, COMMAND_SETTINGS, FOLDER, common_options, counted
 from raybundle.errors import InputError
 from raybundle.io.coordinate_systems import LocalFrame, frame_from_mapping, local_frame
-from raybundle.io.formats import Export, formats, read_format, write_format
+from raybundle.io.formats import Export, check_deviation, formats, read_format, write_format
 from raybundle.io.project import photographs_of
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress
@@ -33,7 +33,7 @@ HELP = f"""Convert between block folders, result folders and the formats of othe
 
 INPUT is a block folder, a result folder (its adjusted values, without rejected observations), or a file or folder of
 another program. Cameras are fitted where the other program describes distortion differently; the largest deviation is
-printed.
+printed, and nothing is written where it exceeds 0.1 px, unless --approximate is given.
 
 \b
 Formats:
@@ -75,6 +75,7 @@ Example:
     help="Write the photographs without distortion into images/ beside --out, and pinhole cameras. inside: no empty "
     "pixels; all: nothing is cut.",
 )
+@APPROXIMATE
 @common_options
 def command(
     source: Path,
@@ -87,6 +88,8 @@ def command(
     photos: Path | None,
     undistort: str | None,
     progress: str,
+    *,
+    approximate: bool,
 ) -> None:
     """Read, bring to the frame asked for, write, and print what was assumed."""
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
@@ -97,7 +100,7 @@ def command(
         raise InputError("--undistort needs the photographs; give their folder: --photos FOLDER")
     _check_target(out, target)
     with reporting(progress) as tell:
-        export, remarks = read_source(source, given)
+        export, remarks = read_source(source, given, approximate=approximate)
         if crs is not None:
             export, more = placed(export, crs, origin, undulation)
             remarks += more
@@ -115,7 +118,7 @@ def command(
             export, more = straightened(export, photos, out.parent / "images", area, tell)
             remarks += more
         tell("writing", 0.0)
-        files, more, deviation = written(export, target, out)
+        files, more, deviation = written(export, target, out, approximate=approximate)
         tell("writing", 1.0)
     b = export.block
     click.echo(f" {counted(int(b.images.oriented.sum()), 'oriented image')}, {counted(len(b.points), 'point')}, "
@@ -137,11 +140,12 @@ def _check_target(out: Path, target: str) -> None:
         raise InputError(f"format {target} is a file; give a name that ends in {suffix}", file=out)
 
 
-def read_source(source: Path, given: str | None) -> tuple[Export, tuple[str, ...]]:
+def read_source(source: Path, given: str | None, *, approximate: bool = False) -> tuple[Export, tuple[str, ...]]:
     """What is to be converted, and remarks; adjusted coordinates and their precision where INPUT is a result."""
     name = given or recognised(source)
     if name != BLOCK:
         imported = read_format(name, source)
+        check_deviation(imported.deviation_px, imported.remarks, source, approximate=approximate)
         return Export(block=imported.block, colours=imported.colours), imported.remarks
     if (source / "result.json").is_file():
         return _read_result(source)
@@ -313,7 +317,7 @@ def straightened(
     return replace(export, block=block), (*remarks, *more)
 
 
-def written(export: Export, target: str, out: Path) -> tuple[int, tuple[str, ...], float]:
+def written(export: Export, target: str, out: Path, *, approximate: bool = False) -> tuple[int, tuple[str, ...], float]:
     """Write; the number of files, remarks, and the largest deviation of a camera [px]."""
     if target == RPC:
         from raybundle.io.folders import new_folder  # noqa: PLC0415
@@ -324,7 +328,7 @@ def written(export: Export, target: str, out: Path) -> tuple[int, tuple[str, ...
         return len(files), remarks, 0.0
     if target != BLOCK:
         export, more = fit_for(export, target)
-        result = write_format(target, export, out)
+        result = write_format(target, export, out, approximate=approximate)
         result = replace(result, remarks=(*more, *result.remarks))
         return len(result.files), result.remarks, result.deviation_px
     from raybundle.io.block_folder import write_block  # noqa: PLC0415

@@ -132,7 +132,9 @@ def project(scene: Path, points: Path, out: Path, model: str, *, to_ground: bool
 @command.command("correct")
 @click.argument("scene", type=FOLDER)
 @click.argument("points", type=FOLDER)
-@click.option("--out", type=FOLDER, metavar="RPC.TXT", help="RPC to write, with the correction built in.")
+@click.option(
+    "--out", type=FOLDER, metavar="FILE", help="RPC to write, with the correction built in: NAME_RPC.TXT or NAME.RPB."
+)
 @click.option(
     "--bias",
     type=click.Choice(["auto", "none", "shift", "drift", "affine"]),
@@ -160,10 +162,12 @@ def correct(
       raybundle rpc correct 13MAY08000330.XML control.csv --bias shift --out corrected_RPC.TXT
     """  # noqa: D301
     from raybundle.io.scenes import read_scene  # noqa: PLC0415
+    from raybundle.io.scenes.rpc_text import check_rpc_name, write_rpc  # noqa: PLC0415
     from raybundle.scenes.bias_choice import check_fit, choose_bias  # noqa: PLC0415
 
     if out is not None:
         _check_new(out)
+        check_rpc_name(out)
     s = read_scene(scene)
     if s.rpc is None:
         raise InputError("it holds no RPC to be corrected; make one with `raybundle rpc fit`", file=scene)
@@ -185,19 +189,18 @@ def correct(
         raise NotSolvable(f"{points}: {error}{'; nothing is written' if out else ''}") from None
     if out is None:
         return
-    from raybundle.io.scenes.rpc_text import write_rpc_text  # noqa: PLC0415
     from raybundle.scenes.rpc_fit import corrected_rpc  # noqa: PLC0415
 
     rpc, fit = corrected_rpc(s.rpc, chosen.kind, chosen.values, _size(s), _heights(s, heights))
     if fit is not None:
         click.echo(f" refitted: at most {significant(float(fit.largest_px.max()))} px from the corrected RPC")
-    write_rpc_text(rpc, out)
+    write_rpc(rpc, out)
     click.echo(f" RPC with {chosen.kind} built in: {out}")
 
 
 @command.command("fit")
 @click.argument("scene", type=FOLDER)
-@click.option("--out", type=FOLDER, required=True, metavar="RPC.TXT", help="RPC to write.")
+@click.option("--out", type=FOLDER, required=True, metavar="FILE", help="RPC to write: NAME_RPC.TXT or NAME.RPB.")
 @HEIGHTS
 @TRACEBACK
 def fit(scene: Path, out: Path, heights: tuple[float, float] | None) -> None:
@@ -208,11 +211,12 @@ def fit(scene: Path, out: Path, heights: tuple[float, float] | None) -> None:
       raybundle rpc fit 13MAY08000330.XML --heights 0 400 --out fitted_RPC.TXT
     """  # noqa: D301
     from raybundle.io.scenes import read_scene  # noqa: PLC0415
-    from raybundle.io.scenes.rpc_text import write_rpc_text  # noqa: PLC0415
+    from raybundle.io.scenes.rpc_text import check_rpc_name, write_rpc  # noqa: PLC0415
     from raybundle.numerics.geodesy import WGS84  # noqa: PLC0415
     from raybundle.scenes.rpc_fit import fit_rpc  # noqa: PLC0415
 
     _check_new(out)
+    check_rpc_name(out)
     s = read_scene(scene)
     if s.line is None:
         raise InputError("it holds no rigorous model from which an RPC could be made", file=scene)
@@ -221,7 +225,7 @@ def fit(scene: Path, out: Path, heights: tuple[float, float] | None) -> None:
     result = fit_rpc(s.line.localise, _size(s), _heights(s, heights))
     low, high = result.height_range
     x, y = result.rms_px
-    write_rpc_text(result.rpc, out)
+    write_rpc(result.rpc, out)
     click.echo(f" heights {low:g} to {high:g} m; restraint {result.strength:g}")
     click.echo(
         f" RPC minus rigorous model at {counted(result.points, 'point')} that took no part: "

@@ -97,7 +97,7 @@ def _list(values: tuple[float, ...]) -> str:
 
 def read_scene_camera(section: Section, id_: str, place: Place | None) -> Camera:
     """The camera of a scene; raises InputError with file and line."""
-    from raybundle.io.scenes import check_image, read_scene  # noqa: PLC0415  (only where there are scenes)
+    from raybundle.io.scenes import read_scene, rpc_of_image  # noqa: PLC0415  (only where there are scenes)
     from raybundle.scenes.sensor import scene_camera  # noqa: PLC0415
 
     if place is None:
@@ -118,8 +118,8 @@ def read_scene_camera(section: Section, id_: str, place: Place | None) -> Camera
     if model == "rpc":
         if found.rpc is None:
             section.fail("model", f'{file.name} holds no RPC; give model = "linescan"')
-        check_image(found.rpc, width, height, file)
-        sensor, known = _rpc_sensor(section, found.rpc, place, (width, height), file), list["GivenFixes"]()
+        rpc = rpc_of_image(found.rpc, width, height, file)
+        sensor, known = _rpc_sensor(section, rpc, place, (width, height), file), list["GivenFixes"]()
     else:
         if found.line is None:
             section.fail("model", f'{file.name} holds no rigorous model that is understood; give model = "rpc"')

@@ -21,6 +21,9 @@ from raybundle.sensors import sensor_models
 
 NOMINAL_SIDE_MM = 36.0
 """Longer side of the format where the size of a pixel is not known; results in pixels do not depend on it."""
+LIMIT_PX = 0.1
+"""A conversion that deviates by more than this is refused unless an approximation is asked for: the precision of a
+measured image point, beyond which the misfit of the camera is the largest error of a block."""
 CLOSE_PX = 0.01
 """A fit with fewer parameters is taken if it deviates by no more than this."""
 LEAST_INVERTIBLE = 0.5
@@ -101,7 +104,7 @@ def opencv_fit(camera: Camera) -> ForwardFit:
     """The simplest OpenCV camera within 0.01 px: pinhole, 4 or 8 coefficients; for a fisheye OpenCV's fisheye."""
     if camera.model == "fisheye":
         return forward_fit(camera, FISHEYE, projection="equidistant")
-    exact = pinhole_of(camera)
+    exact = exact_forward(camera)
     if exact is not None:
         return ForwardFit(camera=exact, deviation_px=0.0)
     short, full = terms_for(camera, OPENCV), terms_for(camera, FULL)
@@ -121,6 +124,41 @@ def pinhole_of(camera: Camera) -> ForwardCamera | None:
     if camera.model != "brown" or any(values.get(s, 0.0) for s in ("K1", "K2", "K3", "P1", "P2", "S")):
         return None
     return _first_guess(camera, "central")
+
+
+def exact_forward(camera: Camera) -> ForwardCamera | None:
+    """The forward camera that images as one of ours does, term by term; None for models of the other direction.
+
+    `rational` and `radial` distort the ideal point, as forward cameras do; y points up with us, so p1 changes its sign.
+    """
+    values = {s: float(camera.values.get(s, 0.0)) for s in sensor_models[camera.model].symbols}
+    if camera.model == "rational":
+        terms = {t: values[s] for s, t in RATIONAL.items()}
+        guess = _first_guess(camera, "central")
+        # A stretches y with `rational`, x with `brown`
+        width, height = camera.pixel_mm
+        fx, fy = values["c"] / width, values["c"] * (1 + values["A"]) / height
+        return replace(guess, fx=fx, fy=fy, p1=-values["p1"], **terms)
+    if camera.model == "radial":
+        return replace(_first_guess(camera, "central"), k1=values["k1"], k2=values["k2"])
+    return pinhole_of(camera)
+
+
+RATIONAL = {"k1": "k1", "k2": "k2", "k3": "k3", "k4": "d1", "k5": "d2", "k6": "d3", "p2": "p2"}
+"""Terms of a forward camera that those of `rational` are; but for p1, which changes its sign."""
+
+
+def _rational_of(forward: ForwardCamera, blank: Camera) -> Camera | None:
+    """The camera of the model `rational` that images as a forward camera does; None where it has other terms."""
+    others = [t for t in TERMS[4:] if t not in {*RATIONAL.values(), "p1"} and getattr(forward, t)]
+    if forward.projection != "central" or others:
+        return None
+    width, height = blank.pixel_mm
+    values = dict.fromkeys(sensor_models["rational"].symbols, 0.0)
+    values |= {s: float(getattr(forward, t)) for s, t in RATIONAL.items()} | {"p1": -forward.p1}
+    values |= {"c": forward.fx * width, "A": forward.fy * height / (forward.fx * width) - 1}
+    values |= {s: float(blank.values[s]) for s in ("x0", "y0")}
+    return replace(blank, model="rational", values=values)
 
 
 def _first_guess(camera: Camera, projection: Literal["central", "equidistant"]) -> ForwardCamera:
@@ -248,7 +286,7 @@ def _least_squares(function: Callable[[Array], tuple[Array, Array]], start: Arra
 def camera_from_forward(
     forward: ForwardCamera, id_: str, *, pixel_mm: float | None = None, where: str = ""
 ) -> CameraFit:
-    """The camera that stands for a forward camera: brown or fisheye by a fit, radial where that alone is exact.
+    """The camera that stands for a forward camera: brown or fisheye by a fit, radial or rational where those are exact.
 
     pixel_mm  size of a (square) pixel; None: a nominal one, 36 mm over the longer side
     where     words for the message of an error
@@ -273,6 +311,8 @@ def camera_from_forward(
     if fit.deviation_px > CLOSE_PX and _is_radial(forward):
         values = {"c": forward.fx * pixel, "k1": forward.k1, "k2": forward.k2}
         return CameraFit(camera=replace(blank, model="radial", values=values), deviation_px=0.0, covered=1.0)
+    if fit.deviation_px > CLOSE_PX and (rational := _rational_of(forward, blank)) is not None:
+        return CameraFit(camera=rational, deviation_px=0.0, covered=1.0)
     return fit
 
 

@@ -133,6 +133,24 @@ class LineScene:
         middle, half = self.middle_and_half
         return round(middle + tau * half, 9)
 
+    def reversals(self) -> Array:
+        """Lines y (k,) [px] at which the scan turns back over ground that it has seen, along its middle column.
+
+        There the motion of the ground across the line of elements changes its sign.  The ground is taken where the ray
+        comes nearest to the middle of the body, at least its radius away from it, so that lines beside the body count.
+        """
+        y = np.linspace(0.5, self.height_px - 0.5, min(COARSE, max(2, self.height_px)))
+        xy = np.stack([np.full(len(y), self.width_px / 2), y], axis=1)
+        P, d = self.rays(xy)
+        near = -np.einsum("ni,ni->n", P, d)
+        inside = self.ellipsoid.a**2 - (np.sum(P * P, axis=1) - near**2)
+        ground = P + (near - np.sqrt(np.maximum(inside, 0.0)))[:, None] * d
+        zero = np.zeros(0)
+        _, G, _, _ = self._condition(_Points.of(self, ground), xy, NO_CORRECTION, zero, partials=False)
+        across = G[:, 0, 0] * G[:, 1, 1] - G[:, 1, 0] * G[:, 0, 1]
+        turned = np.flatnonzero(across[1:] * across[:-1] < 0)
+        return (y[turned] + y[turned + 1]) / 2
+
     @cached_property
     def track_axes(self) -> Array:
         """(3, 3) rows along track, across track to the right, up at the middle of the scene, in body axes."""

@@ -16,6 +16,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from raybundle.errors import InputError, NoConvergence
 from raybundle.numerics.arrays import Array, Mask
@@ -177,6 +178,27 @@ class Rpc:
         """The RPC with an image shift (2,) in its offsets: exact, and understood by every program."""
         return replace(self, image_offset=self.image_offset + shift_px)
 
+    def spread_over(self, size_px: Array) -> Rpc:
+        """The same function with offsets and scales of an image of size (2,): its middle, and half of it.
+
+        x = o + s n / d = o' + s' n' / d with n' = (s n + (o - o') d) / s', exactly.  For an image cut out of a scene,
+        whose offsets are not its range.
+        """
+        offset = scale = np.asarray(size_px, float) / 2
+        c = self.coefficients.copy()
+        for axis, top in ((0, 2), (1, 0)):
+            away = self.image_offset[axis] - offset[axis]
+            c[top] = (self.image_scale[axis] * c[top] + away * c[top + 1]) / scale[axis]
+        return replace(self, coefficients=c, image_offset=offset, image_scale=scale)
+
+    def middle_in_range(self) -> bool:
+        """Whether the middle of the ground's range is seen within the range of the image that offset and scale say.
+
+        So it is in every RPC that was fitted for its image; where not, the offsets belong to something else.
+        """
+        c = self.coefficients[:, 0]
+        return bool(abs(c[0] / c[1]) <= RANGE and abs(c[2] / c[3]) <= RANGE)
+
     def outside(self, geographic: Array) -> Mask:
         """(n,) whether a point lies outside the range for which the polynomials were fitted."""
         from_centre = _rows(geographic) - self.ground_offset
@@ -274,6 +296,34 @@ class Rpc:
                     f"{LEAST_DENOMINATOR:g}) at longitude {lon:.6f}, latitude {lat:.6f}, height {h:.1f} m; it lies "
                     f"far outside the scene ({self.height_range_words()}), or the RPC is damaged"
                 )
+
+
+def rpc_of(
+    *, coefficients: ArrayLike, ground_offset: ArrayLike, ground_scale: ArrayLike, image_offset: ArrayLike,
+    image_scale: ArrayLike, err_bias_m: float | None = None, err_rand_m: float | None = None,
+) -> Rpc:  # fmt: skip
+    """The RPC of a file, whose scales may be negative (Planet's latitudes): the same function with positive ones.
+
+    A negative scale of the ground turns the sign of the terms that are odd in its coordinate, one of the image that
+    of its numerator; both exactly.
+    """
+    c, ground = np.array(coefficients, float), np.array(ground_scale, float)
+    image = np.array(image_scale, float)
+    if c.shape == (4, 20) and ground.shape == (3,) and image.shape == (2,):
+        for axis in np.flatnonzero(ground < 0):
+            c *= [(-1.0) ** term.count("LPH"[axis]) for term in TERMS]
+        for axis, top in ((0, 2), (1, 0)):
+            if image[axis] < 0:
+                c[top] *= -1
+    return Rpc(
+        coefficients=c,
+        ground_offset=np.array(ground_offset, float),
+        ground_scale=np.abs(ground),
+        image_offset=np.array(image_offset, float),
+        image_scale=np.abs(image),
+        err_bias_m=err_bias_m,
+        err_rand_m=err_rand_m,
+    )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -19,7 +19,7 @@ from raybundle.targets.detect import DetectionOptions, detect_targets, eight_bit
 from raybundle.targets.kinds.charuco import RATIO
 from raybundle.targets.kinds.chessboard import SIDE, grown
 from raybundle.targets.kinds.circles import MISSING, Circles
-from raybundle.targets.kinds.tags import dictionaries, dictionary
+from raybundle.targets.kinds.tags import dictionaries, dictionary, seen_tags
 from raybundle.targets.lattice import lattices
 from raybundle.targets.rings import circle, frame, sample
 
@@ -57,12 +57,11 @@ def tags_seen(image: Array) -> dict[str, SeenTags]:
     eight = eight_bits(image)[0]
     found: dict[str, SeenTags] = {}
     for name in LARGEST:
-        detector = cv2.aruco.ArucoDetector(dictionary(name), cv2.aruco.DetectorParameters())
-        seen: Any = detector.detectMarkers(eight)
-        if seen[1] is None or not len(seen[1]):
+        ids, corners = seen_tags(eight, dictionary(name))
+        if not len(ids):
             continue
-        numbers, first = np.unique(seen[1].reshape(-1), return_index=True)
-        found[name] = SeenTags(id=numbers, corners=np.array(seen[0], float).reshape(-1, 4, 2)[first] + 0.5)
+        numbers, first = np.unique(ids, return_index=True)
+        found[name] = SeenTags(id=numbers, corners=corners[first])
     return found
 
 

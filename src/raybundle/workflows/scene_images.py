@@ -14,7 +14,7 @@ from raybundle.errors import InputError
 from raybundle.io.photos.container import SUFFIXES, decode, kind_of, read_header
 from raybundle.io.photos.photo import LIMIT_PIXELS, shown
 from raybundle.io.photos.windows import Windows, is_tiff, tiff_tags
-from raybundle.io.scenes import Scene, check_image, read_scene, scene_formats
+from raybundle.io.scenes import Scene, read_scene, rpc_of_image, scene_formats
 from raybundle.matching.features import FeatureMethod, Features
 from raybundle.matching.refine import smoothed
 from raybundle.numerics.arrays import Array, Mask
@@ -179,7 +179,7 @@ def read_scene_image(path: Path, model: Path) -> SceneImage:
             file=path,
         )
     if scene.rpc is not None:
-        check_image(scene.rpc, width, height, path)
+        scene = replace(scene, rpc=rpc_of_image(scene.rpc, width, height, path))
     elif scene.line is not None and (scene.line.width_px, scene.line.height_px) != (width, height):
         raise InputError(
             f"the image has {width} x {height} px, the orbit in {model.name} is for one of {scene.line.width_px} x "

@@ -16,9 +16,11 @@ from raybundle.errors import InputError
 from raybundle.io.calibrations.validity import Validity, validity
 from raybundle.io.conversions import (
     CLOSE_PX,
+    LIMIT_PX,
     NOMINAL_SIDE_MM,
     ForwardFit,
     camera_from_forward,
+    exact_forward,
     forward_fit,
     measured_fit,
 )
@@ -284,10 +286,11 @@ def _to_forward(calibration: Calibration, format_: CalibrationFormat, choice: Se
     camera = calibration.camera
     rms, largest, covered = 0.0, 0.0, 1.0
     exact = None
-    if isinstance(camera, ForwardCamera):
-        exact = next((v for v in choice if _holds(v, camera)), None)
-    if isinstance(camera, ForwardCamera) and exact is not None:
-        new, variant = camera, exact
+    same = camera if isinstance(camera, ForwardCamera) else exact_forward(camera)
+    if same is not None:
+        exact = next((v for v in choice if _holds(v, same)), None)
+    if same is not None and exact is not None:
+        new, variant = same, exact
     else:
         variant, fit = _best(camera, choice)
         new, rms, largest, covered = fit.camera, fit.rms_px, fit.deviation_px, fit.covered
@@ -323,8 +326,14 @@ def _best(camera: Camera | ForwardCamera, choice: Sequence[Variant]) -> tuple[Va
     return min(fits, key=lambda pair: pair[1].deviation_px)
 
 
-def write_calibrations(name: str, conversions: Sequence[Conversion], path: str | Path) -> None:
-    """Write calibrations in a format, whole or not at all; raises InputError where something stands at `path`."""
+def write_calibrations(
+    name: str, conversions: Sequence[Conversion], path: str | Path, *, approximate: bool = False
+) -> None:
+    """Write calibrations in a format, whole or not at all.
+
+    approximate  also those that deviate from what they stand for by more than 0.1 px
+    raises       InputError where something stands at `path`, or a conversion deviates by more
+    """
     format_, path = format_named(name), Path(path)
     if path.exists():
         raise InputError("stands there already and is not overwritten; choose another name", file=path)
@@ -332,6 +341,13 @@ def write_calibrations(name: str, conversions: Sequence[Conversion], path: str |
         raise InputError(
             f"format {name} is a file; give a name that ends in {' or '.join(format_.suffixes)}", file=path
         )
+    for c in conversions:
+        if not approximate and not c.largest_px <= LIMIT_PX:
+            raise InputError(
+                f"camera {c.calibration.id} as {c.variant} deviates by up to {c.largest_px:.3g} px (rms {c.rms_px:.3g} "
+                f"px) over the format, more than {LIMIT_PX:g} px; give another format or model, or --approximate",
+                file=path,
+            )
     if not conversions or (len(conversions) > 1 and not format_.several):
         raise InputError(
             f"{len(conversions)} cameras, but a file of the format {name} holds one; convert them one by one: --camera",

@@ -6,9 +6,18 @@ A new format is one new file: it makes a `Format` and hands it to `register`.
 from importlib import import_module
 from pkgutil import iter_modules
 
-from raybundle.io.formats.base import Export, Format, Import, Written, formats, read_format, write_format
+from raybundle.io.formats.base import (
+    Export,
+    Format,
+    Import,
+    Written,
+    check_deviation,
+    formats,
+    read_format,
+    write_format,
+)
 
 for _module in iter_modules(__path__):
     import_module(f"{__name__}.{_module.name}")
 
-__all__ = ["Export", "Format", "Import", "Written", "formats", "read_format", "write_format"]
+__all__ = ["Export", "Format", "Import", "Written", "check_deviation", "formats", "read_format", "write_format"]

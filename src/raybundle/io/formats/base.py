@@ -13,7 +13,7 @@ import numpy as np
 
 from raybundle.block import Block, Camera, Images, Observations, Points, Role
 from raybundle.errors import InputError
-from raybundle.io.conversions import interiors, parameter_vector
+from raybundle.io.conversions import LIMIT_PX, CameraFit, interiors, parameter_vector
 from raybundle.io.coordinate_systems import LocalFrame
 from raybundle.io.folders import new_folder
 from raybundle.numerics.arrays import Array, Index, Mask
@@ -51,6 +51,8 @@ class Import:
     """(p, 3) red, green, blue, 0 to 255."""
     remarks: tuple[str, ...] = ()
     """What was left out, approximated or assumed."""
+    deviation_px: float = 0.0
+    """Largest deviation of our cameras from those of the file, over the whole format."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -123,11 +125,12 @@ def read_format(name: str, path: str | Path) -> Import:
     return format_.read(path)
 
 
-def write_format(name: str, export: Export, path: str | Path) -> Written:
+def write_format(name: str, export: Export, path: str | Path, *, approximate: bool = False) -> Written:
     """Write a block in this format, whole or not at all.
 
-    path    a new file, or a new or empty folder; what stands there is never overwritten
-    raises  InputError where something stands at `path`, or the block cannot be written in this format
+    path         a new file, or a new or empty folder; what stands there is never overwritten
+    approximate  also where a camera in the format deviates from ours by more than 0.1 px
+    raises       InputError where something stands at `path`, or the block cannot be written in this format
     """
     format_, path = format_named(name), Path(path)
     if format_.write is None:
@@ -143,13 +146,41 @@ def write_format(name: str, export: Export, path: str | Path) -> Written:
     if format_.kind == "folder":
         with new_folder(path) as folder:
             draft = format_.write(export, folder)
+            check_deviation(draft.deviation_px, draft.remarks, path, approximate=approximate)
             names = sorted(p.relative_to(folder) for p in folder.rglob("*") if p.is_file())
         files = tuple(path / n for n in names)
         return Written(files=files, remarks=draft.remarks, deviation_px=draft.deviation_px)
-    return _write_files(format_.write, export, path)
+    return _write_files(format_.write, export, path, approximate=approximate)
 
 
-def _write_files(write: Writer, export: Export, path: Path) -> Written:
+def check_deviation(deviation_px: float, remarks: Sequence[str], path: Path, *, approximate: bool) -> None:
+    """Raise InputError where cameras deviate by more than 0.1 px from what they stand for and no one allowed it."""
+    if not approximate and not deviation_px <= LIMIT_PX:
+        told = "; ".join(r for r in remarks if "deviation" in r)
+        raise InputError(
+            f"a camera deviates by up to {deviation_px:.3g} px from the one that it stands for ({told}), more than "
+            f"{LIMIT_PX:g} px; give a format that holds it, or --approximate",
+            file=path,
+        )
+
+
+def fitted_camera(fit: CameraFit, words: str, remarks: list[str], deviations: list[float]) -> Camera:
+    """The camera of a fit; a fit that is not exact is remarked on with its misfit, which is kept."""
+    if fit.deviation_px > EXACT_PX:
+        part = "" if fit.covered == 1 else f" ({fit.covered:.0%} of which its distortion can be inverted)"
+        remarks.append(
+            f"{words} is read as {fit.camera.model}, fitted over the format{part}: largest deviation "
+            f"{fit.deviation_px:.3g} px"
+        )
+        deviations.append(fit.deviation_px)
+    return fit.camera
+
+
+EXACT_PX = 1e-9
+"""Of rounding."""
+
+
+def _write_files(write: Writer, export: Export, path: Path, *, approximate: bool) -> Written:
     if path.is_dir():
         raise InputError("is a folder; give the name of a file", file=path)
     try:
@@ -159,6 +190,7 @@ def _write_files(write: Writer, export: Export, path: Path) -> Written:
         raise InputError(f"cannot be written: {error.strerror}; choose another folder", file=path) from None
     try:
         draft = write(export, temporary / path.name)
+        check_deviation(draft.deviation_px, draft.remarks, path, approximate=approximate)
         made = sorted(temporary.iterdir())
         for file in made:
             if (path.parent / file.name).exists():

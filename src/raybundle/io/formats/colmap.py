@@ -28,6 +28,7 @@ from raybundle.io.formats.base import (
     block_of,
     cv_pose,
     deviation_remark,
+    fitted_camera,
     register,
     scene,
 )  # fmt: skip
@@ -267,14 +268,11 @@ def _import(model: _Model, folder: Path) -> Import:
     if not model.names:
         raise InputError("holds no image", file=folder)
     remarks: list[str] = []
+    deviations: list[float] = []
     cameras: list[Camera] = []
     for number, forward in model.cameras.items():
         fit = camera_from_forward(forward, str(number), where=f"{folder}: ")
-        cameras.append(fit.camera)
-        if fit.deviation_px > 1e-9:
-            words = f"camera {number} is read as {fit.camera.model}, fitted over the format"
-            part = "" if fit.covered == 1 else f" ({fit.covered:.0%} of which its distortion can be inverted)"
-            remarks.append(f"{words}{part}: largest deviation {fit.deviation_px:.3g} px")
+        cameras.append(fitted_camera(fit, f"camera {number}", remarks, deviations))
     R = np.swapaxes(rotations(np.array(model.quaternion, float)), -1, -2)
     centre = -np.einsum("nij,nj->ni", R, np.array(model.translation, float))
     order = {number: k for k, number in enumerate(model.cameras)}
@@ -306,7 +304,8 @@ def _import(model: _Model, folder: Path) -> Import:
     )
     block, more = block_of(name=folder.name, source="COLMAP", cameras=tuple(cameras), images=images, tracks=tracks)
     colours = np.array(list(model.rgb.values()), np.uint8).reshape(-1, 3)
-    return Import(block=block, colours=colours, remarks=(*remarks, *more))
+    largest = max(deviations, default=0.0)
+    return Import(block=block, colours=colours, remarks=(*remarks, *more), deviation_px=largest)
 
 
 def _checked_camera(

@@ -25,6 +25,7 @@ from raybundle.io.formats.base import (
     Tracks,
     block_of,
     deviation_remark,
+    fitted_camera,
     register,
     scene,
 )
@@ -122,12 +123,13 @@ def read(path: Path) -> Import:
     root = read_xml(path, "document")
     chunk = root.get("chunk")
     remarks: list[str] = []
+    deviations: list[float] = []
     chunks = len(list(root.all("chunk")))
     if chunks > 1:
         remarks.append(f"the first of {chunks} chunks is read")
     cameras: dict[str, Camera] = {}
     for sensor in chunk.get("sensors").all("sensor"):
-        camera = _read_sensor(sensor, path, remarks)
+        camera = _read_sensor(sensor, path, remarks, deviations)
         if camera is not None:
             cameras[sensor.attribute("id")] = camera
     if not cameras:
@@ -137,10 +139,10 @@ def read(path: Path) -> Import:
     block, more = block_of(
         name=path.stem, source="Metashape", cameras=tuple(cameras.values()), images=images, tracks=tracks
     )
-    return Import(block=block, remarks=(*remarks, *more))
+    return Import(block=block, remarks=(*remarks, *more), deviation_px=max(deviations, default=0.0))
 
 
-def _read_sensor(sensor: Element, path: Path, remarks: list[str]) -> Camera | None:
+def _read_sensor(sensor: Element, path: Path, remarks: list[str], deviations: list[float]) -> Camera | None:
     calibration = next((c for c in sensor.all("calibration") if c.attributes.get("class") == "adjusted"), None)
     calibration = calibration or sensor.find("calibration")
     if calibration is None:
@@ -175,10 +177,7 @@ def _read_sensor(sensor: Element, path: Path, remarks: list[str]) -> Camera | No
     )
     id_ = sensor.attribute("id")
     fit = camera_from_forward(forward, id_, pixel_mm=_pixel(sensor), where=f"{path}: ")
-    if fit.deviation_px > 1e-9:
-        words = f"camera {id_} is read as {fit.camera.model}, fitted over the format"
-        remarks.append(f"{words}: largest deviation {fit.deviation_px:.3g} px")
-    return fit.camera
+    return fitted_camera(fit, f"camera {id_}", remarks, deviations)
 
 
 def _pixel(sensor: Element) -> float | None:

@@ -23,6 +23,7 @@ from raybundle.io.formats.base import (
     Tracks,
     block_of,
     deviation_remark,
+    fitted_camera,
     register,
     scene,
 )  # fmt: skip
@@ -108,13 +109,11 @@ def read(path: Path) -> Import:
     if len(set(names)) < len(names):
         top.get("frames").fail("a file_path stands twice")
     remarks: list[str] = []
+    deviations: list[float] = []
     cameras: list[Camera] = []
     for k, camera in enumerate(forward, 1):
         fit = camera_from_forward(camera, str(k), where=f"{path}: ")
-        cameras.append(fit.camera)
-        if fit.deviation_px > 1e-9:
-            words = f"camera {k} is read as {fit.camera.model}, fitted over the format"
-            remarks.append(f"{words}: largest deviation {fit.deviation_px:.3g} px")
+        cameras.append(fitted_camera(fit, f"camera {k}", remarks, deviations))
     images = Images(
         ids=tuple(names),
         camera=np.array(index, np.int32),
@@ -122,7 +121,11 @@ def read(path: Path) -> Import:
         centre=matrices[:, :3, 3].copy(),
         rotation=np.swapaxes(nearest_rotation(matrices[:, :3, :3]), -1, -2),
     )
-    return Import(block=_bare(path, tuple(cameras), images), remarks=(*remarks, "the format holds no observations"))
+    return Import(
+        block=_bare(path, tuple(cameras), images),
+        remarks=(*remarks, "the format holds no observations"),
+        deviation_px=max(deviations, default=0.0),
+    )
 
 
 def _bare(path: Path, cameras: tuple[Camera, ...], images: Images) -> Block:

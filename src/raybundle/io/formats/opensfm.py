@@ -29,6 +29,7 @@ from raybundle.io.formats.base import (
     block_of,
     cv_pose,
     deviation_remark,
+    fitted_camera,
     register,
     scene,
 )  # fmt: skip
@@ -126,6 +127,7 @@ def read(path: Path) -> Import:
     if not everything:
         raise InputError("holds no reconstruction", file=path)
     remarks: list[str] = []
+    deviations: list[float] = []
     if len(everything) > 1:
         remarks.append(f"the first of {len(everything)} reconstructions is read; each stands in a frame of its own")
     top = everything[0]
@@ -134,12 +136,7 @@ def read(path: Path) -> Import:
     for id_, value in top.get("cameras").mapping().items():
         forward.append(_camera_in(value))
         fit = camera_from_forward(forward[-1], id_.strip() or "1", where=f"{path}: ")
-        cameras.append(fit.camera)
-        if fit.deviation_px > 1e-9:
-            remarks.append(
-                f"camera {id_} is read as {fit.camera.model}, fitted over the format: "
-                f"largest deviation {fit.deviation_px:.3g} px"
-            )
+        cameras.append(fitted_camera(fit, f"camera {id_}", remarks, deviations))
     images = _images_in(top, {c.id: k for k, c in enumerate(cameras)})
     points = top.get("points").mapping() if top.has("points") else {}
     xyz = np.array([p.get("coordinates").numbers(3) for p in points.values()]).reshape(-1, 3)
@@ -148,7 +145,12 @@ def read(path: Path) -> Import:
     block, more = block_of(
         name=path.parent.name, source="OpenSfM", cameras=tuple(cameras), images=images, tracks=tracks
     )
-    return Import(block=block, colours=np.clip(colours, 0, 255).reshape(-1, 3), remarks=(*remarks, *more))
+    return Import(
+        block=block,
+        colours=np.clip(colours, 0, 255).reshape(-1, 3),
+        remarks=(*remarks, *more),
+        deviation_px=max(deviations, default=0.0),
+    )
 
 
 def _camera_in(value: Json) -> ForwardCamera:

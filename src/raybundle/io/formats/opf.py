@@ -28,6 +28,7 @@ from raybundle.io.formats.base import (
     Tracks,
     block_of,
     deviation_remark,
+    fitted_camera,
     register,
     scene,
 )
@@ -239,9 +240,10 @@ def read(path: Path) -> Import:
     project = read_json(path)
     resources = _resources(project, path)
     remarks: list[str] = []
+    deviations: list[float] = []
     names = {_id(c): _name(c.get("uri")) for c in read_json(resources["camera-list"]).get("cameras").items()}
     calibrated = read_json(resources["calibrated-cameras"])
-    cameras, index = _cameras_in(calibrated, read_json(resources["input-cameras"]), path, remarks)
+    cameras, index = _cameras_in(calibrated, read_json(resources["input-cameras"]), path, remarks, deviations)
     images, place = _images_in(calibrated, names, index)
     tracks = _no_tracks()
     if "gltf" in resources:
@@ -257,7 +259,7 @@ def read(path: Path) -> Import:
         images=images,
         tracks=tracks,
     )
-    return Import(block=block, remarks=(*remarks, *more))
+    return Import(block=block, remarks=(*remarks, *more), deviation_px=max(deviations, default=0.0))
 
 
 def _frame_remark(frame: Json) -> list[str]:
@@ -308,7 +310,7 @@ def _name(uri: Json) -> str:
 
 
 def _cameras_in(
-    calibrated: Json, given: Json, path: Path, remarks: list[str]
+    calibrated: Json, given: Json, path: Path, remarks: list[str], deviations: list[float]
 ) -> tuple[tuple[Camera, ...], dict[int, int]]:
     sizes: dict[int, tuple[int, int, float | None]] = {}
     for sensor in given.get("sensors").items():
@@ -336,10 +338,7 @@ def _cameras_in(
         )
         fit = camera_from_forward(forward, str(id_), pixel_mm=pixel, where=f"{path}: ")
         index[id_] = len(cameras)
-        cameras.append(fit.camera)
-        if fit.deviation_px > 1e-9:
-            words = f"camera {id_} is read as {fit.camera.model}, fitted over the format"
-            remarks.append(f"{words}: largest deviation {fit.deviation_px:.3g} px")
+        cameras.append(fitted_camera(fit, f"camera {id_}", remarks, deviations))
     return tuple(cameras), index
 
 

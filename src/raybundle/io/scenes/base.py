@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -94,12 +94,45 @@ def _placed(path: Path, format_: SceneFormat) -> Scene:
         reasons = "; ".join(scene.remarks) or "neither an RPC nor an orbit stands in it"
         raise InputError(f"no geometry can be taken from it: {reasons}", file=path)
     if scene.rpc is not None and scene.width_px and scene.height_px:
-        check_image(scene.rpc, scene.width_px, scene.height_px, path)
+        rpc = rpc_of_image(scene.rpc, scene.width_px, scene.height_px, path)
+        if rpc is not scene.rpc:
+            scene = replace(scene, rpc=rpc, remarks=(*scene.remarks, CUT_OUT))
     return scene
 
 
+CUT_OUT = (
+    "the offsets of the RPC are not the range of the image, which was cut out of a scene; its polynomials reach it, "
+    "and were rewritten for the image's own range (exactly)"
+)
+
+
+def rpc_of_image(rpc: Rpc, width_px: int, height_px: int, file: Path | str) -> Rpc:
+    """The RPC with offsets and scales that are a range within the image: itself, but for images cut out of a scene.
+
+    Tools that cut write offsets and scales of the part and leave the ground's range that of the scene.  Such an RPC
+    sees the middle of the ground's range outside of what its offsets say; it belongs to the image where the image's
+    own ground lies in that range.
+
+    raises  InputError where the image cannot be the one that the RPC describes
+    """
+    if not rpc.middle_in_range() and _sees_range(rpc, np.array([width_px, height_px], float)):
+        low, high = rpc.image_offset - rpc.image_scale, rpc.image_offset + rpc.image_scale
+        if (high <= 0).any() or (low >= [width_px, height_px]).any():
+            return rpc.spread_over(np.array([width_px, height_px]))
+        return rpc
+    check_image(rpc, width_px, height_px, file)
+    return rpc
+
+
+def _sees_range(rpc: Rpc, size: Array) -> bool:
+    """Whether middle and corners of an image of size (2,) look at the RPC's range of ground, at its middle height."""
+    grid = size * np.array([[0.5, 0.5], [0, 0], [1, 0], [0, 1], [1, 1]])
+    ground = rpc.ground_where_any(grid, float(rpc.ground_offset[2]))
+    return bool((rpc.ranges_away(ground) < WIDER).all())
+
+
 def check_image(rpc: Rpc, width_px: int, height_px: int, file: Path | str) -> None:
-    """Raise InputError where an image cannot be the one that an RPC describes; a part of it may be."""
+    """Raise InputError where an image cannot be the one whose range an RPC's offsets say; a part of it may be."""
     size = np.array([width_px, height_px], float)
     low, high = rpc.image_offset - rpc.image_scale, rpc.image_offset + rpc.image_scale
     covered = np.minimum(high, size) - np.maximum(low, 0)

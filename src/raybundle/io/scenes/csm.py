@@ -2,7 +2,8 @@
 
 Line and sample 0.5 are the centre of the first pixel, as with us.  Positions and attitudes stand in an inertial
 frame; the body's rotation brings them to the frame that turns with it.  Quaternions have the scalar first and
-rotate inertial to detector and to body axes.
+rotate inertial to detector and to body axes.  Distances are in kilometres where no unit stands (ALE writes none for
+positions); a unit that stands there counts.
 """
 
 from __future__ import annotations
@@ -14,29 +15,41 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.io.formats.reading import Json, read_json
+from raybundle.io.scenes import rpc_json
 from raybundle.io.scenes.base import Scene, SceneFormat, register
+from raybundle.io.scenes.csm_distortion import undistorted
+from raybundle.io.scenes.csm_tables import body_trajectory
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.geodesy import Ellipsoid
 from raybundle.scenes.linescan import LineScene
-from raybundle.scenes.trajectory import Trajectory, rotation_from_quaternion
 
 METRES = {"m": 1.0, "km": 1000.0}
-NODES = 25
-"""Positions to which USGSCSM interpolates shorter tables."""
 LOOK_NODES = 257
 """Elements at which a viewing direction is computed where the optics distort."""
+PAUSE_LINES = 1.0
+"""Time between two rows of the table of line times, beyond what their lines take, that counts as a contradiction: to
+a line the writers round."""
+OTHERS = {
+    "FRAME": "a frame camera, whose photograph is oriented like any other (raybundle orient), with its camera constant "
+    "and distortion in a calibration",
+    "PUSH_FRAME": "a push-frame camera, whose framelets are small frames, not lines",
+    "SAR": "a radar, which measures ranges, not directions",
+}
+KEYS_SHOWN = 6
+"""Of a JSON file that is something else, in the message."""
 
 
 def read(path: Path) -> Scene:
     """The scene of a line-scan ISD; other sensors are refused."""
     root = read_json(path)
-    model = root.get("name_model").text()
-    if "LINE_SCANNER" not in model:
-        root.get("name_model").fail(f"{model}: only line scanners (..._LINE_SCANNER_SENSOR_MODEL) are read")
+    _check_line_scanner(root)
     rows, columns = root.get("image_lines").whole(), root.get("image_samples").whole()
     ellipsoid = _ellipsoid(root.get("radii"))
     line_y, line_times = _line_times(root, rows)
     x, look = _detector(root, columns)
+    across = float(np.linalg.norm(look[-1] - look[0])) / columns
+    group = root.get("instrument_position")
+    trajectory, remarks = body_trajectory(root, ellipsoid, _unit(group), across)
     line = LineScene(
         width_px=columns,
         height_px=rows,
@@ -44,18 +57,25 @@ def read(path: Path) -> Scene:
         line_times=line_times,
         detector_x=x,
         detector_look=look,
-        trajectory=_trajectory(root, ellipsoid),
+        trajectory=trajectory,
         ellipsoid=ellipsoid,
         aberration=False,
         refraction=False,
     )
-    remarks = ["CSM: neither aberration nor refraction is applied, as in USGSCSM"]
+    remarks = ["CSM: neither aberration nor refraction is applied, as in USGSCSM", *remarks]
+    if not group.has("unit"):
+        far = float(np.linalg.norm(trajectory.positions, axis=1).min())
+        remarks.append(
+            f"no unit stands at the positions; taken as km, as ALE writes them: {far / 1000:.6g} km from the centre of "
+            f"a body of radius {ellipsoid.a / 1000:.6g} km"
+        )
     P, d = line.rays(np.array([[columns / 2, rows / 2]]))
     if P[0] @ d[0] > 0:
         line = _turned(line)
         remarks.append(
             "the detector's third axis points away from the body; it looks along the other way, as in USGSCSM"
         )
+    remarks += _reversals(line)
     return Scene(
         file=path,
         format="csm",
@@ -67,6 +87,40 @@ def read(path: Path) -> Scene:
     )
 
 
+def _check_line_scanner(root: Json) -> None:
+    """Raise where the file is no ISD, or one of another sensor, or of an image that is a map."""
+    if not root.has("name_model"):
+        keys = list(root.mapping()) if isinstance(root.value, dict) else []
+        found = f"its keys are {', '.join(map(repr, keys[:KEYS_SHOWN]))}" if keys else "it has no keys"
+        root.fail(
+            f"a JSON file, but no image support data of the Community Sensor Model: 'name_model' is missing; {found}. "
+            "Give the description that ALE writes for the image (isd_generate)"
+        )
+    model = root.get("name_model").text()
+    if "LINE_SCANNER" not in model:
+        kind = model.removeprefix("USGS_ASTRO_").removesuffix("_SENSOR_MODEL")
+        what = f", {OTHERS[kind]}" if kind in OTHERS else ""
+        root.get("name_model").fail(f"{model}{what}; only line scanners (..._LINE_SCANNER_SENSOR_MODEL) are read here")
+    if root.has("projection"):
+        root.get("projection").fail(
+            "the image has been projected onto a map: its rows are not the lines of the scan, to which this "
+            "description belongs; give the image as it was taken, and its description without 'projection'"
+        )
+
+
+def _reversals(line: LineScene) -> list[str]:
+    """What is to be said where the scan comes back over ground that it has seen."""
+    at = line.reversals()
+    if not at.size:
+        return []
+    lines = ", ".join(f"{y:.0f}" for y in at[:KEYS_SHOWN]) + (", ..." if at.size > KEYS_SHOWN else "")
+    said = (
+        f"the scan reverses at line {lines}: ground near there is seen twice, and a point of it has two image points; "
+        "a projection finds the one nearer to its start (the measured point, or the middle of the image)"
+    )
+    return [said]
+
+
 def _turned(line: LineScene) -> LineScene:
     """The same lines of sight, followed in the opposite direction: the detector turned by half a turn about x."""
     path = line.trajectory
@@ -76,6 +130,8 @@ def _turned(line: LineScene) -> LineScene:
 
 
 def _unit(group: Json) -> float:
+    if not group.has("unit"):
+        return METRES["km"]
     unit = group.get("unit").text().lower()
     if unit not in METRES:
         group.get("unit").fail(f"unit {unit!r} is not m or km")
@@ -92,13 +148,26 @@ def _ellipsoid(radii: Json) -> Ellipsoid:
 
 
 def _line_times(root: Json, rows: int) -> tuple[Array, Array]:
-    """Lines y [px] and their times [s after the centre]; line 0.5 is the first in the file's table."""
-    table = np.array([r.numbers(3) for r in root.get("line_scan_rate").items()]).reshape(-1, 3)
-    if len(table) == 0 or (table[:, 2] <= 0).any() or (np.diff(table[:, 0]) <= 0).any():
-        root.get("line_scan_rate").fail("lines must increase and each needs a positive time per line")
+    """Lines y [px] and their times [s after the centre]; line 0.5 is the first in the file's table.
+
+    Times may fall: an image of which the last line was taken first.
+    """
+    place = root.get("line_scan_rate")
+    table = np.array([r.numbers(3) for r in place.items()]).reshape(-1, 3)
+    steps = table[:, 2]
+    if len(table) == 0 or not ((steps > 0).all() or (steps < 0).all()) or (np.diff(table[:, 0]) <= 0).any():
+        place.fail("lines must increase and each needs a time per line that is not zero, all of one sign")
     y = table[:, 0] - 0.5
+    pause = (np.diff(table[:, 1]) - steps[:-1] * np.diff(y)) / steps[:-1]
+    if (np.abs(pause) > PAUSE_LINES).any():
+        k = int(np.argmax(np.abs(pause)))
+        place.fail(
+            f"line {table[k + 1, 0]:g} starts at {table[k + 1, 1]:.6g} s, {pause[k]:.1f} line times off from the lines "
+            f"before it ({table[k, 1]:.6g} s and {steps[k]:.6g} s a line); the table contradicts itself: write the "
+            "description again with a current version of ALE"
+        )
     end = max(float(rows), y[-1] + 1)
-    return np.append(y, end), np.append(table[:, 1], table[-1, 1] + table[-1, 2] * (end - y[-1]))
+    return np.append(y, end), np.append(table[:, 1], table[-1, 1] + steps[-1] * (end - y[-1]))
 
 
 def _detector(root: Json, columns: int) -> tuple[Array, Array]:
@@ -111,112 +180,22 @@ def _detector(root: Json, columns: int) -> tuple[Array, Array]:
     to_pixel = np.stack([root.get(f"focal2pixel_{k}").numbers(3) for k in ("lines", "samples")])
     if abs(np.linalg.det(to_pixel[:, 1:])) < 1e-12:
         root.get("focal2pixel_lines").fail("the map from focal plane to pixels cannot be inverted")
-    coefficients = _radial(root)
-    x = np.linspace(0, columns, LOOK_NODES if coefficients.any() else 2)
-    pixels = np.stack([np.full(len(x), start[0]), x * summing[1] + start[1]]) - np.array(centre)[:, None]
-    plane = np.linalg.solve(to_pixel[:, 1:], pixels - to_pixel[:, :1])
-    r2 = np.sum(plane**2, axis=0)
-    plane = plane * (1 - (coefficients[0] + r2 * (coefficients[1] + r2 * coefficients[2])))
     f = root.get("focal_length_model").get("focal_length").number()
     if f == 0:
         root.get("focal_length_model").fail("the focal length is zero")
+    x = np.linspace(0, columns, LOOK_NODES if root.has("optical_distortion") else 2)
+    pixels = np.stack([np.full(len(x), start[0]), x * summing[1] + start[1]]) - np.array(centre)[:, None]
+    plane = np.linalg.solve(to_pixel[:, 1:], pixels - to_pixel[:, :1])
+    if root.has("optical_distortion"):
+        plane = undistorted(root.get("optical_distortion"), plane, f)
     return x, (plane / f).T
 
 
-def _radial(root: Json) -> Array:
-    """The three radial coefficients; other kinds of distortion are refused unless all their terms are zero."""
-    if not root.has("optical_distortion"):
-        return np.zeros(3)
-    kinds = root.get("optical_distortion").mapping()
-    for name, kind in kinds.items():
-        parts = [kind.get(part).items() for part in ("coefficients", "x", "y") if kind.has(part)]
-        values = np.array([v.number() for part in parts for v in part])
-        if name == "radial":
-            return np.append(values, np.zeros(3))[:3]
-        if values.any():
-            kind.fail(f"optical distortion of the kind {name!r} is not known; known: radial")
-    return np.zeros(3)
-
-
-def _times(root: Json, group: Json, name: str, count: int) -> Array:
-    """Seconds after the centre of the image of a table's entries."""
-    if group.has("ephemeris_times"):
-        times = group.get("ephemeris_times").items()
-        if len(times) != count:
-            group.get("ephemeris_times").fail(f"{len(times)} times for {count} entries of the table")
-        return np.array([t.number() for t in times]) - root.get("center_ephemeris_time").number()
-    return root.get(f"t0_{name}").number() + root.get(f"dt_{name}").number() * np.arange(count)
-
-
-def _rotations(root: Json, key: str) -> tuple[Array, Array]:
-    """Times (n,) and rotations (n, 3, 3) from inertial axes to those of the detector or the body."""
-    group = root.get(key)
-    q = np.array([r.numbers(4) for r in group.get("quaternions").items()]).reshape(-1, 4)
-    if len(q) == 0 or (np.linalg.norm(q, axis=1) < 1e-6).any():
-        group.get("quaternions").fail("a quaternion of length zero, or none")
-    R = rotation_from_quaternion(q[:, [1, 2, 3, 0]])
-    if group.has("constant_rotation"):
-        R = group.get("constant_rotation").numbers(9).reshape(3, 3) @ R
-    return _times(root, group, "quaternion", len(q)), R
-
-
-def _trajectory(root: Json, ellipsoid: Ellipsoid) -> Trajectory:
-    group = root.get("instrument_position")
-    positions = np.array([r.numbers(3) for r in group.get("positions").items()]).reshape(-1, 3) * _unit(group)
-    radius = np.linalg.norm(positions, axis=1)
-    if len(radius) == 0 or radius.min() <= ellipsoid.b:
-        group.fail(
-            f"a position is {radius.min(initial=0):.6g} m from the centre of a body of radius {ellipsoid.a:.6g} m; the "
-            "units of positions and radii do not agree"
-        )
-    position_times, positions = _equal_steps(group, _times(root, group, "ephemeris", len(positions)), positions)
-    body_times, body = _rotations(root, "body_rotation")
-    pointing_times, pointing = _rotations(root, "instrument_pointing")
-    at_positions, at_pointing = (_interpolated(body_times, body, t) for t in (position_times, pointing_times))
-    return Trajectory(
-        position_times=position_times,
-        positions=np.einsum("nij,nj->ni", at_positions, positions),
-        attitude_times=pointing_times,
-        quaternions=_quaternion(at_pointing @ np.swapaxes(pointing, 1, 2)),
-    )
-
-
-def _equal_steps(group: Json, times: Array, positions: Array) -> tuple[Array, Array]:
-    """The positions at 25 or more equal steps, by Hermite cubics where the table has velocities.
-
-    USGSCSM does so; where velocities contradict the positions, as in some synthetic files, this is felt.
-    """
-    if not group.has("velocities") or len(times) < 2 or (np.diff(times) <= 0).any():
-        return times, positions
-    from scipy.interpolate import CubicHermiteSpline  # noqa: PLC0415  (SciPy only where such a file is read)
-
-    velocities = np.array([r.numbers(3) for r in group.get("velocities").items()]).reshape(-1, 3) * _unit(group)
-    if len(velocities) != len(times):
-        group.get("velocities").fail(f"{len(velocities)} velocities for {len(times)} positions")
-    at = np.linspace(times[0], times[-1], max(NODES, len(times)))
-    return at, CubicHermiteSpline(times, positions, velocities)(at)
-
-
-def _quaternion(R: Array) -> Array:
-    from scipy.spatial.transform import Rotation  # noqa: PLC0415  (SciPy only where such a file is read)
-
-    return Rotation.from_matrix(R).as_quat()
-
-
-def _interpolated(times: Array, R: Array, at: Array) -> Array:
-    """Rotations (n, 3, 3) at other times; those of one entry hold for all."""
-    if len(times) == len(at) and np.array_equal(times, at):
-        return R
-    if len(times) == 1:
-        return np.broadcast_to(R[0], (len(at), 3, 3))
-    nowhere = np.zeros((len(times), 3))
-    path = Trajectory(position_times=times, positions=nowhere, attitude_times=times, quaternions=_quaternion(R))
-    return path.rotation(at)[0]
-
-
 def _recognises(path: Path, head: bytes) -> bool:
-    return head.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"{") and (
-        b"name_model" in head or path.suffix.lower() in {".json", ".isd"}
+    return (
+        head.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"{")
+        and (b"name_model" in head or path.suffix.lower() in {".json", ".isd"})
+        and not rpc_json.recognises(path, head)
     )
 
 

@@ -1,4 +1,4 @@
-"""DIMAP 2 XML of SPOT 6/7 and Pleiades: the RPC (RPC_*.XML) or the rigorous model (DIM_*.XML).
+"""DIMAP 2 XML of SPOT 6/7 and Pleiades: the RPC (RPC_*.XML) or the rigorous model (DIM_*.XML); and PHRDIMAP_*.XML.
 
 The first pixel has the number that the file says (1).
 """
@@ -9,17 +9,19 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.io.formats.reading import Element, read_xml
-from raybundle.io.scenes.base import Scene, SceneFormat, check_denominators, element_text, register
+from raybundle.io.formats.reading import Element, read_bytes, read_xml
+from raybundle.io.scenes.base import HEAD_BYTES, Scene, SceneFormat, check_denominators, element_text, register
 from raybundle.io.scenes.dimap_orbit import line_scene
 from raybundle.numerics.arrays import Array
-from raybundle.scenes.rpc import Rpc
+from raybundle.scenes.rpc import rpc_of
 
 POLYNOMIALS = ("LINE_NUM_COEFF", "LINE_DEN_COEFF", "SAMP_NUM_COEFF", "SAMP_DEN_COEFF")
 
 
 def read(path: Path) -> Scene:
     """The RPC of a DIMAP file, whose inverse model (ground to image) is the RPC of everyone else; or its orbit."""
+    if _is_phr(read_bytes(path)[:HEAD_BYTES]):
+        return _phr(path)
     root = read_xml(path, "Dimap_Document")
     if root.find("Geometric_Data", "Refined_Model") is not None:
         return _product(path, root)
@@ -32,7 +34,7 @@ def read(path: Path) -> Scene:
     validity = model.get("RFM_Validity")
     first, size = _image(validity)
     values = model.find("GroundtoImage_Values") or model.get("Inverse_Model")
-    rpc = Rpc(
+    rpc = rpc_of(
         coefficients=np.stack([_coefficients(values, name) for name in POLYNOMIALS]),
         ground_offset=np.array([validity.number(f"{k}_OFF") for k in ("LONG", "LAT", "HEIGHT")]),
         ground_scale=np.array([validity.number(f"{k}_SCALE") for k in ("LONG", "LAT", "HEIGHT")]),
@@ -47,10 +49,45 @@ def read(path: Path) -> Scene:
         width_px=size[0],
         height_px=size[1],
         sensor=element_text(root, "Metadata_Identification", "METADATA_PROFILE"),
-        remarks=(
-            "DIMAP states how well its RPC fits the orbit, not how well the orbit is known: no prior for the bias",
-        ),
+        remarks=(NO_PRIOR,),
     )
+
+
+def _is_phr(head: bytes) -> bool:
+    return b"<PHR_Dimap_Document" in head
+
+
+def _phr(path: Path) -> Scene:
+    """The RPC of the first format of Pleiades (METADATA_FORMAT DIMAP_PHR): forty coefficients in a row, A and B."""
+    root = read_xml(path, "PHR_Dimap_Document")
+    model = root.get("Geoposition", "Rational_Sensor_Model", "Global_RFM")
+    validity = model.get("RFM_Validity")
+    first, size = _image(validity)
+    rows = [model.get("Inverse_Model", name).numbers(40).reshape(2, 20) for name in ("F_ROW", "F_COL")]
+
+    def pick(part: str, *names: str) -> list[float]:
+        return [validity.get(n).number(part) for n in names]
+
+    rpc = rpc_of(
+        coefficients=np.concatenate(rows),
+        ground_offset=pick("B", "Lon", "Lat", "Alt"),
+        ground_scale=pick("A", "Lon", "Lat", "Alt"),
+        image_offset=np.array(pick("B", "Col", "Row")) - first + 0.5,
+        image_scale=pick("A", "Col", "Row"),
+    )
+    check_denominators(rpc, path)
+    return Scene(
+        file=path,
+        format="dimap",
+        rpc=rpc,
+        width_px=size[0],
+        height_px=size[1],
+        sensor=element_text(root, "Metadata_Identification", "METADATA_PROFILE"),
+        remarks=(NO_PRIOR,),
+    )
+
+
+NO_PRIOR = "DIMAP states how well its RPC fits the orbit, not how well the orbit is known: no prior for the bias"
 
 
 def _image(validity: Element) -> tuple[Array, tuple[int | None, int | None]]:
@@ -92,9 +129,13 @@ def _coefficients(model: Element, name: str) -> Array:
 
 def _recognises(path: Path, head: bytes) -> bool:
     del path
+    if _is_phr(head):
+        return True
     return b"<Dimap_Document" in head and b"METADATA_FORMAT version='1." not in head.replace(b'"', b"'")
 
 
 register(
-    SceneFormat(name="dimap", title="DIMAP 2 XML (SPOT 6/7, Pleiades): RPC, orbit", recognises=_recognises, read=read)
+    SceneFormat(
+        name="dimap", title="DIMAP 2 XML (SPOT 6/7, Pleiades; PHRDIMAP): RPC, orbit", recognises=_recognises, read=read
+    )
 )

@@ -16,7 +16,7 @@ from raybundle.io.scenes.base import Scene, SceneFormat, check_denominators, ele
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.geodesy import WGS84
 from raybundle.scenes.linescan import LineScene
-from raybundle.scenes.rpc import Rpc
+from raybundle.scenes.rpc import Rpc, rpc_of
 from raybundle.scenes.trajectory import Trajectory, rotation_from_quaternion
 
 ORBIT_M = (WGS84.a + 1.0e5, 5.0e7)
@@ -79,7 +79,7 @@ def _rpc(group: Element) -> tuple[Rpc, list[str]]:
     def number(name: str) -> float:
         return image.number(name)
 
-    return Rpc(
+    return rpc_of(
         coefficients=coefficients,
         ground_offset=np.array([number("LONGOFFSET"), number("LATOFFSET"), number("HEIGHTOFFSET")]),
         ground_scale=np.array([number("LONGSCALE"), number("LATSCALE"), number("HEIGHTSCALE")]),

@@ -14,7 +14,7 @@ from raybundle.errors import InputError
 from raybundle.io.formats.reading import read_bytes, shown
 from raybundle.io.scenes.base import Scene, SceneFormat, check_denominators, register
 from raybundle.numerics.arrays import Array
-from raybundle.scenes.rpc import Rpc
+from raybundle.scenes.rpc import Rpc, rpc_of
 
 FILE_BYTES = 1 << 20
 SCALARS = {
@@ -59,7 +59,7 @@ def read(path: Path) -> Scene:
     def pick(*keys: str) -> Array:
         return np.array([scalars[k] for k in keys])
 
-    rpc = Rpc(
+    rpc = rpc_of(
         coefficients=coefficients,
         ground_offset=pick("long_off", "lat_off", "height_off"),
         ground_scale=pick("long_scale", "lat_scale", "height_scale"),
@@ -155,6 +155,53 @@ def _coefficients(path: Path, polynomials: dict[str, dict[int, float]], text: st
     return result, (f"RPC of specification {specification[1]}, taken as RPC00B",)
 
 
+def check_rpc_name(path: Path) -> None:
+    """Raise InputError where the name of a file to write says no format of RPC that is written."""
+    if path.suffix.lower() not in {".txt", ".rpb"}:
+        ending = f"ends in {path.suffix}" if path.suffix else "has no ending"
+        raise InputError(
+            f"the name {ending}, which says no format of RPC that is written; give NAME_RPC.TXT or NAME.RPB", file=path
+        )
+
+
+def write_rpc(rpc: Rpc, path: Path) -> None:
+    """Write the format that the name says: NAME.RPB, or else text as in NAME_RPC.TXT.
+
+    raises  InputError where the name says another one, or the file cannot be written
+    """
+    check_rpc_name(path)
+    if path.suffix.lower() == ".rpb":
+        write_rpb(rpc, path)
+    else:
+        write_rpc_text(rpc, path)
+
+
+def write_rpb(rpc: Rpc, path: Path) -> None:
+    """Write `.RPB`, which GDAL and most programs read beside an image of the same name; numbers lose nothing."""
+    x, y = rpc.image_offset - 0.5
+    lon, lat, height = rpc.ground_offset
+    lon_scale, lat_scale, height_scale = rpc.ground_scale
+    rows = [
+        ("errBias", rpc.err_bias_m or 0.0), ("errRand", rpc.err_rand_m or 0.0),
+        ("lineOffset", y), ("sampOffset", x), ("latOffset", lat), ("longOffset", lon), ("heightOffset", height),
+        ("lineScale", rpc.image_scale[1]), ("sampScale", rpc.image_scale[0]),
+        ("latScale", lat_scale), ("longScale", lon_scale), ("heightScale", height_scale),
+    ]  # fmt: skip
+    lines = ['satId = "unknown";', 'bandId = "P";', 'SpecId = "RPC00B";', "BEGIN_GROUP = IMAGE"]
+    lines += [f"\t{key} = {float(value)!r};" for key, value in rows]
+    for name, polynomial in zip(("lineNum", "lineDen", "sampNum", "sampDen"), rpc.coefficients, strict=True):
+        numbers = ",\n".join(f"\t\t\t{float(c)!r}" for c in polynomial)
+        lines.append(f"\t{name}Coef = (\n{numbers});")
+    _write(path, [*lines, "END_GROUP = IMAGE", "END;"])
+
+
+def _write(path: Path, lines: list[str]) -> None:
+    try:
+        path.write_text("\n".join(lines) + "\n", encoding="ascii")
+    except OSError as error:
+        raise InputError(f"cannot be written: {error.strerror}; choose another place", file=path) from None
+
+
 def write_rpc_text(rpc: Rpc, path: Path) -> None:
     """Write `_RPC.TXT`, which GDAL and most programs read beside an image; numbers lose nothing."""
     x, y = rpc.image_offset - 0.5
@@ -174,11 +221,7 @@ def write_rpc_text(rpc: Rpc, path: Path) -> None:
     for name, polynomial in zip(("LINE_NUM", "LINE_DEN", "SAMP_NUM", "SAMP_DEN"), rpc.coefficients, strict=True):
         lines += [f"{name}_COEFF_{k}: {float(c)!r}" for k, c in enumerate(polynomial, 1)]
     errors = (("ERR_BIAS", rpc.err_bias_m), ("ERR_RAND", rpc.err_rand_m))
-    lines = [f"{key}: {value!r} meters" for key, value in errors if value] + lines
-    try:
-        path.write_text("\n".join(lines) + "\n", encoding="ascii")
-    except OSError as error:
-        raise InputError(f"cannot be written: {error.strerror}; choose another place", file=path) from None
+    _write(path, [f"{key}: {value!r} meters" for key, value in errors if value] + lines)
 
 
 def _recognises(path: Path, head: bytes) -> bool:

@@ -17,7 +17,7 @@ from raybundle.errors import InputError
 from raybundle.io.scenes.base import Scene, SceneFormat, check_denominators, register
 from raybundle.io.scenes.maxar import RPC00A_IN_B
 from raybundle.numerics.arrays import Array
-from raybundle.scenes.rpc import Rpc
+from raybundle.scenes.rpc import Rpc, rpc_of
 
 RPC_TAG, WIDTH_TAG, HEIGHT_TAG = 50844, 256, 257
 TAG_BYTES = {3: ("H", 2), 4: ("I", 4), 12: ("d", 8), 16: ("Q", 8)}
@@ -50,7 +50,7 @@ def _rpc(scalars: Array, coefficients: Array, path: Path) -> Rpc:
         raise InputError("RPC: a number is not finite; the file is damaged", file=path)
     _, _, line, sample, lat, lon, height, line_s, sample_s, lat_s, lon_s, height_s = scalars
     bias, rand = (float(v) if v > 0 else None for v in scalars[:2])
-    rpc = Rpc(
+    rpc = rpc_of(
         coefficients=coefficients,
         ground_offset=np.array([lon, lat, height]),
         ground_scale=np.array([lon_s, lat_s, height_s]),

@@ -18,6 +18,12 @@ from raybundle.numerics.arrays import Array
 from raybundle.targets.border import fit_squares
 from raybundle.targets.detect import eight_bits
 from raybundle.targets.marks import Kind, MarkOptions, Marks, Target, no_ellipses, nothing, register
+from raybundle.targets.tag_fit import fit_tags
+
+SMALL_PX = 25.0
+"""Side of a tag below which its sides are too short to be measured one by one: a module is 3 px or less."""
+LEAST_SIDE_PX = 6.0
+"""Of a tag that can be read at all: its modules would be smaller than a pixel."""
 
 
 @functools.cache
@@ -73,30 +79,67 @@ class Tags:
         return np.nan
 
     def find(self, image: Array, options: MarkOptions) -> Marks:
-        """Corners of all tags whose four sides can be measured; a tag seen twice is left out, and that is remarked."""
+        """Corners of all tags, by their sides or, of small ones, by the whole tag; those of repeated ones unnamed."""
         del options
         tags = dictionary(self.name)
-        detector = cv2.aruco.ArucoDetector(tags, cv2.aruco.DetectorParameters())
-        seen: Any = detector.detectMarkers(eight_bits(image)[0])
-        found, ids = seen[:2]
-        if ids is None or not len(ids):
+        ids, corners = seen_tags(eight_bits(image)[0], tags)
+        if not len(ids):
             return nothing(self.family)
-        ids = ids.reshape(-1)
         numbers, count = np.unique(ids, return_counts=True)
         twice = numbers[count > 1]
-        once = ~np.isin(ids, twice)
-        corners = np.array(found, float).reshape(-1, 4, 2)[once] + 0.5
         squares = fit_squares(image, corners, 1 / (tags.markerSize + 2))
-        good = squares.measured
+        xy, C = squares.xy_px, squares.covariance
+        residual, good = squares.residual, squares.measured
+        small = sides(corners).min(axis=1) < SMALL_PX
+        whole = np.flatnonzero(small | ~good.all(axis=1))
+        if len(whole):
+            drawn = np.stack([bits_of(tags, int(i)) for i in ids[whole]])
+            fitted = fit_tags(image, corners[whole], drawn)
+            # a tag that was drawn as a whole is measured so; a large one keeps the corners that its sides gave
+            take = fitted.measured & (small[whole] | ~good[whole].any(axis=1))
+            rows = whole[take]
+            xy[rows], C[rows] = fitted.xy_px[take], fitted.covariance[take]
+            residual[rows], good[rows] = fitted.residual[take, None], True
+            good[whole[small[whole] & ~fitted.measured]] = False
+        named = ~np.isin(ids, twice)
         return Marks(
             family=self.family,
-            name=tuple(f"{ids[once][i]}/{k + 1}" for i, k in zip(*np.nonzero(good), strict=True)),
-            xy_px=squares.xy_px[good],
-            covariance=squares.covariance[good],
+            name=tuple(f"{ids[i]}/{k + 1}" if named[i] else "" for i, k in zip(*np.nonzero(good), strict=True)),
+            xy_px=xy[good],
+            covariance=C[good],
             ellipse=no_ellipses(int(good.sum())),
-            gate=squares.residual[good],
-            remarks=tuple(f"tag {i} seen in two places" for i in twice),
+            gate=residual[good],
+            remarks=tuple(
+                f"tag {i} seen in {n} places: its corners have no name"
+                for i, n in zip(twice.tolist(), count[count > 1].tolist(), strict=True)
+            ),
         )
+
+
+def sides(corners: Array) -> Array:
+    """(n, 4) lengths of the sides of squares (n, 4, 2) [px]."""
+    return np.hypot(*(np.roll(corners, -1, axis=1) - corners).transpose(2, 0, 1))
+
+
+def bits_of(tags: Any, number: int) -> Array:
+    """(m, m) modules of a tag, rim included: 1 light, 0 dark."""
+    side = tags.markerSize + 2
+    return (cv2.aruco.generateImageMarker(tags, number, side) > 127).astype(float)
+
+
+def seen_tags(image: Array, tags: Any) -> tuple[Array, Array]:
+    """Numbers (n,) and approximate corners (n, 4, 2), pixel frame, of all tags in an image (h, w) uint8.
+
+    OpenCV takes the smallest tag as a share of the image (3 % of its longer side for the four sides together, 45 px a
+    side in 24 megapixels); here it is what can be read, whatever the image.
+    """
+    parameters = cv2.aruco.DetectorParameters()
+    share = 4 * LEAST_SIDE_PX / max(image.shape)
+    parameters.minMarkerPerimeterRate = min(parameters.minMarkerPerimeterRate, share)
+    seen: Any = cv2.aruco.ArucoDetector(tags, parameters).detectMarkers(image)
+    if seen[1] is None or not len(seen[1]):
+        return np.zeros(0, int), np.zeros((0, 4, 2))
+    return seen[1].reshape(-1), np.array(seen[0], float).reshape(-1, 4, 2) + 0.5
 
 
 def _make(name: str) -> Target | None:
