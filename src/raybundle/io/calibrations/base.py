@@ -136,7 +136,7 @@ def recognised(path: Path) -> str:
 
 
 def _text(path: Path) -> str:
-    from raybundle.io.formats.reading import read_bytes  # noqa: PLC0415  (the other formats are loaded with it)
+    from raybundle.io.reading.files import read_bytes  # noqa: PLC0415  (the other formats are loaded with it)
 
     if path.is_dir():
         raise InputError("is a folder; give the file that holds the calibration", file=path)

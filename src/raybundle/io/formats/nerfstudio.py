@@ -27,8 +27,9 @@ from raybundle.io.formats.base import (
     scene,
 )  # fmt: skip
 from raybundle.io.formats.ply import write_vertices
-from raybundle.io.formats.reading import Json, read_json, shown
 from raybundle.io.forward_camera import ForwardCamera
+from raybundle.io.reading.trees import Json, read_json
+from raybundle.io.reading.words import quoted
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.rotation import nearest_rotation
 
@@ -142,7 +143,7 @@ def _camera_in(top: Json, frame: Json) -> ForwardCamera:
 
     model = top.get("camera_model").text() if top.has("camera_model") else "OPENCV"
     if model not in {"OPENCV", "PINHOLE", "SIMPLE_PINHOLE", "OPENCV_FISHEYE"}:
-        top.get("camera_model").fail(f"{shown(model)} is not read; known: OPENCV, PINHOLE, OPENCV_FISHEYE")
+        top.get("camera_model").fail(f"{quoted(model)} is not read; known: OPENCV, PINHOLE, OPENCV_FISHEYE")
     width, height = (place(k).get(k).whole() for k in ("w", "h"))
     fx = place("fl_x").get("fl_x").number()
     fy = place("fl_y").optional("fl_y", fx)

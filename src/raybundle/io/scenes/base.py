@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.io.formats.reading import Element
+from raybundle.io.reading.xml import Element
 from raybundle.numerics.arrays import Array
 from raybundle.scenes.linescan import LineScene
 from raybundle.scenes.rpc import Rpc

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.io.formats.reading import Json, read_json
+from raybundle.io.reading.trees import Json, read_json
 from raybundle.io.scenes.base import Scene, SceneFormat, register
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.geodesy import Ellipsoid

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.io.formats.reading import Element, read_xml
+from raybundle.io.reading.xml import Element, read_xml
 from raybundle.io.scenes.base import Scene, SceneFormat, check_denominators, element_text, register
 from raybundle.io.scenes.dimap_orbit import line_scene
 from raybundle.numerics.arrays import Array

@@ -11,7 +11,8 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.io.formats.reading import read_bytes, shown
+from raybundle.io.reading.files import read_bytes
+from raybundle.io.reading.words import fortran_of, quoted
 from raybundle.io.scenes.base import Scene, SceneFormat, check_denominators, register
 from raybundle.numerics.arrays import Array
 from raybundle.scenes.rpc import Rpc
@@ -106,12 +107,9 @@ def _polynomial(name: str) -> str | None:
 
 
 def _number(path: Path, word: str, line: int, key: str) -> float:
-    try:
-        value = float(word.replace("D", "E").replace("d", "e"))
-    except ValueError:
-        raise InputError(f"{shown(word)} is not a number", file=path, line=line, column=key) from None
-    if not np.isfinite(value):
-        raise InputError(f"{shown(word)} is not a finite number", file=path, line=line, column=key)
+    value = fortran_of(word)
+    if value is None:
+        raise InputError(f"{quoted(word)} is not a finite number", file=path, line=line, column=key)
     return value
 
 
@@ -119,7 +117,7 @@ def _check_unreadable(path: Path, row: str, line: int, spelling: dict[str, str])
     key, separator, value = row.replace("=", ":", 1).partition(":")
     plain = key.strip().replace("_", "").lower()
     if separator and plain in spelling:
-        raise InputError(f"{shown(value.strip())} is not a number", file=path, line=line, column=key.strip())
+        raise InputError(f"{quoted(value.strip())} is not a number", file=path, line=line, column=key.strip())
 
 
 def _check_unit(path: Path, key: str, unit: str, line: int) -> None:

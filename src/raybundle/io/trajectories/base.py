@@ -12,6 +12,7 @@ import numpy as np
 from raybundle.block import Stations
 from raybundle.errors import InputError
 from raybundle.io.coordinate_systems import LocalFrame, local_frame
+from raybundle.io.reading.words import whole_of
 from raybundle.numerics.arrays import Array, Index
 
 WGS84_HEIGHT = "EPSG:4979"
@@ -151,7 +152,8 @@ def matched(trajectory: Trajectory, files: Sequence[str]) -> Index:
 
 def _number(file: str) -> int:
     found = NUMBER.findall(PurePosixPath(file.replace("\\", "/")).stem)
-    return int(found[-1]) if found else -1
+    number = whole_of(found[-1]) if found else None
+    return -1 if number is None else number
 
 
 def _stem(name: str) -> str:
