@@ -104,7 +104,10 @@ def read(path: Path) -> Import:
             forward.append(camera)
         index.append(forward.index(camera))
         names.append(frame.get("file_path").text().removeprefix("./").removeprefix(FOLDER))
-        matrices[k] = np.array([row.numbers(4) for row in frame.get("transform_matrix").items()[:4]])
+        rows = frame.get("transform_matrix").items()
+        if len(rows) not in {3, 4}:
+            frame.get("transform_matrix").fail(f"{len(rows)} rows; a matrix of 4 is needed")
+        matrices[k, : len(rows)] = np.array([row.numbers(4) for row in rows])
         _check_rotation(frame.get("transform_matrix"), matrices[k, :3, :3])
     if len(set(names)) < len(names):
         top.get("frames").fail("a file_path stands twice")

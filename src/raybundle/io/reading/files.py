@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
+from contextlib import contextmanager
 from pathlib import Path
+
+import numpy as np
 
 from raybundle.errors import InputError
 
@@ -13,6 +16,22 @@ TEXT_BYTES = 1 << 30
 UNSIZED_BYTES = 1 << 20
 """What is read of a device or a pipe, which say nothing of their size."""
 _CONTROL = re.compile(r"[\x00-\x08\x0b\x0e-\x1f\x7f]")
+
+
+@contextmanager
+def guarded(path: Path) -> Generator[None]:
+    """Give what the numbers of a damaged file can do to a computation, or the system to a file, the file's name."""
+    try:
+        yield
+    except OSError as error:
+        message = f"cannot be read: {error.strerror or error}; check the path and the permissions"
+        raise InputError(message, file=path) from None
+    except (MemoryError, RecursionError):
+        message = "asks for more memory than there is; the file is damaged, or not what it says"
+        raise InputError(message, file=path) from None
+    except (ArithmeticError, np.linalg.LinAlgError):
+        message = "holds numbers with which nothing can be computed; the file is damaged"
+        raise InputError(message, file=path) from None
 
 
 def read_bytes(path: Path, limit: int = TEXT_BYTES) -> bytes:

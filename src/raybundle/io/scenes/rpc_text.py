@@ -12,7 +12,7 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.io.reading.files import read_bytes
-from raybundle.io.reading.words import fortran_of, quoted
+from raybundle.io.reading.words import fortran_of, quoted, whole_of
 from raybundle.io.scenes.base import Scene, SceneFormat, check_denominators, register
 from raybundle.numerics.arrays import Array
 from raybundle.scenes.rpc import Rpc
@@ -44,7 +44,7 @@ UNITS = {
 _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eEdD][-+]?\d+)?"
 _PAIR = re.compile(rf"^\s*([A-Za-z]\w*)\s*[:=]\s*({_NUMBER})\s*([A-Za-z]*)\s*;?\s*$")
 _LIST = re.compile(r"([A-Za-z]\w*)\s*=\s*\(([^()]*)\)", re.DOTALL)
-_INDEXED = re.compile(r"^([a-z]+?)(\d+)$")
+_INDEXED = re.compile(r"^([a-z]+?)([0-9]{1,3})$")
 
 
 def read(path: Path) -> Scene:
@@ -97,7 +97,7 @@ def _collected(path: Path, text: str) -> tuple[dict[str, float], dict[str, dict[
             _check_unit(path, key, match[3], number)
             scalars[key] = value
         elif indexed and (name := _polynomial(indexed[1])) is not None:
-            polynomials.setdefault(name, {})[int(indexed[2]) - first] = value
+            polynomials.setdefault(name, {})[(whole_of(indexed[2]) or 0) - first] = value
     return scalars, polynomials
 
 
