@@ -16,10 +16,29 @@ needs to know of a defect stands beside it as data (`undetermined`, `open_names`
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
+
+WHOLE, WORD = 2000, 200
+"""Characters that a message, and a word without blanks in it, may have; what is foreign in it may be of any length."""
+
+
+def printable(text: str) -> str:
+    """A text with everything escaped that would move a terminal's cursor or cannot be seen; lines stay lines."""
+    if text.isprintable():
+        return text
+    return "".join(c if c.isprintable() or c == "\n" else repr(c)[1:-1] for c in text)
+
+
+def _bounded(text: str, limit: int) -> str:
+    """A printable text of bounded length: long words lose their ends, a long text its middle."""
+    text = printable(text)
+    if len(text) > WORD:
+        text = re.sub(rf"\S{{{WORD},}}", lambda found: found[0][: WORD // 2] + "...", text)
+    return text if len(text) <= limit else f"{text[: limit // 2]} ... {text[-limit // 4 :]}"
 
 
 class RaybundleError(Exception):
@@ -43,8 +62,9 @@ class InputError(RaybundleError):
         if line is not None:
             place += f", line {line}"
         if column is not None:
-            place += f", column {column}"
-        super().__init__(f"{place}: {message}" if place else message)
+            place += f", column {_bounded(column, WORD)}"
+        text = _bounded(message, WHOLE)
+        super().__init__(f"{printable(place)}: {text}" if place else text)
 
 
 class UnknownSensorModel(InputError):

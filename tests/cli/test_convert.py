@@ -112,7 +112,7 @@ def test_stations_on_a_map(tmp_path, capsys):
         assert h == pytest.approx(block.images.centre[k, 2], abs=1e-3)
         assert station["properties"]["nadir_deg"] < 10
     convert(tmp_path / "b", "--to", "kml", "--out", tmp_path / "s.kml", "--crs", "EPSG:32632")
-    from raybundle.io.formats.reading import read_xml
+    from raybundle.io.reading.xml import read_xml
 
     marks = list(read_xml(tmp_path / "s.kml", "kml").get("Document").all("Placemark"))
     assert len(marks) == len(stations)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from raybundle.errors import InputError, NotSolvable
-from raybundle.io.formats.reading import read_json
+from raybundle.io.reading.trees import read_json
 from raybundle.io.scenes import read_scene
 from raybundle.io.scenes.csm_distortion import undistorted
 from raybundle.numerics.geodesy import geocentric_from_geographic

@@ -262,7 +262,7 @@ def test_enmap_sees_its_corners():
 
 def test_phrdimap_agrees_with_its_own_direct_model():
     """Ground points by the polynomials from image to ground in the file; it states 0.0004 and 0.0010 px."""
-    from raybundle.io.formats.reading import read_xml
+    from raybundle.io.reading.xml import read_xml
 
     found = sorted(folder("shareloc").glob("PHRDIMAP*.XML"))
     if not found:

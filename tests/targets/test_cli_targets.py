@@ -154,10 +154,11 @@ def test_a_table_of_ones_own_goes_with_its_sheet(tmp_path, capsys):
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        (("bits = 8", "bits = 30"), "bits is to be a number of sectors, 3 to 24"),
-        (("ring_radii_mm = [10.0, 15.0]", "ring_radii_mm = [15.0]"), "do not go with a dot of 5 mm radius"),
-        (("ring_radii_mm = [10.0, 15.0]", 'ring_radii_mm = "wide"'), "two lengths in mm, found 'wide'"),
-        (("code = 51", "code = 256"), "target 2: its code is to lie between 1 and 255, found 256"),
+        (("bits = 8", "bits = 30"), "column bits: 30 is not a whole number from 3 to 24"),
+        (("ring_radii_mm = [10.0, 15.0]", "ring_radii_mm = [15.0]"), "ring_radii_mm: 1 elements, 2 are needed"),
+        (("ring_radii_mm = [10.0, 15.0]", "ring_radii_mm = [15.0, 10.0]"), "do not go with a dot of 5 mm radius"),
+        (("ring_radii_mm = [10.0, 15.0]", 'ring_radii_mm = "wide"'), "ring_radii_mm: a list is needed here"),
+        (("code = 51", "code = 256"), "pages.0.targets.1.code: 256 is not a whole number from 1 to 255"),
         (("code = 51", "code = 30"), "two targets have the same ring"),
     ],
 )

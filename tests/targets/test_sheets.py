@@ -144,12 +144,12 @@ def test_beside_a_sheet(tmp_path):
     [
         ("family = ", "this is not TOML"),
         ('family = "aicon12"', "no family, or no"),
-        ('family = "aicon12"\npages = [1]', "page 1 has no list of targets"),
-        ('family = "aicon12"\npages = [{targets = [{x_mm = 1}]}]', "page 1, target 1 has no name"),
-        ('family = "a"\npages = [{targets = [{name = "1", x_mm = "2"}]}]', "x_mm is to be a length in mm, found '2'"),
+        ('family = "aicon12"\npages = [1]', "pages.0: an object or table is needed here"),
+        ('family = "aicon12"\npages = [{targets = [{x_mm = 1}]}]', "pages.0.targets.0: key 'name' is missing"),
+        ('family = "a"\npages = [{targets = [{name = "1", x_mm = "2"}]}]', "x_mm: '2' is not a finite number"),
         (
             'family = "a"\npages = [{targets = [{name = "1", x_mm = 2, y_mm = 3}, {name = "1", x_mm = 1, y_mm = 3}]}]',
-            "target 1 stands there twice",
+            "target '1' stands there twice",
         ),
     ],
 )

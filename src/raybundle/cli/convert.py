@@ -9,7 +9,7 @@ from typing import Literal, cast
 import click
 import numpy as np
 
-from raybundle.block import Block, Images
+from raybundle.block import Block, Camera, Images
 from raybundle.cli.common import APPROXIMATE, COMMAND_SETTINGS, FOLDER, common_options, counted
 from raybundle.errors import InputError
 from raybundle.io.coordinate_systems import LocalFrame, frame_from_mapping, local_frame
@@ -227,15 +227,19 @@ def with_adjusted_cameras(block: Block, source: Path) -> Block:
     """
     if not (source / "result.json").is_file():
         return block
+    from raybundle.io.reading.trees import Json  # noqa: PLC0415
     from raybundle.report.result_folder import read_result  # noqa: PLC0415
 
-    found = read_result(source).result.get("cameras", {})
-    cameras = tuple(
-        replace(c, values={**c.values, **{s: float(found[c.id][s]["value"]) for s in c.sigma if s in found[c.id]}})
-        if c.id in found
-        else c
-        for c in block.cameras
-    )
+    told = Json(source / "result.json", read_result(source).result).get("cameras")
+    own = {c.id: told.get(c.id) for c in block.cameras if told.has(c.id)}
+
+    def adjusted(camera: Camera) -> Camera:
+        if camera.id not in own:
+            return camera
+        values = {s: own[camera.id].get(s).get("value").number() for s in camera.sigma if own[camera.id].has(s)}
+        return replace(camera, values={**camera.values, **values})
+
+    cameras = tuple(map(adjusted, block.cameras))
     return replace(block, cameras=cameras)
 
 

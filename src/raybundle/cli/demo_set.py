@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import math
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -58,11 +57,13 @@ def given_of(folder: Path, truth: Block) -> Given:
 
     from raybundle.block import Role  # noqa: PLC0415
     from raybundle.io.control_files import ControlFile, read_measurements  # noqa: PLC0415
+    from raybundle.io.reading.files import read_lines  # noqa: PLC0415
+    from raybundle.io.reading.rows import cells_of  # noqa: PLC0415
     from raybundle.workflows.marks import Given, ScaleBar  # noqa: PLC0415
 
     marks = folder / "measured.csv"
-    with marks.open(encoding="utf-8", newline="") as file:
-        ids = tuple(dict.fromkeys(row["point"] for row in csv.DictReader(file)))
+    rows = [next(cells_of([line])) for _, line in read_lines(marks) if line]
+    ids = tuple(dict.fromkeys(row[rows[0].index("point")] for row in rows[1:]))
     nothing = np.full((len(ids), 3), np.nan)
     control = ControlFile(
         path=marks, crs=None, ids=ids, xyz=nothing, sigma=nothing.copy(),

@@ -11,13 +11,15 @@ import click
 
 from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, counted
 from raybundle.errors import InputError
+from raybundle.io.reading.words import number_of, quoted, whole_of
 
 if TYPE_CHECKING:
     from raybundle.targets.codes import RingFamily
     from raybundle.targets.layout import Sheet, SheetOptions
     from raybundle.targets.marks import Marks, Target
 
-LENGTH = re.compile(r"(\d+(?:\.\d*)?|\.\d+)\s*(mm|cm|m|in)?")
+MOST_CODES = 1_000_000
+LENGTH = re.compile(r"([0-9]+(?:\.[0-9]*)?|\.[0-9]+)\s*(mm|cm|m|in)?")
 UNITS = {None: 1.0, "mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4}
 FAMILY_HELP = (
     "Family of the targets: aicon14, agisoft12, dots, apriltag-36h11, chessboard-9x6 and others (how-to targets)."
@@ -36,7 +38,7 @@ class Length(click.ParamType):
         match = LENGTH.fullmatch(str(value).strip())
         if match is None:
             self.fail(f"{value!r} is not a length such as 5mm, 0.5cm or 0.2in", param, ctx)
-        return float(match[1]) * UNITS[match[2]]
+        return (number_of(match[1]) or 0.0) * UNITS[match[2]]
 
 
 def family_options(function: Any) -> Any:
@@ -188,7 +190,10 @@ def read_ids(text: str) -> Any:
         match = re.fullmatch(r"\s*(\d+)(?:\s*-\s*(\d+))?\s*", word)
         if match is None:
             raise InputError(f"--codes {text}: {word!r} is neither a number nor a range as 7-12")
-        ids += range(int(match[1]), int(match[2] or match[1]) + 1)
+        first, last = whole_of(match[1]), whole_of(match[2] or match[1])
+        if first is None or last is None or last - first > MOST_CODES:
+            raise InputError(f"--codes: {quoted(word)} is more than the {MOST_CODES} targets that there can be")
+        ids += range(first, last + 1)
     if len(set(ids)) < len(ids) or not ids:
         raise InputError(f"--codes {text}: a number stands there twice, or a range runs downwards")
     return np.array(ids)

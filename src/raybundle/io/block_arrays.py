@@ -10,6 +10,7 @@ import numpy as np
 
 from raybundle.block import Block, Camera, Distances, Images, Observations, Points, Stations
 from raybundle.block.block import Relation
+from raybundle.io.reading.trees import own_json_of
 from raybundle.numerics.arrays import Array
 
 
@@ -56,7 +57,7 @@ def arrays_of_block(block: Block) -> dict[str, Array]:
 
 def block_of_arrays(a: dict[str, Array]) -> Block:
     """The block that `arrays_of_block` was given."""
-    head: dict[str, Any] = json.loads(str(a["head"]))
+    head: dict[str, Any] = own_json_of(str(a["head"]))
     return Block(
         name=head["name"],
         about=head["about"],

@@ -18,7 +18,8 @@ from raybundle.io.block_stations import read_attitudes, read_stations, write_sta
 from raybundle.io.block_tables import ANGLES, SIGMA_XYZ, XYZ, columns_of, named, problems_of, require
 from raybundle.io.block_toml import head_text, read_head
 from raybundle.io.folders import new_folder
-from raybundle.io.tables import SHOWN, Column, Problem, read_table, shown, write_table
+from raybundle.io.reading.words import quoted
+from raybundle.io.tables import SHOWN, Column, Problem, read_table, write_table
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.rotation import rotation_from_angles
@@ -129,18 +130,18 @@ def _read_images(path: Path, cameras: tuple[Camera, ...]) -> tuple[Images, dict[
         problems_of(
             (known != 0) & (known != 3),
             "omega_deg",
-            lambda k: f"image {shown(ids[k])} has {known[k]} of 3 angles; give all three or none",
+            lambda k: f"image {quoted(ids[k])} has {known[k]} of 3 angles; give all three or none",
         ),
         problems_of(np.isfinite(held) & (held != 1), "held", lambda k: f"{held[k]:g} is neither 1 nor empty"),
         problems_of(
             (held == 1) & ~oriented,
             "held",
-            lambda k: f"image {shown(ids[k])} is held but its exterior orientation is not complete; fill it",
+            lambda k: f"image {quoted(ids[k])} is held but its exterior orientation is not complete; fill it",
         ),
         problems_of(
             is_scene & given,
             "X",
-            lambda k: f"image {shown(ids[k])} is a satellite scene, whose file tells its orientation; leave it empty",
+            lambda k: f"image {quoted(ids[k])} is a satellite scene, whose file tells its orientation; leave it empty",
         ),
         problems_of(
             is_scene & first,
@@ -185,7 +186,7 @@ def _read_points(path: Path) -> tuple[Points, dict[str, int]]:
     )
     ids, roles = table.text["point"], table.text["role"]
     unknown = np.array([r not in ROLES for r in roles])
-    require(path, problems_of(unknown, "role", lambda k: f"{shown(roles[k])} is not one of tie, control, check"))
+    require(path, problems_of(unknown, "role", lambda k: f"{quoted(roles[k])} is not one of tie, control, check"))
     role = np.fromiter((ROLES[r] for r in roles), np.int32, len(roles))
     xyz, sigma = table.numbers(*XYZ), table.numbers(*SIGMA_XYZ)
     given, weighted = np.isfinite(xyz), np.isfinite(sigma)
@@ -195,22 +196,22 @@ def _read_points(path: Path) -> tuple[Points, dict[str, int]]:
         problems += problems_of(
             weighted[:, k] & ~given[:, k],
             s,
-            lambda row, axis=axis, s=s: f"point {shown(ids[row])} has {s} but no {axis}; give the coordinate too",
+            lambda row, axis=axis, s=s: f"point {quoted(ids[row])} has {s} but no {axis}; give the coordinate too",
         )
     problems += problems_of(
         (role == Role.TIE) & weighted.any(axis=1),
         "sX",
-        lambda k: f"tie point {shown(ids[k])} has a sigma; make its role control, or leave the sigma empty",
+        lambda k: f"tie point {quoted(ids[k])} has a sigma; make its role control, or leave the sigma empty",
     )
     problems += problems_of(
         (role == Role.CONTROL) & ~(given & weighted).any(axis=1),
         "sX",
-        lambda k: f"control point {shown(ids[k])} has no coordinate with a sigma; 0 = held, or make its role tie",
+        lambda k: f"control point {quoted(ids[k])} has no coordinate with a sigma; 0 = held, or make its role tie",
     )
     problems += problems_of(
         (role == Role.CHECK) & ~given.any(axis=1),
         "X",
-        lambda k: f"check point {shown(ids[k])} has no coordinate; give one or make its role tie",
+        lambda k: f"check point {quoted(ids[k])} has no coordinate; give one or make its role tie",
     )
     require(path, problems)
     points = Points(ids=ids, role=role, xyz=xyz, sigma=sigma)
@@ -312,7 +313,7 @@ def _read_interior(
             problems.append(Problem(line, "image", message))
         elif parameter is None:
             known = ", ".join(p.key for p in camera.sensor.parameters)
-            problems.append(Problem(line, "parameter", f"{shown(key)} is no key of {camera.model}; known: {known}"))
+            problems.append(Problem(line, "parameter", f"{quoted(key)} is no key of {camera.model}; known: {known}"))
         elif parameter.symbol in own:
             problems.append(Problem(line, "parameter", f"{key} of this image stands already above"))
         elif parameter.kind == "scale" and value <= 0:

@@ -11,7 +11,8 @@ from raybundle.block import Block, Camera, Stations
 from raybundle.block.block import Attitudes, no_attitudes, no_stations
 from raybundle.errors import InputError
 from raybundle.io.block_tables import ANGLES, SIGMA_XYZ, XYZ, columns_of, named, problems_of, require
-from raybundle.io.tables import Column, read_table, shown, write_table
+from raybundle.io.reading.words import quoted
+from raybundle.io.tables import Column, read_table, write_table
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.sensors.antenna import ANTENNA
 from raybundle.sensors.imu import IMU
@@ -53,7 +54,7 @@ def read_stations(path: Path, images: dict[str, int], cameras: tuple[Camera, ...
         problems_of(again, "image", lambda _: "this image has a row already; delete one of the two"),
         problems_of(half, "sX", lambda _: "each coordinate needs its sigma, each sigma its coordinate"),
         problems_of(none, "X", lambda _: "the row holds no coordinate; delete it"),
-        problems_of(strange, "antenna", lambda k: f"{shown(names[k])} is none of the antennas of block.toml"),
+        problems_of(strange, "antenna", lambda k: f"{quoted(names[k])} is none of the antennas of block.toml"),
     )
     return Stations(
         image=image,
@@ -91,7 +92,7 @@ def read_attitudes(path: Path, images: dict[str, int], cameras: tuple[Camera, ..
         path,
         problems_of(again, "image", lambda _: "this image has a row already; delete one of the two"),
         problems_of(blind, "somega_deg", lambda _: "no angle has a sigma; give one, or delete it"),
-        problems_of(strange, "imu", lambda k: f"{shown(names[k])} is none of the imus of block.toml"),
+        problems_of(strange, "imu", lambda k: f"{quoted(names[k])} is none of the imus of block.toml"),
     )
     return Attitudes(
         image=image,

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import math
 import re
-import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,6 +15,8 @@ from raybundle.block.block import LengthUnit, Relation, Residuals
 from raybundle.errors import InputError, UnknownSensorModel
 from raybundle.io.block_scenes import MODELS as SCENE_MODELS
 from raybundle.io.block_scenes import frame_lines, read_frame, read_scene_camera, scene_lines
+from raybundle.io.reading import trees
+from raybundle.io.reading.words import finite, quoted
 from raybundle.numerics.places import Place
 from raybundle.sensors import SensorModel, sensor_models
 from raybundle.sensors.antenna import ANTENNA
@@ -23,8 +24,6 @@ from raybundle.sensors.imu import IMU
 
 CARRIED: tuple[tuple[str, str, SensorModel], ...] = (("antennas", "antenna", ANTENNA), ("imus", "IMU", IMU))
 """Tables of block.toml for what has no images, what one of them is, and its parameters."""
-FILE_BYTES = 1 << 23
-_KEY = re.compile(r"""\s*([A-Za-z0-9_-]+|"[^"]*"|'[^']*')\s*[=.]""")
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
 
 
@@ -62,20 +61,20 @@ class Section:
         """Raise where another key stands."""
         for key in self.values:
             if key not in keys:
-                self.fail(key, f"unknown key {key!r}; known: {', '.join(keys)}")
+                self.fail(key, f"unknown key {quoted(key)}; known: {', '.join(keys)}")
 
     def text(self, key: str, default: str) -> str:
         """A string."""
         value = self.values.get(key, default)
         if not isinstance(value, str):
-            self.fail(key, f"{_shown(value)} is not a text; put it in quotes")
+            self.fail(key, f"{quoted(value)} is not a text; put it in quotes")
         return value
 
     def choice(self, key: str, options: Sequence[str], default: str) -> str:
         """One of some words."""
         value = self.text(key, default)
         if value not in options:
-            self.fail(key, f"{value!r} is not one of {', '.join(options)}")
+            self.fail(key, f"{quoted(value)} is not one of {', '.join(options)}")
         return value
 
     def number(self, key: str, default: float | None = None, *, above: float = -math.inf) -> float:
@@ -88,13 +87,10 @@ class Section:
     def checked(self, key: str, value: object, *, above: float = -math.inf) -> float:
         """The value as a finite number greater than `above`."""
         if isinstance(value, bool) or not isinstance(value, int | float):
-            self.fail(key, f"{_shown(value)} is not a number")
-        try:
-            number = float(value)
-        except OverflowError:
-            number = math.inf
-        if not math.isfinite(number):
-            self.fail(key, f"{_shown(value)} is not a finite number")
+            self.fail(key, f"{quoted(value)} is not a number")
+        number = finite(value)
+        if number is None:
+            self.fail(key, f"{quoted(value)} is not a finite number")
         if number <= above:
             self.fail(key, f"{number:g} must be greater than {above:g}")
         return number
@@ -110,7 +106,7 @@ class Section:
         """A table within this one; empty where there is none."""
         value = self.values.get(key, {})
         if not isinstance(value, dict):
-            self.fail(key, f"{_shown(value)} is not a table")
+            self.fail(key, f"{quoted(value)} is not a table")
         return Section(self.file, self.lines, (*self.at, key), cast("dict[str, Any]", value))
 
 
@@ -159,60 +155,14 @@ def read_cameras(path: Path) -> tuple[Camera, ...]:
 
 def read_toml(path: Path) -> Section:
     """The top table of a TOML file; raises InputError with the line of a mistake."""
-    try:
-        if path.stat().st_size > FILE_BYTES:
-            raise InputError(f"larger than {FILE_BYTES >> 20} MiB: this is no {path.name}", file=path)
-        data = path.read_bytes()
-    except OSError as error:
-        raise InputError(f"cannot be read: {error.strerror}; check the path and the permissions", file=path) from None
-    try:
-        text = data.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        line = data.count(b"\n", 0, error.start) + 1
-        raise InputError(
-            f"byte 0x{data[error.start]:02x} is not UTF-8; save the file with the encoding UTF-8", file=path, line=line
-        ) from None
-    try:
-        values = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        found = re.search(r" \(at line (\d+), column (\d+)\)", str(error))
-        line = int(found[1]) if found else None
-        message = str(error).replace(found[0], f" (character {found[2]})") if found else str(error)
-        raise InputError(f"this is not TOML: {message}", file=path, line=line) from None
-    except RecursionError:
-        raise InputError("this is not TOML: nested too deeply", file=path) from None
-    return Section(path, _lines_of_keys(text), (), values)
-
-
-def _lines_of_keys(text: str) -> dict[tuple[str, ...], int]:
-    """The line in which each table and key stands; keys within inline tables are not looked for."""
-    lines: dict[tuple[str, ...], int] = {}
-    at: tuple[str, ...] = ()
-    for number, line in enumerate(text.split("\n"), 1):
-        if line.lstrip().startswith("[") and "=" not in line:
-            at = _header_path(line)
-            lines.setdefault(at, number)
-        elif found := _KEY.match(line):
-            lines.setdefault((*at, found[1].strip("\"'")), number)
-    return lines
-
-
-def _header_path(line: str) -> tuple[str, ...]:
-    try:
-        nested: Any = tomllib.loads(line)
-    except tomllib.TOMLDecodeError:
-        return ()
-    path: list[str] = []
-    while isinstance(nested, dict) and nested:
-        key, nested = next(iter(cast("dict[str, Any]", nested).items()))
-        path.append(key)
-    return tuple(path)
+    top = trees.read_toml(path)
+    return Section(path, top.lines, (), top.values)
 
 
 def _camera(cameras: Section, id_: str, place: Place | None = None) -> Camera:
     section = cameras.section(id_)
     if not id_ or id_ != id_.strip() or not id_.isprintable():
-        cameras.fail(id_, f"{id_!r} is no camera id: it is empty, has blanks at its ends or cannot be printed")
+        cameras.fail(id_, f"{quoted(id_)} is no camera id: it is empty, has blanks at its ends or cannot be printed")
     if "model" not in section.values:
         section.fail("model", "key 'model' is missing; give the name of a sensor model")
     model_name = section.text("model", "")
@@ -291,11 +241,11 @@ def _estimate(section: Section, model: SensorModel) -> tuple[str, ...] | Literal
         return "auto"
     known = ", ".join(model.symbols)
     if not isinstance(value, list):
-        section.fail("estimate", f'{_shown(value)} is neither "auto" nor a list of {known}')
+        section.fail("estimate", f'{quoted(value)} is neither "auto" nor a list of {known}')
     symbols = cast("list[Any]", value)
     for position, symbol in enumerate(symbols):
         if symbol not in model.symbols:
-            section.fail("estimate", f"{_shown(symbol)} is no parameter of {model.name}; known: {known}")
+            section.fail("estimate", f"{quoted(symbol)} is no parameter of {model.name}; known: {known}")
         if symbol in symbols[:position]:
             section.fail("estimate", f"{symbol!r} stands twice")
     return tuple(symbols)
@@ -305,7 +255,7 @@ def _per_image(section: Section, model: SensorModel, interior: str) -> tuple[str
     """Symbols that each image has for itself."""
     value = section.values.get("per_image", [])
     if not isinstance(value, list) or any(s not in model.symbols for s in cast("list[Any]", value)):
-        section.fail("per_image", f"{_shown(value)} is no list of {', '.join(model.symbols)}")
+        section.fail("per_image", f"{quoted(value)} is no list of {', '.join(model.symbols)}")
     if value and interior == "per_image":
         section.fail("per_image", 'with interior = "per_image" every parameter is; take one of the two away')
     return tuple(cast("list[str]", value))
@@ -317,7 +267,7 @@ def _sigma(section: Section, model: SensorModel) -> dict[str, float]:
     for symbol in sigma.values:
         if symbol not in model.symbols:
             known = ", ".join(model.symbols)
-            section.fail("sigma", f"{_shown(symbol)} is no parameter of {model.name}; known: {known}")
+            section.fail("sigma", f"{quoted(symbol)} is no parameter of {model.name}; known: {known}")
         value = sigma.checked(symbol, sigma.values[symbol])
         if value <= 0:
             section.fail(
@@ -336,7 +286,7 @@ def _relations(section: Section, model: SensorModel) -> tuple[Relation, ...]:
     """What is observed of several parameters together."""
     value = section.values.get("relations", [])
     if not isinstance(value, list):
-        section.fail("relations", f"{_shown(value)} is no list of tables {{name, terms, observed, sigma}}")
+        section.fail("relations", f"{quoted(value)} is no list of tables {{name, terms, observed, sigma}}")
     found: list[Relation] = []
     for number, given in enumerate(cast("list[Any]", value), 1):
         table = cast("dict[str, Any]", given) if isinstance(given, dict) else {}
@@ -348,7 +298,7 @@ def _relations(section: Section, model: SensorModel) -> tuple[Relation, ...]:
         unknown = [s for s in terms if s not in model.symbols]
         if unknown:
             known = ", ".join(model.symbols)
-            section.fail("relations", f"{_shown(unknown[0])} is no parameter of {model.name}; known: {known}")
+            section.fail("relations", f"{quoted(unknown[0])} is no parameter of {model.name}; known: {known}")
         found.append(
             Relation(
                 name=str(table.get("name", f"relation {number}")),
@@ -418,8 +368,3 @@ def _relation_text(relation: Relation) -> str:
 
 def _quoted(text: str) -> str:
     return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
-
-
-def _shown(value: object) -> str:
-    text = repr(value)
-    return text if len(text) <= 40 else text[:40] + "..."

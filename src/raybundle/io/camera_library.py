@@ -11,7 +11,6 @@ import math
 import os
 import re
 import sys
-import tomllib
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -26,9 +25,9 @@ from raybundle.errors import InputError
 from raybundle.io.block_toml import read_cameras
 from raybundle.io.calibrations.ours import cameras_text
 from raybundle.io.folders import new_folder
-from raybundle.io.formats.reading import Json, read_text
 from raybundle.io.photos.cameras import CameraGroup, with_calibration
 from raybundle.io.photos.photo import Photo
+from raybundle.io.reading.trees import Json, read_toml
 from raybundle.io.zoom_files import ZOOM, read_zoom, write_zoom
 from raybundle.numerics.arrays import Array
 from raybundle.sensors import sensor_models
@@ -160,10 +159,7 @@ def read_entry(place: Path) -> LibraryEntry:
     if len(cameras) != 1:
         raise InputError(f"{len(cameras)} cameras; an entry holds one", file=place / "camera.toml")
     path = place / "entry.toml"
-    try:
-        top = Json(path, tomllib.loads(read_text(path)))
-    except tomllib.TOMLDecodeError as error:
-        raise InputError(f"this is not TOML: {error}", file=path) from None
+    top = read_toml(path).tree()
     key = top.get("key")
     free, covariance = _covariance(top, cameras[0])
     return LibraryEntry(

@@ -18,7 +18,9 @@ from raybundle.block import Role
 from raybundle.errors import InputError
 from raybundle.io.block_folder import ROLES
 from raybundle.io.coordinate_systems import parse_crs
-from raybundle.io.tables import SHOWN, Column, Problem, fail, read_table, shown
+from raybundle.io.reading.files import read_lines
+from raybundle.io.reading.words import number_of, quoted
+from raybundle.io.tables import SHOWN, Column, Problem, fail, read_table
 from raybundle.numerics.arrays import Array, Index
 
 FILE_BYTES = 1 << 28
@@ -112,7 +114,7 @@ def read_gcp_list(path: str | Path, *, defaults: ControlDefaults = DEFAULTS) -> 
             file=path,
             line=1,
         )
-    if len(crs.split()) >= len(GCP_COLUMNS) and _is_number(crs.split()[0]):
+    if len(crs.split()) >= len(GCP_COLUMNS) and number_of(crs.split()[0]) is not None:
         raise InputError(
             "the first line must name the coordinate system: EPSG:32611, WGS84 UTM 11N or a PROJ string",
             file=path,
@@ -142,30 +144,10 @@ class _Row:
 
 def _content(path: Path) -> Iterator[tuple[int, str]]:
     """Lines that are neither empty nor comments, with their numbers."""
-    try:
-        if path.stat().st_size > FILE_BYTES:
-            raise InputError(f"larger than {FILE_BYTES >> 20} MiB: this is no list of control points", file=path)
-        data = path.read_bytes()
-    except OSError as error:
-        raise InputError(f"cannot be read: {error.strerror}; check the path and the permissions", file=path) from None
-    try:
-        text = data.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        line = data.count(b"\n", 0, error.start) + 1
-        raise InputError(
-            f"byte 0x{data[error.start]:02x} is not UTF-8; save the file with the encoding UTF-8", file=path, line=line
-        ) from None
-    for number, line in enumerate(text.replace("\r\n", "\n").replace("\r", "\n").split("\n"), 1):
+    for number, line in read_lines(path, FILE_BYTES):
         content = line.strip()
         if content and not content.startswith("#"):
             yield number, content
-
-
-def _is_number(word: str) -> bool:
-    try:
-        return bool(np.isfinite(float(word))) and "_" not in word and word.isascii()
-    except ValueError:
-        return False
 
 
 def _gcp_rows(lines: Iterator[tuple[int, str]]) -> tuple[list[_Row], list[Problem]]:
@@ -177,16 +159,18 @@ def _gcp_rows(lines: Iterator[tuple[int, str]]) -> tuple[list[_Row], list[Proble
         # with tabs a name of an image may hold blanks
         words = [w.strip() for w in text.split("\t")] if text.count("\t") >= 5 else text.split()
         if len(words) < len(GCP_COLUMNS):
-            message = f"{len(words)} columns, {', '.join(GCP_COLUMNS)} and perhaps a name are needed: {shown(text)}"
+            message = f"{len(words)} columns, {', '.join(GCP_COLUMNS)} and perhaps a name are needed: {quoted(text)}"
             problems.append(Problem(line, None, message))
             continue
-        bad = [(c, w) for c, w in zip(GCP_COLUMNS[:5], words, strict=False) if not _is_number(w) and not _unknown(c, w)]
+        bad = [
+            (c, w) for c, w in zip(GCP_COLUMNS[:5], words, strict=False) if number_of(w) is None and not _unknown(c, w)
+        ]
         if bad:
             hint = " (the decimal sign is a point)" if "," in bad[0][1] else ""
-            problems.append(Problem(line, bad[0][0], f"{shown(bad[0][1])} is not a finite number{hint}"))
+            problems.append(Problem(line, bad[0][0], f"{quoted(bad[0][1])} is not a finite number{hint}"))
             continue
         if not words[5] or not "".join(words[5:7]).isprintable():
-            problems.append(Problem(line, "image", f"{shown(words[5])} is no name of an image"))
+            problems.append(Problem(line, "image", f"{quoted(words[5])} is no name of an image"))
             continue
         X, Y, Z, x, y = (float(w) for w in words[:5])
         rows.append(_Row(line, (X, Y, Z), (x, y), words[5], words[6] if len(words) > 6 else ""))
@@ -215,10 +199,12 @@ def _grouped(path: Path, crs: str, rows: Sequence[_Row], defaults: ControlDefaul
         if k == len(first):
             first.append(row)
         elif not np.array_equal(first[k].xyz, row.xyz, equal_nan=True):
-            message = f"point {shown(row.name)} has other coordinates in line {first[k].line}; correct one of the two"
+            message = f"point {quoted(row.name)} has other coordinates in line {first[k].line}; correct one of the two"
             problems.append(Problem(row.line, "X", message))
         if (k, row.image) in seen:
-            message = f"this point stands in image {shown(row.image)} already, in line {seen[k, row.image]}; delete one"
+            message = (
+                f"this point stands in image {quoted(row.image)} already, in line {seen[k, row.image]}; delete one"
+            )
             problems.append(Problem(row.line, "image", message))
         seen[k, row.image] = row.line
         index.append(k)
@@ -278,18 +264,18 @@ def _read_csv(path: Path, measurements: Path | None, defaults: ControlDefaults) 
     roles = table.text.get("role", ("",) * len(ids))
     known = {"": ROLES[defaults.role], **ROLES}
     problems = [
-        Problem(k + 2, "role", f"{shown(r)} is not one of control, check, tie")
+        Problem(k + 2, "role", f"{quoted(r)} is not one of control, check, tie")
         for k, r in enumerate(roles)
         if r not in known
     ]
     bare = np.isfinite(sigma) & ~np.isfinite(xyz)
     problems += [
-        Problem(int(k) + 2, SIGMA[a], f"point {shown(ids[k])} has {SIGMA[a]} but no {XYZ[a]}; give the coordinate too")
+        Problem(int(k) + 2, SIGMA[a], f"point {quoted(ids[k])} has {SIGMA[a]} but no {XYZ[a]}; give the coordinate too")
         for k, a in np.argwhere(bare)
     ]
     empty = np.flatnonzero(~np.isfinite(xyz).any(axis=1))
     problems += [
-        Problem(int(k) + 2, "X", f"point {shown(ids[k])} has no coordinate; give one, or delete the line")
+        Problem(int(k) + 2, "X", f"point {quoted(ids[k])} has no coordinate; give one, or delete the line")
         for k in empty
         if known.get(roles[k]) != Role.TIE
     ]

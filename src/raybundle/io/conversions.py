@@ -58,9 +58,13 @@ class CameraFit:
     """Root mean square of these distances."""
 
 
+TALLEST = 20
+"""Beyond this ratio of height to width the rows of a grid stand less densely than its columns."""
+
+
 def grid_px(width_px: int, height_px: int, columns: int = 31) -> Array:
     """Pixels (2, n) of a regular grid over the whole format, edges included."""
-    rows = max(3, round(columns * height_px / width_px))
+    rows = max(3, min(round(columns * height_px / width_px), TALLEST * columns))
     x, y = np.meshgrid(np.linspace(0, width_px, columns), np.linspace(0, height_px, rows))
     return np.stack([x.ravel(), y.ravel()])
 

@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from raybundle.errors import InputError
+from raybundle.io.reading.words import finite, quoted, whole_of
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.rotation import nearest_rotation
 
@@ -28,7 +29,9 @@ if TYPE_CHECKING:
     from pyproj import CRS, Transformer
 
 WGS84 = "EPSG:4979"
-_UTM = re.compile(r"^(?:EPSG\s+)?WGS\s*_?84\s*[/,]?\s*UTM\s*(?:zone)?\s*(\d{1,2})\s*([NS])$", re.IGNORECASE)
+LONGEST_CRS = 100_000
+"""Characters; the longest WKT with its operations has some 20 000."""
+_UTM = re.compile(r"^(?:EPSG\s+)?WGS\s*_?84\s*[/,]?\s*UTM\s*(?:zone)?\s*([0-9]{1,2})\s*([NS])$", re.IGNORECASE)
 STEP_M = 1.0
 """Half the base of numeric derivatives."""
 
@@ -186,9 +189,10 @@ def local_frame(
 def frame_from_mapping(values: Mapping[str, Any]) -> LocalFrame:
     """The frame that `LocalFrame.as_mapping` described; raises InputError where a value is missing or wrong."""
     try:
-        x, y, z = (float(v) for v in values["origin"])
+        origin = [finite(v) for v in values["origin"]]
+        x, y, z = (v for v in origin if v is not None)
         crs, given = str(values["crs"]), values.get("undulation_m")
-        undulation = None if given is None else float(given)
+        (undulation,) = (None,) if given is None else (v for v in [finite(given)] if v is not None)
     except (KeyError, TypeError, ValueError):
         raise InputError(
             'the coordinate system is not complete; give crs = "EPSG:..." and origin = [east, north, height]'
@@ -241,8 +245,10 @@ def parse_crs(text: str) -> CRS:
     from pyproj.exceptions import CRSError  # noqa: PLC0415
 
     text = text.strip()
+    if len(text) > LONGEST_CRS or not text.replace("\n", " ").replace("\r", " ").replace("\t", " ").isprintable():
+        raise InputError(f"{quoted(text)} is no coordinate system: too long, or with characters that cannot be printed")
     if utm := _UTM.match(text):
-        zone = int(utm[1])
+        zone = whole_of(utm[1]) or 0
         if not 1 <= zone <= 60:
             raise InputError(f"UTM zone {zone} is not between 1 and 60")
         text = f"EPSG:{(32600 if utm[2].upper() == 'N' else 32700) + zone}"
@@ -250,10 +256,10 @@ def parse_crs(text: str) -> CRS:
         system = CRS.from_user_input(text)
     except CRSError:
         raise InputError(
-            f"{text[:60]!r} is no coordinate system that pyproj knows; give EPSG:code, a PROJ string or WKT"
+            f"{quoted(text)} is no coordinate system that pyproj knows; give EPSG:code, a PROJ string or WKT"
         ) from None
     if system.geodetic_crs is None or (system.is_vertical and not system.is_compound):
-        raise InputError(f"{text[:60]!r} has no place on the earth; give a projected, geographic or geocentric system")
+        raise InputError(f"{quoted(text)} has no place on the earth; give a projected, geographic or geocentric system")
     return system
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import tomllib
 import urllib.error
 import urllib.request
 from collections.abc import Mapping
@@ -15,6 +14,7 @@ from typing import Any
 from urllib.parse import quote, urlsplit
 
 from raybundle.errors import InputError
+from raybundle.io.reading.trees import toml_of
 from raybundle.numerics.progress import Progress, silent
 
 TIMEOUT_S = 30.0
@@ -63,7 +63,8 @@ class Fetched:
 
 def known_datasets() -> Mapping[str, Dataset]:
     """The sets by their names."""
-    content = tomllib.loads((files("raybundle.io") / "datasets.toml").read_text(encoding="utf-8"))
+    text = (files("raybundle.io") / "datasets.toml").read_text(encoding="utf-8")
+    content = toml_of(text, Path("datasets.toml")).values
     return {name: _dataset(name, entry) for name, entry in content.items()}
 
 

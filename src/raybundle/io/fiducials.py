@@ -23,7 +23,8 @@ import numpy as np
 from raybundle.block import Camera
 from raybundle.errors import InputError
 from raybundle.io.exchanged_marks import exchanges, implausible, wrong_mark
-from raybundle.io.tables import SHOWN, Column, Problem, fail, read_table, shown
+from raybundle.io.reading.words import quoted
+from raybundle.io.tables import SHOWN, Column, Problem, fail, read_table
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.statistics import global_test
 
@@ -193,7 +194,7 @@ def read_marks(path: str | Path, name: Literal["mark", "point"], calibrated: Cal
         seen.setdefault(pair, line)
         if calibrated is not None and pair[1] not in calibrated.names:
             known = ", ".join(calibrated.names[:8])
-            problems.append(Problem(line, name, f"{shown(pair[1])} has no calibrated position; known are {known}"))
+            problems.append(Problem(line, name, f"{quoted(pair[1])} has no calibrated position; known are {known}"))
     xy = table.numbers("x_px", "y_px")
     far = np.flatnonzero(np.abs(xy).max(axis=1) > LARGEST_PX)
     problems += [Problem(int(k) + 2, "x_px", f"{xy[k, 0]:g}, {xy[k, 1]:g} lies in no scan") for k in far[:SHOWN]]

@@ -20,7 +20,6 @@ import os
 import shutil
 import sqlite3
 import time
-import tomllib
 import uuid
 import zipfile
 from collections.abc import Callable, Generator, Mapping, Sequence
@@ -32,6 +31,7 @@ from typing import Any
 import numpy as np
 
 from raybundle.errors import InputError
+from raybundle.io.reading.trees import json_of, read_toml
 from raybundle.numerics.arrays import Array
 
 SCHEMA = 1
@@ -196,8 +196,11 @@ class Project:
                     part,
                 ).fetchall()
             for key, facts, blob in rows:
-                with contextlib.suppress(ValueError, TypeError):  # a damaged row is missing
-                    found[key] = (json.loads(facts), np.frombuffer(blob, np.int32).reshape(-1, 2))
+                with contextlib.suppress(ValueError, TypeError, InputError):  # a damaged row is missing
+                    found[key] = (
+                        json_of(facts, self.folder / "project.db"),
+                        np.frombuffer(blob, np.int32).reshape(-1, 2),
+                    )
         return found
 
     def store_pairs(self, rows: Sequence[tuple[str, Mapping[str, Any], Array]]) -> None:
@@ -434,11 +437,13 @@ def _peak_memory_mb() -> float:
 def photographs_of(result: Path) -> tuple[Path, ...]:
     """Folders of the photographs that a result folder, or its project, was made from, as far as they are there."""
     for folder in (result, result.parent):
-        try:
-            with (folder / "project.toml").open("rb") as file:
-                asked = tomllib.load(file).get("orient", {})
-        except (OSError, tomllib.TOMLDecodeError):
+        file = folder / "project.toml"
+        if not file.is_file():
             continue
-        paths = [Path(str(p)) for p in asked.get("photos", [])]
+        try:
+            asked = read_toml(file).tree().get("orient").get("photos").items()
+            paths = [Path(p.text()) for p in asked]
+        except InputError:
+            continue
         return tuple(dict.fromkeys(p if p.is_dir() else p.parent for p in paths if p.exists()))
     return ()

@@ -6,8 +6,6 @@ error, so that a file of rubbish costs seconds and little memory however long it
 
 from __future__ import annotations
 
-import csv
-import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import chain
@@ -18,6 +16,10 @@ import msgspec
 import numpy as np
 
 from raybundle.errors import InputError
+from raybundle.io.reading import words
+from raybundle.io.reading.files import decoded
+from raybundle.io.reading.rows import BadRow, cells_of
+from raybundle.io.reading.words import quoted
 from raybundle.numerics.arrays import Array, Index
 
 PIECE_BYTES = 1 << 22
@@ -86,11 +88,6 @@ def fail(path: Path, problems: Sequence[Problem]) -> NoReturn:
     raise InputError(message, file=path, line=first.line, column=first.column)
 
 
-def shown(text: str) -> str:
-    """Offending text as it is quoted in a message: printable and short."""
-    return repr(text if len(text) <= 40 else text[:40] + "...")
-
-
 def read_table(path: Path, columns: Sequence[Column], *, unique: tuple[str, ...] = (), least_rows: int = 1) -> Table:
     """The table in a CSV file.
 
@@ -154,13 +151,7 @@ def _pieces(path: Path) -> Iterator[str]:
 
 
 def _decoded(path: Path, data: bytes, line: int) -> str:
-    try:
-        return data.decode("utf-8").replace("\r\n", "\n").removesuffix("\n")
-    except UnicodeDecodeError as error:
-        line += data.count(b"\n", 0, error.start)
-        raise InputError(
-            f"byte 0x{data[error.start]:02x} is not UTF-8; save the file with the encoding UTF-8", file=path, line=line
-        ) from None
+    return decoded(path, data, line).replace("\r\n", "\n").removesuffix("\n")
 
 
 def _header_and_rest(path: Path, pieces: Iterator[str]) -> tuple[str, tuple[str, ...]]:
@@ -183,12 +174,12 @@ def _check_header(path: Path, line: str, columns: Sequence[Column]) -> list[Colu
     optional = [c.name for c in columns if c.optional]
     should = f"the header is {needed}" + (f", optional {', '.join(optional)}" if optional else "")
     try:
-        names = next(csv.reader([line], strict=True))
-    except csv.Error as error:
+        names = next(cells_of([line]), [])
+    except BadRow as error:
         raise InputError(f"the header cannot be read ({error}); {should}", file=path, line=1) from None
     for position, name in enumerate(names):
         if name not in by_name:
-            raise InputError(f"unknown column {shown(name)}; {should}", file=path, line=1, column=name[:40])
+            raise InputError(f"unknown column {quoted(name)}; {should}", file=path, line=1, column=name[:40])
         if name in names[:position]:
             raise InputError(f"column {name!r} stands twice; {should}", file=path, line=1, column=name)
     missing = [c.name for c in columns if not c.optional and c.name not in names]
@@ -211,23 +202,17 @@ def _cells(path: Path, piece: str, width: int, first_line: int) -> list[list[str
 
 def _cells_one_by_one(path: Path, piece: str, width: int, first_line: int) -> list[list[str]]:
     lines = piece.split("\n")
-    reader = csv.reader(lines, strict=True)
     rows: list[list[str]] = []
     problems: list[Problem] = []
     try:
-        for row in reader:
-            line = first_line + len(rows)
-            if reader.line_num != len(rows) + 1:
-                problems.append(Problem(line, None, "a cell goes over the end of its line; is a quote left open?"))
-                break
+        for row in cells_of(lines):
             if len(row) != width:
-                problems.append(Problem(line, None, _wrong_width(row, width)))
+                problems.append(Problem(first_line + len(rows), None, _wrong_width(row, width)))
                 if len(problems) > SHOWN:
                     break
             rows.append(row)
-    except csv.Error as error:
-        line = first_line + len(rows)
-        problems.append(Problem(line, None, f"{error}; is a quote left open, or is this not a table?"))
+    except BadRow as error:
+        problems.append(Problem(first_line + error.position, None, str(error)))
     if problems:
         fail(path, problems)
     return [list(column) for column in zip(*rows, strict=True)]
@@ -241,7 +226,7 @@ def _wrong_width(row: Sequence[str], width: int) -> str:
         hint = " (the decimal sign is a point, not a comma)"
     elif any(";" in cell for cell in row):
         hint = " (cells are separated by commas, not by semicolons)"
-    return f"{len(row)} cells, the header has {width}{hint}: {shown(','.join(row))}"
+    return f"{len(row)} cells, the header has {width}{hint}: {quoted(','.join(row))}"
 
 
 def _convert(
@@ -249,7 +234,7 @@ def _convert(
 ) -> object:
     """The values of one column; what is wrong is added to `problems`."""
     if column.kind == "number":
-        values = _numbers(cells)
+        values = words.column_of(cells)
         if values is not None and _numbers_good(column, values, cells):
             return values
         problems.extend(_bad_numbers(column, cells, first_line))
@@ -264,22 +249,6 @@ def _convert(
     if column.kind == "id":
         return _new_ids(column, cells, first_line, seen, problems)
     return _references(column, cells, first_line, problems)
-
-
-def _numbers(cells: list[str]) -> Array | None:
-    joined = "".join(cells)
-    if not joined:
-        return np.full(len(cells), np.nan)
-    if "_" in joined or not joined.isascii():  # float() takes both
-        return None
-    try:
-        return np.fromiter(map(float, cells), float, len(cells))
-    except ValueError:
-        pass
-    try:
-        return np.fromiter((float(c) if c else math.nan for c in cells), float, len(cells))
-    except ValueError:
-        return None
 
 
 def _numbers_good(column: Column, values: Array, cells: list[str]) -> bool:
@@ -304,19 +273,16 @@ def _bad_numbers(column: Column, cells: Iterable[str], first_line: int) -> Itera
 def _why_not_a_number(column: Column, cell: str) -> str:
     if not cell:
         return "" if column.empty else "the cell is empty; a number is needed here"
-    try:
-        value = float(cell) if "_" not in cell and cell.isascii() else None
-    except ValueError:
-        value = None
+    value = words.number_of(cell)
     if value is None:
-        return f"{shown(cell)} is not a number; the decimal sign is a point, an unknown value an empty cell"
-    if not math.isfinite(value):
-        empty = ", or leave the cell empty where it is not known" if column.empty else ""
-        return f"{shown(cell)} is not a finite number; give one{empty}"
+        if words.NOT_FINITE.fullmatch(cell):
+            empty = ", or leave the cell empty where it is not known" if column.empty else ""
+            return f"{quoted(cell)} is not a finite number; give one{empty}"
+        return f"{quoted(cell)} is not a number; the decimal sign is a point, an unknown value an empty cell"
     if column.limit == "> 0" and value <= 0:
-        return f"{shown(cell)} must be greater than 0"
+        return f"{quoted(cell)} must be greater than 0"
     if column.limit == ">= 0" and value < 0:
-        return f"{shown(cell)} is negative; a standard deviation is 0 (held) or greater"
+        return f"{quoted(cell)} is negative; a standard deviation is 0 (held) or greater"
     return ""
 
 
@@ -324,7 +290,7 @@ def _bad_text(column: Column, cells: Iterable[str], first_line: int) -> Iterator
     bad = [(k, cell) for k, cell in enumerate(cells) if not cell.isprintable()]
     for k, cell in bad[: SHOWN + 1]:
         yield Problem(
-            first_line + k, column.name, f"{shown(cell)} holds characters that cannot be printed; delete them"
+            first_line + k, column.name, f"{quoted(cell)} holds characters that cannot be printed; delete them"
         )
 
 
@@ -341,10 +307,10 @@ def _new_ids(
         line = first_line + k
         if not cell or cell != cell.strip():
             problems.append(
-                Problem(line, column.name, f"{shown(cell)} is no id: it is empty or has blanks at its ends")
+                Problem(line, column.name, f"{quoted(cell)} is no id: it is empty or has blanks at its ends")
             )
         elif cell in seen:
-            problems.append(Problem(line, column.name, f"id {shown(cell)} stands already in line {seen[cell] + 2}"))
+            problems.append(Problem(line, column.name, f"id {quoted(cell)} stands already in line {seen[cell] + 2}"))
         else:
             seen[cell] = line - 2
         if len(problems) > SHOWN:
@@ -358,7 +324,7 @@ def _references(column: Column, cells: list[str], first_line: int, problems: lis
         for cell in dict.fromkeys(cells):
             if cell not in known:
                 if not cell or cell != cell.strip():
-                    message = f"{shown(cell)} is no id: it is empty or has blanks at its ends"
+                    message = f"{quoted(cell)} is no id: it is empty or has blanks at its ends"
                     problems.append(Problem(first_line + cells.index(cell), column.name, message))
                 known[cell] = len(known)
     try:
@@ -368,7 +334,7 @@ def _references(column: Column, cells: list[str], first_line: int, problems: lis
     found = 0
     for k, cell in enumerate(cells):
         if cell not in known:
-            message = f"{shown(cell)} stands nowhere in {column.where}; correct it or add it there"
+            message = f"{quoted(cell)} stands nowhere in {column.where}; correct it or add it there"
             problems.append(Problem(first_line + k, column.name, message))
             found += 1
             if found > SHOWN:

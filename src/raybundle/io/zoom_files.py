@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-import tomllib
 from dataclasses import replace
 from pathlib import Path
 
@@ -14,7 +13,7 @@ from raybundle.block.zoom import VARIABLES, ZoomCalibration
 from raybundle.errors import InputError
 from raybundle.io.block_toml import read_cameras
 from raybundle.io.calibrations.ours import cameras_text
-from raybundle.io.formats.reading import Json, read_text
+from raybundle.io.reading.trees import Json, read_toml
 from raybundle.numerics.arrays import Array
 from raybundle.sensors import sensor_models
 
@@ -55,10 +54,7 @@ def read_zoom(folder: Path) -> ZoomCalibration:
     if len(cameras) != 1:
         raise InputError(f"{len(cameras)} cameras; a zoom lens belongs to one", file=folder / CAMERA)
     path = folder / ZOOM
-    try:
-        top = Json(path, tomllib.loads(read_text(path)))
-    except tomllib.TOMLDecodeError as error:
-        raise InputError(f"this is not TOML: {error}", file=path) from None
+    top = read_toml(path).tree()
     low, high = top.get("range_mm").numbers(2)
     resolution = top.get("resolution_mm").number()
     if not 0 < low < high or resolution < 0:

@@ -28,6 +28,8 @@ from raybundle.io.block_folder import (
     write_block_files,
 )
 from raybundle.io.folders import new_folder
+from raybundle.io.reading.trees import read_json
+from raybundle.io.reading.words import quoted
 from raybundle.io.tables import Column, Table, read_table, write_table
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent
@@ -124,8 +126,8 @@ def check_target(path: str | Path) -> None:
 
 def _is_ours(path: Path) -> bool:
     try:
-        content = json.loads(path.read_bytes())
-    except (OSError, ValueError):
+        content = read_json(path).value
+    except InputError:
         return False
     return isinstance(content, dict) and {"sigma0", "redundancy", "cameras"} <= cast("dict[str, Any]", content).keys()
 
@@ -470,7 +472,9 @@ def read_result(path: str | Path) -> ResultFolder:
         raise InputError("is not a result folder, it holds no result.json; give what --out named", file=folder)
     if not _is_ours(folder / "result.json"):
         raise InputError("is not the result.json of an adjustment; adjust again", file=folder / "result.json")
-    result = cast("dict[str, Any]", json.loads((folder / "result.json").read_bytes()))
+    result = cast("dict[str, Any]", read_json(folder / "result.json").value)
+    block = read_block(folder / "block")
+    known = {"image": frozenset(block.images.ids), "point": frozenset(block.points.ids)}
     tables: dict[str, Table] = {}
     for name, (first, numbers, last) in TABLES.items():
         if name == "attitudes" and not (folder / f"{name}.csv").is_file():
@@ -481,10 +485,12 @@ def read_result(path: str | Path) -> ResultFolder:
             *(Column(name=n, kind="text", empty=True) for n in last),
         )
         tables[name] = read_table(folder / f"{name}.csv", columns, least_rows=0)
+        for column, ids in known.items():
+            _check_ids(folder / f"{name}.csv", column, tables[name].text.get(column, ()), ids)
     return ResultFolder(
         path=folder,
         result=result,
-        block=read_block(folder / "block"),
+        block=block,
         images=tables["images"],
         points=tables["points"],
         observations=tables["observations"],
@@ -494,3 +500,11 @@ def read_result(path: str | Path) -> ResultFolder:
         stations=tables["stations"],
         attitudes=tables.get("attitudes"),
     )
+
+
+def _check_ids(path: Path, column: str, ids: Sequence[str], known: frozenset[str]) -> None:
+    """Raise where a table names what the block beside it does not hold."""
+    for row, id_ in enumerate(ids):
+        if id_ not in known:
+            message = f"{quoted(id_)} does not stand in block/{column}s.csv; the result is damaged: adjust again"
+            raise InputError(message, file=path, line=row + 2, column=column)

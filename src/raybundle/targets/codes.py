@@ -15,6 +15,8 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.errors import InputError
+from raybundle.io.reading.files import read_lines
+from raybundle.io.reading.words import quoted, whole_of
 from raybundle.numerics.arrays import Array, Index, Mask
 
 Rule = Callable[[Index, int], Mask]
@@ -22,6 +24,7 @@ Rule = Callable[[Index, int], Mask]
 
 MOST_BITS = 24
 """The rings of more bits are too many to be listed."""
+TABLE_BYTES = 1 << 24
 
 
 def rotations(codes: Index, bits: int) -> Index:
@@ -150,15 +153,11 @@ def read_table(
     """
     if not 3 <= bits <= MOST_BITS:
         raise InputError(f"a ring has 3 to {MOST_BITS} bits, not {bits}", file=path)
-    try:
-        text = path.read_text(encoding="utf-8-sig")
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError("cannot be read as a table of target codes", file=path) from error
     table: dict[int, int] = {}
     seen: dict[int, int] = {}
     columns = ["id", "code"]
     header = True
-    for number, row in enumerate(text.splitlines(), start=1):
+    for number, row in read_lines(path, TABLE_BYTES):
         words = row.partition("#")[0].replace(",", " ").replace(";", " ").split()
         if not words:
             continue
@@ -167,9 +166,11 @@ def read_table(
             header = False
             continue
         header = False
-        if len(words) != 2 or not all(w.isdecimal() for w in words):
-            raise InputError(f"expected an id and a code, two whole numbers; found {row!r}", file=path, line=number)
-        id_, code = (int(words[columns.index(c)]) for c in ("id", "code"))
+        values = [whole_of(w) for w in words]
+        if len(values) != 2 or any(v is None or not 0 <= v < 1 << 62 for v in values):
+            message = f"expected an id and a code, two whole numbers; found {quoted(row)}"
+            raise InputError(message, file=path, line=number)
+        id_, code = (values[columns.index(c)] or 0 for c in ("id", "code"))
         if not 0 < code < 1 << bits:
             raise InputError(f"code {code} does not lie between 1 and {(1 << bits) - 1}", file=path, line=number)
         code = int(canonical(np.array([code]), bits)[0])

@@ -22,18 +22,20 @@ their corners are listed.
 from __future__ import annotations
 
 import math
-import tomllib
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, cast
 
 import numpy as np
 
 from raybundle.errors import InputError
+from raybundle.io.reading.trees import Json, read_toml
+from raybundle.io.reading.words import quoted, whole_of
 from raybundle.targets.codes import MOST_BITS, RingFamily, canonical, own_family
 from raybundle.targets.kinds.rings import Rings
 from raybundle.targets.layout import Sheet
 from raybundle.targets.marks import Target, target
+
+LARGEST_MM = 1e6
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -126,77 +128,68 @@ def _number(value: float) -> str:
 
 def read_sidecar(path: Path) -> PrintedSheet:
     """Read the file beside a sheet; raises InputError that names what is wrong in it."""
-    try:
-        top: dict[str, Any] = tomllib.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise InputError(f"cannot be read: {error.strerror}", file=path) from None
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise InputError(f"this is not TOML: {error}", file=path) from None
-    pages = top.get("pages")
-    if not isinstance(top.get("family"), str) or not isinstance(pages, list):
+    top = read_toml(path).tree()
+    if not top.has("family") or not top.has("pages"):
         raise InputError("is not the file beside a sheet of targets: no family, or no [[pages]]", file=path)
-    targets: list[PrintedTarget] = []
-    codes: dict[str, Any] = {}
+    targets: dict[str, PrintedTarget] = {}
+    codes: dict[str, Json] = {}
     bar = 0.0
-    for number, page in enumerate(cast("list[Any]", pages), start=1):
-        where = f"page {number}"
-        if not isinstance(page, dict) or not isinstance(page.get("targets"), list):
-            raise InputError(f"{where} has no list of targets", file=path)
-        bar = max(bar, _length(page, "scale_bar_mm", where, path, 0.0))
-        for k, entry in enumerate(cast("list[Any]", page["targets"]), start=1):
-            what = f"{where}, target {k}"
-            if not isinstance(entry, dict) or not isinstance(entry.get("name"), str):
-                raise InputError(f"{what} has no name", file=path)
-            codes[cast("str", entry["name"])] = entry.get("code")
-            targets.append(
-                PrintedTarget(
-                    name=cast("str", entry["name"]), page=number, x_mm=_length(entry, "x_mm", what, path),
-                    y_mm=_length(entry, "y_mm", what, path),
-                )
-            )  # fmt: skip
-    names = [t.name for t in targets]
-    for name in names:
-        if names.count(name) > 1:
-            raise InputError(f"target {name} stands there twice", file=path)
+    for number, page in enumerate(top.get("pages").items(), start=1):
+        bar = max(bar, _length(page, "scale_bar_mm", 0.0))
+        for entry in page.get("targets").items():
+            name = entry.get("name").text()
+            if name in targets:
+                entry.fail(f"target {quoted(name)} stands there twice")
+            codes[name] = entry
+            targets[name] = PrintedTarget(
+                name=name, page=number, x_mm=_place(entry, "x_mm"), y_mm=_place(entry, "y_mm")
+            )
     return PrintedSheet(
-        family=cast("str", top["family"]),
-        polarity=str(top.get("polarity", "dark")),
-        dot_radius_mm=_length(top, "dot_radius_mm", "the sheet", path, math.nan),
-        spacing_mm=_length(top, "spacing_mm", "the sheet", path, math.nan),
+        family=top.get("family").text(),
+        polarity=top.get("polarity").text() if top.has("polarity") else "dark",
+        dot_radius_mm=_length(top, "dot_radius_mm", math.nan),
+        spacing_mm=_length(top, "spacing_mm", math.nan),
         bar_mm=bar,
-        targets=tuple(targets),
+        targets=tuple(targets.values()),
         rings=_own_rings(top, codes, path),
     )
 
 
-def _own_rings(top: dict[str, Any], codes: dict[str, Any], path: Path) -> RingFamily | None:
+def _own_rings(top: Json, entries: dict[str, Json], path: Path) -> RingFamily | None:
     """The rings of a sheet that says their number of sectors."""
-    bits: Any = top.get("bits")
-    if bits is None:
+    if not top.has("bits"):
         return None
-    if isinstance(bits, bool) or not isinstance(bits, int) or not 3 <= bits <= MOST_BITS:
-        raise InputError(f"bits is to be a number of sectors, 3 to {MOST_BITS}; found {bits!r}", file=path)
-    radius, radii = _length(top, "dot_radius_mm", "the sheet", path), top.get("ring_radii_mm")
-    if not isinstance(radii, list) or not all(isinstance(r, int | float) for r in cast("list[Any]", radii)):
-        raise InputError(f"ring_radii_mm is to be two lengths in mm, found {radii!r}", file=path)
-    ring = [float(r) / radius for r in cast("list[float]", radii)] if radius > 0 else []
-    if len(ring) != 2 or not 1.2 <= ring[0] < ring[1]:
-        raise InputError(f"rings of {radii!r} mm do not go with a dot of {radius:g} mm radius", file=path)
+    bits = top.get("bits").whole(3, MOST_BITS)
+    radius = _length(top, "dot_radius_mm", 0.0)
+    given = top.get("ring_radii_mm")
+    radii = given.numbers(2)
+    ring = (radii / radius).tolist() if radius > 0 else []
+    if len(ring) != 2 or not 1.2 <= ring[0] < ring[1] <= LARGEST_MM:
+        given.fail(f"rings of {quoted(given.value)} mm do not go with a dot of {radius:g} mm radius")
     table: dict[int, int] = {}
-    for name, code in codes.items():
-        if not name.isdecimal() or isinstance(code, bool) or not isinstance(code, int) or not 0 < code < 1 << bits:
-            raise InputError(
-                f"target {name}: its code is to lie between 1 and {(1 << bits) - 1}, found {code!r}", file=path
-            )
-        table[int(name)] = int(canonical(np.array([code]), bits)[0])
+    for name, entry in entries.items():
+        id_ = whole_of(name)
+        if id_ is None or not 0 <= id_ < 1 << 62:
+            entry.fail(f"target {quoted(name)} of an own table needs a number for its name")
+        code = entry.get("code").whole(1, (1 << bits) - 1)
+        table[id_] = int(canonical(np.array([code]), bits)[0])
     if len(set(table.values())) < len(table):
         raise InputError("two targets have the same ring", file=path)
-    family = cast("str", top["family"])
+    family = top.get("family").text()
     return own_family(family, f"rings of {bits} bits by {path.name}", bits, (ring[0], ring[1]), table)
 
 
-def _length(table: Any, key: str, where: str, path: Path, default: float | None = None) -> float:
-    value: Any = table.get(key, default)
-    if isinstance(value, bool) or not isinstance(value, int | float):
-        raise InputError(f"{where}: {key} is to be a length in mm, found {value!r}", file=path)
-    return float(value)
+def _place(table: Json, key: str) -> float:
+    value = table.get(key)
+    if abs(value.number()) > LARGEST_MM:
+        value.fail(f"{value.number():g} is no place on a sheet, in mm")
+    return value.number()
+
+
+def _length(table: Json, key: str, default: float) -> float:
+    if not table.has(key):
+        return default
+    value = table.get(key)
+    if not 0 <= value.number() <= LARGEST_MM:
+        value.fail(f"{value.number():g} is no length in mm")
+    return value.number()

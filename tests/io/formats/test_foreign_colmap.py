@@ -148,7 +148,7 @@ def test_broken_binary_files_are_named(case, block, tmp_path):
 TEXTS = {
     "model": ("cameras.txt", "FULL_OPENCV", "FISH", 2, "'FISH' is not read"),
     "parameters": ("cameras.txt", "FULL_OPENCV", "PINHOLE", 2, "12 parameters, PINHOLE has 4"),
-    "number": ("images.txt", "\n1 ", "\n1 zero ", 3, "is not a row of numbers"),
+    "number": ("images.txt", "\n1 ", "\n1 zero ", 3, "'zero' is not a finite number"),
     "colour": ("points3D.txt", " 128 128 128 ", " 128 grey 128 ", 2, "'grey' is not a whole number"),
 }
 

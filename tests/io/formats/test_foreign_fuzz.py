@@ -10,7 +10,7 @@ from raybundle.block.simulate import Survey, TargetField, brown_camera, field_sc
 from raybundle.errors import InputError
 from raybundle.io.formats import Export, formats, read_format, write_format
 from raybundle.io.formats.base import Import
-from raybundle.io.formats.reading import read_xml
+from raybundle.io.reading.xml import read_xml
 
 BOTH = sorted(n for n, f in formats.items() if f.read and f.write)
 PIECES = st.sampled_from(
@@ -75,7 +75,7 @@ def test_damaged_files(name, folder, tmp_path, which, damage):
         ('<!DOCTYPE a [<!ENTITY b "c">]><document>&b;</document>', "DOCTYPE"),
         ("<document>" + "<a>" * 200 + "</a>" * 200 + "</document>", "deep"),
         ("<document><a></document>", "mismatched tag"),
-        ("<other/>", "root element is other"),
+        ("<other/>", "root element is 'other'"),
         ("", "no element found"),
     ],
 )

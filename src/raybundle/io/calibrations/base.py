@@ -25,6 +25,7 @@ from raybundle.io.conversions import (
     measured_fit,
 )
 from raybundle.io.forward_camera import TERMS, ForwardCamera, Projection
+from raybundle.io.reading.files import guarded, read_bytes
 from raybundle.numerics.arrays import Array
 from raybundle.sensors import sensor_models
 
@@ -138,8 +139,6 @@ def recognised(path: Path) -> str:
 
 
 def _text(path: Path) -> str:
-    from raybundle.io.formats.reading import read_bytes  # noqa: PLC0415  (the other formats are loaded with it)
-
     if path.is_dir():
         raise InputError("is a folder; give the file that holds the calibration", file=path)
     return read_bytes(path, FILE_BYTES).decode("utf-8", "replace").removeprefix("\ufeff")
@@ -157,7 +156,8 @@ def read_calibrations(
     path = Path(path)
     format_ = format_named(name or recognised(path))
     _text(path)  # a folder, or a file too large for a calibration, is refused before it is parsed
-    found = format_.read(path, size_px)
+    with guarded(path):
+        found = format_.read(path, size_px)
     for calibration in found:
         size = (calibration.camera.width_px, calibration.camera.height_px)
         if size_px is not None and size != size_px:

@@ -15,7 +15,8 @@ import numpy as np
 from raybundle.block import Camera
 from raybundle.errors import InputError
 from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, register
-from raybundle.io.formats.reading import read_text, shown
+from raybundle.io.reading.files import read_text
+from raybundle.io.reading.words import fortran_of, quoted, whole_of
 from raybundle.sensors import sensor_models
 
 AUSTRALIS = {
@@ -25,7 +26,8 @@ PHOTOMODELER = {
     "Focal Length": "c", "Xp": "x0", "Yp": "y0", "Fw": "width", "Fh": "height", "K1": "K1", "K2": "K2", "K3": "K3",
     "P1": "P1", "P2": "P2",
 }  # fmt: skip
-NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eEdD][-+]?\d+)?"
+LARGEST_PX = 10_000_000
+NUMBER = r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eEdD][-+]?[0-9]+)?"
 FINAL, FINAL_STD, COLUMNS = 2, 4, 5
 _ROW = re.compile(rf"^\s*({'|'.join(AUSTRALIS)})\s+({NUMBER}(?:\s+{NUMBER})*)\s*(?:\(mm\))?\s*$")
 _SENSOR = re.compile(rf"^\s*([HV])\s+(\d+)\s+({NUMBER})\s*$")
@@ -35,9 +37,16 @@ _IMAGE = re.compile(r"^\s*Image Size\s*:\s*(\d+)\s*x\s*(\d+)", re.IGNORECASE)
 
 
 def _number(text: str, path: Path, line: int) -> float:
-    value = float(text.replace("d", "e").replace("D", "e"))
-    if not np.isfinite(value):
-        raise InputError(f"{shown(text)} is not a finite number", file=path, line=line)
+    value = fortran_of(text)
+    if value is None:
+        raise InputError(f"{quoted(text)} is not a finite number", file=path, line=line)
+    return value
+
+
+def _pixels(text: str, path: Path, line: int) -> int:
+    value = whole_of(text)
+    if value is None or not 0 < value <= LARGEST_PX:
+        raise InputError(f"{quoted(text)} is no size in pixels, 1 to {LARGEST_PX}", file=path, line=line)
     return value
 
 
@@ -49,7 +58,7 @@ def read_australis(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibra
     std: dict[str, float] = {}
     for line, text in enumerate(read_text(path).split("\n"), 1):
         if (size := _SENSOR.match(text)) and size[1] not in sensor:
-            sensor[size[1]] = (int(size[2]), _number(size[3], path, line))
+            sensor[size[1]] = (_pixels(size[2], path, line), _number(size[3], path, line))
         elif row := _ROW.match(text):
             symbol = AUSTRALIS[row[1]]
             if symbol in final:
@@ -84,7 +93,7 @@ def read_australis(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibra
 def _camera(
     path: Path, id_: str, size: tuple[int, int], pixel: tuple[float, float], values: dict[str, float]
 ) -> Camera:
-    if not all(0 < s <= 10_000_000 for s in size) or not all(0 < p < 1 for p in pixel) or not values["c"] > 0:
+    if not all(0 < s <= LARGEST_PX for s in size) or not all(0 < p < 1 for p in pixel) or not values["c"] > 0:
         raise InputError(
             f"format {size[0]} x {size[1]} px, pixel {pixel[0]:g} x {pixel[1]:g} mm, c {values['c']:g} mm: one of them "
             "cannot be",
@@ -131,7 +140,7 @@ def read_photomodeler(path: Path, size_px: tuple[int, int] | None) -> tuple[Cali
     name = ""
     for line, text in enumerate(read_text(path).split("\n"), 1):
         if image := _IMAGE.match(text):
-            size_px = (int(image[1]), int(image[2]))
+            size_px = (_pixels(image[1], path, line), _pixels(image[2], path, line))
         elif entry := _VALUE.match(text):
             where = values if entry[1] == "Value" else std
             if name and name not in where:

@@ -6,13 +6,12 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-import numpy as np
-
 from raybundle.errors import InputError
 from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, Variant, register
 from raybundle.io.formats.colmap import MODELS, NUMBERS, forward_of
-from raybundle.io.formats.reading import read_text, shown
 from raybundle.io.forward_camera import ForwardCamera
+from raybundle.io.reading.files import read_text
+from raybundle.io.reading.words import numbers_of, quoted
 
 WRITTEN = ("PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPENCV", "FULL_OPENCV", "OPENCV_FISHEYE")
 LEAST_WORDS = 5
@@ -41,17 +40,15 @@ def _camera(path: Path, line: int, words: Sequence[str]) -> Calibration:
         )
     id_, model, *rest = words
     if model not in NUMBERS:
-        raise InputError(f"camera model {shown(model)} is not read; known: {', '.join(NUMBERS)}", file=path, line=line)
-    try:
-        width, height, *values = (float(w) for w in rest)
-    except ValueError:
-        raise InputError(f"{shown(' '.join(rest))} is not a row of numbers", file=path, line=line) from None
+        raise InputError(f"camera model {quoted(model)} is not read; known: {', '.join(NUMBERS)}", file=path, line=line)
+    given = numbers_of(rest)
+    if given is None:
+        raise InputError(f"{quoted(' '.join(rest))} is not a row of finite numbers", file=path, line=line)
+    width, height, *values = given.tolist()
     terms = MODELS[NUMBERS[model]][1]
-    if len(values) != len(terms) or not np.isfinite(values).all():
-        raise InputError(
-            f"{len(values)} parameters, {model} has {len(terms)} finite ones: {' '.join(terms)}", file=path, line=line
-        )
-    if not all(s == int(s) and 0 < s <= 10_000_000 for s in (width, height) if np.isfinite(s)) or values[0] <= 0:
+    if len(values) != len(terms):
+        raise InputError(f"{len(values)} parameters, {model} has {len(terms)}: {' '.join(terms)}", file=path, line=line)
+    if not all(s == int(s) and 0 < s <= 10_000_000 for s in (width, height)) or values[0] <= 0:
         raise InputError(
             f"a format of {width:g} x {height:g} px, or a principal distance of {values[0]:g} px, cannot be",
             file=path,

@@ -9,8 +9,9 @@ from pathlib import Path
 from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, Variant, register
 from raybundle.io.calibrations.opencv import HALF
 from raybundle.io.calibrations.yaml_text import read_yaml
-from raybundle.io.formats.reading import Json, shown
 from raybundle.io.forward_camera import ForwardCamera
+from raybundle.io.reading.trees import Json
+from raybundle.io.reading.words import quoted
 
 MODELS = {"radtan": ("k1", "k2", "p1", "p2"), "equidistant": ("k1", "k2", "k3", "k4"), "none": ()}
 _CAM = re.compile(r"cam\d+")
@@ -29,11 +30,11 @@ def _camera(id_: str, value: Json) -> Calibration:
     model = value.get("camera_model").text()
     if model != "pinhole":
         value.get("camera_model").fail(
-            f"camera model {shown(model)} is not read; known: pinhole. Calibrate with pinhole-radtan or pinhole-equi"
+            f"camera model {quoted(model)} is not read; known: pinhole. Calibrate with pinhole-radtan or pinhole-equi"
         )
     name = value.get("distortion_model").text()
     if name not in MODELS:
-        value.get("distortion_model").fail(f"distortion {shown(name)} is not read; known: {', '.join(MODELS)}")
+        value.get("distortion_model").fail(f"distortion {quoted(name)} is not read; known: {', '.join(MODELS)}")
     fx, fy, cx, cy = value.get("intrinsics").numbers(4).tolist()
     if fx <= 0 or fy <= 0:
         value.get("intrinsics").fail(f"principal distance {fx:g}, {fy:g} px; it must be positive")

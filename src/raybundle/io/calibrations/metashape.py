@@ -10,8 +10,9 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, Variant, register
-from raybundle.io.formats.reading import Element, read_xml, shown
 from raybundle.io.forward_camera import ForwardCamera, Projection
+from raybundle.io.reading.words import quoted
+from raybundle.io.reading.xml import Element, read_xml
 
 PROJECTIONS: dict[str, Projection] = {"frame": "central", "fisheye": "equidistant"}
 RADIAL = ("k1", "k2", "k3", "k4")
@@ -24,7 +25,7 @@ def read(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibration, ...]
     root = read_xml(path, "calibration")
     kind = root.get("projection").content.strip()
     if kind not in PROJECTIONS:
-        root.get("projection").fail(f"projection {shown(kind)} is not read; known: {', '.join(PROJECTIONS)}")
+        root.get("projection").fail(f"projection {quoted(kind)} is not read; known: {', '.join(PROJECTIONS)}")
     for term in ("p3", "p4"):
         if root.number(term, 0.0):
             root.fail(f"{term} is not known here; calibrate without p3 and p4")

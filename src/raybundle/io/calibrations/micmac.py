@@ -13,8 +13,9 @@ from dataclasses import replace
 from pathlib import Path
 
 from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, Variant, register
-from raybundle.io.formats.reading import Element, read_xml, shown
 from raybundle.io.forward_camera import ForwardCamera
+from raybundle.io.reading.words import quoted
+from raybundle.io.reading.xml import Element, read_xml
 from raybundle.numerics.arrays import Array
 
 RADIAL = ("k1", "k2", "k3", "k4", "k5")
@@ -27,7 +28,7 @@ def read(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibration, ...]
     root = read_xml(path, "ExportAPERO").get("CalibrationInternConique")
     convention = root.get("KnownConv").content.strip()
     if convention != CONVENTION:
-        root.get("KnownConv").fail(f"convention {shown(convention)} is not read; known: {CONVENTION}")
+        root.get("KnownConv").fail(f"convention {quoted(convention)} is not read; known: {CONVENTION}")
     if root.find("OrIntGlob") is not None:
         root.get("OrIntGlob").fail("an affine frame of the sensor (OrIntGlob) is not read")
     width, height = (int(v) for v in root.get("SzIm").numbers(2))

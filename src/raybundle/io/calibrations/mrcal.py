@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ast
 import re
 from collections.abc import Sequence
 from pathlib import Path
@@ -11,8 +10,10 @@ from typing import Any, cast
 from raybundle.errors import InputError
 from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, Variant, register
 from raybundle.io.calibrations.opencv import HALF, ORDER
-from raybundle.io.formats.reading import Json, read_text, shown
 from raybundle.io.forward_camera import ForwardCamera
+from raybundle.io.reading.files import read_text
+from raybundle.io.reading.trees import Json, python_of
+from raybundle.io.reading.words import quoted
 
 CENTRAL = ("fx", "fy", "cx", "cy")
 MODELS = {"LENSMODEL_PINHOLE": CENTRAL} | {f"LENSMODEL_OPENCV{n}": (*CENTRAL, *ORDER[:n]) for n in (4, 5, 8, 12)}
@@ -25,7 +26,7 @@ def read(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibration, ...]
     model = top.get("lensmodel").text()
     if model not in MODELS:
         top.get("lensmodel").fail(
-            f"lens model {shown(model)} is not read; known: {', '.join(MODELS)}. mrcal-convert-lensmodel makes one"
+            f"lens model {quoted(model)} is not read; known: {', '.join(MODELS)}. mrcal-convert-lensmodel makes one"
         )
     terms = MODELS[model]
     values = dict(zip(terms, top.get("intrinsics").numbers(len(terms)).tolist(), strict=True))
@@ -48,16 +49,7 @@ def read(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibration, ...]
 
 def _literal(path: Path) -> Json:
     """The dictionary in the file, as JSON values; literals alone are evaluated."""
-    try:
-        value: Any = ast.literal_eval(read_text(path).strip())
-    except SyntaxError as error:
-        raise InputError(
-            "this is no .cameramodel: a dictionary of literals is needed; is the file complete?",
-            file=path,
-            line=error.lineno,
-        ) from None
-    except (ValueError, TypeError, MemoryError, RecursionError):
-        raise InputError("this is no .cameramodel: a dictionary of literals is needed", file=path) from None
+    value = python_of(read_text(path).strip(), path)
     if not isinstance(value, dict):
         raise InputError("this is no .cameramodel: a dictionary is needed", file=path)
     members = cast("dict[Any, Any]", value)

@@ -11,7 +11,9 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 from raybundle.errors import InputError
-from raybundle.io.formats.reading import Json, read_text
+from raybundle.io.reading.files import read_text
+from raybundle.io.reading.trees import Json
+from raybundle.io.reading.words import number_of, whole_of
 
 DEEPEST = 20
 _ENTRY = re.compile(r"""("[^"]*"|'[^']*'|[^\s'"\[\]{},#:][^\[\]{}#:]*?)\s*:(?:\s+|$)(.*)""")
@@ -176,7 +178,7 @@ def _plain(text: str) -> Any:
         return None
     if text.lower() in {"true", "false"}:
         return text.lower() == "true"
-    try:
-        return int(text) if re.fullmatch(r"[-+]?\d{1,18}", text) else float(text)
-    except ValueError:
-        return text
+    found: int | float | None = whole_of(text)
+    if found is None:
+        found = number_of(text)
+    return text if found is None else found

@@ -25,7 +25,8 @@ from raybundle.io.block_toml import read_cameras
 from raybundle.io.calibrations.ours import cameras_text
 from raybundle.io.control_files import DEFAULTS
 from raybundle.io.formats.base import Export, Import, Scene, Tracks, block_of
-from raybundle.io.formats.reading import read_text, shown
+from raybundle.io.reading.files import read_lines
+from raybundle.io.reading.words import number_of, quoted
 from raybundle.io.tables import Column, Table, read_table, write_table
 from raybundle.numerics.arrays import Array
 
@@ -61,24 +62,21 @@ class Line:
             self.fail(f"{len(self.words)} words, {first + len(columns)} are needed: ... {' '.join(columns)}")
         found: list[float] = []
         for word, column in zip(self.words[first:], columns, strict=False):
-            try:
-                value = float(word) if word.isascii() and "_" not in word else math.nan
-            except ValueError:
-                value = math.nan
-            if not math.isfinite(value):
-                self.fail(f"{shown(word)} is not a finite number", column)
+            value = number_of(word)
+            if value is None:
+                self.fail(f"{quoted(word)} is not a finite number", column)
             found.append(value)
         return found
 
 
 def lines(path: Path) -> Iterator[Line]:
     """The lines of a file that are not empty."""
-    for number, text in enumerate(read_text(path).split("\n"), 1):
+    for at, text in read_lines(path):
         words = tuple(text.split())
         if words:
             if not text.replace("\t", " ").strip().isprintable():
-                raise InputError("the line holds characters that cannot be printed", file=path, line=number)
-            yield Line(path, number, words)
+                raise InputError("the line holds characters that cannot be printed", file=path, line=at)
+            yield Line(path, at, words)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -230,7 +228,7 @@ def _own_points(path: Path) -> tuple[dict[str, str], Table | None]:
     table = read_table(path, (*columns, *sigmas))
     for k, role in enumerate(table.text["role"]):
         if role not in ROLES:
-            message = f"{shown(role)} is not one of {', '.join(ROLES)}"
+            message = f"{quoted(role)} is not one of {', '.join(ROLES)}"
             raise InputError(message, file=path, line=k + 2, column="role")
     return dict(zip(table.text["number"], table.text["point"], strict=True)), table
 
@@ -240,7 +238,7 @@ def _image_names(contents: Contents, own: Mapping[str, tuple[str, ...]]) -> list
     seen: set[str] = set()
     for name, p in zip(names, contents.photographs, strict=True):
         if name in seen:
-            p.line.fail(f"photograph {shown(p.name)} stands twice")
+            p.line.fail(f"photograph {quoted(p.name)} stands twice")
         seen.add(name)
     return names
 
@@ -258,7 +256,7 @@ def _cameras(
             return cameras, [0] * len(wanted)
         for w, p in zip(wanted, contents.photographs, strict=True):
             if w not in position:
-                p.line.fail(f"camera {shown(w)} stands nowhere in {CAMERAS}; add [cameras.{w}] there")
+                p.line.fail(f"camera {quoted(w)} stands nowhere in {CAMERAS}; add [cameras.{w}] there")
         return cameras, [position[w] for w in wanted]
     made: dict[str, Camera] = {}
     for p in contents.photographs:
@@ -275,7 +273,7 @@ def _cameras(
 def _nominal(first: Photograph, photographs: Sequence[Photograph]) -> Camera:
     if first.c_mm is None:
         first.line.fail(
-            f"nothing tells the camera constant of camera {shown(first.camera)}; put a {CAMERAS} with "
+            f"nothing tells the camera constant of camera {quoted(first.camera)}; put a {CAMERAS} with "
             f"[cameras.{first.camera}] into the folder"
         )
     largest = np.max([np.abs(p.xy_mm).max(axis=0) for p in photographs if len(p.xy_mm)] or [[1.0, 1.0]], axis=0)

@@ -16,6 +16,7 @@ from raybundle.errors import InputError
 from raybundle.io.conversions import LIMIT_PX, CameraFit, interiors, parameter_vector
 from raybundle.io.coordinate_systems import LocalFrame
 from raybundle.io.folders import new_folder
+from raybundle.io.reading.files import guarded
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.sensors import ProjectionDiverged, sensor_models
 
@@ -122,7 +123,8 @@ def read_format(name: str, path: str | Path) -> Import:
         raise InputError(f"format {name} is only written, not read; readable: {readable}", file=path)
     if not path.exists():
         raise InputError("there is no such file or folder; check the path", file=path)
-    return format_.read(path)
+    with guarded(path):
+        return format_.read(path)
 
 
 def write_format(name: str, export: Export, path: str | Path, *, approximate: bool = False) -> Written:

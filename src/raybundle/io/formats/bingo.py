@@ -39,7 +39,7 @@ from raybundle.io.formats.aerial_text import (
     write_own,
 )
 from raybundle.io.formats.base import Draft, Export, Format, Import, Scene, register, scene
-from raybundle.io.formats.reading import shown
+from raybundle.io.reading.words import quoted
 from raybundle.numerics.attitude import GON, pok_from_rotation, rotation_from_opk, rotation_from_pok
 
 IMAGE, ITERA, GEOIN = "image.dat", "itera.dat", "geoin.dat"
@@ -185,7 +185,7 @@ def _read_itera(path: Path) -> tuple[dict[str, Orientation], Known]:
             line.fail("the name is missing", "name")
         name = line.words[1]
         if name in (found if kind == "ORIA" else xyz):
-            line.fail(f"{shown(name)} stands twice; delete one")
+            line.fail(f"{quoted(name)} stands twice; delete one")
         if kind == "COOR":
             X, Y, Z = line.values(2, XYZ)
             xyz[name] = (X, Y, Z)
@@ -214,7 +214,7 @@ def _read_geoin(path: Path) -> tuple[Known, Known, Known]:
             line.fail("the name is missing", "name")
         name, axes = line.words[1], AXES[kind]
         if name in control or name in check:
-            line.fail(f"point {shown(name)} stands twice; delete one")
+            line.fail(f"point {quoted(name)} stands twice; delete one")
         place = _spread(axes, line.values(2, axes))
         if kind == "CHCK":
             check[name] = place

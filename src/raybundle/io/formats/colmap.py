@@ -32,8 +32,10 @@ from raybundle.io.formats.base import (
     register,
     scene,
 )  # fmt: skip
-from raybundle.io.formats.reading import Binary, read_text, shown
 from raybundle.io.forward_camera import ForwardCamera
+from raybundle.io.reading.binary import Binary
+from raybundle.io.reading.files import read_text
+from raybundle.io.reading.words import number_of, numbers_of, quoted, whole_of
 from raybundle.numerics.arrays import Array, Index
 
 MODELS: dict[int, tuple[str, tuple[str, ...]]] = {
@@ -331,9 +333,9 @@ def _add_image(
     model: _Model, path: Path, line: int | None, camera: int, name: str, pose: Sequence[float],
 ) -> None:  # fmt: skip
     if camera not in model.cameras:
-        raise InputError(f"image {shown(name)} refers to camera {camera}, which is not there", file=path, line=line)
+        raise InputError(f"image {quoted(name)} refers to camera {camera}, which is not there", file=path, line=line)
     if not 1e-6 < sum(v * v for v in pose[:4]) < 1e6:
-        raise InputError(f"image {shown(name)}: its quaternion has no direction", file=path, line=line)
+        raise InputError(f"image {quoted(name)}: its quaternion has no direction", file=path, line=line)
     model.names.append(name)
     model.camera.append(camera)
     model.quaternion.append(pose[:4])
@@ -344,7 +346,7 @@ def _check_names(model: _Model, path: Path) -> None:
     seen: set[str] = set()
     for name in model.names:
         if name in seen or name != name.strip():
-            raise InputError(f"image name {shown(name)} stands twice, or has blanks at its ends", file=path)
+            raise InputError(f"image name {quoted(name)} stands twice, or has blanks at its ends", file=path)
         seen.add(name)
 
 
@@ -401,22 +403,19 @@ def _lines(path: Path) -> Iterator[tuple[int, str]]:
 
 
 def _floats(path: Path, line: int, words: Sequence[str], what: str) -> list[float]:
-    try:
-        values = [float(w) for w in words]
-    except ValueError:
-        raise InputError(f"{what}: {shown(' '.join(words))} is not a row of numbers", file=path, line=line) from None
-    if not np.isfinite(values).all():
-        raise InputError(f"{what}: a number is not finite", file=path, line=line)
-    return values
+    values = numbers_of(words)
+    if values is None:
+        bad = next(w for w in words if number_of(w) is None)
+        raise InputError(f"{what}: {quoted(bad)} is not a finite number", file=path, line=line)
+    return values.tolist()
 
 
 def _whole(path: Path, line: int, word: str, what: str) -> int:
-    try:
-        value = int(word)
-    except ValueError:
-        raise InputError(f"{what}: {shown(word)} is not a whole number", file=path, line=line) from None
+    value = whole_of(word)
+    if value is None:
+        raise InputError(f"{what}: {quoted(word)} is not a whole number", file=path, line=line)
     if not -(1 << 62) < value < 1 << 62:
-        raise InputError(f"{what}: {shown(word)} is too large", file=path, line=line)
+        raise InputError(f"{what}: {quoted(word)} is too large", file=path, line=line)
     return value
 
 
@@ -430,7 +429,7 @@ def _read_cameras_text(path: Path, model: _Model) -> None:
         number, name = _whole(path, line, words[0], "camera"), words[1]
         place = f"camera {number}"
         if name not in NUMBERS:
-            raise _unknown_model(path, place, line, shown(name))
+            raise _unknown_model(path, place, line, quoted(name))
         width, height = (_whole(path, line, w, place) for w in words[2:4])
         values = _floats(path, line, words[4:], place)
         if len(values) != len(MODELS[NUMBERS[name]][1]):

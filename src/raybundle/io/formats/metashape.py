@@ -29,8 +29,9 @@ from raybundle.io.formats.base import (
     register,
     scene,
 )
-from raybundle.io.formats.reading import Element, read_xml, shown
 from raybundle.io.forward_camera import ForwardCamera
+from raybundle.io.reading.words import quoted
+from raybundle.io.reading.xml import Element, read_xml
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.rotation import nearest_rotation
 
@@ -152,7 +153,7 @@ def _read_sensor(sensor: Element, path: Path, remarks: list[str], deviations: li
         return None
     kind = calibration.attributes.get("type", sensor.attributes.get("type", "frame"))
     if kind not in {"frame", "fisheye"}:
-        calibration.fail(f"sensor type {shown(kind)} is not read; known: frame, fisheye")
+        calibration.fail(f"sensor type {quoted(kind)} is not read; known: frame, fisheye")
     for term in ("p3", "p4"):
         if calibration.number(term, 0.0):
             calibration.fail(f"{term} is not known here; calibrate without p3 and p4")
@@ -189,13 +190,7 @@ def _pixel(sensor: Element) -> float | None:
 
 
 def _float(element: Element, name: str) -> float:
-    try:
-        value = float(element.attribute(name))
-    except ValueError:
-        value = float("nan")
-    if not np.isfinite(value):
-        element.fail(f"attribute {name} = {shown(element.attribute(name))} is not a finite number")
-    return value
+    return element.value(name)
 
 
 def _whole(element: Element, name: str) -> int:
@@ -238,7 +233,7 @@ def _read_images(chunk: Element, cameras: dict[str, Camera], remarks: list[str])
             continue
         label = element.attribute("label")
         if not label.isprintable() or not label or label != label.strip() or label in ids:
-            element.fail(f"label {shown(label)} is empty, stands twice or cannot be printed")
+            element.fail(f"label {quoted(label)} is empty, stands twice or cannot be printed")
         numbers[element.attribute("id")] = len(ids)
         ids.append(label)
         index.append(order[sensor])
@@ -272,7 +267,7 @@ def _read_markers(chunk: Element, numbers: dict[str, int]) -> Tracks:
     for marker in markers.all("marker") if markers else ():
         label = marker.attribute("label")
         if not label.isprintable() or not label or label != label.strip() or label in labels:
-            marker.fail(f"label {shown(label)} is empty, stands twice or cannot be printed")
+            marker.fail(f"label {quoted(label)} is empty, stands twice or cannot be printed")
         ids[marker.attribute("id")] = len(labels)
         labels.append(label)
     measured = chunk.find("frames", "frame", "markers")

@@ -28,8 +28,9 @@ from raybundle.io.formats.base import (
     scene,
 )  # fmt: skip
 from raybundle.io.formats.ply import write_vertices
-from raybundle.io.formats.reading import Json, read_json, shown
 from raybundle.io.forward_camera import ForwardCamera
+from raybundle.io.reading.trees import Json, read_json
+from raybundle.io.reading.words import quoted
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.rotation import nearest_rotation
 
@@ -104,7 +105,10 @@ def read(path: Path) -> Import:
             forward.append(camera)
         index.append(forward.index(camera))
         names.append(frame.get("file_path").text().removeprefix("./").removeprefix(FOLDER))
-        matrices[k] = np.array([row.numbers(4) for row in frame.get("transform_matrix").items()[:4]])
+        rows = frame.get("transform_matrix").items()
+        if len(rows) not in {3, 4}:
+            frame.get("transform_matrix").fail(f"{len(rows)} rows; a matrix of 4 is needed")
+        matrices[k, : len(rows)] = np.array([row.numbers(4) for row in rows])
         _check_rotation(frame.get("transform_matrix"), matrices[k, :3, :3])
     if len(set(names)) < len(names):
         top.get("frames").fail("a file_path stands twice")
@@ -145,7 +149,7 @@ def _camera_in(top: Json, frame: Json) -> ForwardCamera:
 
     model = top.get("camera_model").text() if top.has("camera_model") else "OPENCV"
     if model not in {"OPENCV", "PINHOLE", "SIMPLE_PINHOLE", "OPENCV_FISHEYE"}:
-        top.get("camera_model").fail(f"{shown(model)} is not read; known: OPENCV, PINHOLE, OPENCV_FISHEYE")
+        top.get("camera_model").fail(f"{quoted(model)} is not read; known: OPENCV, PINHOLE, OPENCV_FISHEYE")
     width, height = (place(k).get(k).whole() for k in ("w", "h"))
     fx = place("fl_x").get("fl_x").number()
     fy = place("fl_y").optional("fl_y", fx)

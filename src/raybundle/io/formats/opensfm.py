@@ -33,8 +33,10 @@ from raybundle.io.formats.base import (
     register,
     scene,
 )  # fmt: skip
-from raybundle.io.formats.reading import Json, read_json, read_text, shown
 from raybundle.io.forward_camera import ForwardCamera
+from raybundle.io.reading.files import read_text
+from raybundle.io.reading.trees import Json, read_json
+from raybundle.io.reading.words import number_of, quoted
 from raybundle.numerics.rotation import rotation_from_vector, vector_from_rotation
 
 BROWN = ("fx", "fy", "cx", "cy", "k1", "k2", "k3", "p1", "p2")
@@ -156,7 +158,7 @@ def read(path: Path) -> Import:
 def _camera_in(value: Json) -> ForwardCamera:
     kind = value.get("projection_type").text()
     if kind not in TERMS:
-        value.get("projection_type").fail(f"{shown(kind)} is not read; known: {', '.join(TERMS)}")
+        value.get("projection_type").fail(f"{quoted(kind)} is not read; known: {', '.join(TERMS)}")
     width, height = value.get("width").whole(), value.get("height").whole()
     side = max(width, height)
     one = "focal" if value.has("focal") else None
@@ -184,9 +186,9 @@ def _images_in(top: Json, cameras: Mapping[str, int]) -> Images:
     for k, (name, shot) in enumerate(shots.items()):
         camera = shot.get("camera").text()
         if camera not in cameras:
-            shot.get("camera").fail(f"camera {shown(camera)} stands nowhere in cameras")
+            shot.get("camera").fail(f"camera {quoted(camera)} stands nowhere in cameras")
         if not name.isprintable() or not name or name != name.strip():
-            shot.fail(f"{shown(name)} is no name that can be printed")
+            shot.fail(f"{quoted(name)} is no name that can be printed")
         index.append(cameras[camera])
         vectors[k], t[k] = shot.get("rotation").numbers(3), shot.get("translation").numbers(3)
     if np.abs(vectors).max() > 1e6:
@@ -232,7 +234,7 @@ def _read_tracks(path: Path, images: Images, forward: list[ForwardCamera], ids: 
         words = text.split("\t")
         if line == 1 and text.startswith("OPENSFM_TRACKS_VERSION"):
             if text.strip() not in {TRACKS, "OPENSFM_TRACKS_VERSION_v1"}:
-                raise InputError(f"{shown(text)} is not a version that is read", file=path, line=1)
+                raise InputError(f"{quoted(text)} is not a version that is read", file=path, line=1)
             continue
         if not text.strip():
             continue
@@ -241,13 +243,10 @@ def _read_tracks(path: Path, images: Images, forward: list[ForwardCamera], ids: 
         image, point = image_of.get(words[0]), point_of.get(words[1])
         if image is None or point is None:
             continue
-        try:
-            x, y = float(words[3]), float(words[4])
-        except ValueError:
-            message = f"{shown(words[3])}, {shown(words[4])} are not two numbers"
-            raise InputError(message, file=path, line=line, column="x") from None
-        if not (np.isfinite(x) and np.isfinite(y)):
-            raise InputError("x or y is not finite", file=path, line=line, column="x")
+        x, y = number_of(words[3].strip()), number_of(words[4].strip())
+        if x is None or y is None:
+            message = f"{quoted(words[3])}, {quoted(words[4])} are not two finite numbers"
+            raise InputError(message, file=path, line=line, column="x")
         camera = forward[int(images.camera[image])]
         side = max(camera.width_px, camera.height_px)
         rows.image.append(image)

@@ -32,8 +32,10 @@ from raybundle.io.formats.base import (
     register,
     scene,
 )
-from raybundle.io.formats.reading import Json, read_bytes, read_json, shown
 from raybundle.io.forward_camera import ForwardCamera
+from raybundle.io.reading.files import read_bytes
+from raybundle.io.reading.trees import Json, read_json
+from raybundle.io.reading.words import quoted
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.rotation import angles_from_rotation, rotation_from_angles
 
@@ -267,7 +269,7 @@ def _frame_remark(frame: Json) -> list[str]:
     shift = frame.get("base_to_canonical").get("shift").numbers(3)
     if not shift.any():
         return []
-    system = shown(frame.get("crs").get("definition").value)
+    system = quoted(frame.get("crs").get("definition").value)
     place = ", ".join(f"{v:.3f}" for v in shift.tolist())
     return [f"coordinates stand in the project's processing frame, shifted by {place} against {system}"]
 
@@ -294,7 +296,7 @@ def _inside(folder: Path, uri: Json) -> Path:
     name = unquote(uri.text())
     parts = PurePosixPath(name)
     if parts.is_absolute() or ".." in parts.parts or ":" in name or "\\" in name or "\0" in name:
-        uri.fail(f"{shown(name)} leads out of the project's folder; only relative paths within it are read")
+        uri.fail(f"{quoted(name)} leads out of the project's folder; only relative paths within it are read")
     return folder / parts
 
 
@@ -305,7 +307,7 @@ def _id(value: Json) -> int:
 def _name(uri: Json) -> str:
     name = unquote(uri.text().partition("#")[0])
     if not name or not name.isprintable():
-        uri.fail(f"{shown(name)} is no name that can be printed")
+        uri.fail(f"{quoted(name)} is no name that can be printed")
     return PurePosixPath(name).name if ":" in name or name.startswith("/") else name.removeprefix("./")
 
 
@@ -326,7 +328,7 @@ def _cameras_in(
         width, height, pixel = sizes[id_]
         internals = sensor.get("internals")
         if internals.get("type").text() != "perspective":
-            internals.get("type").fail(f"{shown(internals.get('type').value)} is not read; known: perspective")
+            internals.get("type").fail(f"{quoted(internals.get('type').value)} is not read; known: perspective")
         f = internals.get("focal_length_px").number()
         if f <= 0:
             internals.fail(f"a focal length of {f:g} px cannot be; it must be positive")

@@ -36,7 +36,7 @@ from raybundle.io.formats.aerial_text import (
     write_own,
 )
 from raybundle.io.formats.base import Draft, Export, Format, Import, Scene, register, scene
-from raybundle.io.formats.reading import shown
+from raybundle.io.reading.words import quoted
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.rotation import nearest_rotation
 
@@ -152,7 +152,7 @@ def _read_images(path: Path) -> Iterator[Photograph]:
             points.append(line.name)
             xy.append([x / 1000, y / 1000])
     if head is not None:
-        head.fail(f"photograph {shown(head.name)} is not closed by {END}; the file is not complete")
+        head.fail(f"photograph {quoted(head.name)} is not closed by {END}; the file is not complete")
 
 
 def _photograph(head: Line, points: list[str], xy: list[list[float]]) -> Photograph:
@@ -176,20 +176,20 @@ def _read_orientations(path: Path) -> dict[str, Orientation]:
         if head.name == END:
             continue
         if head.name in found:
-            head.fail(f"photograph {shown(head.name)} stands twice; delete one")
+            head.fail(f"photograph {quoted(head.name)} stands twice; delete one")
         # between the number and the coordinates some programs write a camera
         X0 = np.array(head.values(max(1, len(head.words) - 3), ("X", "Y", "Z")))
         elements: list[float] = []
         for names in (("a11", "a12", "a13", "a21", "a22"), ("a23", "a31", "a32", "a33")):
             line = next(rows, None)
             if line is None:
-                head.fail(f"the rotation of photograph {shown(head.name)} is missing; the file is not complete")
+                head.fail(f"the rotation of photograph {quoted(head.name)} is missing; the file is not complete")
             elements += line.values(0, names)
         D = np.array(elements).reshape(3, 3)
         with np.errstate(all="ignore"):
             good = np.abs(D @ D.T - np.eye(3)).max() < 1e-3 and np.linalg.det(D) > 0
         if not good:
-            head.fail(f"the nine elements of photograph {shown(head.name)} are no rotation")
+            head.fail(f"the nine elements of photograph {quoted(head.name)} are no rotation")
         D = nearest_rotation(D)
         found[head.name] = Orientation(centre=X0, rotations=(D.T, D))
     return found
@@ -202,7 +202,7 @@ def _read_points(path: Path) -> dict[str, tuple[float, float, float]]:
             continue
         X, Y, Z = line.values(1, ("X", "Y", "Z"))
         if line.name in found:
-            line.fail(f"point {shown(line.name)} stands twice; delete one")
+            line.fail(f"point {quoted(line.name)} stands twice; delete one")
         plan, height = (line.words[4] != "0", line.words[5] != "0") if len(line.words) > 5 else (True, True)
         nan = float("nan")
         found[line.name] = (X if plan else nan, Y if plan else nan, Z if height else nan)

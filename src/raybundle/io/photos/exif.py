@@ -6,9 +6,12 @@ whose directories point at each other ends.  EXIF 2.32 (CIPA DC-008-2019), TIFF 
 
 from __future__ import annotations
 
+import math
 import struct
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+
+from raybundle.io.reading.words import finite, number_of
 
 ENTRIES = 1000
 VALUE_BYTES = 1 << 20
@@ -41,8 +44,8 @@ class Tags:
                 value = directory.get(tag)
                 if isinstance(value, tuple) and value:
                     return value
-                if isinstance(value, str) and (number := _number(value)) is not None:
-                    return (number,)
+                if isinstance(value, str) and (found := number_of(value)) is not None:
+                    return (found,)
         return ()
 
     def positive(self, *tags: int, gps: bool = False) -> float | None:
@@ -137,8 +140,8 @@ class _Reader:
             return raw
         if kind in {5, 10}:
             pairs = struct.unpack(f"{self.order}{2 * number}{'I' if kind == 5 else 'i'}", raw)
-            return tuple(a / b if b else float("nan") for a, b in zip(pairs[::2], pairs[1::2], strict=True))
-        return tuple(float(v) for v in struct.unpack(f"{self.order}{number}{LETTERS[kind]}", raw))
+            return tuple(_bounded(a / b) if b else math.nan for a, b in zip(pairs[::2], pairs[1::2], strict=True))
+        return tuple(_bounded(v) for v in struct.unpack(f"{self.order}{number}{LETTERS[kind]}", raw))
 
 
 def _decoded(raw: bytes) -> str:
@@ -151,8 +154,7 @@ def _decoded(raw: bytes) -> str:
     return " ".join("".join(c if c.isprintable() else " " for c in text).split())
 
 
-def _number(text: str) -> float | None:
-    try:
-        return float(text)
-    except ValueError:
-        return None
+def _bounded(value: float) -> float:
+    """A number as it is; NaN where it is not finite, or too large to be one of a camera."""
+    found = finite(value)
+    return math.nan if found is None else found

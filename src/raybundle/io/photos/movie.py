@@ -14,7 +14,11 @@ from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import BinaryIO
 
+from raybundle.io.reading.words import number_of
+
 MOOV_BYTES = 1 << 26
+HIGHEST_M = 1e5
+"""No camera of a video is higher."""
 EPOCH = datetime(1904, 1, 1, tzinfo=UTC)
 USER_DATA = {b"\xa9mak": "make", b"\xa9mod": "model", b"\xa9swr": "software", b"\xa9xyz": "location"}
 APPLE = "com.apple.quicktime."
@@ -147,16 +151,17 @@ def _text(raw: bytes) -> str:
 
 
 def _positive(text: str) -> float | None:
-    try:
-        number = float(text)
-    except ValueError:
-        return None
-    return number if 0 < number < 1e4 else None
+    found = number_of(text)
+    return found if found is not None and 0 < found < 1e4 else None
 
 
 def _position(text: str) -> tuple[float, float, float | None] | None:
     """ISO 6709: +47.1234+008.5678+512.3/."""
-    found = re.match(r"([+-]\d{1,2}(?:\.\d+)?)([+-]\d{1,3}(?:\.\d+)?)([+-]\d+(?:\.\d+)?)?", text)
-    if not found or abs(float(found[1])) > 90 or abs(float(found[2])) > 180:
+    found = re.match(r"([+-]\d{1,2}(?:\.\d+)?)([+-]\d{1,3}(?:\.\d+)?)([+-]\d+(?:\.\d+)?)?", text, re.ASCII)
+    if not found:
         return None
-    return float(found[1]), float(found[2]), None if found[3] is None else float(found[3])
+    latitude, longitude = number_of(found[1]), number_of(found[2])
+    if latitude is None or longitude is None or abs(latitude) > 90 or abs(longitude) > 180:
+        return None
+    altitude = None if found[3] is None else number_of(found[3])
+    return latitude, longitude, altitude if altitude is not None and abs(altitude) < HIGHEST_M else None

@@ -10,7 +10,7 @@ from datetime import datetime, timedelta, timezone
 from raybundle.io.photos.exif import Tags, read_tags
 from raybundle.io.photos.metadata import Gps, Metadata
 from raybundle.io.photos.xmp import read_xmp
-from raybundle.io.tables import shown
+from raybundle.io.reading.words import finite, number_of, quoted, whole_of
 
 MM_PER_UNIT = {2: 25.4, 3: 10.0, 4: 1.0, 5: 0.001}
 """EXIF FocalPlaneResolutionUnit; inch where it is absent (4 and 5 are not in the standard but are written)."""
@@ -69,25 +69,24 @@ def read_metadata(exif: bytes | memoryview | None, xmp: bytes | None) -> tuple[M
 def _no_numbers(entries: Mapping[str, str]) -> list[str]:
     """What is told of entries of an aircraft's XMP that are to be numbers and are none."""
     bad = [k for k in NUMBERS if entries.get(k) and _number(entries, k) is None]
-    return [f"XMP {k}: {shown(entries[k])} is not a number; it is not used" for k in bad]
+    return [f"XMP {k}: {quoted(entries[k])} is not a number; it is not used" for k in bad]
 
 
 def _number(entries: Mapping[str, str], *keys: str) -> float | None:
     """The first entry that is a finite number, also one written as a fraction "585/100"."""
     for key in keys:
         head, _, below = entries.get(key, "").partition("/")
-        try:
-            number = float(head) / (float(below) if below else 1.0)
-        except (ValueError, ZeroDivisionError):
-            continue
-        if math.isfinite(number):
-            return number
+        above, under = number_of(head.strip()), number_of(below.strip() or "1")
+        if above is not None and under:
+            found = finite(above / under)
+            if found is not None:
+                return found
     return None
 
 
 def _positive(entries: Mapping[str, str], *keys: str) -> float | None:
-    number = _number(entries, *keys)
-    return number if number is not None and 0 < number < 1e9 else None
+    found = _number(entries, *keys)
+    return found if found is not None and 0 < found < 1e9 else None
 
 
 def _serial(tags: Tags, entries: Mapping[str, str]) -> str:
@@ -119,12 +118,14 @@ def _distance(tags: Tags) -> float | None:
 
 def _taken(tags: Tags) -> datetime | None:
     for date, fraction, zone in ((0x9003, 0x9291, 0x9011), (0x9004, 0x9292, 0x9012), (0x0132, 0x9290, 0x9010)):
-        found = re.fullmatch(r"(\d{4})[:-](\d\d)[:-](\d\d)[ T](\d\d):(\d\d):(\d\d)(?:\.\d+)?", tags.text(date))
+        found = re.fullmatch(
+            r"(\d{4})[:-](\d\d)[:-](\d\d)[ T](\d\d):(\d\d):(\d\d)(?:\.\d+)?", tags.text(date), re.ASCII
+        )
         if not found:
             continue
-        year, month, day, hour, minute, second = (int(g) for g in found.groups())
+        year, month, day, hour, minute, second = (whole_of(g) or 0 for g in found.groups())
         digits = tags.text(fraction)
-        micro = int(digits[:6].ljust(6, "0")) if digits.isascii() and digits.isdigit() else 0
+        micro = max(whole_of(digits[:6].ljust(6, "0")) or 0, 0)
         try:
             return datetime(year, month, day, hour, minute, second, micro, tzinfo=_zone(tags.text(zone)))
         except ValueError:
@@ -133,10 +134,13 @@ def _taken(tags: Tags) -> datetime | None:
 
 
 def _zone(text: str) -> timezone | None:
-    found = re.fullmatch(r"([+-])(\d\d):(\d\d)", text)
-    if not found or int(found[2]) > 14 or int(found[3]) > 59:
+    found = re.fullmatch(r"([+-])(\d\d):(\d\d)", text, re.ASCII)
+    if not found:
         return None
-    offset = timedelta(hours=int(found[2]), minutes=int(found[3]))
+    hours, minutes = whole_of(found[2]) or 0, whole_of(found[3]) or 0
+    if hours > 14 or minutes > 59:
+        return None
+    offset = timedelta(hours=hours, minutes=minutes)
     return timezone(-offset if found[1] == "-" else offset)
 
 

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 from raybundle.io.photos.metadata import Metadata
 from raybundle.io.photos.sensor_sizes import sensor_size
+from raybundle.io.reading.words import number_of, quoted
 
 DIAGONAL_35MM = math.hypot(36, 24)
 DEFAULT_SOURCE = "default: 1.2 times the longer side"
@@ -180,7 +181,7 @@ def _from_xmp(m: Metadata, taken: _Taken, density: float | None, remarks: list[s
     dewarp = m.xmp.get("drone-dji:DewarpData", "")
     values = dewarp.partition(";")[2].split(",")
     if dewarp and len(values) < DEWARP_VALUES:
-        remarks.append(f"XMP's DewarpData {_short(dewarp)} is no date and {DEWARP_VALUES} numbers; it is not taken")
+        remarks.append(f"XMP's DewarpData {quoted(dewarp)} is no date and {DEWARP_VALUES} numbers; it is not taken")
     candidates = [("DewarpData", values[0], 1.0)] if len(values) >= DEWARP_VALUES else []
     candidates.append(("CalibratedFocalLength", m.xmp.get("drone-dji:CalibratedFocalLength", ""), 1.0))
     if density is not None:
@@ -188,19 +189,15 @@ def _from_xmp(m: Metadata, taken: _Taken, density: float | None, remarks: list[s
     for name, text, px in candidates:
         if not text:
             continue
-        try:
-            c = float(text) * px
-        except ValueError:
-            remarks.append(f"XMP's {name} begins with {_short(text)}, which is no number; it is not taken")
+        value = number_of(text.strip())
+        if value is None:
+            remarks.append(f"XMP's {name} begins with {quoted(text)}, which is no number; it is not taken")
             continue
+        c = value * px
         if 0.2 * taken.long < c < 50 * taken.long:
             return c / taken.ratio
-        remarks.append(f"XMP's {name} of {_short(text)} is no camera constant of this image; it is not taken")
+        remarks.append(f"XMP's {name} of {quoted(text)} is no camera constant of this image; it is not taken")
     return None
-
-
-def _short(text: str) -> str:
-    return repr(text if len(text) <= 40 else text[:37] + "...")
 
 
 def _focus(m: Metadata, remarks: list[str]) -> float:

@@ -12,11 +12,11 @@ from collections import OrderedDict
 from dataclasses import dataclass, field
 from pathlib import Path
 from threading import Lock
-from typing import BinaryIO
 
 import numpy as np
 
 from raybundle.errors import InputError
+from raybundle.io.reading.binary import tiff_values
 from raybundle.numerics.arrays import Array
 
 LETTERS = {1: ("B", 1), 2: ("B", 1), 3: ("H", 2), 4: ("I", 4), 7: ("B", 1), 11: ("f", 4), 12: ("d", 8), 13: ("I", 4),
@@ -46,31 +46,22 @@ def tiff_tags(path: Path) -> tuple[str, dict[int, tuple[float, ...]]]:
             raise InputError("this is no TIFF file", file=path)
         big = struct.unpack(order + "H", head[2:4])[0] == 43
         pointer, entry = ("Q", 20) if big else ("I", 12)
-        at = int(_take(path, file, order + pointer, 8 if big else 4)[0])
-        count = int(_take(path, file, order + ("Q" if big else "H"), at)[0])
+        at = int(tiff_values(path, file, order + pointer, 8 if big else 4)[0])
+        count = int(tiff_values(path, file, order + ("Q" if big else "H"), at)[0])
         if count > MOST_TAGS:
             raise InputError(f"{count} tags in the TIFF's directory; the file is damaged", file=path)
         start = at + (8 if big else 2)
         found: dict[int, tuple[float, ...]] = {}
         for k in range(count):
-            tag, kind, number = _take(path, file, order + "HH" + pointer, start + k * entry)
+            tag, kind, number = tiff_values(path, file, order + "HH" + pointer, start + k * entry)
             if int(kind) not in LETTERS or number > MOST_VALUES:
                 continue
             letter, size = LETTERS[int(kind)]
             inline = start + k * entry + (12 if big else 8)
             room = 8 if big else 4
-            place = inline if size * number <= room else int(_take(path, file, order + pointer, inline)[0])
-            found[int(tag)] = _take(path, file, f"{order}{int(number)}{letter}", place)
+            place = inline if size * number <= room else int(tiff_values(path, file, order + pointer, inline)[0])
+            found[int(tag)] = tiff_values(path, file, f"{order}{int(number)}{letter}", place)
     return order, found
-
-
-def _take(path: Path, file: BinaryIO, layout: str, at: int) -> tuple[float, ...]:
-    size = struct.calcsize(layout)
-    file.seek(at)
-    data = file.read(size)
-    if len(data) < size:
-        raise InputError(f"the TIFF ends before byte {at + size}; copy it again", file=path)
-    return struct.unpack(layout, data)
 
 
 @dataclass(slots=True)

@@ -9,7 +9,8 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.io.formats.reading import Element
+from raybundle.io.reading.files import guarded
+from raybundle.io.reading.xml import Element
 from raybundle.numerics.arrays import Array
 from raybundle.scenes.linescan import LineScene
 from raybundle.scenes.rpc import Rpc
@@ -85,7 +86,8 @@ def read_scene(path: str | Path) -> Scene:
 def _placed(path: Path, format_: SceneFormat) -> Scene:
     """Read, and give errors of the numeric layer the name of the file."""
     try:
-        scene = format_.read(path)
+        with guarded(path):
+            scene = format_.read(path)
     except InputError as error:
         if error.file is not None:
             raise

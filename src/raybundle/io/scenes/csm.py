@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.io.formats.reading import Json, read_json
+from raybundle.io.reading.trees import Json, read_json
 from raybundle.io.scenes import rpc_json
 from raybundle.io.scenes.base import Scene, SceneFormat, register
 from raybundle.io.scenes.csm_distortion import undistorted

@@ -18,7 +18,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from raybundle.io.formats.reading import Json
+from raybundle.io.reading.trees import Json
 from raybundle.numerics.arrays import Array
 
 STEPS = 30

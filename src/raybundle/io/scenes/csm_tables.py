@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from raybundle.io.formats.reading import Json
+from raybundle.io.reading.trees import Json
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.geodesy import Ellipsoid
 from raybundle.scenes.trajectory import GAP, Trajectory, rotation_from_quaternion

@@ -9,7 +9,8 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.io.formats.reading import Element, read_bytes, read_xml
+from raybundle.io.reading.files import read_bytes
+from raybundle.io.reading.xml import Element, read_xml
 from raybundle.io.scenes.base import HEAD_BYTES, Scene, SceneFormat, check_denominators, element_text, register
 from raybundle.io.scenes.dimap_orbit import line_scene
 from raybundle.numerics.arrays import Array

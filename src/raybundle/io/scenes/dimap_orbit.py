@@ -17,7 +17,7 @@ from datetime import datetime
 
 import numpy as np
 
-from raybundle.io.formats.reading import Element
+from raybundle.io.reading.xml import Element
 from raybundle.io.scenes.base import element_text, numbers_of
 from raybundle.numerics.arrays import Array
 from raybundle.scenes.linescan import LineScene

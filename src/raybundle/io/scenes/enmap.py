@@ -11,7 +11,8 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.io.formats.reading import Element, read_xml
+from raybundle.io.reading.words import whole_of
+from raybundle.io.reading.xml import Element, read_xml
 from raybundle.io.scenes.base import Scene, SceneFormat, check_denominators, element_text, register
 from raybundle.scenes.rpc import Rpc, rpc_of
 
@@ -41,8 +42,7 @@ def read(path: Path) -> Scene:
 
 
 def _whole(root: Element, name: str) -> int | None:
-    text = element_text(root, "specific", name)
-    return int(text) if text.isdigit() else None
+    return whole_of(element_text(root, "specific", name))
 
 
 def _others(rpc: Rpc, bands: list[Element]) -> str:

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.io.formats.reading import Element, read_xml
+from raybundle.io.reading.xml import Element, read_xml
 from raybundle.io.scenes.base import Scene, SceneFormat, check_denominators, element_text, numbers_of, register
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.geodesy import WGS84

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.io.formats.reading import Json, read_json
+from raybundle.io.reading.trees import Json, read_json
 from raybundle.io.scenes.base import Scene, SceneFormat, check_denominators, register
 from raybundle.scenes.rpc import rpc_of
 

@@ -11,7 +11,8 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.io.formats.reading import read_bytes, shown
+from raybundle.io.reading.files import read_bytes
+from raybundle.io.reading.words import fortran_of, quoted, whole_of
 from raybundle.io.scenes.base import Scene, SceneFormat, check_denominators, register
 from raybundle.numerics.arrays import Array
 from raybundle.scenes.rpc import Rpc, rpc_of
@@ -43,7 +44,7 @@ UNITS = {
 _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eEdD][-+]?\d+)?"
 _PAIR = re.compile(rf"^\s*([A-Za-z]\w*)\s*[:=]\s*({_NUMBER})\s*([A-Za-z]*)\s*;?\s*$")
 _LIST = re.compile(r"([A-Za-z]\w*)\s*=\s*\(([^()]*)\)", re.DOTALL)
-_INDEXED = re.compile(r"^([a-z]+?)(\d+)$")
+_INDEXED = re.compile(r"^([a-z]+?)([0-9]{1,3})$")
 
 
 def read(path: Path) -> Scene:
@@ -96,7 +97,7 @@ def _collected(path: Path, text: str) -> tuple[dict[str, float], dict[str, dict[
             _check_unit(path, key, match[3], number)
             scalars[key] = value
         elif indexed and (name := _polynomial(indexed[1])) is not None:
-            polynomials.setdefault(name, {})[int(indexed[2]) - first] = value
+            polynomials.setdefault(name, {})[(whole_of(indexed[2]) or 0) - first] = value
     return scalars, polynomials
 
 
@@ -106,12 +107,9 @@ def _polynomial(name: str) -> str | None:
 
 
 def _number(path: Path, word: str, line: int, key: str) -> float:
-    try:
-        value = float(word.replace("D", "E").replace("d", "e"))
-    except ValueError:
-        raise InputError(f"{shown(word)} is not a number", file=path, line=line, column=key) from None
-    if not np.isfinite(value):
-        raise InputError(f"{shown(word)} is not a finite number", file=path, line=line, column=key)
+    value = fortran_of(word)
+    if value is None:
+        raise InputError(f"{quoted(word)} is not a finite number", file=path, line=line, column=key)
     return value
 
 
@@ -119,7 +117,7 @@ def _check_unreadable(path: Path, row: str, line: int, spelling: dict[str, str])
     key, separator, value = row.replace("=", ":", 1).partition(":")
     plain = key.strip().replace("_", "").lower()
     if separator and plain in spelling:
-        raise InputError(f"{shown(value.strip())} is not a number", file=path, line=line, column=key.strip())
+        raise InputError(f"{quoted(value.strip())} is not a number", file=path, line=line, column=key.strip())
 
 
 def _check_unit(path: Path, key: str, unit: str, line: int) -> None:

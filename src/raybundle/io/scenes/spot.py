@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.io.formats.reading import Element, read_xml
+from raybundle.io.reading.xml import Element, read_xml
 from raybundle.io.scenes.base import Scene, SceneFormat, element_text, register
 from raybundle.numerics.arrays import Array
 from raybundle.scenes.linescan import LineScene

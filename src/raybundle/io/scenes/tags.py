@@ -14,6 +14,8 @@ from typing import BinaryIO
 import numpy as np
 
 from raybundle.errors import InputError
+from raybundle.io.reading.binary import tiff_values
+from raybundle.io.reading.words import number_of, numbers_of, quoted, whole_of
 from raybundle.io.scenes.base import Scene, SceneFormat, check_denominators, register
 from raybundle.io.scenes.maxar import RPC00A_IN_B
 from raybundle.numerics.arrays import Array
@@ -103,12 +105,7 @@ class _Tiff:
         return found
 
     def _take(self, layout: str, at: int) -> tuple[float, ...]:
-        size = struct.calcsize(self.order + layout)
-        self.file.seek(at)
-        data = self.file.read(size)
-        if len(data) < size:
-            raise InputError(f"the TIFF ends before byte {at + size}; the file is not complete", file=self.path)
-        return struct.unpack(self.order + layout, data)
+        return tiff_values(self.path, self.file, self.order + layout, at)
 
 
 def read_nitf(path: Path) -> Scene:
@@ -137,10 +134,10 @@ def _nitf_scene(path: Path, name: str, subheader: bytes, data: bytes) -> Scene:
         raise InputError(f"{name} is cut off, or says itself that it failed (SUCCESS {text[:1]!r})", file=path)
     ends = np.cumsum((1, *NITF_FIELDS, *([12] * 80)))
     words = [text[a:b] for a, b in pairwise(ends.tolist())]
-    try:
-        values = np.array([float(w) for w in words])
-    except ValueError as error:
-        raise InputError(f"{name}: {error}; the file is damaged", file=path) from None
+    values = numbers_of(w.strip() for w in words)
+    if values is None:
+        bad = next(w for w in words if number_of(w.strip()) is None)
+        raise InputError(f"{name}: {quoted(bad)} is not a finite number; the file is damaged", file=path)
     coefficients, remarks = values[12:].reshape(4, 20), ()
     if name == "RPC00A":
         ordered = np.zeros((4, 20))
@@ -159,9 +156,10 @@ def _nitf_scene(path: Path, name: str, subheader: bytes, data: bytes) -> Scene:
 
 def _digits(path: Path, data: bytes, at: int, count: int, key: str) -> int:
     word = data[at : at + count]
-    if len(word) < count or not word.isdigit():
+    value = whole_of(word.decode("latin-1")) if len(word) == count else None
+    if value is None or value < 0:
         raise InputError(f"NITF field {key} is {word!r}, not {count} digits; the file is damaged", file=path)
-    return int(word)
+    return value
 
 
 def _is_tiff(path: Path, head: bytes) -> bool:

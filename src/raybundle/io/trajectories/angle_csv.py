@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
 
 from raybundle.errors import InputError
+from raybundle.io.reading.rows import BadRow, cells_of
 from raybundle.io.tables import Column, Table, read_table, write_table
 from raybundle.io.trajectories.base import WGS84_HEIGHT, Trajectory
 from raybundle.numerics.arrays import Array
@@ -23,7 +23,10 @@ CONVENTIONS = {"omega": "opk", "roll": "rpy-ned", "gimbal_yaw": "gimbal"}
 
 def header(head: str) -> list[str]:
     """The names of the columns in the first line of a file."""
-    return next(csv.reader([head.split("\n", 1)[0].strip("\r\n\ufeff")]), [])
+    try:
+        return next(cells_of([head.split("\n", 1)[0].strip("\r\n\ufeff")]), [])
+    except BadRow:
+        return []
 
 
 def has_angles(head: str, angles: Sequence[str]) -> bool:

@@ -12,6 +12,8 @@ import numpy as np
 from raybundle.block import Stations
 from raybundle.errors import InputError
 from raybundle.io.coordinate_systems import LocalFrame, local_frame
+from raybundle.io.reading.files import guarded
+from raybundle.io.reading.words import whole_of
 from raybundle.numerics.arrays import Array, Index
 
 WGS84_HEIGHT = "EPSG:4979"
@@ -93,7 +95,8 @@ def read_trajectory(path: str | Path, *, name: str | None = None) -> Trajectory:
     """
     path = Path(path)
     if name is not None:
-        return _named(name).read(path)
+        with guarded(path):
+            return _named(name).read(path)
     try:
         with path.open("rb") as file:
             head = file.read(4096).decode("utf-8-sig", errors="replace")
@@ -101,7 +104,8 @@ def read_trajectory(path: str | Path, *, name: str | None = None) -> Trajectory:
         raise InputError(f"cannot be read: {error.strerror}; check the path and the permissions", file=path) from None
     for format_ in trajectory_formats.values():
         if format_.recognises(head, path.suffix.lower()):
-            return format_.read(path)
+            with guarded(path):
+                return format_.read(path)
     known = "; ".join(f"{f.name}: {f.title}" for f in trajectory_formats.values())
     raise InputError(f"its format is not recognised; known are {known}", file=path, line=1)
 
@@ -151,7 +155,8 @@ def matched(trajectory: Trajectory, files: Sequence[str]) -> Index:
 
 def _number(file: str) -> int:
     found = NUMBER.findall(PurePosixPath(file.replace("\\", "/")).stem)
-    return int(found[-1]) if found else -1
+    number = whole_of(found[-1]) if found else None
+    return -1 if number is None else number
 
 
 def _stem(name: str) -> str:

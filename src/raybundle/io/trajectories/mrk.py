@@ -20,14 +20,15 @@ from typing import NoReturn
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.io.formats.reading import read_text, shown
+from raybundle.io.reading.files import read_text
+from raybundle.io.reading.words import number_of, quoted
 from raybundle.io.trajectories.base import WEEK_S, WGS84_HEIGHT, Trajectory, TrajectoryFormat, register
 from raybundle.numerics.arrays import Array
 
-NUMBER = r"[-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d+)?"
+NUMBER = r"[-+]?[0-9]+(?:\.[0-9]*)?(?:[eE][-+]?[0-9]+)?"
 LETTERS = ("N", "E", "V", "Lat", "Lon", "Ellh", "Q")
 TAGGED = re.compile(rf"({NUMBER})\s*,\s*({'|'.join(LETTERS)})(?![A-Za-z])")
-HEAD = re.compile(rf"^\s*(\d{{1,9}})\s+({NUMBER})\s+\[\s*(\d{{1,5}})\s*\]")
+HEAD = re.compile(rf"^\s*([0-9]{{1,9}})\s+({NUMBER})\s+\[\s*([0-9]{{1,5}})\s*\]")
 SIGMAS = re.compile(rf"Ellh[\s,]+({NUMBER})[\s,]+({NUMBER})[\s,]+({NUMBER})(?!\s*,\s*Q)[\s,]")
 LARGEST_SIGMA_M = 1e6
 LIMITS = {"Lat": 90.0, "Lon": 180.0, "Ellh": 20_000.0, "N": 1e5, "E": 1e5, "V": 1e5}
@@ -39,17 +40,17 @@ def read(path: Path) -> Trajectory:
     raises  InputError with line and column for a line that cannot be read; also where the file holds no line
     What it does not tell: attitudes, and to which photographs the numbers belong.
     """
-    numbers: list[str] = []
+    numbers: dict[str, int] = {}
     rows: list[list[float]] = []
     fix: list[str] = []
     at: list[int] = []
     for line, text in enumerate(read_text(path).split("\n"), 1):
         if not text.strip():
             continue
-        number, values, state = _line(path, line, text)
-        if number in numbers:
-            raise InputError(f"number {number} stands twice", file=path, line=line, column="1")
-        numbers.append(number)
+        name, values, state = _line(path, line, text)
+        if name in numbers:
+            raise InputError(f"number {name} stands twice", file=path, line=line, column="1")
+        numbers[name] = line
         rows.append(values)
         fix.append(state)
         at.append(line)
@@ -88,18 +89,24 @@ def _line(path: Path, line: int, text: str) -> tuple[str, list[float], str]:
     def fail(message: str, column: str) -> NoReturn:
         raise InputError(message, file=path, line=line, column=column)
 
+    def value_of(word: str, column: str) -> float:
+        value = number_of(word)
+        if value is None:
+            fail(f"{quoted(word)} is not a finite number", column)
+        return value
+
     head = HEAD.match(text)
     if head is None:
-        fail(f"a line begins with number, second and [week]: {shown(text.strip())}", "1 to 3")
+        fail(f"a line begins with number, second and [week]: {quoted(text.strip())}", "1 to 3")
     found: dict[str, float] = {}
     for value, letter in TAGGED.findall(text):
         if letter in found:
             fail(f"{letter} stands twice", letter)
-        found[letter] = float(value)
+        found[letter] = value_of(value, letter)
     for letter in LETTERS:
         if letter not in found:
             fail(
-                f"the number marked {letter} is missing; the line is not complete: {shown(text.strip()[-40:])}", letter
+                f"the number marked {letter} is missing; the line is not complete: {quoted(text.strip()[-40:])}", letter
             )
     for letter, limit in LIMITS.items():
         if abs(found[letter]) > limit:
@@ -107,14 +114,14 @@ def _line(path: Path, line: int, text: str) -> tuple[str, list[float], str]:
     sigmas = SIGMAS.search(text)
     if sigmas is None:
         fail("three standard deviations (north, east, up) are needed after the height", "standard deviations")
-    north, east, up = (float(v) for v in sigmas.groups())
+    north, east, up = (value_of(v, "standard deviations") for v in sigmas.groups())
     if min(north, east, up) < 0 or max(north, east, up) > LARGEST_SIGMA_M:
         fail(f"{north:g}, {east:g}, {up:g} are no standard deviations in metres", "standard deviations")
-    second = float(head[2])
+    second = value_of(head[2], "2")
     if not 0 <= second < WEEK_S + 1:
         fail(f"{second:g} is no second of a week", "2")
     values = [
-        int(head[3]) * WEEK_S + second,
+        value_of(head[3], "3") * WEEK_S + second,
         found["E"] / 1000,
         found["N"] / 1000,
         -found["V"] / 1000,

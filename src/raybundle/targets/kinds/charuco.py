@@ -15,6 +15,7 @@ import cv2
 import numpy as np
 
 from raybundle.errors import InputError
+from raybundle.io.reading.words import number_of, whole_of
 from raybundle.numerics.arrays import Array
 from raybundle.targets.detect import eight_bits
 from raybundle.targets.kinds.tags import dictionary
@@ -147,7 +148,8 @@ def _make(name: str) -> Target | None:
             f"{name!r}: a ChArUco board is named by its squares and its tags, as charuco-8x6-5x5_100; "
             "with -0.8 after it where tags do not take 0.75 of a square"
         )
-    columns, rows, ratio = int(match[1]), int(match[2]), float(match[4] or RATIO)
+    columns, rows = (whole_of(match[k]) or 0 for k in (1, 2))
+    ratio = RATIO if match[4] is None else number_of(match[4]) or 0.0
     if min(columns, rows) < 3 or not 0.3 <= ratio <= 0.95:
         raise InputError(f"{name!r}: a ChArUco board needs at least 3 x 3 squares, and tags of 0.3 to 0.95 of a square")
     capacity = len(dictionary(_dictionary(match[3])).bytesList)

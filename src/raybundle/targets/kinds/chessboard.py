@@ -13,6 +13,7 @@ import cv2
 import numpy as np
 
 from raybundle.errors import InputError
+from raybundle.io.reading.words import whole_of
 from raybundle.numerics.arrays import Array
 from raybundle.targets.detect import eight_bits
 from raybundle.targets.marks import (
@@ -230,7 +231,7 @@ def _make(name: str) -> Target | None:
     match = NAME.fullmatch(name)
     if match is None:
         raise InputError(f"{name!r}: a chessboard is named by its inner corners, as chessboard-9x6")
-    columns, rows = int(match[1]), int(match[2])
+    columns, rows = (whole_of(match[k]) or 0 for k in (1, 2))
     if min(columns, rows) < 3 or max(columns, rows) > MOST:
         raise InputError(f"{name!r}: a chessboard needs at least 3 x 3 inner corners")
     return Chessboard(columns=columns, rows=rows)

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from raybundle.errors import InputError
+from raybundle.io.reading.words import whole_of
 from raybundle.numerics.arrays import Array, Index
 from raybundle.targets.detect import DetectionOptions, Detections, detect_targets
 from raybundle.targets.lattice import lattices
@@ -123,7 +124,7 @@ def _make(name: str) -> Target | None:
     match = NAME.fullmatch(name)
     if match is None:
         raise InputError(f"{name!r}: a raster of dots is named by their numbers, as circles-7x5 or acircles-4x11")
-    columns, rows = int(match[2]), int(match[3])
+    columns, rows = (whole_of(match[k]) or 0 for k in (2, 3))
     if min(columns, rows) < 3 or max(columns, rows) > 200:
         raise InputError(f"{name!r}: a raster needs at least 3 x 3 dots")
     return Circles(columns=columns, rows=rows, staggered=bool(match[1]))

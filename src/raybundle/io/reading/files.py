@@ -1,0 +1,85 @@
+"""Bytes, text and lines of a file, bounded before anything is allocated."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Generator, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import numpy as np
+
+from raybundle.errors import InputError
+
+TEXT_BYTES = 1 << 30
+"""Largest text file that is read at once."""
+UNSIZED_BYTES = 1 << 20
+"""What is read of a device or a pipe, which say nothing of their size."""
+_CONTROL = re.compile(r"[\x00-\x08\x0b\x0e-\x1f\x7f]")
+
+
+@contextmanager
+def guarded(path: Path) -> Generator[None]:
+    """Give what the numbers of a damaged file can do to a computation, or the system to a file, the file's name."""
+    try:
+        yield
+    except OSError as error:
+        message = f"cannot be read: {error.strerror or error}; check the path and the permissions"
+        raise InputError(message, file=path) from None
+    except (MemoryError, RecursionError):
+        message = "asks for more memory than there is; the file is damaged, or not what it says"
+        raise InputError(message, file=path) from None
+    except (ArithmeticError, np.linalg.LinAlgError):
+        message = "holds numbers with which nothing can be computed; the file is damaged"
+        raise InputError(message, file=path) from None
+
+
+def read_bytes(path: Path, limit: int = TEXT_BYTES) -> bytes:
+    """The bytes of a file; raises InputError where it cannot be read or is larger than the limit."""
+    try:
+        size = path.stat().st_size
+        if size > limit:
+            raise InputError(f"{size} bytes, more than the {limit} that are read; is it the right file?", file=path)
+        with path.open("rb") as file:
+            data = file.read(min(limit, size or UNSIZED_BYTES) + 1)
+    except OSError as error:
+        raise InputError(f"cannot be read: {error.strerror}; check the path and the permissions", file=path) from None
+    except ValueError:  # a zero byte in the name
+        raise InputError("is no name that a file can have; check the path", file=path) from None
+    if len(data) > (size or min(limit, UNSIZED_BYTES)):
+        raise InputError("is no file, or was written to while it was read; give a file that is complete", file=path)
+    return data
+
+
+def read_text(path: Path, limit: int = TEXT_BYTES) -> str:
+    """The text of a UTF-8 file, without a byte order mark, line ends as newlines.
+
+    raises  InputError with the line of a byte that is not UTF-8, or of a control character
+    """
+    data = read_bytes(path, limit)
+    text = decoded(path, data).removeprefix("\ufeff").replace("\r\n", "\n")
+    if found := _CONTROL.search(text):
+        line = text.count("\n", 0, found.start()) + 1
+        raise InputError(
+            f"control character 0x{ord(found[0]):02x}: this is not text; is the file damaged?", file=path, line=line
+        )
+    return text
+
+
+def decoded(path: Path, data: bytes, first_line: int = 1) -> str:
+    """Bytes as UTF-8; raises InputError with the line, counted from `first_line`, of a byte that is not."""
+    try:
+        return data.decode("utf-8")
+    except UnicodeDecodeError as error:
+        line = first_line + data.count(b"\n", 0, error.start)
+        hint = "UTF-16, it seems; " if data[:2] in {b"\xff\xfe", b"\xfe\xff"} else ""
+        raise InputError(
+            f"byte 0x{data[error.start]:02x} is not UTF-8; {hint}save the file with the encoding UTF-8",
+            file=path,
+            line=line,
+        ) from None
+
+
+def read_lines(path: Path, limit: int = TEXT_BYTES) -> Iterator[tuple[int, str]]:
+    """The lines of a text file with their numbers."""
+    return enumerate(read_text(path, limit).replace("\r", "\n").split("\n"), 1)

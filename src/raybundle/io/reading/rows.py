@@ -1,0 +1,31 @@
+"""The cells of CSV lines."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Iterator, Sequence
+
+
+class BadRow(Exception):
+    """A line that is no row of a table, with its number counted from 0."""
+
+    def __init__(self, position: int, message: str) -> None:
+        super().__init__(message)
+        self.position = position
+
+
+def cells_of(lines: Sequence[str]) -> Iterator[list[str]]:
+    """The cells of each line; raises BadRow where one cannot be read, also where a quoted cell goes over its end."""
+    reader = csv.reader(lines, strict=True)
+    position = 0
+    while True:
+        try:
+            row = next(reader)
+        except StopIteration:
+            return
+        except csv.Error as error:
+            raise BadRow(position, f"{error}; is a quote left open, or is this not a table?") from None
+        if reader.line_num != position + 1:
+            raise BadRow(position, "a cell goes over the end of its line; is a quote left open?")
+        yield row
+        position += 1

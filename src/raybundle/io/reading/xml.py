@@ -1,0 +1,129 @@
+"""XML without document types and entities of its own, bounded in depth."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import NoReturn
+from xml.parsers import expat
+
+from raybundle.errors import InputError
+from raybundle.io.reading.files import read_bytes
+from raybundle.io.reading.trees import DEEPEST
+from raybundle.io.reading.words import number_of, numbers_of, quoted
+from raybundle.numerics.arrays import Array
+
+
+@dataclass(slots=True)
+class Element:
+    """An XML element; unlike the rest it is filled while it is read."""
+
+    file: Path
+    line: int
+    name: str
+    attributes: Mapping[str, str]
+    children: list[Element] = field(default_factory=list["Element"])
+    content: str = ""
+
+    def fail(self, message: str) -> NoReturn:
+        """Raise at this element."""
+        raise InputError(message, file=self.file, line=self.line, column=self.name)
+
+    def all(self, name: str) -> Iterator[Element]:
+        """Children of this name."""
+        return (c for c in self.children if c.name == name)
+
+    def find(self, *names: str) -> Element | None:
+        """The first element down this way of names."""
+        found: Element | None = self
+        for name in names:
+            found = next(found.all(name), None) if found is not None else None
+        return found
+
+    def get(self, *names: str) -> Element:
+        """The same; raises InputError where there is none."""
+        found = self.find(*names)
+        if found is None:
+            self.fail(f"element {'/'.join(names)} is missing")
+        return found
+
+    def attribute(self, name: str) -> str:
+        """An attribute; raises InputError where there is none."""
+        if name not in self.attributes:
+            self.fail(f"attribute {name!r} is missing")
+        return self.attributes[name]
+
+    def value(self, name: str) -> float:
+        """The finite number in an attribute."""
+        found = number_of(self.attribute(name))
+        if found is None:
+            self.fail(f"attribute {name} = {quoted(self.attribute(name))} is not a finite number")
+        return found
+
+    def numbers(self, count: int) -> Array:
+        """(count,) finite numbers, the content."""
+        words = self.content.split()
+        values = numbers_of(words)
+        if values is None:
+            bad = next(w for w in words if number_of(w) is None)
+            self.fail(f"{quoted(bad)} is not a finite number")
+        if len(values) != count:
+            self.fail(f"{len(values)} numbers, {count} are needed")
+        return values
+
+    def number(self, name: str, default: float | None = None) -> float:
+        """The number in a child, or the default where there is none."""
+        child = self.find(name)
+        if child is None and default is not None:
+            return default
+        return float(self.get(name).numbers(1)[0])
+
+
+def read_xml(path: Path, root: str) -> Element:
+    """The root element; document types and entities of their own are refused, and so is deep nesting.
+
+    raises  InputError with the line
+    """
+    data = read_bytes(path)
+    parser = expat.ParserCreate()
+    stack: list[Element] = []
+    parts: list[list[str]] = []
+    top: list[Element] = []
+
+    def begin(name: str, attributes: dict[str, str]) -> None:
+        element = Element(path, parser.CurrentLineNumber, name, attributes)
+        if len(stack) >= DEEPEST:
+            element.fail(f"nested more than {DEEPEST} deep")
+        (stack[-1].children if stack else top).append(element)
+        stack.append(element)
+        parts.append([])
+
+    def end(_: str) -> None:
+        stack.pop().content = "".join(parts.pop())
+
+    def characters(text: str) -> None:
+        if stack:
+            parts[-1].append(text)
+
+    def doctype(*_: object) -> None:
+        raise InputError(
+            "a document type (DOCTYPE) is not read, for safety; take it out", file=path, line=parser.CurrentLineNumber
+        )
+
+    parser.buffer_text = True
+    parser.StartElementHandler, parser.EndElementHandler = begin, end
+    parser.CharacterDataHandler, parser.StartDoctypeDeclHandler = characters, doctype
+    try:
+        parser.Parse(data, True)
+    except expat.ExpatError as error:
+        cut = "; the file is cut off: get it again" if error.lineno >= data.count(b"\n") else ""
+        message = f"this is not XML: {expat.ErrorString(error.code)}{cut}"
+        raise InputError(message, file=path, line=error.lineno) from None
+    except (ValueError, LookupError) as error:
+        raise InputError(f"this is not XML that can be read: {error}", file=path, line=1) from None
+    if not top or top[0].name != root:
+        raise InputError(
+            f"the root element is {quoted(top[0].name) if top else 'missing'}, not {root}", file=path, line=1
+        )
+    return top[0]
