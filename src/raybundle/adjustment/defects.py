@@ -367,6 +367,8 @@ def parallel_rays(system: System, state: State) -> tuple[Mask, Mask]:
 
 def without_base(system: System, state: State, share: float = NO_BASE) -> bool:
     """Whether so many points have parallel rays that images have no base between them."""
+    if any(c.is_scene for c in system.block.cameras):  # their rays have no common centre
+        return False
     parallel, tied = parallel_rays(system, state)
     return bool(tied.any() and parallel.sum() > share * tied.sum())
 

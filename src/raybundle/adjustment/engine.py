@@ -14,11 +14,12 @@ import numpy as np
 
 from raybundle.adjustment import defects
 from raybundle.adjustment.assemble import State, System, assemble
+from raybundle.adjustment.components import Found, settled_components, variance_components
 from raybundle.adjustment.datum import Datum, analyse, fit_to_given, hold_minimal, open_names
 from raybundle.adjustment.interior import interior_results
 from raybundle.adjustment.network import network_figures
 from raybundle.adjustment.normals import Normals
-from raybundle.adjustment.notices import notices_of
+from raybundle.adjustment.notices import notices_of, with_group_notices
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.precision import (
     Cofactors,
@@ -32,7 +33,6 @@ from raybundle.adjustment.reliability import (
     image_statistics,
     observation_groups,
     redundancy_sum,
-    variance_components,
 )
 from raybundle.adjustment.result import Adjustment, Notice, Precision
 from raybundle.adjustment.solve import CAUTIOUS, FLOOR, HUBER, solve
@@ -87,7 +87,8 @@ def adjust_block(
     reasons = rejected or ("",) * len(block.observations)
     try:
         work, found = carry_out(block, options, free, reasons, progress, start=start)
-        return result_of(work, block, options, found, notices, time.perf_counter() - began, progress, extent)
+        result = result_of(work, block, options, found, notices, time.perf_counter() - began, progress, extent)
+        return _with_settled_components(result, block, options, free, found)
     except TooFewObservations:
         raise
     except (RankDefect, NoConvergence) as error:
@@ -100,7 +101,32 @@ def adjust_block(
             raise  # fewer observations than unknowns: what is said would be what was added
     seconds = time.perf_counter() - began
     result = result_of(work, steady.block, options, found, notices, seconds, progress, extent, steady.added)
-    return without_priors(result, block, steady.added)
+    return without_priors(_with_settled_components(result, steady.block, options, free, found), block, steady.added)
+
+
+def _with_settled_components(
+    result: Adjustment, block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]],
+    reasons: tuple[str, ...],
+) -> Adjustment:  # fmt: skip
+    """The result with variance components that are iterated where one step is not enough."""
+
+    def adjusted(weighted: Block) -> Found:
+        near = as_start(weighted, result.adjusted)
+        cameras = tuple(replace(w, values=n.values) for w, n in zip(weighted.cameras, near.cameras, strict=True))
+        points = replace(weighted.points, xyz=near.points.xyz)
+        start = replace(weighted, cameras=cameras, images=near.images, points=points)
+        brief = replace(options, tolerance=max(options.tolerance, 1e-3), robust_start=False)
+        work, now = carry_out(start, brief, free, reasons, start="adjusted")
+        state = work.solution.state
+        whitened, _ = work.normals.residuals(state)
+        statistics = image_statistics(work.system, whitened, work.found, 1.0, now)
+        return work.system, whitened, statistics, observation_groups(work.normals, state, work.found, 1.0)
+
+    components = settled_components(block, result.variance_components, adjusted)
+    if components is result.variance_components:
+        return result
+    result = replace(result, variance_components=components)
+    return replace(result, notices=with_group_notices(result))
 
 
 UNENDING = 0.05
@@ -310,7 +336,7 @@ def result_of(
         interior=interior,
         variance_components=()
         if found is None or brief
-        else variance_components(system, whitened, observations, groups, sigma0),
+        else variance_components((system, whitened, observations, groups)),
         network=None if brief or not options.statistics else network_figures(system, state, std, work.parts, unit_mm),
         not_determinable=tuple(
             f"{p.symbol} ({_name(r.camera, r.image)})"

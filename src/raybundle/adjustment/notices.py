@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 
-from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.adjustment.components import NAMES
+from raybundle.adjustment.result import Adjustment, Notice, VarianceComponent
 from raybundle.block import Role
 from raybundle.numerics.arrays import Array
 
 STRONG = 0.95
 LOW_REDUNDANCY = 0.1
+FEW = 5.0
+"""Redundancy of a group below which single values are suspects rather than all of them."""
 
 
 def notices_of(result: Adjustment, redundancy_sum: float | None) -> tuple[Notice, ...]:
@@ -183,18 +186,44 @@ def _points(result: Adjustment) -> list[Notice]:
 
 
 def _control(result: Adjustment) -> list[Notice]:
-    """Suspects among control, distances and stations, with the family-wise critical value."""
+    """Suspects among control, distances and stations, with the family-wise critical value.
+
+    Where a whole group is less precise than stated, one notice says so; single values are suspects beside the others
+    of their group.
+    """
     found: list[Notice] = []
     limit = result.critical_w
     scale = max(result.sigma0, 1.0) if np.isfinite(result.sigma0) else 1.0
+    wrong = {c.kind: c for c in result.variance_components if c.significant and c.kind in NAMES.values()}
     for g in result.groups:
+        component = wrong.get(NAMES[g.kind])
+        own = scale
+        if component is not None and component.ratio > scale and component.redundancy > FEW:
+            own = component.ratio
+            found.append(_group_notice(component, result.sigma0))
         found += [
             Notice(
                 code=f"{g.kind}_suspect",
                 message=f"{g.kind} {g.ids[k]}, {g.component[k]}: adjusted minus given {g.residual[k]:.4g} at a sigma "
-                f"of {g.sigma[k]:.3g}, |w| {abs(g.w[k]):.1f} against {limit * scale:.1f}. Check this value.",
+                f"of {g.sigma[k]:.3g}, |w| {abs(g.w[k]):.1f} against {limit * own:.1f}. Check this value.",
                 ids=(g.ids[k],),
             )
-            for k in np.flatnonzero(np.abs(np.nan_to_num(g.w)) > limit * scale)
+            for k in np.flatnonzero(np.abs(np.nan_to_num(g.w)) > limit * own)
         ]
     return found
+
+
+def _group_notice(component: VarianceComponent, sigma0: float) -> Notice:
+    return Notice(
+        code="group_less_precise",
+        message=f"{component.kind}: less precise than stated by a factor of {component.ratio:.3g} (all together "
+        f"{sigma0:.3g}; {component.count} values, redundancy {component.redundancy:.1f}). Give them that much larger a "
+        "sigma, or look for what they have in common, as a wrong datum.",
+        ids=(component.kind,),
+    )
+
+
+def with_group_notices(result: Adjustment) -> tuple[Notice, ...]:
+    """The notices of a result whose variance components have changed since."""
+    codes = {f"{kind}_suspect" for kind in NAMES} | {"group_less_precise"}
+    return (*(n for n in result.notices if n.code not in codes), *_control(result))

@@ -7,9 +7,9 @@ import numpy as np
 from raybundle.adjustment.assemble import State, System
 from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.precision import Cofactors
-from raybundle.adjustment.result import ObservationGroup, ObservationStatistics, VarianceComponent
-from raybundle.numerics.arrays import Array, Mask
-from raybundle.numerics.statistics import DELTA0, chi_square_tails
+from raybundle.adjustment.result import ObservationGroup, ObservationStatistics
+from raybundle.numerics.arrays import Array
+from raybundle.numerics.statistics import DELTA0
 
 UNCONTROLLED = 1e-9
 """Redundancy numbers below this leave an observation without a test."""
@@ -21,7 +21,9 @@ def image_statistics(
     """Residuals, redundancy numbers, w, t and smallest detectable blunders of the image observations.
 
     whitened  (m, 2) residuals of the used rows, whitened, image frame
-    Correlated image coordinates: w = (P v) / sqrt(P Qvv P), which is v / (s sqrt r) where they are not.
+    Correlated image coordinates: w = (P v) / sqrt(P Qvv P), which is v / (s sqrt r) where they are not.  Their
+    redundancy numbers, the diagonal of Qvv P, may then lie outside 0 .. 1 (their sum over the point's two coordinates
+    does not): the test is decided by P Qvv P alone.
     """
     count = len(system.block.observations)
     W = np.zeros((len(whitened), 2, 2))
@@ -47,8 +49,10 @@ def image_statistics(
     redundancy = np.diagonal(L @ R @ W, axis1=1, axis2=2).copy()
     test = np.diagonal(np.swapaxes(W, 1, 2) @ R @ W, axis1=1, axis2=2)
     weighted = np.einsum("nji,nj->ni", W, whitened)
-    # of an observation that nearly stands alone rounding leaves a negative number
-    controlled = (redundancy > UNCONTROLLED) & (test > 0)
+    # the variance of P v over P is what the test rests on; where x and y are correlated a redundancy number may be
+    # negative although both coordinates are controlled
+    weight = np.diagonal(np.swapaxes(W, 1, 2) @ W, axis1=1, axis2=2)
+    controlled = test > UNCONTROLLED * weight
     safe = np.sqrt(np.where(controlled, test, 1.0))
     w = np.where(controlled, weighted / safe, np.nan) * np.sign(system.pixel_mm)
     mdb_mm = np.where(controlled, DELTA0 / safe, np.nan)
@@ -161,58 +165,3 @@ def _extra_hat(normals: Normals, found: Cofactors, entries: object) -> Array:
 def redundancy_sum(statistics: ObservationStatistics, groups: tuple[ObservationGroup, ...]) -> float:
     """Sum of all redundancy numbers; equals the redundancy."""
     return float(np.nansum(statistics.redundancy)) + sum(float(np.nansum(g.redundancy)) for g in groups)
-
-
-def variance_components(
-    system: System, whitened: Array, statistics: ObservationStatistics, groups: tuple[ObservationGroup, ...],
-    sigma0: float,
-) -> tuple[VarianceComponent, ...]:  # fmt: skip
-    """Sigma a posteriori / a priori of groups of observations (Förstner 1979): sqrt(v'Pv / sum r)."""
-    block = system.block
-    squares = np.sum(whitened**2, axis=1)
-    redundancy = np.nansum(statistics.redundancy[system.rows], axis=1)
-    image = block.observations.image[system.rows]
-    camera = block.images.camera[image]
-    role = block.points.role[block.observations.point[system.rows]]
-    result: list[VarianceComponent] = []
-
-    def add(kind: str, group: str, count: int, square: float, r: float) -> None:
-        result.append(_component(kind, group, count, square, r, sigma0))
-
-    def add_rows(kind: str, group: str, mask: Mask) -> None:
-        if mask.any():
-            add(kind, group, 2 * int(mask.sum()), float(squares[mask].sum()), float(redundancy[mask].sum()))
-
-    add_rows("image observations", "all", np.ones(len(image), bool))
-    for c, cam in enumerate(block.cameras):
-        if len(block.cameras) > 1:
-            add_rows("camera", cam.id, camera == c)
-    for i in np.flatnonzero(system.images_used):
-        add_rows("image", block.images.ids[i], image == i)
-    for code, name in ((0, "tie points"), (1, "control points"), (2, "check points")):
-        if (role != 0).any():
-            add_rows("point class", name, role == code)
-    for g in groups:
-        weighted = g.sigma > 0
-        if not weighted.any():
-            continue
-        square = float(np.sum((g.residual[weighted] / g.sigma[weighted]) ** 2))
-        name = {
-            "control": "control", "distance": "distances", "station": "stations", "attitude": "attitudes",
-            "relation": "relations",
-        }.get(g.kind, "parameters")  # fmt: skip
-        add(name, "all", int(weighted.sum()), square, float(np.nansum(g.redundancy[weighted])))
-    return tuple(result)
-
-
-def _component(kind: str, group: str, count: int, square: float, r: float, sigma0: float) -> VarianceComponent:
-    if r < 0.01:
-        return VarianceComponent(
-            kind=kind, group=group, count=count, redundancy=r, ratio=float("nan"), significant=False
-        )
-    ratio = float(np.sqrt(square / r))
-    value = square / sigma0**2 if sigma0 > 0 else 0.0
-    tail = min(chi_square_tails(value, r))
-    return VarianceComponent(
-        kind=kind, group=group, count=count, redundancy=r, ratio=ratio, significant=2 * tail < 0.01
-    )

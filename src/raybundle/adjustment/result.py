@@ -159,7 +159,7 @@ class VarianceComponent:
     ratio: float
     """sigma a posteriori / sigma a priori; NaN where the group has no redundancy."""
     significant: bool
-    """Whether the ratio differs from sigma0 (chi-square, 1 %, two-sided)."""
+    """Whether the ratio differs from that of all other observations together (F test, 1 %, two-sided)."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -257,10 +257,10 @@ def _components(view: View) -> list[Part]:
         (
             [v.kind for v in found], [v.group for v in found], [grouped(v.count) for v in found],
             cells([v.redundancy for v in found], 1), cells([v.ratio for v in found], 3),
-            ["differs from σ₀ (1 %)" if v.significant else "" for v in found],
+            ["differs from the others (1 %)" if v.significant else "" for v in found],
         ),
-        note="A group whose ratio differs from σ₀ is weighted too high (ratio above) or too low (below): change its "
-        "a-priori sigma. Förstner 1979."
+        note="A group that is marked differs from all others together (F test): it is weighted too high (ratio above "
+        "theirs) or too low (below); change its a-priori sigma. Förstner 1979."
         + (f" {counted(strange, 'image')} differ on their own, see the images under “Residuals”." if strange else ""),
     )  # fmt: skip
     return [Heading(text="Variance components"), body]

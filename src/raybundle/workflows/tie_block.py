@@ -10,6 +10,7 @@ import numpy as np
 
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block, Camera, Images, Observations, Points
+from raybundle.block.points import automatic_name
 from raybundle.block.stored import is_observed_jointly
 from raybundle.io.photos.photo import Photo
 from raybundle.matching.tracks import Tracks
@@ -95,7 +96,10 @@ def block_of_tracks(
             cov_px2=np.tile([FEATURE_SIGMA_PX**2, FEATURE_SIGMA_PX**2, 0.0], (len(t.image), 1)),
         ),
         points=Points(
-            ids=tuple(f"t{k + 1}" for k in range(p)), role=np.zeros(p, np.int32), xyz=nothing, sigma=nothing.copy()
+            ids=tuple(automatic_name(k) for k in range(p)),
+            role=np.zeros(p, np.int32),
+            xyz=nothing,
+            sigma=nothing.copy(),
         ),
     )
 

@@ -1,0 +1,17 @@
+"""Names of object points."""
+
+from __future__ import annotations
+
+import re
+
+_AUTOMATIC = re.compile(r"t[0-9]+")
+
+
+def automatic_name(k: int) -> str:
+    """Name of the k-th tie point (from 0) that a program found without a name."""
+    return f"t{k + 1}"
+
+
+def is_automatic(name: str) -> bool:
+    """Whether a point has a name that a program gave it, and nobody else."""
+    return _AUTOMATIC.fullmatch(name) is not None
