@@ -12,8 +12,6 @@ COPYLEFT = re.compile(r"\b(?:AGPL|GPL)|(?:Affero )?General Public License", re.I
 WEAKER = re.compile(
     r"\bLGPL[-\w.]*|(?:GNU )?Lesser General Public License[^;,]*|Library General Public License", re.IGNORECASE
 )
-    r"\bLGPL[-\w.]*|(?:GNU )?Lesser General Public License[^;,]*|Library General Public License", re.IGNORECASE
-)
 ENCODERS = re.compile(r"lib(x264|x265|xvidcore|fdk-aac|postproc|kvazaar)", re.IGNORECASE)
 """Libraries under the GPL that wheels of pictures and videos are known to carry."""
 PROPRIETARY = re.compile(r"^(nvidia|cuda)-")
