@@ -45,8 +45,9 @@ def one(how, rows):
         start = time.process_time()
         tables.write_table(path, table)
         seconds = time.process_time() - start
-        digest = hashlib.sha256(path.read_bytes()).hexdigest() if path.stat().st_size < 1 << 30 else ""
-    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+        peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+        with path.open("rb") as file:
+            digest = hashlib.file_digest(file, "sha256").hexdigest()
     print(
         json.dumps(
             {"MB before": round(before), "MB at the peak": round(peak), "CPU s": round(seconds, 2), "sha256": digest}

@@ -206,6 +206,7 @@ def _block_again(adjustment: Adjustment) -> Block:
         cameras.append(replace(before, values={**after.values, **observed}))
     return replace(
         given,
+        free_scale="scale" in adjustment.datum_defect,
         cameras=tuple(cameras),
         images=replace(adjusted.images, held=given.images.held),
         points=replace(given.points, xyz=xyz),
@@ -224,6 +225,7 @@ def result_json(adjustment: Adjustment) -> dict[str, Any]:
         "name": a.given.name,
         "raybundle": _version(),
         "length_unit": a.given.length_unit,
+        "scale": "free" if "scale" in a.datum_defect else "fixed",
         "sigma0": a.sigma0,
         "sigma0_apriori": a.given.sigma0_apriori,
         "weighted_square_sum": a.weighted_square_sum,
