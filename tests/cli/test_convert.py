@@ -7,6 +7,8 @@ import numpy as np
 import pytest
 
 from raybundle import adjust
+from raybundle.block import Distances
+from raybundle.block.block import no_distances
 from raybundle.block.simulate import (
     AerialStrips,
     Survey,
@@ -220,3 +222,78 @@ def test_a_block_needs_observations(folder, tmp_path):
     convert(folder, "--to", "nerfstudio", "--out", tmp_path / "t.json")
     with pytest.raises(InputError, match="has no image observations"):
         convert(tmp_path / "t.json", "--to", "block", "--out", tmp_path / "again")
+
+
+# ---- a scale that nothing fixes
+
+
+@pytest.fixture(scope="module")
+def free_and_fixed(tmp_path_factory):
+    """Results of the same observations without any length, and with one distance."""
+    folder = tmp_path_factory.mktemp("scale")
+    simulated = simulate(field_scene(replace(FIELD, rows=7, columns=9, stations=8)), Survey())
+    given, xyz = simulated.observed, simulated.truth.points.xyz
+    without = replace(given, distances=no_distances())
+    write_block(without, folder / "free-block")
+    write_result(adjust(without), folder / "free", report="none")
+    a, b = np.array([0], np.int32), np.array([len(given.points) - 1], np.int32)
+    length = np.linalg.norm(xyz[a] - xyz[b], axis=1)
+    bar = Distances(start=a, end=b, length=length, sigma=np.array([1e-4]))
+    write_result(adjust(replace(without, distances=bar)), folder / "fixed", report="none")
+    return folder
+
+
+def test_a_free_scale_is_called_free(free_and_fixed):
+    """By the datum of the adjustment; a distance makes it fixed."""
+    for name in ("free", "fixed"):
+        contents = json.loads((free_and_fixed / name / "result.json").read_text())
+        assert contents["scale"] == name
+        assert ("scale" in contents["datum_defect"]) == (name == "free")
+        assert read_block(free_and_fixed / name / "block").free_scale == (name == "free")
+    head = (free_and_fixed / "free" / "block" / "block.toml").read_text()
+    assert '\nscale = "free"\n' in head
+    assert "scale =" not in (free_and_fixed / "fixed" / "block" / "block.toml").read_text()
+    # what an adjustment says, not what stood in the block: a distance that is added later fixes the scale
+    again = read_block(free_and_fixed / "free" / "block")
+    bar = read_block(free_and_fixed / "fixed" / "block").distances
+    write_result(adjust(replace(again, distances=bar)), free_and_fixed / "mended", report="none")
+    assert not read_block(free_and_fixed / "mended" / "block").free_scale
+
+
+def test_formats_in_metres_want_a_length(free_and_fixed, tmp_path, capsys):
+    pytest.importorskip("laspy")
+    for name in ("free", "free/block"):
+        with pytest.raises(InputError, match="scale of the block is free, .* las counts in metres; .* or --free-scale"):
+            convert(free_and_fixed / name, "--to", "las", "--out", tmp_path / "a.las")
+    assert not (tmp_path / "a.las").exists()
+    with pytest.raises(InputError, match="kml counts in metres"):
+        convert(free_and_fixed / "free", "--to", "kml", "--out", tmp_path / "a.kml", "--crs", "EPSG:25832",
+                "--origin", "500000", "5400000", "100")  # fmt: skip
+    capsys.readouterr()
+    convert(free_and_fixed / "free", "--to", "las", "--out", tmp_path / "a.las", "--free-scale")
+    assert "note: the scale of the block is free" in capsys.readouterr().out
+    convert(free_and_fixed / "fixed", "--to", "las", "--out", tmp_path / "b.las")
+    assert "scale" not in capsys.readouterr().out
+
+
+def test_exchange_formats_carry_a_free_scale(free_and_fixed, tmp_path, capsys):
+    convert(free_and_fixed / "free", "--to", "ply", "--out", tmp_path / "p.ply")
+    assert b'comment scale = "free"\n' in (tmp_path / "p.ply").read_bytes()
+    convert(free_and_fixed / "free", "--to", "nerfstudio", "--out", tmp_path / "t.json")
+    assert json.loads((tmp_path / "t.json").read_text())["scale"] == "free"
+    convert(free_and_fixed / "free", "--to", "colmap", "--out", tmp_path / "m")
+    assert capsys.readouterr().out.count("the scale of the block is free") == 3
+    convert(free_and_fixed / "free", "--to", "block", "--out", tmp_path / "b")
+    assert read_block(tmp_path / "b").free_scale
+    convert(free_and_fixed / "fixed", "--to", "ply", "--out", tmp_path / "q.ply")
+    assert b"comment" not in (tmp_path / "q.ply").read_bytes()
+
+
+def test_a_scale_is_one_of_two_words(free_and_fixed, tmp_path):
+    import shutil
+
+    shutil.copytree(free_and_fixed / "free-block", tmp_path / "b")
+    path = tmp_path / "b" / "block.toml"
+    path.write_text(f'scale = "unknown"\n{path.read_text()}')
+    with pytest.raises(InputError, match="'unknown' is not one of fixed, free"):
+        read_block(tmp_path / "b")

@@ -82,6 +82,23 @@ def test_a_wall_of_all_photographs(wall, tmp_path, capsys):
     assert "normal" in (tmp_path / "wall.toml").read_text()
 
 
+def test_a_picture_to_scale_wants_a_length(wall, tmp_path, capsys):
+    folder, block, *_ = wall
+    write_result(adjust(block), tmp_path / "free", report="none")
+    out = tmp_path / "wall.tif"
+    arguments = ["rectify", str(tmp_path / "free"), "--photos", str(folder / "photos"), "--out", str(out), "--progress"]
+    assert main([*arguments, "none"]) == 2
+    told = capsys.readouterr().err
+    assert "the scale of the block is free" in told
+    assert "or --free-scale" in told
+    assert not list(tmp_path.glob("wall.*"))
+    assert main([*arguments, "none", "--free-scale"]) == 0
+    about = (tmp_path / "wall.toml").read_text()
+    assert 'scale = "free"' in about
+    assert 'unit = ""' in about
+    assert " m " not in capsys.readouterr().out
+
+
 def marks(folder, block, origin, axes, wrong=None):
     """Control of the first photograph in the wall's own coordinates."""
     o, image = block.observations, 0

@@ -148,3 +148,32 @@ def test_a_table_without_rows_may_be_allowed(tmp_path):
     assert table.numbers("x", "y").shape == (0, 2)
     assert table.text["point"] == ()
     assert table.index["to"].dtype == np.int32
+
+
+def test_rows_written_by_parts_are_the_same_bytes(tmp_path, monkeypatch):
+    """Quotes and empty cells in some parts only, a last part that is not full, a table of no rows."""
+    rng = np.random.default_rng(1)
+    text = ["a,b" if k == 13 else 'x"y' if k == 40 else f"p{k}" for k in range(101)]
+    numbers = np.where(rng.random(101) < 0.2, np.nan, rng.normal(0, 1e6, 101))
+    table = {"id": text, "value": numbers, "whole": np.arange(101.0)}
+    write_table(tmp_path / "whole.csv", table)
+    for rows in (1, 7, 100, 101):
+        monkeypatch.setattr("raybundle.io.tables.WRITTEN_ROWS", rows)
+        write_table(tmp_path / "parts.csv", table)
+        assert (tmp_path / "parts.csv").read_bytes() == (tmp_path / "whole.csv").read_bytes()
+    write_table(tmp_path / "none.csv", {k: v[:0] for k, v in table.items()})
+    assert (tmp_path / "none.csv").read_bytes() == b"id,value,whole\n"
+    with pytest.raises(ValueError, match="columns of .100, 101. rows"):
+        write_table(tmp_path / "bad.csv", {"a": text, "b": numbers[:-1]})
+
+
+def test_cells_are_not_made_all_at_once(tmp_path):
+    """A table of 200 000 rows takes less than a fifth of what its cells would take as text."""
+    import tracemalloc
+
+    table = {f"n{k}": np.random.default_rng(k).normal(size=200_000) for k in range(10)}
+    tracemalloc.start()
+    write_table(tmp_path / "a.csv", table)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < 200_000 * 10 * 70 / 5

@@ -10,7 +10,7 @@ from raybundle.io.scenes import read_scene
 from raybundle.scenes import rpc_fit as module
 from raybundle.scenes.bias import BIAS_PARAMETERS
 from raybundle.scenes.rpc import observe_rpc
-from raybundle.scenes.rpc_fit import corrected_rpc, fit_rpc
+from raybundle.scenes.rpc_fit import corrected_rpc, fit_rpc, triangle
 from raybundle.scenes.simulate import OrbitPlan, orbit_scene
 
 
@@ -104,3 +104,13 @@ def test_no_rpc_stands_for_a_scene_over_a_pole():
     scene = orbit_scene(OrbitPlan(target=(0.0, 89.999, 0.0), width_px=2000, height_px=2000))
     with pytest.raises(NotSolvable, match=r"misses it by \d+ px \(limit 20\); .* latitude 89.999 deg, near a"):
         fit_rpc(scene.localise, (2000, 2000), (0.0, 500.0))
+
+
+@pytest.mark.parametrize("rows", [5, 40, 128, 129, 1125, 4000])
+def test_triangles_by_blocks(rows):
+    """R'R = A'A, upper triangular, as of the decomposition in one piece but for signs; fewer rows than columns, too."""
+    A = np.random.default_rng(rows).normal(size=(rows, 40)) * np.logspace(0, -6, 40)
+    R = triangle(A)
+    assert np.array_equal(R, np.triu(R))
+    whole = np.linalg.qr(A, mode="r")
+    assert np.abs(np.abs(R) - np.abs(whole)).max() < 1e-12 * np.abs(whole).max()

@@ -216,3 +216,34 @@ def test_boards_that_cannot_be_printed():
     ):
         with pytest.raises(InputError, match=message):
             design_tags(target("apriltag-36h11"), ids, side, o)
+
+
+@pytest.mark.parametrize("count", [1, 2, 3, 5, 8])
+def test_few_targets_are_spread_over_the_page(count):
+    """Four or more reach over the page, and none comes closer to another than on a full page."""
+    sheet = design(families["aicon12"], np.arange(1, count + 1), SheetOptions(dot_radius_mm=5.0))
+    [page] = sheet.pages
+    xy = np.array([[t.x_mm, t.y_mm] for t in page.targets])
+    reach = 5.0 * families["aicon12"].ring[1]
+    assert (xy - reach > 0).all()
+    assert (xy + reach < [page.width, page.height]).all()
+    apart = np.linalg.norm(xy[:, None] - xy, axis=2) + 1e9 * np.eye(count)
+    assert apart.min() > 2 * families["aicon12"].ground * 5.0 - 1e-6
+    if count >= 4:
+        assert (np.ptp(xy, axis=0) > 0.3 * np.array([page.width, page.height])).all()
+    assert abs(xy.mean(axis=0)[0] - page.width / 2) < 0.2 * page.width
+
+
+def test_a_full_page_is_as_close_as_it_can_be():
+    page = design(families["aicon12"], np.arange(1, 61), SheetOptions(dot_radius_mm=5.0)).pages[0]
+    xy = np.array([[t.x_mm, t.y_mm] for t in page.targets])
+    steps = np.diff(np.unique(xy[:, 0].round(6)))
+    assert steps == pytest.approx(2 * families["aicon12"].ground * 5.0)
+
+
+def test_few_tags_are_spread_too():
+    sheet = design_tags(target("apriltag-36h11"), range(4), 40.0, SheetOptions())
+    [page] = sheet.pages
+    first = np.array([[t.x_mm, t.y_mm] for t in page.targets[::4]])
+    assert np.ptp(first[:, 0]) > 0.4 * page.width
+    assert np.ptp(first[:, 1]) > 0.4 * page.height

@@ -279,6 +279,8 @@ class Block:
     source: str = ""
     licence: str = ""
     length_unit: LengthUnit = "m"
+    free_scale: bool = False
+    """Whether an adjustment found that nothing fixes the scale: lengths are then in no unit, whatever `length_unit`."""
     sigma0_apriori: float = 1.0
     residuals: Residuals = "measured"
     place: Place | None = None

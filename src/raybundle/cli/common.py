@@ -17,6 +17,11 @@ APPROXIMATE = click.option(
 )
 
 
+FREE_SCALE = click.option(
+    "--free-scale", is_flag=True, help="Also where nothing fixes the scale: lengths are then in no unit."
+)
+
+
 def common_options(function: Callable[..., Any]) -> Callable[..., Any]:
     """Add --progress (an argument `progress`) and --traceback (looked up by `main`)."""
     function = click.option(

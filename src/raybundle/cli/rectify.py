@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, counted, significant
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, FREE_SCALE, common_options, counted, significant
 from raybundle.errors import InputError
 
 if TYPE_CHECKING:
@@ -41,6 +41,7 @@ Area = tuple[float, float, float, float]
 )
 @click.option("--mark-sigma", type=click.FloatRange(0.001), default=0.5, show_default=True, metavar="PX",
     help="For a PHOTO: standard deviation of a marked point.")  # fmt: skip
+@FREE_SCALE
 @common_options
 def command(
     source: Path,
@@ -56,6 +57,8 @@ def command(
     calibration: Path | None,
     mark_sigma: float,
     progress: str,
+    *,
+    free_scale: bool,
 ) -> None:
     """Bring photographs of a plane object to scale.
 
@@ -79,7 +82,8 @@ def command(
             if control is not None or calibration is not None:
                 raise InputError("--control and --calibration belong to a single PHOTO; a result has both already")
             names = tuple(n.strip() for n in (points or "").split(",") if n.strip())
-            lines = _of_result(source, out, pixel, area, names, photos, only, tell, horizontal=horizontal)
+            lines = _of_result(source, out, pixel, area, names, photos, only, tell, horizontal=horizontal,
+                               free_scale=free_scale)  # fmt: skip
         else:
             if points or horizontal or only or photos:
                 raise InputError("--plane, --horizontal, --photos and --only belong to a result; a PHOTO has --control")
@@ -91,16 +95,23 @@ def command(
 
 def _of_result(
     source: Path, out: Path, pixel: float | None, area: Area | None, names: tuple[str, ...], photos: tuple[Path, ...],
-    only: tuple[str, ...], tell: Progress, *, horizontal: bool,
+    only: tuple[str, ...], tell: Progress, *, horizontal: bool, free_scale: bool,
 ) -> list[str]:  # fmt: skip
     import numpy as np  # noqa: PLC0415
 
     from raybundle.cli.convert import read_source  # noqa: PLC0415
+    from raybundle.io.formats import base as exchange  # noqa: PLC0415
     from raybundle.io.project import photographs_of  # noqa: PLC0415
     from raybundle.workflows.rectify import grid_over, plane_of, rectify_block, usual_pixel  # noqa: PLC0415
 
     result = source / "result" if (source / "result" / "result.json").is_file() else source
     export, _ = read_source(result, None)
+    if export.block.free_scale and not free_scale:
+        raise InputError(
+            f"{exchange.FREE_SCALE}, so that no picture to scale can be made; {exchange.GIVE_SCALE}, or --free-scale "
+            "for a picture whose lengths are in no unit",
+            file=source,
+        )
     folders = photos or photographs_of(result)
     if not folders:
         raise InputError("where its photographs are is not known; say so with --photos FOLDER", file=source)
@@ -108,18 +119,20 @@ def _of_result(
     size = pixel or usual_pixel(export.block, plane)
     grid = grid_over(plane.extent if area is None else np.array(area), size)
     picture, remarks = rectify_block(export.block, folders, plane, grid, only=only, progress=tell)
-    unit = export.block.length_unit
+    unit = "" if export.block.free_scale else export.block.length_unit
     about: dict[str, Any] = {
         "unit": unit,
         "origin": plane.origin.tolist(), "right": plane.axes[0].tolist(), "up": plane.axes[1].tolist(),
         "normal": plane.axes[2].tolist(), "points": plane.points, "points_rms": plane.rms,
         "slope_rms": picture.slope[0], "slope_largest": picture.slope[1],
     }  # fmt: skip
+    if export.block.free_scale:
+        about["scale"] = "free"
     if export.frame is not None:
         about["frame"] = export.frame.as_mapping()
     _write(picture, out, grid, about)
     return [
-        f"plane of {counted(plane.points, 'point')}, which lie {significant(plane.rms)} {unit} off it (rms)",
+        f"plane of {counted(plane.points, 'point')}, which lie {significant(plane.rms)} {unit or 'units'} off it (rms)",
         (
             f"what lies in front of or behind it is displaced by {picture.slope[0]:.2f} of its distance from it (rms; "
             f"{picture.slope[1]:.1f} at most)"

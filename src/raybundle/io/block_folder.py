@@ -54,6 +54,7 @@ def read_block(path: str | Path, *, progress: Progress = silent) -> Block:
         source=head.source,
         licence=head.licence,
         length_unit=head.length_unit,
+        free_scale=head.free_scale,
         sigma0_apriori=head.sigma0_apriori,
         residuals=head.residuals,
         place=head.place,

@@ -24,6 +24,7 @@ from raybundle.sensors.imu import IMU
 
 CARRIED: tuple[tuple[str, str, SensorModel], ...] = (("antennas", "antenna", ANTENNA), ("imus", "IMU", IMU))
 """Tables of block.toml for what has no images, what one of them is, and its parameters."""
+SCALES = ("fixed", "free")
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
 
 
@@ -36,6 +37,7 @@ class Head:
     source: str
     licence: str
     length_unit: LengthUnit
+    free_scale: bool
     sigma0_apriori: float
     residuals: Residuals
     place: Place | None
@@ -120,6 +122,7 @@ def read_head(path: Path) -> Head:
             "source",
             "licence",
             "length_unit",
+            "scale",
             "sigma0_apriori",
             "residuals",
             "frame",
@@ -138,6 +141,7 @@ def read_head(path: Path) -> Head:
         source=top.text("source", ""),
         licence=top.text("licence", ""),
         length_unit=cast("LengthUnit", top.choice("length_unit", ("m", "mm"), "m")),
+        free_scale=top.choice("scale", SCALES, "fixed") == "free",
         sigma0_apriori=top.number("sigma0_apriori", 1.0, above=0),
         residuals=cast("Residuals", top.choice("residuals", ("measured", "corrected"), "measured")),
         place=place,
@@ -313,6 +317,8 @@ def _relations(section: Section, model: SensorModel) -> tuple[Relation, ...]:
 def head_text(block: Block) -> str:
     """The block.toml of a block; reads back equal."""
     lines = [f"{key} = {_quoted(getattr(block, key))}" for key in ("name", "about", "source", "licence", "length_unit")]
+    if block.free_scale:
+        lines.append('scale = "free"')
     lines.append(f"sigma0_apriori = {block.sigma0_apriori!r}")
     lines.append(f"residuals = {_quoted(block.residuals)}")
     lines += frame_lines(block.place)

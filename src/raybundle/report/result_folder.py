@@ -170,8 +170,8 @@ def write_result(
         (folder / "block").mkdir()
         write_block_files(_block_again(adjustment), folder / "block")
         progress("writing tables", 0.2)
-        for name, columns in result_tables(adjustment).items():
-            write_table(folder / f"{name}.csv", columns)
+        for name in TABLES:  # one after the other: those of the image observations are large
+            write_table(folder / f"{name}.csv", result_table(adjustment, name))
         if frame is not None:
             from raybundle.report.map_table import map_table  # noqa: PLC0415  (pyproj only where it is used)
 
@@ -206,6 +206,7 @@ def _block_again(adjustment: Adjustment) -> Block:
         cameras.append(replace(before, values={**after.values, **observed}))
     return replace(
         given,
+        free_scale="scale" in adjustment.datum_defect,
         cameras=tuple(cameras),
         images=replace(adjusted.images, held=given.images.held),
         points=replace(given.points, xyz=xyz),
@@ -224,6 +225,7 @@ def result_json(adjustment: Adjustment) -> dict[str, Any]:
         "name": a.given.name,
         "raybundle": _version(),
         "length_unit": a.given.length_unit,
+        "scale": "free" if "scale" in a.datum_defect else "fixed",
         "sigma0": a.sigma0,
         "sigma0_apriori": a.given.sigma0_apriori,
         "weighted_square_sum": a.weighted_square_sum,
@@ -302,19 +304,25 @@ def _clean(value: Any) -> Any:
 
 def result_tables(adjustment: Adjustment) -> dict[str, Columns]:
     """The columns of every table of a result folder, in the order of the files."""
-    tables = {
-        "images": _images(adjustment),
-        "points": _points(adjustment),
-        "observations": _observations(adjustment),
-        "control": _control(adjustment),
-        "check": _check(adjustment),
-        "distances": _distances(adjustment),
-        "stations": _stations(adjustment),
-        "attitudes": _attitudes(adjustment),
+    return {name: result_table(adjustment, name) for name in TABLES}
+
+
+def result_table(adjustment: Adjustment, name: str) -> Columns:
+    """The columns of one table of a result folder."""
+    builders = {
+        "images": _images,
+        "points": _points,
+        "observations": _observations,
+        "control": _control,
+        "check": _check,
+        "distances": _distances,
+        "stations": _stations,
+        "attitudes": _attitudes,
     }
-    for name, (first, numbers, last) in TABLES.items():
-        assert tuple(tables[name]) == (*first, *numbers, *last), name
-    return tables
+    columns = builders[name](adjustment)
+    first, numbers, last = TABLES[name]
+    assert tuple(columns) == (*first, *numbers, *last), name
+    return columns
 
 
 def _images(a: Adjustment) -> Columns:

@@ -144,10 +144,11 @@ def design(family: RingFamily, ids: Index, options: SheetOptions) -> Sheet:
     for first in range(0, len(ids), columns * rows):
         shapes: list[Disc | Outline | Words] = []
         targets: list[Placed] = []
-        for k in range(first, min(first + columns * rows, len(ids))):
-            row, column = divmod(k - first, columns)
-            x = width / 2 + (column - (columns - 1) / 2) * side
-            y = height - MARGIN - (row + 0.5) * side - row * line
+        last = min(first + columns * rows, len(ids))
+        places = spread(last - first, (columns, rows), (side, side + line), (width, height))
+        for k in range(first, last):
+            x, top = places[k - first]
+            y = top - side / 2
             shapes += target_shapes(family, int(codes[k]), x, y, o)
             shapes.append(Words(x=x, y=y - side / 2 - 1.2 * WORDS, text=f"{family.name}  {int(ids[k])}"))
             targets.append(Placed(name=str(int(ids[k])), code=int(codes[k]), x_mm=x, y_mm=y))
@@ -161,6 +162,38 @@ def design(family: RingFamily, ids: Index, options: SheetOptions) -> Sheet:
         bits=0 if family.rule is not None else family.bits,
         pages=tuple(pages), printed=printed(pages, o.tile),
     )  # fmt: skip
+
+
+def spread(
+    count: int, most: tuple[int, int], cell: tuple[float, float], page: tuple[float, float]
+) -> list[tuple[float, float]]:
+    """Middle and upper edge of so many cells [mm], by rows: close together on a full page, else over all of it.
+
+    most  columns and rows for which there is room
+    cell  width and height of a cell, with its line of words
+
+    Few targets in a corner of a sheet would hold the network by that corner.
+    """
+    columns, rows = most
+    room = page[0] - 2 * MARGIN, page[1] - 2 * MARGIN - FOOT
+    if count == columns * rows:
+        return [
+            (page[0] / 2 + (k % columns - (columns - 1) / 2) * cell[0], page[1] - MARGIN - k // columns * cell[1])
+            for k in range(count)
+        ]
+
+    def apart(c: int) -> float:
+        return min(room[0] / c, room[1] / -(-count // c))
+
+    fitting = [c for c in range(1, columns + 1) if -(-count // c) <= rows]
+    best = max(fitting, key=lambda c: (apart(c), -c))
+    lines = -(-count // best)
+    places: list[tuple[float, float]] = []
+    for row in range(lines):
+        own = min(best, count - row * best)
+        y = page[1] - MARGIN - (row + 0.5) * room[1] / lines + cell[1] / 2
+        places += [(MARGIN + (column + 0.5) * room[0] / own, y) for column in range(own)]
+    return places
 
 
 def printed(pages: Sequence[Page], tile: str) -> tuple[Page, ...]:

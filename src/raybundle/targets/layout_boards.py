@@ -31,6 +31,7 @@ from raybundle.targets.layout import (
     foot,
     paper_size,
     printed,
+    spread,
 )
 from raybundle.targets.marks import Target
 
@@ -96,10 +97,10 @@ def design_tags(target: Tags, ids: Sequence[int], side_mm: float, options: Sheet
     for first in range(0, len(ids), columns * rows):
         shapes: list[Shape] = []
         points: list[Placed] = []
-        for k, number in enumerate(ids[first : first + columns * rows]):
-            row, column = divmod(k, columns)
-            x = width / 2 + (column - columns / 2) * pitch + side_mm / n
-            y = height - MARGIN - row * (pitch + line) - side_mm / n
+        part = ids[first : first + columns * rows]
+        places = spread(len(part), (columns, rows), (pitch, pitch + line), (width, height))
+        for number, (middle, top) in zip(part, places, strict=True):
+            x, y = middle - side_mm / 2, top - side_mm / n
             at = np.array([x, y])
             shapes += [_placed(s, at, side_mm) for s in _tag(target.name, number, np.zeros(2), 1.0)]
             shapes.append(

@@ -89,7 +89,7 @@ def rows():
 def read_all():
     if not rows():
         pytest.skip("no public data: set RAYBUNDLE_DATA to the folder that holds calibration/exif")
-    pytest.importorskip("pillow_heif", reason="needs the extra raybundle[heic]")
+    pytest.importorskip("pi_heif", reason="needs the extra raybundle[heic]")
     result = {}
     for row in rows():
         try:

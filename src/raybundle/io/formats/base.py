@@ -94,6 +94,8 @@ class Format:
     """Whether it can only be written where the block's coordinate system is known."""
     colours: bool = False
     """Whether its points have colours."""
+    metric: bool = False
+    """Whether who reads it takes its coordinates for metres, or for places on the earth."""
 
 
 formats: dict[str, Format] = {}
@@ -127,11 +129,14 @@ def read_format(name: str, path: str | Path) -> Import:
         return format_.read(path)
 
 
-def write_format(name: str, export: Export, path: str | Path, *, approximate: bool = False) -> Written:
+def write_format(
+    name: str, export: Export, path: str | Path, *, approximate: bool = False, free_scale: bool = False
+) -> Written:
     """Write a block in this format, whole or not at all.
 
     path         a new file, or a new or empty folder; what stands there is never overwritten
     approximate  also where a camera in the format deviates from ours by more than 0.1 px
+    free_scale   also a block whose scale nothing fixes, in a format that counts in metres
     raises       InputError where something stands at `path`, or the block cannot be written in this format
     """
     format_, path = format_named(name), Path(path)
@@ -145,14 +150,22 @@ def write_format(name: str, export: Export, path: str | Path, *, approximate: bo
         )
     if path.exists() and (not path.is_dir() or any(path.iterdir())):
         raise InputError("stands there already and is not overwritten; choose another name", file=path)
+    if export.block.free_scale and format_.metric and not free_scale:
+        raise InputError(f"{FREE_SCALE}, and {name} counts in metres; {GIVE_SCALE}, or --free-scale", file=path)
+    told = (f"{FREE_SCALE}: lengths in what is written are in no unit",) if export.block.free_scale else ()
     if format_.kind == "folder":
         with new_folder(path) as folder:
             draft = format_.write(export, folder)
             check_deviation(draft.deviation_px, draft.remarks, path, approximate=approximate)
             names = sorted(p.relative_to(folder) for p in folder.rglob("*") if p.is_file())
         files = tuple(path / n for n in names)
-        return Written(files=files, remarks=draft.remarks, deviation_px=draft.deviation_px)
-    return _write_files(format_.write, export, path, approximate=approximate)
+        return Written(files=files, remarks=(*told, *draft.remarks), deviation_px=draft.deviation_px)
+    written = _write_files(format_.write, export, path, approximate=approximate)
+    return replace(written, remarks=(*told, *written.remarks))
+
+
+FREE_SCALE = "the scale of the block is free, for no length fixes it"
+GIVE_SCALE = "give the adjustment a scale bar, two control points or observed positions"
 
 
 def check_deviation(deviation_px: float, remarks: Sequence[str], path: Path, *, approximate: bool) -> None:

@@ -58,5 +58,6 @@ register(
         suffix=".las",
         write=write,
         colours=True,
+        metric=True,
     )
 )

@@ -79,7 +79,8 @@ def write(export: Export, path: Path) -> Draft:
     head = cameras[0] if len(cameras) == 1 else {"camera_model": cameras[0]["camera_model"]}
     cloud = path.with_name("sparse_pc.ply" if path.stem == "transforms" else f"{path.stem}-sparse_pc.ply")
     write_vertices(cloud, s.xyz, s.colours)
-    text = json.dumps({**head, "frames": frames, "ply_file_path": cloud.name}, indent=1, ensure_ascii=False)
+    free = {"scale": "free"} if export.block.free_scale else {}
+    text = json.dumps({**head, **free, "frames": frames, "ply_file_path": cloud.name}, indent=1, ensure_ascii=False)
     path.write_text(text + "\n", encoding="utf-8")
     remarks, largest = deviation_remark(deviations)
     return Draft(

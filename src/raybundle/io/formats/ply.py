@@ -14,7 +14,9 @@ STATION_COLOUR = (220, 40, 40)
 TYPES = {"f8": "double", "f4": "float", "u1": "uchar", "i4": "int"}
 
 
-def write_vertices(path: Path, xyz: Array, colours: Array, extra: dict[str, Array] | None = None) -> None:
+def write_vertices(
+    path: Path, xyz: Array, colours: Array, extra: dict[str, Array] | None = None, comments: tuple[str, ...] = ()
+) -> None:
     """Write a binary PLY file of vertices (n, 3) with colours (n, 3) and more properties (n,) each, float."""
     more = extra or {}
     layout: list[Any] = [(axis, "<f8") for axis in "xyz"]
@@ -28,7 +30,14 @@ def write_vertices(path: Path, xyz: Array, colours: Array, extra: dict[str, Arra
     for name, values in more.items():
         rows[name] = values
     properties = [f"property {TYPES[t.lstrip('<')]} {n}" for n, t in layout]
-    head = ["ply", "format binary_little_endian 1.0", f"element vertex {len(rows)}", *properties, "end_header"]
+    head = [
+        "ply",
+        "format binary_little_endian 1.0",
+        *(f"comment {c}" for c in comments),
+        f"element vertex {len(rows)}",
+        *properties,
+        "end_header",
+    ]
     with path.open("wb") as file:
         file.write(("\n".join(head) + "\n").encode("ascii"))
         file.write(rows.tobytes())
@@ -40,11 +49,12 @@ def write(export: Export, path: Path) -> Draft:
     rays = np.bincount(s.point, minlength=len(s.xyz)).astype(np.int32)
     sigma = np.full((len(s.xyz), 3), np.nan) if export.sigma is None else export.sigma[s.points]
     names = ("sigma_x", "sigma_y", "sigma_z")
-    write_vertices(path, s.xyz, s.colours, {**{n: sigma[:, k] for k, n in enumerate(names)}, "rays": rays})
+    free = ('scale = "free"',) if export.block.free_scale else ()
+    write_vertices(path, s.xyz, s.colours, {**{n: sigma[:, k] for k, n in enumerate(names)}, "rays": rays}, free)
     red = np.tile(np.array(STATION_COLOUR, np.uint8), (len(s.centre), 1))
     sigma = np.full((len(s.centre), 3), np.nan) if export.station_sigma is None else export.station_sigma[s.source]
     stations = path.with_name(f"{path.stem}-stations{path.suffix}")
-    write_vertices(stations, s.centre, red, {n: sigma[:, k] for k, n in enumerate(names)})
+    write_vertices(stations, s.centre, red, {n: sigma[:, k] for k, n in enumerate(names)}, free)
     return Draft(remarks=s.remarks)
 
 

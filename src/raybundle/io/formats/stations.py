@@ -78,4 +78,6 @@ for _name, _title, _write in (
     ("geojson", "stations as GeoJSON (needs the coordinate system)", write_geojson),
     ("kml", "stations as KML (needs the coordinate system)", write_kml),
 ):
-    register(Format(name=_name, title=_title, kind="file", suffix=f".{_name}", write=_write, needs_frame=True))
+    register(
+        Format(name=_name, title=_title, kind="file", suffix=f".{_name}", write=_write, needs_frame=True, metric=True)
+    )

@@ -66,8 +66,27 @@ def kind_of(path: Path, head: bytes) -> Kind:
         return "heic"
     if not head:
         raise Unusable("the file is empty (0 bytes); copy it again from the camera")
+    if hint := other_kind(path.suffix, head):
+        raise Unusable(hint)
     shown = "".join(chr(b) if 32 <= b < 127 else "." for b in head[:12])
     raise Unusable(f"this is no image of a kind that raybundle reads (it begins with {shown!r})")
+
+
+def other_kind(suffix: str, head: bytes = b"") -> str:
+    """What to do with a file that is no photograph but comes from one, by its suffix or its beginning; "" for others.
+
+    A video is asked for its suffix first: its container begins as that of HEIC photographs does.
+    """
+    video = head[4:8] == b"ftyp" or head[:4] == b"\x1aE\xdf\xa3" or (head[:4] == b"RIFF" and head[8:12] == b"AVI ")
+    if suffix.lower() in VIDEO_SUFFIXES or video:
+        return "a video; take its sharp frames as photographs: raybundle frames"
+    if suffix.lower() in ANYMAP_SUFFIXES or (head[:1] == b"P" and head[1:2] in b"1234567" and head[2:3].isspace()):
+        return "a portable anymap (PGM, PPM), which has no metadata; save it as PNG or TIFF, which loses nothing"
+    return ""
+
+
+VIDEO_SUFFIXES = {".mp4", ".mov", ".m4v", ".avi", ".mkv", ".webm", ".mts", ".m2ts", ".mpg", ".mpeg", ".3gp", ".wmv"}
+ANYMAP_SUFFIXES = {".pgm", ".ppm", ".pnm", ".pbm", ".pam"}
 
 
 def read_header(path: Path, *, limit_pixels: int) -> Header:
@@ -115,7 +134,7 @@ def _open(path: Path, kind: Kind) -> Any:
     with _opening, warnings.catch_warnings():
         warnings.simplefilter("ignore")
         if kind == "heic":
-            return _extra("pillow_heif", "heic").open_heif(str(path), convert_hdr_to_8bit=True)
+            return _extra("pi_heif", "heic").open_heif(str(path), convert_hdr_to_8bit=True)
         plugin = import_module(f"PIL.{_PLUGINS[kind][0]}")
         return getattr(plugin, _PLUGINS[kind][1])(str(path))
 

@@ -28,6 +28,7 @@ from raybundle.io.photos.container import (
     Unusable,
     check_pixels,
     decode,
+    other_kind,
     read_header,
 )
 from raybundle.io.photos.metadata import Gps, Metadata
@@ -225,6 +226,10 @@ def _in_folder(folder: Path, leave: frozenset[Path], remarks: list[str]) -> list
     if others:
         suffixes = ", ".join(sorted({shown(p).suffix.lower() or "(none)" for p in others}))
         remarks.append(f"{shown(folder)}: {len(others)} other files are not looked at ({suffixes})")
+        for hint in dict.fromkeys(h for p in others if (h := other_kind(p.suffix))):
+            same = [shown(p).name for p in others if other_kind(p.suffix) == hint]
+            more = f" and {len(same) - 1} more" if len(same) > 1 else ""
+            remarks.append(f"{same[0]}{more}: {hint}")
     folders = [p for p in entries if p.is_dir()]
     if folders:
         remarks.append(
