@@ -29,10 +29,17 @@ def new_folder(path: Path) -> Generator[Path]:
     writes there deletes.  Raises InputError where nothing can be written there.
     """
     path = path.absolute()
+    make_parent(path)
     with _sibling(path) as temporary:
         yield temporary
         with _told(path):
             _take_name(temporary, path)
+
+
+def make_parent(path: Path) -> None:
+    """Make the folder in which a file or folder is to stand; raises InputError where that cannot be."""
+    with _told(path):
+        path.parent.mkdir(parents=True, exist_ok=True)
 
 
 @contextmanager
@@ -69,7 +76,6 @@ def _sibling(path: Path) -> Generator[Path]:
     """A new folder beside a path, locked while it is in use, deleted in the end."""
     stem = os.fsdecode(os.fsencode(path.name)[:NAME_BYTES])
     with _told(path):
-        path.parent.mkdir(parents=True, exist_ok=True)
         for left in _left_beside(path.parent, stem):
             shutil.rmtree(left, ignore_errors=True)
         temporary = path.parent / f".{stem}.{uuid.uuid4().hex[:8]}.partial"

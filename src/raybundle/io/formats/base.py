@@ -13,7 +13,7 @@ from raybundle.block import Block, Camera, Images, Observations, Points, Role
 from raybundle.errors import InputError
 from raybundle.io.conversions import LIMIT_PX, CameraFit, interiors, parameter_vector
 from raybundle.io.coordinate_systems import LocalFrame
-from raybundle.io.folders import new_files, new_folder
+from raybundle.io.folders import make_parent, new_files, new_folder
 from raybundle.io.reading.files import guarded
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.sensors import ProjectionDiverged, sensor_models
@@ -182,6 +182,7 @@ EXACT_PX = 1e-9
 
 def _write_files(write: Writer, export: Export, path: Path, *, approximate: bool) -> Written:
     made: list[Path] = []
+    make_parent(path)
     with new_files(path) as (temporary,):
         draft = write(export, temporary)
         check_deviation(draft.deviation_px, draft.remarks, path, approximate=approximate)
