@@ -59,7 +59,7 @@ def texts(*inputs: dict[str, str | bytes]):
 
 def only(folder: Path, *, but: str = "") -> Path:
     """The file of an input."""
-    return min(p for p in folder.iterdir() if not but or not p.name.endswith(but))
+    return min(folder.iterdir(), key=lambda p: (bool(but) and p.name.endswith(but), p.name))
 
 
 def not_finite(**values) -> list[str]:
@@ -437,13 +437,13 @@ target("trajectory", trajectory_seeds, read_a_trajectory)
 def control_seeds(top: Path) -> None:
     from tests.io.test_control_files import CSV, GCP, MEASURED
 
-    texts({"gcp_list.txt": GCP}, {"c.csv": CSV, "c.images.csv": MEASURED})(top)
+    texts({"gcp_list.txt": GCP}, {"c.csv": CSV, "c-measurements.csv": MEASURED})(top)
 
 
 def read_the_control(folder: Path) -> list[str]:
     from raybundle.io.control_files import read_control
 
-    found = read_control(only(folder, but=".images.csv"))
+    found = read_control(only(folder, but="-measurements.csv"))
     return (["xyz"] if np.isinf(found.xyz).any() else []) + (["sigma"] if np.isinf(found.sigma).any() else [])
 
 
