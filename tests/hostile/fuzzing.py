@@ -122,16 +122,16 @@ def _where(trace) -> str:
     return " < ".join(f"{Path(f.filename).name}:{f.lineno}" for f in reversed(ours[-4:]))
 
 
-def fuzz(target, seeds, numbers: range, work: Path, deadline: float = float("inf")) -> Found:
+def fuzz(target, seeds, numbers: range, work: Path, deadline: float = float("inf"), make=variant) -> Found:
     """Try the inputs of these numbers; ends early at the deadline (of time.monotonic)."""
     found = Found()
     at = numbers.start
     while at < numbers.stop and time.monotonic() < deadline:
-        at = _batch(target, seeds, range(at, min(at + BATCH, numbers.stop)), work, found, deadline)
+        at = _batch(target, seeds, range(at, min(at + BATCH, numbers.stop)), work, found, deadline, make)
     return found
 
 
-def _batch(target, seeds, numbers: range, work: Path, found: Found, deadline: float) -> int:
+def _batch(target, seeds, numbers: range, work: Path, found: Found, deadline: float, make) -> int:
     """One child; the number after the last input that was tried."""
     reading, writing = os.pipe()
     sys.stdout.flush()
@@ -139,7 +139,7 @@ def _batch(target, seeds, numbers: range, work: Path, found: Found, deadline: fl
     child = os.fork()
     if child == 0:
         os.close(reading)
-        _in_child(target, seeds, numbers, work, writing, deadline)
+        _in_child(target, seeds, numbers, work, writing, deadline, make)
     os.close(writing)
     begun, silent = numbers.start, False
     with os.fdopen(reading, "rb", 0) as pipe:
@@ -174,7 +174,7 @@ def _batch(target, seeds, numbers: range, work: Path, found: Found, deadline: fl
     return at if at > numbers.start else numbers.stop
 
 
-def _in_child(target, seeds, numbers, work, writing, deadline):
+def _in_child(target, seeds, numbers, work, writing, deadline, make):
     faulthandler.disable()
     null = os.open(os.devnull, os.O_RDWR)
     for number in (0, 1, 2):
@@ -193,7 +193,7 @@ def _in_child(target, seeds, numbers, work, writing, deadline):
                 break
             pipe.write(f"{number}\n")
             pipe.flush()
-            folder = put(variant(seeds, target.name, number), work / target.name)
+            folder = put(make(seeds, target.name, number), work / target.name)
             outcome = judged(target.read, folder)
             pipe.write(json.dumps([number, *outcome]) + "\n")
             pipe.flush()

@@ -5,6 +5,7 @@ indices out of range, ...); it raises errors of raybundle and no others.
 """
 
 import contextlib
+import csv
 import functools
 import io
 import json
@@ -130,6 +131,10 @@ def command(*arguments) -> tuple[int, str]:
     return status, out.getvalue()
 
 
+NAMES = {"point", "role", "image", "camera", "file"}
+"""Columns that hold names; a point may be called nan."""
+
+
 def adjusted(folder: Path, *, report: bool) -> list[str]:
     out = folder.parent / "result"
     shutil.rmtree(out, ignore_errors=True)
@@ -139,8 +144,9 @@ def adjusted(folder: Path, *, report: bool) -> list[str]:
     sigma0 = json.loads((out / "result.json").read_text())["sigma0"]
     wrong = [] if sigma0 is not None and math.isfinite(sigma0) else [f"sigma0 {sigma0}"]
     for name in ("points.csv", "images.csv"):
-        cells = (out / name).read_text().lower().replace("\n", ",").split(",")
-        wrong += [f"{name}: {word}" for word in ("nan", "inf", "-inf") if word in cells]
+        with (out / name).open(encoding="utf-8", newline="") as file:
+            for row in csv.DictReader(file):
+                wrong += [f"{name}: {k} {v}" for k, v in row.items() if k not in NAMES and v in {"nan", "inf", "-inf"}]
     return wrong
 
 
