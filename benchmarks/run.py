@@ -29,7 +29,8 @@ def machine() -> dict:
 
 def main() -> int:
     """Run what is asked for, or everything."""
-    names = sys.argv[1:] or ["truth", "startup", "speed", "orient", "many_images", "verdicts"]
+    every = ["truth", "startup", "speed", "orient", "many_images", "verdicts", "fuzz_readers", "kills", "sanitizers"]
+    names = sys.argv[1:] or every
     (HERE / "results").mkdir(exist_ok=True)
     failed = 0
     for name in names:

@@ -531,6 +531,12 @@ const std::vector<const char*>& names() {
 #undef RB_ENTRY
   return list;
 }
+const std::vector<int>& widths() {
+#define RB_ENTRY(name) models::name::parameters,
+  static const std::vector<int> list = {RB_MODELS(RB_ENTRY)};
+#undef RB_ENTRY
+  return list;
+}
 #endif
 
 }  // namespace raybundle::RB_ARCH
@@ -538,5 +544,6 @@ const std::vector<const char*>& names() {
 #ifdef RB_LIST_MODELS
 namespace raybundle {
 const std::vector<const char*>& model_names() { return RB_ARCH::names(); }
+const std::vector<int>& model_parameters() { return RB_ARCH::widths(); }
 }  // namespace raybundle
 #endif

@@ -6,6 +6,8 @@
 #include <nanobind/stl/vector.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <memory>
 #include <stdexcept>
@@ -113,10 +115,13 @@ nb::tuple best(Floats a, Floats b) {
   return nb::make_tuple(first, value, second, reverse);
 }
 
+constexpr int kLargestHalf = 256;  // pixels
+
 nb::tuple match_windows(Image reference, Image target, Const xy_reference, Const xy_start, Const affine_start, int half, double sigma,
                         int iterations, double step, double reach, double loose) {
   const size_t n = xy_reference.size() / 2;
-  if (xy_start.size() != 2 * n || affine_start.size() != 4 * n || half < 2) throw std::invalid_argument("windows have the wrong size");
+  if (xy_start.size() != 2 * n || affine_start.size() != 4 * n) throw std::invalid_argument("windows have the wrong size");
+  if (xy_reference.size() % 2 || half < 2 || half > kLargestHalf) throw std::invalid_argument("half a window is not from 2 to 256 pixels");
   auto xy = make({n, 2}), affine = make({n, 2, 2}), covariance = make({n, 3}), correlation = make({n});
   auto outcome = array<int32_t>({n});
   std::copy_n(xy_start.data(), 2 * n, xy.data());
@@ -174,14 +179,34 @@ struct Solver {
   Problem q;
   std::unique_ptr<Factor> factor;
   std::vector<double> external;
+  bool complete = false, factorised = false;
+  int64_t interior_rows = 0;
+  bool external_needed = false;
 
-  void check(bool fine, const char* what) const {
+  static void check(bool fine, const char* what) {
     if (!fine) throw std::invalid_argument(what);
   }
-  State state(const Const& rotation, const Const& centre, const Const& interior, const Const& xyz, double huber, double damping) const {
+  // What is set anew counts from the next set_nodes on.
+  void begin() {
+    complete = factorised = false;
+    factor.reset();
+    external.clear();
+  }
+  void ready() const { check(complete, "the problem is not complete: call set_nodes after set_observations, set_images, set_patterns, set_points"); }
+  const Factor& solved() const {
+    ready();
+    check(factorised, "the matrix is not factorised: call factorise first");
+    return *factor;
+  }
+  static void count(int threads) { check(threads >= 1 && threads <= 4096, "the number of threads is not from 1 to 4096"); }
+  State state(const Const& rotation, const Const& centre, const Const& interior, const Const& xyz, double huber, double damping, int threads) const {
+    ready();
+    count(threads);
     check(rotation.size() == size_t(9 * q.images) && centre.size() == size_t(3 * q.images), "exterior orientations have the wrong size");
     check(xyz.size() == size_t(3 * q.points), "object points have the wrong size");
     check(q.interior_stride == 0 || interior.size() % q.interior_stride == 0, "interior orientations have the wrong size");
+    check(interior.size() >= size_t(interior_rows * q.interior_stride), "there are fewer interior orientations than images name");
+    check(!external_needed || !external.empty(), "rows of models that are not compiled are missing: call set_external");
     return {rotation.data(), centre.data(), interior.data(), xyz.data(), external.empty() ? nullptr : external.data(), huber, damping};
   }
 };
@@ -214,10 +239,12 @@ NB_MODULE(_native, m) {
       .def("set_observations",
            [](Solver& s, Ints image, Ints point, Const xy, Const whiten, Ints external_row) {
              Problem& q = s.q;
-             q.observations = int(image.size());
+             s.check(image.size() <= INT32_MAX, "too many observations");
              s.check(point.size() == image.size() && xy.size() == 2 * image.size() && whiten.size() == 3 * image.size() &&
                          external_row.size() == image.size(),
                      "observation arrays differ in length");
+             s.begin();
+             q.observations = int(image.size());
              q.image = copy<int32_t>(image);
              q.point = copy<int32_t>(point);
              q.xy = copy<double>(xy);
@@ -227,7 +254,12 @@ NB_MODULE(_native, m) {
       .def("set_images",
            [](Solver& s, Ints model, Ints corrected, Ints interior, Ints pattern, Ints own, Ints shared, Ints parameters, int stride) {
              Problem& q = s.q;
-             q.images = int(model.size());
+             const size_t n = model.size();
+             s.check(corrected.size() == n && interior.size() == n && pattern.size() == n && own.size() == n && shared.size() == n &&
+                         parameters.size() == n, "image arrays differ in length");
+             s.check(stride >= 0 && stride <= 4096, "the stride of interior orientations is not from 0 to 4096");
+             s.begin();
+             q.images = int(n);
              q.model = copy<int32_t>(model);
              q.corrected = copy<int32_t>(corrected);
              q.interior = copy<int32_t>(interior);
@@ -239,14 +271,18 @@ NB_MODULE(_native, m) {
            })
       .def("set_patterns",
            [](Solver& s, const std::vector<std::pair<std::vector<int>, std::vector<int>>>& patterns) {
+             s.begin();
              s.q.patterns.clear();
              for (const auto& [own, shared] : patterns) s.q.patterns.push_back({own, shared});
            })
       .def("set_points",
            [](Solver& s, Longs first, Ints node, Bytes held, Const weight, Const value) {
              Problem& q = s.q;
-             q.points = int(node.size());
-             s.check(first.size() == node.size() + 1, "point arrays differ in length");
+             const size_t p = node.size();
+             s.check(first.size() == p + 1 && held.size() == p && weight.size() == 3 * p && value.size() == 3 * p,
+                     "point arrays differ in length");
+             s.begin();
+             q.points = int(p);
              q.first = copy<int64_t>(first);
              q.node_of_point = copy<int32_t>(node);
              q.held = copy<uint8_t>(held);
@@ -255,44 +291,65 @@ NB_MODULE(_native, m) {
            })
       .def("set_nodes",
            [](Solver& s, Ints size, const std::vector<std::pair<int32_t, int32_t>>& extra) {
+             s.check(!s.complete, "set_nodes orders the problem: set observations, images, patterns and points again before it");
              s.q.nodes = int(size.size());
              s.q.size = copy<int32_t>(size);
              nb::gil_scoped_release release;
+             s.q.check(extra);
+             s.interior_rows = 0;
+             s.external_needed = false;
+             for (const int32_t f : s.q.image) {
+               s.interior_rows = std::max(s.interior_rows, int64_t(s.q.interior[f]) + 1);
+               s.external_needed = s.external_needed || s.q.model[f] < 0;
+             }
              s.q.sort_points();
              s.q.build_structure(extra);
              s.factor = std::make_unique<Factor>(s.q);
+             s.complete = true;
            })
       .def("set_held",
            [](Solver& s, Bytes held) {
+             s.ready();
              s.check(held.size() == size_t(s.q.points), "point arrays differ in length");
              for (int p = 0; p < s.q.points; ++p) s.q.held[p] = held.data()[s.q.id[p]];
            })
       .def("set_external",
            [](Solver& s, Const rows, Ints touched, int width) {
+             s.ready();
              s.check(width <= kMaxParameters, "an image point touches more than 64 parameters of its sensor model");
              s.check(width > 0 && rows.size() % (9 + 2 * width) == 0 && touched.size() == rows.size() / (9 + 2 * width) * width,
                      "rows of models that are not compiled have the wrong size");
+             s.external.clear();
              s.q.external_width = width;
              s.q.touched = copy<int32_t>(touched);
+             s.q.check_external(rows.size() / (9 + 2 * width));
              s.external = copy<double>(rows);
            })
-      .def("block", [](const Solver& s, int a, int b) { return s.q.block(a, b); })
-      .def("block_start", [](const Solver& s, int64_t k) { return s.q.block_start.at(k); })
+      .def("block", [](const Solver& s, int a, int b) {
+             s.ready();
+             if (a < 0 || b < 0 || a >= s.q.nodes || b >= s.q.nodes) throw std::out_of_range("there is no such node");
+             return s.q.block(a, b);
+           })
+      .def("block_start", [](const Solver& s, int64_t k) {
+             s.ready();
+             if (k < 0 || size_t(k) >= s.q.block_start.size()) throw std::out_of_range("there is no such block");
+             return s.q.block_start[k];
+           })
       .def_prop_ro("unknowns", [](const Solver& s) { return s.q.unknowns; })
-      .def_prop_ro("values_size", [](const Solver& s) { return s.q.block_start.back(); })
-      .def_prop_ro("factor_entries", [](const Solver& s) { return s.factor->entries(); })
-      .def_prop_ro("factor_operations", [](const Solver& s) { return s.factor->operations(); })
-      .def_prop_ro("smallest_pivot", [](const Solver& s) { return s.factor->smallest_pivot(); })
-      .def_prop_ro("smallest_pivot_at", [](const Solver& s) { return s.factor->smallest_pivot_at(); })
+      .def_prop_ro("values_size", [](const Solver& s) { s.ready(); return s.q.block_start.back(); })
+      .def_prop_ro("factor_entries", [](const Solver& s) { s.ready(); return s.factor->entries(); })
+      .def_prop_ro("factor_operations", [](const Solver& s) { s.ready(); return s.factor->operations(); })
+      .def_prop_ro("smallest_pivot", [](const Solver& s) { return s.solved().smallest_pivot(); })
+      .def_prop_ro("smallest_pivot_at", [](const Solver& s) { return s.solved().smallest_pivot_at(); })
       .def("pivots", [](const Solver& s, Doubles out) {
-             const std::vector<double>& pivots = s.factor->pivots();
+             const std::vector<double>& pivots = s.solved().pivots();
              s.check(out.size() == pivots.size(), "pivots have the wrong size");
              std::copy(pivots.begin(), pivots.end(), out.data());
            })
       .def("reduce",
            [](Solver& s, Const R, Const C, Const I, Const X, double huber, double damping, int threads, Doubles values, Doubles right,
               Doubles diagonal) {
-             const State state = s.state(R, C, I, X, huber, damping);
+             const State state = s.state(R, C, I, X, huber, damping, threads);
              s.check(values.size() == size_t(s.q.block_start.back()) && right.size() == size_t(s.q.unknowns) &&
                          diagonal.size() == size_t(s.q.unknowns), "normal matrix has the wrong size");
              double *v = values.data(), *r = right.data(), *d = diagonal.data();
@@ -305,7 +362,7 @@ NB_MODULE(_native, m) {
            })
       .def("back_substitute",
            [](Solver& s, Const R, Const C, Const I, Const X, double huber, double damping, int threads, Const step, Doubles points) {
-             const State state = s.state(R, C, I, X, huber, damping);
+             const State state = s.state(R, C, I, X, huber, damping, threads);
              s.check(step.size() == size_t(s.q.unknowns) && points.size() == size_t(3 * s.q.points), "step has the wrong size");
              const double* d = step.data();
              double* p = points.data();
@@ -314,7 +371,7 @@ NB_MODULE(_native, m) {
            })
       .def("evaluate",
            [](Solver& s, Const R, Const C, Const I, Const X, double huber, int threads, Doubles residuals, Bytes behind) {
-             const State state = s.state(R, C, I, X, huber, 0);
+             const State state = s.state(R, C, I, X, huber, 0, threads);
              double* v = residuals.size() ? residuals.data() : nullptr;
              uint8_t* b = behind.size() ? behind.data() : nullptr;
              s.check((!v || residuals.size() == size_t(2 * s.q.observations)) && (!b || behind.size() == size_t(s.q.observations)),
@@ -328,29 +385,36 @@ NB_MODULE(_native, m) {
            })
       .def("factorise",
            [](Solver& s, Const values, Const added) {
-             s.check(dense().potrf != nullptr, "dense kernels are not set");
+             const Dense& d = dense();
+             s.check(d.potrf && d.potri && d.trsm && d.syrk && d.gemm, "dense kernels are not set");
+             s.ready();
+             s.check(values.size() == size_t(s.q.block_start.back()), "normal matrix has the wrong size");
+             s.check(!added.size() || added.size() == size_t(s.q.unknowns), "what is added to the diagonal has the wrong size");
+             s.factorised = true;
              const double *v = values.data(), *a = added.size() ? added.data() : nullptr;
              nb::gil_scoped_release release;
              return s.factor->factorise(v, a);
            })
       .def("solve",
            [](const Solver& s, Doubles x, int columns) {
-             s.check(x.size() == size_t(s.q.unknowns) * columns, "right side has the wrong size");
+             const Factor& factor = s.solved();
+             s.check(columns >= 1 && x.size() == size_t(s.q.unknowns) * columns, "right side has the wrong size");
              double* d = x.data();
              nb::gil_scoped_release release;
-             s.factor->solve(d, columns);
+             factor.solve(d, columns);
            })
       .def("selected_inverse",
            [](const Solver& s, Doubles values) {
+             const Factor& factor = s.solved();
              s.check(values.size() == size_t(s.q.block_start.back()), "normal matrix has the wrong size");
              double* v = values.data();
              nb::gil_scoped_release release;
-             s.factor->selected_inverse(v);
+             factor.selected_inverse(v);
            })
       .def("condense",
            [](Solver& s, Const R, Const C, Const I, Const X, int threads, Const given, int columns) {
-             const State state = s.state(R, C, I, X, 0, 0);
-             s.check(columns <= 16 && given.size() == size_t(3 * s.q.points) * columns, "right side has the wrong size");
+             const State state = s.state(R, C, I, X, 0, 0, threads);
+             s.check(columns >= 1 && columns <= 16 && given.size() == size_t(3 * s.q.points) * columns, "right side has the wrong size");
              Doubles right = make({size_t(s.q.unknowns), size_t(columns)});
              double* r = right.data();
              const double* g = given.data();
@@ -362,8 +426,8 @@ NB_MODULE(_native, m) {
            })
       .def("expand",
            [](Solver& s, Const R, Const C, Const I, Const X, int threads, Const nodes, Const given, int columns) {
-             const State state = s.state(R, C, I, X, 0, 0);
-             s.check(columns <= 16 && nodes.size() == size_t(s.q.unknowns) * columns && (!given.size() || given.size() == size_t(3 * s.q.points) * columns),
+             const State state = s.state(R, C, I, X, 0, 0, threads);
+             s.check(columns >= 1 && columns <= 16 && nodes.size() == size_t(s.q.unknowns) * columns && (!given.size() || given.size() == size_t(3 * s.q.points) * columns),
                      "right side has the wrong size");
              Doubles points = make({size_t(s.q.points), 3, size_t(columns)});
              double* p = points.data();
@@ -376,7 +440,8 @@ NB_MODULE(_native, m) {
            })
       .def("statistics", [](Solver& s, Const R, Const C, Const I, Const X, int threads, Const inverse, int datum, Const gauge_nodes,
                             Const gauge_given, Const gauge_points, Const gauge_middle) {
-        const State state = s.state(R, C, I, X, 0, 0);
+        const State state = s.state(R, C, I, X, 0, 0, threads);
+        s.check(datum >= 0 && datum <= 7, "a datum has 0 to 7 unknowns");
         const size_t rows = size_t(3 * s.q.points) * datum;
         s.check(inverse.size() == size_t(s.q.block_start.back()), "inverse has the wrong size");
         s.check(gauge_nodes.size() == size_t(s.q.unknowns) * datum && gauge_given.size() == rows && gauge_points.size() == rows &&

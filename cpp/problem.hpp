@@ -1,6 +1,7 @@
 // The least squares problem as flat arrays, shared by the kernels, the structure and the module.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -67,6 +68,9 @@ struct Problem {
   // every point touches all parameters of its sensor and the nodes are small: the passes then know the stride
   bool plain() const { return coupling_stride == kPlainStride && external_width == 0; }
 
+  // throw std::invalid_argument or std::out_of_range where an array is too short, or an index leads out of another
+  void check(const std::vector<std::pair<int32_t, int32_t>>& extra_pairs) const;
+  void check_external(std::size_t rows) const;
   void sort_points();
   void build_structure(const std::vector<std::pair<int32_t, int32_t>>& extra_pairs);
   int64_t block(int32_t row, int32_t col) const;
@@ -105,6 +109,7 @@ struct Kernels {
 
 const Kernels& kernels();
 const std::vector<const char*>& model_names();
+const std::vector<int>& model_parameters();
 
 namespace baseline { extern const Kernels table; }
 #ifdef RB_X86

@@ -269,6 +269,9 @@ static DotOutcome iterate(const Grey& g, const DotFit& fit, double step, double*
 static DotOutcome fit_dot(const Grey& g, const DotFit& fit, double window, double* v, double* covariance, double& residual, DotWork& w) {
   const double start[2] = {v[X0], v[Y0]}, minor = std::min(v[A], v[D]);
   if (!(minor > 0.5)) return dot_flat;
+  // no dot is larger than its image, and no window much larger than its dot
+  const double largest = std::max(std::abs(v[A]), std::max(std::abs(v[B]), std::abs(v[D])));
+  if (!(window > 0 && window < 1e3 && largest < 4.0 * std::max(g.width, g.height))) return dot_outside;
   double N[kU][kU], scale[kU], variance = 0;
   for (int pass = 0; pass < kPasses; ++pass) {
     if (!place_window(g, v, window, w)) return dot_outside;

@@ -5,15 +5,17 @@ Exit status: 0 done; 1 internal error; 2 bad input or usage; 3 not solvable as g
 
 from __future__ import annotations
 
+import contextlib
 import os
 import sys
 import traceback
 from collections.abc import Sequence
 from importlib import import_module
+from typing import TextIO
 
 import click
 
-from raybundle.errors import RaybundleError
+from raybundle.errors import RaybundleError, printable
 
 COMMANDS = {
     "orient": "Orient photographs: calibrated cameras, object points, report.",
@@ -89,25 +91,72 @@ def main(argv: Sequence[str] | None = None) -> int:
     arguments = list(sys.argv[1:] if argv is None else argv)
     try:
         status = cli.main(arguments, prog_name="raybundle", standalone_mode=False)
+        if sys.stdout is not None:
+            sys.stdout.flush()
     except click.ClickException as error:
-        error.show()
+        with contextlib.suppress(OSError, ValueError):
+            error.show()
         return error.exit_code
     except (KeyboardInterrupt, click.Abort):
-        click.echo("interrupted; nothing was written", err=True)
+        _say("interrupted; nothing was written")
         return 130
     except BrokenPipeError:
-        # the reader of our output went away: what stands in the buffer has nowhere to go
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        _silence(sys.stdout)  # the reader of our output went away: what stands in the buffer has nowhere to go
         return 1
-    except RaybundleError as error:
-        if "--traceback" in arguments:
-            traceback.print_exc()
-        click.echo(f"{type(error).__name__}: {error}", err=True)
-        return error.exit_status
     except Exception as error:  # noqa: BLE001  (the last resort; the message says how to see the rest)
         if "--traceback" in arguments:
-            traceback.print_exc()
-        first = str(error).partition("\n")[0]
-        click.echo(f"internal error {type(error).__name__}: {first}; please report; --traceback shows it", err=True)
-        return 1
+            with contextlib.suppress(OSError, ValueError):
+                traceback.print_exc()
+        text, status = _told(error)
+        _say(text)
+        return status
     return status if isinstance(status, int) else 0
+
+
+def _told(error: Exception) -> tuple[str, int]:
+    """What is said of an error, and the exit status."""
+    if isinstance(error, RaybundleError):
+        return f"{type(error).__name__}: {error}", error.exit_status
+    if isinstance(error, MemoryError):
+        return "MemoryError: there is not enough memory; give fewer or smaller inputs, or fewer --threads or --jobs", 2
+    if isinstance(error, OSError) and error.filename is None and (_in_output(error) or _is_closed(sys.stdout)):
+        _silence(sys.stdout)
+        reason = error.strerror or str(error)
+        return f"the output could not be shown ({reason}); what was to be written is written", 2
+    if isinstance(error, OSError):
+        from raybundle.io.reading.words import quoted  # noqa: PLC0415  (NumPy is loaded with it)
+
+        names = " -> ".join(quoted(os.fsdecode(n)) for n in (error.filename, error.filename2) if n is not None)
+        return f"{type(error).__name__}: {names or 'a file'} cannot be used: {error.strerror or error}", 2
+    first = printable(str(error).partition("\n")[0])[:1000]
+    return f"internal error {type(error).__name__}: {first}; please report; --traceback shows it", 1
+
+
+def _in_output(error: Exception) -> bool:
+    """Whether an error was raised where the command shows something."""
+    return any(f.f_globals.get("__name__") == "click.utils" for f, _ in traceback.walk_tb(error.__traceback__))
+
+
+def _is_closed(stream: TextIO | None) -> bool:
+    """Whether nothing more can be written to a stream."""
+    try:
+        if stream is not None:
+            stream.flush()
+    except (OSError, ValueError):
+        return True
+    return stream is None
+
+
+def _silence(stream: TextIO | None) -> None:
+    """Let what is left in a stream's buffer go nowhere, so that the end of the process has nothing to complain of."""
+    with contextlib.suppress(OSError, ValueError):
+        if stream is not None:
+            os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+
+
+def _say(text: str) -> None:
+    """A line on stderr, if anybody can read it."""
+    try:
+        click.echo(text, err=True)
+    except (OSError, ValueError):
+        _silence(sys.stderr)

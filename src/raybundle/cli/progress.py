@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import sys
 import time
@@ -24,7 +25,7 @@ def reporting(mode: str) -> Generator[Progress]:
     """The progress function for a mode of `--progress`; the terminal is clean again at the end."""
     if mode == "json":
         yield _JsonLines()
-    elif mode == "auto" and sys.stderr.isatty():
+    elif mode == "auto" and sys.stderr is not None and sys.stderr.isatty():
         terminal = _Terminal()
         try:
             yield terminal
@@ -42,7 +43,8 @@ class _JsonLines:
 
     def __call__(self, stage: str, share: float) -> None:
         line = {"stage": stage, "share": round(share, 4), "seconds": round(time.monotonic() - self.start, 3)}
-        print(json.dumps(line), file=sys.stderr, flush=True)  # noqa: T201  (this is the output asked for)
+        with contextlib.suppress(OSError, ValueError):  # nobody reads any more: the work goes on
+            print(json.dumps(line), file=sys.stderr, flush=True)  # noqa: T201  (this is the output asked for)
 
 
 class _Terminal:
@@ -55,6 +57,10 @@ class _Terminal:
         self.task: TaskID | None = None
 
     def __call__(self, stage: str, share: float) -> None:
+        with contextlib.suppress(OSError, ValueError):
+            self._show(stage, share)
+
+    def _show(self, stage: str, share: float) -> None:
         if self.bar is None:
             if time.monotonic() - self.start < PATIENCE:
                 return
@@ -85,5 +91,6 @@ class _Terminal:
 
     def close(self) -> None:
         """Take the bar away."""
-        if self.bar is not None:
-            self.bar.stop()
+        with contextlib.suppress(OSError, ValueError):
+            if self.bar is not None:
+                self.bar.stop()

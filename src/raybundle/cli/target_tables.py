@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.errors import InputError
+from raybundle.io.folders import new_files
 from raybundle.io.photos.photo import Photo, find_photos, read_grey
 from raybundle.io.tables import write_table
 from raybundle.numerics.arrays import Array
@@ -40,7 +41,8 @@ def detect_all(
         if pictures is not None:
             from raybundle.targets.overlay import as_png, overlay  # noqa: PLC0415
 
-            (pictures / f"{photo.path.stem}.png").write_bytes(as_png(overlay(image, found)))
+            with new_files(pictures / f"{photo.path.stem}.png") as (file,):
+                file.write_bytes(as_png(overlay(image, found)))
         return found
 
     results: list[tuple[str, Marks]] = []
@@ -66,7 +68,8 @@ def write_targets(path: Path, found: Sequence[tuple[str, Marks]]) -> None:
         "radius_px": every["radius_px"],
         "gate": every["gate"],
     }
-    write_table(path, table)
+    with new_files(path) as (file,):
+        write_table(file, table)
 
 
 def write_observations(path: Path, found: Sequence[tuple[str, Marks]]) -> None:
@@ -74,7 +77,8 @@ def write_observations(path: Path, found: Sequence[tuple[str, Marks]]) -> None:
     kept = [(name, m.rows(m.named)) for name, m in found]
     names = [name for name, m in kept for _ in range(len(m))]
     points = [n for _, m in kept for n in m.name]
-    write_table(path, {"image": names, "point": points, **_measured(_joined(kept))})
+    with new_files(path) as (file,):
+        write_table(file, {"image": names, "point": points, **_measured(_joined(kept))})
 
 
 def _joined(found: Sequence[tuple[str, Marks]]) -> dict[str, Array]:

@@ -58,6 +58,8 @@ class CameraFit:
     """Root mean square of these distances."""
 
 
+LARGEST_AFFINITY = 0.9
+"""Ratio of the scales of the axes, less one: pixels of scanners reach 0.5."""
 TALLEST = 20
 """Beyond this ratio of height to width the rows of a grid stand less densely than its columns."""
 
@@ -168,6 +170,8 @@ def _rational_of(forward: ForwardCamera, blank: Camera) -> Camera | None:
 def _first_guess(camera: Camera, projection: Literal["central", "equidistant"]) -> ForwardCamera:
     width, height = camera.pixel_mm
     c, x0, y0, A = (float(camera.values.get(s, 0.0)) for s in ("c", "x0", "y0", "A"))
+    if not (c > 0 and abs(A) < LARGEST_AFFINITY):
+        raise InputError(f"camera {camera.id}: c = {c:g} mm and A = {A:g} are no lens; c is positive, A a small number")
     return ForwardCamera(
         width_px=camera.width_px,
         height_px=camera.height_px,

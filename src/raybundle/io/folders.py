@@ -1,18 +1,23 @@
-"""Folders that are written whole or not at all."""
+"""Folders and files that are written whole or not at all."""
 
 from __future__ import annotations
 
+import contextlib
 import ctypes
 import os
+import re
 import shutil
 import uuid
-from collections.abc import Generator
+from collections.abc import Generator, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
 from raybundle.errors import InputError
 
 AT_FDCWD, RENAME_EXCHANGE = -100, 2  # linux/fcntl.h, linux/fs.h
+NAME_BYTES = 200
+"""Of a name that is kept in that of its temporary sibling; file systems allow 255."""
+_SIBLING = r"\.[0-9a-f]{8}\.(?:partial|old)"
 
 
 @contextmanager
@@ -20,27 +25,104 @@ def new_folder(path: Path) -> Generator[Path]:
     """A temporary sibling of `path` that takes its name when the body ends without an error.
 
     What stands at `path` is replaced only then; whether it may be is for the caller to find out before.  A
-    process that is killed leaves `path` as it was, and a folder `.NAME.*.partial` beside it that may be deleted.
-    Raises InputError where nothing can be written there.
+    process that is killed leaves `path` as it was, and a folder `.NAME.*.partial` beside it, which the next one that
+    writes there deletes.  Raises InputError where nothing can be written there.
     """
     path = path.absolute()
-    temporary = path.parent / f".{path.name}.{uuid.uuid4().hex[:8]}.partial"
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        temporary.mkdir()
-    except OSError as error:
-        raise _cannot(path, error) from None
-    try:
+    make_parent(path)
+    with _sibling(path) as temporary:
         yield temporary
-        _take_name(temporary, path)
+        with _told(path):
+            _take_name(temporary, path)
+
+
+def make_parent(path: Path) -> None:
+    """Make the folder in which a file or folder is to stand; raises InputError where that cannot be."""
+    with _told(path):
+        path.parent.mkdir(parents=True, exist_ok=True)
+
+
+@contextmanager
+def new_files(*paths: Path) -> Generator[tuple[Path, ...]]:
+    """Files of other places that take the names `paths` when the body ends without an error, in this order.
+
+    They have the same names and stand in a temporary folder beside the last one; what stands at a path is replaced.
+    What the body has not written is passed over.  Raises InputError where nothing can be written there.
+    """
+    target = paths[-1].absolute()
+    if target.is_dir():
+        raise InputError("is a folder; give the name of a file", file=paths[-1])
+    with _sibling(target) as temporary:
+        yield tuple(temporary / p.name for p in paths)
+        for path in paths:
+            with _told(path):
+                if (temporary / path.name).exists():
+                    (temporary / path.name).replace(path.absolute())
+
+
+@contextmanager
+def _told(path: Path) -> Generator[None]:
+    """Turn what the system refuses into a message."""
+    try:
+        yield
     except OSError as error:
-        raise _cannot(path, error) from None
+        raise InputError(
+            f"cannot be written: {error.strerror or error}; free space or choose another folder", file=path
+        ) from None
+
+
+@contextmanager
+def _sibling(path: Path) -> Generator[Path]:
+    """A new folder beside a path, locked while it is in use, deleted in the end."""
+    stem = os.fsdecode(os.fsencode(path.name)[:NAME_BYTES])
+    with _told(path):
+        for left in _left_beside(path.parent, stem):
+            shutil.rmtree(left, ignore_errors=True)
+        temporary = path.parent / f".{stem}.{uuid.uuid4().hex[:8]}.partial"
+        temporary.mkdir()
+        lock = lock_of(temporary)
+    try:
+        with _told(path):
+            yield temporary
     finally:
+        unlock(lock)
         shutil.rmtree(temporary, ignore_errors=True)
 
 
-def _cannot(path: Path, error: OSError) -> InputError:
-    return InputError(f"cannot be written: {error.strerror}; free space or choose another folder", file=path)
+def _left_beside(parent: Path, stem: str) -> Iterator[Path]:
+    """Temporary siblings whose writer is gone: nobody holds their lock."""
+    ours = re.compile(re.escape(f".{stem}") + _SIBLING)
+    for entry in parent.iterdir():
+        if ours.fullmatch(entry.name) and not entry.is_symlink() and entry.is_dir():
+            lock = lock_of(entry)
+            if lock is not None:
+                unlock(lock)
+                yield entry
+
+
+def lock_of(folder: Path) -> int | None:
+    """A file descriptor that locks a folder; None where another process holds it, or the system has no such lock."""
+    try:
+        import fcntl  # noqa: PLC0415  (not on Windows)
+    except ImportError:
+        return None
+    try:
+        number = os.open(folder, os.O_RDONLY)
+    except OSError:
+        return None
+    try:
+        fcntl.flock(number, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        os.close(number)
+        return None
+    return number
+
+
+def unlock(lock: int | None) -> None:
+    """Give a lock back."""
+    if lock is not None:
+        with contextlib.suppress(OSError):
+            os.close(lock)
 
 
 def _take_name(new: Path, path: Path) -> None:

@@ -17,11 +17,14 @@ import errno
 import hashlib
 import json
 import os
+import re
 import shutil
 import sqlite3
+import struct
 import time
 import uuid
 import zipfile
+import zlib
 from collections.abc import Callable, Generator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -36,6 +39,15 @@ from raybundle.numerics.arrays import Array
 
 SCHEMA = 1
 OWN = {"project.db", "project.db-wal", "project.db-shm", "project.toml", "cache", "result"}
+_LEFTOVER = re.compile(r"\.result\.[0-9a-f]{8}\.(?:partial|old)|\.project\.toml\.[0-9a-f]{8}")
+"""Names under which a killed run leaves what it had begun to write."""
+_PRODUCT = re.compile(r"[A-Za-z0-9_ -]+-[0-9a-f]{40}\.npz|\.[A-Za-z0-9_ -]+-[0-9a-f]{40}\.[0-9a-f]{8}")
+"""Names of products, and of those that a killed run had begun."""
+DAMAGED = (
+    OSError, ValueError, EOFError, zipfile.BadZipFile, zlib.error, struct.error, KeyError, MemoryError, OverflowError,
+    RuntimeError, SyntaxError, TypeError,
+)  # fmt: skip
+"""What reading a damaged archive of arrays can raise; NotImplementedError and RecursionError are RuntimeErrors."""
 FULL = {errno.ENOSPC, errno.EDQUOT} if hasattr(errno, "EDQUOT") else {errno.ENOSPC}
 _TABLES = """
 CREATE TABLE IF NOT EXISTS about (name TEXT PRIMARY KEY, value TEXT NOT NULL);
@@ -115,11 +127,17 @@ class Project:
         if not file.exists() and folder.exists() and not _begun(folder):
             raise InputError("exists and is neither empty nor a project folder; choose another --out", file=folder)
         with writing(folder):
-            (folder / "cache").mkdir(parents=True, exist_ok=True)
+            folder.mkdir(parents=True, exist_ok=True)
             lock = _locked(folder)
             try:
                 _sweep(folder, locked=lock is not None)
-                return cls(folder, _opened(file, _connection_to_write), lock=lock)
+                db = _opened(file, _connection_to_write)
+                try:
+                    (folder / "cache").mkdir(exist_ok=True)  # after the database, by which the folder is known
+                except BaseException:
+                    db.close()
+                    raise
+                return cls(folder, db, lock=lock)
             except BaseException:
                 _unlock(lock)
                 raise
@@ -144,7 +162,7 @@ class Project:
                     return True
         except FileNotFoundError:
             return False
-        except (OSError, ValueError, EOFError, zipfile.BadZipFile):
+        except DAMAGED:
             pass
         with contextlib.suppress(OSError):
             path.unlink()
@@ -158,7 +176,7 @@ class Project:
                 return {name: file[name] for name in names or file.files}
         except FileNotFoundError:
             return None
-        except (OSError, ValueError, EOFError, zipfile.BadZipFile, KeyError):
+        except DAMAGED:
             with contextlib.suppress(OSError):
                 path.unlink()
             return None
@@ -372,24 +390,32 @@ def _connection_to_read(file: Path) -> sqlite3.Connection:
 
 
 def _begun(folder: Path) -> bool:
-    """Whether a folder is empty, or a project whose database was deleted."""
+    """Whether a folder is empty, or a project whose database was deleted: its settings or products are ours."""
     if not folder.is_dir():
         return False
-    names = {p.name for p in folder.iterdir() if not _is_leftover(p.name)}
-    return not names or ("cache" in names and names <= OWN)
+    names = {p.name for p in folder.iterdir() if not _LEFTOVER.fullmatch(p.name)}
+    if not names:
+        return True
+    products = [p for place in (folder / "cache").glob("*") for p in (place.iterdir() if place.is_dir() else [place])]
+    ours = all(_PRODUCT.fullmatch(p.name) for p in products)
+    return names <= OWN and ours and (bool(products) or _has_settings(folder / "project.toml"))
 
 
-def _is_leftover(name: str) -> bool:
-    return name.startswith((".result.", ".project.toml."))
+def _has_settings(file: Path) -> bool:
+    try:
+        return file.is_file() and read_toml(file).tree().has("orient")
+    except InputError:
+        return False
 
 
 def _sweep(folder: Path, *, locked: bool) -> None:
-    """Remove what a killed run had begun to write; nobody else is writing here."""
+    """Remove what a killed run had begun to write, known by its whole name; nobody else is writing here."""
     if not locked:
         return
-    begun = [p for p in folder.iterdir() if _is_leftover(p.name)]
-    for path in (*begun, *(folder / "cache").glob("*/.*-*")):
-        if path.is_dir():
+    begun = [p for p in folder.iterdir() if _LEFTOVER.fullmatch(p.name)]
+    begun += [p for p in (folder / "cache").glob("??/.*") if _PRODUCT.fullmatch(p.name)]
+    for path in begun:
+        if path.is_dir() and not path.is_symlink():
             shutil.rmtree(path, ignore_errors=True)
         else:
             with contextlib.suppress(OSError):

@@ -12,6 +12,7 @@ import numpy as np
 
 from raybundle.block import Camera
 from raybundle.errors import InputError
+from raybundle.io.folders import new_files
 from raybundle.io.undistort import opened_photo
 from raybundle.numerics.arrays import Array, Mask
 
@@ -91,13 +92,11 @@ class Rectified:
         else:
             picture = Image.fromarray(np.dstack([self.colours, np.where(self.seen, 255, 0).astype(np.uint8)]))
             options = {"compression": "tiff_deflate"} if suffix in {".tif", ".tiff"} else {}
-        try:
-            picture.save(path, **options)
-            world = [pixel, 0.0, 0.0, -pixel, left + pixel / 2, top - pixel / 2]
-            path.with_suffix(WORLD[suffix]).write_text("".join(f"{v:.12g}\n" for v in world), encoding="ascii")
-            path.with_suffix(".toml").write_text(_toml(about), encoding="utf-8")
-        except OSError as error:
-            raise InputError(f"cannot be written: {error.strerror or error}", file=path) from None
+        world = [pixel, 0.0, 0.0, -pixel, left + pixel / 2, top - pixel / 2]
+        with new_files(path.with_suffix(".toml"), path.with_suffix(WORLD[suffix]), path) as (told, placed, file):
+            picture.save(file, **options)
+            placed.write_text("".join(f"{v:.12g}\n" for v in world), encoding="ascii")
+            told.write_text(_toml(about), encoding="utf-8")
 
 
 def check_picture(path: Path) -> None:

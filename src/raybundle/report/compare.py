@@ -11,6 +11,7 @@ from typing import Any, cast
 import numpy as np
 
 from raybundle.errors import InputError
+from raybundle.io.folders import new_files
 from raybundle.io.tables import Table as Csv
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.rotation import rotation_from_angles
@@ -89,7 +90,8 @@ def write_comparison(first: ResultFolder, second: ResultFolder, path: str | Path
         grade="remarks",
         sections=sections,
     )
-    Path(path).write_text(html, encoding="utf-8")
+    with new_files(Path(path)) as (file,):
+        file.write_text(html, encoding="utf-8")
 
 
 def common_rows(first: Sequence[str], second: Sequence[str]) -> Common:

@@ -6,6 +6,7 @@ from pathlib import Path
 from xml.sax.saxutils import escape
 
 from raybundle.errors import InputError
+from raybundle.io.folders import new_files
 from raybundle.targets.layout import Disc, Outline, Page, Sheet
 from raybundle.targets.sidecar import sidecar
 
@@ -39,11 +40,11 @@ def write_sheet(sheet: Sheet, path: Path) -> tuple[Path, ...]:
             f"another name than {path.name} for this one, or remove both files of the other",
             file=beside,
         )
-    for name, content in files.items():
-        try:
-            name.write_bytes(content)
-        except OSError as error:
-            raise InputError(f"cannot be written: {error.strerror}", file=name) from error
+    # the file beside it first: with it alone the same sheet can be written again
+    order = (beside, *(name for name in files if name != beside))
+    with new_files(*order) as temporary:
+        for name, place in zip(order, temporary, strict=True):
+            place.write_bytes(files[name])
     return tuple(files)
 
 

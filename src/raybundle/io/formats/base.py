@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
-import tempfile
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -15,7 +13,7 @@ from raybundle.block import Block, Camera, Images, Observations, Points, Role
 from raybundle.errors import InputError
 from raybundle.io.conversions import LIMIT_PX, CameraFit, interiors, parameter_vector
 from raybundle.io.coordinate_systems import LocalFrame
-from raybundle.io.folders import new_folder
+from raybundle.io.folders import make_parent, new_files, new_folder
 from raybundle.io.reading.files import guarded
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.sensors import ProjectionDiverged, sensor_models
@@ -196,26 +194,18 @@ EXACT_PX = 1e-9
 
 
 def _write_files(write: Writer, export: Export, path: Path, *, approximate: bool) -> Written:
-    if path.is_dir():
-        raise InputError("is a folder; give the name of a file", file=path)
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        temporary = Path(tempfile.mkdtemp(prefix=f".{path.name}.", suffix=".partial", dir=path.parent))
-    except OSError as error:
-        raise InputError(f"cannot be written: {error.strerror}; choose another folder", file=path) from None
-    try:
-        draft = write(export, temporary / path.name)
+    made: list[Path] = []
+    make_parent(path)
+    with new_files(path) as (temporary,):
+        draft = write(export, temporary)
         check_deviation(draft.deviation_px, draft.remarks, path, approximate=approximate)
-        made = sorted(temporary.iterdir())
+        made = sorted(temporary.parent.iterdir())
         for file in made:
             if (path.parent / file.name).exists():
                 raise InputError("stands there already and is not overwritten", file=path.parent / file.name)
         for file in made:
-            file.rename(path.parent / file.name)
-    except OSError as error:
-        raise InputError(f"cannot be written: {error.strerror}; free space or choose another", file=path) from None
-    finally:
-        shutil.rmtree(temporary, ignore_errors=True)
+            if file.name != path.name:
+                file.rename(path.parent / file.name)
     files = tuple(path.parent / f.name for f in made)
     return Written(files=files, remarks=draft.remarks, deviation_px=draft.deviation_px)
 

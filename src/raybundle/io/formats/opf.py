@@ -316,7 +316,10 @@ def _cameras_in(
 ) -> tuple[tuple[Camera, ...], dict[int, int]]:
     sizes: dict[int, tuple[int, int, float | None]] = {}
     for sensor in given.get("sensors").items():
-        width, height = (v.whole() for v in sensor.get("image_size_px").items()[:2])
+        size = sensor.get("image_size_px")
+        if len(size.items()) < 2:
+            size.fail("width and height are needed")
+        width, height = (v.whole() for v in size.items()[:2])
         pixel = sensor.optional("pixel_size_um") / 1000
         sizes[_id(sensor)] = (width, height, pixel if pixel > 0 else None)
     cameras: list[Camera] = []

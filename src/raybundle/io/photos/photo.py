@@ -33,6 +33,7 @@ from raybundle.io.photos.container import (
 )
 from raybundle.io.photos.metadata import Gps, Metadata
 from raybundle.io.photos.read_metadata import read_metadata
+from raybundle.io.reading.files import guarded
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress, silent
 
@@ -284,7 +285,7 @@ def read_grey(photo: Photo) -> Array:
     """Grey values (h, w) as stored, uint8 or uint16, C-contiguous.
 
     0.299 R + 0.587 G + 0.114 B of the values in the file (ITU-R BT.601, the Y of a JPEG): not linear in light.
-    Raises InputError where the pixels cannot be decoded, or the file has changed its size since.
+    Raises InputError where the pixels cannot be decoded, or the content of the file has changed since.
     """
     return _checked(photo, decode(photo.path, photo.kind, "grey"))
 
@@ -306,6 +307,11 @@ def _checked(photo: Photo, pixels: Array) -> Array:
             "was it exchanged during the work?",
             file=photo.path,
         )
+    with guarded(photo.path), photo.path.open("rb") as file:
+        # after decoding, so that an exchange before or meanwhile is seen
+        now = hashlib.file_digest(file, "sha256").hexdigest()
+    if now != photo.sha256:
+        raise InputError("was exchanged during the work: its content is another; run again", file=photo.path)
     return pixels
 
 

@@ -54,7 +54,7 @@ def tiff_tags(path: Path) -> tuple[str, dict[int, tuple[float, ...]]]:
         found: dict[int, tuple[float, ...]] = {}
         for k in range(count):
             tag, kind, number = tiff_values(path, file, order + "HH" + pointer, start + k * entry)
-            if int(kind) not in LETTERS or number > MOST_VALUES:
+            if int(kind) not in LETTERS or not 0 < number <= MOST_VALUES:
                 continue
             letter, size = LETTERS[int(kind)]
             inline = start + k * entry + (12 if big else 8)

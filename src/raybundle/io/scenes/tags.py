@@ -96,7 +96,7 @@ class _Tiff:
         found: dict[int, tuple[float, ...]] = {}
         for k in range(int(count)):
             tag, kind, number = self._take("HH" + pointer, start + k * entry)
-            if tag not in {RPC_TAG, WIDTH_TAG, HEIGHT_TAG} or kind not in TAG_BYTES or number > 1000:
+            if tag not in {RPC_TAG, WIDTH_TAG, HEIGHT_TAG} or kind not in TAG_BYTES or not 0 < number <= 1000:
                 continue
             letter, size = TAG_BYTES[int(kind)]
             inline = start + k * entry + (12 if self.big else 8)

@@ -12,6 +12,7 @@ import numpy as np
 from raybundle.block import Stations
 from raybundle.errors import InputError
 from raybundle.io.coordinate_systems import LocalFrame, local_frame
+from raybundle.io.folders import make_parent, new_files
 from raybundle.io.reading.files import guarded
 from raybundle.io.reading.words import whole_of
 from raybundle.numerics.arrays import Array, Index
@@ -115,11 +116,9 @@ def write_trajectory(trajectory: Trajectory, path: str | Path, *, name: str) -> 
     path = Path(path)
     if path.exists():
         raise InputError("stands there already and is not overwritten; choose another name", file=path)
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        _named(name).write(trajectory, path)
-    except OSError as error:
-        raise InputError(f"cannot be written: {error.strerror}; choose another folder", file=path) from None
+    make_parent(path)
+    with new_files(path) as (file,):
+        _named(name).write(trajectory, file)
 
 
 def _named(name: str) -> TrajectoryFormat:
