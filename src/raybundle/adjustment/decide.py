@@ -15,7 +15,8 @@ import numpy as np
 from raybundle.adjustment.engine import Extent, Start, adjust_block, as_start, free_parameters
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.reliability import UNCONTROLLED
-from raybundle.adjustment.result import Adjustment, InteriorResult, Notice
+from raybundle.adjustment.result import Adjustment, InteriorResult, Notice, kind_of
+from raybundle.adjustment.separability import UNLOCATED, unlocatable
 from raybundle.block import Block, Role
 from raybundle.block.stored import is_observed_jointly
 from raybundle.errors import NoConvergence, NotSolvable, RankDefect
@@ -114,7 +115,7 @@ def _snoop(
         if wrong is not None:
             block = _without_control(block, wrong, choices)
             choices.reasons = tuple(
-                "" if r.startswith(BLUNDER) and block.points.ids[block.observations.point[i]] == wrong[0] else r
+                "" if is_blunder(r) and block.points.ids[block.observations.point[i]] == wrong[0] else r
                 for i, r in enumerate(choices.reasons)
             )
             continue
@@ -132,15 +133,26 @@ def _snoop(
                 reasons[i] = ""
             choices.reasons = tuple(reasons)
             continue
-        reasons = list(choices.reasons)
-        for i in chosen:
-            axis = int(np.nanargmax(np.abs(result.image_observations.t[i])))
-            reasons[i] = f"{BLUNDER}: tau {size[i]:.1f} > {result.critical_tau:.2f} in {'xy'[axis]}"
-        choices.reasons = tuple(reasons)
+        choices.reasons = _with_rejected(result, choices.reasons, np.array(chosen), size)
     choices.notices.append(
         Notice(code="snooping_unfinished", message=f"data snooping stopped after {ROUNDS} rounds; suspects are left")
     )
     return block
+
+
+def _with_rejected(result: Adjustment, reasons: tuple[str, ...], chosen: Array, size: Array) -> tuple[str, ...]:
+    """The reasons with those of these suspects, or of all rays of a point whose wrong one cannot be told."""
+    new = list(reasons)
+    point = result.given.observations.point
+    for i, lost in zip(chosen, unlocatable(result, chosen), strict=True):
+        axis = int(np.nanargmax(np.abs(result.image_observations.t[i])))
+        test = f"tau {size[i]:.1f} > {result.critical_tau:.2f} in {'xy'[axis]}"
+        if not lost:
+            new[i] = f"{BLUNDER}: {test}"
+            continue
+        for k in np.flatnonzero(point == point[i]):
+            new[k] = new[k] or f"{UNLOCATED}: {test} of one ray"
+    return tuple(new)
 
 
 def _apart(block: Block, size: Array, suspects: Array) -> list[int]:
@@ -159,12 +171,17 @@ def _apart(block: Block, size: Array, suspects: Array) -> list[int]:
     return chosen
 
 
+def is_blunder(reason: str) -> bool:
+    """Whether an image observation was rejected as a blunder of its own."""
+    return kind_of(reason) == BLUNDER
+
+
 def _innocent(result: Adjustment) -> list[int]:
     """Rejected blunders whose residual against the present result is below the critical value."""
     from raybundle.adjustment.predict import residuals_px  # noqa: PLC0415
 
     block = result.adjusted
-    rows = np.array([i for i, r in enumerate(result.image_observations.rejected) if r.startswith(BLUNDER)], int)
+    rows = np.array([i for i, r in enumerate(result.image_observations.rejected) if is_blunder(r)], int)
     if not len(rows):
         return []
     v = residuals_px(block, rows)
@@ -187,7 +204,7 @@ def _worst_control(result: Adjustment) -> tuple[str, float] | None:
 
 def _contradicted(block: Block, reasons: tuple[str, ...]) -> tuple[str, float] | None:
     """A held control point whose image observations are rejected one after the other: the point is wrong, not they."""
-    rejected = np.array([r.startswith(BLUNDER) for r in reasons])
+    rejected = np.array([is_blunder(r) for r in reasons])
     p = len(block.points)
     lost = np.bincount(block.observations.point[rejected], minlength=p)
     rays = np.bincount(block.observations.point, minlength=p)

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from raybundle.adjustment.components import NAMES
-from raybundle.adjustment.result import Adjustment, Notice, VarianceComponent
+from raybundle.adjustment.result import Adjustment, Notice, VarianceComponent, kind_of
+from raybundle.adjustment.separability import UNLOCATED
 from raybundle.block import Role
 from raybundle.numerics.arrays import Array
 
@@ -117,7 +118,7 @@ def _rejected(result: Adjustment) -> list[Notice]:
         return []
     kinds: dict[str, int] = {}
     for r in reasons:
-        kind = r.split(":")[0]
+        kind = kind_of(r)
         kinds[kind] = kinds.get(kind, 0) + 1
     behind = kinds.get("behind the camera", 0)
     found = [
@@ -127,6 +128,21 @@ def _rejected(result: Adjustment) -> list[Notice]:
             + ", ".join(f"{n} {k}" for k, n in sorted(kinds.items(), key=lambda kv: -kv[1])),
         )
     ]
+    lost = kinds.get(UNLOCATED, 0)
+    if lost:
+        rejected = np.array(result.image_observations.rejected)
+        mine = np.char.startswith(rejected, UNLOCATED)
+        points = np.unique(result.given.observations.point[mine])
+        names = [result.given.points.ids[p] for p in points]
+        found.append(
+            Notice(
+                code="blunder_not_located",
+                message=f"{len(names)} points are left out: one of their rays is wrong, and which one cannot be told "
+                f"(fewer than three rays would be left, or two rays explain it alike): {', '.join(names[:10])}"
+                f"{' ...' if len(names) > 10 else ''}. More rays to such points would save them",
+                ids=tuple(names[:100]),
+            )
+        )
     if behind:
         rows = [i for i, r in enumerate(result.image_observations.rejected) if r == "behind the camera"]
         pairs = {

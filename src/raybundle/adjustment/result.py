@@ -29,6 +29,11 @@ class Notice:
     """Of one object: why, in words that stand after its name in a list."""
 
 
+def kind_of(reason: str) -> str:
+    """The kind of a rejection: what stands before the colon and its figures."""
+    return reason.partition(":")[0]
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ObservationStatistics:
     """Image observations, pixel frame, y down; one row per row of `Block.observations`."""
