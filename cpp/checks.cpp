@@ -69,11 +69,12 @@ void Problem::check(const std::vector<std::pair<int32_t, int32_t>>& extra_pairs)
     const int width = model[f] >= 0 ? widths[model[f]] : parameters[f];
     need(model[f] < 0 || width <= interior_stride, "the stride of interior orientations is shorter than a sensor model's parameters");
     check_columns(c.own, 0, 6 + width);
-    check_columns(c.shared, 6, 6 + width);
+    // of a model that is not compiled a row may name the columns that it touches: those are held in check_external
+    check_columns(c.shared, 6, model[f] >= 0 ? 6 + width : INT_MAX);
     need(c.own.empty() || (own_node[f] >= 0 && int(c.own.size()) <= size[own_node[f]]), "a pattern has more columns than its image's node");
     need(c.shared.empty() || (shared_node[f] >= 0 && int(c.shared.size()) <= size[shared_node[f]]),
          "a pattern has more columns than its shared node");
-    need(int(c.own.size() + c.shared.size()) <= kMaxNode, "a pattern has more columns than a sensor model can have");
+    need(model[f] < 0 || int(c.own.size() + c.shared.size()) <= kMaxNode, "a pattern has more columns than a sensor model can have");
   }
   for (size_t k = 0; k < p; ++k)
     need(node_of_point[k] < 0 || size[node_of_point[k]] >= 3, "the node of a point has fewer than three unknowns");
@@ -88,6 +89,8 @@ void Problem::check_external(std::size_t rows) const {
     const Pattern& c = patterns[pattern[f]];
     if (columns[0] < 0) {
       need(parameters[f] <= external_width, "rows of models that are not compiled are too short");
+      check_columns(c.shared, 6, 6 + parameters[f]);
+      need(int(c.own.size() + c.shared.size()) <= kMaxNode, "a pattern has more columns than a sensor model can have");
       continue;
     }
     need(shared_node[f] >= 0 && int(c.own.size()) + external_width <= kMaxNode, "a row touches parameters that its image does not have");

@@ -335,7 +335,7 @@ void Factor::selected_inverse(double* values) const {
             std::memcpy(target + node.local[node.nodes.size() + i], source + node.map[i], sizeof(double) * q.size[node.below[i]]);
         }
       G.resize(size_t(r) * c);
-      for (int y = 0; y < c; ++y) std::memcpy(&G[size_t(y) * r], &node.panel[size_t(y) * m + c], sizeof(double) * r);
+      for (int y = 0; r && y < c; ++y) std::memcpy(&G[size_t(y) * r], &node.panel[size_t(y) * m + c], sizeof(double) * r);
       blas.trsm("R", "L", "N", "N", &r, &c, &one, node.panel.data(), &m, G.data(), &r);
       // Z21 = -Z22 G
       blas.gemm("N", "N", &r, &c, &r, &minus, &Z[size_t(c) * m + c], &m, G.data(), &r, &zero, &Z[c], &m);

@@ -46,7 +46,7 @@ static void best(const float* a, int n, const float* b, int m, int k, int32_t* f
   constexpr float low = -std::numeric_limits<float>::max();
   const int panels = (m + kWide - 1) / kWide, blocks = (n + kRows - 1) / kRows;
   std::vector<float> packed(size_t(panels) * k * kWide, 0.0f), rows(size_t(blocks) * kRows * k, 0.0f);
-  std::memcpy(rows.data(), a, sizeof(float) * size_t(n) * k);
+  std::copy_n(a, size_t(n) * k, rows.data());
   for (int j = 0; j < m; ++j)
     for (int i = 0; i < k; ++i) packed[(size_t(j / kWide) * k + i) * kWide + j % kWide] = b[size_t(j) * k + i];
   std::vector<float> top(blocks * kRows, low), next(blocks * kRows, low), column(panels * kWide, low);

@@ -164,7 +164,7 @@ static void gather_point(const Problem& q, const State& s, int p, int64_t base, 
 template <bool Plain> static void gather_couplings(const Problem& q, int p, int64_t base, const Chunk& c, double* w) {
   const int64_t k = q.point_nodes_first[p + 1] - q.point_nodes_first[p];
   const int kStride = Plain ? kPlainStride : q.coupling_stride;
-  std::memset(w, 0, sizeof(double) * k * 3 * kStride);
+  std::fill_n(w, k * 3 * kStride, 0.0);
   for (int64_t i = q.first[p]; i < q.first[p + 1]; ++i) {
     const Pattern& pattern = q.patterns[q.pattern[q.image[i]]];
     const int own = int(pattern.own.size()), shared = c.shared[i - base];
@@ -241,9 +241,9 @@ static Totals reduce_as(const Problem& q, const State& s, int threads, double* v
       g = S + length;
       U = g + N;
     } else {
-      std::memset(values, 0, sizeof(double) * length);
-      std::memset(right, 0, sizeof(double) * N);
-      std::memset(diagonal, 0, sizeof(double) * N);
+      std::fill_n(values, length, 0.0);
+      std::fill_n(right, N, 0.0);
+      std::fill_n(diagonal, N, 0.0);
     }
     Totals& total = totals[t];
     Chunk c;

@@ -90,7 +90,7 @@ static void statistics_of(const Problem& q, const State& s, int threads, const d
               y2[e] = w0 * I[0][2] + w1 * I[1][2] + w2 * I[2][2];
             }
           }
-          std::memset(tt.data(), 0, sizeof(double) * k * 3 * kStride);
+          std::fill_n(tt.data(), k * 3 * kStride, 0.0);
           const int32_t* block = blocks;
           for (int64_t a = 0; a < k; ++a) {
             const int rows = q.size[q.point_nodes[nb + a]];

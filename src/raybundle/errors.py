@@ -22,8 +22,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
-WHOLE, WORD = 2000, 200
-"""Characters that a message, and a word without blanks in it, may have; what is foreign in it may be of any length."""
+WHOLE, WORD, PATH = 2000, 200, 1000
+"""Characters that a message, a word without blanks in it, and a path may have; what is foreign may be of any length."""
 
 
 def printable(text: str) -> str:
@@ -33,11 +33,11 @@ def printable(text: str) -> str:
     return "".join(c if c.isprintable() or c == "\n" else repr(c)[1:-1] for c in text)
 
 
-def _bounded(text: str, limit: int) -> str:
+def _bounded(text: str, limit: int, word: int = WORD) -> str:
     """A printable text of bounded length: long words lose their ends, a long text its middle."""
     text = printable(text)
-    if len(text) > WORD:
-        text = re.sub(rf"\S{{{WORD},}}", lambda found: found[0][: WORD // 2] + "...", text)
+    if len(text) > word:
+        text = re.sub(rf"\S{{{word},}}", lambda found: found[0][: word // 2] + "...", text)
     return text if len(text) <= limit else f"{text[: limit // 2]} ... {text[-limit // 4 :]}"
 
 
@@ -58,13 +58,13 @@ class InputError(RaybundleError):
         self.file = None if file is None else str(file)
         self.line = line
         self.column = column
-        place = "" if file is None else f"{file}"
+        place = "" if file is None else _bounded(str(file), PATH, PATH)
         if line is not None:
             place += f", line {line}"
         if column is not None:
             place += f", column {_bounded(column, WORD)}"
         text = _bounded(message, WHOLE)
-        super().__init__(f"{printable(place)}: {text}" if place else text)
+        super().__init__(f"{place}: {text}" if place else text)
 
 
 class UnknownSensorModel(InputError):

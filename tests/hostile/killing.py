@@ -4,6 +4,7 @@ import hashlib
 import json
 import os
 import random
+import shutil
 import signal
 import subprocess
 import sys
@@ -156,8 +157,6 @@ def _conclude(job: Job, wanted, told: Outcome, turn: int) -> None:
 
 
 def _clear(job: Job) -> None:
-    import shutil
-
     if job.out.is_dir():
         shutil.rmtree(job.out)
     for path in job.out.parent.glob(f"{job.out.stem}.*"):
@@ -236,7 +235,8 @@ def calibrate_job(folder: Path) -> Job:
         cv2.imwrite(str(folder / "photos" / f"{k}.png"), noisy)
     (folder / "o").mkdir()
     words = ["calibrate", "{input}", "--target", f"chessboard-{columns - 1}x{rows - 1}", "--out", "{out}"]
-    return Job("calibrate", words, [str(folder / "photos")], folder / "o" / "r")
+    shutil.copytree(folder / "photos", folder / "fewer", ignore=shutil.ignore_patterns("9.png"))
+    return Job("calibrate", words, [str(folder / "photos"), str(folder / "fewer")], folder / "o" / "r")
 
 
 JOBS = {"orient": orient_job, "calibrate": calibrate_job, "adjust": adjust_job, "rectify": rectify_job}

@@ -320,8 +320,8 @@ def _reading(file: Path, *, writes: bool = False) -> Generator[None]:
     """Turn a damaged database into a message that says what to do."""
     try:
         yield
-    except sqlite3.DatabaseError as error:
-        text = str(error)
+    except (sqlite3.DatabaseError, UnicodeDecodeError) as error:
+        text = "malformed text" if isinstance(error, UnicodeDecodeError) else str(error)
         if isinstance(error, sqlite3.OperationalError) and writes and "locked" not in text and "malformed" not in text:
             raise  # nothing can be written: for `writing` to say
         if any(word in text for word in ("malformed", "not a database", "encrypted", "corrupt")):
