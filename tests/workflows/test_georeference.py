@@ -55,7 +55,7 @@ def flight():
     free = transformed(free, 0.013, rotation_from_angles(np.array([0.4, -0.3, 2.0])), np.array([1.0, 2.0, 3.0]))
     photos = [
         SimpleNamespace(
-            name=name, width_px=truth.cameras[0].width_px, height_px=truth.cameras[0].height_px,
+            name=name, width_px=truth.cameras[0].width_px, height_px=truth.cameras[0].height_px, orientation=1,
             metadata=SimpleNamespace(gps=None, make="", model="", serial="", taken=None),
         )
         for name in truth.images.ids
@@ -307,3 +307,41 @@ def test_a_check_point_without_marks_is_said_and_left_out(flight):
     assert len(placed.marked) == len(placed.block.points)
     (told,) = [n for n in placed.notices if n.code == "check_unseen"]
     assert told.ids == ("F",)
+
+
+def vertical_in(placed, truth):
+    """Angle between Z of a placed block and the true vertical [deg]."""
+    both = sum(a.T @ b for a, b in zip(placed.block.images.rotation, truth.images.rotation, strict=True))
+    u, _, v = np.linalg.svd(both)
+    return float(np.degrees(np.arccos(np.clip((u @ v)[2, 2], -1, 1))))
+
+
+def test_a_free_flight_is_aerial_and_level(flight):
+    placed = georeference(flight.free, flight.photos, Given())
+    assert placed.upright.kind == "aerial"
+    assert placed.upright.probability > 0.95
+    assert vertical_in(placed, flight.truth) < 3
+    assert not {"up_ambiguous", "up_uncertain"} & codes(placed)
+
+
+def test_two_points_say_which_way_is_up(flight):
+    nothing = control(flight, np.full_like(flight.xyz, np.nan))
+    placed = georeference(flight.free, flight.photos, Given(control=(nothing,), up="A,B"))
+    assert placed.upright.kind == "given"
+    names = placed.block.points.ids
+    a, b = (placed.block.points.xyz[names.index(n)] for n in "AB")
+    away = (b - a) / np.linalg.norm(b - a)
+    np.testing.assert_allclose(away, [0, 0, 1], atol=1e-9)
+    with pytest.raises(InputError, match="point Q has no place"):
+        georeference(flight.free, flight.photos, Given(control=(nothing,), up="A,Q"))
+    with pytest.raises(InputError, match="--up sideways"):
+        georeference(flight.free, flight.photos, Given(up="sideways"))
+
+
+def test_few_photographs_are_called_ambiguous(flight):
+    images = flight.free.images
+    centre, rotation = images.centre.copy(), images.rotation.copy()
+    centre[2:], rotation[2:] = np.nan, np.nan
+    two = replace(flight.free, images=replace(images, centre=centre, rotation=rotation))
+    placed = georeference(two, flight.photos, Given())
+    assert "up_ambiguous" in codes(placed)

@@ -35,6 +35,7 @@ from raybundle.workflows.scene_images import FoundScenes, SceneImage, find_scene
 from raybundle.workflows.scene_run import SceneRun
 from raybundle.workflows.scene_ties import ScenePair
 from raybundle.workflows.tie_block import image_sigma_px
+from raybundle.workflows.upright import Upright
 
 STAGES = ("photographs", "features", "matching", "start", "precision", "adjustment", "report")
 
@@ -98,6 +99,8 @@ class Orientation:
     """satellite scenes that take part"""
     scene_pairs: tuple[ScenePair, ...] = ()
     remarks: tuple[str, ...] = field(default=())
+    upright: Upright | None = None
+    """how the vertical was found, where neither control nor positions tell it"""
 
     @property
     def oriented(self) -> int:
@@ -132,6 +135,7 @@ class Orientation:
             ],
             "image_sigma_px": self.sigma_px,
             **({} if self.frame is None else {"frame": self.frame.as_mapping()}),
+            **({} if self.upright is None else {"upright": self.upright.as_mapping()}),
             **accuracy(self.adjustment),
         }  # fmt: skip
 
@@ -188,7 +192,7 @@ def orient(
                 placed, apart = scenes.place(blocks, photos, given, photographs.store, method)
             placed = _relative(placed, photos, options.relative)
             adjustment, parts = _adjusted(stage, placed, apart, photographs.groups, jobs, progress, remarks)
-        return _orientation(project, photographs, scenes, adjustment, parts, placed.frame, remarks)
+        return _orientation(project, photographs, scenes, adjustment, parts, placed, remarks)
     finally:
         project.close()
 
@@ -262,7 +266,7 @@ def _ties(
 
 def _orientation(
     project: Project, photographs: PhotoRun, scenes: SceneRun | None, adjustment: Adjustment,
-    parts: tuple[Part, ...], frame: LocalFrame | None, remarks: tuple[str, ...],
+    parts: tuple[Part, ...], placed: Georeferenced, remarks: tuple[str, ...],
 ) -> Orientation:  # fmt: skip
     """Everything together."""
     lost = [*photographs.lost, *([] if scenes is None else scenes.lost)]
@@ -277,7 +281,8 @@ def _orientation(
         stages=tuple(project.records),
         sigma_px=image_sigma_px(adjustment),
         weights=next(iter((*photographs.weights, *of_scenes)), None),
-        frame=frame,
+        frame=placed.frame,
+        upright=placed.upright,
         parts=parts,
         scenes=() if scenes is None else scenes.images,
         scene_pairs=() if scenes is None else scenes.pairs,
