@@ -13,11 +13,13 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Role
 from raybundle.block.select import transformed, with_rows
 from raybundle.block.simulate import AerialStrips, Survey, aerial_scene, simulate
+from raybundle.cli.summary import summary_lines
 from raybundle.errors import InputError
 from raybundle.io.control_files import ControlFile, Measurements
 from raybundle.numerics.geodesy import LocalPlace
 from raybundle.numerics.rotation import rotation_from_angles
-from raybundle.workflows.georeference import georeference
+from raybundle.report.result_folder import check_differences, write_result
+from raybundle.workflows.georeference import accuracy, georeference
 from raybundle.workflows.marks import Given, ScaleBar
 from raybundle.workflows.parts import place_parts
 
@@ -345,3 +347,26 @@ def test_few_photographs_are_called_ambiguous(flight):
     two = replace(flight.free, images=replace(images, centre=centre, rotation=rotation))
     placed = georeference(two, flight.photos, Given())
     assert "up_ambiguous" in codes(placed)
+
+
+def test_heights_that_nobody_measured_are_neither_compared_nor_called_given(flight, tmp_path):
+    """Four control points of plan, two check points of plan, as from lists whose heights are all 0."""
+    xyz = flight.xyz.copy()
+    xyz[:, 2] = np.nan
+    file = control(flight, xyz)
+    role = file.role.copy()
+    role[4:] = Role.CHECK
+    placed = georeference(flight.free, flight.photos, Given(control=(replace(file, role=role),)))
+    done = replace(adjust_block(placed.block, AdjustmentOptions(threads=1)), notices=placed.notices)
+    rows, difference = check_differences(done)
+    assert len(rows) == 2
+    assert np.isfinite(difference[:, :2]).all()
+    assert not np.isfinite(difference[:, 2]).any()
+    assert "rmse_v" not in accuracy(done)["asprs"] or accuracy(done)["asprs"]["rmse_v"] is None
+    write_result(done, tmp_path / "r")
+    given = (tmp_path / "r/control.csv").read_text().splitlines()
+    column = given[0].split(",").index("Z")
+    assert {line.split(",")[column] for line in given[1:]} == {""}
+    check = (tmp_path / "r/check.csv").read_text().splitlines()
+    assert {line.split(",")[check[0].split(",").index("Z")] for line in check[1:]} == {""}
+    assert " Z " not in "".join(line for line in summary_lines(done) if "check point" in line)

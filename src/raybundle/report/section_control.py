@@ -26,6 +26,7 @@ from raybundle.report.parts import (
     table,
     text,
 )
+from raybundle.report.result_folder import levelled
 from raybundle.report.view import View, rms
 from raybundle.report.words import controlled, expected_check_std, printed
 
@@ -49,7 +50,7 @@ def control_section(view: View) -> Section:
     parts: list[Part] = []
     for kind, title, what, rest in KINDS:
         for whole in view.adjustment.groups:
-            g = _without_scenes(view, whole)
+            g = _without_levelling(view, _without_scenes(view, whole))
             if g.kind == kind and len(g.ids):
                 parts += [Heading(text=title), *_group(view, g, what, rest)]
     parts += _check(view)
@@ -66,6 +67,15 @@ def _without_scenes(view: View, g: ObservationGroup) -> ObservationGroup:
     if g.kind != "parameter" or not scenes & set(g.ids):
         return g
     return _rows_of(g, np.flatnonzero([i not in scenes for i in g.ids]))
+
+
+def _without_levelling(view: View, g: ObservationGroup) -> ObservationGroup:
+    """Control without the heights that level the block and that nobody gave."""
+    invented = levelled(view.adjustment)
+    if g.kind != "control" or not invented:
+        return g
+    given = [not (i in invented and c == "Z") for i, c in zip(g.ids, g.component, strict=True)]
+    return _rows_of(g, np.flatnonzero(given))
 
 
 def _marks(view: View) -> list[Part]:
@@ -198,6 +208,7 @@ def _check(view: View) -> list[Part]:
     difference = view.check_difference * view.factor
     std = expected_check_std(view)
     given = view.given.points
+    xyz = np.where(given.is_check[rows], given.xyz[rows], np.nan)
     fine = column_decimals(std) if np.isfinite(std).any() else 3
     coarse = fine + round(math.log10(view.factor))
     ratio = np.abs(difference) / std
@@ -208,7 +219,7 @@ def _check(view: View) -> list[Part]:
             *(number(f"sigma d{axis}", view.unit) for axis in "XYZ"), number("largest |d| / sigma"), number("rays"),
         ),
         (
-            pick(rows, given.ids), *(cells(given.xyz[rows, k].tolist(), coarse) for k in range(3)),
+            pick(rows, given.ids), *(cells(xyz[:, k].tolist(), coarse) for k in range(3)),
             *(cells(difference[:, k].tolist(), fine) for k in range(3)),
             *(cells(std[:, k].tolist(), fine) for k in range(3)),
             cells(np.where(np.isfinite(ratio).any(axis=1), np.max(np.nan_to_num(ratio), axis=1), np.nan).tolist(), 2),

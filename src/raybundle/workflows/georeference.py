@@ -295,6 +295,7 @@ def _guess_heights(state: Placing) -> None:
         f"heights of the control are not known: the block is levelled by the viewing direction of the photographs, "
         f"their heights are observed with {LEVEL * extent:.3g} m. Heights of the result are relative; "
         "three heights would level it",
+        *(block.points.ids[k] for k in np.flatnonzero(plan)),
     )
 
 
@@ -435,6 +436,7 @@ def accuracy(result: Adjustment) -> dict[str, object]:
     found: dict[str, object] = {}
     check = np.flatnonzero(np.asarray(result.given.points.role) == Role.CHECK)
     d = result.adjusted.points.xyz[check] - result.given.points.xyz[check]
+    d = np.where(result.given.points.is_check[check], d, np.nan)
     s = result.given.points.sigma[check]
     plan = np.isfinite(d[:, :2]).all(axis=1)
     high = np.isfinite(d[:, 2])
