@@ -8,6 +8,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from raybundle.adjustment.accuracy import accuracy
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Role
@@ -19,7 +20,7 @@ from raybundle.io.control_files import ControlFile, Measurements
 from raybundle.numerics.geodesy import LocalPlace
 from raybundle.numerics.rotation import rotation_from_angles
 from raybundle.report.result_folder import check_differences, write_result
-from raybundle.workflows.georeference import accuracy, georeference
+from raybundle.workflows.georeference import georeference
 from raybundle.workflows.marks import Given, ScaleBar
 from raybundle.workflows.parts import place_parts
 
@@ -370,3 +371,30 @@ def test_heights_that_nobody_measured_are_neither_compared_nor_called_given(flig
     check = (tmp_path / "r/check.csv").read_text().splitlines()
     assert {line.split(",")[check[0].split(",").index("Z")] for line in check[1:]} == {""}
     assert " Z " not in "".join(line for line in summary_lines(done) if "check point" in line)
+
+
+def test_the_report_has_leave_one_out_and_asprs_figures(flight, tmp_path):
+    file = control(flight)
+    role = file.role.copy()
+    role[4:] = Role.CHECK
+    placed = georeference(flight.free, flight.photos, Given(control=(replace(file, role=role),), sigma_given=True))
+    done = replace(adjust_block(placed.block, AdjustmentOptions(threads=1)), notices=placed.notices)
+    write_result(done, tmp_path / "r", report="html")
+    page = (tmp_path / "r/report.html").read_text()
+    assert "Accuracy in the sense of ASPRS (2023)" in page
+    assert "RMSE_H" in page
+    assert "At least 30 are asked for there" in page
+    assert "Control left out, one coordinate at a time" in page
+    left = accuracy(done)["leave_one_out"]
+    assert {t["coordinate"] for t in left} == {"X", "Y", "Z"}
+    # to first order that is what the adjustment without that coordinate says
+    one = left[0]
+    k = placed.block.points.ids.index(one["point"])
+    sigma = placed.block.points.sigma.copy()
+    sigma[k, "XYZ".index(one["coordinate"])] = np.nan
+    without = adjust_block(
+        replace(placed.block, points=replace(placed.block.points, sigma=sigma)), AdjustmentOptions(threads=1)
+    )
+    axis = "XYZ".index(one["coordinate"])
+    d = without.adjusted.points.xyz[k, axis] - placed.block.points.xyz[k, axis]
+    assert one["difference"] == pytest.approx(d, rel=0.02, abs=1e-5)

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Literal, cast
 
 import numpy as np
 
+from raybundle.adjustment.accuracy import levelled
 from raybundle.adjustment.result import Adjustment, InteriorResult, ObservationGroup
 from raybundle.block import Block, Camera, Role
 from raybundle.block.stored import observed_jointly
@@ -357,11 +358,6 @@ def check_differences(a: Adjustment) -> tuple[Index, Array]:
     difference = a.adjusted.points.xyz[rows] - a.given.points.xyz[rows]
     known = a.given.points.is_check[rows] & (used_rays(a)[rows, None] > 0)
     return rows, np.where(known, difference, np.nan)
-
-
-def levelled(a: Adjustment) -> frozenset[str]:
-    """Names of the control points whose heights only level the block: nobody gave them."""
-    return frozenset(name for n in a.notices if n.code == "levelled" for name in n.ids)
 
 
 def _points(a: Adjustment) -> Columns:

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from raybundle.adjustment.accuracy import ENOUGH, accuracy, levelled
 from raybundle.adjustment.result import ObservationGroup
 from raybundle.numerics.arrays import Array
 from raybundle.report.figures_control import marked_images, marks_figure
@@ -26,7 +27,6 @@ from raybundle.report.parts import (
     table,
     text,
 )
-from raybundle.report.result_folder import levelled
 from raybundle.report.view import View, rms
 from raybundle.report.words import controlled, expected_check_std, printed
 
@@ -53,6 +53,7 @@ def control_section(view: View) -> Section:
             g = _without_levelling(view, _without_scenes(view, whole))
             if g.kind == kind and len(g.ids):
                 parts += [Heading(text=title), *_group(view, g, what, rest)]
+    parts += _left_out(view)
     parts += _check(view)
     parts += _marks(view)
     if not parts:
@@ -76,6 +77,45 @@ def _without_levelling(view: View, g: ObservationGroup) -> ObservationGroup:
         return g
     given = [not (i in invented and c == "Z") for i, c in zip(g.ids, g.component, strict=True)]
     return _rows_of(g, np.flatnonzero(given))
+
+
+def _left_out(view: View) -> list[Part]:
+    """What control coordinates would differ by had they taken no part: the accuracy where there are no check points."""
+    told = accuracy(view.adjustment).get("leave_one_out")
+    rows: list[Sequence[str]] = []
+    for axis in "XYZ":
+        found = [(abs(t["difference"]), t["point"]) for t in told or () if t["coordinate"] == axis]
+        found = [f for f in found if math.isfinite(f[0])]
+        if found:
+            d = np.array([f[0] for f in found]) * view.factor
+            rows.append([axis, grouped(len(d)), significant(rms(d)), significant(float(d.max())), max(found)[1]])
+    if not rows:
+        return []
+    body = table(
+        (
+            text("coordinate"), number("points"), number("rms", view.unit), number("largest", view.unit), text("at"),
+        ),
+        zip(*rows, strict=True),
+        note="Leave-one-out: adjusted minus given of a control coordinate had it taken no part, residual over "
+        "redundancy number, one coordinate at a time and to first order. It stands in for check points where there are "
+        "none.",
+    )  # fmt: skip
+    return [Heading(text="Control left out, one coordinate at a time"), body]
+
+
+def _asprs(view: View) -> list[Part]:
+    """Accuracy in the sense of ASPRS."""
+    told = accuracy(view.adjustment).get("asprs")
+    if told is None or view.free_frame:
+        return []
+    n, high = told["check_points_horizontal"], told["check_points_vertical"]
+    plan = significant(told["rmse_h"] * view.factor)
+    words = f"Accuracy in the sense of ASPRS (2023), that of the check points included: RMSE_H {plan} {view.unit} "
+    words += f"from {counted(n, 'check point')}"
+    if told["rmse_v"] is not None:
+        words += f", RMSE_V {significant(told['rmse_v'] * view.factor)} {view.unit} from {grouped(high)}"
+    few = "" if told["enough"] else f" At least {ENOUGH} are asked for there: with fewer it is a figure, not a proof."
+    return [Paragraph(text=f"{words}.{few}")]
 
 
 def _marks(view: View) -> list[Part]:
@@ -232,7 +272,7 @@ def _check(view: View) -> list[Part]:
     )  # fmt: skip
     folded = Folded(summary=f"All {counted(len(rows), 'check point')}", parts=(body,))
     shown = body if len(rows) <= OPEN_ROWS else folded
-    return [Heading(text="Check points"), _check_summary(difference, std, view.unit), shown]
+    return [Heading(text="Check points"), _check_summary(difference, std, view.unit), *_asprs(view), shown]
 
 
 def _check_summary(difference: Array, std: Array, unit: str) -> Table:

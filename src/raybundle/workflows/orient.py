@@ -10,6 +10,7 @@ from typing import Literal
 
 import numpy as np
 
+from raybundle.adjustment.accuracy import accuracy
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Camera
 from raybundle.block.relative import relative_control
@@ -25,7 +26,7 @@ from raybundle.numerics.progress import Progress, silent
 from raybundle.scenes.bias import BiasKind
 from raybundle.workflows.attitudes import Convention, find_attitudes
 from raybundle.workflows.final import adjusted_part, final_adjustment, left_out
-from raybundle.workflows.georeference import Georeferenced, accuracy
+from raybundle.workflows.georeference import Georeferenced
 from raybundle.workflows.marks import Given
 from raybundle.workflows.parts import Part, apart_notice, place_parts
 from raybundle.workflows.photo_run import PhotoRun
