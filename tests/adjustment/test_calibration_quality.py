@@ -73,19 +73,51 @@ def test_what_is_not_determinable_stands_before_any_number():
 
 
 def test_cross_validation_of_few_photographs_is_not_tried():
-    assert cross_validation(calibrated(stations=4, frontal=0)) is None
+    assert cross_validation(calibrated(stations=3, frontal=0), "1") is None
+
+
+def scaled(good, factor):
+    """The same photographs, the image of each magnified by a factor of its own (n,)."""
+    o = good.given.observations
+    middle = np.array([3000.0, 2000.0])
+    moved = replace(o, xy_px=middle + (o.xy_px - middle) * factor[o.image, None])
+    block = replace(good.adjusted, observations=moved, cameras=(replace(good.given.cameras[0], estimate="auto"),))
+    return decide(block, AdjustmentOptions())
 
 
 def test_cross_validation_notices_what_does_not_carry_over(good):
     """Photographs with a camera constant of their own fit when they take part and not when they are left out."""
-    o = good.given.observations
-    rng = np.random.default_rng(3)
-    middle = np.array([3000.0, 2000.0])
-    factor = 1 + 4e-4 * rng.standard_normal(len(good.given.images))
-    moved = replace(o, xy_px=middle + (o.xy_px - middle) * factor[o.image, None])
-    block = replace(good.adjusted, observations=moved, cameras=(replace(good.given.cameras[0], estimate="auto"),))
-    unsteady = decide(block, AdjustmentOptions())
-    assert cross_validation(unsteady).ratio > cross_validation(good).ratio + 0.1
+    n = len(good.given.images)
+    two = np.where(np.isin(np.arange(n), [3, 8]), 1.002, 1.0)
+    found = cross_validation(scaled(good, two), "1")
+    assert found.contradicts
+    assert found.excess > 3
+    every = 1 + 4e-4 * np.random.default_rng(3).standard_normal(n)
+    unsteady = scaled(good, every)
+    assert cross_validation(unsteady, "1").contradicts
+    (q,) = calibration_qualities(unsteady)
+    assert q.grade == "weak"
+    assert any("was the camera the same" in r for r in q.reasons)
+
+
+def test_the_prediction_of_photographs_left_out_is_true(good):
+    """The statistic has Fisher's distribution: 60 folds of one and the same camera, and a test that is not blind."""
+    found = [cross_validation(good if s == 1 else calibrated(seed=s, stations=8), "1") for s in range(1, 13)]
+    statistic = np.concatenate([f.statistic for f in found])
+    assert 0.95 < statistic.mean() < 1.05
+    assert not any(f.contradicts for f in found)
+    assert statistic.max() < 1.2 * np.median(np.concatenate([f.limit for f in found]))
+
+
+def test_few_views_are_not_called_another_camera():
+    """Four photographs: those left out fit much worse, and as predicted."""
+    few = calibrated(stations=3, frontal=1, roll_deg=(0.0, 90.0), depth=0.1, tilt_deg=25.0)
+    found = cross_validation(few, "1")
+    assert found.ratio > 1.3
+    assert found.few_views
+    (q,) = calibration_qualities(few)
+    assert any("too few views" in r for r in q.reasons)
+    assert not any("carry over" in r for r in q.reasons)
 
 
 def test_own_interiors_scatter_as_they_should(good):

@@ -4,9 +4,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.adjustment.eccentricity import eccentricity_px, ellipse_points, radius_scale
+from raybundle.adjustment.eccentricity import eccentricity_px, radius_scale
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.predict import predicted_px
 from raybundle.block.calibration_networks import ROLLS, FlatField, flat_field_scene
 from raybundle.block.simulate import Survey, simulate
 
@@ -23,21 +24,19 @@ def conic_centre(xy):
     return middle + scale * np.linalg.solve([[2 * a, b], [b, 2 * c]], [-d, -e])
 
 
-def test_the_closed_form_is_the_centre_of_the_ellipse():
-    rng = np.random.default_rng(1)
-    for _ in range(50):
-        P = np.array([*rng.uniform(-0.5, 0.5, 2), -rng.uniform(1, 3)])
-        n = rng.normal(size=3)
-        n[2] = abs(n[2]) + 0.3
-        n /= np.linalg.norm(n)
-        r = rng.uniform(0.005, 0.05)
-        u = np.cross(n, [1.0, 0.3, 0.2])
-        u /= np.linalg.norm(u)
-        a = np.linspace(0, 2 * np.pi, 200, endpoint=False)[:, None]
-        circle = P + r * (np.cos(a) * u + np.sin(a) * np.cross(n, u))
-        expected = conic_centre(circle[:, :2] / circle[:, 2:])
-        found = ellipse_points(P[None], n[None], np.array([r]))[0]
-        np.testing.assert_allclose(found[:2] / found[2], expected, atol=2e-11)
+def test_without_distortion_it_is_the_centre_of_the_ellipse():
+    plan = FlatField(tilt_deg=35.0, rolls_deg=ROLLS, points=4)
+    block = simulate(flat_field_scene(plan), EXACT).observed
+    o, radius = block.observations, 0.02
+    offset = eccentricity_px(block, np.full(16, radius), np.tile([0.0, 0.0, 1.0], (16, 1)))
+    a = np.linspace(0, 2 * np.pi, 200, endpoint=False)[:, None]
+    circle = radius * np.concatenate([np.cos(a), np.sin(a), 0 * a], axis=1)
+    for row in range(0, len(o), 7):
+        X = block.points.xyz[o.point[row]]
+        expected = conic_centre(predicted_px(block, int(o.image[row]), X + circle))
+        plain = predicted_px(block, int(o.image[row]), X[None])[0]
+        np.testing.assert_allclose(offset[row], expected - plain, atol=1e-7)
+        assert np.abs(offset[row]).max() > 0.01
 
 
 def test_it_is_some_hundredths_of_a_pixel_at_usual_sizes_and_zero_seen_squarely():

@@ -3,6 +3,7 @@
 A command line may begin with environment variables; a line `# prints: TEXT` after it says what its output holds.
 """
 
+import itertools
 import os
 import re
 import shlex
@@ -10,7 +11,10 @@ import subprocess
 import sys
 from pathlib import Path
 
+import click
 import pytest
+
+from raybundle.cli.main import cli
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 FENCE = re.compile(r"^```(python|console)\n(.*?)^```", re.MULTILINE | re.DOTALL)
@@ -55,6 +59,33 @@ def test_page(page, tmp_path):
         env=os.environ,
     )  # fmt: skip
     assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-3000:]
+
+
+COMMAND = re.compile(r"^(?:    |\\$ )(raybundle [a-z].*)$", re.MULTILINE)
+SHOWN = [
+    (page.stem, line)
+    for page in sorted(DOCS.rglob("*.md"))
+    if "reference" not in page.relative_to(DOCS).parts
+    for line in COMMAND.findall(page.read_text())
+]
+
+
+@pytest.mark.parametrize(("page", "line"), SHOWN, ids=[f"{p}-{k}" for k, (p, _) in enumerate(SHOWN)])
+def test_commands_that_are_shown_have_their_options(page, line):
+    """Lines that are not run, for want of photographs, are at least understood: no option that there is not."""
+    words = shlex.split(line.split(" #")[0].replace("...", ""))[1:]
+    words = list(itertools.takewhile(lambda w: w not in {"|", ">", "&&"}, words))
+    group, context = cli, click.Context(cli, info_name="raybundle")
+    while isinstance(group, click.Group):
+        name = words.pop(0)
+        found = group.get_command(context, name)
+        assert found is not None, f"{page}: {line}"
+        group, context = found, click.Context(found, info_name=name, parent=context)
+    try:
+        _, rest, _ = group.make_parser(context).parse_args(words)
+    except click.UsageError as error:
+        pytest.fail(f"{page}: {line}: {error.format_message()}")
+    assert not [w for w in rest if w.startswith("--")], line
 
 
 def test_every_page_is_in_the_navigation():

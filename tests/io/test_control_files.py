@@ -172,3 +172,37 @@ def test_the_points_of_a_block(tmp_path):
     write_block(simulate(field_scene(TargetField(stations=3)), Survey()).observed, tmp_path / "c")
     with pytest.raises(InputError, match="neither control nor check"):
         read_control(tmp_path / "c")
+
+
+@pytest.mark.parametrize(
+    ("heights", "sigma", "believed"),
+    [
+        (("0", "0", "0"), False, False),
+        (("0", "0"), False, False),
+        (("0", "0", "0"), True, True),
+        (("12.345", "12.345", "12.345"), False, False),
+        (("12.345", "12.345", "12.346"), False, True),
+        (("12", "12", "12"), False, True),  # in whole metres level ground is all the same
+        (("0", "0", "0.1"), False, True),
+        (("0",), False, True),
+    ],
+)
+@pytest.mark.parametrize("kind", ["csv", "gcp"])
+def test_equal_heights_are_no_measurement(tmp_path, heights, sigma, believed, kind):
+    if kind == "gcp":
+        if sigma:
+            pytest.skip("gcp_list.txt states no standard deviations")
+        path = tmp_path / "gcp_list.txt"
+        rows = [f"{500000 + 3 * k} {4000000 + 5 * k} {z} 10 10 a.jpg P{k}" for k, z in enumerate(heights)]
+        path.write_text("\n".join(["EPSG:32611", *rows]) + "\n")
+    else:
+        path = tmp_path / "control.csv"
+        head = "point,X,Y,Z,sX,sY,sZ" if sigma else "point,X,Y,Z"
+        tail = ",0.01,0.01,0.02" if sigma else ""
+        rows = [f"P{k},{3 * k},{5 * k},{z}{tail}" for k, z in enumerate(heights)]
+        path.write_text("\n".join([head, *rows]) + "\n")
+    control = read_control(path)
+    assert np.isfinite(control.xyz[:, 2]).all() == believed
+    assert np.isfinite(control.sigma[:, 2]).all() == believed
+    assert np.isfinite(control.xyz[:, :2]).all()
+    assert any("taken as unknown" in r for r in control.remarks) != believed

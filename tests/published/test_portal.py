@@ -58,3 +58,16 @@ def test_tie_points_are_measured_to_an_eighth_of_a_pixel(portal):
     used = np.array([not r for r in done.adjustment.image_observations.rejected])
     assert np.median(np.sqrt(o.cov_px2[used, :2])) * done.adjustment.sigma0 < 0.125
     assert used.sum() > 30_000
+
+
+def test_the_portal_stands_upright(portal):
+    """Nothing but a scale bar is given: up is known by how the photographs were held, two of them on their side."""
+    truth, done = portal
+    block = done.adjustment.adjusted
+    names = {f: k for k, f in enumerate(truth.images.file)}
+    turn = sum(block.images.rotation[i].T @ truth.images.rotation[names[f]] for i, f in enumerate(block.images.file))
+    u, _, v = np.linalg.svd(turn)
+    assert np.degrees(np.arccos((u @ v)[2, 2])) < 2
+    assert done.upright.kind == "terrestrial"
+    assert done.upright.probability > 0.95
+    assert done.additions()["upright"]["kind"] == "terrestrial"

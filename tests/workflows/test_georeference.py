@@ -8,15 +8,18 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from raybundle.adjustment.accuracy import accuracy
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Role
 from raybundle.block.select import transformed, with_rows
 from raybundle.block.simulate import AerialStrips, Survey, aerial_scene, simulate
+from raybundle.cli.summary import summary_lines
 from raybundle.errors import InputError
 from raybundle.io.control_files import ControlFile, Measurements
 from raybundle.numerics.geodesy import LocalPlace
 from raybundle.numerics.rotation import rotation_from_angles
+from raybundle.report.result_folder import check_differences, write_result
 from raybundle.workflows.georeference import georeference
 from raybundle.workflows.marks import Given, ScaleBar
 from raybundle.workflows.parts import place_parts
@@ -55,7 +58,7 @@ def flight():
     free = transformed(free, 0.013, rotation_from_angles(np.array([0.4, -0.3, 2.0])), np.array([1.0, 2.0, 3.0]))
     photos = [
         SimpleNamespace(
-            name=name, width_px=truth.cameras[0].width_px, height_px=truth.cameras[0].height_px,
+            name=name, width_px=truth.cameras[0].width_px, height_px=truth.cameras[0].height_px, orientation=1,
             metadata=SimpleNamespace(gps=None, make="", model="", serial="", taken=None),
         )
         for name in truth.images.ids
@@ -307,3 +310,91 @@ def test_a_check_point_without_marks_is_said_and_left_out(flight):
     assert len(placed.marked) == len(placed.block.points)
     (told,) = [n for n in placed.notices if n.code == "check_unseen"]
     assert told.ids == ("F",)
+
+
+def vertical_in(placed, truth):
+    """Angle between Z of a placed block and the true vertical [deg]."""
+    both = sum(a.T @ b for a, b in zip(placed.block.images.rotation, truth.images.rotation, strict=True))
+    u, _, v = np.linalg.svd(both)
+    return float(np.degrees(np.arccos(np.clip((u @ v)[2, 2], -1, 1))))
+
+
+def test_a_free_flight_is_aerial_and_level(flight):
+    placed = georeference(flight.free, flight.photos, Given())
+    assert placed.upright.kind == "aerial"
+    assert placed.upright.probability > 0.95
+    assert vertical_in(placed, flight.truth) < 3
+    assert not {"up_ambiguous", "up_uncertain"} & codes(placed)
+
+
+def test_two_points_say_which_way_is_up(flight):
+    nothing = control(flight, np.full_like(flight.xyz, np.nan))
+    placed = georeference(flight.free, flight.photos, Given(control=(nothing,), up="A,B"))
+    assert placed.upright.kind == "given"
+    names = placed.block.points.ids
+    a, b = (placed.block.points.xyz[names.index(n)] for n in "AB")
+    away = (b - a) / np.linalg.norm(b - a)
+    np.testing.assert_allclose(away, [0, 0, 1], atol=1e-9)
+    with pytest.raises(InputError, match="point Q has no place"):
+        georeference(flight.free, flight.photos, Given(control=(nothing,), up="A,Q"))
+    with pytest.raises(InputError, match="--up sideways"):
+        georeference(flight.free, flight.photos, Given(up="sideways"))
+
+
+def test_few_photographs_are_called_ambiguous(flight):
+    images = flight.free.images
+    centre, rotation = images.centre.copy(), images.rotation.copy()
+    centre[2:], rotation[2:] = np.nan, np.nan
+    two = replace(flight.free, images=replace(images, centre=centre, rotation=rotation))
+    placed = georeference(two, flight.photos, Given())
+    assert "up_ambiguous" in codes(placed)
+
+
+def test_heights_that_nobody_measured_are_neither_compared_nor_called_given(flight, tmp_path):
+    """Four control points of plan, two check points of plan, as from lists whose heights are all 0."""
+    xyz = flight.xyz.copy()
+    xyz[:, 2] = np.nan
+    file = control(flight, xyz)
+    role = file.role.copy()
+    role[4:] = Role.CHECK
+    placed = georeference(flight.free, flight.photos, Given(control=(replace(file, role=role),)))
+    done = replace(adjust_block(placed.block, AdjustmentOptions(threads=1)), notices=placed.notices)
+    rows, difference = check_differences(done)
+    assert len(rows) == 2
+    assert np.isfinite(difference[:, :2]).all()
+    assert not np.isfinite(difference[:, 2]).any()
+    assert "rmse_v" not in accuracy(done)["asprs"] or accuracy(done)["asprs"]["rmse_v"] is None
+    write_result(done, tmp_path / "r")
+    given = (tmp_path / "r/control.csv").read_text().splitlines()
+    column = given[0].split(",").index("Z")
+    assert {line.split(",")[column] for line in given[1:]} == {""}
+    check = (tmp_path / "r/check.csv").read_text().splitlines()
+    assert {line.split(",")[check[0].split(",").index("Z")] for line in check[1:]} == {""}
+    assert " Z " not in "".join(line for line in summary_lines(done) if "check point" in line)
+
+
+def test_the_report_has_leave_one_out_and_asprs_figures(flight, tmp_path):
+    file = control(flight)
+    role = file.role.copy()
+    role[4:] = Role.CHECK
+    placed = georeference(flight.free, flight.photos, Given(control=(replace(file, role=role),), sigma_given=True))
+    done = replace(adjust_block(placed.block, AdjustmentOptions(threads=1)), notices=placed.notices)
+    write_result(done, tmp_path / "r", report="html")
+    page = (tmp_path / "r/report.html").read_text()
+    assert "Accuracy in the sense of ASPRS (2023)" in page
+    assert "RMSE_H" in page
+    assert "At least 30 are asked for there" in page
+    assert "Control left out, one coordinate at a time" in page
+    left = accuracy(done)["leave_one_out"]
+    assert {t["coordinate"] for t in left} == {"X", "Y", "Z"}
+    # to first order that is what the adjustment without that coordinate says
+    one = left[0]
+    k = placed.block.points.ids.index(one["point"])
+    sigma = placed.block.points.sigma.copy()
+    sigma[k, "XYZ".index(one["coordinate"])] = np.nan
+    without = adjust_block(
+        replace(placed.block, points=replace(placed.block.points, sigma=sigma)), AdjustmentOptions(threads=1)
+    )
+    axis = "XYZ".index(one["coordinate"])
+    d = without.adjusted.points.xyz[k, axis] - placed.block.points.xyz[k, axis]
+    assert one["difference"] == pytest.approx(d, rel=0.02, abs=1e-5)

@@ -53,7 +53,7 @@ def flight():
         parts.append(transformed(part, 0.01 * (k + 1), turn, np.array([k, 2.0, 3.0])))
     photos = [
         SimpleNamespace(
-            name=name, width_px=truth.cameras[0].width_px, height_px=truth.cameras[0].height_px,
+            name=name, width_px=truth.cameras[0].width_px, height_px=truth.cameras[0].height_px, orientation=1,
             metadata=SimpleNamespace(gps=None),
         )
         for name in truth.images.ids

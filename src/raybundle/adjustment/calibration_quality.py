@@ -11,7 +11,7 @@ from typing import Literal
 
 import numpy as np
 
-from raybundle.adjustment.calibration import projection_uncertainty
+from raybundle.adjustment.calibration import projection_shifts
 from raybundle.adjustment.cross_validation import CrossValidation, cross_validation
 from raybundle.adjustment.next_photographs import Proposal, next_photographs
 from raybundle.adjustment.result import Adjustment, InteriorResult
@@ -21,6 +21,7 @@ from raybundle.adjustment.structure import (
     repeated_residuals,
     residual_structure,
 )
+from raybundle.block import Camera
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.sensors import sensor_models
@@ -35,15 +36,15 @@ REACH = 0.85
 COVERED = 0.7
 """Share of the format's cells (10 x 10) that image points must cover."""
 FEW_PHOTOGRAPHS = 6
-CARRIES_OVER = 1.3
-"""Ratio of residuals of photographs left out to those that took part, up to which a calibration carries over."""
-GOOD_SHARE = 1.0
-USABLE_SHARE = 3.0
-"""Largest uncertainty of projection in standard deviations of an image coordinate, for a good and a usable grade."""
 UNSTEADY = frozenset({"unstable_camera", "shear"})
 """Notices that speak against a calibration."""
 GOOD_PX, USABLE_PX = 0.1, 0.3
-"""What is good and usable whatever the precision of these image points: natural points are no better than that."""
+"""Largest error of projection over the format, at infinity, of a good and a usable calibration: targets are measured to
+some hundredths of a pixel and natural points to some tenths; an error that is shared by all photographs must stay below
+what single points scatter by."""
+SURE, LIKELY = 0.95, 0.5
+"""A calibration is called good where its largest error is below GOOD_PX with this probability: whoever holds it must be
+able to rely on it.  Below USABLE_PX it need only be more likely than not: it is a start, or for small things."""
 UNTOLD = 0.01
 """Median uncertainty of projection, in half diagonals of the format, from which on nothing is told."""
 TILT_SPREAD = np.radians(20)
@@ -68,6 +69,10 @@ class CalibrationQuality:
     """Largest standard deviation of projection over the format, at infinity"""
     typical_px: float
     """Its median over the format"""
+    worst_px: float
+    """Largest error of projection over the format, at infinity, that is not exceeded with a probability of SURE"""
+    likely_px: float
+    """The same with a probability of LIKELY"""
     reach: float
     """Farthest image point from the middle, as a share of the distance to the corners"""
     coverage: float
@@ -93,7 +98,7 @@ def calibration_quality(
 ) -> CalibrationQuality:
     """The verdict on the calibration of one camera; the adjustment must have statistics.
 
-    validation, structure  of the whole adjustment
+    validation  of this camera's photographs; structure  of the whole adjustment
     What it does not tell: whether zoom, focus or stabilisation move before the camera is used.
     """
     interior = next(i for i in result.interior if i.camera == camera and i.image is None)
@@ -103,11 +108,8 @@ def calibration_quality(
     images = np.unique(o.image[mine])
     sigma = float(result.sigma0 * np.sqrt(np.median(o.cov_px2[mine, :2]))) if mine.any() else np.nan
     adjusted = result.adjusted.cameras[k]
-    C = None if result.precision is None else result.precision.interior.get(camera)
-    largest = typical = np.nan
-    if C is not None and len(interior.free):
-        found = projection_uncertainty(adjusted, interior.free, C)
-        largest, typical = found.largest, float(np.nanmedian(found.std))
+    repeated = repeated_residuals(result, k)
+    error = _projection(adjusted, interior, result, _doubt(validation, structure), repeated)
     reach, coverage = _format(result, k, mine)
     rolls, convergence = _views(result, images)
     couplings = _couplings(result, interior)
@@ -117,16 +119,15 @@ def calibration_quality(
     # knots of surfaces in corners that no point reaches say nothing, and are none the worse for it
     surfaces = adjusted.sensor.local_width > 0
     lacking = () if surfaces else tuple(s for s, p in interior.parameters.items() if p.status == "not determinable")
-    repeated = repeated_residuals(result, k)
     reasons = _reasons(
-        lacking, interior, len(images), largest, sigma, reach, coverage, rolls, convergence, couplings, validation,
-        structure, repeated,
+        lacking, interior, len(images), error, reach, coverage, rolls, convergence, couplings, validation, structure,
+        repeated,
     )  # fmt: skip
     kinds = {p.symbol: p.kind for p in adjusted.sensor.parameters}
     vital = tuple(s for s in lacking if kinds[s] in {"scale", "principal point"})
-    if not vital and typical > UNTOLD * float(np.hypot(adjusted.width_px, adjusted.height_px)) / 2:
+    if not vital and error.typical > UNTOLD * float(np.hypot(adjusted.width_px, adjusted.height_px)) / 2:
         vital = ("the interior orientation as a whole",)
-    grade = _grade(vital, largest, sigma, reach, len(images), validation, structure, repeated)
+    grade = _grade(vital, error, reach, validation)
     if lacking and grade == "good":
         grade = "usable"
     unsteady = [n.message.partition(": ")[2] for n in result.notices if n.code in UNSTEADY and camera in n.ids]
@@ -134,11 +135,54 @@ def calibration_quality(
     if unsteady and grade == "good":
         grade = "usable"
     return CalibrationQuality(
-        camera=camera, grade=grade, headline=_headline(grade, vital, largest, typical, sigma, reach),
-        reasons=tuple(reasons), advice=advice, photographs=len(images), image_sigma_px=sigma, uncertainty_px=largest,
-        typical_px=typical, reach=reach, coverage=coverage, rolls=rolls, convergence=convergence, couplings=couplings,
-        validation=validation, structure=structure, repeated=repeated,
+        camera=camera, grade=grade, headline=_headline(grade, vital, error, sigma, reach),
+        reasons=tuple(reasons), advice=advice, photographs=len(images), image_sigma_px=sigma,
+        uncertainty_px=error.largest, typical_px=error.typical, worst_px=error.sure, likely_px=error.likely,
+        reach=reach, coverage=coverage, rolls=rolls, convergence=convergence,
+        couplings=couplings, validation=validation, structure=structure, repeated=repeated,
     )  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Projection:
+    """Errors of projection over the format, at infinity [px]; NaN where nothing was estimated."""
+
+    largest: float = np.nan
+    """Largest standard deviation"""
+    typical: float = np.nan
+    """Median standard deviation"""
+    sure: float = np.nan
+    """Largest error, not exceeded with a probability of SURE, everything that speaks against the covariance included"""
+    likely: float = np.nan
+    """The same with a probability of LIKELY"""
+
+
+def _projection(
+    camera: Camera, interior: InteriorResult, result: Adjustment, doubt: float, repeated: RepeatedResiduals | None
+) -> _Projection:
+    C = None if result.precision is None else result.precision.interior.get(interior.camera)
+    if C is None or not interior.free:
+        return _Projection()
+    shifts = projection_shifts(camera, interior.free)
+    found = shifts.uncertainty(C)
+    worst = doubt * shifts.worst_errors(C)
+    if repeated is not None and repeated.noticed:  # what the model lacks is no part of the covariance
+        worst = np.hypot(worst, 2 * repeated.rms_px)
+    return _Projection(
+        largest=found.largest, typical=float(np.nanmedian(found.std)), sure=float(np.quantile(worst, SURE)),
+        likely=float(np.quantile(worst, LIKELY)),
+    )  # fmt: skip
+
+
+def _doubt(validation: CrossValidation | None, structure: ResidualStructure | None) -> float:
+    """Factor by which the standard deviations are too small, as residuals tell."""
+    excess = 1.0 if validation is None else max(validation.excess, 1.0)
+    # what is within its own scatter is no structure
+    return max(excess, structure.factor) if structure is not None and _structured(structure) else excess
+
+
+def _structured(structure: ResidualStructure) -> bool:
+    return structure.correlation > max(0.05, 5 * structure.std)
 
 
 def _format(result: Adjustment, k: int, mine: Mask) -> tuple[float, float]:
@@ -194,7 +238,7 @@ def _couplings(result: Adjustment, interior: InteriorResult) -> tuple[tuple[str,
 
 
 def _reasons(
-    lacking: tuple[str, ...], interior: InteriorResult, photographs: int, largest: float, sigma: float, reach: float,
+    lacking: tuple[str, ...], interior: InteriorResult, photographs: int, error: _Projection, reach: float,
     coverage: float, rolls: int, convergence: float, couplings: tuple[tuple[str, str, float], ...],
     validation: CrossValidation | None, structure: ResidualStructure | None, repeated: RepeatedResiduals | None,
 ) -> list[str]:  # fmt: skip
@@ -205,10 +249,11 @@ def _reasons(
         told.append(f"{s} ({p.meaning}) is not determinable from these photographs and was held{why}")
     if photographs < FEW_PHOTOGRAPHS:
         told.append(f"{photographs} photographs are few; {FEW_PHOTOGRAPHS} to 20 make a calibration")
-    if largest > max(GOOD_SHARE * sigma, GOOD_PX):
+    if error.sure > GOOD_PX:
         told.append(
-            f"the interior orientation places image points with {largest:.2g} px at worst, {largest / sigma:.1f} times "
-            f"the standard deviation of an image coordinate ({sigma:.2g} px)"
+            f"the interior orientation may place image points wrongly by {error.sure:.2g} px somewhere in the format "
+            f"({100 * SURE:.0f} % certainty; {error.likely:.2g} px is to be expected): more photographs that converge "
+            "and are rolled, or more precise image points"
         )
     if reach < REACH:
         told.append(
@@ -228,12 +273,18 @@ def _reasons(
         if abs(r) > COUPLED:
             other = "the station's position along the viewing axis" if b == "Z" else b
             told.append(f"{a} is coupled with {other} (correlation {r:+.2f})")
-    if validation is not None and validation.ratio > CARRIES_OVER:
+    if validation is not None and validation.contradicts:
         told.append(
-            f"photographs left out fit {validation.ratio:.2f} times worse ({validation.rms_px:.2g} px) than those that "
-            "took part: the calibration does not carry over; was the camera the same in all photographs?"
+            f"photographs left out lie {validation.excess:.1f} times farther from their prediction than the "
+            "uncertainty of points and camera explains: the calibration does not carry over; was the camera the same "
+            "in all photographs, and did the object stand still?"
         )
-    if structure is not None and structure.correlation > max(0.05, 5 * structure.std):
+    elif validation is not None and validation.few_views:
+        told.append(
+            f"too few views: photographs left out fit {validation.ratio:.1f} times worse than those that took part, as "
+            "the uncertainty of points and camera predicts; photograph the same points more often"
+        )
+    if structure is not None and _structured(structure):
         told.append(
             f"neighbouring residuals agree (correlation {structure.correlation:.2f}): the model lacks something; "
             f"standard deviations are too small by a factor of {structure.factor:.1f} at least"
@@ -247,38 +298,32 @@ def _reasons(
     return told
 
 
-def _grade(
-    lacking: tuple[str, ...], largest: float, sigma: float, reach: float, photographs: int,
-    validation: CrossValidation | None, structure: ResidualStructure | None, repeated: RepeatedResiduals | None,
-) -> Grade:  # fmt: skip
+def _grade(lacking: tuple[str, ...], error: _Projection, reach: float, validation: CrossValidation | None) -> Grade:
     if lacking:
         return "not determinable"
-    carries = validation is None or validation.ratio < CARRIES_OVER
-    worst = largest * (1.0 if structure is None else structure.factor)
-    if repeated is not None and repeated.noticed:
-        worst = float(np.hypot(worst, 2 * repeated.rms_px))
-    if not np.isfinite(largest) or worst > max(USABLE_SHARE * sigma, USABLE_PX) or reach < 0.6 or not carries:
+    contradicted = validation is not None and validation.contradicts
+    if not error.likely <= USABLE_PX or reach < 0.6 or contradicted:
         return "weak"
-    good = worst <= max(GOOD_SHARE * sigma, GOOD_PX) and reach >= REACH and photographs >= FEW_PHOTOGRAPHS
+    good = error.sure <= GOOD_PX and reach >= REACH
     return "good" if good and validation is not None else "usable"
 
 
-def _headline(
-    grade: Grade, lacking: tuple[str, ...], largest: float, typical: float, sigma: float, reach: float
-) -> str:
+def _headline(grade: Grade, lacking: tuple[str, ...], error: _Projection, sigma: float, reach: float) -> str:
     if grade == "not determinable":
         return (
             f"Not determinable: {', '.join(lacking)}. Do not use this calibration for other photographs; take the "
             "photographs named below first."
         )
-    worth = f"it places image points to {typical:.2g} px (median over the format, {largest:.2g} px at worst)"
+    worth = (
+        f"it places image points to {error.typical:.2g} px (median over the format, {error.largest:.2g} px at worst)"
+    )
     measured = f"measured here with {sigma:.2g} px"
     if grade == "weak":
         return f"Weak: {worth}, {measured}. Good as a start; let each adjustment estimate the camera again."
     inside = "" if reach >= REACH else f" within {100 * reach:.0f} % of the way to the corners"
     if grade == "usable":
-        return f"Usable: {worth}, {measured}{inside}. Good for measurements to about {2 * largest:.2g} px."
-    return f"Good: {worth}, {measured}{inside}. Hold it for measurements to {max(sigma, 2 * largest):.2g} px."
+        return f"Usable: {worth}, {measured}{inside}. Good for measurements to about {error.sure:.2g} px."
+    return f"Good: {worth}, {measured}{inside}. Hold it for measurements to {max(sigma, error.sure):.2g} px."
 
 
 def calibration_qualities(result: Adjustment, progress: Progress = silent) -> tuple[CalibrationQuality, ...]:
@@ -292,6 +337,8 @@ def calibration_qualities(result: Adjustment, progress: Progress = silent) -> tu
     ]
     if not wanted:
         return ()
-    validation = cross_validation(result, progress=progress)
     structure = residual_structure(result)
-    return tuple(calibration_quality(result, camera, validation, structure, progress) for camera in wanted)
+    return tuple(
+        calibration_quality(result, c, cross_validation(result, c, progress=progress), structure, progress)
+        for c in wanted
+    )

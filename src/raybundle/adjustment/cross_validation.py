@@ -18,73 +18,147 @@ from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent
 
 FOLDS = 5
+FEWEST = 4
+"""Photographs of a camera from which on some can be left out."""
 NEAR = 1e-4
 """Where an adjustment may end: last step in standard deviations."""
 LEAST_POINTS = 6
 """Points by which a photograph that was left out is oriented."""
+ALPHA = 0.001
+"""Probability with which a camera that is the same in all photographs is accused, all folds together."""
+SLACK = 1.3
+"""Factor by which standard deviations are taken too small before that is called a contradiction: variances of groups of
+observations are known to some ten per cent, which the test would find in any set with thousands of residuals."""
+WORSE = 1.3
+"""Factor of residuals of photographs left out, from which on it is explained."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CrossValidation:
-    """Residuals of photographs that took no part in the calibration they are oriented with."""
+    """Photographs of a camera that took no part in the calibration, against what it predicts of them.
+
+    Two figures.  Oriented by the points and the camera held, photographs left out show the errors of both besides
+    their own: their residuals are larger the fewer the views, and accuse nobody.  What is tested is whether they are as
+    large as predicted, with the joint covariance of points and camera: in a Gauss-Markov model that weighted sum of
+    squares is the growth of the minimum when they take part, Omega(all) - Omega(without), with as many degrees of
+    freedom as the redundancy grows by; over the variance of the others it has Fisher's distribution (Chow 1960).
+    """
 
     folds: int
     rms_px: float
-    """Root mean square image coordinate residual of the photographs left out"""
+    """Root mean square image coordinate residual of the photographs left out, points and camera held"""
     fit_px: float
     """The same of the photographs that took part, over all folds"""
     images: Array
     """(n,) rms [px] of each photograph when it was left out; NaN where it could not be oriented"""
+    statistic: Array
+    """(folds,) mean square of the photographs left out by their predicted covariance, over that of the others"""
+    limit: Array
+    """(folds,) of the statistic, for ALPHA over all folds, if the camera is the same in all photographs"""
 
     @property
     def ratio(self) -> float:
-        """1: the calibration carries over as well as it fits; more: it fits its own photographs only."""
+        """Residuals of photographs left out, points and camera held, over those of photographs that took part."""
         return self.rms_px / self.fit_px
 
+    @property
+    def excess(self) -> float:
+        """Standard deviations of the worst fold over those predicted, as far as chance does not explain it."""
+        return float(np.sqrt(np.max(self.statistic / self.limit)))
 
-def cross_validation(result: Adjustment, *, folds: int = FOLDS, progress: Progress = silent) -> CrossValidation | None:
-    """Leave photographs out in turn, calibrate with the others, orient those left out by points held; see there.
+    @property
+    def contradicts(self) -> bool:
+        """Whether photographs left out are not as predicted: the camera, or the object, was not the same."""
+        return self.excess > SLACK
 
-    None where a fold leaves too little to calibrate with.  Residuals of both kinds are divided by the root of their
-    redundancy share, so that the few unknowns of an orientation do not make them look small.
-    What it does not tell: errors that all photographs share.
+    @property
+    def few_views(self) -> bool:
+        """Whether photographs left out fit worse, as predicted: too few views, not another camera."""
+        return not self.contradicts and self.ratio > WORSE
+
+
+def cross_validation(
+    result: Adjustment, camera: str, *, folds: int = FOLDS, progress: Progress = silent
+) -> CrossValidation | None:
+    """Leave photographs of a camera out in turn, calibrate with all others, predict those left out; see there.
+
+    None where there are fewer than FEWEST photographs, or a fold leaves too little to calibrate with.  Residuals are
+    divided by the root of their redundancy share, so that the few unknowns of an orientation do not make them look
+    small.  What it does not tell: errors that all photographs share.
     """
+    from scipy.special import fdtri  # noqa: PLC0415  (scipy.stats takes half a second to load)
+
     block = replace(result.adjusted, observations=result.given.observations)
+    k = next(i for i, c in enumerate(block.cameras) if c.id == camera)
     used = result.image_observations.used
     free = _free(result)
-    images = np.flatnonzero(np.bincount(block.observations.image[used], minlength=len(block.images)) > 0)
-    folds = min(folds, len(images) // 2)
-    if folds < 3:
+    seen = np.bincount(block.observations.image[used], minlength=len(block.images)) > 0
+    images = np.flatnonzero(seen & (block.images.camera == k))
+    if len(images) < FEWEST:
         return None
-    square, count, fit_square, fit_count = 0.0, 0.0, 0.0, 0.0
-    each = np.full(len(block.images), np.nan)
+    folds = min(folds, len(images))
     options = replace(
         result.options, reject="none", estimate="given", statistics=False, robust_start=False, tolerance=NEAR
     )
-    for k in range(folds):
-        progress("cross-validation", k / folds)
-        out: Mask = np.zeros(len(block.images), bool)
-        out[images[k::folds]] = True
-        try:
-            part = _kept(block, used & ~out[block.observations.image])
-            own = _adjusted(part, options, free)
-            left = _left_out(block, part, own, used & out[block.observations.image])
-            held = _adjusted(left, replace(options, datum="control"), {c.id: () for c in left.cameras})
-        except (RaybundleError, NotSolvable):
-            return None
-        v = held.residuals_px
-        share = held.redundancy / v.size
-        square += float((v**2).sum()) / share
-        count += v.size
-        for i in np.unique(held.image):
-            each[i] = np.sqrt(np.mean(v[held.image == i] ** 2) / share)
-        fit = own.residuals_px
-        fit_square += float((fit**2).sum()) * fit.size / own.redundancy
-        fit_count += fit.size
+    done: list[_Fold] = []
+    each = np.full(len(block.images), np.nan)
+    try:
+        whole = _adjusted(_kept(block, used), options, free)
+        for f in range(folds):
+            progress("cross-validation", f / folds)
+            done.append(_fold(block, whole, used, images[f::folds], options, free, each))
+    except (RaybundleError, NotSolvable):
+        return None
     progress("cross-validation", 1.0)
+    if not all(d.grown > 0 and d.left > 0 for d in done):
+        return None
     return CrossValidation(
-        folds=folds, rms_px=float(np.sqrt(square / count)), fit_px=float(np.sqrt(fit_square / fit_count)), images=each
+        folds=folds,
+        rms_px=float(np.sqrt(sum(d.out for d in done) / sum(d.out_count for d in done))),
+        fit_px=float(np.sqrt(sum(d.fit for d in done) / sum(d.fit_count for d in done))),
+        images=each,
+        statistic=np.array([d.statistic for d in done]),
+        limit=np.array([float(fdtri(d.grown, d.left, 1 - ALPHA / folds)) for d in done]),
     )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Fold:
+    """One adjustment without some photographs."""
+
+    statistic: float
+    grown: int
+    """Degrees of freedom that the photographs left out bring"""
+    left: int
+    """Degrees of freedom without them"""
+    out: float
+    """Sum of squares [px^2] of photographs left out, for a redundancy share of one, and its count"""
+    out_count: int
+    fit: float
+    fit_count: int
+
+
+def _fold(
+    block: Block, whole: _Adjusted, used: Mask, left_out: Index, options: AdjustmentOptions,
+    free: dict[str, tuple[str, ...]], each: Array,
+) -> _Fold:  # fmt: skip
+    """Leave these photographs out; their rms is written into `each`."""
+    out: Mask = np.zeros(len(block.images), bool)
+    out[left_out] = True
+    part = _kept(block, used & ~out[block.observations.image])
+    own = _adjusted(part, options, free)
+    left = _left_out(block, part, own, used & out[block.observations.image])
+    held = _adjusted(left, replace(options, datum="control"), {c.id: () for c in left.cameras})
+    v, fit = held.residuals_px, own.residuals_px
+    share = held.redundancy / v.size
+    for i in np.unique(held.image):
+        each[i] = np.sqrt(np.mean(v[held.image == i] ** 2) / share)
+    grown = whole.redundancy - own.redundancy
+    return _Fold(
+        statistic=(whole.square - own.square) / max(grown, 1) / (own.square / own.redundancy), grown=grown,
+        left=own.redundancy, out=float((v**2).sum()) / share, out_count=v.size,
+        fit=float((fit**2).sum()) * fit.size / own.redundancy, fit_count=fit.size,
+    )  # fmt: skip
 
 
 def _free(result: Adjustment) -> dict[str, tuple[str, ...]]:
@@ -103,6 +177,8 @@ class _Adjusted:
     image: Index
     """(m,) of these rows"""
     redundancy: int
+    square: float
+    """Weighted sum of squares of all observations"""
 
 
 def _kept(block: Block, keep: Mask) -> Block:
@@ -117,7 +193,7 @@ def _adjusted(block: Block, options: AdjustmentOptions, free: dict[str, tuple[st
     v = image_statistics(system, whitened, None, 1.0, reasons).residuals_px[system.rows]
     return _Adjusted(
         system=system, state=state, residuals_px=v, image=block.observations.image[system.rows],
-        redundancy=system.observations - system.unknowns + work.datum.defect,
+        redundancy=system.observations - system.unknowns + work.datum.defect, square=2 * work.solution.cost,
     )  # fmt: skip
 
 

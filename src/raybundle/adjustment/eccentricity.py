@@ -1,4 +1,9 @@
-"""Circular targets: the centre of a circle's image is not the image of its centre."""
+"""Circular targets: the centre of a circle's image is not the image of its centre.
+
+Perspective moves it, and so does distortion, which bends the ellipse besides: no closed form says where a measurement
+then places the centre.  Points of each circle are therefore projected through the whole sensor model, and the ellipse
+is fitted to them that a fit of grey values finds (`targets.centre`).
+"""
 
 from __future__ import annotations
 
@@ -7,31 +12,112 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from raybundle.adjustment.calibration import projected
 from raybundle.adjustment.engine import adjust_block, as_start
-from raybundle.adjustment.predict import residuals_px
 from raybundle.adjustment.result import Adjustment
-from raybundle.block import Block
-from raybundle.numerics.arrays import Array
+from raybundle.block import Block, Camera
+from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.platforms.station import sensor_from_object
 
 STEP = 0.5
 """Share of the offsets by which they are changed, to see what the residuals do."""
 DETERMINED = 0.03
 """Standard deviation of the common factor from which on radii are left to the adjustment."""
+EDGE = 24
+"""Points of a circle.  Its image holds the harmonics 0 to 4 of the angle to speak of, and errors of sums over equal
+steps begin at the harmonic EDGE - 4."""
+ROUNDS = 3
+"""Steps of the fit of an ellipse; each squares its relative error, which begins at some hundredths."""
 
 
-def ellipse_points(P: Array, normal: Array, radius: Array) -> Array:
-    """Points (n, 3) whose central projection is the centre of the ellipse that a circle's image is.
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CircleImages:
+    """Ellipses as which circles are measured."""
 
-    P, normal  (n, 3) circle centres and unit normals in the sensor frame; radius (n,) in the unit of P
-    The dual conic of the image is P P' - r^2 (I - n n'); its centre is (U W + r^2 nU nW, V W + r^2 nV nW) /
-    (W^2 - r^2 (1 - nW^2)).  The point keeps the depth of the circle.
+    offset_px: Array
+    """(k, 2) ellipse centre minus image of the circle's centre; 0 where the model projects no whole circle"""
+    radius_px: Array
+    """(k,) root of the product of the semi-axes; NaN where the model projects no whole circle"""
+
+
+def ellipses_of_grey_values(edge: Array) -> tuple[Array, Array]:
+    """Centres (n, 2) and mean radii (n,) of the ellipses that grey values say of the outlines (n, EDGE, 2).
+
+    edge  images of points at equal steps round the circle, in a row
+    An edge that lies by d beside that of the ellipse, blurred by a Gaussian, changes grey values by d times a profile
+    that is the same all round, so that least squares on grey values are the least sum of d^2 ds over the outline (ds
+    its arc).  In the affine frame in which the ellipse is the unit circle, q = M^-1 (p - c), |q| - 1 is d |M q'| / |M|
+    with q' at right angles to q, and ds is |M q'| times the angle: squares of |q| - 1 count 1 / |M q'|.
     """
-    U, V, W = P.T
-    a, b, c = normal.T
-    r2 = radius**2
-    depth = W * W - r2 * (1 - c * c)
-    return np.stack([(U * W + r2 * a * c) / depth * W, (V * W + r2 * b * c) / depth * W, W], axis=1)
+    t = 2 * np.pi * np.arange(EDGE) / EDGE
+    cosine, sine = np.cos(t), np.sin(t)
+    c = edge.mean(axis=1)
+    M = 2 / EDGE * np.stack([np.einsum("nkx,k->nx", edge, cosine), np.einsum("nkx,k->nx", edge, sine)], axis=2)
+    for _ in range(ROUNDS):
+        q = np.linalg.solve(M, (edge - c[:, None]).transpose(0, 2, 1))
+        r = np.hypot(q[:, 0], q[:, 1])
+        x, y = q[:, 0] / r, q[:, 1] / r
+        along = M @ np.stack([-y, x], axis=1)
+        weight = 1 / np.hypot(along[:, 0], along[:, 1])
+        J = np.stack([x, y, x * x, x * y, y * y], axis=2)
+        JW = J * weight[..., None]
+        d = np.linalg.solve(JW.transpose(0, 2, 1) @ J, np.einsum("nki,nk->ni", JW, r - 1)[..., None])[..., 0]
+        c = c + np.einsum("nij,nj->ni", M, d[:, :2])
+        shape = np.stack([1 + d[:, 2], d[:, 3] / 2, d[:, 3] / 2, 1 + d[:, 4]], axis=1).reshape(-1, 2, 2)
+        M = M @ shape
+    return c, np.sqrt(np.abs(np.linalg.det(M)))
+
+
+def circle_images(block: Block, rows: Index, radius: Array, normal: Array) -> CircleImages:
+    """Ellipses as which these observations (k,) of circular targets are measured, by the block as it stands.
+
+    radius  (k,) in length units; normal  (k, 3) unit normals in object space; their sign does not matter
+    What it does not tell: an uneven light or a blur that is not the same to all sides, which move the centre as well.
+    """
+    o = block.observations
+    offset, size = np.zeros((len(rows), 2)), np.full(len(rows), np.nan)
+    camera = block.images.camera[o.image[rows]]
+    for k in np.unique(camera).tolist():
+        mine = np.flatnonzero(camera == k)
+        outline, centre, seen = _outlines(block, block.cameras[k], rows[mine], radius[mine], normal[mine])
+        if not seen.any():
+            continue
+        found, mean = ellipses_of_grey_values(outline[seen])
+        offset[mine[seen]] = found - centre[seen]
+        size[mine[seen]] = mean
+    return CircleImages(offset_px=offset, radius_px=size)
+
+
+def _outlines(block: Block, camera: Camera, rows: Index, radius: Array, normal: Array) -> tuple[Array, Array, Mask]:
+    """Images of circles (k, EDGE, 2) and of their centres (k, 2) [px], and which (k,) are seen whole."""
+    o, k, model = block.observations, len(rows), camera.sensor
+    image = o.image[rows]
+    R, X = block.images.rotation[image], block.points.xyz[o.point[rows]]
+    aside = np.cross(normal, np.eye(3)[np.abs(normal).argmin(axis=1)])
+    u = aside / np.linalg.norm(aside, axis=1, keepdims=True)
+    v = np.cross(normal, u)
+    t = 2 * np.pi * np.arange(EDGE) / EDGE
+    turn = np.cos(t)[None, :, None] * u[:, None] + np.sin(t)[None, :, None] * v[:, None]
+    there = np.concatenate([X[:, None] + radius[:, None, None] * turn, X[:, None]], axis=1).reshape(-1, 3)
+    each = EDGE + 1
+    P = sensor_from_object(
+        np.repeat(R, each, axis=0), np.repeat(block.images.centre[image], each, axis=0), there
+    )  # fmt: skip
+    values = np.repeat(_values(block, camera, image), each, axis=1)
+    start = np.repeat(camera.image_from_pixel(o.xy_px[rows]).T, each, axis=1)
+    at, seen = projected(camera, P, values, start)
+    front: Mask = np.asarray((seen & np.asarray(model.in_front(P, at, values))).reshape(k, each).all(axis=1))
+    px = camera.pixel_from_image(at.T).reshape(k, each, 2)
+    return px[:, :EDGE], px[:, EDGE], front
+
+
+def _values(block: Block, camera: Camera, image: Index) -> Array:
+    """Parameters (u, k) of a camera for images (k,), some of which have their own."""
+    values = np.repeat(camera.parameters[:, None], len(image), axis=1)
+    for i, own in block.images.interior.items():
+        column = [own.get(p.symbol, camera.values.get(p.symbol, p.default)) for p in camera.sensor.parameters]
+        values[:, image == i] = np.array(column)[:, None]
+    return values
 
 
 def eccentricity_px(block: Block, radius: Array, normal: Array) -> Array:
@@ -40,24 +126,14 @@ def eccentricity_px(block: Block, radius: Array, normal: Array) -> Array:
     radius  (p,) of the targets in length units; NaN or 0: not a circular target
     normal  (p, 3) unit normals in object space; their sign does not matter
     To be taken off the measured ellipse centres.  It depends on the orientation only to second order, so that
-    one repetition after an adjustment is enough.  What it does not tell: distortion bends the ellipse as well, which is
-    covered to first order only.
+    one repetition after an adjustment is enough.
     """
     o = block.observations
     size = np.asarray(radius)[o.point]
     rows = np.flatnonzero((size > 0) & np.isfinite(normal[o.point]).all(axis=1) & block.images.oriented[o.image])
     offset = np.zeros((len(o), 2))
-    if not len(rows):
-        return offset
-    R, X0 = block.images.rotation[o.image[rows]], block.images.centre[o.image[rows]]
-    P = sensor_from_object(R, X0, block.points.xyz[o.point[rows]]).T
-    n = np.einsum("nij,nj->ni", R, normal[o.point[rows]])
-    there = ellipse_points(P, n, size[rows])
-    # both are projected as object points of their own
-    shifted = X0 + np.einsum("nji,nj->ni", R, there)
-    at_centre = residuals_px(_with_points(block, rows, block.points.xyz[o.point[rows]]), np.arange(len(rows)))
-    at_ellipse = residuals_px(_with_points(block, rows, shifted), np.arange(len(rows)))
-    offset[rows] = at_ellipse - at_centre
+    if len(rows):
+        offset[rows] = circle_images(block, rows, size[rows], normal[o.point[rows]]).offset_px
     return offset
 
 
@@ -114,21 +190,3 @@ def _weighted(column: Array, cov: Array) -> Array:
     a, b, c = cov.T
     x, y = column.T
     return np.stack([b * x - c * y, a * y - c * x], axis=1) / (a * b - c * c)[:, None]
-
-
-def _with_points(block: Block, rows: Array, xyz: Array) -> Block:
-    """The block with these observations (k,) only, each of a point of its own at xyz (k, 3)."""
-    o, k = block.observations, len(rows)
-    return replace(
-        block,
-        observations=replace(
-            o, image=o.image[rows], point=np.arange(k, dtype=np.int32), xy_px=o.xy_px[rows], cov_px2=o.cov_px2[rows]
-        ),
-        points=replace(
-            block.points,
-            ids=tuple(str(i) for i in range(k)),
-            role=np.zeros(k, np.int32),
-            xyz=xyz,
-            sigma=np.full((k, 3), np.nan),
-        ),
-    )

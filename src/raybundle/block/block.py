@@ -180,6 +180,17 @@ class Points:
         given = np.isfinite(self.xyz) & np.isfinite(self.sigma)
         return given & (np.asarray(self.role) == Role.CONTROL)[:, None]
 
+    @property
+    def is_check(self) -> Mask:
+        """(p, 3) coordinates that are given to be checked.
+
+        Where a point states standard deviations, a coordinate without one is only approximate, as of control; one that
+        states none gives all of its coordinates.
+        """
+        known = np.isfinite(self.sigma)
+        given = np.isfinite(self.xyz) & (known | ~known.any(axis=1, keepdims=True))
+        return given & (np.asarray(self.role) == Role.CHECK)[:, None]
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Distances:

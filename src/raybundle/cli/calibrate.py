@@ -181,7 +181,10 @@ def _as_table(q: CalibrationQuality) -> dict[str, Any]:
         "typical_uncertainty_px": q.typical_px, "reach": q.reach, "coverage": q.coverage, "rolls": q.rolls,
         "convergence_deg": math.degrees(q.convergence),
         "couplings": [{"parameter": a, "with": b, "correlation": r} for a, b, r in q.couplings],
-        "cross_validation": None if v is None else {"folds": v.folds, "rms_px": v.rms_px, "fit_px": v.fit_px},
+        "worst_error_px": q.worst_px, "expected_error_px": q.likely_px,
+        "cross_validation": None if v is None else {
+            "folds": v.folds, "rms_px": v.rms_px, "fit_px": v.fit_px, "excess": v.excess, "contradicts": v.contradicts,
+        },
     }  # fmt: skip
 
 

@@ -116,6 +116,10 @@ class StageName(click.Choice[str]):
     help="As EPSG:32633, of --positions in a grid and, with satellite scenes, of control files that name none.",
 )
 @click.option("--no-gps", is_flag=True, help="Leave positions out that the photographs state.")
+@click.option("--up", default="auto", show_default=True, metavar="WAY",
+    help="Which way is up where neither control nor positions tell it: auto, by how the photographs were held; "
+    "terrestrial, aerial, oblique; or two points A,B that --control measures, B plumb above A.",
+)  # fmt: skip
 @click.option("--features", default="rootsift", show_default=True, metavar="METHOD",
     help="rootsift; for wide baselines, with the extra [learned]: xfeat or disk.",
 )  # fmt: skip
@@ -159,6 +163,7 @@ def command(
     scene_bias: str,
     crs: str | None,
     no_gps: bool,  # noqa: FBT001
+    up: str,
     features: str,
     feature_count: int,
     start: str,
@@ -220,7 +225,7 @@ def command(
         scale_bars=tuple(ScaleBar(start=a, end=b, length=d, sigma=e) for a, b, d, e in scale_bar),
         gps=not no_gps, shift=not no_shift, misalignment=not no_misalignment,
         lever_arm=None if lever_arm is None else (lever_arm[:3], lever_arm[3]),
-        defaults=usual, sigma_given=control_sigma is not None, mark_px=mark_sigma,
+        defaults=usual, sigma_given=control_sigma is not None, mark_px=mark_sigma, up=up,
     )  # fmt: skip
     result = out / "result"
     if shown(out) != out:

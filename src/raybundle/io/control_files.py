@@ -21,11 +21,13 @@ from raybundle.io.coordinate_systems import parse_crs
 from raybundle.io.reading.files import read_lines
 from raybundle.io.reading.words import number_of, quoted
 from raybundle.io.tables import SHOWN, Column, Problem, fail, read_table
-from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.arrays import Array, Index, Mask
 
 FILE_BYTES = 1 << 28
 XYZ, SIGMA = ("X", "Y", "Z"), ("sX", "sY", "sZ")
 GCP_COLUMNS = ("X", "Y", "Z", "x_px", "y_px", "image")
+CHANCE = 0.01
+"""Probability below which heights that agree to the last digit are not taken for measured."""
 MEASUREMENTS = "measurements"
 """What a second CSV is called if it lies beside the first: NAME-measurements.csv."""
 
@@ -103,7 +105,7 @@ def read_control(
 def read_gcp_list(path: str | Path, *, defaults: ControlDefaults = DEFAULTS) -> ControlFile:
     """A gcp_list.txt: lines with the same name are one point; without names, lines with the same X Y Z.
 
-    Heights that are 0 throughout are taken as unknown, and a remark says so.
+    Heights that are 0 throughout, or all the same, are taken as unknown, and a remark says so.
     """
     path = Path(path)
     lines = _content(path)
@@ -130,7 +132,7 @@ def read_gcp_list(path: str | Path, *, defaults: ControlDefaults = DEFAULTS) -> 
     if not rows:
         raise InputError("there is no point after the first line; add lines X Y Z x y image", file=path, line=first)
     result = _grouped(path, crs, rows, defaults)
-    return _with_unknown_heights(result)
+    return _with_unknown_heights(result, np.zeros(len(result.ids), bool))
 
 
 @dataclass(frozen=True, slots=True)
@@ -235,19 +237,38 @@ def _default_sigma(xyz: Array, defaults: ControlDefaults) -> Array:
     return np.where(np.isfinite(xyz), sigma, np.nan)
 
 
-def _with_unknown_heights(control: ControlFile) -> ControlFile:
-    """Heights that are all exactly 0 were not measured."""
-    heights = control.xyz[:, 2]
-    if len(heights) < 2 or not (heights == 0).all():
+def _with_unknown_heights(control: ControlFile, stated: Mask) -> ControlFile:
+    """Control whose heights are believed: a column of equal heights beside points that differ is no measurement.
+
+    stated  (n,) heights whose standard deviation stands in the file: they are believed, whatever they are
+    Heights that are exactly 0 at all of several points are what programs write where nothing is known.  Others that are
+    equal: of level ground, heights measured with the standard deviation s and written in steps of d agree to the last
+    digit by chance with the probability (d / (2 sqrt(pi) s))^(n - 1), the density of a difference of two at 0 times the
+    step; below CHANCE that is not believed.
+    """
+    z = control.xyz[:, 2]
+    asked = np.isfinite(z) & ~stated
+    heights, n = z[asked], int(asked.sum())
+    if n < 2 or np.ptp(heights) > 0 or not np.ptp(control.xyz[asked, :2], axis=0).any():
         return control
-    unknown = np.array([1.0, 1.0, np.nan])
+    if heights[0] == 0:
+        what = f"all {n} heights are exactly 0"
+    else:
+        step = 10.0 ** -len(repr(float(heights[0])).partition(".")[2].rstrip("0"))
+        s = float(np.max(control.sigma[asked, 2]))
+        chance = (step / (2 * np.sqrt(np.pi) * s)) ** (n - 1) if s > 0 else 1.0
+        if chance >= CHANCE:
+            return control
+        what = f"all {n} heights are {heights[0]:g}, to the last digit"
+    unknown = np.where(asked, np.nan, 1.0)
+    xyz, sigma = control.xyz.copy(), control.sigma.copy()
+    xyz[:, 2] *= unknown
+    sigma[:, 2] *= unknown
     remark = (
-        f"all {len(heights)} heights are exactly 0 and are taken as unknown: the points control plan alone; "
-        "give one of them a height other than 0 if they were measured"
+        f"{control.path.name}: {what} and are taken as unknown, not measured: the points control or check plan alone. "
+        "If they were measured, a CSV with a column sZ says so"
     )
-    return replace(
-        control, xyz=control.xyz * unknown, sigma=control.sigma * unknown, remarks=(*control.remarks, remark)
-    )
+    return replace(control, xyz=xyz, sigma=sigma, remarks=(*control.remarks, remark))
 
 
 def _read_csv(path: Path, measurements: Path | None, defaults: ControlDefaults) -> ControlFile:
@@ -287,7 +308,7 @@ def _read_csv(path: Path, measurements: Path | None, defaults: ControlDefaults) 
         remarks = (f"coordinates without a sigma get {defaults.plan:g} in plan and {defaults.height:g} in height",)
     beside = path.with_name(f"{path.stem}-{MEASUREMENTS}.csv")
     file = measurements or (beside if beside.is_file() else None)
-    return ControlFile(
+    control = ControlFile(
         path=path,
         crs=None,
         ids=ids,
@@ -297,6 +318,7 @@ def _read_csv(path: Path, measurements: Path | None, defaults: ControlDefaults) 
         measurements=_no_measurements() if file is None else read_measurements(file, ids, str(path)),
         remarks=remarks,
     )
+    return _with_unknown_heights(control, given[:, 2])
 
 
 def _no_measurements() -> Measurements:

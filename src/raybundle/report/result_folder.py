@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Literal, cast
 
 import numpy as np
 
+from raybundle.adjustment.accuracy import levelled
 from raybundle.adjustment.result import Adjustment, InteriorResult, ObservationGroup
 from raybundle.block import Block, Camera, Role
 from raybundle.block.stored import observed_jointly
@@ -31,7 +32,7 @@ from raybundle.io.folders import new_folder
 from raybundle.io.reading.trees import read_json
 from raybundle.io.reading.words import quoted
 from raybundle.io.tables import Column, Table, read_table, write_table
-from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.progress import Progress, silent
 
 if TYPE_CHECKING:
@@ -198,7 +199,7 @@ def write_result(
 def _block_again(adjustment: Adjustment) -> Block:
     """The given block with adjusted values as approximations; what was observed or held stays as it was given."""
     given, adjusted = adjustment.given, adjustment.adjusted
-    stays = given.points.is_control | _given_check(given)
+    stays = given.points.is_control | given.points.is_check
     xyz = np.where(stays, given.points.xyz, adjusted.points.xyz)
     cameras: list[Camera] = []
     for before, after in zip(given.cameras, adjusted.cameras, strict=True):
@@ -211,10 +212,6 @@ def _block_again(adjustment: Adjustment) -> Block:
         images=replace(adjusted.images, held=given.images.held),
         points=replace(given.points, xyz=xyz),
     )
-
-
-def _given_check(block: Block) -> Mask:
-    return (np.asarray(block.points.role) == Role.CHECK)[:, None] & np.isfinite(block.points.xyz)
 
 
 def result_json(adjustment: Adjustment) -> dict[str, Any]:
@@ -353,10 +350,14 @@ def used_rays(a: Adjustment) -> Array:
 
 
 def check_differences(a: Adjustment) -> tuple[Index, Array]:
-    """Positions (k,) of the check points, and adjusted minus given (k, 3); NaN where no ray or no coordinate is."""
+    """Positions (k,) of the check points, and adjusted minus given (k, 3); NaN where no ray or no coordinate is.
+
+    What was filled in to begin with, as a height that nobody measured, is not compared.
+    """
     rows = np.flatnonzero(np.asarray(a.given.points.role) == Role.CHECK).astype(np.int32)
     difference = a.adjusted.points.xyz[rows] - a.given.points.xyz[rows]
-    return rows, np.where(used_rays(a)[rows, None] > 0, difference, np.nan)
+    known = a.given.points.is_check[rows] & (used_rays(a)[rows, None] > 0)
+    return rows, np.where(known, difference, np.nan)
 
 
 def _points(a: Adjustment) -> Columns:
@@ -410,17 +411,20 @@ class _Tests:
 def _control(a: Adjustment) -> Columns:
     rows = np.flatnonzero(np.asarray(a.given.points.role) == Role.CONTROL).astype(np.int32)
     ids = named(a.given.points.ids, rows)
+    known = a.given.points.is_control[rows]
+    known[:, 2] &= ~np.isin(np.array(ids), list(levelled(a)))
     return {
         "point": ids,
-        **columns_of(XYZ, a.given.points.xyz[rows]),
-        **columns_of(SIGMA_XYZ, a.given.points.sigma[rows]),
+        **columns_of(XYZ, np.where(known, a.given.points.xyz[rows], np.nan)),
+        **columns_of(SIGMA_XYZ, np.where(known, a.given.points.sigma[rows], np.nan)),
         **_Tests(a.groups, "control").by_axis(ids),
     }
 
 
 def _check(a: Adjustment) -> Columns:
     rows, difference = check_differences(a)
-    given, sigma = a.given.points.xyz[rows], np.nan_to_num(a.given.points.sigma[rows])
+    given = np.where(a.given.points.is_check[rows], a.given.points.xyz[rows], np.nan)
+    sigma = np.nan_to_num(a.given.points.sigma[rows])
     std = np.where(np.isfinite(difference), np.hypot(_point_std(a)[rows], sigma), np.nan)
     return {
         "point": named(a.given.points.ids, rows),

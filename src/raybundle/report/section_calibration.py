@@ -8,6 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from raybundle.adjustment.calibration_quality import CalibrationQuality, Grade
+from raybundle.adjustment.cross_validation import CrossValidation
 from raybundle.report.numbers import NONE, fixed, grouped, per_cent, significant
 from raybundle.report.parts import Fact, Facts, Heading, Paragraph, Part, Section, Statements, number, table, text
 from raybundle.report.words import Grade as ReportGrade
@@ -56,7 +57,9 @@ def _facts(q: CalibrationQuality) -> tuple[Fact, ...]:
         Fact(
             label="uncertainty of projection",
             value=f"{significant(q.typical_px, 2)} px",
-            remark=f"median over the format at infinity; {significant(q.uncertainty_px, 2)} px at worst",
+            remark=f"median over the format at infinity; {significant(q.uncertainty_px, 2)} px at worst. The largest "
+            f"error somewhere in the format: {significant(q.likely_px, 2)} px is to be expected, "
+            f"{significant(q.worst_px, 2)} px are not exceeded with 95 % certainty",
         ),
         Fact(
             label="image points", value=f"{significant(q.image_sigma_px, 2)} px",
@@ -66,7 +69,7 @@ def _facts(q: CalibrationQuality) -> tuple[Fact, ...]:
             label="cross-validation", value=NONE if validation is None else f"{fixed(validation.ratio, 2)} ×",
             remark="too few photographs" if validation is None else
             f"residuals of photographs left out ({significant(validation.rms_px, 2)} px) against those that took part; "
-            f"{validation.folds} folds",
+            f"{validation.folds} folds. {_prediction(validation)}",
         ),
         Fact(
             label="format", value=per_cent(q.coverage),
@@ -78,6 +81,12 @@ def _facts(q: CalibrationQuality) -> tuple[Fact, ...]:
             "their mean",
         ),
     )  # fmt: skip
+
+
+def _prediction(validation: CrossValidation) -> str:
+    if validation.contradicts:
+        return f"{fixed(validation.excess, 1)} times as far from their prediction as its covariance explains"
+    return "They lie where the covariance of points and camera predicts them"
 
 
 def _sentence(words: str) -> str:

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from raybundle.adjustment.accuracy import ENOUGH, accuracy, levelled
 from raybundle.adjustment.result import ObservationGroup
 from raybundle.numerics.arrays import Array
 from raybundle.report.figures_control import marked_images, marks_figure
@@ -49,9 +50,10 @@ def control_section(view: View) -> Section:
     parts: list[Part] = []
     for kind, title, what, rest in KINDS:
         for whole in view.adjustment.groups:
-            g = _without_scenes(view, whole)
+            g = _without_levelling(view, _without_scenes(view, whole))
             if g.kind == kind and len(g.ids):
                 parts += [Heading(text=title), *_group(view, g, what, rest)]
+    parts += _left_out(view)
     parts += _check(view)
     parts += _marks(view)
     if not parts:
@@ -66,6 +68,54 @@ def _without_scenes(view: View, g: ObservationGroup) -> ObservationGroup:
     if g.kind != "parameter" or not scenes & set(g.ids):
         return g
     return _rows_of(g, np.flatnonzero([i not in scenes for i in g.ids]))
+
+
+def _without_levelling(view: View, g: ObservationGroup) -> ObservationGroup:
+    """Control without the heights that level the block and that nobody gave."""
+    invented = levelled(view.adjustment)
+    if g.kind != "control" or not invented:
+        return g
+    given = [not (i in invented and c == "Z") for i, c in zip(g.ids, g.component, strict=True)]
+    return _rows_of(g, np.flatnonzero(given))
+
+
+def _left_out(view: View) -> list[Part]:
+    """What control coordinates would differ by had they taken no part: the accuracy where there are no check points."""
+    told = accuracy(view.adjustment).get("leave_one_out")
+    rows: list[Sequence[str]] = []
+    for axis in "XYZ":
+        found = [(abs(t["difference"]), t["point"]) for t in told or () if t["coordinate"] == axis]
+        found = [f for f in found if math.isfinite(f[0])]
+        if found:
+            d = np.array([f[0] for f in found]) * view.factor
+            rows.append([axis, grouped(len(d)), significant(rms(d)), significant(float(d.max())), max(found)[1]])
+    if not rows:
+        return []
+    body = table(
+        (
+            text("coordinate"), number("points"), number("rms", view.unit), number("largest", view.unit), text("at"),
+        ),
+        zip(*rows, strict=True),
+        note="Leave-one-out: adjusted minus given of a control coordinate had it taken no part, residual over "
+        "redundancy number, one coordinate at a time and to first order. It stands in for check points where there are "
+        "none.",
+    )  # fmt: skip
+    return [Heading(text="Control left out, one coordinate at a time"), body]
+
+
+def _asprs(view: View) -> list[Part]:
+    """Accuracy in the sense of ASPRS."""
+    told = accuracy(view.adjustment).get("asprs")
+    if told is None or view.free_frame:
+        return []
+    n, high = told["check_points_horizontal"], told["check_points_vertical"]
+    plan = significant(told["rmse_h"] * view.factor)
+    words = f"Accuracy in the sense of ASPRS (2023), that of the check points included: RMSE_H {plan} {view.unit} "
+    words += f"from {counted(n, 'check point')}"
+    if told["rmse_v"] is not None:
+        words += f", RMSE_V {significant(told['rmse_v'] * view.factor)} {view.unit} from {grouped(high)}"
+    few = "" if told["enough"] else f" At least {ENOUGH} are asked for there: with fewer it is a figure, not a proof."
+    return [Paragraph(text=f"{words}.{few}")]
 
 
 def _marks(view: View) -> list[Part]:
@@ -198,6 +248,7 @@ def _check(view: View) -> list[Part]:
     difference = view.check_difference * view.factor
     std = expected_check_std(view)
     given = view.given.points
+    xyz = np.where(given.is_check[rows], given.xyz[rows], np.nan)
     fine = column_decimals(std) if np.isfinite(std).any() else 3
     coarse = fine + round(math.log10(view.factor))
     ratio = np.abs(difference) / std
@@ -208,7 +259,7 @@ def _check(view: View) -> list[Part]:
             *(number(f"sigma d{axis}", view.unit) for axis in "XYZ"), number("largest |d| / sigma"), number("rays"),
         ),
         (
-            pick(rows, given.ids), *(cells(given.xyz[rows, k].tolist(), coarse) for k in range(3)),
+            pick(rows, given.ids), *(cells(xyz[:, k].tolist(), coarse) for k in range(3)),
             *(cells(difference[:, k].tolist(), fine) for k in range(3)),
             *(cells(std[:, k].tolist(), fine) for k in range(3)),
             cells(np.where(np.isfinite(ratio).any(axis=1), np.max(np.nan_to_num(ratio), axis=1), np.nan).tolist(), 2),
@@ -221,7 +272,7 @@ def _check(view: View) -> list[Part]:
     )  # fmt: skip
     folded = Folded(summary=f"All {counted(len(rows), 'check point')}", parts=(body,))
     shown = body if len(rows) <= OPEN_ROWS else folded
-    return [Heading(text="Check points"), _check_summary(difference, std, view.unit), shown]
+    return [Heading(text="Check points"), _check_summary(difference, std, view.unit), *_asprs(view), shown]
 
 
 def _check_summary(difference: Array, std: Array, unit: str) -> Table:

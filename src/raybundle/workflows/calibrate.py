@@ -24,7 +24,7 @@ from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Block, Camera, Role
 from raybundle.block.boards import spline_camera
 from raybundle.block.select import with_rows
-from raybundle.errors import InputError
+from raybundle.errors import InputError, NotSolvable
 from raybundle.io.photos.cameras import CameraGroup, camera_groups
 from raybundle.io.photos.photo import Found, Photo, find_photos
 from raybundle.numerics.arrays import Array, Index, Mask
@@ -34,6 +34,7 @@ from raybundle.targets.kinds.rings import Rings
 from raybundle.targets.marks import Marks, Target, target
 from raybundle.targets.sidecar import PrintedSheet
 from raybundle.workflows.board_start import board_oriented
+from raybundle.workflows.calibration_defects import bundled, check_spline, explained
 from raybundle.workflows.camera_split import cameras_apart
 from raybundle.workflows.model_choice import choose_models, with_model
 from raybundle.workflows.recognise import recognised
@@ -157,6 +158,33 @@ def calibrate(
     block, radius = _asked(given.block, options), given.radius_px
     if len(np.unique(block.observations.image)) < 2:
         raise InputError(_too_few(photos, marks, targets), file=", ".join(str(p) for p in inputs))
+    try:
+        return _calibrated(_Measured(given, block, radius, found, groups, marks, targets), options, clock, progress)
+    except InputError as error:
+        raise explained(error, block) from error
+    except NotSolvable as error:
+        raise explained(error, block) from error
+
+
+@dataclass(frozen=True, slots=True)
+class _Measured:
+    """Photographs with their targets, nothing oriented yet."""
+
+    given: TargetBlock
+    block: Block
+    radius: Array
+    found: Found
+    groups: tuple[CameraGroup, ...]
+    marks: tuple[tuple[Marks, ...], ...]
+    targets: tuple[Target, ...]
+
+
+def _calibrated(m: _Measured, options: CalibrateOptions, clock: _Clock, progress: Progress) -> Calibration:
+    """Orient, adjust, judge."""
+    given, block, radius, found, groups, marks, targets = (
+        m.given, m.block, m.radius, m.found, m.groups, m.marks, m.targets
+    )  # fmt: skip
+    photos = found.photos
     approximate, lost, told = _approximate(given, block, targets, options, progress)
     clock.stop("start")
     start, rows = oriented_part(approximate)
@@ -187,6 +215,9 @@ def calibrate(
     if options.model == "spline":  # its surfaces take up what the best of the others leaves
         start = replace(start, cameras=tuple(spline_camera(c) for c in start.cameras))
     result, largest, scale = _adjust(start, first, radius[rows], options, settings, notices, progress)
+    if options.model == "spline":
+        check_spline(first, result)
+        result = replace(result, notices=bundled(result.notices))
     clock.stop("adjustment")
     quality = calibration_qualities(result, progress)
     clock.stop("verdict")

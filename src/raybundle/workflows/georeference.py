@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
-from typing import Literal
 
 import numpy as np
 
@@ -31,6 +30,7 @@ from raybundle.workflows.marks import (
     intersected,
 )
 from raybundle.workflows.positions import SCALE, Positions, mean_place, observe, positions_of, scale_sigma
+from raybundle.workflows.upright import Upright, doubts, upright
 
 LEVEL = 0.05
 """Tangent of the angle to which a block is level by the viewing direction of its photographs."""
@@ -50,6 +50,8 @@ class Georeferenced:
     """(p,) points that were marked in photographs"""
     fixed: bool
     """placed in the object system by control or positions"""
+    upright: Upright | None = None
+    """how the vertical was found, where neither control nor positions tell it"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -83,9 +85,10 @@ def georeference(
     positions = None
     if frame is not None and given.gps:
         positions = positions_of(photos, state.block.images.oriented, frame)
-    fixed = _fix_by_control(state, free, control, given, alone=positions is None or len(positions) < 3, around=around)
+    alone = positions is None or len(positions) < 3
+    fixed = _fix_by_control(state, photos, free, control, given, alone=alone, around=around)
     if not fixed and positions is not None:
-        fixed = _fix_by_positions(state, positions)
+        fixed = _fix_by_positions(state, photos, positions, given)
         _refuse_little_control(state, control, given, placed=fixed)
     if fixed and positions is not None and len(positions):
         observe(state, positions, given)
@@ -93,7 +96,7 @@ def georeference(
         observe_attitudes(state, photos, given, frame)
     if not fixed:
         drop_single_marks(state)
-        _fix_by_bars(state, free)
+        _fix_by_bars(state, photos, free, given)
         frame = None
     if frame is not None and around is None:
         state.notices += [Notice(code="coordinate_system", message=r) for r in frame.remarks]
@@ -106,6 +109,7 @@ def georeference(
         notices=tuple(state.notices),
         marked=marked,
         fixed=fixed,
+        upright=state.upright,
     )
 
 
@@ -139,7 +143,14 @@ def _control_to_fit(block: Block, free: Array) -> Index:
 
 
 def _fix_by_control(
-    state: Placing, free: Array, control: Index, given: Given, *, alone: bool, around: Surroundings | None = None
+    state: Placing,
+    photos: Sequence[Photo],
+    free: Array,
+    control: Index,
+    given: Given,
+    *,
+    alone: bool,
+    around: Surroundings | None = None,
 ) -> bool:
     """Move the block onto the control; False where there is none, or too little and positions that may help."""
     block = state.block
@@ -155,7 +166,8 @@ def _fix_by_control(
         s, R, t = by_rays
         residual = s * free[control[height]] @ R.T + t - target[control[height]]
     elif len(control) >= 2:
-        up = level_rotation(block, "unknown" if around is None else "ground")
+        # what satellites see as well is the ground
+        up = _level(state, photos, free, given.up if around is None else "aerial")
         flat = free @ up.T
         s, turn, shift = _robust_plan(flat[control], target[control])
         R = turn @ up
@@ -283,10 +295,11 @@ def _guess_heights(state: Placing) -> None:
         f"heights of the control are not known: the block is levelled by the viewing direction of the photographs, "
         f"their heights are observed with {LEVEL * extent:.3g} m. Heights of the result are relative; "
         "three heights would level it",
+        *(block.points.ids[k] for k in np.flatnonzero(plan)),
     )
 
 
-def _fix_by_positions(state: Placing, positions: Positions) -> bool:
+def _fix_by_positions(state: Placing, photos: Sequence[Photo], positions: Positions, given: Given) -> bool:
     """Move the block onto the positions that the photographs state; False where they are too few or too near."""
     if len(positions) < 3:
         return False
@@ -304,7 +317,7 @@ def _fix_by_positions(state: Placing, positions: Positions) -> bool:
     if heights.sum() >= 3 and not _collinear(local[heights]):
         s, R, t = _robust(free[heights], local[heights], 3)
     else:
-        up = level_rotation(state.block)
+        up = _level(state, photos, intersected(state.block), given.up)
         s, turn, t = _robust_plan(free @ up.T, local)
         R = turn @ up
         lifted = s * free @ R.T
@@ -315,11 +328,11 @@ def _fix_by_positions(state: Placing, positions: Positions) -> bool:
     return True
 
 
-def _fix_by_bars(state: Placing, free: Array) -> None:
+def _fix_by_bars(state: Placing, photos: Sequence[Photo], free: Array, given: Given) -> None:
     """A free block gets the scale of its bars, stands upright and has its middle at the origin."""
     block = state.block
     d = block.distances
-    R = level_rotation(block)
+    R = _level(state, photos, free, given.up)
     s = 1.0
     if len(d):
         measured = np.linalg.norm(free[d.start] - free[d.end], axis=1)
@@ -338,57 +351,12 @@ def _fix_by_bars(state: Placing, free: Array) -> None:
     _apply(state, free, s, R, -s * R @ middle)
 
 
-def level_rotation(block: Block, shown: Literal["unknown", "ground"] = "unknown") -> Array:
-    """Rotation that makes a free block level: Z against the common viewing direction, or along the images' upward axes.
-
-    shown  ground: what the photographs show is the ground, for satellites see it as well
-
-    Photographs that look down together are aerial ones: Z is against their mean direction.  Otherwise Z is the mean
-    upward direction of the photographs, X to the right of the mean view.
-    """
-    rotation = block.images.rotation[block.images.oriented]
-    view = -rotation[:, 2].mean(axis=0)
-    up = _upward(rotation)
-    down = shown == "ground" or _thickness(block)
-    if np.linalg.norm(view) > 0.9 and down:
-        z = -view
-        x = rotation[:, 0].mean(axis=0)
-    else:
-        z = up
-        x = np.cross(view, up)
-    z = z / np.linalg.norm(z)
-    x = x - (x @ z) * z
-    if np.linalg.norm(x) < 1e-6:
-        x = np.linalg.svd(z[None])[2][1]
-    x = x / np.linalg.norm(x)
-    return np.stack([x, np.cross(z, x), z])
-
-
-def _upward(rotation: Array) -> Array:
-    """The direction nearest to one of the two axes of most images: turned photographs have theirs sideways."""
-    axes = np.concatenate([rotation[:, 1], -rotation[:, 1], rotation[:, 0], -rotation[:, 0]])
-    agreement = (np.clip(axes @ axes.T, 0, 1) ** 8).sum(axis=1)
-    first = axes[: len(rotation)]
-    best = first[int(agreement[: len(rotation)].argmax())]
-    near = axes[axes @ best > 0.7]
-    return near.mean(axis=0)
-
-
-def _thickness(block: Block) -> bool:
-    """Whether the object is flat seen along the mean view: its extent in depth small against its width."""
-    tie = np.asarray(block.points.role) == Role.TIE
-    xyz = block.points.xyz[tie]
-    xyz = xyz[np.isfinite(xyz).all(axis=1)]
-    view = -block.images.rotation[block.images.oriented][:, 2].mean(axis=0)
-    view = view / max(float(np.linalg.norm(view)), 1e-12)
-    depth = xyz @ view
-    across = xyz - depth[:, None] * view
-    spread = np.percentile(depth, 95) - np.percentile(depth, 5)
-    width = np.linalg.norm(np.percentile(across, 95, axis=0) - np.percentile(across, 5, axis=0))
-    centres = block.images.centre[block.images.oriented]
-    base = np.linalg.norm(np.percentile(centres, 95, axis=0) - np.percentile(centres, 5, axis=0))
-    distance = np.median(np.linalg.norm(centres - np.median(xyz, axis=0), axis=1))
-    return bool(spread < 0.35 * width and base > 0.8 * distance)
+def _level(state: Placing, photos: Sequence[Photo], free: Array, way: str) -> Array:
+    """Rotation that makes the block level, points at `free` (p, 3); what is not sure is told."""
+    block = state.block
+    state.upright = upright(replace(block, points=replace(block.points, xyz=free)), photos, way)
+    state.notices += doubts(state.upright, way)
+    return state.upright.rotation
 
 
 def _collinear(xyz: Array) -> bool:
@@ -456,44 +424,6 @@ def _subsets(n: int, least: int) -> list[tuple[int, ...]]:
         return list(combinations(range(n), least))
     rng = np.random.default_rng(1)
     return [tuple(int(i) for i in rng.choice(n, least, replace=False)) for _ in range(TRIALS)]
-
-
-def accuracy(result: Adjustment) -> dict[str, object]:
-    """Accuracy against check points in the sense of ASPRS (2023), and leave-one-out differences of the control.
-
-    RMSE_H and RMSE_V combine the differences at the check points with the accuracy of the check points themselves;
-    at least 30 check points are asked for there.  Leave-one-out: what a control coordinate would differ by had it
-    taken no part, v / r (to first order, one coordinate at a time).
-    """
-    found: dict[str, object] = {}
-    check = np.flatnonzero(np.asarray(result.given.points.role) == Role.CHECK)
-    d = result.adjusted.points.xyz[check] - result.given.points.xyz[check]
-    s = result.given.points.sigma[check]
-    plan = np.isfinite(d[:, :2]).all(axis=1)
-    high = np.isfinite(d[:, 2])
-    if plan.any():
-        own = float(np.sqrt(np.nanmean(np.nan_to_num(s[plan, :2]) ** 2) * 2))
-        rmse = float(np.sqrt((d[plan, :2] ** 2).sum(axis=1).mean()))
-        found["asprs"] = {
-            "check_points_horizontal": int(plan.sum()), "rmse_h": float(np.hypot(rmse, own)),
-            "check_points_vertical": int(high.sum()),
-            "rmse_v": _vertical(d[high, 2], s[high, 2]) if high.any() else None, "enough": bool(plan.sum() >= 30),
-        }  # fmt: skip
-    for group in result.groups:
-        if group.kind != "control":
-            continue
-        r = np.asarray(group.redundancy, float)
-        with np.errstate(all="ignore"):
-            left_out = np.where(r > 1e-6, -np.asarray(group.residual) / r, np.nan)
-        found["leave_one_out"] = [
-            {"point": name, "coordinate": axis, "difference": float(value)}
-            for name, axis, value in zip(group.ids, group.component, left_out, strict=True)
-        ]
-    return found
-
-
-def _vertical(d: Array, s: Array) -> float:
-    return float(np.hypot(np.sqrt((d**2).mean()), np.sqrt((np.nan_to_num(s) ** 2).mean())))
 
 
 def rejected_marks(result: Adjustment, marks: Mask) -> list[Notice]:

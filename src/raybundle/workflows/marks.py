@@ -19,6 +19,7 @@ from raybundle.io.photos.photo import Photo
 from raybundle.io.trajectories import PhotoAttitudes
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.orientation.rays import intersect_linear, object_rays, rays_of
+from raybundle.workflows.upright import Upright
 
 MARK_PX = 0.5
 """Standard deviation of a point marked in a photograph."""
@@ -58,6 +59,8 @@ class Given:
     sigma_given: bool = False
     """the standard deviations in `defaults` are known, not assumed"""
     mark_px: float = MARK_PX
+    up: str = "auto"
+    """which way is up where control and positions do not tell it: auto, terrestrial, aerial, oblique, or "A,B" """
 
 
 @dataclass(slots=True)
@@ -66,6 +69,8 @@ class Placing:
 
     block: Block
     notices: list[Notice] = field(default_factory=list[Notice])
+    upright: Upright | None = None
+    """how the vertical was found, where nothing else tells it"""
 
     def tell(self, code: str, message: str, *ids: str) -> None:
         """Add a notice."""

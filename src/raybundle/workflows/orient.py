@@ -10,6 +10,7 @@ from typing import Literal
 
 import numpy as np
 
+from raybundle.adjustment.accuracy import accuracy
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Camera
 from raybundle.block.relative import relative_control
@@ -25,7 +26,7 @@ from raybundle.numerics.progress import Progress, silent
 from raybundle.scenes.bias import BiasKind
 from raybundle.workflows.attitudes import Convention, find_attitudes
 from raybundle.workflows.final import adjusted_part, final_adjustment, left_out
-from raybundle.workflows.georeference import Georeferenced, accuracy
+from raybundle.workflows.georeference import Georeferenced
 from raybundle.workflows.marks import Given
 from raybundle.workflows.parts import Part, apart_notice, place_parts
 from raybundle.workflows.photo_run import PhotoRun
@@ -35,6 +36,7 @@ from raybundle.workflows.scene_images import FoundScenes, SceneImage, find_scene
 from raybundle.workflows.scene_run import SceneRun
 from raybundle.workflows.scene_ties import ScenePair
 from raybundle.workflows.tie_block import image_sigma_px
+from raybundle.workflows.upright import Upright
 
 STAGES = ("photographs", "features", "matching", "start", "precision", "adjustment", "report")
 
@@ -98,6 +100,8 @@ class Orientation:
     """satellite scenes that take part"""
     scene_pairs: tuple[ScenePair, ...] = ()
     remarks: tuple[str, ...] = field(default=())
+    upright: Upright | None = None
+    """how the vertical was found, where neither control nor positions tell it"""
 
     @property
     def oriented(self) -> int:
@@ -132,6 +136,7 @@ class Orientation:
             ],
             "image_sigma_px": self.sigma_px,
             **({} if self.frame is None else {"frame": self.frame.as_mapping()}),
+            **({} if self.upright is None else {"upright": self.upright.as_mapping()}),
             **accuracy(self.adjustment),
         }  # fmt: skip
 
@@ -188,7 +193,7 @@ def orient(
                 placed, apart = scenes.place(blocks, photos, given, photographs.store, method)
             placed = _relative(placed, photos, options.relative)
             adjustment, parts = _adjusted(stage, placed, apart, photographs.groups, jobs, progress, remarks)
-        return _orientation(project, photographs, scenes, adjustment, parts, placed.frame, remarks)
+        return _orientation(project, photographs, scenes, adjustment, parts, placed, remarks)
     finally:
         project.close()
 
@@ -262,7 +267,7 @@ def _ties(
 
 def _orientation(
     project: Project, photographs: PhotoRun, scenes: SceneRun | None, adjustment: Adjustment,
-    parts: tuple[Part, ...], frame: LocalFrame | None, remarks: tuple[str, ...],
+    parts: tuple[Part, ...], placed: Georeferenced, remarks: tuple[str, ...],
 ) -> Orientation:  # fmt: skip
     """Everything together."""
     lost = [*photographs.lost, *([] if scenes is None else scenes.lost)]
@@ -277,7 +282,8 @@ def _orientation(
         stages=tuple(project.records),
         sigma_px=image_sigma_px(adjustment),
         weights=next(iter((*photographs.weights, *of_scenes)), None),
-        frame=frame,
+        frame=placed.frame,
+        upright=placed.upright,
         parts=parts,
         scenes=() if scenes is None else scenes.images,
         scene_pairs=() if scenes is None else scenes.pairs,

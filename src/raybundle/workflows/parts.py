@@ -88,13 +88,13 @@ def place_parts(
     except InputError:
         if around is None:
             raise
-        first = georeference(blocks[0], photos, Given(gps=False))
+        first = georeference(blocks[0], photos, Given(gps=False, up=given.up if "," not in given.up else "auto"))
     joined, apart = [first], list[Georeferenced]()
     for block in blocks[1:]:
         try:
             placed = georeference(block, photos, given, around)
         except InputError:
-            placed = georeference(block, photos, Given(gps=False))
+            placed = georeference(block, photos, Given(gps=False, up=given.up if "," not in given.up else "auto"))
         (joined if placed.fixed and first.fixed else apart).append(placed)
     apart = [replace(p, block=without_idle(p.block)) for p in apart]
     if len(joined) == 1:

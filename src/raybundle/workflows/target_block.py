@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from raybundle.adjustment.eccentricity import circle_images
 from raybundle.adjustment.predict import predicted_px
 from raybundle.block import Block, Camera, Images, Observations, Points
 from raybundle.block.select import with_rows
@@ -277,7 +278,8 @@ def reweighted(block: Block, sigma0: float) -> Block:
 def target_radii(block: Block, radius_px: Array, normal: Array, used: Mask) -> Array:
     """(p,) radii of the dots in units of the block, from the mean radii (m,) of their images; NaN where not known.
 
-    A small circle of radius r at P with unit normal n has an image of the area pi r^2 c^2 |n P| / |W|^3.
+    A small circle of radius r at P with unit normal n has an image of the area pi r^2 c^2 |n P| / |W|^3; what the
+    whole model makes of that radius then mends it.
     """
     o = block.observations
     camera = block.images.camera[o.image]
@@ -289,6 +291,10 @@ def target_radii(block: Block, radius_px: Array, normal: Array, used: Mask) -> A
         size = radius_px / c_px * np.sqrt(np.abs(P[2]) ** 3 / np.abs(np.sum(n * P, axis=0)))
     radius = np.full(len(block.points), np.nan)
     good = used & np.isfinite(size)
+    rows = np.flatnonzero(good)
+    if len(rows):
+        size[rows] *= radius_px[rows] / circle_images(block, rows, size[rows], normal[o.point[rows]]).radius_px
+        good &= np.isfinite(size)
     for p in np.unique(o.point[good]).tolist():
         radius[p] = np.median(size[good & (o.point == p)])
     return radius

@@ -1,0 +1,90 @@
+"""Simulated calibration networks of all kinds: the grade that the verdict gives against that of the true error."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from raybundle.adjustment.calibration import calibration_difference
+from raybundle.adjustment.calibration_quality import CalibrationQuality, calibration_qualities
+from raybundle.adjustment.decide import decide
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+from raybundle.errors import RaybundleError
+
+GRADES = ("good", "usable", "weak")
+GOOD_PX, USABLE_PX = 0.1, 0.3
+"""Worst true error of projection over the format, at infinity."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Judged:
+    """One network: what its verdict says, what is true."""
+
+    seed: int
+    verdict: str
+    truth: str
+    worst_px: float
+    quality: CalibrationQuality | None
+
+
+def network(seed: int) -> tuple[TargetField, float]:
+    """A plan of photographs and the standard deviation of an image coordinate, of three kinds in turn.
+
+    As the guide advises (targets, rolls, convergence); with something missing; from hand-held snapshots of natural
+    points.  How often verdict and truth agree depends on how many networks lie near a limit: the largest error of one
+    network is a random number that scatters by a factor of two, whatever its covariance says.  Of networks drawn
+    evenly over all qualities (`evenly`), one that knew every probability would put 86 % into their class.
+    """
+    rng = np.random.default_rng(seed)
+    kind = seed % 3
+    if kind == 0:
+        return _plan(rng, seed, (12, 20), (0.15, 0.6), (30, 45), 1.0), float(rng.uniform(0.005, 0.03))
+    if kind == 1:
+        return _plan(rng, seed, (6, 20), (0.0, 0.4), (10, 45), 0.5), float(np.exp(rng.uniform(*np.log([0.03, 0.3]))))
+    return _plan(rng, seed, (4, 12), (0.0, 0.3), (5, 25), 0.3), float(np.exp(rng.uniform(*np.log([0.3, 1.0]))))
+
+
+def evenly(seed: int) -> tuple[TargetField, float]:
+    """A plan and a standard deviation of any quality."""
+    rng = np.random.default_rng(seed)
+    return _plan(rng, seed, (4, 20), (0.0, 0.6), (8, 45), 0.5), float(np.exp(rng.uniform(*np.log([0.005, 1.0]))))
+
+
+def _plan(
+    rng: np.random.Generator, seed: int, stations: tuple[int, int], depth: tuple[float, float],
+    tilt: tuple[float, float], rolled: float,
+) -> TargetField:  # fmt: skip
+    rolls = (0.0, 90.0, 180.0, 270.0) if rng.random() < rolled else (0.0,)
+    return TargetField(
+        camera=brown_camera(values={"P1": rng.normal(0, 1e-5), "P2": rng.normal(0, 1e-5), "x0": rng.normal(0, 0.05)}),
+        stations=int(rng.integers(*stations)), frontal=int(rng.integers(0, 5)), roll_deg=rolls,
+        depth=rng.uniform(*depth), tilt_deg=rng.uniform(*tilt), rows=int(rng.integers(6, 12)),
+        columns=int(rng.integers(8, 15)), distance=rng.uniform(1.9, 2.4), seed=seed,
+    )  # fmt: skip
+
+
+def judged(seed: int, draw: Callable[[int], tuple[TargetField, float]] = network) -> Judged:
+    """The verdict on a network by the way that a user's photographs go, beside the truth."""
+    plan, sigma = draw(seed)
+    seen = simulate(field_scene(plan), Survey(seed=seed, image_sigma_px=sigma, points="approximate"))
+    block = replace(seen.observed, cameras=tuple(replace(c, estimate="auto") for c in seen.observed.cameras))
+    try:
+        result = decide(block, AdjustmentOptions(reject="snooping", robust_start=True, threads=1))
+        (quality,) = calibration_qualities(result)
+    except RaybundleError:
+        return Judged(seed=seed, verdict="weak", truth="weak", worst_px=np.inf, quality=None)
+    worst = calibration_difference(seen.truth.cameras[0], result.adjusted.cameras[0]).largest
+    truth = "good" if worst <= GOOD_PX else "usable" if worst <= USABLE_PX else "weak"
+    verdict = quality.grade if quality.grade in GRADES else "weak"
+    return Judged(seed=seed, verdict=verdict, truth=truth, worst_px=worst, quality=quality)
+
+
+def confusion(rows: list[Judged]) -> np.ndarray:
+    """(3, 3) counts: truth down, verdict across."""
+    table = np.zeros((3, 3), int)
+    for r in rows:
+        table[GRADES.index(r.truth), GRADES.index(r.verdict)] += 1
+    return table

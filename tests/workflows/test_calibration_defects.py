@@ -1,0 +1,79 @@
+"""Photographs that cannot calibrate a camera: what is missing is said, in the words of whoever took them."""
+
+from dataclasses import replace
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from raybundle.adjustment.result import Notice
+from raybundle.block.calibration_networks import ROLLS, FlatField, flat_field_scene
+from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.errors import NotSolvable, RankDefect
+from raybundle.workflows.calibrate import CalibrateOptions, calibrate
+from raybundle.workflows.calibration_defects import bundled, check_spline, explained, flat_only
+from tests.workflows.flat_views import patched
+
+
+@pytest.mark.parametrize(("photographs", "rolls"), [(3, (0.0,)), (6, (0.0, 90.0, 180.0, 270.0))])
+def test_square_views_of_a_sheet_say_what_is_missing(monkeypatch, tmp_path, photographs, rolls):
+    """Points of 0.3 px: no verdict is reached, the network falls apart at the start."""
+    patched(monkeypatch, tmp_path, 0.0, photographs=photographs, sigma_px=0.3, rolls=rolls, seed=photographs)
+    with pytest.raises(NotSolvable, match="something flat from nearly the same direction") as told:
+        calibrate([tmp_path], CalibrateOptions(targets=("aicon14",), jobs=1))
+    said = str(told.value)
+    assert "photographs that converge" in said
+    assert "has no observations" not in said
+    assert "--datum" not in said
+    assert "`estimate`" not in said
+
+
+def seen(scene):
+    return simulate(scene, Survey(image_sigma_px=0.1, points="exact", orientation="exact", interior="exact")).observed
+
+
+@pytest.mark.parametrize("tilt", [0.0, 5.0, 25.0])
+def test_flat_views_are_told_from_convergent_ones(tilt):
+    block = seen(flat_field_scene(FlatField(tilt_deg=tilt, shift=0.1, rolls_deg=ROLLS)))
+    assert bool(flat_only(block)) == (tilt < 15)
+
+
+def test_what_is_not_flat_is_not_called_so():
+    assert not flat_only(seen(field_scene(TargetField(depth=0.5, tilt_deg=5.0))))
+
+
+def test_another_defect_keeps_its_words_and_its_data():
+    block = seen(flat_field_scene(FlatField(tilt_deg=30.0)))
+    error = explained(RankDefect("too few image points in image 3"), block)
+    assert isinstance(error, RankDefect)
+    assert "too few image points in image 3" in str(error)
+    assert "converge" in str(error)
+
+
+def adjusted(c, residual, model="spline"):
+    camera = SimpleNamespace(id="1", model=model, parameters=np.array([c]))
+    return SimpleNamespace(
+        adjusted=SimpleNamespace(cameras=(camera,)), redundancy=100,
+        image_observations=SimpleNamespace(residuals_px=np.full((100, 2), residual), used=np.ones(100, bool)),
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(("c", "residual", "refused"), [(8.0, 0.1, False), (8.0, 97.0, True), (-8.0, 0.1, True)])
+def test_a_spline_that_ends_worse_is_refused(c, residual, refused):
+    before = adjusted(8.0, 0.12, "brown")
+    if refused:
+        with pytest.raises(NotSolvable, match="ends worse than the model it started from"):
+            check_spline(before, adjusted(c, residual))
+    else:
+        check_spline(before, adjusted(c, residual))
+
+
+def test_many_notices_of_one_camera_are_one():
+    one = Notice(code="not_determinable", message="camera 1: u07 is not determinable", ids=("1",))
+    many = tuple(replace(one, ids=("1", f"u{k:02}")) for k in range(69))
+    other = Notice(code="correlation", message="camera 1: x0 and P1", ids=("1",))
+    told = bundled((*many, other))
+    assert len(told) == 2
+    assert "68 more of camera 1" in told[0].message
+    assert len(told[0].ids) == 70
+    assert told[1] is other
