@@ -18,15 +18,15 @@ UNLOCATED = "blunder in one of the point's rays"
 FEWEST = 3
 """Rays that a point must keep: with two of them nothing contradicts a wrong one across their common plane."""
 SURE = 2.33
-"""Normal quantile by which the largest test value must exceed another ray's: 99 %, one-sided."""
+"""Normal quantile at which a blunder in another ray is refuted: 99 %, one-sided."""
 
 
 def unlocatable(result: Adjustment, rows: Index) -> Mask:
     """(k,) of suspected image observations, whether the blunder of their tie point cannot be located.
 
-    It cannot where fewer than three rays would be left, or where another ray of the point explains the residuals about
-    as well: with test values w1 > w2 and their correlation rho, w1 - w2 has the variance 2 (1 - rho) whichever of the
-    two rays is wrong, so that w1 - w2 < 2.33 sqrt(2 (1 - rho)) does not tell them apart.
+    It cannot where fewer than three rays would be left, or where a blunder in another ray of the point explains the
+    largest residual as well: it would make w1 about rho w2, with the variance 1 - rho^2 (w the test values, rho their
+    correlation), so that it is not refuted where w1 - rho w2 < 2.33 sqrt(1 - rho^2).
 
     Control points, and points that a distance touches, are never in question here.  The correlations are those of an
     intersection from images that are held.
@@ -51,7 +51,7 @@ def unlocatable(result: Adjustment, rows: Index) -> Mask:
             continue
         others = rays[rays != row]
         rho = _correlations(block, int(row), others)
-        found[k] = bool((t[row] - t[others] < SURE * np.sqrt(2 * (1 - rho))).any())
+        found[k] = bool((t[row] - rho * t[others] < SURE * np.sqrt(1 - rho**2)).any())
     return found
 
 
