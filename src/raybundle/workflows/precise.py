@@ -203,8 +203,8 @@ def _take_features(work: _Work, images: Sequence[int]) -> None:
     ids = work.start.points.ids
     at = np.array([number.get(ids[p], -1) for p in spare.point[rows]])
     rays = np.bincount(spare.point[rows], minlength=len(ids))
-    present = np.bincount(block.observations.point[~work.rejected], minlength=len(block.points))
-    enough = rays[spare.point[rows]] + np.where(at >= 0, present[at], 0) > 1
+    present = np.bincount(block.observations.point[~work.rejected], minlength=len(block.points) + 1)  # last: none
+    enough = rays[spare.point[rows]] + present[at] > 1
     rows, at = rows[enough], at[enough]
     fresh = np.unique(spare.point[rows[at < 0]])
     at[at < 0] = len(number) + np.searchsorted(fresh, spare.point[rows[at < 0]])
@@ -437,12 +437,13 @@ def estimate_weights(
         return replace(before, feature_px2=features)
     edges = np.quantile(mean[good], np.linspace(0, 1, classes + 1))
     label = np.clip(np.searchsorted(edges, mean, side="right") - 1, 0, classes - 1)
-    x, y = np.empty(classes), np.empty(classes)
-    for k in range(classes):
+    full = [k for k in range(classes) if (good & (label == k)).any()]  # equal values share a class
+    x, y = np.empty(len(full)), np.empty(len(full))
+    for i, k in enumerate(full):
         mine = good & (label == k)
-        x[k], y[k] = mean[mine].mean(), v2[mine].sum() / max(r[mine].sum(), 1e-9)
-    A = np.stack([x, np.ones(classes)], axis=1) / y[:, None]
-    factor, floor = np.linalg.lstsq(A, np.ones(classes), rcond=None)[0]
+        x[i], y[i] = mean[mine].mean(), v2[mine].sum() / max(r[mine].sum(), 1e-9)
+    A = np.stack([x, np.ones(len(full))], axis=1) / y[:, None]
+    factor, floor = np.linalg.lstsq(A, np.ones(len(full)), rcond=None)[0]
     if floor < 0:
         factor, floor = 1 / float(np.mean(x / y)), 0.0
     if factor < 0:

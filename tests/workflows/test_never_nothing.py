@@ -1,0 +1,136 @@
+"""What the start has oriented ends as a result: features where matching fails, images left out by name."""
+
+import numpy as np
+import pytest
+
+from raybundle.block.select import with_rows
+from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+from raybundle.errors import NotSolvable
+from raybundle.matching.refine import CandidateMatches, Refined, choose_references
+from raybundle.numerics.progress import silent
+from raybundle.workflows import precise
+from raybundle.workflows.final import final_adjustment, left_out
+from raybundle.workflows.georeference import Georeferenced
+from raybundle.workflows.precise import refine
+from raybundle.workflows.tie_block import TieBlock
+
+CAMERA = brown_camera(estimate=("c", "K1"))
+FEATURE_PX, MATCH_PX = 0.6, 0.1
+
+
+def features(stations=8):
+    """A block of features as a start leaves it."""
+    plan = TargetField(camera=CAMERA, rows=14, columns=18, stations=stations, frontal=2)
+    survey = Survey(seed=5, orientation="approximate", points="approximate", image_sigma_px=FEATURE_PX)
+    simulation = simulate(field_scene(plan), survey)
+    block = simulation.observed
+    return block, simulation.truth
+
+
+def tie_of(block):
+    m = len(block.observations)
+    return TieBlock(block=block, scale_px=np.full(m, 3.0), angle=np.zeros(m), not_oriented=())
+
+
+def matching(monkeypatch, block, truth, failing, share=0.0):
+    """Least-squares matching that measures to 0.1 px, and in some images next to nothing."""
+    rng = np.random.default_rng(1)
+
+    def refined(points, image, *, threads, progress):
+        m = len(points.image)
+        reference = choose_references(points)
+        good = ~np.isin(points.image, failing) | (rng.random(m) < share)
+        own = np.unique(reference[good])
+        is_reference = np.zeros(m, bool)
+        is_reference[own] = True
+        measured = good | is_reference
+        xy = np.where(measured[:, None], truth.observations.xy_px + rng.normal(0, MATCH_PX, (m, 2)), points.xy_px)
+        cov = np.zeros((m, 3))
+        cov[measured, :2] = MATCH_PX**2 / 9 * rng.lognormal(0, 0.3, m)[measured, None]
+        return Refined(xy_px=xy, cov_px2=cov, measured=measured, reference=is_reference, correlation=np.ones(m))
+
+    def nothing(points, places, image, *, threads, progress):
+        k = len(places.image)
+        return CandidateMatches(
+            good=np.zeros(k, bool), xy_px=places.xy_px, cov_px2=np.zeros((k, 3)), correlation=np.zeros(k)
+        )
+
+    monkeypatch.setattr(precise, "refine_tracks", refined)
+    monkeypatch.setattr(precise, "match_candidates", nothing)
+    return refine(tie_of(block), lambda _: np.zeros((2, 2)), 1)
+
+
+def test_a_photograph_that_matching_does_not_measure_keeps_its_features_with_their_own_sigma(monkeypatch):
+    block, truth = features()
+    found = matching(monkeypatch, block, truth, [3])
+    assert found.by_features == (block.images.ids[3],)
+    assert not found.left_out
+    o = found.block.observations
+    mine = o.image == 3
+    assert mine.sum() > 0.9 * (block.observations.image == 3).sum()
+    sigma = np.sqrt(np.median(o.cov_px2[mine, 0]))
+    assert sigma == pytest.approx(FEATURE_PX, rel=0.2)
+    assert np.sqrt(np.median(o.cov_px2[~mine, 0])) == pytest.approx(MATCH_PX, rel=0.3)
+
+
+def test_all_photographs_stay_where_matching_measures_nothing(monkeypatch):
+    block, truth = features()
+    found = matching(monkeypatch, block, truth, list(range(len(block.images))))
+    assert len(found.by_features) == len(block.images)
+    result = final_adjustment(placed(found.block), (), 1, silent, ())
+    assert result.adjusted.images.oriented.all()
+    assert result.sigma0 == pytest.approx(1.0, abs=0.15)
+
+
+def test_measurements_are_not_left_out_for_what_they_weigh(monkeypatch):
+    """Where the residuals are far above what grey values promise, all measurements get that factor and stay."""
+    block, truth = features()
+    monkeypatch.setattr("tests.workflows.test_never_nothing.MATCH_PX", 0.9)
+    found = matching(monkeypatch, block, truth, [])
+    assert len(found.block.observations) > 0.98 * len(block.observations)
+
+
+def placed(block):
+    return Georeferenced(block=block, frame=None, notices=(), marked=np.zeros(len(block.points), bool), fixed=False)
+
+
+def thinned(block, image, count):
+    """The block with so many points left in an image."""
+    mine = np.flatnonzero(block.observations.image == image)
+    keep = np.ones(len(block.observations), bool)
+    keep[mine[count:]] = False
+    return with_rows(block, keep)
+
+
+def test_an_image_that_nothing_holds_is_left_out_by_name():
+    block, _ = features()
+    result = final_adjustment(placed(thinned(block, 4, 2)), (), 1, silent, ())
+    lost = left_out(result, ())
+    assert [name for name, _ in lost] == [block.images.ids[4]]
+    assert "does not determine its orientation" in lost[0][1]
+    assert int(result.adjusted.images.oriented.sum()) == len(block.images) - 1
+
+
+def test_several_images_that_nothing_holds_leave_together():
+    block, _ = features()
+    for image in (1, 4, 6):
+        block = thinned(block, image, 2)
+    result = final_adjustment(placed(block), (), 1, silent, ())
+    assert {name for name, _ in left_out(result, ())} == {block.images.ids[i] for i in (1, 4, 6)}
+
+
+def test_a_part_apart_leaves_and_the_larger_one_stays():
+    block, _ = features(stations=10)
+    o = block.observations
+    apart = np.isin(o.image, [0, 1])
+    half = np.arange(len(block.points)) % 4 == 0
+    keep = np.where(apart, half[o.point], ~half[o.point])
+    result = final_adjustment(placed(with_rows(block, keep)), (), 1, silent, ())
+    assert {name for name, _ in left_out(result, ())} == {block.images.ids[i] for i in (0, 1)}
+
+
+def test_two_images_with_two_points_each_are_an_error():
+    block, _ = features(stations=0)
+    few = np.isin(block.observations.point, [100, 101])
+    with pytest.raises(NotSolvable, match="too few image points"):
+        final_adjustment(placed(with_rows(block, few)), (), 1, silent, ())
