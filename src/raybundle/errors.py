@@ -46,6 +46,11 @@ class RaybundleError(Exception):
 
     exit_status = 1
 
+    @property
+    def headline(self) -> str:
+        """The first line of the message, where a table has room for no more."""
+        return str(self).partition("\n")[0]
+
 
 class InputError(RaybundleError):
     """Bad input, with the place where it stands."""

@@ -130,7 +130,7 @@ def calibration_quality(
     grade = _grade(vital, error, reach, validation)
     if lacking and grade == "good":
         grade = "usable"
-    unsteady = [n.message.partition(": ")[2] for n in result.notices if n.code in UNSTEADY and camera in n.ids]
+    unsteady = [n.reason for n in result.notices if n.code in UNSTEADY and camera in n.ids]
     reasons = [*unsteady, *reasons]
     if unsteady and grade == "good":
         grade = "usable"

@@ -187,7 +187,7 @@ def _candidate(name: str, xyz: Array, xy_px: Array, sigma_px: float) -> Candidat
     try:
         fit = fit_empirical(name, xyz, xy_px, sigma_px=sigma_px)
     except (InputError, NotSolvable) as error:
-        return Candidate(name=name, fit=None, left_out_rms_px=float("nan"), reason=str(error).split("\n")[0])
+        return Candidate(name=name, fit=None, left_out_rms_px=float("nan"), reason=error.headline)
     left_out = empirical_statistics(fit).left_out_px
     known = left_out[np.isfinite(left_out)]
     rms = float(np.sqrt(np.mean(known**2))) if fit.redundancy and len(known) else float("nan")

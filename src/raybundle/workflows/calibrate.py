@@ -414,16 +414,12 @@ def _sheared(result: Adjustment) -> tuple[bool, list[Notice]]:
         large = True
         if abs(p.value) - SHEAR < SIGNIFICANT * p.std:
             continue
-        found.append(
-            Notice(
-                code="shear",
-                message=f"camera {i.camera}: the residuals ask for a shear S of {p.value:.1e} ± {p.std:.0e}, which no "
-                f"sensor has (limit {SHEAR:.0e}); it is held at 0. Something else is not in the model, as motion "
-                "during the read-out or uneven light on the targets; standard deviations may be too small. For scanned "
-                "pictures: --shear",
-                ids=(i.camera,),
-            )
+        reason = (
+            f"the residuals ask for a shear S of {p.value:.1e} ± {p.std:.0e}, which no sensor has (limit {SHEAR:.0e}); "
+            "it is held at 0. Something else is not in the model, as motion during the read-out or uneven light on the "
+            "targets; standard deviations may be too small. For scanned pictures: --shear"
         )
+        found.append(Notice(code="shear", message=f"camera {i.camera}: {reason}", ids=(i.camera,), reason=reason))
     return large, found
 
 

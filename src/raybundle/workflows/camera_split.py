@@ -96,14 +96,15 @@ def _unstable(camera: Camera, share: float, after: Adjustment, split: Split) -> 
     """A notice that photographs differ in their interior orientation though neither names nor order tell them apart."""
     dc, dx, dy = split.difference
     names = [after.given.images.ids[i] for i in split.groups[1]]
-    return Notice(
-        code="unstable_camera",
-        message=f"camera {camera.id}: its interior orientation was not the same in all photographs. Two groups would "
+    reason = (
+        "its interior orientation was not the same in all photographs. Two groups would "
         f"reduce the residuals to {share:.2f} of theirs (c differs by {dc:+.1f} px, the principal point by {dx:+.1f}, "
         f"{dy:+.1f} px; the one are {', '.join(names[:8])}{' ...' if len(names) > 8 else ''}); the "
         "calibration is their mean, its standard deviations are too small. Switch autofocus, zoom and stabilisation "
-        "off, or tell cameras apart (--camera)",
-        ids=(camera.id, *names),
+        "off, or tell cameras apart (--camera)"
+    )
+    return Notice(
+        code="unstable_camera", message=f"camera {camera.id}: {reason}", ids=(camera.id, *names), reason=reason
     )
 
 

@@ -15,6 +15,8 @@ from raybundle.numerics.arrays import Array
 
 ENOUGH = 14
 """Tie points along a side that tell what is determinable."""
+UNSOLVED = "everything"
+"""What an exactly level flight leaves open where it has no solution at all and nothing is named."""
 TILT = 30.0
 """Tilt of lines across that are proposed [deg]."""
 
@@ -93,7 +95,7 @@ def forecast(plan: Flight, name: str = "as planned") -> Forecast:
     try:
         level = _lost(adjust_block(flight_block(even), options))
     except NotSolvable as error:
-        level = (str(error).split(":")[0].split("\n")[0],)
+        level = tuple(dict.fromkeys(u.symbol for u in error.undetermined if u.kind == "parameter")) or (UNSOLVED,)
     precision = result.precision
     assert precision is not None
     c = result.interior[0].parameters.get("c")
