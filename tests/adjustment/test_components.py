@@ -73,3 +73,18 @@ def test_named_points_beside_found_ones_are_a_group():
     assert {c.group for c in result.variance_components if c.kind == "point class"} == {
         "tie points", "targets", "control points"
     }  # fmt: skip
+
+
+def test_components_of_images_are_sums_over_their_points():
+    result = adjust(network(1, 0.001), OPTIONS)
+    system, state = result.work.system, result.work.solution.state
+    squares = np.sum(result.work.normals.residuals(state)[0] ** 2, axis=1)
+    image = result.given.observations.image[system.rows]
+    redundancy = result.image_observations.redundancy[system.rows].sum(axis=1)
+    told = {c.group: c for c in result.variance_components if c.kind == "image"}
+    assert set(told) == set(result.given.images.ids)
+    for i, name in enumerate(result.given.images.ids):
+        mine, c = image == i, told[name]
+        assert c.count == 2 * mine.sum()
+        assert c.redundancy == pytest.approx(redundancy[mine].sum(), rel=1e-12)
+        assert c.ratio == pytest.approx(np.sqrt(squares[mine].sum() / redundancy[mine].sum()), rel=1e-12)

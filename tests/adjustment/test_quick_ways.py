@@ -5,11 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.adjustment import dense
+from raybundle.adjustment import dense, engine
 from raybundle.adjustment.calibration import projection_shifts, projection_uncertainty
 from raybundle.adjustment.defects import components, held_by_points
 from raybundle.adjustment.engine import adjust_block, expected_interior, free_parameters
 from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.precision import cofactors, precision
 from raybundle.adjustment.structure import _neighbours
 from raybundle.block import Role
 from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
@@ -141,3 +142,35 @@ def test_small_matrices_take_one_thread_and_the_number_comes_back():
         assert threads.read() == 2
     finally:
         threads.set(before)
+
+
+def test_free_networks_are_factored_once_where_they_will_stand(block, monkeypatch):
+    """Moved onto the given coordinates first; the same as moved after a first factor and inverted again there."""
+    calls = []
+
+    def counted(name):
+        true = getattr(engine, name)
+        monkeypatch.setattr(engine, name, lambda *a: (calls.append(name), true(*a))[1])
+
+    counted("_factor")
+    counted("cofactors")
+    rng = np.random.default_rng(5)
+    xyz = block.points.xyz * 1.01 + rng.normal(0, 0.01 * np.ptp(block.points.xyz), block.points.xyz.shape)
+    result = adjust_block(replace(block, points=replace(block.points, xyz=xyz)), OPTIONS)
+    assert calls == ["_factor", "cofactors"]
+    work = result.work
+    assert work.datum.kind == "inner"
+    assert work.datum.defect > 0
+    assert np.abs(work.state.xyz - work.solution.state.xyz).max() > 1e-4 * work.datum.extent
+    engine._factor(work.normals, work.solution.state, work.datum)
+    work.normals.reduce(work.state)
+    assert work.normals.factorise() == 0
+    twice = precision(work.normals, work.state, cofactors(work.normals, work.state, work.datum), result.sigma0**2)
+    key = next(iter(twice.interior))
+    for a, b in (
+        (result.precision.object_points, twice.object_points),
+        (result.precision.images, twice.images),
+        (result.precision.interior[key], twice.interior[key]),
+    ):
+        s = np.sqrt(np.diagonal(b, axis1=-2, axis2=-1))
+        assert (np.abs(a - b) / (s[..., :, None] * s[..., None, :])).max() < 1e-9

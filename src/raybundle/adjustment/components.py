@@ -57,8 +57,11 @@ def variance_components(found: Found) -> tuple[VarianceComponent, ...]:
     for c, cam in enumerate(block.cameras):
         if len(block.cameras) > 1:
             add_rows("camera", cam.id, camera == c)
-    for i in np.flatnonzero(system.images_used):
-        add_rows("image", block.images.ids[i], image == i)
+    number, square, left = (np.bincount(image, x, len(block.images)) for x in (None, squares, redundancy))
+    raw.extend(
+        ("image", block.images.ids[i], 2 * int(number[i]), float(square[i]), float(left[i]))
+        for i in np.flatnonzero(number)
+    )
     of_point = _classes(block)[point]
     names = [n for n in CLASSES if n in set(of_point.tolist())]
     for name in names if len(names) > 1 else []:

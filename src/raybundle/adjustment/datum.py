@@ -399,6 +399,7 @@ def fit_to_given(system: System, state: State, given: State, datum: Datum) -> St
         G = point_generators(new.xyz[carriers], datum.centre, datum.extent).reshape(-1, 7) @ datum.basis
         gap = (given.xyz[carriers] - new.xyz[carriers]).reshape(-1)
         step = datum.basis @ np.linalg.lstsq(G, gap, rcond=None)[0]
+        step /= max(1.0, np.abs(step).max())  # in parts, where a block is to become many times larger
         t, w, s = step[:3] * datum.extent, step[3:6], step[6]
         generator = np.zeros((4, 4))
         generator[:3, :3] = np.array([[s, -w[2], w[1]], [w[2], s, -w[0]], [-w[1], w[0], s]])

@@ -117,7 +117,7 @@ def _with_settled_components(
         start = replace(weighted, cameras=cameras, images=near.images, points=points)
         brief = replace(options, tolerance=max(options.tolerance, 1e-3), robust_start=False)
         work, now = carry_out(start, brief, free, reasons, start="adjusted")
-        state = work.solution.state
+        state = work.state
         whitened, _ = work.normals.residuals(state)
         statistics = image_statistics(work.system, whitened, work.found, 1.0, now)
         return work.system, whitened, statistics, observation_groups(work.normals, state, work.found, 1.0)
@@ -169,10 +169,12 @@ def carry_out(
     if not work.solution.converged and weak:
         _in_minimal_datum(work.normals, work.solution.state, work.datum)
         raise defects.no_convergence(work.normals, work.solution.state, work.solution.iterations, work.solution.step)
-    _factor(work.normals, work.solution.state, work.datum)
+    # residuals do not change within the open datum: moved first, the block is factored once, where it will stand
+    work.state = fit_to_given(work.system, work.solution.state, work.system.initial_state(), work.datum)
+    _factor(work.normals, work.state, work.datum)
     if options.statistics:
         progress("statistics", 0.0)
-        work.found = cofactors(work.normals, work.solution.state, work.datum)
+        work.found = cofactors(work.normals, work.state, work.datum)
         progress("statistics", 1.0)
     return work, reasons
 
@@ -255,7 +257,9 @@ def _estimate(
         state = solve(normals, state, options, huber=HUBER, tolerance=1e-2, progress=progress).state
     damping = FLOOR if start == "adjusted" else CAUTIOUS
     solution = solve(normals, state, options, damping=damping, progress=progress)
-    return Work(system=system, normals=normals, datum=datum, solution=solution, found=None, parts=parts)
+    return Work(
+        system=system, normals=normals, datum=datum, solution=solution, found=None, parts=parts, state=solution.state
+    )  # fmt: skip
 
 
 def _may_fall_apart(block: Block, mask: Mask) -> bool:
@@ -296,12 +300,7 @@ def result_of(
     sigma0 = float(np.sqrt(square_sum / redundancy)) if redundancy > 0 else float("nan")
     variance = sigma0**2 if redundancy > 0 else 1.0
     whitened, _ = normals.residuals(solution.state)
-    state = fit_to_given(system, solution.state, system.initial_state(), datum)
-    found = work.found
-    if found is not None and datum.kind == "inner" and datum.defect and not brief:
-        # cofactors again where the block now stands: the datum's frame moved with it
-        found = work.found = _moved(work, state, found)
-    work.state = state
+    state, found = work.state, work.found
     covariances = None
     if found is not None and extent != "tests":
         covariances = (interior_precision if brief else precision)(normals, state, found, variance)
@@ -384,13 +383,6 @@ def interior_precision(normals: Normals, state: State, found: Cofactors, varianc
 
 def _name(camera: str, image: str | None) -> str:
     return f"camera {camera}" if image is None else f"camera {camera}, image {image}"
-
-
-def _moved(work: Work, state: State, found: Cofactors) -> Cofactors:
-    """Cofactors at the solution moved by a similarity within the open datum."""
-    work.normals.reduce(state)
-    failed = work.normals.factorise()
-    return found if failed else cofactors(work.normals, state, work.datum)
 
 
 def _datum_words(datum: Datum, options: AdjustmentOptions) -> str:

@@ -83,7 +83,7 @@ def precision_in_datum(result: Adjustment, datum_points: tuple[str, ...]) -> Pre
 
 
 def _work(result: Adjustment) -> tuple[Work, State]:
-    if result.work is None or result.work.state is None:
+    if result.work is None:
         raise InputError("the adjustment was made without statistics; adjust with AdjustmentOptions(statistics=True)")
     return result.work, result.work.state
 

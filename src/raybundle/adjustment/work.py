@@ -21,5 +21,5 @@ class Work:
     solution: Solution
     found: Cofactors | None
     parts: int
-    state: State | None = None
+    state: State
     """Adjusted values in the frame of the result, at which the factor stands"""
