@@ -392,7 +392,8 @@ def _converted(transformer: Transformer, *columns: Array, inverse: bool = False)
     words = {"direction": TransformDirection.INVERSE} if inverse else {}
     count = len(columns[0])
     given = (np.repeat(c, 2) if count == 1 else c for c in columns)
-    return np.stack(transformer.transform(*given, **words), axis=1)[:count]
+    transform: Any = transformer.transform  # its overloads do not tell how many columns are unpacked
+    return np.stack(transform(*given, **words), axis=1)[:count]
 
 
 def _transformed(transformer: Transformer, xyz: Array) -> Array:
