@@ -1,6 +1,7 @@
 # Everything from nothing but python3, pip and a C++ compiler; uv is used if it is there.
 #   make demo    simulate a testfield, calibrate it, print truth beside estimate and sigma, write the report
 #   make test    the tests
+#   make test-versions  the tests with every Python from 3.11 that is here, and with the oldest dependencies allowed
 #   make check   the whole gate: format, lint, types, layers, generated files, docs, tests
 #   make bench   benchmarks and long truth tests (figures into benchmarks/results)
 PYTHON ?= python3
@@ -10,7 +11,7 @@ UV := $(shell command -v uv 2>/dev/null)
 export RAYBUNDLE_REQUIRE_NATIVE ?= 1
 SOURCES := $(wildcard cpp/*) CMakeLists.txt pyproject.toml
 
-.PHONY: setup setup-dev demo test check format lint types layers generated docs bench clean
+.PHONY: setup setup-dev demo test test-versions check format lint types layers generated docs bench clean
 
 setup: $(VENV)/.installed
 
@@ -46,6 +47,9 @@ demo: setup
 
 test: setup-dev
 	$(BIN)/python -m pytest -n 2
+
+test-versions: setup-dev
+	$(BIN)/python tools/versions.py $(VERSIONS) -n 2
 
 check: format lint types layers generated docs
 

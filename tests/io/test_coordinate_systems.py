@@ -5,6 +5,7 @@ import pytest
 from pyproj import Transformer
 
 from raybundle.errors import InputError
+from raybundle.io import coordinate_systems
 from raybundle.io.coordinate_systems import LocalFrame, _vertical, frame_from_mapping, local_frame, parse_crs
 
 BONN = (7.0, 50.7, 100.0)
@@ -33,6 +34,33 @@ def test_there_and_back(crs):
     metres = (frame.crs_from_local(local) - xyz) / [metre, metre, 1]
     np.testing.assert_allclose(metres, 0, atol=1e-6)
     np.testing.assert_allclose(frame.local_from_crs(np.array([origin])), 0, atol=1e-8)
+
+
+class _Numbers:
+    """pyproj with NumPy before 2.4: arrays of one value are taken for numbers, and numbers come back."""
+
+    def __init__(self, transformer):
+        self.transformer = transformer
+
+    def transform(self, *columns, **words):
+        if all(np.size(c) == 1 for c in columns):
+            columns = [float(np.reshape(c, -1)[0]) for c in columns]
+        return self.transformer.transform(*columns, **words)
+
+
+@pytest.mark.parametrize("crs", ["EPSG:32632", "EPSG:4326", "EPSG:4979"])
+def test_one_point_is_converted_as_many_are_with_every_numpy(crs, monkeypatch):
+    for name in ("_plan", "_to_wgs84"):
+        made = getattr(coordinate_systems, name)
+        monkeypatch.setattr(coordinate_systems, name, lambda crs, made=made: _Numbers(made(crs)))
+    place = (500_000.0, 5_400_000.0, 400.0) if crs == "EPSG:32632" else (9.0, 48.75, 400.0)
+    frame = local_frame(crs, place)
+    points = np.array([[10.0, 20.0, 3.0], [-40.0, 15.0, -2.0]])
+    for there in (frame.crs_from_local, frame.wgs84_from_local):
+        np.testing.assert_array_equal(there(points[:1]), there(points)[:1])
+    for back, given in ((frame.local_from_crs, frame.crs_from_local(points)),
+                        (frame.local_from_wgs84, frame.wgs84_from_local(points))):  # fmt: skip
+        np.testing.assert_allclose(back(given[:1]), back(given)[:1], atol=1e-9)
 
 
 def test_known_geocentric_points():

@@ -380,6 +380,8 @@ class Solver:
         """Solve in place for right sides (N, columns)."""
         from scipy.linalg import cho_solve  # noqa: PLC0415
 
+        if not self.unknowns:  # SciPy before 1.14 refuses matrices without rows
+            return
         right = x.reshape(self.unknowns, columns) * self.scale[:, None]
         x[...] = (cho_solve((self.L, True), right) * self.scale[:, None]).reshape(x.shape)
 

@@ -91,13 +91,11 @@ class LocalFrame:
 
     def local_from_wgs84(self, geographic: Array) -> Array:
         """Local coordinates (n, 3) of longitude, latitude [deg], ellipsoidal height [m] in WGS 84; NaN heights stay."""
-        from pyproj.enums import TransformDirection  # noqa: PLC0415
-
         rows = _rows(geographic)
         unknown = np.isnan(rows[:, 2])
         height = self.wgs84_from_local(np.zeros((1, 3)))[0, 2]
         filled = np.where(unknown[:, None] & [False, False, True], height, rows)
-        own = np.stack(_to_wgs84(self.crs).transform(*filled.T, direction=TransformDirection.INVERSE), axis=1)
+        own = _converted(_to_wgs84(self.crs), *filled.T, inverse=True)
         own = _checked(own, rows, "WGS 84")
         local = (_geocentric_from_geographic(own, _horizontal(self.crs)) - self._place[0]) @ self._place[1].T
         local[unknown, 2] = np.nan
@@ -359,7 +357,7 @@ def _geographic(frame: LocalFrame, xyz: Array) -> Array:
     transformer = _geoid(frame)
     if transformer is not None:
         return _transformed(transformer, xyz)
-    lon, lat = _plan(frame.crs).transform(xyz[:, 0], xyz[:, 1])
+    lon, lat = _converted(_plan(frame.crs), xyz[:, 0], xyz[:, 1]).T
     result = np.stack([lon, lat, xyz[:, 2] * _unit(frame.crs)[1] + (frame.undulation_m or 0.0)], axis=1)
     return _checked(result, xyz, frame.crs)
 
@@ -370,7 +368,6 @@ def _geocentric_from_crs(frame: LocalFrame, xyz: Array) -> Array:
 
 
 def _crs_from_geocentric(frame: LocalFrame, xyz: Array) -> Array:
-    from pyproj.enums import TransformDirection  # noqa: PLC0415
 
     system = _horizontal(frame.crs)
     if system.is_geocentric:
@@ -378,15 +375,30 @@ def _crs_from_geocentric(frame: LocalFrame, xyz: Array) -> Array:
     geographic = _geographic_from_geocentric(xyz, system)
     transformer = _geoid(frame)
     if transformer is not None:
-        return np.stack(transformer.transform(*geographic.T, direction=TransformDirection.INVERSE), axis=1)
-    x, y = _plan(frame.crs).transform(geographic[:, 0], geographic[:, 1], direction=TransformDirection.INVERSE)
+        return _converted(transformer, *geographic.T, inverse=True)
+    x, y = _converted(_plan(frame.crs), geographic[:, 0], geographic[:, 1], inverse=True).T
     result = np.stack([x, y, (geographic[:, 2] - (frame.undulation_m or 0.0)) / _unit(frame.crs)[1]], axis=1)
     return _checked(result, xyz, frame.crs)
 
 
+def _converted(transformer: Transformer, *columns: Array, inverse: bool = False) -> Array:
+    """Columns (n,) each, two or three, through pyproj: (n, as many).
+
+    Arrays of one value are doubled: pyproj takes them for numbers where NumPy still allows that (before 2.4, with a
+    warning), and then gives numbers back.
+    """
+    from pyproj.enums import TransformDirection  # noqa: PLC0415
+
+    words = {"direction": TransformDirection.INVERSE} if inverse else {}
+    count = len(columns[0])
+    given = (np.repeat(c, 2) if count == 1 else c for c in columns)
+    transform: Any = transformer.transform  # its overloads do not tell how many columns are unpacked
+    return np.stack(transform(*given, **words), axis=1)[:count]
+
+
 def _transformed(transformer: Transformer, xyz: Array) -> Array:
     height = np.nan_to_num(xyz[:, 2])
-    result = np.stack(transformer.transform(xyz[:, 0], xyz[:, 1], height), axis=1)
+    result = _converted(transformer, xyz[:, 0], xyz[:, 1], height)
     result[np.isnan(xyz[:, 2]), 2] = np.nan
     return result
 
