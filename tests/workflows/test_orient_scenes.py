@@ -151,7 +151,7 @@ def test_a_killed_run_continues_and_leaves_nothing_behind(project, pair, monkeyp
     before = numbers(project)
     for path in (*project.glob("cache/*/precision-*.npz"), *project.glob("cache/*/start-*.npz")):
         path.unlink()
-    left = project / "cache/00/.pixels-left"
+    left = project / "cache/00/.pixels-a1b2c3d4"
     left.mkdir(parents=True)
     monkeypatch.setattr(scene_block, "refine", lambda *_: (_ for _ in ()).throw(KeyboardInterrupt))
     assert main(command(pair[0], project, "--control", str(pair[1]))) == 130

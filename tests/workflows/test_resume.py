@@ -223,17 +223,18 @@ def test_two_runs_do_not_work_in_one_project(photos, tmp_path, capsys):
 
 def test_a_new_run_clears_away_what_a_killed_one_had_begun(tmp_path):
     project = Project.open(tmp_path)
-    project.store("start-1", {"a": np.zeros(3)})
+    key = f"start-{'1' * 40}"
+    project.store(key, {"a": np.zeros(3)})
     project.close()
     begun = tmp_path / ".result.0123abcd.partial"
     begun.mkdir()
     (begun / "points.csv").write_text("point\n")
-    (tmp_path / "cache/-1/.start-1.0123abcd").write_bytes(b"half")
+    (tmp_path / f"cache/11/.{key}.0123abcd").write_bytes(b"half")
     (tmp_path / ".project.toml.0123abcd").write_text("half")
     project = Project.open(tmp_path)
     try:
         assert not list(tmp_path.rglob(".*"))
-        assert project.load("start-1") is not None
+        assert project.load(key) is not None
     finally:
         project.close()
 

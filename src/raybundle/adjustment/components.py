@@ -91,14 +91,14 @@ def _tested(raw: list[Raw]) -> tuple[VarianceComponent, ...]:
     marked: list[Raw] = []
     while len(left) > 1:
         total = sum(x[3] for x in left), sum(x[4] for x in left)
-        wrong = [x for x in left if _differs(x, total)]
+        wrong = [x for x in left if differs(x[3], x[4], total)]
         if not wrong:
             break
         worst = max(wrong, key=lambda x: abs(np.log(x[3] / x[4])))
         marked.append(worst)
         left.remove(worst)
     images = raw[0][3], raw[0][4]
-    inner = [x for x in raw if x[0] in {"image", "point class"} and x[4] >= 0.01 and _differs(x, images)]
+    inner = [x for x in raw if x[0] in {"image", "point class"} and x[4] >= 0.01 and differs(x[3], x[4], images)]
     return tuple(
         VarianceComponent(
             kind=x[0], group=x[1], count=x[2], redundancy=x[4],
@@ -108,11 +108,10 @@ def _tested(raw: list[Raw]) -> tuple[VarianceComponent, ...]:
     )  # fmt: skip
 
 
-def _differs(x: Raw, total: tuple[float, float]) -> bool:
-    """Whether a group differs from what is left of the total without it (F test, two-sided)."""
-    _, _, _, square, r = x
+def differs(square: float, r: float, total: tuple[float, float]) -> bool:
+    """Whether a group (weighted square sum, redundancy) differs from what is left of the total without it (F test)."""
     others, left = total[0] - square, total[1] - r
-    if left < 1 or not others > 0 or not square > 0:
+    if left < 1 or r < 0.01 or not others > 0 or not square > 0:
         return False
     F = (square / r) / (others / left)
     return 2 * min(_tail(F, r, left), _tail(1 / F, left, r)) < LEVEL

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from raybundle.adjustment.components import NAMES
-from raybundle.adjustment.result import Adjustment, Notice, VarianceComponent, kind_of
+from raybundle.adjustment.components import NAMES, differs
+from raybundle.adjustment.result import Adjustment, Notice, ObservationGroup, VarianceComponent, kind_of
 from raybundle.adjustment.separability import UNLOCATED
 from raybundle.block import Role
 from raybundle.numerics.arrays import Array
@@ -214,7 +214,12 @@ def _control(result: Adjustment) -> list[Notice]:
     for g in result.groups:
         component = wrong.get(NAMES[g.kind])
         own = scale
-        if component is not None and component.ratio > scale and component.redundancy > FEW:
+        if (
+            component is not None
+            and component.ratio > scale
+            and component.redundancy > FEW
+            and _without_worst(result, g)
+        ):
             own = component.ratio
             found.append(_group_notice(component, result.sigma0))
         found += [
@@ -227,6 +232,17 @@ def _control(result: Adjustment) -> list[Notice]:
             for k in np.flatnonzero(np.abs(np.nan_to_num(g.w)) > limit * own)
         ]
     return found
+
+
+def _without_worst(result: Adjustment, g: ObservationGroup) -> bool:
+    """Whether a group still differs from the others when its largest test value is left out: it is not that one."""
+    weighted = g.sigma > 0
+    w2 = np.nan_to_num(g.w[weighted]) ** 2
+    square = float(np.sum((g.residual[weighted] / g.sigma[weighted]) ** 2))
+    r = float(np.nansum(g.redundancy[weighted]))
+    worst = float(w2.max(initial=0.0))
+    total = result.weighted_square_sum - worst, result.redundancy - 1.0
+    return differs(square - worst, r - 1.0, total)
 
 
 def _group_notice(component: VarianceComponent, sigma0: float) -> Notice:

@@ -11,7 +11,6 @@ import click
 
 from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, counted
 from raybundle.errors import InputError
-from raybundle.io.reading.words import number_of, quoted, whole_of
 
 if TYPE_CHECKING:
     from raybundle.targets.codes import RingFamily
@@ -33,6 +32,8 @@ class Length(click.ParamType):
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
         """5mm, 0.5cm, 5."""
+        from raybundle.io.reading.words import number_of  # noqa: PLC0415  (NumPy is loaded with it)
+
         if isinstance(value, float):
             return value
         match = LENGTH.fullmatch(str(value).strip())
@@ -184,6 +185,8 @@ def designed_sheet(
 def read_ids(text: str) -> Any:
     """Numbers and ranges, as 1,4,7-12; raises InputError."""
     import numpy as np  # noqa: PLC0415
+
+    from raybundle.io.reading.words import quoted, whole_of  # noqa: PLC0415  (NumPy is loaded with it)
 
     ids: list[int] = []
     for word in text.split(","):

@@ -41,7 +41,9 @@ SCHEMA = 1
 OWN = {"project.db", "project.db-wal", "project.db-shm", "project.toml", "cache", "result"}
 _LEFTOVER = re.compile(r"\.result\.[0-9a-f]{8}\.(?:partial|old)|\.project\.toml\.[0-9a-f]{8}")
 """Names under which a killed run leaves what it had begun to write."""
-_PRODUCT = re.compile(r"[A-Za-z0-9_ -]+-[0-9a-f]{40}\.npz|\.[A-Za-z0-9_ -]+-[0-9a-f]{40}\.[0-9a-f]{8}")
+_PRODUCT = re.compile(
+    r"[A-Za-z0-9_ -]+-[0-9a-f]{40}\.npz|\.[A-Za-z0-9_ -]+-[0-9a-f]{40}\.[0-9a-f]{8}|\.pixels-[a-z0-9_]{8}"
+)
 """Names of products, and of those that a killed run had begun."""
 DAMAGED = (
     OSError, ValueError, EOFError, zipfile.BadZipFile, zlib.error, struct.error, KeyError, MemoryError, OverflowError,
