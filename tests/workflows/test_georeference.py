@@ -398,3 +398,17 @@ def test_the_report_has_leave_one_out_and_asprs_figures(flight, tmp_path):
     axis = "XYZ".index(one["coordinate"])
     d = without.adjusted.points.xyz[k, axis] - placed.block.points.xyz[k, axis]
     assert one["difference"] == pytest.approx(d, rel=0.02, abs=1e-5)
+
+
+def test_a_robust_similarity_passes_over_triples_in_one_line():
+    """Two photographs that state one position, as a receiver without a new fix writes it."""
+    from raybundle.workflows.georeference import _robust
+
+    rng = np.random.default_rng(4)
+    source = rng.normal(0, 10, (6, 3))
+    target = 2 * source + 5.0
+    target[1] = target[0]
+    scale, R, t = _robust(source, target, 3)
+    assert scale == pytest.approx(2.0, rel=0.2)
+    assert np.isfinite(R).all()
+    assert np.isfinite(t).all()

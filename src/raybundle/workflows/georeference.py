@@ -314,7 +314,7 @@ def _fix_by_positions(state: Placing, photos: Sequence[Photo], positions: Positi
     local = positions.xyz
     heights = np.isfinite(local[:, 2])
     free = state.block.images.centre[positions.image]
-    if heights.sum() >= 3 and not _collinear(local[heights]):
+    if heights.sum() >= 3 and not _collinear(local[heights]) and not _collinear(free[heights]):
         s, R, t = _robust(free[heights], local[heights], 3)
     else:
         up = _level(state, photos, intersected(state.block), given.up)
@@ -369,7 +369,7 @@ def _robust(source: Array, target: Array, least: int) -> tuple[float, Array, Arr
     best: tuple[float, tuple[float, Array, Array]] | None = None
     for chosen in _subsets(len(source), least):
         pick = list(chosen)
-        if _collinear(source[pick]):
+        if _collinear(source[pick]) or _collinear(target[pick]):  # so are two photographs with one position
             continue
         fit = _fit(source[pick], target[pick])
         cost = float(np.median(np.linalg.norm(fit[0] * source @ fit[1].T + fit[2] - target, axis=1)))

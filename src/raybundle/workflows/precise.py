@@ -122,6 +122,12 @@ class _Work:
     fallen: set[int] = field(default_factory=set[int])
     """images that keep features"""
     left_out: dict[int, str] = field(default_factory=dict[int, str])
+    held: bool = False
+    """whether the cameras are held as the start found them: free ones cost images"""
+
+    def free(self) -> dict[str, tuple[str, ...]]:
+        """The free parameters of each camera."""
+        return {c.id: () if self.held else free_when_precise(c) for c in self.block.cameras}
 
     def weighted(self) -> Block:
         """The block with the covariances of its present weights."""
@@ -252,7 +258,7 @@ def _settle(work: _Work, options: AdjustmentOptions, first: float) -> Adjustment
     """
     while True:
         block = work.weighted()
-        free = {c.id: free_when_precise(c) for c in block.cameras}
+        free = work.free()
         cleaned = clean(block, options, free, rejected=work.rejected, first=first)
         work.rejected = cleaned.rejected | _of_images(block, work.left_out)
         used = np.bincount(block.observations.image[~work.rejected], minlength=len(block.images))
@@ -282,13 +288,29 @@ def _of_images(block: Block, images: Iterable[int]) -> Mask:
 
 
 def _yield(work: _Work, images: Sequence[int], reasons: Mapping[int, str]) -> bool:
-    """Images take their features; those that have them already are left out; whether two images are left."""
+    """Images take their features; those that have them already are left out; whether two images are left.
+
+    Before the first one leaves, all begin again with the cameras held: in weak geometry free ones bend what they see.
+    """
     again = [i for i in images if i in work.fallen]
     _take_features(work, images)
+    if again and not work.held:
+        work.held = True
+        _begin_again(work)
+        return True
     for i in again:
         work.left_out[i] = reasons[i]
     work.rejected |= _of_images(work.block, work.left_out)
     return int(work.start.images.oriented.sum()) - len(work.left_out) >= 2
+
+
+def _begin_again(work: _Work) -> None:
+    """Orientations, coordinates and cameras as the start left them; nothing is rejected."""
+    start, p = work.start, work.block.points
+    number = {name: k for k, name in enumerate(start.points.ids)}
+    xyz = start.points.xyz[[number[name] for name in p.ids]]
+    work.block = replace(work.block, cameras=start.cameras, images=start.images, points=replace(p, xyz=np.array(xyz)))
+    work.rejected = _of_images(work.block, work.left_out)
 
 
 def _with_partners(block: Block, keep: Mask) -> Mask:
