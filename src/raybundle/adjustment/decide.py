@@ -144,14 +144,16 @@ def _with_rejected(result: Adjustment, reasons: tuple[str, ...], chosen: Array, 
     """The reasons with those of these suspects, or of all rays of a point whose wrong one cannot be told."""
     new = list(reasons)
     point = result.given.observations.point
+    whole: dict[int, str] = {}
     for i, lost in zip(chosen, unlocatable(result, chosen), strict=True):
         axis = int(np.nanargmax(np.abs(result.image_observations.t[i])))
         test = f"tau {size[i]:.1f} > {result.critical_tau:.2f} in {'xy'[axis]}"
-        if not lost:
+        if lost:
+            whole[int(point[i])] = test
+        else:
             new[i] = f"{BLUNDER}: {test}"
-            continue
-        for k in np.flatnonzero(point == point[i]):
-            new[k] = new[k] or f"{UNLOCATED}: {test} of one ray"
+    for k in np.flatnonzero(np.isin(point, list(whole))):
+        new[k] = new[k] or f"{UNLOCATED}: {whole[int(point[k])]} of one ray"
     return tuple(new)
 
 

@@ -17,9 +17,8 @@ SHARE = 1e-13
 
 The information is the diagonal of the normal matrix before anything is eliminated; every elimination changes it by
 some units of 2.2e-16 of that, so that what is left of an unknown without information is rounding, some 1e-15 of
-either sign, however the pivot compares with other pivots.  The least share of networks that are determined is above
-1e-12: a network in between has interior orientations a hundred times less certain than anyone knows beforehand, and
-`steady` says the same of it on both sides.
+either sign, however the pivot compares with other pivots.  The limit is a hundred times that.  Where a network falls
+near it, `steady` says the same of its interior orientations on both sides; tests/verdicts holds the degenerate ones.
 """
 NULL = 1e-9
 """Eigenvalue of the scaled reduced normal matrix below which a direction is part of what is left open."""

@@ -4,8 +4,8 @@ A network that leaves a camera parameter open (square views of a plane and the c
 principal point) is singular, or nearly so: whether its factor fails, its iteration ends, or a standard deviation of
 metres comes out hangs on the last bits.  Observed with a standard deviation far beyond what anybody knows of a camera
 beforehand, the parameter is carried instead of the rounding, and its own standard deviation says what is true on
-every machine: it is not determinable.  Nothing that is determined notices: its weight is 1e-4 of the least that the
-observations of a determinable parameter bring.
+every machine: it is not determinable.  What is determined hardly notices: the added weight is a hundredth of the least
+that the observations bring of a parameter which counts as determinable.
 """
 
 from __future__ import annotations

@@ -49,7 +49,7 @@ DAMAGED = (
     OSError, ValueError, EOFError, zipfile.BadZipFile, zlib.error, struct.error, KeyError, MemoryError, OverflowError,
     RuntimeError, SyntaxError, TypeError,
 )  # fmt: skip
-"""What reading a damaged archive of arrays can raise; NotImplementedError and RecursionError are RuntimeErrors."""
+"""What reading a damaged archive of arrays can raise; unsupported and too deep ones are RuntimeErrors."""
 FULL = {errno.ENOSPC, errno.EDQUOT} if hasattr(errno, "EDQUOT") else {errno.ENOSPC}
 _TABLES = """
 CREATE TABLE IF NOT EXISTS about (name TEXT PRIMARY KEY, value TEXT NOT NULL);
