@@ -17,6 +17,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
+
 HERE = Path(__file__).resolve().parent
 BENCH = Path(os.environ.get("RAYBUNDLE_BENCH", HERE.parents[1] / "shared/bench"))
 PEER = os.environ.get("RAYBUNDLE_PEER_PYTHON", sys.executable)
@@ -46,8 +48,37 @@ began = time.perf_counter()
 system = assemble(block, options, np.zeros(len(block.observations), bool), {{"1": ("c", "k1", "k2")}})
 normals = Normals.of(system, 2)
 solution = solve(normals, system.initial_state(), options)
-print(json.dumps(dict(wall=time.perf_counter() - began, cost=solution.cost, steps=solution.iterations,
+wall = time.perf_counter() - began
+residuals, flags = normals.residuals(solution.state)
+found = np.full((len(block.observations), 2), np.nan)
+found[system.rows] = np.stack([(residuals**2).sum(axis=1), flags & 1], axis=1)
+np.save({dump!r}, found)
+print(json.dumps(dict(wall=wall, diverging=len(solution.beyond), cost=solution.cost, steps=solution.iterations,
       converged=solution.converged, memory_mb=resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024)))
+"""
+PEER_RESIDUALS = """
+import sys
+import numpy as np
+sys.path.insert(0, {bench!r})
+import pyceres
+from peer_ceres import R, adjuster, to_rec
+d = dict(np.load({problem!r}))
+rec = to_rec(d)
+problem = adjuster(rec).problem
+options = pyceres.SolverOptions()
+options.num_threads, options.max_num_iterations, options.function_tolerance = 2, 50, 1e-6
+options.logging_type = pyceres.LoggingType.SILENT
+options.linear_solver_type = pyceres.LinearSolverType.SPARSE_SCHUR
+pyceres.solve(options, problem, pyceres.SolverSummary())
+matrices = np.array([rec.images[i + 1].cam_from_world().matrix() for i in range(len(d["cam0"]))])
+params = np.array([rec.cameras[i + 1].params for i in range(len(d["cam0"]))])
+xyz = np.array([rec.points3D[j + 1].xyz for j in range(len(d["pts0"]))])
+T, c = matrices[d["ci"]], params[d["ci"]]
+x = np.einsum("mij,mj->mi", T[:, :, :3], xyz[d["pi"]]) + T[:, :, 3]
+p = x[:, :2] / x[:, 2:]
+r2 = (p**2).sum(axis=1)
+v = (c[:, 0] * (1 + c[:, 3] * r2 + c[:, 4] * r2**2))[:, None] * p - d["xy"]
+np.save({dump!r}, np.stack([(v**2).sum(axis=1), x[:, 2] <= 0], axis=1))
 """
 COVARIANCE = """
 import json, resource, sys, time
@@ -95,13 +126,36 @@ def last_json(command: list[str]) -> dict:
 
 def ours(name: str, tolerance: float = 1e-3) -> dict:
     """One adjustment of ours in a process of its own."""
-    code = ADJUST.format(here=str(HERE), problem=str(problem(name)), tolerance=tolerance)
+    code = ADJUST.format(here=str(HERE), problem=str(problem(name)), tolerance=tolerance, dump=str(dump(name, "ours")))
     return last_json([sys.executable, "-c", code])
 
 
 def peer(name: str) -> dict:
     """One run of Ceres."""
     return last_json([PEER, str(BENCH / "peer_ceres.py"), str(problem(name)), "SPARSE_SCHUR", "2"])
+
+
+def dump(name: str, side: str) -> Path:
+    """Where the squared residuals (m,) and the flags of observations behind their camera (m,) of a side are kept."""
+    return WORK / f"{name}-{side}.npy"
+
+
+def same_observations(name: str) -> dict:
+    """Observations behind their camera on both sides, and the costs of those that are before it on both.
+
+    ours is that of the last run of `ours`; residuals of the peer are formed anew from its result, in a run of its own.
+    """
+    code = PEER_RESIDUALS.format(bench=str(BENCH), problem=str(problem(name)), dump=str(dump(name, "peer")))
+    subprocess.run([PEER, "-c", code], check=True, capture_output=True, cwd=BENCH)
+    a, b = np.load(dump(name, "ours")), np.load(dump(name, "peer"))
+    both = (a[:, 1] == 0) & (b[:, 1] == 0)
+    return {
+        "ours_behind": int(a[:, 1].sum()),
+        "ceres_behind": int(b[:, 1].sum()),
+        "same_observations": int(both.sum()),
+        "ours_cost_of_same": 0.5 * float(a[both, 0].sum()),
+        "ceres_cost_of_same": 0.5 * float(b[both, 0].sum()),
+    }
 
 
 def compare(name: str, repeat: int) -> dict:
@@ -119,6 +173,7 @@ def compare(name: str, repeat: int) -> dict:
         "ceres_steps": pairs[0][1]["steps"],
         "ours_memory_mb": pairs[0][0]["memory_mb"],
         "ceres_memory_mb": pairs[0][1]["rss_MB"],
+        **same_observations(name),
     }
 
 

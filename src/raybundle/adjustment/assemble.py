@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from raybundle.adjustment.carried import antennas_and_imus, check_carried
+from raybundle.adjustment.far_points import diverging, retracted, turned_about
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Block, Camera
 from raybundle.errors import InputError
@@ -169,8 +170,12 @@ class System:
                 start = self.offsets[row.node] + row.start
                 new.interior[i, list(row.free)] += step[start : start + len(row.free)]
         self.share(new)
-        new.xyz += np.where(self.held, 0.0, points)
-        self._retract(state, points, new)
+        points = np.where(self.held, 0.0, points)
+        new.xyz += points
+        mine = self.far_candidates
+        centre = state.centre[self.first_image[mine]]
+        far, ray = retracted(state.xyz[mine] - centre, points[mine])
+        new.xyz[mine[far]] = centre[far] + ray
         return new
 
     def share(self, state: State) -> None:
@@ -185,21 +190,25 @@ class System:
         of_image = self.interior_of_image
         return np.flatnonzero(self.images_used & ((of_image == r) | (self.parents[of_image] == r)))
 
-    def _retract(self, state: State, points: Array, new: State) -> None:
-        """Points move along the ray of their first image by inverse distance, so that far points converge.
-
-        To first order this is the same step; infinity is a point like any other (Montiel, Civera and Davison 2006).
-        """
+    def before(self, state: State, behind: Mask) -> State:
+        """The state with the points before their cameras of which all observations (rows,) are behind."""
+        point = self.block.observations.point[self.rows]
+        seen, lost = (np.bincount(point, weights, minlength=len(state.xyz)) for weights in (None, behind))
         mine = self.far_candidates
-        r = state.xyz[mine] - state.centre[self.first_image[mine]]
-        d2 = np.einsum("ij,ij->i", r, r)
-        along = np.einsum("ij,ij->i", r, points[mine]) / np.maximum(d2, 1e-300)
-        large = np.abs(along) > 0.02
-        mine, r, along = mine[large], r[large], along[large, None]
-        shrink = 1 - along
-        shrink = np.where(np.abs(shrink) < 1e-3, np.copysign(1e-3, shrink), shrink)
-        across = points[mine] - along * r
-        new.xyz[mine] = state.centre[self.first_image[mine]] + (r + across) / shrink
+        centre = state.centre[self.first_image[mine]]
+        ray = state.xyz[mine] - centre
+        all_behind = (lost[mine] == seen[mine]) & (seen[mine] > 0)
+        if not all_behind.any() or all_behind.all():
+            return state
+        new = state.copy()
+        typical = float(np.median(np.linalg.norm(ray[~all_behind], axis=1)))
+        new.xyz[mine[all_behind]] = centre[all_behind] + turned_about(ray[all_behind], typical)
+        return new
+
+    def beyond(self, state: State) -> Index:
+        """Object points whose rays diverge, see `far_points`."""
+        mine = self.far_candidates
+        return mine[diverging(state.xyz[mine] - state.centre[self.first_image[mine]])]
 
 
 def assemble(block: Block, options: AdjustmentOptions, rejected: Mask, free: dict[str, tuple[str, ...]]) -> System:

@@ -16,6 +16,7 @@ from raybundle.adjustment import defects
 from raybundle.adjustment.assemble import State, System, assemble
 from raybundle.adjustment.components import Found, settled_components, variance_components
 from raybundle.adjustment.datum import Datum, analyse, fit_to_given, hold_minimal, open_names
+from raybundle.adjustment.far_points import DIVERGING
 from raybundle.adjustment.interior import interior_results
 from raybundle.adjustment.network import network_figures
 from raybundle.adjustment.normals import Normals
@@ -141,7 +142,7 @@ def carry_out(
     block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]], reasons: tuple[str, ...],
     progress: Progress = silent, *, start: Start = "approximate",
 ) -> tuple[Work, tuple[str, ...]]:  # fmt: skip
-    """Estimate and cofactors; observations whose point ends behind the camera are rejected, and it starts again."""
+    """Estimate and cofactors; observations whose point ends behind the camera or at infinity leave, then once more."""
     mask = np.array([bool(r) for r in reasons], bool)
     defects.check_observed(block, mask)
     defects.check_cameras(block, free)
@@ -151,11 +152,15 @@ def carry_out(
     work = _estimate(block, options, free, mask, start, progress)
     for _ in range(5):
         _, flags = work.normals.residuals(work.solution.state)
-        behind = work.system.rows[(flags & 1) > 0]
-        if not len(behind):
+        rows = work.system.rows
+        diverging = np.isin(block.observations.point[rows], work.solution.beyond)
+        behind = (flags & 1) > 0
+        if not (behind | diverging).any():
             break
         new = list(reasons)
-        for i in behind:
+        for i in rows[diverging]:
+            new[i] = DIVERGING
+        for i in rows[behind]:
             new[i] = "behind the camera"
         reasons, mask = reject_single_rays(block, tuple(new), np.array([bool(r) for r in new], bool))
         defects.check_images(block, mask, free)
@@ -185,17 +190,18 @@ def estimate_only(
     """Adjusted values without statistics, rank test or error: a step towards approximate values.
 
     mask     (m,) observations that take no part; images and points without others keep their values
-    returns  the block, and the rows (m,) whose point ended behind the camera or has no projection
+    returns  the block, and the rows (m,) whose point ended behind the camera, beyond infinity or without a projection
     """
     system = assemble(block, options, mask, free)
     normals = Normals.of(system, options.threads)
     state = system.initial_state()
     if options.robust_start:
-        state = solve(normals, state, options, huber=HUBER, tolerance=1e-1).state
+        found = solve(normals, state, options, huber=HUBER, tolerance=1e-1)
     else:
-        state = solve(normals, state, options).state
+        found = solve(normals, state, options)
+    state = found.state
     bad = np.zeros(len(block.observations), bool)
-    bad[system.rows] = normals.residuals(state)[1] > 0
+    bad[system.rows] = (normals.residuals(state)[1] > 0) | np.isin(block.observations.point[system.rows], found.beyond)
     return as_start(block, _adjusted_block(system, state)), bad
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from raybundle.adjustment.components import NAMES, differs
+from raybundle.adjustment.far_points import DIVERGING
 from raybundle.adjustment.result import Adjustment, Notice, ObservationGroup, VarianceComponent, kind_of
 from raybundle.adjustment.separability import UNLOCATED
 from raybundle.block import Role
@@ -112,6 +113,12 @@ def _correlations(result: Adjustment, who: str, camera: str, free: tuple[str, ..
     return found
 
 
+def _pairs(result: Adjustment, rows: list[int]) -> list[tuple[str, str]]:
+    """Image and point of observations, sorted."""
+    o, images, points = result.given.observations, result.given.images.ids, result.given.points.ids
+    return sorted({(images[o.image[i]], points[o.point[i]]) for i in rows})
+
+
 def _rejected(result: Adjustment) -> list[Notice]:
     reasons = [r for r in result.image_observations.rejected if r]
     if not reasons:
@@ -145,19 +152,24 @@ def _rejected(result: Adjustment) -> list[Notice]:
         )
     if behind:
         rows = [i for i, r in enumerate(result.image_observations.rejected) if r == "behind the camera"]
-        pairs = {
-            (
-                result.given.images.ids[result.given.observations.image[i]],
-                result.given.points.ids[result.given.observations.point[i]],
-            )
-            for i in rows
-        }
-        shown = ", ".join(f"point {p} in image {i}" for i, p in sorted(pairs)[:5])
+        pairs = _pairs(result, rows)
+        shown = ", ".join(f"point {p} in image {i}" for i, p in pairs[:5])
         found.append(
             Notice(
                 code="behind_camera",
                 message=f"behind the camera: {shown}{' ...' if len(pairs) > 5 else ''}; check the point numbers",
-                ids=tuple(p for _, p in sorted(pairs)),
+                ids=tuple(p for _, p in pairs),
+            )
+        )
+    if kinds.get(DIVERGING, 0):
+        rows = [i for i, r in enumerate(result.image_observations.rejected) if r == DIVERGING]
+        names = list(dict.fromkeys(p for _, p in _pairs(result, rows)))
+        found.append(
+            Notice(
+                code="rays_diverge",
+                message=f"{len(names)} points are left out, their rays diverge: {', '.join(names[:10])}"
+                f"{' ...' if len(names) > 10 else ''}. They are wrongly matched, or too far away for these stations",
+                ids=tuple(names[:100]),
             )
         )
     return found

@@ -1,7 +1,8 @@
 """Levenberg-Marquardt with gain control; the last steps are pure Gauss-Newton.
 
 Damping after Marquardt 1963 with the gain ratio of Nielsen 1999; a step that carries object points
-behind a camera is tried again shorter.
+behind a camera is tried again shorter.  Points whose rays diverge never come to an end: they are named once the steps
+are short.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ import numpy as np
 from raybundle.adjustment.assemble import State
 from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.numerics.arrays import Index
 from raybundle.numerics.progress import Progress, silent
 
 FLOOR = 1e-10
@@ -28,6 +30,8 @@ ROUNDING = 1e-13
 """Share of the square sum below which a predicted decrease is rounding."""
 NOISE = 1e-11
 """Share of the square sum below which a difference of two of them says nothing."""
+NEARLY = 1e-3
+"""Steps, in standard deviations, that are short enough where points run away whose rays diverge."""
 HUBER = 2.0
 """Whitened residual length beyond which the robust start weighs linearly."""
 
@@ -44,6 +48,8 @@ class Solution:
     step: float
     """Length of the last full step in standard deviations of the unknowns."""
     behind: int
+    beyond: Index
+    """Object points whose rays diverge (`far_points`)"""
 
 
 def solve(
@@ -68,10 +74,15 @@ def solve(
     redundancy = max(system.observations - system.unknowns, 1)
     growth = 2.0
     cost, behind, _ = normals.reduce(state, damping=damping, huber=huber)
+    if behind:
+        state = system.before(state, (normals.residuals(state)[1] & 1) > 0)
+        cost, behind, _ = normals.reduce(state, damping=damping, huber=huber)
     excess = _excess(normals, state, huber)
     length, refused_behind = np.inf, 0
-    start, refused = None, False
-    for iteration in range(1, options.max_iterations + 1):
+    start, refused, settled = None, False, False
+    iterations = 0
+    while iterations < options.max_iterations:
+        iterations += 1
         trial = normals.step(state, damping=damping, huber=huber)
         if isinstance(trial, int):
             damping, growth = max(damping, 1e-10) * growth, growth * 2
@@ -95,7 +106,7 @@ def solve(
             # what is left to gain is below the rounding of the square sum
             if new_cost <= cost:
                 state, cost, behind = new, new_cost, new_behind
-            return Solution(state, cost, True, iteration, length, behind)
+            break
         if np.isfinite(new_cost) and not turned and gain > 1e-4:
             state, cost, behind, refused_behind = new, new_cost, new_behind, 0
             excess = _excess(normals, state, huber)
@@ -110,8 +121,10 @@ def solve(
             damping, growth = max(damping, 1e-9) * growth, growth * 2
             if damping > 1e12:
                 break
+        if length < NEARLY and len(system.beyond(state)):
+            break
         normals.reduce(state, damping=damping, huber=huber)
-    return Solution(state, cost, length < 1e-3, options.max_iterations, length, behind)
+    return Solution(state, cost, settled or length < NEARLY, iterations, length, behind, system.beyond(state))
 
 
 def _excess(normals: Normals, state: State, huber: float) -> float:

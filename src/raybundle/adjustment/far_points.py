@@ -1,0 +1,52 @@
+"""Far object points: their steps, and those whose rays diverge.
+
+Nearer, the same linear step is taken along the ray by inverse distance (Montiel, Civera and Davison 2006): a point
+never passes through its camera.  Farther, it is taken as it is: a point never passes infinity, behind which the
+collinearity equations go on with a mirror image that no camera sees.  Where rays diverge, by errors of measurement or
+a wrong match, the best inverse distance is negative; such a point runs away by orders of magnitude, and soon nothing
+hangs on it.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from raybundle.numerics.arrays import Array, Index
+
+FARTHEST = 1e6
+"""Distance, in medians of the block, beyond which rays are said to diverge.
+
+The parallax over a base of one median is then 1e-6 radians, a hundredth of a pixel at c = 10 000 pixels: less than the
+best targets are measured to, so no point is determined there.
+"""
+DIVERGING = "rays diverge"
+"""Why observations of such points are rejected."""
+SMALL = 0.02
+"""Relative change of the distance up to which both kinds of step are one."""
+
+
+def retracted(ray: Array, step: Array) -> tuple[Index, Array]:
+    """Points at `ray` (n, 3) from a projection centre that a linear step (n, 3) brings nearer by more than `SMALL`.
+
+    returns  which (k,), and their new rays (k, 3) from the old projection centre
+    """
+    d2 = np.einsum("ij,ij->i", ray, ray)
+    along = np.einsum("ij,ij->i", ray, step) / np.maximum(d2, 1e-300)
+    nearer = np.flatnonzero(along < -SMALL)
+    r, part = ray[nearer], along[nearer, None]
+    across = step[nearer] - part * r
+    return nearer, (r + across) / (1 - part)
+
+
+def turned_about(ray: Array, typical: float) -> Array:
+    """Rays (n, 3) to points behind all their cameras, turned to before them: the same image points, `typical` distance.
+
+    A negative inverse distance becomes a positive one; the iteration finds which.
+    """
+    return -ray * (typical / np.maximum(np.linalg.norm(ray, axis=1), 1e-300))[:, None]
+
+
+def diverging(ray: Array) -> Index:
+    """Which rays (n, 3), from a projection centre to a point, end where they can only diverge from the others."""
+    distance = np.linalg.norm(ray, axis=1)
+    return np.flatnonzero(distance > FARTHEST * np.median(distance)) if len(ray) else np.zeros(0, np.int64)
