@@ -34,7 +34,7 @@ from raybundle.targets.kinds.rings import Rings
 from raybundle.targets.marks import Marks, Target, target
 from raybundle.targets.sidecar import PrintedSheet
 from raybundle.workflows.board_start import board_oriented
-from raybundle.workflows.calibration_defects import bundled, check_spline, explained
+from raybundle.workflows.calibration_defects import CANNOT, bundled, check_spline, explained, flat_only
 from raybundle.workflows.camera_split import cameras_apart
 from raybundle.workflows.model_choice import choose_models, with_model
 from raybundle.workflows.recognise import recognised
@@ -221,6 +221,8 @@ def _calibrated(m: _Measured, options: CalibrateOptions, clock: _Clock, progress
     clock.stop("adjustment")
     quality = calibration_qualities(result, progress)
     clock.stop("verdict")
+    if all(q.grade == "not determinable" for q in quality) and (why := flat_only(block)):
+        raise NotSolvable(f"{CANNOT}: {why}")
     return Calibration(
         adjustment=result,
         quality=quality,

@@ -11,6 +11,7 @@ from raybundle.block import Block
 from raybundle.errors import InputError, NotSolvable
 from raybundle.numerics.arrays import Array
 
+CANNOT = "the camera cannot be calibrated from these photographs"
 COMMON = 6
 """Points that two photographs must share to be compared."""
 PAIRS = 200
@@ -82,10 +83,10 @@ def explained(error: NotSolvable | InputError, block: Block) -> NotSolvable | In
     """The error in words that say which photographs are missing, where that is what it comes from."""
     why = flat_only(block)
     if why:
-        return NotSolvable(f"the camera cannot be calibrated from these photographs: {why}")
+        return NotSolvable(f"{CANNOT}: {why}")
     if isinstance(error, NotSolvable):
         return error.worded(
-            f"the camera cannot be calibrated from these photographs: {error}\n  `calibrate` needs 6 to 20 photographs "
+            f"{CANNOT}: {error}\n  `calibrate` needs 6 to 20 photographs "
             "of the same points that converge by 30 to 45 degrees, some rolled by 90 degrees; leave out photographs "
             "that are named here"
         )
