@@ -13,6 +13,7 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.precision import cofactors, precision
 from raybundle.adjustment.structure import _neighbours
 from raybundle.block import Role
+from raybundle.block.rejection import Rejection, RejectionKind
 from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.numerics import native
 
@@ -65,7 +66,9 @@ def test_held_points_join_nothing_and_hold_a_part_where_they_span_a_plane(block)
 
 
 def test_a_start_from_adjusted_values_ends_at_the_same_values(block, adjusted):
-    rejected = tuple("left out" if i % 50 == 0 else "" for i in range(len(block.observations)))
+    rejected = tuple(
+        Rejection(kind=RejectionKind.GIVEN) if i % 50 == 0 else None for i in range(len(block.observations))
+    )
     near = replace(OPTIONS, tolerance=1e-4)
     first = adjust_block(again(adjusted), near, rejected=rejected)
     quick = adjust_block(again(adjusted), near, rejected=rejected, start="adjusted")

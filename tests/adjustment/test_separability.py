@@ -6,8 +6,7 @@ import numpy as np
 
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.result import kind_of
-from raybundle.adjustment.separability import UNLOCATED
+from raybundle.block.rejection import RejectionKind
 from raybundle.block.simulate import (
     AerialStrips,
     Survey,
@@ -48,7 +47,7 @@ def test_a_wrong_ray_of_three_costs_the_point_and_is_told():
     reasons = [
         r for r, p in zip(result.image_observations.rejected, block.observations.point, strict=True) if p == point
     ]
-    assert {kind_of(r) for r in reasons} == {UNLOCATED}
+    assert {r.kind for r in reasons if r} == {RejectionKind.BLUNDER_NOT_LOCATED}
     (told,) = [n for n in result.notices if n.code == "blunder_not_located"]
     assert told.ids == (block.points.ids[point],)
     assert np.isnan(result.precision.object_points[point]).all()

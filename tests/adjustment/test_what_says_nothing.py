@@ -7,6 +7,7 @@ import pytest
 
 from raybundle import adjust
 from raybundle.adjustment.engine import adjust_block
+from raybundle.block.rejection import Rejection, RejectionKind
 from raybundle.errors import InputError
 from tests.adjustment.test_moving_sensors import RATES, SIGMA, observed, rolling
 from tests.truth.mixed_blocks import room
@@ -31,7 +32,7 @@ def test_a_block_whose_observations_are_all_rejected():
     block = room()
     n = len(block.observations)
     with pytest.raises(InputError, match=f"all {n} of its image observations are rejected"):
-        adjust_block(block, rejected=("by hand",) * n)
+        adjust_block(block, rejected=(Rejection(kind=RejectionKind.GIVEN, detail="by hand"),) * n)
 
 
 @pytest.mark.parametrize("sigma", [{}, SIGMA, dict.fromkeys(RATES, 0.3)])

@@ -10,6 +10,7 @@ import pytest
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Notice
+from raybundle.block.rejection import Rejection, RejectionKind
 from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.errors import InputError
 from raybundle.io.block_folder import read_block
@@ -143,7 +144,7 @@ def test_numbers_that_there_are_not_become_null_and_empty(adjustment, tmp_path):
     read = read_result(tmp_path / "r")
     assert read.result["sigma0"] is None
     assert read.result["relative_precision"] is None
-    assert read.result["warnings"] == [{"code": "no_redundancy", "message": "none", "ids": ["a"]}]
+    assert read.result["warnings"] == [{"code": "no_redundancy", "severity": "fault", "message": "none", "ids": ["a"]}]
     assert np.isnan(read.points.numbers("sX", "sY", "sZ")).all()
     assert np.isnan(read.control.number["vX"]).all()
     assert "nan" not in (tmp_path / "r" / "points.csv").read_text().lower()
@@ -151,7 +152,9 @@ def test_numbers_that_there_are_not_become_null_and_empty(adjustment, tmp_path):
 
 def test_a_check_point_without_rays_has_no_difference(adjustment, tmp_path):
     point = int(np.flatnonzero(np.asarray(adjustment.given.points.role) == 2)[0])
-    keep = ("behind the camera" if p == point else "" for p in adjustment.given.observations.point)
+    keep = (
+        Rejection(kind=RejectionKind.BEHIND_CAMERA) if p == point else None for p in adjustment.given.observations.point
+    )
     rejected = replace(adjustment.image_observations, rejected=tuple(keep))
     write_result(replace(adjustment, image_observations=rejected), tmp_path / "r", report="none")
     read = read_result(tmp_path / "r")

@@ -15,7 +15,7 @@ from raybundle.errors import InputError
 from raybundle.io.folders import new_files, new_folder
 from raybundle.io.photos.photo import read_colour, read_grey, read_photo
 from raybundle.io.project import Project, key_of
-from tests.hostile.readers import block_seeds
+from tests.hostile.readers.blocks import block_seeds
 
 KEY = key_of("features", 1)
 

@@ -8,7 +8,8 @@ import pytest
 
 from tests.conftest import DATA
 from tests.hostile.fuzzing import fuzz
-from tests.hostile.readers import TARGETS, command
+from tests.hostile.readers import TARGETS
+from tests.hostile.readers.registry import command
 
 pytest.importorskip("resource", reason="there are no limits of a process here")
 KEPT = DATA / "hostile"

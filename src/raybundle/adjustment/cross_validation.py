@@ -187,7 +187,7 @@ def _kept(block: Block, keep: Mask) -> Block:
 
 
 def _adjusted(block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]]) -> _Adjusted:
-    work, reasons = carry_out(block, options, free, ("",) * len(block.observations), start="adjusted")
+    work, reasons = carry_out(block, options, free, (None,) * len(block.observations), start="adjusted")
     system, state = work.system, work.solution.state
     whitened, _ = work.normals.residuals(state)
     v = image_statistics(system, whitened, None, 1.0, reasons).residuals_px[system.rows]

@@ -15,9 +15,10 @@ import numpy as np
 from raybundle.adjustment.engine import Extent, Start, adjust_block, as_start, free_parameters
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.reliability import UNCONTROLLED
-from raybundle.adjustment.result import Adjustment, InteriorResult, Notice, kind_of
-from raybundle.adjustment.separability import UNLOCATED, unlocatable
+from raybundle.adjustment.result import Adjustment, InteriorResult, Notice
+from raybundle.adjustment.separability import unlocatable
 from raybundle.block import Block, Role
+from raybundle.block.rejection import Rejection, RejectionKind, Rejections
 from raybundle.block.stored import is_observed_jointly
 from raybundle.errors import NoConvergence, NotSolvable, RankDefect
 from raybundle.numerics.arrays import Array
@@ -26,7 +27,6 @@ from raybundle.numerics.statistics import fisher_tail
 from raybundle.sensors import sensor_models
 
 ROUNDS = 40
-BLUNDER = "blunder"
 DROP_ORDER = ("harmonic", "affinity", "decentring", "radial", "principal point", "scale")
 """Which kind of parameter is held first where a block determines too few."""
 
@@ -36,7 +36,7 @@ class Decisions:
     """What was decided so far."""
 
     free: dict[str, tuple[str, ...]]
-    reasons: tuple[str, ...]
+    reasons: Rejections
     notices: list[Notice] = field(default_factory=list[Notice])
     not_significant: list[tuple[str, str]] = field(default_factory=list[tuple[str, str]])
     not_determinable: list[tuple[str, str]] = field(default_factory=list[tuple[str, str]])
@@ -47,7 +47,9 @@ def decide(
 ) -> Adjustment:
     """Adjust a block with approximate values, with the decisions that the options and the block ask for."""
     began = time.perf_counter()
-    choices = Decisions(free={c.id: free_parameters(c) for c in block.cameras}, reasons=("",) * len(block.observations))
+    choices = Decisions(
+        free={c.id: free_parameters(c) for c in block.cameras}, reasons=(None,) * len(block.observations)
+    )
     automatic = [
         c.id
         for c in block.cameras
@@ -115,7 +117,7 @@ def _snoop(
         if wrong is not None:
             block = _without_control(block, wrong, choices)
             choices.reasons = tuple(
-                "" if is_blunder(r) and block.points.ids[block.observations.point[i]] == wrong[0] else r
+                None if is_blunder(r) and block.points.ids[block.observations.point[i]] == wrong[0] else r
                 for i, r in enumerate(choices.reasons)
             )
             continue
@@ -130,7 +132,7 @@ def _snoop(
             returned.update(back)
             reasons = list(choices.reasons)
             for i in back:
-                reasons[i] = ""
+                reasons[i] = None
             choices.reasons = tuple(reasons)
             continue
         choices.reasons = _with_rejected(result, choices.reasons, np.array(chosen), size)
@@ -140,20 +142,21 @@ def _snoop(
     return block
 
 
-def _with_rejected(result: Adjustment, reasons: tuple[str, ...], chosen: Array, size: Array) -> tuple[str, ...]:
+def _with_rejected(result: Adjustment, reasons: Rejections, chosen: Array, size: Array) -> Rejections:
     """The reasons with those of these suspects, or of all rays of a point whose wrong one cannot be told."""
     new = list(reasons)
     point = result.given.observations.point
-    whole: dict[int, str] = {}
+    whole: dict[int, Rejection] = {}
     for i, lost in zip(chosen, unlocatable(result, chosen), strict=True):
         axis = int(np.nanargmax(np.abs(result.image_observations.t[i])))
-        test = f"tau {size[i]:.1f} > {result.critical_tau:.2f} in {'xy'[axis]}"
+        kind = RejectionKind.BLUNDER_NOT_LOCATED if lost else RejectionKind.BLUNDER
+        why = Rejection(kind=kind, tau=float(size[i]), limit=result.critical_tau, axis="xy"[axis])
         if lost:
-            whole[int(point[i])] = test
+            whole[int(point[i])] = why
         else:
-            new[i] = f"{BLUNDER}: {test}"
+            new[i] = why
     for k in np.flatnonzero(np.isin(point, list(whole))):
-        new[k] = new[k] or f"{UNLOCATED}: {whole[int(point[k])]} of one ray"
+        new[k] = new[k] or whole[int(point[k])]
     return tuple(new)
 
 
@@ -173,9 +176,9 @@ def _apart(block: Block, size: Array, suspects: Array) -> list[int]:
     return chosen
 
 
-def is_blunder(reason: str) -> bool:
+def is_blunder(reason: Rejection | None) -> bool:
     """Whether an image observation was rejected as a blunder of its own."""
-    return kind_of(reason) == BLUNDER
+    return reason is not None and reason.kind is RejectionKind.BLUNDER
 
 
 def _innocent(result: Adjustment) -> list[int]:
@@ -204,7 +207,7 @@ def _worst_control(result: Adjustment) -> tuple[str, float] | None:
     return worst
 
 
-def _contradicted(block: Block, reasons: tuple[str, ...]) -> tuple[str, float] | None:
+def _contradicted(block: Block, reasons: Rejections) -> tuple[str, float] | None:
     """A held control point whose image observations are rejected one after the other: the point is wrong, not they."""
     rejected = np.array([is_blunder(r) for r in reasons])
     p = len(block.points)

@@ -16,7 +16,6 @@ from raybundle.adjustment import defects
 from raybundle.adjustment.assemble import State, System, assemble
 from raybundle.adjustment.components import Found, settled_components, variance_components
 from raybundle.adjustment.datum import Datum, analyse, fit_to_given, hold_minimal, open_names
-from raybundle.adjustment.far_points import DIVERGING
 from raybundle.adjustment.interior import interior_results
 from raybundle.adjustment.network import network_figures
 from raybundle.adjustment.normals import Normals
@@ -40,6 +39,7 @@ from raybundle.adjustment.solve import CAUTIOUS, FLOOR, HUBER, solve
 from raybundle.adjustment.steady import steadied, told_by_network, without_priors
 from raybundle.adjustment.work import Work
 from raybundle.block import Block, Camera
+from raybundle.block.rejection import Rejection, RejectionKind, Rejections
 from raybundle.errors import NoConvergence, RankDefect, TooFewObservations
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.progress import Progress, silent
@@ -62,7 +62,7 @@ def adjust_block(
     progress: Progress = silent,
     *,
     free: dict[str, tuple[str, ...]] | None = None,
-    rejected: tuple[str, ...] | None = None,
+    rejected: Rejections | None = None,
     notices: tuple[Notice, ...] = (),
     extent: Extent = "report",
     start: Start = "approximate",
@@ -70,7 +70,7 @@ def adjust_block(
     """Adjust a block whose images are oriented and whose points have coordinates, approximately.
 
     free      camera id -> free parameters; None: as the cameras' `estimate` says
-    rejected  (m,) reason for each image observation, "" = takes part; None: all take part
+    rejected  (m,) reason for each image observation, None = takes part; None: all take part
     notices   what earlier steps have to say; passed on
     extent    decisions: of the statistics only redundancy numbers, tests and the interior orientations' covariances;
               tests: without these and what is said of the interior orientations, too
@@ -85,7 +85,7 @@ def adjust_block(
     began = time.perf_counter()
     options = options or AdjustmentOptions()
     free = free if free is not None else {c.id: free_parameters(c) for c in block.cameras}
-    reasons = rejected or ("",) * len(block.observations)
+    reasons = rejected or (None,) * len(block.observations)
     try:
         work, found = carry_out(block, options, free, reasons, progress, start=start)
         result = result_of(work, block, options, found, notices, time.perf_counter() - began, progress, extent)
@@ -107,7 +107,7 @@ def adjust_block(
 
 def _with_settled_components(
     result: Adjustment, block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]],
-    reasons: tuple[str, ...],
+    reasons: Rejections,
 ) -> Adjustment:  # fmt: skip
     """The result with variance components that are iterated where one step is not enough."""
 
@@ -139,9 +139,9 @@ says more than an error would.
 
 
 def carry_out(
-    block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]], reasons: tuple[str, ...],
+    block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]], reasons: Rejections,
     progress: Progress = silent, *, start: Start = "approximate",
-) -> tuple[Work, tuple[str, ...]]:  # fmt: skip
+) -> tuple[Work, Rejections]:  # fmt: skip
     """Estimate and cofactors; observations whose point ends behind the camera or at infinity leave, then once more."""
     mask = np.array([bool(r) for r in reasons], bool)
     defects.check_observed(block, mask)
@@ -159,9 +159,9 @@ def carry_out(
             break
         new = list(reasons)
         for i in rows[diverging]:
-            new[i] = DIVERGING
+            new[i] = Rejection(kind=RejectionKind.RAYS_DIVERGE)
         for i in rows[behind]:
-            new[i] = "behind the camera"
+            new[i] = Rejection(kind=RejectionKind.BEHIND_CAMERA)
         reasons, mask = reject_single_rays(block, tuple(new), np.array([bool(r) for r in new], bool))
         defects.check_images(block, mask, free)
         work = _estimate(block, options, free, mask, start, progress)
@@ -206,7 +206,7 @@ def estimate_only(
 
 
 def expected_interior(
-    block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]], reasons: tuple[str, ...], camera: str
+    block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]], reasons: Rejections, camera: str
 ) -> Array:
     """Cofactor (u, u) of the free parameters of a camera that the network promises, nothing being adjusted.
 
@@ -227,7 +227,7 @@ def expected_interior(
     return normals.solved(columns)[mine]
 
 
-def reject_single_rays(block: Block, reasons: tuple[str, ...], mask: Mask) -> tuple[tuple[str, ...], Mask]:
+def reject_single_rays(block: Block, reasons: Rejections, mask: Mask) -> tuple[Rejections, Mask]:
     """Reject the last ray of tie points whose others were rejected."""
     if not mask.any():
         return reasons, mask
@@ -238,7 +238,7 @@ def reject_single_rays(block: Block, reasons: tuple[str, ...], mask: Mask) -> tu
         return reasons, mask
     new = list(reasons)
     for i in np.flatnonzero(lone):
-        new[i] = "single ray left"
+        new[i] = Rejection(kind=RejectionKind.SINGLE_RAY)
     return tuple(new), mask | lone
 
 
@@ -293,7 +293,7 @@ def _factor(normals: Normals, state: State, datum: Datum) -> None:
 
 
 def result_of(
-    work: Work, block: Block, options: AdjustmentOptions, reasons: tuple[str, ...], notices: tuple[Notice, ...],
+    work: Work, block: Block, options: AdjustmentOptions, reasons: Rejections, notices: tuple[Notice, ...],
     seconds: float, progress: Progress = silent, extent: Extent = "report",
     added: Mapping[tuple[str, str], float] | None = None,
 ) -> Adjustment:  # fmt: skip

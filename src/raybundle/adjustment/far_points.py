@@ -19,8 +19,6 @@ FARTHEST = 1e6
 The parallax over a base of one median is then 1e-6 radians, a hundredth of a pixel at c = 10 000 pixels: less than the
 best targets are measured to, so no point is determined there.
 """
-DIVERGING = "rays diverge"
-"""Why observations of such points are rejected."""
 SMALL = 0.02
 """Relative change of the distance up to which both kinds of step are one."""
 

@@ -12,6 +12,7 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.predict import image_points
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block, Images, Observations
+from raybundle.block.rejection import Rejections
 from raybundle.errors import RaybundleError
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rotation import rotation_from_vector
@@ -61,7 +62,7 @@ def next_photographs(result: Adjustment, camera: str) -> tuple[Proposal, ...]:
     if free[camera] == interior.free:
         now = shifts.uncertainty(result.precision.interior[camera]).largest
     else:
-        now = _uncertainty(block, result, free, tuple(result.image_observations.rejected), shifts, camera)
+        now = _uncertainty(block, result, free, result.image_observations.rejected, shifts, camera)
     found: list[Proposal] = []
     for words, centre, rotation in _sets(block, mine, used):
         more, rejected = _with(result, block, k, centre, rotation)
@@ -144,7 +145,7 @@ def _into_corners(block: Block, k: int, rotation: Array) -> Array:
     return rotation_from_vector(turn) @ rotation
 
 
-def _with(result: Adjustment, block: Block, k: int, centre: Array, rotation: Array) -> tuple[Block, tuple[str, ...]]:
+def _with(result: Adjustment, block: Block, k: int, centre: Array, rotation: Array) -> tuple[Block, Rejections]:
     """The block with these photographs of camera k, those that see too little without points; reasons of rejections."""
     o, points, used = block.observations, block.points, result.image_observations.used
     known = np.flatnonzero(np.bincount(o.point[used], minlength=len(points)) > 1)
@@ -174,11 +175,11 @@ def _with(result: Adjustment, block: Block, k: int, centre: Array, rotation: Arr
             cov_px2=np.vstack([o.cov_px2, np.tile([*np.median(o.cov_px2[used, :2], axis=0), 0.0], (added, 1))]),
         ),
     )  # fmt: skip
-    return more, tuple(result.image_observations.rejected) + ("",) * added
+    return more, result.image_observations.rejected + (None,) * added
 
 
 def _uncertainty(
-    block: Block, result: Adjustment, free: dict[str, tuple[str, ...]], rejected: tuple[str, ...],
+    block: Block, result: Adjustment, free: dict[str, tuple[str, ...]], rejected: Rejections,
     shifts: ProjectionShifts, camera: str,
 ) -> float:  # fmt: skip
     """Largest standard deviation of projection [px] of a camera that a network promises; infinite where it fails."""

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from raybundle.adjustment.components import NAMES, differs
-from raybundle.adjustment.far_points import DIVERGING
-from raybundle.adjustment.result import Adjustment, Notice, ObservationGroup, VarianceComponent, kind_of
-from raybundle.adjustment.separability import UNLOCATED
+from raybundle.adjustment.result import Adjustment, Notice, ObservationGroup, VarianceComponent
+from raybundle.adjustment.severity import POOR_FIT, Severity
 from raybundle.block import Role
+from raybundle.block.rejection import WORDS, RejectionKind, counts
 from raybundle.numerics.arrays import Array
 
 STRONG = 0.95
@@ -45,9 +45,11 @@ def _fit(result: Adjustment) -> list[Notice]:
     if not value > upper and not value < lower:
         return []
     more = value > upper
+    grave = Severity.FAULT if result.sigma0 > POOR_FIT else Severity.CAUTION
     return [
         Notice(
             code="global_test",
+            measured=grave if more else Severity.REMARK,
             message=f"sigma0 {result.sigma0:.3g} differs from 1 (weighted square sum {value:.5g}, 95 % limits "
             f"{lower:.5g} .. {upper:.5g}): the observations are {'less' if more else 'more'} precise than stated"
             f"{', or the model does not fit or blunders are left' if more else ''}. "
@@ -120,26 +122,24 @@ def _pairs(result: Adjustment, rows: list[int]) -> list[tuple[str, str]]:
 
 
 def _rejected(result: Adjustment) -> list[Notice]:
-    reasons = [r for r in result.image_observations.rejected if r]
-    if not reasons:
+    rejected, o = result.image_observations.rejected, result.given.observations
+    kinds = counts(rejected)
+    if not kinds:
         return []
-    kinds: dict[str, int] = {}
-    for r in reasons:
-        kind = kind_of(r)
-        kinds[kind] = kinds.get(kind, 0) + 1
-    behind = kinds.get("behind the camera", 0)
+
+    def rows(kind: RejectionKind) -> list[int]:
+        return [i for i, r in enumerate(rejected) if r is not None and r.kind is kind]
+
     found = [
         Notice(
             code="rejected",
-            message=f"{len(reasons)} of {len(result.given.observations)} image observations rejected: "
-            + ", ".join(f"{n} {k}" for k, n in sorted(kinds.items(), key=lambda kv: -kv[1])),
+            message=f"{sum(kinds.values())} of {len(o)} image observations rejected: "
+            + ", ".join(f"{n} {WORDS[kind]}" for kind, n in kinds.items()),
         )
     ]
-    lost = kinds.get(UNLOCATED, 0)
+    lost = rows(RejectionKind.BLUNDER_NOT_LOCATED)
     if lost:
-        rejected = np.array(result.image_observations.rejected)
-        mine = np.char.startswith(rejected, UNLOCATED)
-        points = np.unique(result.given.observations.point[mine])
+        points = np.unique(o.point[lost])
         names = [result.given.points.ids[p] for p in points]
         found.append(
             Notice(
@@ -150,9 +150,9 @@ def _rejected(result: Adjustment) -> list[Notice]:
                 ids=tuple(names[:100]),
             )
         )
+    behind = rows(RejectionKind.BEHIND_CAMERA)
     if behind:
-        rows = [i for i, r in enumerate(result.image_observations.rejected) if r == "behind the camera"]
-        pairs = _pairs(result, rows)
+        pairs = _pairs(result, behind)
         shown = ", ".join(f"point {p} in image {i}" for i, p in pairs[:5])
         found.append(
             Notice(
@@ -161,9 +161,9 @@ def _rejected(result: Adjustment) -> list[Notice]:
                 ids=tuple(p for _, p in pairs),
             )
         )
-    if kinds.get(DIVERGING, 0):
-        rows = [i for i, r in enumerate(result.image_observations.rejected) if r == DIVERGING]
-        names = list(dict.fromkeys(p for _, p in _pairs(result, rows)))
+    diverging = rows(RejectionKind.RAYS_DIVERGE)
+    if diverging:
+        names = sorted({p for _, p in _pairs(result, diverging)})
         found.append(
             Notice(
                 code="rays_diverge",

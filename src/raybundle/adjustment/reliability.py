@@ -8,6 +8,7 @@ from raybundle.adjustment.assemble import State, System
 from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.precision import Cofactors
 from raybundle.adjustment.result import ObservationGroup, ObservationStatistics
+from raybundle.block.rejection import Rejections
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.statistics import DELTA0
 
@@ -16,7 +17,7 @@ UNCONTROLLED = 1e-9
 
 
 def image_statistics(
-    system: System, whitened: Array, found: Cofactors | None, sigma0: float, rejected: tuple[str, ...]
+    system: System, whitened: Array, found: Cofactors | None, sigma0: float, rejected: Rejections
 ) -> ObservationStatistics:
     """Residuals, redundancy numbers, w, t and smallest detectable blunders of the image observations.
 
@@ -40,12 +41,14 @@ def image_statistics(
         empty = np.full((count, 2), np.nan)
         return ObservationStatistics(
             residuals_px=spread(residual), redundancy=empty, w=empty, t=empty, mdb_px=empty, external=empty,
-            rejected=rejected,
+            least_control=empty[:, 0], rejected=rejected,
         )  # fmt: skip
     H = np.zeros_like(W)
     H[:, 0, 0], H[:, 1, 1] = found.hat[:, 0], found.hat[:, 1]
     H[:, 0, 1] = H[:, 1, 0] = found.hat[:, 2]
     R = np.eye(2) - H
+    least = np.full(count, np.nan)
+    least[system.rows] = (R[:, 0, 0] + R[:, 1, 1]) / 2 - np.hypot((R[:, 0, 0] - R[:, 1, 1]) / 2, R[:, 0, 1])
     redundancy = np.diagonal(L @ R @ W, axis1=1, axis2=2).copy()
     test = np.diagonal(np.swapaxes(W, 1, 2) @ R @ W, axis1=1, axis2=2)
     weighted = np.einsum("nji,nj->ni", W, whitened)
@@ -64,6 +67,7 @@ def image_statistics(
         t=spread(w / sigma0),
         mdb_px=spread(mdb_mm / np.abs(system.pixel_mm)),
         external=spread(effect),
+        least_control=least,
         rejected=rejected,
     )
 
@@ -84,7 +88,7 @@ def _group(
     return ObservationGroup(
         kind=kind, ids=tuple(ids), component=tuple(component), given=given, sigma=sigma, adjusted=adjusted,
         adjusted_std=scale * np.sqrt(np.maximum(cofactor, 0)), residual=residual, redundancy=redundancy,
-        w=w, t=w / sigma0, mdb=np.where(controlled, DELTA0 * safe / root, np.nan), rejected=("",) * len(ids),
+        w=w, t=w / sigma0, mdb=np.where(controlled, DELTA0 * safe / root, np.nan),
     )  # fmt: skip
 
 

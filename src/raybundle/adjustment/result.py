@@ -7,12 +7,14 @@ tables of the block.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
 from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.severity import SEVERITY, Severity
 from raybundle.block import Block
+from raybundle.block.rejection import Rejections
 from raybundle.numerics.arrays import Array, Index, Mask
 
 
@@ -27,11 +29,19 @@ class Notice:
     ids: tuple[str, ...] = ()
     reason: str = ""
     """Of one object: why, in words that stand after its name in a list."""
+    measured: Severity | None = None
+    """How grave it is, where that hangs on the numbers; None: as grave as its code."""
+
+    @property
+    def severity(self) -> Severity:
+        """fault, caution or remark."""
+        return self.measured or SEVERITY.get(self.code, Severity.CAUTION)
 
 
-def kind_of(reason: str) -> str:
-    """The kind of a rejection: what stands before the colon and its figures."""
-    return reason.partition(":")[0]
+def gravest_first(notices: Iterable[Notice]) -> list[Notice]:
+    """The notices in order of their severity, those of one in the order in which they were made."""
+    order = list(Severity)
+    return sorted(notices, key=lambda n: order.index(n.severity))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -50,15 +60,20 @@ class ObservationStatistics:
     """(m, 2) smallest detectable blunder, alpha 0.001, power 0.80; NaN where r < 1e-9."""
     external: Array
     """(m, 2) largest effect of that blunder on its object point's coordinates, length unit of the block."""
-    rejected: tuple[str, ...]
-    """(m,) empty, or the reason; the adjustment took no notice of a rejected row."""
+    least_control: Array
+    """(m,) smaller eigenvalue of the point's 2 x 2 block of Qvv P, 0 .. 1; the larger one is rx + ry less this.
+
+    Where x and y of an observation are correlated, its redundancy numbers may lie outside 0 .. 1, but not these.
+    """
+    rejected: Rejections
+    """(m,) None, or the reason; the adjustment took no notice of a rejected row."""
 
     @property
     def used(self) -> Mask:
         """(m,) rows that took part."""
         import numpy as np  # noqa: PLC0415
 
-        return np.array([not r for r in self.rejected], dtype=bool)
+        return np.array([r is None for r in self.rejected], dtype=bool)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -81,7 +96,6 @@ class ObservationGroup:
     w: Array
     t: Array
     mdb: Array
-    rejected: tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

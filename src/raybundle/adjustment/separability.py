@@ -13,8 +13,6 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block, Camera, Role
 from raybundle.numerics.arrays import Array, Index, Mask
 
-UNLOCATED = "blunder in one of the point's rays"
-"""Reason of all rays of a point whose wrong one cannot be told from the others."""
 FEWEST = 3
 """Rays that a point must keep: with two of them nothing contradicts a wrong one across their common plane."""
 SURE = 2.33

@@ -48,7 +48,7 @@ def residual_structure(result: Adjustment) -> ResidualStructure | None:
     """
     o, block = result.given.observations, result.given
     s = result.image_observations
-    used = np.array([not r for r in s.rejected])
+    used = s.used
     safe = np.sqrt(np.maximum(s.redundancy, 0.05))
     z = s.residuals_px / np.sqrt(o.cov_px2[:, :2]) / safe
     used &= np.isfinite(z).all(axis=1)
@@ -112,7 +112,7 @@ def repeated_residuals(result: Adjustment, camera: int) -> RepeatedResiduals | N
     and object coordinates absorb.
     """
     o, block, s = result.given.observations, result.given, result.image_observations
-    rows = np.flatnonzero((block.images.camera[o.image] == camera) & np.array([not r for r in s.rejected], bool))
+    rows = np.flatnonzero((block.images.camera[o.image] == camera) & s.used)
     safe = np.sqrt(np.maximum(s.redundancy[rows], 0.05))
     v = s.residuals_px[rows] / safe
     sigma = np.sqrt(o.cov_px2[rows, :2])

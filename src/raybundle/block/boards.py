@@ -11,6 +11,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from raybundle.block.block import Block, Camera, Images, LengthUnit, Observations, Points, Role
+from raybundle.block.rejection import Rejection, RejectionKind, Rejections
 from raybundle.errors import InputError, NotSolvable
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rotation import nearest_rotation
@@ -78,7 +79,7 @@ def board_block(
     raster_sigma: tuple[float, float] | None = None,
     sigma_px: float = 1.0,
     length_unit: LengthUnit = "m",
-) -> tuple[Block, tuple[str, ...], BoardStart]:
+) -> tuple[Block, Rejections, BoardStart]:
     """A block of board views with a start for everything, the reasons (m,) of given outliers, and how it was started.
 
     camera        c = 0 in its values: camera constant and bend of the lens are searched, nothing is guessed
@@ -121,7 +122,8 @@ def board_block(
             role=np.full(len(xyz), Role.TIE if raster_sigma is None else Role.CONTROL, np.int32),
         ),
     )  # fmt: skip
-    return block, tuple("" if g else "given as an outlier" for g in good), start
+    out = Rejection(kind=RejectionKind.GIVEN, detail="given as an outlier")
+    return block, tuple(None if g else out for g in good), start
 
 
 def weighted_rms(residuals_px: Array, cov_px2: Array, used: Mask) -> float:

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from raybundle.targets.marks import Target
     from raybundle.workflows.calibrate import Calibration
 
-MOST_PARAMETERS, SHOWN = 16, 15
+MOST_PARAMETERS = 16
 """Parameters and warnings that are printed."""
 
 
@@ -190,6 +190,8 @@ def _as_table(q: CalibrationQuality) -> dict[str, Any]:
 
 def lines(done: Calibration) -> list[str]:
     """What the command prints."""
+    from raybundle.cli.summary import notice_lines  # noqa: PLC0415
+
     read = sum(int(m.named.sum()) for sets in done.marks for m in sets)
     extra = f", {done.completed} without a readable code found by prediction" if done.completed else ""
     extra += f", {done.dots} dots without a code" if done.dots else ""
@@ -213,10 +215,7 @@ def lines(done: Calibration) -> list[str]:
             for p in list(interior.parameters.values())[:MOST_PARAMETERS] if p.std or p.value
         ))  # fmt: skip
         told.append(f"  in pixels: {in_pixels(camera, interior, sure=sure)}")
-    told += [f"warning: {n.message}" for n in done.adjustment.notices[:SHOWN]]
-    if len(done.adjustment.notices) > SHOWN:
-        told.append(f"and {counted(len(done.adjustment.notices) - SHOWN, 'more warning')}, see result.json")
-    return told
+    return told + notice_lines(done.adjustment.notices)
 
 
 def in_pixels(camera: Camera, interior: InteriorResult, *, sure: bool) -> str:

@@ -96,6 +96,7 @@ def project(scene: Path, points: Path, out: Path, model: str, *, to_ground: bool
       raybundle rpc project 13MAY08000330.XML ground.csv --out image.csv
       raybundle rpc project 13MAY08000330.XML image.csv --to-ground --out ground.csv
     """  # noqa: D301
+    from raybundle.io.folders import new_files  # noqa: PLC0415
     from raybundle.io.scenes import read_scene  # noqa: PLC0415
     from raybundle.io.tables import write_table  # noqa: PLC0415
     from raybundle.scenes.rpc import NO_PLACE  # noqa: PLC0415
@@ -118,7 +119,8 @@ def project(scene: Path, points: Path, out: Path, model: str, *, to_ground: bool
     both = dict(zip(columns, (*image.T, *ground.T), strict=True))
     if to_ground:
         both["h_m"] = rows[:, 2]
-    write_table(out, {"point": ids, **both, **({"note": notes} if any(notes) else {})})
+    with new_files(out) as (file,):
+        write_table(file, {"point": ids, **both, **({"note": notes} if any(notes) else {})})
     if beyond := [k for k, note in enumerate(notes) if note and why[k] is None]:
         told = f"{counted(len(beyond), 'point')} outside the range for which the RPC was made"
         click.echo(f" note: {told}: {_named(ids, notes, beyond)}")

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
-from raybundle.adjustment.result import Adjustment
+from raybundle.adjustment.result import Adjustment, Notice, gravest_first
 from raybundle.block import Block
 from raybundle.cli.common import counted, grouped, significant
 from raybundle.numerics.arrays import Array
 from raybundle.report.result_folder import check_differences
 
 SHOWN = 15
-"""Warnings that are printed."""
+"""Notices that are printed."""
 
 
 def summary_lines(adjustment: Adjustment) -> list[str]:
@@ -31,10 +32,16 @@ def summary_lines(adjustment: Adjustment) -> list[str]:
     ]
     lines += _precision(a)
     lines += _check_points(a)
-    lines += [f"warning: {n.message}" for n in a.notices[:SHOWN]]
-    if len(a.notices) > SHOWN:
-        lines.append(f"and {counted(len(a.notices) - SHOWN, 'more warning')}, see result.json")
+    lines += notice_lines(a.notices)
     return [f" {line}" for line in lines]
+
+
+def notice_lines(notices: Sequence[Notice]) -> list[str]:
+    """Notices with their severity, the gravest first; how many are not shown."""
+    lines = [f"{n.severity.value}: {n.message}" for n in gravest_first(notices)[:SHOWN]]
+    if len(notices) > SHOWN:
+        lines.append(f"and {counted(len(notices) - SHOWN, 'more notice')}, see result.json")
+    return lines
 
 
 def _sigma0(a: Adjustment) -> str:

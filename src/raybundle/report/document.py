@@ -12,6 +12,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from raybundle.adjustment.calibration_quality import CalibrationQuality
 from raybundle.adjustment.result import Adjustment
+from raybundle.io.folders import new_files
 from raybundle.numerics.progress import Progress, silent
 from raybundle.report.parts import Section
 from raybundle.report.section_calibration import GRADES, calibration_section, headline, worst
@@ -110,5 +111,6 @@ def write_report(
         grade=told.grade if not qualities else GRADES[worst(qualities).grade],
         sections=tuple(sections),
     )
-    Path(path).write_text(html, encoding="utf-8")
+    with new_files(Path(path)) as (file,):
+        file.write_text(html, encoding="utf-8")
     progress("report", 1.0)

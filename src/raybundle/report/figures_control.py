@@ -66,7 +66,7 @@ def _one(
     ]
     mine = rows[o.image[rows] == image]
     x, y = x0 + o.xy_px[mine, 0] * scale, y0 + o.xy_px[mine, 1] * scale
-    rejected = np.array([bool(view.adjustment.image_observations.rejected[m]) for m in mine.tolist()])
+    rejected = ~view.used[mine]
     v = np.clip(np.nan_to_num(residual[mine]) * per_px, -0.5 * WIDTH, 0.5 * WIDTH)
     parts.append(vectors(x, y, v[:, 0], v[:, 1], "vector"))
     for k, m in enumerate(mine.tolist()):

@@ -14,6 +14,7 @@ from markupsafe import Markup
 
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Role
+from raybundle.io.folders import new_files
 from raybundle.numerics.arrays import Array, Index
 from raybundle.report.document import environment
 from raybundle.report.figures_network import frusta
@@ -49,7 +50,8 @@ def write_network_page(adjustment: Adjustment, path: str | Path) -> None:
             program=Markup(_program()),  # noqa: S704  (our own script, built from web/network)
         )
     )
-    Path(path).write_text(html, encoding="utf-8")
+    with new_files(Path(path)) as (file,):
+        file.write_text(html, encoding="utf-8")
 
 
 def _program() -> str:

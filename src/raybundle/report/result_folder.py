@@ -12,8 +12,9 @@ from typing import TYPE_CHECKING, Any, Literal, cast
 import numpy as np
 
 from raybundle.adjustment.accuracy import levelled
-from raybundle.adjustment.result import Adjustment, InteriorResult, ObservationGroup
+from raybundle.adjustment.result import Adjustment, InteriorResult, ObservationGroup, gravest_first
 from raybundle.block import Block, Camera, Role
+from raybundle.block.rejection import counts, words
 from raybundle.block.stored import observed_jointly
 from raybundle.errors import InputError
 from raybundle.io.block_folder import (
@@ -240,6 +241,7 @@ def result_json(adjustment: Adjustment) -> dict[str, Any]:
         "points_count": len(a.given.points),
         "image_points": len(a.given.observations),
         "rejected": sum(1 for r in a.image_observations.rejected if r),
+        "rejections": counts(a.image_observations.rejected),
         "relative_precision": math.nan if a.network is None else a.network.relative_precision,
         "critical_w": a.critical_w,
         "critical_tau": a.critical_tau,
@@ -249,7 +251,10 @@ def result_json(adjustment: Adjustment) -> dict[str, Any]:
         "correlations": {_key(i): _correlations(i) for i in a.interior if len(i.free)},
         "variance_components": [asdict(v) for v in a.variance_components],
         "options": asdict(a.options),
-        "warnings": [{"code": n.code, "message": n.message, "ids": list(n.ids)} for n in a.notices],
+        "warnings": [
+            {"code": n.code, "severity": n.severity.value, "message": n.message, "ids": list(n.ids)}
+            for n in gravest_first(a.notices)
+        ],
     }
 
 
@@ -382,7 +387,7 @@ def _observations(a: Adjustment) -> Columns:
         **columns_of(("wx", "wy"), s.w),
         **columns_of(("tx", "ty"), s.t),
         **columns_of(("mdbx_px", "mdby_px"), s.mdb_px),
-        "rejected": s.rejected,
+        "rejected": words(s.rejected),
     }
 
 

@@ -185,8 +185,8 @@ def _rows_of(g: ObservationGroup, rows: Array) -> ObservationGroup:
         name: getattr(g, name)[rows]
         for name in ("given", "sigma", "adjusted", "adjusted_std", "residual", "redundancy", "w", "t", "mdb")
     }
-    ids, component, rejected = (tuple(pick(rows, v)) for v in (g.ids, g.component, g.rejected))
-    return ObservationGroup(kind=g.kind, ids=ids, component=component, rejected=rejected, **arrays)
+    ids, component = (tuple(pick(rows, v)) for v in (g.ids, g.component))
+    return ObservationGroup(kind=g.kind, ids=ids, component=component, **arrays)
 
 
 def _held_table(view: View, g: ObservationGroup) -> Table:
@@ -224,7 +224,7 @@ def _group_table(view: View, g: ObservationGroup, what: str, rest: str, factor: 
         (
             text(what), text(""), *unit_column, number("given", length), number("sigma", unit),
             number("adjusted", length), number("sigma", unit), number("residual", unit), number("r"), number("w"),
-            number("τ"), number("mdb", unit), *([text("")] if any(g.rejected) else []),
+            number("τ"), number("mdb", unit),
         ),
         (
             g.ids, g.component, *unit_cells, given,
@@ -232,7 +232,7 @@ def _group_table(view: View, g: ObservationGroup, what: str, rest: str, factor: 
             [NONE if s == 0 else t for s, t in zip(g.sigma, std, strict=True)],
             [NONE if s == 0 else t for s, t in zip(g.sigma, v, strict=True)],
             [NONE if s == 0 else t for s, t in zip(g.sigma, cells(g.redundancy.tolist(), 3), strict=True)],
-            cells(g.w.tolist(), 2), cells(g.t.tolist(), 2), mdb, *([g.rejected] if any(g.rejected) else []),
+            cells(g.w.tolist(), 2), cells(g.t.tolist(), 2), mdb,
         ),
         note="Residual: adjusted minus given; mdb: smallest detectable blunder." + (" Marked: |w| beyond its "
         "family-wise critical value." if beyond else ""),

@@ -29,6 +29,8 @@ from raybundle.report.view import View
 LARGEST, WEAKEST, MOST_REJECTED = 25, 15, 500
 UNTESTED = 0.01
 """Redundancy number below which no blunder of a practical size is found."""
+BELOW = -1e-6
+"""Redundancy number below which it lies outside 0 .. 1, and not by rounding alone."""
 POORLY = 0.1
 """Redundancy number below which an observation is hardly controlled by the others."""
 
@@ -51,7 +53,8 @@ def _words(view: View) -> str:
     r = r[np.isfinite(r)]
     if not len(r):
         return "No image observation has a redundancy number."
-    poor = int((r < POORLY).sum())
+    share = controlled_share(view)[view.used]
+    poor = int((share < POORLY).sum())
     text_ = (
         "The redundancy number r is the share of an observation's error that shows in its own residual. Its mean "
         f"over the image coordinates is {fixed(float(r.mean()), 3)}, its smallest {fixed(float(r.min()), 3)}."
@@ -61,7 +64,40 @@ def _words(view: View) -> str:
             f" {counted(poor, 'image coordinate')} ({per_cent(poor / len(r))}) with r below {POORLY:g}: a blunder "
             "there would go almost whole into the result."
         )
-    return text_
+    return text_ + _below_zero(view)
+
+
+def _below_zero(view: View) -> str:
+    """What redundancy numbers below zero mean, where there are any; empty where there are none."""
+    s = view.adjustment.image_observations
+    r = np.nan_to_num(s.redundancy)
+    rows = (r < BELOW).any(axis=1)
+    if not rows.any():
+        return ""
+    least = s.least_control[rows]
+    largest = r[rows].sum(axis=1) - least
+    count = int((r < BELOW).sum())
+    return (
+        f" {counted(count, 'redundancy number')} ({per_cent(count / (2 * int(view.used.sum())))}) "
+        f"{'lie' if count > 1 else 'lies'} below zero, down to {fixed(float(r.min()), 3)}. That is no error: x and y "
+        "of these observations are correlated, and r is then no share of one coordinate's error alone. The eigenvalues "
+        "of such a point's 2 × 2 block, whose sum is r x + r y, lie within 0 … 1: the smaller ones here from "
+        f"{fixed(float(least.min()), 3)} to {fixed(float(least.max()), 3)}, the larger ones from "
+        f"{fixed(float(largest.min()), 3)} to {fixed(float(largest.max()), 3)}. Tests and smallest detectable blunders "
+        "rest on the variance of P v, which is positive."
+    )
+
+
+def controlled_share(view: View) -> Array:
+    """(m, 2) variance of P v over that of P l: what a test rests on; r where x and y are uncorrelated.
+
+    From the smallest detectable blunder, delta0 / sqrt(P Qvv P); 0 where there is no test, NaN where rejected.
+    """
+    s = view.adjustment.image_observations
+    sxx, syy, sxy = view.given.observations.cov_px2.T
+    weight = np.stack([syy, sxx], axis=1) / (sxx * syy - sxy**2)[:, None]
+    share = np.where(np.isfinite(s.mdb_px), (DELTA0 / s.mdb_px) ** 2 / weight, 0.0)
+    return np.where(np.isfinite(s.redundancy), share, np.nan)
 
 
 def _figures(view: View) -> list[Part]:
@@ -104,7 +140,7 @@ def _names(view: View, rows: Index) -> tuple[list[str], list[str]]:
 def _detectable(view: View) -> list[Part]:
     """Smallest detectable blunders and what they would do to the object points."""
     s = view.adjustment.image_observations
-    controlled = view.used[:, None] & (np.nan_to_num(s.redundancy) >= UNTESTED)
+    controlled = view.used[:, None] & (np.nan_to_num(controlled_share(view)) >= UNTESTED)
     mdb = np.where(controlled, s.mdb_px, np.nan)
     if not np.isfinite(mdb).any():
         return [Paragraph(text="No image observation is controlled: no blunder can be found.")]
@@ -202,7 +238,13 @@ def _rejected(view: View) -> list[Part]:
     xy, reasons = view.given.observations.xy_px[rows], view.adjustment.image_observations.rejected
     listed = table(
         (text("image"), text("point"), number("x", "px"), number("y", "px"), text("reason")),
-        (images, points, cells(xy[:, 0].tolist(), 2), cells(xy[:, 1].tolist(), 2), [reasons[int(k)] for k in rows]),
+        (
+            images,
+            points,
+            cells(xy[:, 0].tolist(), 2),
+            cells(xy[:, 1].tolist(), 2),
+            [str(reasons[int(k)]) for k in rows],
+        ),
         most=MOST_REJECTED,
         rest="observations.csv",
     )

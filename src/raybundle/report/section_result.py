@@ -6,26 +6,28 @@ import math
 
 import numpy as np
 
-from raybundle.adjustment.result import Adjustment
+from raybundle.adjustment.result import Adjustment, gravest_first
+from raybundle.adjustment.severity import Severity
 from raybundle.report.numbers import NONE, counted, fixed, grouped, listed, significant
 from raybundle.report.parts import Column, Fact, Facts, Heading, Paragraph, Part, Section, Statements, table, text
 from raybundle.report.view import View, rms
-from raybundle.report.words import Verdict, datum_words, free_std, important, not_told, open_datum, photographic
+from raybundle.report.words import Verdict, datum_words, free_std, not_told, open_datum, photographic
 
 
 def result_section(view: View, verdict: Verdict) -> Section:
     """What a client reads."""
     parts: list[Part] = [Facts(facts=_key_figures(view)), Statements(statements=verdict.statements)]
-    notices = sorted(view.adjustment.notices, key=lambda n: not important(n))
+    notices = gravest_first(view.adjustment.notices)
     if notices:
-        rows = [
-            ["decide" if important(n) else "note" for n in notices],
-            [n.message for n in notices],
-        ]
+        rows = [[n.severity.value for n in notices], [n.message for n in notices]]
         parts.append(Heading(text="Warnings and remedies"))
-        marked = [k for k, n in enumerate(notices) if important(n)]
+        marked = [k for k, n in enumerate(notices) if n.severity is Severity.FAULT]
         columns = (text(""), text("what, how much, and what to do"))
-        parts.append(table(columns, rows, most=200, rest="result.json", marked=marked))
+        note = (
+            "Fault: settle it before the result is used. Caution: part of the result is weaker, or less, than it might "
+        )
+        note += "be taken for. Remark: what was done or chosen."
+        parts.append(table(columns, rows, most=200, rest="result.json", marked=marked, note=note))
     parts.append(Heading(text="What these numbers do not tell"))
     parts.append(Statements(statements=not_told(view)))
     return Section(anchor="result", title="Result", parts=tuple(parts))

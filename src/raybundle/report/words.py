@@ -9,19 +9,13 @@ from typing import Literal
 import numpy as np
 
 from raybundle.adjustment.reliability import UNCONTROLLED
-from raybundle.adjustment.result import Notice, ObservationGroup
+from raybundle.adjustment.result import ObservationGroup
+from raybundle.adjustment.severity import POOR_FIT, Severity
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.report.numbers import counted, grouped, listed, significant, unit_text
 from raybundle.report.view import View, rms
 
 Grade = Literal["good", "remarks", "attention"]
-IMPORTANT = frozenset({
-    "redundancy_sum", "no_redundancy", "not_determinable", "control_rejected", "behind_camera", "snooping_unfinished",
-    "control_suspect", "distance_suspect", "station_suspect", "parameter_suspect",
-})  # fmt: skip
-"""Notices that call for a decision before the result is used."""
-POOR_FIT = 3.0
-"""sigma0 beyond which the a-priori standard deviations alone do not explain the residuals."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -66,10 +60,11 @@ def photographic(view: View) -> bool:
 
 def _grade(view: View) -> Grade:
     a = view.adjustment
-    codes = {n.code for n in a.notices}
-    if a.precision is None or codes & IMPORTANT or not math.isfinite(a.sigma0) or a.sigma0 > POOR_FIT:
+    worst = {n.severity for n in a.notices}
+    if a.precision is None or Severity.FAULT in worst or not math.isfinite(a.sigma0) or a.sigma0 > POOR_FIT:
         return "attention"
-    return "remarks" if a.notices or not len(view.check_rows) else "good"
+    compared = bool(np.isfinite(view.check_difference).any())
+    return "good" if compared and Severity.CAUTION not in worst else "remarks"
 
 
 def _headline(view: View, grade: Grade) -> str:
@@ -108,7 +103,7 @@ def _state(view: View, grade: Grade) -> str:
     a = view.adjustment
     if a.redundancy == 0:
         return "Nothing checks it: there are no more observations than unknowns."
-    serious = sum(1 for n in a.notices if n.code in IMPORTANT)
+    serious = sum(1 for n in a.notices if n.severity is Severity.FAULT)
     if a.sigma0 > POOR_FIT:
         return (
             f"But the observations contradict each other {significant(a.sigma0, 2)} times more than stated: find out "
@@ -337,11 +332,6 @@ def _cameras(view: View) -> str:
     if not a.not_determinable and a.precision is not None:
         parts.append("all of them determinable")
     return f"{'; '.join(parts)}."
-
-
-def important(notice: Notice) -> bool:
-    """Whether a notice calls for a decision before the result is used."""
-    return notice.code in IMPORTANT
 
 
 INDEPENDENT_ERRORS = """\

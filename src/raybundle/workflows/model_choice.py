@@ -12,6 +12,7 @@ from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.structure import repeated_residuals
 from raybundle.block import Block, Camera
 from raybundle.block.boards import fitted_to_rays
+from raybundle.block.rejection import Rejections
 from raybundle.errors import RaybundleError
 from raybundle.sensors import sensor_models
 from raybundle.workflows.target_block import reweighted, with_values
@@ -109,7 +110,7 @@ def with_model(block: Block, k: int, name: str) -> Block | None:
     return replace(block, cameras=(*block.cameras[:k], fitted, *block.cameras[k + 1 :]))
 
 
-def _tried(block: Block, settings: AdjustmentOptions, rejected: tuple[str, ...]) -> Adjustment | None:
+def _tried(block: Block, settings: AdjustmentOptions, rejected: Rejections) -> Adjustment | None:
     free = {
         c.id: tuple(p.symbol for p in sensor_models[c.model].parameters if p.kind != "other") for c in block.cameras
     }

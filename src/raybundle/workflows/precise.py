@@ -17,6 +17,7 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.predict import residuals_px
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block, Camera, Observations
+from raybundle.block.rejection import Rejection, RejectionKind
 from raybundle.block.select import with_rows, without_images
 from raybundle.errors import NotSolvable
 from raybundle.matching.refine import NEIGHBOURS_FROM, Candidates, TrackPoints, match_candidates, refine_tracks
@@ -268,7 +269,8 @@ def _settle(work: _Work, options: AdjustmentOptions, first: float) -> Adjustment
             continue
         if not (~work.rejected).any():
             return None
-        reasons = tuple("residual" if r else "" for r in work.rejected)
+        out = Rejection(kind=RejectionKind.RESIDUAL)
+        reasons = tuple(out if r else None for r in work.rejected)
         try:
             result = adjust_block(cleaned.block, options, free=free, rejected=reasons)
         except NotSolvable as error:
@@ -446,7 +448,7 @@ def estimate_weights(
     """
     other = np.zeros(len(reference), bool) if feature is None else feature
     s = result.image_observations
-    used = np.array([not x for x in s.rejected])
+    used = s.used
     v2 = (s.residuals_px**2).sum(axis=1)
     r = np.nan_to_num(s.redundancy.sum(axis=1))
     mean = (grey[:, 0] + grey[:, 1]) / 2

@@ -142,6 +142,6 @@ def _rows(o: Observations, rows: Index) -> Observations:
 def image_sigma_px(result: Adjustment) -> float:
     """Standard deviation of an image coordinate of mean weight: sigma0 x root mean square of the a-priori ones."""
     s = result.image_observations
-    used = np.array([not x for x in s.rejected])
+    used = s.used
     cov = result.given.observations.cov_px2[used]
     return float(result.sigma0 * np.sqrt(cov[:, :2].mean()))

@@ -7,10 +7,10 @@ import zlib
 
 import numpy as np
 import pytest
-from heic_samples import heic
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from PIL import Image
+from tests.io.photos.heic_samples import heic
 
 from raybundle.errors import InputError
 from raybundle.io.photos.photo import (

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import uuid
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -24,6 +22,7 @@ from raybundle.io.conversions import (
     forward_fit,
     measured_fit,
 )
+from raybundle.io.folders import make_parent, new_files
 from raybundle.io.forward_camera import TERMS, ForwardCamera, Projection
 from raybundle.io.reading.files import guarded, read_bytes
 from raybundle.numerics.arrays import Array
@@ -358,13 +357,6 @@ def write_calibrations(
 
 def write_whole(path: Path, text: str) -> None:
     """Write a text file that is there whole or not at all; raises InputError where that cannot be."""
-    temporary = path.parent / f".{path.name}.{uuid.uuid4().hex[:8]}.partial"
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        temporary.write_text(text, encoding="utf-8", newline="\n")
-        os.replace(temporary, path)  # noqa: PTH105  (Path.replace would do the same)
-    except OSError as error:
-        temporary.unlink(missing_ok=True)
-        raise InputError(
-            f"cannot be written: {error.strerror}; free space or choose another folder", file=path
-        ) from None
+    make_parent(path)
+    with new_files(path) as (file,):
+        file.write_text(text, encoding="utf-8", newline="\n")

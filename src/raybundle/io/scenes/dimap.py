@@ -14,7 +14,7 @@ from raybundle.io.reading.xml import Element, read_xml
 from raybundle.io.scenes.base import HEAD_BYTES, Scene, SceneFormat, check_denominators, element_text, register
 from raybundle.io.scenes.dimap_orbit import line_scene
 from raybundle.numerics.arrays import Array
-from raybundle.scenes.rpc import rpc_of
+from raybundle.scenes.rpc import Rpc, rpc_of
 
 POLYNOMIALS = ("LINE_NUM_COEFF", "LINE_DEN_COEFF", "SAMP_NUM_COEFF", "SAMP_DEN_COEFF")
 
@@ -42,6 +42,11 @@ def read(path: Path) -> Scene:
         image_offset=np.array([validity.number("SAMP_OFF"), validity.number("LINE_OFF")]) - first + 0.5,
         image_scale=np.array([validity.number("SAMP_SCALE"), validity.number("LINE_SCALE")]),
     )
+    return _rpc_scene(path, root, rpc, size)
+
+
+def _rpc_scene(path: Path, root: Element, rpc: Rpc, size: tuple[int | None, int | None]) -> Scene:
+    """The scene of an RPC, whichever of the two formats told it; raises InputError where its denominators vanish."""
     check_denominators(rpc, path)
     return Scene(
         file=path,
@@ -76,16 +81,7 @@ def _phr(path: Path) -> Scene:
         image_offset=np.array(pick("B", "Col", "Row")) - first + 0.5,
         image_scale=pick("A", "Col", "Row"),
     )
-    check_denominators(rpc, path)
-    return Scene(
-        file=path,
-        format="dimap",
-        rpc=rpc,
-        width_px=size[0],
-        height_px=size[1],
-        sensor=element_text(root, "Metadata_Identification", "METADATA_PROFILE"),
-        remarks=(NO_PRIOR,),
-    )
+    return _rpc_scene(path, root, rpc, size)
 
 
 NO_PRIOR = "DIMAP states how well its RPC fits the orbit, not how well the orbit is known: no prior for the bias"

@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.errors import InputError
+from raybundle.io.folders import new_files
 from raybundle.io.reading.files import read_bytes
 from raybundle.io.reading.words import fortran_of, quoted, whole_of
 from raybundle.io.scenes.base import Scene, SceneFormat, check_denominators, register
@@ -194,10 +195,8 @@ def write_rpb(rpc: Rpc, path: Path) -> None:
 
 
 def _write(path: Path, lines: list[str]) -> None:
-    try:
-        path.write_text("\n".join(lines) + "\n", encoding="ascii")
-    except OSError as error:
-        raise InputError(f"cannot be written: {error.strerror}; choose another place", file=path) from None
+    with new_files(path) as (file,):
+        file.write_text("\n".join(lines) + "\n", encoding="ascii")
 
 
 def write_rpc_text(rpc: Rpc, path: Path) -> None:

@@ -1,0 +1,46 @@
+"""How grave a notice is: one table of codes, by which reports and command lines order, mark and grade."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from enum import StrEnum
+
+
+class Severity(StrEnum):
+    """What a notice asks of its reader, the gravest first."""
+
+    FAULT = "fault"
+    """The result, or its standard deviations, are wrong in some part until someone decides."""
+    CAUTION = "caution"
+    """The result stands; part of it is weaker, or less, than it might be taken for."""
+    REMARK = "remark"
+    """What was done or chosen."""
+
+
+_CODES = {
+    Severity.FAULT: (
+        "redundancy_sum no_redundancy not_determinable control_rejected behind_camera snooping_unfinished "
+        "control_suspect distance_suspect station_suspect attitude_suspect parameter_suspect relation_suspect "
+        "group_less_precise weak_convergence attitudes_contradict"
+    ),
+    Severity.CAUTION: (
+        "attitude_wrong attitudes_convergence attitudes_mount attitudes_nominal attitudes_steep "
+        "approximate_values_replaced blunder_not_located board_alike camera camera_constant check_unseen "
+        "control_file control_not_observed control_sigma control_without_photograph coordinate_system correlation "
+        "global_test gps_too_near held_not_determinable identical_images image_left_out levelled mark_rejected "
+        "marked_once no_targets one_ray_control parallel_rays parts_apart points_left_out rays_diverge "
+        "relative_control residual_structure scene_datum scene_prior shear small_angle start_behind start_parallel two_cameras "
+        "unstable_camera up_ambiguous up_uncertain"
+    ),
+    Severity.REMARK: (
+        "attitudes gps model not_significant parts_joined photographs rejected scene_joins target_radius"
+    ),
+}
+
+SEVERITY: Mapping[str, Severity] = {code: s for s, codes in _CODES.items() for code in codes.split()}
+"""Severity of each code; `Notice.severity` may state another where it hangs on the numbers."""
+
+POOR_FIT = 3.0
+"""sigma0 beyond which the a-priori standard deviations alone do not explain the residuals: a fault.
+
+They are guesses of a factor of two, as a rule; what is three times as large says that something else is wrong."""

@@ -1,0 +1,78 @@
+"""Why an image observation takes no part: a kind and its figures; words are made of them where they are shown."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+from enum import StrEnum
+
+
+class RejectionKind(StrEnum):
+    """Kinds of rejections; the values are what programs read (`rejections` of result.json)."""
+
+    BLUNDER = "blunder"
+    BLUNDER_NOT_LOCATED = "blunder_not_located"
+    """One ray of the point is wrong, and which one cannot be told: all leave."""
+    BEHIND_CAMERA = "behind_camera"
+    RAYS_DIVERGE = "rays_diverge"
+    """The best place for its point is beyond infinity."""
+    SINGLE_RAY = "single_ray"
+    """The others of its point were rejected."""
+    RESIDUAL = "residual"
+    """By a robust estimate on the way to the adjustment."""
+    GIVEN = "given"
+    """By whoever made the observations, or by the caller."""
+
+
+WORDS = {
+    RejectionKind.BLUNDER: "blunder",
+    RejectionKind.BLUNDER_NOT_LOCATED: "blunder in one of the point's rays",
+    RejectionKind.BEHIND_CAMERA: "behind the camera",
+    RejectionKind.RAYS_DIVERGE: "rays diverge",
+    RejectionKind.SINGLE_RAY: "single ray left",
+    RejectionKind.RESIDUAL: "residual",
+    RejectionKind.GIVEN: "left out as given",
+}
+"""Each kind in the words of reports and tables."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Rejection:
+    """The reason for one image observation."""
+
+    kind: RejectionKind
+    tau: float = math.nan
+    """Test value that was found, without unit; NaN where none was tested."""
+    limit: float = math.nan
+    """Its critical value."""
+    axis: str = ""
+    """Image coordinate of the test value: x or y."""
+    detail: str = ""
+    """Of kind GIVEN: who left it out, in words that replace those of the kind."""
+
+    def __str__(self) -> str:
+        """The reason in words, as observations.csv and the report show it."""
+        words = self.detail or WORDS[self.kind]
+        if math.isnan(self.tau):
+            return words
+        ray = " of one ray" if self.kind is RejectionKind.BLUNDER_NOT_LOCATED else ""
+        return f"{words}: tau {self.tau:.1f} > {self.limit:.2f} in {self.axis}{ray}"
+
+
+Rejections = tuple[Rejection | None, ...]
+"""(m,) parallel to the image observations; None: it takes part."""
+
+
+def counts(rejections: Iterable[Rejection | None]) -> dict[RejectionKind, int]:
+    """Number of rejections of each kind, the most frequent first."""
+    found: dict[RejectionKind, int] = {}
+    for r in rejections:
+        if r is not None:
+            found[r.kind] = found.get(r.kind, 0) + 1
+    return dict(sorted(found.items(), key=lambda pair: -pair[1]))
+
+
+def words(rejections: Iterable[Rejection | None]) -> tuple[str, ...]:
+    """Empty, or the reason: the column `rejected` of observations.csv."""
+    return tuple("" if r is None else str(r) for r in rejections)

@@ -1,0 +1,159 @@
+"""Satellite scenes, airborne strips, trajectories."""
+
+import contextlib
+import functools
+import json
+from pathlib import Path
+
+import numpy as np
+
+from raybundle.errors import RaybundleError
+from tests.hostile.readers.registry import not_finite, only, place, target, texts
+
+
+@functools.cache
+def small_rpc():
+    from raybundle.scenes.rpc_fit import fit_rpc
+    from tests.scenes.conftest import make_scene
+
+    scene = make_scene()
+    return fit_rpc(scene.localise, (scene.width_px, scene.height_px), (-100.0, 900.0)).rpc
+
+
+def rpc_text_seeds(top: Path) -> None:
+    from raybundle.io.scenes.rpc_text import write_rpc_text
+
+    write_rpc_text(small_rpc(), place(top) / "a_RPC.TXT")
+
+
+def rpb_seeds(top: Path) -> None:
+    from tests.scenes.test_readers import rpb
+
+    for k, kind in enumerate(("RPC00B", "RPC00A")):
+        (place(top, k) / "a.RPB").write_text(rpb(small_rpc(), kind))
+
+
+def tiff_seeds(top: Path) -> None:
+    from tests.scenes.test_readers import tiff
+
+    (place(top, 0) / "a.tif").write_bytes(tiff(small_rpc()))
+    (place(top, 1) / "a.tif").write_bytes(tiff(small_rpc(), ">", big=True))
+
+
+def nitf_seeds(top: Path) -> None:
+    from tests.scenes.test_readers import nitf
+
+    (place(top) / "a.ntf").write_bytes(nitf(small_rpc()))
+
+
+def dimap_seeds(top: Path) -> None:
+    from tests.scenes.test_dimap_orbit import PLAN, orbit_scene, product
+    from tests.scenes.test_readers import dimap
+
+    (place(top, 0) / "RPC_a.XML").write_text(dimap(small_rpc()))
+    (place(top, 1) / "DIM_a.XML").write_text(product(orbit_scene(PLAN)))
+
+
+def spot_seeds(top: Path) -> None:
+    from tests.scenes.test_spot import document
+
+    (place(top) / "METADATA.DIM").write_text(document())
+
+
+def maxar_seeds(top: Path) -> None:
+    from tests.scenes.test_readers import KEYS, offsets
+
+    rpc = small_rpc()
+    off, scale = offsets(rpc)
+    pairs = "".join(f"<{k}OFFSET>{float(v)!r}</{k}OFFSET>" for k, v in zip(KEYS, off, strict=True))
+    pairs += "".join(f"<{k}SCALE>{float(v)!r}</{k}SCALE>" for k, v in zip(KEYS, scale, strict=True))
+    names = ("LINENUMCOEF", "LINEDENCOEF", "SAMPNUMCOEF", "SAMPDENCOEF")
+    rows = "".join(
+        f"<{n}List><{n}>{' '.join(repr(float(c)) for c in row)}</{n}></{n}List>"
+        for n, row in zip(names, rpc.coefficients, strict=True)
+    )
+    text = (
+        "<isd><IMD><NUMROWS>7000</NUMROWS><NUMCOLUMNS>8000</NUMCOLUMNS><IMAGE><SATID>X</SATID>"
+        "<FIRSTLINETIME>2020-01-01T00:00:00.000000Z</FIRSTLINETIME></IMAGE></IMD>"
+        f"<RPB><SPECID>RPC00B</SPECID><IMAGE><ERRBIAS>3.5</ERRBIAS><ERRRAND>0.2</ERRRAND>{pairs}{rows}</IMAGE></RPB></isd>"
+    )
+    (place(top) / "a.XML").write_text(text)
+
+
+def csm_seeds(top: Path) -> None:
+    n = 9
+    turned = [[0.0, 0.0, 0.0, 1.0]] * n
+    isd = {
+        "name_model": "USGS_ASTRO_LINE_SCANNER_SENSOR_MODEL", "name_sensor": "TEST", "center_ephemeris_time": 1000.0,
+        "starting_ephemeris_time": 999.2, "line_scan_rate": [[0.5, -0.85, 0.1]], "detector_sample_summing": 1,
+        "detector_line_summing": 1, "t0_ephemeris": -0.8, "dt_ephemeris": 0.2, "t0_quaternion": -0.8,
+        "dt_quaternion": 0.2, "focal2pixel_lines": [0.0, 10.0, 0.0], "focal2pixel_samples": [0.0, 0.0, 10.0],
+        "focal_length_model": {"focal_length": 50}, "image_lines": 16, "image_samples": 16,
+        "detector_center": {"line": 0.5, "sample": 8.0}, "interpolation_method": "lagrange",
+        "optical_distortion": {"radial": {"coefficients": [0.0, 0.0, 0.0]}},
+        "radii": {"semimajor": 1000.0, "semiminor": 1000.0, "unit": "km"},
+        "reference_height": {"maxheight": 1000, "minheight": -1000, "unit": "m"},
+        "instrument_position": {
+            "unit": "km", "positions": [[1050.0, 0.1 * k, 1.0 * k] for k in range(n)],
+            "velocities": [[0.0, 0.5, 5.0]] * n, "reference_frame": 1,
+        },
+        "instrument_pointing": {"quaternions": turned}, "body_rotation": {"quaternions": turned},
+        "starting_detector_line": 0, "starting_detector_sample": 0,
+        "sun_position": {"positions": [[0.1, 0.1, 0.0]], "velocities": [[0.0, 0.0, 0.0]], "unit": "km"},
+    }  # fmt: skip
+    (place(top) / "a.json").write_text(json.dumps(isd))
+
+
+def airborne_seeds(top: Path) -> None:
+    from tests.scenes.test_airborne import write_strip
+
+    folder = place(top)
+    write_strip(folder, "strip1", 30.0)
+    rows = (folder / "strip1.csv").read_text().splitlines()
+    (folder / "strip1.csv").write_text("\n".join([rows[0], *rows[1::40]]) + "\n")
+
+
+def read_a_scene(folder: Path) -> list[str]:
+    from raybundle.io.scenes import read_scene
+
+    scene = read_scene(only(folder, but=".csv"))
+    wrong: list[str] = []
+    if scene.rpc is not None:
+        names = ("coefficients", "ground_offset", "ground_scale", "image_offset", "image_scale")
+        wrong += not_finite(**{n: getattr(scene.rpc, n) for n in names})
+        if not (scene.rpc.ground_scale.all() and scene.rpc.image_scale.all()):
+            wrong.append("scale 0")
+    if scene.line is not None:
+        with contextlib.suppress(RaybundleError):
+            scene.line.project(np.array([[11.0, 48.0, 0.0]]))
+    return wrong
+
+
+for _name, _seeds in (
+    ("rpc-text", rpc_text_seeds), ("rpb", rpb_seeds), ("tiff", tiff_seeds), ("nitf", nitf_seeds),
+    ("dimap", dimap_seeds), ("spot", spot_seeds), ("maxar", maxar_seeds), ("csm", csm_seeds),
+    ("airborne", airborne_seeds),
+):  # fmt: skip
+    target(f"scene-{_name}", _seeds, read_a_scene)
+
+
+def trajectory_seeds(top: Path) -> None:
+    from tests.io.trajectories.test_trajectories import MRK
+
+    texts(
+        {"flight_Timestamp.MRK": MRK},
+        {"eo.csv": "image,X,Y,Z,omega_gon,phi_gon,kappa_gon,sX,sY,sZ\na,500000,5400000,1200,1,-2,100,0.02,0.02,0.04\n"},
+        {"ins.csv": "image,X,Y,Z,roll_deg,pitch_deg,yaw_deg\na,500000,5400000,1200,0,0,0\n"},
+        {"gim.csv": "image,longitude_deg,latitude_deg,height_m,roll_deg,pitch_deg,yaw_deg\na,11.2,48.1,1200,0,0,0\n"},
+    )(top)
+
+
+def read_a_trajectory(folder: Path) -> list[str]:
+    from raybundle.io.trajectories import read_trajectory
+
+    found = read_trajectory(only(folder))
+    wrong = ["xyz"] if np.isinf(found.xyz).any() else []
+    return wrong + (["sigma"] if np.isinf(found.sigma).any() or (found.sigma < 0).any() else [])
+
+
+target("trajectory", trajectory_seeds, read_a_trajectory)

@@ -1,0 +1,84 @@
+"""Control, film marks, coordinate systems and other tables."""
+
+from pathlib import Path
+
+import numpy as np
+
+from tests.hostile.readers.registry import not_finite, only, target, texts
+
+
+def control_seeds(top: Path) -> None:
+    from tests.io.test_control_files import CSV, GCP, MEASURED
+
+    texts({"gcp_list.txt": GCP}, {"c.csv": CSV, "c-measurements.csv": MEASURED})(top)
+
+
+def read_the_control(folder: Path) -> list[str]:
+    from raybundle.io.control_files import read_control
+
+    found = read_control(only(folder, but="-measurements.csv"))
+    return (["xyz"] if np.isinf(found.xyz).any() else []) + (["sigma"] if np.isinf(found.sigma).any() else [])
+
+
+def fiducial_seeds(top: Path) -> None:
+    from tests.io.test_fiducials import EIGHT, NAMES
+
+    rows = "".join(f"{n},{x},{y},0.002,0.002\n" for n, (x, y) in zip(NAMES, EIGHT, strict=True))
+    texts({"c.csv": "mark,x_mm,y_mm,sx_mm,sy_mm\n" + rows})(top)
+
+
+def read_the_fiducials(folder: Path) -> list[str]:
+    from raybundle.io.fiducials import read_calibrated
+
+    return not_finite(xy=read_calibrated(only(folder)).xy_mm)
+
+
+def mark_seeds(top: Path) -> None:
+    from tests.io.test_fiducials import EIGHT, NAMES, scanned
+
+    rows = "".join(f"s,{n},{x:.3f},{y:.3f}\n" for n, (x, y) in zip(NAMES, scanned(EIGHT), strict=True))
+    texts({"m.csv": "image,mark,x_px,y_px\n" + rows})(top)
+
+
+def read_the_marks(folder: Path) -> list[str]:
+    from raybundle.io.fiducials import read_marks
+    from tests.io.test_fiducials import FIDUCIALS
+
+    read_marks(only(folder), "mark", FIDUCIALS)
+    return []
+
+
+def crs_seeds(top: Path) -> None:
+    texts({"c.txt": "EPSG:32633"}, {"c.txt": "+proj=utm +zone=11 +datum=WGS84"}, {"c.txt": "WGS84 UTM 33N"})(top)
+
+
+def read_a_crs(folder: Path) -> list[str]:
+    from raybundle.io.coordinate_systems import local_frame, parse_crs
+
+    text = only(folder).read_bytes().decode("utf-8", "surrogateescape")
+    parse_crs(text)
+    local_frame(text, (500000.0, 5300000.0, 500.0))
+    return []
+
+
+def empirical_seeds(top: Path) -> None:
+    k = np.arange(12)
+    rows = zip(
+        k, np.cos(k) * 10 + 20, np.sin(k * 1.7) * 10, k * 0.1, 300 + 100 * np.cos(k), 400 + np.sin(k), strict=True
+    )
+    lines = "".join(",".join(f"{v:.4f}" if j else str(v) for j, v in enumerate(row)) + ",\n" for row in rows)
+    texts({"p.csv": "point,X,Y,Z,x_px,y_px,role\n" + lines})(top)
+
+
+def read_empirical_points(folder: Path) -> list[str]:
+    from raybundle.cli.empirical import _points
+
+    _points(only(folder))
+    return []
+
+
+target("control", control_seeds, read_the_control)
+target("fiducials", fiducial_seeds, read_the_fiducials)
+target("film-marks", mark_seeds, read_the_marks)
+target("crs", crs_seeds, read_a_crs, slow=True)
+target("empirical", empirical_seeds, read_empirical_points)

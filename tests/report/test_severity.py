@@ -1,0 +1,91 @@
+"""Notices are graded by data: one table of codes, one order in every place that shows them."""
+
+import ast
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+import raybundle
+from raybundle.adjustment.components import NAMES
+from raybundle.adjustment.notices import notices_of
+from raybundle.adjustment.result import Notice, gravest_first
+from raybundle.adjustment.severity import SEVERITY, Severity
+from raybundle.cli.summary import SHOWN, summary_lines
+from raybundle.report.result_folder import result_json
+from raybundle.report.section_result import result_section
+from raybundle.report.view import view_of
+from raybundle.report.words import verdict
+
+SOURCE = Path(raybundle.__file__).parent
+REMARK, CAUTION, FAULT = (
+    Notice(code="not_significant", message="the remark"),
+    Notice(code="small_angle", message="the caution"),
+    Notice(code="control_suspect", message="the fault"),
+)
+
+
+def codes_of(call):
+    """Codes of one `Notice(code=...)` or `....tell(code, ...)`."""
+    name = call.func.id if isinstance(call.func, ast.Name) else getattr(call.func, "attr", "")
+    if name == "Notice":
+        return [k.value for k in call.keywords if k.arg == "code"]
+    return call.args[:1] if ast.unparse(call.func) == "state.tell" else []
+
+
+def codes_in_the_source():
+    found = {f"{kind}_suspect" for kind in NAMES} | {"start_behind", "start_parallel"}  # made of variables
+    for path in SOURCE.rglob("*.py"):
+        calls = [n for n in ast.walk(ast.parse(path.read_text())) if isinstance(n, ast.Call)]
+        found |= {c.value for call in calls for c in codes_of(call) if isinstance(c, ast.Constant)}
+    return found
+
+
+def test_every_code_has_a_severity_and_no_severity_stands_without_its_code():
+    assert len(SEVERITY) > 50
+    assert codes_in_the_source() == set(SEVERITY)
+
+
+def test_the_order_is_by_severity_and_keeps_the_order_within_one():
+    second = replace(FAULT, message="another fault")
+    assert gravest_first([REMARK, FAULT, CAUTION, second]) == [FAULT, second, CAUTION, REMARK]
+    assert Notice(code="never seen", message="m").severity is Severity.CAUTION
+
+
+def test_report_command_line_and_file_show_the_gravest_first(case):
+    a = replace(case("rich"), notices=(REMARK, CAUTION, FAULT))
+    shown = next(p for p in result_section(view_of(a), verdict(view_of(a))).parts if p.kind == "table")
+    assert [row[0].text if hasattr(row[0], "text") else row[0] for row in shown.rows] == ["fault", "caution", "remark"]
+    printed = [line.strip() for line in summary_lines(a)][-3:]
+    assert printed == ["fault: the fault", "caution: the caution", "remark: the remark"]
+    written = json.loads(json.dumps(result_json(a)["warnings"]))
+    assert [(w["severity"], w["code"]) for w in written] == [
+        ("fault", "control_suspect"), ("caution", "small_angle"), ("remark", "not_significant"),
+    ]  # fmt: skip
+
+
+def test_a_fault_is_printed_however_many_remarks_stand_before_it(case):
+    lines = summary_lines(replace(case("rich"), notices=(*[REMARK] * (2 * SHOWN), FAULT)))
+    assert any("the fault" in line for line in lines)
+
+
+@pytest.mark.parametrize(
+    ("notices", "grade"),
+    [((), "good"), ((REMARK,), "good"), ((REMARK, CAUTION), "remarks"), ((REMARK, CAUTION, FAULT), "attention")],
+)
+def test_the_headline_follows_the_worst_notice(case, notices, grade):
+    found = verdict(view_of(replace(case("rich"), notices=notices)))
+    assert found.grade == grade
+    assert ("1 matter to settle before it is used" in found.headline) == (grade == "attention")
+
+
+def test_residuals_three_times_too_large_are_a_fault_and_too_small_ones_a_remark(case):
+    a = case("rich")
+    lower, _, upper = a.global_test
+    for value, sigma0, severity in (
+        (2 * upper, 1.4, Severity.CAUTION), (20 * upper, 4.5, Severity.FAULT), (0.5 * lower, 0.7, Severity.REMARK),
+    ):  # fmt: skip
+        changed = replace(a, global_test=(lower, value, upper), sigma0=sigma0)
+        (told,) = [n for n in notices_of(changed, None) if n.code == "global_test"]
+        assert told.severity is severity
