@@ -1,5 +1,7 @@
 """What the start has oriented ends as a result: features where matching fails, images left out by name."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
@@ -11,6 +13,7 @@ from raybundle.numerics.progress import silent
 from raybundle.workflows import precise
 from raybundle.workflows.final import final_adjustment, left_out
 from raybundle.workflows.georeference import Georeferenced
+from raybundle.workflows.orient import _adjusted
 from raybundle.workflows.precise import refine
 from raybundle.workflows.tie_block import TieBlock
 
@@ -134,3 +137,22 @@ def test_two_images_with_two_points_each_are_an_error():
     few = np.isin(block.observations.point, [100, 101])
     with pytest.raises(NotSolvable, match="too few image points"):
         final_adjustment(placed(with_rows(block, few)), (), 1, silent, ())
+
+
+def test_a_part_that_nothing_determines_costs_its_photographs_alone():
+    whole, _ = features()
+    o = whole.observations
+    few = with_rows(whole, np.isin(o.image, [0, 1]) & (np.arange(len(o)) % 60 == 0))
+    adjustment, parts = _adjusted(SimpleNamespace(), placed(whole), [placed(few), placed(whole)], (), 1, silent, ())
+    assert len(parts) == 1
+    assert adjustment.sigma0 < 2
+    lost = dict(left_out(adjustment, parts))
+    assert set(few.images.ids) <= set(lost)
+    assert all("of a part of" in reason and "not determined" in reason for reason in lost.values())
+
+
+def test_rays_that_are_all_parallel_say_so(monkeypatch):
+    whole, _ = features()
+    monkeypatch.setattr("raybundle.workflows.final.flat_points", lambda block: np.ones(len(block.points), bool))
+    with pytest.raises(NotSolvable, match="taken from one place"):
+        final_adjustment(placed(whole), (), 1, silent, ())

@@ -157,8 +157,8 @@ class System:
         rotation = np.where(self.images_used[:, None, None], block.images.rotation, np.eye(3))
         return State(rotation, centre, interior, xyz)
 
-    def updated(self, state: State, step: Array, points: Array) -> State:
-        """The state after a step (nodes) and a step of the points (p, 3)."""
+    def updated(self, state: State, step: Array, points: Array, *, passing: bool = False) -> State:
+        """The state after a step (nodes) and a step of the points (p, 3); `passing` as in `far_points`."""
         new = state.copy()
         free = np.flatnonzero(self.exterior_free & self.images_used)
         at = self.offsets[self.image_node[free]][:, None] + np.arange(6)
@@ -174,7 +174,7 @@ class System:
         new.xyz += points
         mine = self.far_candidates
         centre = state.centre[self.first_image[mine]]
-        far, ray = retracted(state.xyz[mine] - centre, points[mine])
+        far, ray = retracted(state.xyz[mine] - centre, points[mine], passing=passing)
         new.xyz[mine[far]] = centre[far] + ray
         return new
 

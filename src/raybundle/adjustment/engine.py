@@ -190,18 +190,18 @@ def estimate_only(
     """Adjusted values without statistics, rank test or error: a step towards approximate values.
 
     mask     (m,) observations that take no part; images and points without others keep their values
-    returns  the block, and the rows (m,) whose point ended behind the camera, beyond infinity or without a projection
+    returns  the block, and the rows (m,) whose point ended behind the camera or has no projection
     """
     system = assemble(block, options, mask, free)
     normals = Normals.of(system, options.threads)
     state = system.initial_state()
     if options.robust_start:
-        found = solve(normals, state, options, huber=HUBER, tolerance=1e-1)
+        found = solve(normals, state, options, huber=HUBER, tolerance=1e-1, passing=True)
     else:
-        found = solve(normals, state, options)
+        found = solve(normals, state, options, passing=True)
     state = found.state
     bad = np.zeros(len(block.observations), bool)
-    bad[system.rows] = (normals.residuals(state)[1] > 0) | np.isin(block.observations.point[system.rows], found.beyond)
+    bad[system.rows] = normals.residuals(state)[1] > 0
     return as_start(block, _adjusted_block(system, state)), bad
 
 

@@ -4,7 +4,7 @@ Nearer, the same linear step is taken along the ray by inverse distance (Montiel
 never passes through its camera.  Farther, it is taken as it is: a point never passes infinity, behind which the
 collinearity equations go on with a mirror image that no camera sees.  Where rays diverge, by errors of measurement or
 a wrong match, the best inverse distance is negative; such a point runs away by orders of magnitude, and soon nothing
-hangs on it.
+hangs on it.  Only on the way to approximate values may points pass infinity: far ones come to their place sooner.
 """
 
 from __future__ import annotations
@@ -23,17 +23,20 @@ SMALL = 0.02
 """Relative change of the distance up to which both kinds of step are one."""
 
 
-def retracted(ray: Array, step: Array) -> tuple[Index, Array]:
-    """Points at `ray` (n, 3) from a projection centre that a linear step (n, 3) brings nearer by more than `SMALL`.
+def retracted(ray: Array, step: Array, *, passing: bool = False) -> tuple[Index, Array]:
+    """Points at `ray` (n, 3) from a projection centre that a linear step (n, 3) moves otherwise than straight on.
 
+    passing  points farther off, too, move by inverse distance, and may pass infinity: for approximate values, where
+             they are intersected anew and what ends behind is told
     returns  which (k,), and their new rays (k, 3) from the old projection centre
     """
     d2 = np.einsum("ij,ij->i", ray, ray)
     along = np.einsum("ij,ij->i", ray, step) / np.maximum(d2, 1e-300)
-    nearer = np.flatnonzero(along < -SMALL)
-    r, part = ray[nearer], along[nearer, None]
-    across = step[nearer] - part * r
-    return nearer, (r + across) / (1 - part)
+    which = np.flatnonzero(np.abs(along) > SMALL if passing else along < -SMALL)
+    r, part = ray[which], along[which, None]
+    shrink = 1 - part
+    shrink = np.where(np.abs(shrink) < 1e-3, np.copysign(1e-3, shrink), shrink)
+    return which, (r + step[which] - part * r) / shrink
 
 
 def turned_about(ray: Array, typical: float) -> Array:

@@ -60,13 +60,14 @@ def solve(
     huber: float = 0.0,
     tolerance: float | None = None,
     damping: float = CAUTIOUS,
+    passing: bool = False,
     progress: Progress = silent,
 ) -> Solution:
     """Minimise the weighted square sum (or its robust form) from a state.
 
     The length of a step is sqrt(dx' N dx / u) / sigma0: the root mean square of its components in
     standard deviations.  Converged: an undamped step, or one damped too little to matter, is
-    shorter than the tolerance.
+    shorter than the tolerance.  `passing`: points may pass infinity (`far_points`).
     """
     limit = options.tolerance if tolerance is None else tolerance
     system = normals.system
@@ -74,7 +75,7 @@ def solve(
     redundancy = max(system.observations - system.unknowns, 1)
     growth = 2.0
     cost, behind, _ = normals.reduce(state, damping=damping, huber=huber)
-    if behind:
+    if behind and not passing:
         state = system.before(state, (normals.residuals(state)[1] & 1) > 0)
         cost, behind, _ = normals.reduce(state, damping=damping, huber=huber)
     excess = _excess(normals, state, huber)
@@ -94,7 +95,7 @@ def solve(
         predicted = cost - excess - linear
         sigma0 = np.sqrt(2 * cost / redundancy) if cost > 0 else 1.0
         length = float(np.sqrt(max(2 * predicted, 0.0) / unknowns) / max(sigma0, 1e-300))
-        new = system.updated(state, nodes, points)
+        new = system.updated(state, nodes, points, passing=passing)
         new_cost, new_behind = normals.cost(new, huber=huber)
         if predicted > NOISE * cost:
             gain = (cost - new_cost) / predicted

@@ -25,6 +25,10 @@ FINAL = 1e-4
 NAMED, ALONE = 0.05, 0.5
 """Shares of an image in what is not determined: from which on it is named, and from which on it is so by itself."""
 UNHELD = "what is left of its points does not determine its orientation"
+NO_DEPTH = (
+    "the rays to every object point are parallel, or coincide: the photographs were taken from one place, or show "
+    "something flat squarely. What is missing are photographs from other places, at least a tenth of the distance apart"
+)
 COARSE = 1e-2
 """The same where that is not reached: still far below what a standard deviation can tell."""
 
@@ -41,6 +45,8 @@ def final_adjustment(
     flat &= np.bincount(block.observations.point, minlength=len(block.points)) > 0
     if flat.any():
         block = with_rows(block, ~flat[block.observations.point])
+        if not len(block.observations):
+            raise NotSolvable(NO_DEPTH)
         message = f"{int(flat.sum())} tie points with parallel rays are left out: they have no depth"
         notices.append(Notice(code="parallel_rays", message=message))
         placed = _with_block(placed, block)
@@ -157,3 +163,11 @@ def adjusted_part(placed: Georeferenced, groups: Sequence[CameraGroup], jobs: in
     images = placed.block.images
     names = tuple(n for n, o in zip(images.ids, images.oriented, strict=True) if o)
     return Part(adjustment=final_adjustment(placed, groups, jobs, progress, ()), photographs=names)
+
+
+def undetermined_part(placed: Georeferenced, error: NotSolvable) -> list[Notice]:
+    """The photographs of a part that nothing determines, each left out by name."""
+    images = placed.block.images
+    names = [n for n, o in zip(images.ids, images.oriented, strict=True) if o]
+    reason = f"of a part of {len(names)} photographs that joins no other and is not determined ({error.headline})"
+    return [Notice(code="image_left_out", message=f"{n} is left out: {reason}", ids=(n,), reason=reason) for n in names]

@@ -14,7 +14,7 @@ from raybundle.adjustment.accuracy import accuracy
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Camera
 from raybundle.block.relative import relative_control
-from raybundle.errors import InputError
+from raybundle.errors import InputError, NotSolvable
 from raybundle.io.coordinate_systems import LocalFrame
 from raybundle.io.photos.cameras import CameraGroup
 from raybundle.io.photos.photo import Found, Photo, find_photos
@@ -25,7 +25,7 @@ from raybundle.matching.verify import VerifiedPair
 from raybundle.numerics.progress import Progress, silent
 from raybundle.scenes.bias import BiasKind
 from raybundle.workflows.attitudes import Convention, find_attitudes
-from raybundle.workflows.final import adjusted_part, final_adjustment, left_out
+from raybundle.workflows.final import adjusted_part, final_adjustment, left_out, undetermined_part
 from raybundle.workflows.georeference import Georeferenced
 from raybundle.workflows.marks import Given
 from raybundle.workflows.parts import Part, apart_notice, place_parts
@@ -316,14 +316,21 @@ def _adjusted(
     progress: Progress, remarks: Sequence[str],
 ) -> tuple[Adjustment, tuple[Part, ...]]:  # fmt: skip
     """The final adjustments of what is placed together and of the parts that nothing joins to it."""
-    if apart:
-        told = apart_notice(placed.block, apart, [part_folder(k) for k in range(len(apart))])
+    parts, kept, lost = list[Part](), list[Georeferenced](), list[Notice]()
+    for part in apart:
+        try:
+            parts.append(adjusted_part(part, groups, jobs, progress))
+            kept.append(part)
+        except NotSolvable as error:
+            lost += undetermined_part(part, error)
+    if kept:
+        told = apart_notice(placed.block, kept, [part_folder(k) for k in range(len(kept))])
         placed = replace(placed, notices=(told, *placed.notices))
+    placed = replace(placed, notices=(*lost, *placed.notices))
     adjustment = final_adjustment(placed, groups, jobs, progress, remarks)
-    parts = tuple(adjusted_part(p, groups, jobs, progress) for p in apart)
     stage.from_cache = False
     stage.summary = f"sigma0 {adjustment.sigma0:.3f}"
-    return adjustment, parts
+    return adjustment, tuple(parts)
 
 
 def _check_number(
