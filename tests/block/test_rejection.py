@@ -10,11 +10,12 @@ TEST = {"tau": 5.24, "limit": 4.2, "axis": "x"}
 @pytest.mark.parametrize(
     ("reason", "expected"),
     [
-        (Rejection(kind=RejectionKind.BLUNDER, **TEST), "blunder: tau 5.2 > 4.20 in x"),
+        (Rejection(kind=RejectionKind.BLUNDER, **TEST), "blunder: tau 5.24 > 4.20 in x"),
         (
             Rejection(kind=RejectionKind.BLUNDER_NOT_LOCATED, **TEST),
-            "blunder in one of the point's rays: tau 5.2 > 4.20 in x of one ray",
+            "blunder in one of the point's rays: tau 5.24 > 4.20 in x of one ray",
         ),
+        (Rejection(kind=RejectionKind.BLUNDER, tau=4.128, limit=4.12, axis="y"), "blunder: tau 4.13 > 4.12 in y"),
         (Rejection(kind=RejectionKind.BEHIND_CAMERA), "behind the camera"),
         (Rejection(kind=RejectionKind.SINGLE_RAY), "single ray left"),
         (Rejection(kind=RejectionKind.GIVEN, detail="given as an outlier"), "given as an outlier"),

@@ -88,6 +88,36 @@ def test_commands_that_are_shown_have_their_options(page, line):
     assert not [w for w in rest if w.startswith("--")], line
 
 
+def options_of_commands(command, context, name=""):
+    """Every command by its words, with the options that it has."""
+    if not isinstance(command, click.Group):
+        return {name: {o for p in command.params for o in (*p.opts, *p.secondary_opts)} | {"--help", "--version"}}
+    found = {}
+    for word in command.list_commands(context):
+        inner = command.get_command(context, word)
+        below = click.Context(inner, info_name=word, parent=context)
+        found |= options_of_commands(inner, below, f"{name} {word}".strip())
+    return found
+
+
+FOREIGN = {"--no-deps"}
+"""Options of other programs, as of pip."""
+
+
+@pytest.mark.parametrize("page", [*sorted(DOCS.rglob("*.md")), DOCS.parent / "README.md"], ids=lambda p: p.stem)
+def test_options_that_are_named_within_a_sentence_exist(page):
+    known = options_of_commands(cli, click.Context(cli, info_name="raybundle"))
+    every = set().union(*known.values()) | FOREIGN
+    text = re.sub(r"^```.*?^```", "", page.read_text(), flags=re.MULTILINE | re.DOTALL)
+    for code in (" ".join(c.split()) for c in re.findall(r"`([^`]+)`", text)):
+        options = set(re.findall(r"(?<![\w-])--[a-z][a-z-]*", code))
+        assert options <= every, code
+        if code.startswith("raybundle "):
+            words = code.split()[1:]
+            own = known.get(" ".join(words[:2]), known.get(words[0]))
+            assert own is None or options <= own, code
+
+
 def test_every_page_is_in_the_navigation():
     nav = (DOCS.parent / "mkdocs.yml").read_text()
     for page in DOCS.rglob("*.md"):

@@ -40,8 +40,8 @@ def test_significant_digits(value, digits, text):
         (0.0045907, 2.2e-5, ("0.004591", "0.000022")),
         (1234.5, 67.0, ("1234", "67")),
         (0.5, 1200.0, ("0", "1200")),
-        (2.0, math.nan, ("2.00000", "–")),
-        (2.0, 0.0, ("2.00000", "–")),
+        (2.0, math.nan, ("2", "–")),
+        (2.0, 0.0, ("2", "–")),
     ],
 )
 def test_value_and_sigma_to_the_second_digit_of_sigma(value, sigma, text):

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.integrate import trapezoid
 from scipy.stats import chi2
 
 from raybundle.adjustment.engine import adjust_block
@@ -381,7 +382,7 @@ def test_refraction_from_the_air_and_its_derivatives():
     # the integral of n - n_sensor from the ground to 3 km, times tan z / cos^2 z
     z = np.linspace(0, 3e3, 20_001)
     n = 2.9e-4 * (np.exp(-z / 8400) - np.exp(-3e3 / 8400))
-    assert shift(sensor)[0][0] == pytest.approx([0, -2 * np.trapezoid(n, z), 0], rel=1e-6, abs=1e-9)
+    assert shift(sensor)[0][0] == pytest.approx([0, -2 * trapezoid(n, z), 0], rel=1e-6, abs=1e-9)
     for axis in range(3):
         d = np.zeros((1, 3))
         d[0, axis] = 1.0

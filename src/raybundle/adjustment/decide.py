@@ -229,7 +229,7 @@ def _without_control(block: Block, control: tuple[str, float], choices: Decision
     choices.notices.append(
         Notice(
             code="control_rejected",
-            message=f"control point {name} contradicts the rest ({how}) and is used as a check point; "
+            message=f"control point {name} contradicts the rest ({how}) and takes no part any more; "
             "look at its coordinates and at its number in the images",
             ids=(name,),
         )

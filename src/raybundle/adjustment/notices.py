@@ -144,7 +144,8 @@ def _rejected(result: Adjustment) -> list[Notice]:
         found.append(
             Notice(
                 code="blunder_not_located",
-                message=f"{len(names)} points are left out: one of their rays is wrong, and which one cannot be told "
+                message=f"{len(names)} point{'s are' if len(names) > 1 else ' is'} left out: one of "
+                f"{'their' if len(names) > 1 else 'its'} rays is wrong, and which one cannot be told "
                 f"(fewer than three rays would be left, or two rays explain it alike): {', '.join(names[:10])}"
                 f"{' ...' if len(names) > 10 else ''}. More rays to such points would save them",
                 ids=tuple(names[:100]),

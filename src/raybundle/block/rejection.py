@@ -57,7 +57,7 @@ class Rejection:
         if math.isnan(self.tau):
             return words
         ray = " of one ray" if self.kind is RejectionKind.BLUNDER_NOT_LOCATED else ""
-        return f"{words}: tau {self.tau:.1f} > {self.limit:.2f} in {self.axis}{ray}"
+        return f"{words}: tau {self.tau:.2f} > {self.limit:.2f} in {self.axis}{ray}"
 
 
 Rejections = tuple[Rejection | None, ...]

@@ -89,6 +89,10 @@ def cli() -> None:
 def main(argv: Sequence[str] | None = None) -> int:
     """Run a command line and return its exit status; errors go to stderr without a traceback."""
     arguments = list(sys.argv[1:] if argv is None else argv)
+    for name in ("stdout", "stderr"):
+        # closed from outside: what is shown goes nowhere (click before 8.1.4 would fail)
+        if getattr(sys, name) is None:
+            setattr(sys, name, os.fdopen(os.open(os.devnull, os.O_WRONLY), "w", encoding="utf-8"))
     try:
         status = cli.main(arguments, prog_name="raybundle", standalone_mode=False)
         if sys.stdout is not None:

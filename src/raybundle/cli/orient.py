@@ -20,7 +20,13 @@ if TYPE_CHECKING:
 STAGES = ("photographs", "features", "matching", "start", "precision", "adjustment", "report")
 
 
-class StageName(click.Choice[str]):
+if TYPE_CHECKING:
+    _Choice = click.Choice[str]
+else:
+    _Choice = click.Choice  # no generic class before click 8.2
+
+
+class StageName(_Choice):
     """The name of a stage; its beginning is enough where no other stage begins so."""
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:

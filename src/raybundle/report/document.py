@@ -15,7 +15,7 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.io.folders import new_files
 from raybundle.numerics.progress import Progress, silent
 from raybundle.report.parts import Section
-from raybundle.report.section_calibration import GRADES, calibration_section, headline, worst
+from raybundle.report.section_calibration import calibration_section, graver, headline, worst
 from raybundle.report.section_control import control_section
 from raybundle.report.section_interior import interior_section
 from raybundle.report.section_network import network_section, precision_section
@@ -28,7 +28,7 @@ from raybundle.report.section_scenes import scene_section, strip_section, with_n
 from raybundle.report.section_tables import provenance_section, tables_section
 from raybundle.report.section_trajectories import trajectory_section
 from raybundle.report.view import view_of
-from raybundle.report.words import verdict
+from raybundle.report.words import unsettled, verdict
 
 
 @cache
@@ -107,8 +107,8 @@ def write_report(
     html = page(
         title=f"Adjustment of {block.name}" if not qualities else "Calibration",
         subtitle=block.about or block.source,
-        headline=told.headline if not qualities else headline(qualities),
-        grade=told.grade if not qualities else GRADES[worst(qualities).grade],
+        headline=told.headline if not qualities else headline(qualities) + unsettled(view),
+        grade=told.grade if not qualities else graver(told.grade if unsettled(view) else "good", worst(qualities)),
         sections=tuple(sections),
     )
     with new_files(Path(path)) as (file,):

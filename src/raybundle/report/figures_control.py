@@ -10,8 +10,11 @@ import numpy as np
 from raybundle.block import Role
 from raybundle.numerics.arrays import Array, Index
 from raybundle.report.numbers import significant
-from raybundle.report.svg import Drawing, drawing, label, round_below, vectors
+from raybundle.report.svg import Drawing, drawing, label, labels_apart, round_below, vectors
 from raybundle.report.view import View
+
+MOST_NAMES = 12
+"""Marks of an image that are named in its drawing."""
 
 MOST_IMAGES, ACROSS, WIDTH, GAP = 24, 4, 200.0, 12.0
 
@@ -81,15 +84,7 @@ def _one(
         )
         if rejected[k]:
             parts.append(f'<path class="mark" d="M{x[k] - 5:.1f} {y[k] - 5:.1f}l10 10m0 -10l-10 10"/>')
-        if len(mine) <= 12:
-            end = x[k] > x0 + w - 40
-            parts.append(
-                label(
-                    x[k] + (-5 if end else 5),
-                    y[k] - 4,
-                    points.ids[point][:12],
-                    "tiny",
-                    anchor="end" if end else "start",
-                )
-            )
+    if len(mine) <= MOST_NAMES:
+        names = [points.ids[int(o.point[m])][:12] for m in mine.tolist()]
+        parts += labels_apart(x.tolist(), y.tolist(), names, (x0, y0, w, h), "tiny")
     return parts, h + 15

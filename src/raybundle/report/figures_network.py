@@ -25,6 +25,7 @@ from raybundle.report.svg import (
     fitted,
     histogram,
     label,
+    labels_apart,
     round_below,
     round_step,
     span,
@@ -230,8 +231,9 @@ def _symbols(view: View, kept: Index, panel: Panel) -> str:
             else f'<circle class="check" cx="{x:.1f}" cy="{y:.1f}" r="3.6">'
         )
         parts.append(f"{shape}<title>{escape(name)}</title></{'path' if 'path' in shape else 'circle'}>")
-        if len(special) <= MOST_NAMES and (a, b) == (0, 1):
-            parts.append(label(x + 6, y - 3, name))
+    if len(special) <= MOST_NAMES and (a, b) == (0, 1):
+        xyz, names = view.adjusted.points.xyz[special], [view.given.points.ids[i] for i in special]
+        parts += labels_apart(plot.x(xyz[:, a]).tolist(), plot.y(xyz[:, b]).tolist(), names, plot.box)
     return "".join(parts)
 
 
@@ -244,7 +246,16 @@ def ray_histogram(rays: Array, what: str) -> Drawing:
     heights = np.histogram(rays[rays > 0], edges)[0].astype(float)
     x_range, y_range = (float(edges[0]), float(edges[-1])), (0.0, max(float(heights.max()), 1.0) * 1.06)
     plot = fitted(Plot(width=286, height=190, x_range=x_range, y_range=y_range))
-    parts = [axes(plot, "rays per point", "points", y_count=count_ticks(heights)), columns(plot, edges, heights)]
+    parts = [
+        axes(
+            plot,
+            "rays per point",
+            "points",
+            x_count=min(6, max(1, int(edges[-1] - edges[0]))),
+            y_count=count_ticks(heights),
+        ),
+        columns(plot, edges, heights),
+    ]
     return drawing(plot.width, plot.height, parts, what)
 
 

@@ -19,6 +19,7 @@ from raybundle.report.svg import (
     drawing,
     fitted,
     label,
+    labels_apart,
     mixed,
     span,
     spread_rows,
@@ -162,11 +163,8 @@ def match_graph(view: View, plan: Plan, images: Index, common: Array) -> Drawing
         parts.append(
             f'<circle class="node" cx="{x[k]:.1f}" cy="{y[k]:.1f}" r="3.6"><title>{escape(name)}</title></circle>'
         )
-        if len(ids) <= MOST_NAMES:
-            end = x[k] > plot.width - 90
-            parts.append(
-                label(x[k] + (-6 if end else 6), y[k] - 5, _short(name), "t", anchor="end" if end else "start")
-            )
+    if len(ids) <= MOST_NAMES:
+        parts += labels_apart(x.tolist(), y.tolist(), [_short(name) for name in ids], plot.box)
     return drawing(plot.width, plot.height, parts, "images and the points that they share")
 
 
@@ -202,7 +200,16 @@ def match_matrix(ids: list[str], common: Array) -> tuple[Drawing, int]:
             )
     parts.append(f'<rect class="frame" x="{left}" y="{top}" width="{n * size:.1f}" height="{n * size:.1f}"/>')
     parts += colour_key(left, top + n * size + 10, most, "common points")
-    return drawing(max(width, left + 215), height, parts, "common points of every two images"), group
+    return drawing(
+        max(width, left + 96 + KEY_CHARACTER * len(f"0 … {grouped(most)} common points")),
+        height,
+        parts,
+        "common points of every two images",
+    ), group
+
+
+KEY_CHARACTER = 6.4
+"""Width of a character beside a colour key [px], rather too much than too little."""
 
 
 def colour_key(x: float, y: float, most: float, words: str) -> list[str]:

@@ -158,7 +158,7 @@ def normal_quantiles(tests: Array, y_label: str, what: str) -> Drawing:
     expected = np.array([NORMAL.inv_cdf((k + 0.5) / len(t)) for k in rows.tolist()])
     reach = float(min(max(np.abs(t).max(initial=3.0), 4.0) * 1.05, 12.0))
     plot = fitted(Plot(width=320, height=250, x_range=(-4.6, 4.6), y_range=(-reach, reach)))
-    ends = np.array([-4.5, 4.5])
+    ends = min(4.5, reach) * np.array([-1.0, 1.0])  # within the frame
     parts = [
         axes(plot, "expected quantile", y_label, grid="xy", x_count=9),
         line(plot, ends, ends, "curve second"),

@@ -55,6 +55,15 @@ def significant(value: float, digits: int = 3) -> str:
     return f"{fixed(mantissa, digits - 1)} × {power(exponent)}"
 
 
+def plain(value: float, digits: int = 6) -> str:
+    """A number that was given: so many significant digits at most, and no zeros at their end."""
+    shown = significant(value, digits)
+    number, times, ten = shown.partition(" × ")
+    if "." in number:
+        number = number.rstrip("0").rstrip(".")
+    return number + times + ten
+
+
 def decimals_for(sigma: float) -> int:
     """Decimals that show two digits of a standard deviation; 3 where there is none."""
     if not math.isfinite(sigma) or sigma <= 0:
@@ -71,7 +80,7 @@ def column_decimals(sigmas: Array) -> int:
 def with_sigma(value: float, sigma: float) -> tuple[str, str]:
     """Value and standard deviation, both to the second digit of the latter, small ones with a common power of ten."""
     if not (math.isfinite(sigma) and sigma > 0):
-        return significant(value, 6), NONE
+        return plain(value), NONE
     decimals = decimals_for(sigma)
     largest = max(abs(value), sigma)
     if largest >= 1e-3 and decimals <= 9:

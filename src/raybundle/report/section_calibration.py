@@ -32,6 +32,12 @@ def worst(qualities: Sequence[CalibrationQuality]) -> CalibrationQuality:
     return min(qualities, key=lambda q: ORDER.index(q.grade))
 
 
+def graver(grade: ReportGrade, quality: CalibrationQuality) -> ReportGrade:
+    """The graver of a report's grade and a calibration's."""
+    order: tuple[ReportGrade, ...] = ("attention", "remarks", "good")
+    return order[min(order.index(grade), order.index(GRADES[quality.grade]))]
+
+
 def headline(qualities: Sequence[CalibrationQuality]) -> str:
     """The first sentence of the report."""
     head = worst(qualities)

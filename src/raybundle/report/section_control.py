@@ -10,6 +10,7 @@ import numpy as np
 
 from raybundle.adjustment.accuracy import ENOUGH, accuracy, levelled
 from raybundle.adjustment.result import ObservationGroup
+from raybundle.block import Role
 from raybundle.numerics.arrays import Array
 from raybundle.report.figures_control import marked_images, marks_figure
 from raybundle.report.numbers import NONE, cells, column_decimals, counted, fixed, grouped, significant
@@ -54,7 +55,7 @@ def control_section(view: View) -> Section:
             if g.kind == kind and len(g.ids):
                 parts += [Heading(text=title), *_group(view, g, what, rest)]
     parts += _left_out(view)
-    parts += _check(view)
+    parts += _check(view) + _taken_out(view)
     parts += _marks(view)
     if not parts:
         parts.append(Paragraph(text="Neither control, check points, scale bars nor projection centres were given."))
@@ -241,6 +242,30 @@ def _group_table(view: View, g: ObservationGroup, what: str, rest: str, factor: 
     )  # fmt: skip
 
 
+def _taken_out(view: View) -> list[Part]:
+    """Control points that contradict the others: what became of them, apart from the check points."""
+    given, std = view.given.points, view.std
+    rows = np.flatnonzero((given.role == Role.CONTROL) & (view.adjusted.points.role == Role.CHECK))
+    if not len(rows):
+        return []
+    d = np.where(given.is_control[rows], view.adjusted.points.xyz[rows] - given.xyz[rows], np.nan) * view.factor
+    sigma = np.full((len(rows), 3), np.nan) if std is None else np.hypot(std[rows], given.sigma[rows] * view.factor)
+    fine = column_decimals(sigma)
+    body = table(
+        (
+            text("point"), *(number(f"d{axis}", view.unit) for axis in "XYZ"),
+            *(number(f"sigma d{axis}", view.unit) for axis in "XYZ"), number("rays"),
+        ),
+        (
+            pick(rows, given.ids), *(cells(d[:, k].tolist(), fine) for k in range(3)),
+            *(cells(sigma[:, k].tolist(), fine) for k in range(3)), [grouped(float(view.rays[i])) for i in rows],
+        ),
+        note="d: adjusted minus given. They contradict the others and took no part; they are no check points either, "
+        "and count in no accuracy.",
+    )  # fmt: skip
+    return [Heading(text="Control points that were taken out"), body]
+
+
 def _check(view: View) -> list[Part]:
     rows = view.check_rows
     if not len(rows):
@@ -298,6 +323,7 @@ def _components(view: View) -> list[Part]:
     """Variance components but those of single images, which stand with the residuals."""
     found = [v for v in view.adjustment.variance_components if v.kind != "image"]
     strange = sum(1 for v in view.adjustment.variance_components if v.kind == "image" and v.significant)
+    verb = "differs" if strange == 1 else "differ"
     if not found:
         return []
     body = table(
@@ -312,6 +338,6 @@ def _components(view: View) -> list[Part]:
         ),
         note="A group that is marked differs from all others together (F test): it is weighted too high (ratio above "
         "theirs) or too low (below); change its a-priori sigma. Förstner 1979."
-        + (f" {counted(strange, 'image')} differ on their own, see the images under “Residuals”." if strange else ""),
+        + (f" {counted(strange, 'image')} {verb} on their own, see the images under “Residuals”." if strange else ""),
     )  # fmt: skip
     return [Heading(text="Variance components"), body]

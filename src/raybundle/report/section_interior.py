@@ -11,7 +11,17 @@ from raybundle.adjustment.result import InteriorResult, ParameterResult
 from raybundle.numerics.arrays import Array
 from raybundle.report.distortion import ADDITIONAL, Curve, Interior, balanced, decentring_curve, radial_curve
 from raybundle.report.figures_interior import correction_field, curves, heat_map, sigma_curve, uncertainty_figure
-from raybundle.report.numbers import NONE, fixed, grouped, listed, probability, significant, unit_text, with_sigma
+from raybundle.report.numbers import (
+    NONE,
+    fixed,
+    grouped,
+    listed,
+    plain,
+    probability,
+    significant,
+    unit_text,
+    with_sigma,
+)
 from raybundle.report.parts import (
     Figure,
     Figures,
@@ -82,7 +92,7 @@ def _optional(value: float | None, digits: int = 3) -> str:
 
 def _value_cells(p: ParameterResult, factor: float = 1.0) -> tuple[str, str]:
     if p.std is None or not p.std > 0:
-        return significant(p.value * factor, 6), NONE
+        return plain(p.value * factor), NONE
     return with_sigma(p.value * factor, p.std * factor)
 
 

@@ -121,7 +121,8 @@ def _comparison(view: View, groups: dict[str, ObservationGroup]) -> Table:
             known = adjusted[np.isfinite(adjusted)]
             after = float(np.sqrt(np.mean(known**2))) * factor if len(known) else math.nan
             values = (float(d.mean()) * factor, size, float(np.abs(d).max()) * factor, stated, after)
-            decimals = decimals_for(size if size > 0 else stated) + 1
+            # to what a standard deviation can tell: finer digits of a mean or rms say nothing
+            decimals = decimals_for(stated if stated > 0 else size) + 1
             name = _name(view, component)
             rows.append([name, unit, grouped(len(d)), *(fixed(v, min(decimals, 9)) for v in values)])
     return table(

@@ -132,6 +132,35 @@ def label(x: float, y: float, words: str, style: str = "t", anchor: str = "start
     return f'<text class="{style}" x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}"{turned}>{escape(words)}</text>'
 
 
+def labels_apart(
+    x: Sequence[float],
+    y: Sequence[float],
+    names: Sequence[str],
+    box: tuple[float, float, float, float],
+    style: str = "t",
+) -> list[str]:
+    """Names beside points, each where it covers no other one; a name that has no room is left to the pointer.
+
+    x, y  pixels of the points; box  x0, y0, width and height within which a name stays
+    """
+    taken = [(u - 3, v - 3, u + 3, v + 3) for u, v in zip(x, y, strict=True)]  # nor does a name cover a point
+    x0, y0, w, h = box
+    parts: list[str] = []
+    for u, v, name in zip(x, y, names, strict=True):
+        wide = CHARACTER * len(name) + 2
+        for right, up in ((True, True), (False, True), (True, False), (False, False)):
+            left, top = (u + 5 if right else u - 5 - wide), (v - 12 if up else v + 3)
+            spot = (left, top, left + wide, top + 10)
+            if left < x0 or left + wide > x0 + w or top < y0 or top + 10 > y0 + h:
+                continue
+            if any(spot[0] < b[2] and b[0] < spot[2] and spot[1] < b[3] and b[1] < spot[3] for b in taken):
+                continue
+            taken.append(spot)
+            parts.append(label(u + (5 if right else -5), top + 8.5, name, style, "start" if right else "end"))
+            break
+    return parts
+
+
 def fitted(plot: Plot) -> Plot:
     """The plot with room at the left for its ticks and the axis' name."""
     longest = max((len(s) for s in tick_labels(ticks(plot.y_range))), default=1)

@@ -13,6 +13,9 @@ from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.report.distortion import Interior, interior_of
 from raybundle.report.result_folder import check_differences, used_rays
 
+FREE_UNIT = "units"
+"""Unit of lengths in print where nothing fixes the scale: neither metres nor millimetres."""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class View:
@@ -74,7 +77,8 @@ class View:
 def view_of(adjustment: Adjustment) -> View:
     """The view of an adjustment."""
     used = adjustment.image_observations.used
-    factor, unit = 1.0, adjustment.given.length_unit
+    length = FREE_UNIT if "scale" in adjustment.datum_defect else adjustment.given.length_unit
+    factor, unit = 1.0, length
     std: Array | None = None
     if adjustment.precision is not None:
         full = adjustment.precision.object_point_std
@@ -90,7 +94,7 @@ def view_of(adjustment: Adjustment) -> View:
         scale=adjustment.sigma0 if math.isfinite(adjustment.sigma0) and adjustment.sigma0 > 0 else 1.0,
         factor=factor,
         unit=unit,
-        length_unit=adjustment.given.length_unit,
+        length_unit=length,
         std=None if std is None else std * factor,
         rays=used_rays(adjustment),
         check_rows=rows,

@@ -122,6 +122,12 @@ def _state(view: View, grade: Grade) -> str:
     return "The observations fit each other and the model as stated."
 
 
+def unsettled(view: View) -> str:
+    """What a headline of another kind, as that of a calibration, has to add where there are faults; else empty."""
+    serious = sum(1 for n in view.adjustment.notices if n.severity is Severity.FAULT)
+    return f" {counted(serious, 'matter')} to settle before it is used: see the warnings." if serious else ""
+
+
 def _adjusted(view: View) -> str:
     a, block = view.adjustment, view.given
     images = len({int(i) for i in block.observations.image[view.used]})
@@ -345,7 +351,9 @@ Without check points, or a length that took no part, the accuracy stated here is
 DATUM_OF_SIGMAS = """\
 They describe the shape of the object, not its place in a superior coordinate system; distances and angles are free of \
 it."""
-NO_SCALE = "The scale was chosen, not measured; give a scale bar or two control points."
+NO_SCALE = (
+    "The scale was chosen, not measured: lengths are in units of their own. Give a scale bar or two control points."
+)
 HELD_CONTROL = """\
 Its real uncertainty is missing in all standard deviations; give control with its standard deviation instead."""
 HELD_INTERIOR = "It was held; what is wrong with it goes into the object coordinates unseen."

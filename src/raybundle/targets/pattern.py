@@ -104,10 +104,10 @@ def settled_misfit(image: Array, values: Array, code: int, begin: float, family:
     ring = blurred_region(place.edge(w.s), w.x, w.y, w.s)[w.within]
     slack = TURN * 2 * np.pi / family.bits
     for _ in range(ROUNDS):
-        levels = np.linalg.lstsq(_design(w, ring), w.grey)[0]
+        levels = np.linalg.lstsq(_design(w, ring), w.grey, rcond=None)[0]
         light = levels[2] + levels[3] * w.p + levels[4] * w.q
         both = np.concatenate([_design(w, ring), light[:, None] * _felt(w, place)], axis=1)
-        step = np.linalg.lstsq(both, w.grey)[0][-3:]
+        step = np.linalg.lstsq(both, w.grey, rcond=None)[0][-3:]
         step[0] = np.clip(place.turn + step[0], begin - slack, begin + slack) - place.turn
         place = place.moved(step)
         ring = blurred_region(place.edge(w.s), w.x, w.y, w.s)[w.within]
@@ -139,7 +139,7 @@ def _window(image: Array, values: Array, L: Array, family: RingFamily) -> _Windo
 
 def _misfit(w: _Window, place: _Place, ring: Array) -> tuple[float, float]:
     J, family = _design(w, ring), place.family
-    levels = np.linalg.lstsq(J, w.grey)[0]
+    levels = np.linalg.lstsq(J, w.grey, rcond=None)[0]
     if not PALEST < levels[2] / levels[1] < 1 / PALEST:
         return np.inf, np.inf
     e = (w.grey - J @ levels) / levels[1]
