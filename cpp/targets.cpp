@@ -315,7 +315,7 @@ static void doubts_of(const double* v, const DotWork& w, const double N[kU][kU],
       if (x >= below_l && x < below_r) differences.push_back(std::abs(w.e[i + width] - e));
     }
   }
-  double sorted[3 * kSectors], square[kSectors], most = 0;
+  double sorted[kSectors], square[kSectors], most = 0;
   int n = 0;
   for (int k = 0; k < kSectors; ++k) {
     const int l = (k + 1) % kSectors;
@@ -335,7 +335,6 @@ static void doubts_of(const double* v, const DotWork& w, const double N[kU][kU],
   }
   // shifts of parts of the edge: see centre.edge_shifts
   most = 0;
-  n = 0;
   for (int m : kWidths)
     for (int k = 0; k < kSectors; ++k) {
       double a = 0, b = 0, G[kU] = {};
@@ -348,13 +347,12 @@ static void doubts_of(const double* v, const DotWork& w, const double N[kU][kU],
       for (int i = 0; i < kU; ++i)
         for (int j = 0; j < kU; ++j) left -= G[i] * Q[i][j] * G[j];
       const double z = b > 0 && left > 0.1 * b ? std::abs(a) / std::sqrt(left * variance) : 0;
-      sorted[n++] = z;
       most = std::max(most, z);
     }
-  doubt[0] = most / std::max(1.0, median(sorted, kSectors) / kNormal);  // of the shortest parts
   double noise = std::sqrt(kRounding);
   if (!differences.empty()) noise = std::max(noise, median(differences.data(), int(differences.size())) / (kNormal * std::sqrt(2.0)));
   doubt[2] = std::sqrt(std::max(total / w.count, kRounding)) / noise;
+  doubt[0] = most / std::max(1.0, doubt[2]);
 }
 
 static DotOutcome fit_dot(const Grey& g, const DotFit& fit, double window, double* v, double* covariance, double& residual, double* doubt,

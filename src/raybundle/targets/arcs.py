@@ -68,7 +68,7 @@ def free_arc(image: Array, xy: Array, ellipse: Array) -> Arc | None:
         a = _conics(points[np.arange(RAYS), which][None], agree[None].astype(float))
     if best is None or agree.mean() < LEAST:
         return None
-    return _as_arc(best, xy, L, u, points, near)
+    return _as_arc(best, xy, L, points, near)
 
 
 def _crossings(image: Array, xy: Array, L: Array, u: Array, radius: float) -> Array | None:
@@ -96,7 +96,7 @@ def _through_parts(points: Array) -> Array:
     some = ~np.isnan(points[..., 0])
     rays = np.arange(RAYS)
     first, last = np.argmax(some, axis=1), some.shape[1] - 1 - np.argmax(some[:, ::-1], axis=1)
-    found = some.any(axis=1)
+    found: Mask = np.asarray(some.any(axis=1))
     all_ = []
     for which in (first, last):
         p = np.where(found[:, None], points[rays, which], 0)
@@ -141,7 +141,7 @@ def _distance(a: Array, points: Array) -> Array:
     return abs(value) / np.maximum(np.hypot(2 * A * x + B * y + D, B * x + 2 * C * y + E), 1e-9)
 
 
-def _as_arc(a: Array, xy: Array, L: Array, u: Array, points: Array, near: float) -> Arc:
+def _as_arc(a: Array, xy: Array, L: Array, points: Array, near: float) -> Arc:
     """The ellipse in the image, and its sectors in which the edge was seen, less one at the ends of each part."""
     M, c, k = (m[0] for m in _centred(a[None]))
     ellipse = L @ (np.linalg.inv(M) * k) @ L.T

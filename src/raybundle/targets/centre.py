@@ -204,12 +204,15 @@ def fit_masked(
     )  # fmt: skip
 
 
-def fit_masked_twin(
-    image: Array, values: Array, boxes: list[Box], free: list[Mask], options: DotOptions
-) -> MaskedDots:
+def fit_masked_twin(image: Array, values: Array, boxes: list[Box], free: list[Mask], options: DotOptions) -> MaskedDots:
     """The same with NumPy, dot by dot."""
     n, o = len(values), options
-    values, cov, residual, outcome = values.copy(), np.zeros((n, UNKNOWNS, UNKNOWNS)), np.zeros(n), np.zeros(n, np.int32)
+    values, cov, residual, outcome = (
+        values.copy(),
+        np.zeros((n, UNKNOWNS, UNKNOWNS)),
+        np.zeros(n),
+        np.zeros(n, np.int32),
+    )
     pictures: tuple[list[Array], list[Array]] = ([], [])
     for i, (box, mask) in enumerate(zip(boxes, free, strict=True)):
         start, outcome[i] = values[i].copy(), DotOutcome.FLAT
@@ -236,8 +239,8 @@ def doubts_of(v: Array, Q: Array, place: tuple[slice, slice, Mask], e: Array, J:
     2. largest sum of squares of two neighbouring sectors, as a normal deviate (Wilson, Hilferty 1931);
     3. rms residual over the noise, which the differences of neighbouring residuals tell: an ellipse through the
        outline of a covered dot is wrong all around, and no part of it stands out.
-    The variance of a grey value in 1 and 2 is the median of that of all pairs of sectors, and both are in units of
-    their own median (of the shortest parts) where that is more than 1: an edge that is rough all around is no sign.
+    The variance of a grey value in 1 and 2 is the median of that of all pairs of sectors.  An edge that is rough all
+    around is no sign: 1 is in units of 3, and 2 in units of its own median, where these are more than 1.
     """
     rows, columns, within = place
     y, x = np.mgrid[rows, columns] + 0.5
@@ -249,15 +252,13 @@ def doubts_of(v: Array, Q: Array, place: tuple[slice, slice, Mask], e: Array, J:
     variance = max(float(np.median(pairs[some] / count[some])), ROUNDING) if some.any() else ROUNDING
     shift = edge_shifts(v, k, e / np.sqrt(variance), J, Q)
     square = chi_deviate(pairs[some] / variance, count[some])
-    largest = (
-        a.max() / max(1.0, float(np.median(abs(b))) / NORMAL) if a.size else 0.0
-        for a, b in ((shift, shift[0]), (square, square))
-    )
-    return np.array([*largest, np.sqrt(max(np.mean(e**2), ROUNDING)) / noise])
+    rough = float(np.sqrt(max(np.mean(e**2), ROUNDING))) / noise
+    largest = square.max() / max(1.0, float(np.median(abs(square))) / NORMAL) if square.size else 0.0
+    return np.array([shift.max() / max(1.0, rough), largest, rough])
 
 
-def edge_shifts(v: Array, k: Index, t: Array, J: Array, Q: Array) -> Array:
-    """How far parts of the edge are from the ellipse, as absolute normal deviates (3, 32); 0 where none is seen.
+def edge_shifts(v: Array, k: Index, t: Array, J: Array, Q: Array, *, fitted: bool = True) -> Array:
+    """How far parts of the edge are from the ellipse: absolute normal deviates (3, 32); 0 where none is seen.
 
     k  (n,) sectors of pixels
     t  (n,) residuals in standard deviations of a grey value
@@ -265,7 +266,8 @@ def edge_shifts(v: Array, k: Index, t: Array, J: Array, Q: Array) -> Array:
     Q  (10, 10) cofactor of the values
 
     Parts are 2, 4 and 6 sectors from each on.  Of a shift of a part so long the ellipse follows a third, a half, three
-    quarters: the deviate of sum(h t) is in units of what is left, sum(h^2) - (sum h J) Q (sum h J)'.
+    quarters: the deviate of sum(h t) is in units of what is left, sum(h^2) - (sum h J) Q (sum h J)'.  Of pixels that
+    the fit does not rest on, what the ellipse is wrong by there is added.
     """
     h = J[:, A : D + 1] @ v[A : D + 1]
     ht, hh = (np.bincount(k, w, minlength=SECTORS) for w in (h * t, h * h))
@@ -273,8 +275,8 @@ def edge_shifts(v: Array, k: Index, t: Array, J: Array, Q: Array) -> Array:
     deviates = np.zeros((len(WIDTHS), SECTORS))
     for i, m in enumerate(WIDTHS):
         a, b, G = (np.sum([np.roll(w, -j, axis=-1) for j in range(m)], axis=0) for w in (ht, hh, hJ))
-        left = b - np.einsum("ik,ij,jk->k", G, Q, G)
-        seen = left > 0.1 * b
+        left = b + (-1 if fitted else 1) * np.einsum("ik,ij,jk->k", G, Q, G)
+        seen = (b > 0) & (left > 0.1 * b)
         deviates[i] = np.where(seen, abs(a) / np.sqrt(np.where(seen, left, 1)), 0)
     return deviates
 
@@ -287,7 +289,7 @@ def difference_noise(e: Array, some: Mask) -> float:
     return max(float(np.median(both)) / (NORMAL * 2**0.5) if len(both) else 0.0, ROUNDING**0.5)
 
 
-def chi_deviate(square: Array, n: Array) -> Array:
+def chi_deviate(square: Array, n: Array | float) -> Array:
     """Normal deviates of sums of squares of n standard normal deviates.  Wilson, Hilferty 1931."""
     return (np.cbrt(square / n) - (1 - 2 / (9 * n))) / np.sqrt(2 / (9 * n))
 
@@ -344,6 +346,7 @@ def _window(image: Array, v: Array, window: float) -> tuple[slice, slice, Mask] 
 
 
 def radius_of(v: Array, rows: slice, columns: slice) -> Array:
+    """Distances (h, w) of pixels from the centre, in radii of the dot."""
     y, x = np.mgrid[rows, columns] + 0.5
     p = (x - v[X0]) / v[A]
     return np.hypot(p, (y - v[Y0] - v[B] * p) / v[D])

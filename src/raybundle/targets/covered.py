@@ -12,6 +12,7 @@ judgement starts from an ellipse through the largest part of the edge that lies 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -26,6 +27,8 @@ from raybundle.targets.centre import (
     SOFTEST,
     UNKNOWNS,
     WIDTHS,
+    X0,
+    Y0,
     A,
     Box,
     D,
@@ -34,8 +37,6 @@ from raybundle.targets.centre import (
     Dots,
     MaskedDots,
     S,
-    X0,
-    Y0,
     chi_deviate,
     difference_noise,
     edge_shifts,
@@ -82,6 +83,11 @@ LEAST_EDGE = 0.5
 EVEN_PX = 0.12
 """Distance up to which the outline of a dot is told to lie on an ellipse: four times what noise of a hundredth of the
 contrast makes of an edge blurred by a pixel."""
+HOPELESS = 0.35
+"""Share of the edge that is free below which a dot is given up before what is covered has settled."""
+NO_DOT, NO_OUTLINE = 0.08, 0.65
+"""rms residual of a fit to the whole, in units of the contrast, and share of the outline that lies on its ellipse:
+beyond these a spot in texture is no dot, and not worth a judgement; the second is refused."""
 ELLIPTIC = 0.9
 """Share of the rays from which on an outline is an ellipse: what the eye takes for a dot is not refused."""
 SAME = 4.0
@@ -113,8 +119,13 @@ class _Judged:
         return self.within & ~self.covered
 
 
-def measure_dots(image: Array, xy_px: Array, ellipse: Array, window: Array, options: DotOptions | None = None) -> Dots:
+def measure_dots(
+    image: Array, xy_px: Array, ellipse: Array, window: Array, options: DotOptions | None = None,
+    surely: Mask | None = None,
+) -> Dots:  # fmt: skip
     """Fit dots that may be partly covered; arguments as those of `centre.fit_dots`.
+
+    surely  (n,) whether these are dots, and not spots of which some may be: None, all are
 
     A dot on which something lies is measured by what is free of it, or refused as COVERED.  What the covariance does
     not tell: a thing of the colour that the dot or its ground has there is not seen, and does no harm; a bent edge
@@ -126,16 +137,26 @@ def measure_dots(image: Array, xy_px: Array, ellipse: Array, window: Array, opti
     dots = fit_dots(image, xy_px, ellipse, window, o)
     known, suspect = doubts_on(dots)
     # what only seems rough may be so: most prints and lenses are no ideal ones
-    elliptic, asked = np.zeros(len(window), bool), np.flatnonzero(dots.measured & (known | suspect))
-    elliptic[asked] = _is_elliptic(image, dots, asked)
+    share, asked = np.zeros(len(window)), np.flatnonzero(dots.measured & (known | suspect))
+    share[asked] = _elliptic_share(image, dots, asked)
+    elliptic = share > ELLIPTIC
+    if surely is not None:
+        dots.outcome[~surely & dots.measured & (known | suspect) & (share < NO_OUTLINE)] = DotOutcome.COVERED
+        spot = ~surely & (~(dots.residual < NO_DOT * abs(dots.values[:, CONTRAST])) | ~dots.measured)
+        known, suspect = known & ~spot, suspect & ~spot
     rows = np.flatnonzero(known | (suspect & ~elliptic))
     if not len(rows):
         return dots
-    free = _measure_free(image, np.reshape(xy_px, (-1, 2))[rows], np.reshape(ellipse, (-1, 2, 2))[rows], window[rows], o)
+    free = _measure_free(
+        image, np.reshape(xy_px, (-1, 2))[rows], np.reshape(ellipse, (-1, 2, 2))[rows], window[rows], o
+    )
     # a dot on which nothing was found stays as it was fitted
     free.outcome[(free.outcome < 0) & dots.measured[rows] & (dots.doubts[rows, 2] > LOST)] = DotOutcome.COVERED
     refused = free.outcome == DotOutcome.COVERED
-    free.outcome[refused & (elliptic[rows] | _is_the_same(dots, rows, free))] = -1
+    kept = elliptic[rows] | _is_the_same(dots, rows, free)
+    if surely is not None:  # prints and lenses make real dots rough: what is seen as a whole is not refused for that
+        kept |= ~surely[rows] & dots.measured[rows]
+    free.outcome[refused & kept] = -1
     taken = free.outcome >= 0
     for whole, part in (
         (dots.values, free.values), (dots.cov_px2, free.cov_px2), (dots.residual, free.residual),
@@ -164,15 +185,16 @@ def doubts_on(dots: Dots) -> tuple[Mask, Mask]:
 def _is_the_same(dots: Dots, rows: Index, free: Dots) -> Mask:
     """(k,) whether what was left out changed nothing: roughness of print and ground, then, not a thing on the dot."""
     apart = np.hypot(*(dots.xy_px[rows] - free.xy_px).T)
-    return dots.measured[rows] & (apart < SAME * np.sqrt(np.linalg.eigvalsh(dots.cov_px2[rows])[:, 1]))
+    like = dots.measured[rows] & (dots.doubts[rows, 2] < LOST)
+    return like & (apart < SAME * np.sqrt(np.linalg.eigvalsh(dots.cov_px2[rows])[:, 1]))
 
 
-def _is_elliptic(image: Array, dots: Dots, rows: Index) -> Mask:
-    """(k,) whether the outlines of these dots lie on their ellipses nearly all around."""
+def _elliptic_share(image: Array, dots: Dots, rows: Index) -> Array:
+    """(k,) how much of the outlines of these dots lies on their ellipses."""
     C = dots.ellipse[rows]
     near = np.maximum(EVEN_PX, NEAR * np.sqrt(np.sqrt(np.linalg.det(C))))
     sign, blur = np.sign(dots.values[rows, CONTRAST]), dots.values[rows, S]
-    return outline_share(image, dots.xy_px[rows], C, sign, blur, near) > ELLIPTIC
+    return outline_share(image, dots.xy_px[rows], C, sign, blur, near)
 
 
 def _measure_free(image: Array, xy: Array, ellipse: Array, window: Array, o: DotOptions) -> Dots:
@@ -238,22 +260,25 @@ def _judge(j: _Judged, fitted: MaskedDots, k: int) -> _Judged | None:
     if fitted.outcome[k] != DotOutcome.MEASURED or j.fits > ROUNDS:
         return None
     v = fitted.values[k]
-    covered = covered_pixels(v, fitted.cov[k], j.box, j.free, fitted.residuals[k], fitted.derivatives[k], j.strict)
+    covered = covered_pixels(
+        v, fitted.cov[k], j.box, j.free, fitted.residuals[k], fitted.derivatives[k], strict=j.strict
+    )
     if j.fits >= ROUNDS // 2:  # what comes and goes is left out
         covered |= j.covered
-    return replace(j, values=v, covered=covered, fits=j.fits + 1)
+    new = replace(j, values=v, covered=covered, fits=j.fits + 1)
+    return new if free_edge(new).mean() > HOPELESS else None
 
 
-def covered_pixels(v: Array, cov: Array, box: Box, free: Mask, e: Array, J: Array, strict: bool = False) -> Mask:
+def covered_pixels(v: Array, cov: Array, box: Box, free: Mask, e: Array, J: Array, *, strict: bool = False) -> Mask:
     """Pixels (h, w) of a box that something lies on, or near enough to be touched by its blurred edge.
 
     v, cov  (10,), (10, 10) values and their covariance
     free    (h, w) the pixels that the fit rests on: they tell the noise
     e, J    (h, w), (h, w, 10) residuals and derivatives of the model
 
-    Means and squares of 3 x 3 pixels, and shifts of parts of the edge, as normal deviates, in units of their own
-    median where that is more than 1 (unless strict).  Far from the free arc a residual may be what the ellipse is wrong by there, which
-    its covariance tells.
+    Means and squares of 3 x 3 pixels as normal deviates, in units of their own median, and shifts of parts of the edge
+    in units of the rms residual, where these are more than 1 (unless strict).  Far from the free arc a residual may be
+    what the ellipse is wrong by there, which its covariance tells.
     """
     from scipy.ndimage import binary_dilation, uniform_filter  # noqa: PLC0415
     from scipy.special import ndtri  # noqa: PLC0415
@@ -262,14 +287,15 @@ def covered_pixels(v: Array, cov: Array, box: Box, free: Mask, e: Array, J: Arra
     noise = _noise(e, free, radius_of(v, *box), h)
     t, u = e / noise, J / noise[..., None]
     loose = np.where(free, 0, np.einsum("hwi,ij,hwj->hw", u, cov, u))
-    mean_u = uniform_filter(u, (3, 3, 0), mode="nearest")
-    mean, square = uniform_filter(np.stack([t, t * t / (1 + 9 * loose)]), (0, 3, 3), mode="nearest")
+    smooth: Any = uniform_filter
+    mean_u = smooth(u, (3, 3, 0), mode="nearest")
+    mean, square = smooth(np.stack([t, t * t / (1 + 9 * loose)]), (0, 3, 3), mode="nearest")
     mean = 3 * abs(mean) / np.sqrt(1 + 9 * np.where(free, 0, np.einsum("hwi,ij,hwj->hw", mean_u, cov, mean_u)))
     limit = ndtri(1 - FALSE / (3 * max(t.size, 1)))
     flagged = np.zeros(t.shape, bool)
-    for deviate in (mean, chi_deviate(9 * square, np.float64(9))):
+    for deviate in (mean, chi_deviate(9 * np.asarray(square), 9.0)):
         flagged |= deviate > limit * (1.0 if strict else _roughness(deviate[free]))
-    flagged |= _moved_edge(v, cov, box, free & ~flagged, t, u, strict)
+    flagged |= _moved_edge(v, cov, box, free & ~flagged, t, u, strict=strict)
     reach = HALO * min(v[S], SOFTEST) + 0.5
     k = int(reach)
     y, x = np.mgrid[-k : k + 1, -k : k + 1]
@@ -293,15 +319,18 @@ def _roughness(deviates: Array) -> float:
     return max(1.0, float(np.median(abs(deviates))) / NORMAL) if deviates.size else 1.0
 
 
-def _moved_edge(v: Array, cov: Array, box: Box, free: Mask, t: Array, u: Array, strict: bool) -> Mask:
+def _moved_edge(v: Array, cov: Array, box: Box, free: Mask, t: Array, u: Array, *, strict: bool) -> Mask:
     """Pixels (h, w) at those parts of the edge that lie elsewhere than on the ellipse."""
     from scipy.special import ndtri  # noqa: PLC0415
 
     y, x = np.mgrid[box] + 0.5
     k = sector_of(v, x, y)
     deviates = edge_shifts(v, k[free], t[free], u[free], cov)
-    rough = 1.0 if strict else _roughness(deviates[0][deviates[0] > 0])
-    off = deviates > ndtri(1 - FALSE / (2 * deviates.size)) * rough
+    limit = ndtri(1 - FALSE / (2 * deviates.size)) * (1 if strict else max(1, float(np.sqrt(np.mean(t[free] ** 2)))))
+    off = np.zeros(deviates.shape, bool)
+    # what has moved bends the ellipse beside it: the worst part alone, and what is left out already and still is off
+    off.flat[deviates.argmax()] = deviates.max() > limit
+    off[0] |= edge_shifts(v, k[~free], t[~free], u[~free], cov, fitted=False)[0] > limit
     parts = np.zeros(SECTORS, bool)
     for m, of in zip(WIDTHS, off, strict=True):
         for j in range(m):
@@ -319,9 +348,7 @@ def _settled(old: _Judged, new: _Judged, fitted: MaskedDots, k: int) -> bool:
     return old.fits > 1 and float(shift @ np.linalg.solve(fitted.cov[k][:2, :2], shift)) < STILL**2
 
 
-def _end(
-    image: Array, dots: Dots, i: int, j: _Judged, fitted: MaskedDots, k: int, o: DotOptions
-) -> _Judged | None:
+def _end(image: Array, dots: Dots, i: int, j: _Judged, fitted: MaskedDots, k: int, o: DotOptions) -> _Judged | None:
     """The outcome of a dot whose free pixels are settled; or the dot again, to be judged more strictly.
 
     The residuals of small dots that are wrong all around rise above their noise, but nowhere above each other.
@@ -360,7 +387,8 @@ def _is_one_thing(j: _Judged) -> bool:
     from scipy.ndimage import label  # noqa: PLC0415
 
     y, x, inside = _edge_pixels(j)
-    labels, _ = label(np.pad(j.covered, 1, constant_values=not inside.all()), np.ones((3, 3)))
+    found: Any = label(np.pad(j.covered, 1, constant_values=not inside.all()), np.ones((3, 3)))
+    labels = found[0]
     of = np.where(inside, labels[y + 1, x + 1], labels[0, 0])
     parts = np.bincount(of[of > 0])
     return not len(parts) or parts.max() > ONE_THING * parts.sum()

@@ -9,7 +9,7 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
-from raybundle.targets.centre import DotOptions, Dots
+from raybundle.targets.centre import DotOptions, DotOutcome, Dots, fit_dots
 from raybundle.targets.codes import RingFamily, rotations
 from raybundle.targets.covered import measure_dots
 from raybundle.targets.pattern import pattern_misfit, settled_misfit
@@ -282,7 +282,7 @@ def _as_drawn(
     return any(
         misfit < gate.pattern and sector < gate.sector
         for gate, drawn in zip(gates, (pattern_misfit, settled_misfit), strict=False)
-        for misfit, sector in [drawn(image, dots.values[row], *ring, family, bool(dots.covered[row]))]
+        for misfit, sector in [drawn(image, dots.values[row], *ring, family, covered=bool(dots.covered[row]))]
     )
 
 
@@ -325,13 +325,15 @@ def _measure(image: Array, found: Found, family: RingFamily | None, o: Detection
     window = np.clip(window, np.where(e.partly, PARTLY, 1.25), 4.0)
     if family is not None:
         window[coded] = (1 + family.ring[0]) / 2
-    dots = measure_dots(image, e.xy_px, e.ellipse, window, o.dot)
-    retry = ~dots.measured & ~coded
+    dots = measure_dots(image, e.xy_px, e.ellipse, window, o.dot, coded | e.partly)
+    retry = ~dots.measured & ~coded & (dots.outcome != DotOutcome.COVERED)
     if retry.any():
-        again = measure_dots(image, e.xy_px[retry], e.ellipse[retry], np.full(retry.sum(), 1.3), o.dot)
-        for whole, part in ((dots.values, again.values), (dots.cov_px2, again.cov_px2)):
-            whole[retry] = part
-        dots.residual[retry], dots.outcome[retry], dots.covered[retry] = again.residual, again.outcome, again.covered
+        again = fit_dots(image, e.xy_px[retry], e.ellipse[retry], np.full(retry.sum(), 1.3), o.dot)
+        _replace(dots, retry, again)
+    # a dot with a whole edge in a ring that is read is one, however rough
+    retry = (dots.outcome == DotOutcome.COVERED) & coded & ~e.partly
+    if retry.any():
+        _replace(dots, retry, fit_dots(image, e.xy_px[retry], e.ellipse[retry], window[retry], o.dot))
     contrast = dots.values[:, 7]
     residual = dots.residual / np.maximum(abs(contrast), 1e-9)
     good = dots.measured & (residual < o.residual) & (np.sign(contrast) == np.sign(e.contrast))
@@ -339,7 +341,7 @@ def _measure(image: Array, found: Found, family: RingFamily | None, o: Detection
         small = _radius(e.ellipse) < o.small
         for i in np.flatnonzero(good & coded):
             ring = int(found.code[chosen[i]]), float(found.begin[chosen[i]])
-            good[i] = _as_drawn(image, dots, i, ring, family, o.small_gates if small[i] else o.large_gates)
+            good[i] = _as_drawn(image, dots, int(i), ring, family, o.small_gates if small[i] else o.large_gates)
     begin = np.einsum(
         "nij,nj->ni", frame(e.ellipse), np.stack([np.cos(found.begin[chosen]), -np.sin(found.begin[chosen])], axis=1)
     )
@@ -350,6 +352,15 @@ def _measure(image: Array, found: Found, family: RingFamily | None, o: Detection
         contrast=contrast[good], residual=residual[good], margin=found.margin[chosen][good],
         begin=np.arctan2(-begin[good, 1], begin[good, 0]),
     )  # fmt: skip
+
+
+def _replace(dots: Dots, rows: Mask, by: Dots) -> None:
+    """Rows of fits by others."""
+    for whole, part in (
+        (dots.values, by.values), (dots.cov_px2, by.cov_px2), (dots.residual, by.residual), (dots.doubts, by.doubts),
+        (dots.outcome, by.outcome), (dots.covered, by.covered),
+    ):  # fmt: skip
+        whole[rows] = part
 
 
 def _scaled(e: Edges, scale: float) -> Edges:

@@ -81,7 +81,7 @@ class _Place:
 
 
 def pattern_misfit(
-    image: Array, values: Array, code: int, begin: float, family: RingFamily, covered: bool = False
+    image: Array, values: Array, code: int, begin: float, family: RingFamily, *, covered: bool = False
 ) -> tuple[float, float]:
     """How far grey values are from those of the target drawn, in units of the contrast.
 
@@ -95,19 +95,19 @@ def pattern_misfit(
     Ground, contrasts of dot and ring and slopes of the light over ground and ring are fitted; infinite where the
     contrasts do not match.
     """
-    w, place = _start(image, values, code, begin, family, covered)
+    w, place = _start(image, values, code, begin, family, covered=covered)
     return _misfit(w, place, blurred_region(place.edge(w.s), w.x, w.y, w.s)[w.within])
 
 
 def settled_misfit(
-    image: Array, values: Array, code: int, begin: float, family: RingFamily, covered: bool = False
+    image: Array, values: Array, code: int, begin: float, family: RingFamily, *, covered: bool = False
 ) -> tuple[float, float]:
     """The same after the ring was moved to where grey values want it.
 
     The turn was read in steps of an eighth of a sector, and the perspective not at all: in large targets of many
     sectors both show.  Three unknowns more, and so more than `pattern_misfit` of a ring that something lies on.
     """
-    w, place = _start(image, values, code, begin, family, covered)
+    w, place = _start(image, values, code, begin, family, covered=covered)
     ring = blurred_region(place.edge(w.s), w.x, w.y, w.s)[w.within]
     slack = TURN * 2 * np.pi / family.bits
     for _ in range(ROUNDS):
@@ -124,13 +124,13 @@ def settled_misfit(
 
 
 def _start(
-    image: Array, values: Array, code: int, begin: float, family: RingFamily, covered: bool
+    image: Array, values: Array, code: int, begin: float, family: RingFamily, *, covered: bool
 ) -> tuple[_Window, _Place]:
     L = np.array([[values[A], 0], [values[A + 1], values[D]]])
-    return _window(image, values, L, family, covered), _Place(L, code, family, begin, np.zeros(2))
+    return _window(image, values, L, family, covered=covered), _Place(L, code, family, begin, np.zeros(2))
 
 
-def _window(image: Array, values: Array, L: Array, family: RingFamily, covered: bool) -> _Window:
+def _window(image: Array, values: Array, L: Array, family: RingFamily, *, covered: bool) -> _Window:
     reach = (family.ring[1] + BEYOND) * np.hypot(L[:, 0], L[:, 1])
     low = np.maximum(np.floor(values[:2] - reach).astype(int), 0)
     high = np.minimum(np.ceil(values[:2] + reach).astype(int), [image.shape[1], image.shape[0]])
@@ -150,7 +150,7 @@ def _window(image: Array, values: Array, L: Array, family: RingFamily, covered: 
         dx, dy = np.meshgrid(x, y)
         seen = (values[GROUND] + values[CONTRAST] * dot) * (1 + values[GX] * dx + values[GY] * dy)
         off = (radius < family.ring[0] / family.ring[1]) & (abs(grey - seen) > OFF * abs(values[CONTRAST]))
-        within &= ~binary_dilation(off, np.ones((3, 3)))
+        within &= ~np.asarray(binary_dilation(off, np.ones((3, 3))), bool)
     return _Window(x, y, s, within, p[within], q[within], grey[within], dot[within])
 
 

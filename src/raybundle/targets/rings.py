@@ -210,6 +210,7 @@ def _through_part(xy: Array, L: Array, p: Array, found: Mask, near: Array) -> tu
     agree = (_sampson(a, p[:, None]) < near[:, None, None]) & found[:, None]
     best = np.argmax(agree.sum(axis=2), axis=1)
     agree = agree[np.arange(n), best]
+    distance = np.full(found.shape, np.inf)
     for _ in range(2):
         a = _conics(p, agree.astype(float))
         distance = _sampson(a, p)
