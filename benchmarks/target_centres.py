@@ -1,7 +1,8 @@
-"""Targets: precision against the bound of Cramér and Rao, truth of the stated covariance, recall, wrong codes, speed.
+"""Targets: precision against the bound of Cramér and Rao, true covariances, covered dots, recall, wrong codes, speed.
 
     python benchmarks/target_centres.py centres [runs]     centres: rms, bound, chi-square
     python benchmarks/target_centres.py codes [shots]      recall; wrong codes with a tenth of the ring hidden
+    python benchmarks/target_centres.py covered [dots]     dots on which something lies, as a whole and by what is free
     python benchmarks/target_centres.py photographs        ../shared/data: panel of targets, photographs without, speed
 
 Each writes its part of benchmarks/results/target_centres.json.
@@ -25,9 +26,11 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
 from tests.targets import render  # noqa: E402
+from tests.targets.covered_dots import measured  # noqa: E402
 from tests.targets.render import shot  # noqa: E402
 
 from raybundle.targets.centre import DotOptions, blurred_ellipse, fit_dots, triangle_from_ellipse  # noqa: E402
+from raybundle.targets.covered import measure_dots  # noqa: E402
 from raybundle.targets.detect import DetectionOptions, detect_targets, find_targets  # noqa: E402
 from raybundle.targets.families import families  # noqa: E402
 
@@ -166,6 +169,39 @@ def codes(shots=1000):
     return result
 
 
+def covered(count=560):
+    """Dots on three quarters of which something lies: fitted as a whole, and by what is free; and what whole ones lose.
+
+    Not counted as measured are those that are refused.  A centre is far where it is 4 standard deviations off.
+    """
+    result = {"dots": count}
+    for name, fit in (("whole", fit_dots), ("free", measure_dots)):
+        began = time.process_time()
+        part, square, outcome, precision = measured(fit, count, 2).T
+        fine, result[name] = outcome == 0, {"seconds_with_rendering": time.process_time() - began}
+        for low, high in ((0, 0), (0.05, 0.15), (0.15, 0.3), (0.3, 0.45), (0.05, 0.45)):
+            some = (part == 0) if high == 0 else (part > low) & (part <= high)
+            ok = some & fine
+            result[name][f"{low}-{high}"] = {
+                "dots": int(some.sum()), "measured": int(ok.sum()), "chi2_per_degree": float(square[ok].mean() / 2),
+                "far": int((square[ok] > 16).sum()), "far_expected": float(ok.sum() * chi2(2).sf(16)),
+                "median_sigma_px": float(np.median(precision[ok])),
+            }  # fmt: skip
+            print(name, low, high, result[name][f"{low}-{high}"], flush=True)
+    rng = np.random.default_rng(4)
+    for radius in (5, 8, 15):
+        shots = [shot(rng, radius, 0.4, size=int(5 * radius + 20)) for _ in range(20)]
+        seconds = {}
+        for fit in (fit_dots, measure_dots, fit_dots, measure_dots):
+            began = time.process_time()
+            for s in shots:
+                fit(s.image, np.tile(s.centre + 0.1, (20, 1)), np.tile(s.ellipse, (20, 1, 1)), np.full(20, 1.8))
+            seconds[fit.__name__] = time.process_time() - began
+        result[f"time_ratio_of_whole_dots_{radius}"] = seconds["measure_dots"] / seconds["fit_dots"]
+        print("time of whole dots, radius", radius, result[f"time_ratio_of_whole_dots_{radius}"])
+    return result
+
+
 def photographs():
     """Reads on the panel, false targets on photographs without, speed; each photograph by one of two threads."""
     import cv2
@@ -204,10 +240,10 @@ def grey(path):
 def main():
     part = sys.argv[1] if len(sys.argv) > 1 else "centres"
     number = [int(n) for n in sys.argv[2:3]]
-    result = {"centres": centres, "codes": codes, "photographs": photographs}[part](*number)
+    result = {"centres": centres, "codes": codes, "covered": covered, "photographs": photographs}[part](*number)
     out = ROOT / "benchmarks" / "results" / "target_centres.json"
     whole = json.loads(out.read_text()) if out.is_file() else {}
-    whole = {k: whole[k] for k in ("centres", "codes", "photographs") if k in whole} | {part: result}
+    whole = {k: whole[k] for k in ("centres", "codes", "covered", "photographs") if k in whole} | {part: result}
     out.write_text(json.dumps(whole, indent=1) + "\n")
 
 

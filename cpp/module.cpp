@@ -141,7 +141,7 @@ nb::tuple match_windows(Image reference, Image target, Const xy_reference, Const
 nb::tuple fit_dots(Image image, Const xy, Const shape, Const window, int iterations, double step, double reach, double slope) {
   const size_t n = window.size();
   if (xy.size() != 2 * n || shape.size() != 3 * n || !(slope > 0)) throw std::invalid_argument("dots have the wrong size");
-  auto values = make({n, size_t(kDotUnknowns)}), covariance = make({n, 3}), residual = make({n});
+  auto values = make({n, size_t(kDotUnknowns)}), covariance = make({n, 3}), residual = make({n}), doubts = make({n, size_t(kDotDoubts)});
   auto outcome = array<int32_t>({n});
   for (size_t i = 0; i < n; ++i) {
     std::copy_n(xy.data() + 2 * i, 2, values.data() + kDotUnknowns * i);
@@ -149,13 +149,41 @@ nb::tuple fit_dots(Image image, Const xy, Const shape, Const window, int iterati
   }
   const Grey grey{image.data(), int(image.shape(1)), int(image.shape(0))};
   const double* w = window.data();
+  double *v = values.data(), *Q = covariance.data(), *r = residual.data(), *d = doubts.data();
+  int32_t* o = outcome.data();
+  {
+    nb::gil_scoped_release release;
+    target_kernels().fit_dots(grey, {iterations, step, reach, slope}, 0, int(n), w, v, Q, r, d, o);
+  }
+  return nb::make_tuple(values, covariance, residual, doubts, outcome);
+}
+
+nb::tuple fit_masked_dots(Image image, Const start, Ints box, Longs offset, Bytes free, int iterations, double step, double reach,
+                          double slope) {
+  const size_t n = start.size() / kDotUnknowns;
+  const int64_t height = int64_t(image.shape(0)), width = int64_t(image.shape(1));
+  if (start.size() != n * kDotUnknowns || box.size() != 4 * n || offset.size() != n + 1 || !(slope > 0))
+    throw std::invalid_argument("dots have the wrong size");
+  bool fine = offset.data()[0] == 0 && offset.data()[n] == int64_t(free.size());
+  for (size_t i = 0; i < n && fine; ++i) {
+    const int32_t* b = box.data() + 4 * i;
+    fine = b[0] >= 0 && b[1] >= 0 && b[0] < b[2] && b[1] < b[3] && b[2] <= width && b[3] <= height &&
+           offset.data()[i + 1] - offset.data()[i] == int64_t(b[2] - b[0]) * (b[3] - b[1]);
+  }
+  if (!fine) throw std::invalid_argument("boxes of dots leave the image, or are not as large as their pixels");
+  auto values = make({n, size_t(kDotUnknowns)}), covariance = make({n, size_t(kDotUnknowns), size_t(kDotUnknowns)}), residual = make({n});
+  auto e = make({free.size()}), J = make({free.size(), size_t(kDotUnknowns)});
+  auto outcome = array<int32_t>({n});
+  std::copy_n(start.data(), start.size(), values.data());
+  const Grey grey{image.data(), int(width), int(height)};
+  const DotMasks masks{box.data(), offset.data(), free.data(), e.data(), J.data()};
   double *v = values.data(), *Q = covariance.data(), *r = residual.data();
   int32_t* o = outcome.data();
   {
     nb::gil_scoped_release release;
-    target_kernels().fit_dots(grey, {iterations, step, reach, slope}, 0, int(n), w, v, Q, r, o);
+    target_kernels().fit_masked(grey, {iterations, step, reach, slope}, 0, int(n), masks, v, Q, r, o);
   }
-  return nb::make_tuple(values, covariance, residual, outcome);
+  return nb::make_tuple(values, covariance, residual, outcome, e, J);
 }
 
 nb::tuple fit_corners(Image image, Const xy, Const u, Const v, Const band, Const half, double least, int iterations) {
@@ -218,6 +246,7 @@ NB_MODULE(_native, m) {
   m.def("best_matches", &best);
   m.def("match_windows", &match_windows);
   m.def("fit_dots", &fit_dots);
+  m.def("fit_masked_dots", &fit_masked_dots);
   m.def("fit_corners", &fit_corners);
   m.def("instruction_set", [] { return std::string(kernels().name); });
   m.def("sensor_models", [] {

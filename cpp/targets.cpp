@@ -20,6 +20,7 @@ constexpr int kU = kDotUnknowns;
 constexpr double kFar = 5.5;          // standard deviations beyond which an edge is not felt
 constexpr double kNodes = 1.1;        // largest distance of edge points, in standard deviations
 constexpr double kSharpest = 0.3, kSoftest = 12.0;
+constexpr int kSectors = 32;
 constexpr int kPasses = 2;            // the window follows the fitted ellipse once
 enum { X0, Y0, A, B, D, S, GROUND, CONTRAST, GX, GY };
 
@@ -28,6 +29,8 @@ struct DotWork {
   std::vector<int> left, right;         // of each row
   std::vector<double> co, si, rx, ry, dx, dy, P, E, sums, steps;
   std::vector<int> from, to;            // columns at which a piece of the edge is felt
+  std::vector<double> e, J;             // of each pixel of the box: residual, derivatives of the model
+  const uint8_t* free = nullptr;        // of each pixel of the box, where not all of them take part
   int nodes = 0, count = 0;
 };
 
@@ -98,6 +101,8 @@ static double evaluate(const Grey& g, const double* v, DotWork& w, double N[kU][
   w.steps.resize(width + 1);
   w.P.resize(size_t(n) * width);
   w.E.resize(size_t(n) * width);
+  w.e.resize(size_t(w.y1 - w.y0) * width);
+  w.J.resize(size_t(kU) * w.e.size());
   w.sums.resize(size_t(7) * width);
   const double step = 2 * kPi / n;
   for (int k = 0; k < n; ++k) {
@@ -160,20 +165,24 @@ static double evaluate(const Grey& g, const double* v, DotWork& w, double N[kU][
       before += w.steps[x];
     }
     const uint16_t* row = g.data + int64_t(y) * g.width + w.x0;
+    double *row_e = w.e.data() + size_t(y - w.y0) * width, *row_J = w.J.data() + size_t(kU) * (y - w.y0) * width;
+    const uint8_t* row_free = w.free ? w.free + size_t(y - w.y0) * width : nullptr;
     for (int x = l; x < r; ++x) {
       const double u_ = w.x0 + x + 0.5 - v[X0];
       const double light = 1 + v[GX] * u_ + v[GY] * v_, level = v[GROUND] + v[CONTRAST] * f[x], k = v[CONTRAST] * light;
-      const double J[kU] = {k * s1[x] - level * v[GX],
-                            k * s2[x] - level * v[GY],
-                            k * s3[x],
-                            k * s4[x],
-                            k * s5[x],
-                            -k * (s6[x] - u_ * s1[x] - v_ * s2[x]) / s,
-                            light,
-                            light * f[x],
-                            level * u_,
-                            level * v_};
-      const double e = row[x] - level * light;
+      double* J = row_J + kU * x;
+      J[X0] = k * s1[x] - level * v[GX];
+      J[Y0] = k * s2[x] - level * v[GY];
+      J[A] = k * s3[x];
+      J[B] = k * s4[x];
+      J[D] = k * s5[x];
+      J[S] = -k * (s6[x] - u_ * s1[x] - v_ * s2[x]) / s;
+      J[GROUND] = light;
+      J[CONTRAST] = light * f[x];
+      J[GX] = level * u_;
+      J[GY] = level * v_;
+      const double e = row_e[x] = row[x] - level * light;
+      if (row_free && !row_free[x]) continue;
       square += e * e;
       for (int i = 0; i < kU; ++i) {
         b[i] += J[i] * e;
@@ -266,7 +275,90 @@ static DotOutcome iterate(const Grey& g, const DotFit& fit, double step, double*
   return dot_unsteady;
 }
 
-static DotOutcome fit_dot(const Grey& g, const DotFit& fit, double window, double* v, double* covariance, double& residual, DotWork& w) {
+// Normal deviate of a sum of squares of n standard normal deviates.  Wilson, Hilferty 1931.
+static double chi_deviate(double square, double n) { return (std::cbrt(square / n) - (1 - 2 / (9 * n))) / std::sqrt(2 / (9 * n)); }
+
+static double median(double* a, int n) {
+  std::nth_element(a, a + n / 2, a + n);
+  return n % 2 ? a[n / 2] : 0.5 * (*std::max_element(a, a + n / 2) + a[n / 2]);
+}
+
+// Signs of something that lies on a dot, from the residuals of the last evaluation and the factor of the normal equations:
+// see centre.doubts_of.
+static void doubts_of(const double* v, const DotWork& w, const double N[kU][kU], const double* scale, std::vector<double>& differences,
+                      double* doubt) {
+  constexpr double kTurn = 6.283185307179586, kNormal = 0.6744897501960817, kRounding = 1.0 / 12;
+  constexpr int kWidths[3] = {2, 4, 6};
+  double he[kSectors] = {}, hh[kSectors] = {}, ee[kSectors] = {}, count[kSectors] = {}, hJ[kSectors][kU] = {}, Q[kU][kU];
+  for (int i = 0; i < kU; ++i) {
+    std::fill(Q[i], Q[i] + kU, 0.0);
+    Q[i][i] = 1;
+    dot_solve(N, scale, Q[i]);
+  }
+  const int width = w.x1 - w.x0;
+  double total = 0;
+  differences.clear();
+  for (int y = w.y0; y < w.y1; ++y) {
+    const int l = w.left[y - w.y0], r = w.right[y - w.y0];
+    const int below_l = y + 1 < w.y1 ? w.left[y + 1 - w.y0] : 0, below_r = y + 1 < w.y1 ? w.right[y + 1 - w.y0] : 0;
+    for (int x = l; x < r; ++x) {
+      const size_t i = size_t(y - w.y0) * width + x - w.x0;
+      const double* J = w.J.data() + kU * i;
+      const double e = w.e[i], h = v[A] * J[A] + v[B] * J[B] + v[D] * J[D];
+      const double p = (x + 0.5 - v[X0]) / v[A], q = (y + 0.5 - v[Y0] - v[B] * p) / v[D];
+      const double turn = std::atan2(q, p) / kTurn;
+      const int k = std::clamp(int((turn < 0 ? turn + 1 : turn) * kSectors), 0, kSectors - 1);
+      he[k] += h * e, hh[k] += h * h, ee[k] += e * e, count[k] += 1;
+      for (int j = 0; j < kU; ++j) hJ[k][j] += h * J[j];
+      total += e * e;
+      if (x + 1 < r) differences.push_back(std::abs(w.e[i + 1] - e));
+      if (x >= below_l && x < below_r) differences.push_back(std::abs(w.e[i + width] - e));
+    }
+  }
+  double sorted[kSectors], square[kSectors], most = 0;
+  int n = 0;
+  for (int k = 0; k < kSectors; ++k) {
+    const int l = (k + 1) % kSectors;
+    if (count[k] + count[l] > 0) sorted[n++] = (ee[k] + ee[l]) / (count[k] + count[l]);
+  }
+  const double variance = n ? std::max(median(sorted, n), kRounding) : kRounding;
+  n = 0;
+  for (int k = 0; k < kSectors; ++k) {
+    const int l = (k + 1) % kSectors;
+    if (count[k] + count[l] > 0) square[n++] = chi_deviate((ee[k] + ee[l]) / variance, count[k] + count[l]);
+  }
+  doubt[0] = doubt[1] = 0;
+  if (n) {
+    most = *std::max_element(square, square + n);
+    for (int k = 0; k < n; ++k) sorted[k] = std::abs(square[k]);
+    doubt[1] = most / std::max(1.0, median(sorted, n) / kNormal);
+  }
+  // shifts of parts of the edge: see centre.edge_shifts
+  most = 0;
+  for (int m : kWidths)
+    for (int k = 0; k < kSectors; ++k) {
+      double a = 0, b = 0, G[kU] = {};
+      for (int j = 0; j < m; ++j) {
+        const int l = (k + j) % kSectors;
+        a += he[l], b += hh[l];
+        for (int i = 0; i < kU; ++i) G[i] += hJ[l][i];
+      }
+      double left = b;
+      for (int i = 0; i < kU; ++i)
+        for (int j = 0; j < kU; ++j) left -= G[i] * Q[i][j] * G[j];
+      const double z = b > 0 && left > 0.1 * b ? std::abs(a) / std::sqrt(left * variance) : 0;
+      most = std::max(most, z);
+    }
+  double noise = std::sqrt(kRounding);
+  if (!differences.empty()) noise = std::max(noise, median(differences.data(), int(differences.size())) / (kNormal * std::sqrt(2.0)));
+  doubt[2] = std::sqrt(std::max(total / w.count, kRounding)) / noise;
+  doubt[0] = most / std::max(1.0, doubt[2]);
+}
+
+static DotOutcome fit_dot(const Grey& g, const DotFit& fit, double window, double* v, double* covariance, double& residual, double* doubt,
+                          DotWork& w) {
+  doubt[0] = doubt[1] = 0;
+  doubt[2] = 1;
   const double start[2] = {v[X0], v[Y0]}, minor = std::min(v[A], v[D]);
   if (!(minor > 0.5)) return dot_flat;
   // no dot is larger than its image, and no window much larger than its dot
@@ -288,6 +380,7 @@ static DotOutcome fit_dot(const Grey& g, const DotFit& fit, double window, doubl
     if (std::hypot(v[X0] - start[0], v[Y0] - start[1]) > fit.reach * minor) return dot_moved;
   }
   residual = std::sqrt(variance);
+  doubts_of(v, w, N, scale, w.sums, doubt);
   for (int k = 0; k < 2; ++k) {
     double unit[kU] = {};
     unit[k] = 1;
@@ -299,13 +392,58 @@ static DotOutcome fit_dot(const Grey& g, const DotFit& fit, double window, doubl
 }
 
 static void fit_dots(const Grey& image, const DotFit& fit, int begin, int end, const double* window, double* values, double* covariance,
-                     double* residual, int32_t* outcome) {
+                     double* residual, double* doubts, int32_t* outcome) {
   DotWork work;
-  for (int n = begin; n < end; ++n) outcome[n] = fit_dot(image, fit, window[n], values + kU * n, covariance + 3 * n, residual[n], work);
+  for (int n = begin; n < end; ++n)
+    outcome[n] = fit_dot(image, fit, window[n], values + kU * n, covariance + 3 * n, residual[n], doubts + kDotDoubts * n, work);
+}
+
+// One pass with the pixels that take part given.
+static DotOutcome fit_masked_dot(const Grey& g, const DotFit& fit, double* v, double* covariance, double& residual, DotWork& w) {
+  const double largest = std::max({std::abs(v[A]), std::abs(v[B]), std::abs(v[D])});
+  if (!(std::min(v[A], v[D]) > 0.5 && v[S] >= kSharpest && v[S] <= kSoftest && w.count >= 2 * kU)) return dot_flat;
+  const double side = std::max(g.width, g.height);
+  if (!(largest < 4 * side && std::abs(v[X0]) < 4 * side && std::abs(v[Y0]) < 4 * side)) return dot_outside;
+  for (int i = GROUND; i < kU; ++i)
+    if (!std::isfinite(v[i])) return dot_flat;
+  const double start[2] = {v[X0], v[Y0]}, minor = std::min(v[A], v[D]);
+  double N[kU][kU], scale[kU], variance = 0;
+  const DotOutcome outcome = iterate(g, fit, fit.step, v, w, N, scale, variance);
+  if (outcome != dot_measured) return outcome;
+  if (!(std::min(v[A], v[D]) > 0.5)) return dot_flat;
+  if (std::hypot(v[X0] - start[0], v[Y0] - start[1]) > fit.reach * minor) return dot_moved;
+  residual = std::sqrt(variance);
+  for (int k = 0; k < kU; ++k) {
+    double* unit = covariance + kU * k;
+    std::fill(unit, unit + kU, 0.0);
+    unit[k] = 1;
+    dot_solve(N, scale, unit);
+    for (int i = 0; i < kU; ++i) unit[i] *= variance;
+  }
+  return dot_measured;
+}
+
+static void fit_masked(const Grey& image, const DotFit& fit, int begin, int end, const DotMasks& masks, double* values,
+                       double* covariance, double* residual, int32_t* outcome) {
+  DotWork w;
+  for (int n = begin; n < end; ++n) {
+    const int32_t* box = masks.box + 4 * n;
+    w.x0 = box[0], w.y0 = box[1], w.x1 = box[2], w.y1 = box[3];
+    const size_t size = size_t(masks.offset[n + 1] - masks.offset[n]);
+    w.free = masks.free + masks.offset[n];
+    w.left.assign(w.y1 - w.y0, w.x0);
+    w.right.assign(w.y1 - w.y0, w.x1);
+    w.count = int(std::count_if(w.free, w.free + size, [](uint8_t f) { return f != 0; }));
+    w.e.assign(size, 0.0);
+    w.J.assign(kU * size, 0.0);
+    outcome[n] = fit_masked_dot(image, fit, values + kU * n, covariance + kU * kU * n, residual[n], w);
+    std::copy_n(w.e.data(), size, masks.residuals + masks.offset[n]);
+    std::copy_n(w.J.data(), kU * size, masks.derivatives + kU * masks.offset[n]);
+  }
 }
 
 extern const TargetKernels targets;
-const TargetKernels targets = {&fit_dots};
+const TargetKernels targets = {&fit_dots, &fit_masked};
 
 }  // namespace RB_ARCH
 }  // namespace raybundle

@@ -18,11 +18,25 @@ struct DotFit {
 enum DotOutcome : int32_t { dot_measured = 0, dot_outside = 1, dot_flat = 2, dot_moved = 3, dot_unsteady = 4 };
 
 constexpr int kDotUnknowns = 10;  // centre, lower triangle of the shape, blur, ground, contrast, slope of the light
+constexpr int kDotDoubts = 3;     // signs of something that lies on a dot: see centre.py
+
+// Dots of which only some pixels are looked at.  The boxes (x0, y0, x1, y1; ends excluded) of n dots, their pixels one after the
+// other from offset[n] on, 1 where a pixel takes part; residuals and their derivatives (10, with the
+// sign of the model) of all pixels of the boxes come back.
+struct DotMasks {
+  const int32_t* box;
+  const int64_t* offset;
+  const uint8_t* free;
+  double *residuals, *derivatives;
+};
 
 struct TargetKernels {
-  // values (n, 10) begin with centre and shape (a, b, d); window (n) in radii; covariance (n, 3); residual (n) [grey].
+  // values (n, 10) begin with centre and shape (a, b, d); window (n) in radii; covariance (n, 3); residual (n) [grey]; doubts (n, 3).
   void (*fit_dots)(const Grey& image, const DotFit& fit, int begin, int end, const double* window, double* values, double* covariance,
-                   double* residual, int32_t* outcome);
+                   double* residual, double* doubts, int32_t* outcome);
+  // values (n, 10) are all given; covariance (n, 10, 10).
+  void (*fit_masked)(const Grey& image, const DotFit& fit, int begin, int end, const DotMasks& masks, double* values, double* covariance,
+                     double* residual, int32_t* outcome);
 };
 
 namespace baseline { extern const TargetKernels targets; }

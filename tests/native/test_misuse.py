@@ -205,12 +205,23 @@ SIZES = {
     "half a window, 257": lambda: windows(half=257),
     "starts": lambda: windows(start=np.zeros((2, 2))),
     "dots": lambda: native.module().fit_dots(grey(), np.zeros((1, 2)), np.zeros((1, 2)), np.ones(1), 5, 0.01, 5.0, 0.5),
+    "masked dots": lambda: masked(np.zeros((1, 9)), [[0, 0, 5, 5]], [0, 25]),
+    "boxes of dots": lambda: masked(np.zeros((1, 10)), [[0, 0, 5, 500]], [0, 2500]),
+    "boxes turned round": lambda: masked(np.zeros((1, 10)), [[5, 5, 0, 0]], [0, 25]),
+    "pixels of dots": lambda: masked(np.zeros((1, 10)), [[0, 0, 5, 5]], [0, 24]),
     "descriptors": lambda: native.module().best_matches(np.zeros((2, 8), np.float32), np.zeros((2, 9), np.float32)),
 }
 
 
 def grey(height=50, width=50):
     return np.random.default_rng(1).integers(0, 65535, (height, width)).astype(np.uint16)
+
+
+def masked(values, box, offset):
+    free = np.ones(offset[-1], np.uint8)
+    return native.module().fit_masked_dots(
+        grey(), values, np.array(box, np.int32), np.array(offset), free, 5, 0.01, 5.0, 0.5
+    )
 
 
 def windows(half=5, start=None, at=25.0):
@@ -249,6 +260,11 @@ def test_wild_numbers_end_with_an_outcome():
                 image, image, draw(n, 2), draw(n, 2), draw(n, 2, 2), int(rng.integers(2, 20)), 1.0, 5, 0.01, 5.0, 0.1
             )
             m.fit_dots(image, draw(n, 2), draw(n, 3), draw(n), 5, 0.01, 5.0, 0.5)
+            h, w = image.shape
+            m.fit_masked_dots(
+                image, draw(1, 10), np.array([[0, 0, w, h]], np.int32), np.array([0, h * w]),
+                np.ones(h * w, np.uint8), 5, 0.01, 5.0, 0.5,
+            )  # fmt: skip
             m.fit_corners(image, draw(n, 2), draw(n, 2), draw(n, 2), draw(n, 2), draw(n), 1.0, 5)
         m.match_windows(
             grey(0, 0), grey(0, 0), np.ones((1, 2)), np.ones((1, 2)), np.ones((1, 2, 2)), 5, 1.0, 5, 0.01, 5.0, 0.1

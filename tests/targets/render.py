@@ -112,8 +112,33 @@ def expose(fine, rng, blur=0.7, noise=2.0, low=40.0, contrast=160.0, slope=(0.0,
     return np.clip(np.round(image), 0, np.iinfo(depth).max).astype(depth)
 
 
-def shot(rng, radius, tilt=0.0, *, size=None, bits=0, code=0, ring=(2.0, 3.0), inverse=False, hidden=None, **light):
-    """One target near the middle of a small image; tilt in radians, azimuth, turn and place at random."""
+def straight_cover(part, angle, grey):
+    """Something with a straight edge, seen in the direction `angle` of a dot; hides `part` of its circumference."""
+
+    def cover(p):
+        return p[..., 0] * np.cos(angle) + p[..., 1] * np.sin(angle) - np.cos(np.pi * part), grey
+
+    return cover
+
+
+def round_cover(part, angle, grey):
+    """A blob round a point of a dot's edge; hides `part` of its circumference."""
+
+    def cover(p):
+        return 2 * np.sin(np.pi * part / 2) - np.hypot(p[..., 0] - np.cos(angle), p[..., 1] - np.sin(angle)), grey
+
+    return cover
+
+
+def shot(
+    rng, radius, tilt=0.0, *, size=None, bits=0, code=0, ring=(2.0, 3.0), inverse=False, hidden=None, cover=None,
+    **light,
+):  # fmt: skip
+    """One target near the middle of a small image; tilt in radians, azimuth, turn and place at random.
+
+    cover  function of positions in the frame in which the dot's edge is the unit circle: distance to the border of what
+           lies on the target, positive within, and its grey value 0..1
+    """
     reach = ring[1] if bits else 1.0
     size = size or 2 * int(np.ceil(radius * reach * 1.15 + 8))
     centre = rng.uniform(-0.5, 0.5, 2) + size / 2
@@ -124,6 +149,12 @@ def shot(rng, radius, tilt=0.0, *, size=None, bits=0, code=0, ring=(2.0, 3.0), i
     if mirrored(H):
         raise ValueError("the plane is seen from behind")
     fine = ring_pattern(seen, scale, ring, bits, code, hidden)
-    image = expose((1 - fine if inverse else fine).astype(np.float32), rng, **light)
+    fine = 1 - fine if inverse else fine
     c, C = ellipse_of(H)
+    if cover is not None:
+        distance, grey = cover((xy - c) @ np.linalg.inv(np.linalg.cholesky(C)).T)
+        step = np.hypot(*np.gradient(distance))
+        on = share(distance / np.maximum(step, 1e-12))
+        fine = fine * (1 - on) + grey * on
+    image = expose(fine.astype(np.float32), rng, **light)
     return Shot(image, c, C, H[:2, 2] / H[2, 2], np.linalg.inv(H))

@@ -135,8 +135,8 @@ def test_what_lies_on_a_ring_shows_in_its_sectors(monkeypatch):
     """Mean departures of sectors: small on whole rings, large where a grey wedge left a number to be read."""
     f, rng, seen = families["aicon14"], np.random.default_rng(5), []
 
-    def watched(*given):
-        seen.append(pattern_misfit(*given)[1])
+    def watched(*given, **more):
+        seen.append(pattern_misfit(*given, **more)[1])
         return 0.0, 0.0
 
     monkeypatch.setattr(detect_module, "pattern_misfit", watched)

@@ -3,20 +3,36 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
-from raybundle.targets.centre import DotOptions, fit_dots
+from raybundle.targets.centre import DotOptions, DotOutcome, Dots, fit_dots
 from raybundle.targets.codes import RingFamily, rotations
+from raybundle.targets.covered import measure_dots
 from raybundle.targets.pattern import pattern_misfit, settled_misfit
-from raybundle.targets.rings import Edges, circle, find_edges, frame, read_rings, rough_gate, sample
+from raybundle.targets.rings import (
+    Edges,
+    circle,
+    find_edges,
+    find_parts,
+    frame,
+    joined,
+    read_rings,
+    rough_gate,
+    sample,
+)
+
+if TYPE_CHECKING:
+    from raybundle.targets.blobs import Blobs
 
 Polarity = Literal["light", "dark", "both"]
 LEAST_RADIUS, LEAST_MAJOR = 2.3, 2.9
 """Least mean radius and least semi-major axis of a dot [px]: texture is full of smaller ones."""
+PARTLY = 1.6
+"""Least radius to which grey values are looked at where something lies on a dot: what else is there is found out."""
 GROUND_PX = 14.0
 """Ground around a dot that is used where there is so much: it tells the slope of the light [px]."""
 
@@ -129,7 +145,7 @@ def detect_targets(image: Array, family: RingFamily | None, options: DetectionOp
     family  the rings in use: it must be named, since families share rings under different numbers; None: dots alone
 
     A number found twice keeps both places: which is wrong, if any, is for the network to say.
-    What the covariance does not tell stands in `centre.fit_dots`.
+    What the covariance does not tell stands in `covered.measure_dots`.
     """
     o = options or DetectionOptions()
     eight, scale = eight_bits(image)
@@ -163,11 +179,7 @@ def find_targets(image: Array, family: RingFamily | None, options: DetectionOpti
     wanted = {"light": 1, "dark": -1, "both": 0}[o.polarity]
     chosen = np.flatnonzero(blobs.sign == wanted) if wanted else np.arange(len(blobs.sign))
     chosen = chosen[rough_gate(image, blobs.xy_px[chosen], blobs.ellipse[chosen], blobs.sign[chosen], least)]
-    edges = find_edges(image, blobs.xy_px[chosen], blobs.ellipse[chosen], blobs.sign[chosen], rays=12)
-    edges = edges.rows(_plausible(edges, image.shape, 2.0 * o.misfit, o.quiet + 0.25))
-    edges = edges.rows(_distinct(edges, edges.misfit))
-    edges = find_edges(image, edges.xy_px, edges.ellipse, np.sign(edges.contrast))
-    edges = edges.rows(_plausible(edges, image.shape, o.misfit, np.inf))
+    edges = _whole_and_parts(image, blobs, chosen, o)
     n = len(edges.xy_px)
     ids, code, margin, begin = np.full(n, -1), np.full(n, -1), np.full(n, np.nan), np.full(n, np.nan)
     if family is not None and n:
@@ -187,11 +199,31 @@ def find_targets(image: Array, family: RingFamily | None, options: DetectionOpti
     return Found(edges=edges.rows(order), id=ids[order], code=code[order], margin=margin[order], begin=begin[order])
 
 
+def _whole_and_parts(image: Array, blobs: Blobs, chosen: Index, o: DetectionOptions) -> Edges:
+    """Dots by their whole edge; and, where none was found, by the larger part of it."""
+    spots = blobs.xy_px[chosen], blobs.ellipse[chosen], blobs.sign[chosen]
+    edges = find_edges(image, *spots, rays=12)
+    edges = edges.rows(_plausible(edges, image.shape, 2.0 * o.misfit, o.quiet + 0.25))
+    rest = np.setdiff1d(np.arange(len(chosen)), edges.source)
+    edges = edges.rows(_distinct(edges, edges.misfit))
+    whole = find_edges(image, edges.xy_px, edges.ellipse, np.sign(edges.contrast))
+    fine = _plausible(whole, image.shape, o.misfit, np.inf)
+    lost = np.setdiff1d(np.arange(len(edges.xy_px)), whole.source[fine])
+    whole = whole.rows(fine)
+    parts = [find_parts(image, *(a[rest] for a in spots))]
+    parts.append(find_parts(image, edges.xy_px[lost], edges.ellipse[lost], np.sign(edges.contrast[lost])))
+    found = joined([whole, *(p.rows(_plausible(p, image.shape, o.misfit, np.inf, margin=0.0)) for p in parts)])
+    if not found.partly.any():
+        return whole
+    # a part beside a whole one is the same dot, or none
+    return found.rows(_distinct(found, found.misfit + 1e6 * found.partly))
+
+
 def _nothing() -> Found:
     none = np.zeros(0)
     edges = Edges(
         xy_px=np.zeros((0, 2)), ellipse=np.zeros((0, 2, 2)), ground=none, contrast=none, misfit=none, quiet=none,
-        source=none.astype(np.int64),
+        source=none.astype(np.int64), partly=none > 0,
     )  # fmt: skip
     whole = none.astype(np.int64)
     return Found(edges=edges, id=whole, code=whole, margin=none, begin=none)
@@ -208,7 +240,7 @@ def _reaches(edges: Edges, shape: tuple[int, ...], radii: float) -> Mask:
     return np.all(inside, axis=1)
 
 
-def _plausible(edges: Edges, shape: tuple[int, ...], misfit: float, quiet: float) -> Mask:
+def _plausible(edges: Edges, shape: tuple[int, ...], misfit: float, quiet: float, margin: float = 1.25) -> Mask:
     radius, trace = _radius(edges.ellipse), edges.ellipse[:, 0, 0] + edges.ellipse[:, 1, 1]
     major = np.sqrt((trace + np.sqrt(np.maximum(trace**2 - 4 * radius**4, 0))) / 2)
     return (
@@ -216,7 +248,7 @@ def _plausible(edges: Edges, shape: tuple[int, ...], misfit: float, quiet: float
         & (major > LEAST_MAJOR)
         & (edges.misfit < misfit * radius + 0.12)
         & (edges.quiet < quiet)
-        & _reaches(edges, shape, 1.25)
+        & _reaches(edges, shape, margin)
     )  # fmt: skip
 
 
@@ -244,13 +276,13 @@ def _distinct(edges: Edges, badness: Array) -> Index:
 
 
 def _as_drawn(
-    image: Array, values: Array, code: int, begin: float, family: RingFamily, gates: tuple[Gate, ...]
+    image: Array, dots: Dots, row: int, ring: tuple[int, float], family: RingFamily, gates: tuple[Gate, ...]
 ) -> bool:
     """Whether a target looks like the one that was read: as it was read, or moved to where the grey values want it."""
     return any(
         misfit < gate.pattern and sector < gate.sector
         for gate, drawn in zip(gates, (pattern_misfit, settled_misfit), strict=False)
-        for misfit, sector in [drawn(image, values, code, begin, family)]
+        for misfit, sector in [drawn(image, dots.values[row], *ring, family, covered=bool(dots.covered[row]))]
     )
 
 
@@ -290,16 +322,18 @@ def _measure(image: Array, found: Found, family: RingFamily | None, o: Detection
     # dots that are blurred are larger than they seem
     room = 0.85 * (np.minimum(e.xy_px, np.array([image.shape[1], image.shape[0]]) - e.xy_px) - 1)
     window = np.minimum(window, (room / np.sqrt(e.ellipse[:, [0, 1], [0, 1]])).min(axis=1, initial=np.inf))
-    window = np.clip(window, 1.25, 4.0)
+    window = np.clip(window, np.where(e.partly, PARTLY, 1.25), 4.0)
     if family is not None:
         window[coded] = (1 + family.ring[0]) / 2
-    dots = fit_dots(image, e.xy_px, e.ellipse, window, o.dot)
-    retry = ~dots.measured & ~coded
+    dots = measure_dots(image, e.xy_px, e.ellipse, window, o.dot, coded | e.partly)
+    retry = ~dots.measured & ~coded & (dots.outcome != DotOutcome.COVERED)
     if retry.any():
         again = fit_dots(image, e.xy_px[retry], e.ellipse[retry], np.full(retry.sum(), 1.3), o.dot)
-        for whole, part in ((dots.values, again.values), (dots.cov_px2, again.cov_px2)):
-            whole[retry] = part
-        dots.residual[retry], dots.outcome[retry] = again.residual, again.outcome
+        _replace(dots, retry, again)
+    # a dot with a whole edge in a ring that is read is one, however rough
+    retry = (dots.outcome == DotOutcome.COVERED) & coded & ~e.partly
+    if retry.any():
+        _replace(dots, retry, fit_dots(image, e.xy_px[retry], e.ellipse[retry], window[retry], o.dot))
     contrast = dots.values[:, 7]
     residual = dots.residual / np.maximum(abs(contrast), 1e-9)
     good = dots.measured & (residual < o.residual) & (np.sign(contrast) == np.sign(e.contrast))
@@ -307,7 +341,7 @@ def _measure(image: Array, found: Found, family: RingFamily | None, o: Detection
         small = _radius(e.ellipse) < o.small
         for i in np.flatnonzero(good & coded):
             ring = int(found.code[chosen[i]]), float(found.begin[chosen[i]])
-            good[i] = _as_drawn(image, dots.values[i], *ring, family, o.small_gates if small[i] else o.large_gates)
+            good[i] = _as_drawn(image, dots, int(i), ring, family, o.small_gates if small[i] else o.large_gates)
     begin = np.einsum(
         "nij,nj->ni", frame(e.ellipse), np.stack([np.cos(found.begin[chosen]), -np.sin(found.begin[chosen])], axis=1)
     )
@@ -318,6 +352,15 @@ def _measure(image: Array, found: Found, family: RingFamily | None, o: Detection
         contrast=contrast[good], residual=residual[good], margin=found.margin[chosen][good],
         begin=np.arctan2(-begin[good, 1], begin[good, 0]),
     )  # fmt: skip
+
+
+def _replace(dots: Dots, rows: Mask, by: Dots) -> None:
+    """Rows of fits by others."""
+    for whole, part in (
+        (dots.values, by.values), (dots.cov_px2, by.cov_px2), (dots.residual, by.residual), (dots.doubts, by.doubts),
+        (dots.outcome, by.outcome), (dots.covered, by.covered),
+    ):  # fmt: skip
+        whole[rows] = part
 
 
 def _scaled(e: Edges, scale: float) -> Edges:

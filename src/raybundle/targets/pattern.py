@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from raybundle.numerics.arrays import Array, Mask
-from raybundle.targets.centre import X0, Y0, A, D, S
+from raybundle.targets.centre import CONTRAST, GROUND, GX, GY, X0, Y0, A, D, S
 from raybundle.targets.codes import RingFamily, sectors
 
 FINE = 1.3
@@ -23,6 +23,8 @@ FINEST = 40
 """Pixels along a side that are compared; of larger targets the means of blocks of 2 x 2, 3 x 3 ... are."""
 BEYOND = 0.25
 """How far beyond the ring grey values are compared, in radii of the dot."""
+OFF = 0.1
+"""Departure from the dot as fitted, in units of its contrast, from which something lies there."""
 PALEST = 0.35
 """Least ratio of the contrasts of ring and dot, either way round."""
 ROUNDS = 4
@@ -78,29 +80,34 @@ class _Place:
         return ring_edge(self.L, s, self.code, self.turn, self.family, self.boost)
 
 
-def pattern_misfit(image: Array, values: Array, code: int, begin: float, family: RingFamily) -> tuple[float, float]:
+def pattern_misfit(
+    image: Array, values: Array, code: int, begin: float, family: RingFamily, *, covered: bool = False
+) -> tuple[float, float]:
     """How far grey values are from those of the target drawn, in units of the contrast.
 
     image   (h, w)
     values  (10,) of the dot, as `fit_dots` gives them
     begin   where sector 0 begins in the frame of the dot, counter-clockwise as seen [rad]
+    covered  something lies on the dot: within the ring, what does not look like it is left out
 
     returns  their standard deviation; the largest mean departure of a sector, which is small wherever nothing lies on
              the ring, however noisy or blurred it is
     Ground, contrasts of dot and ring and slopes of the light over ground and ring are fitted; infinite where the
     contrasts do not match.
     """
-    w, place = _start(image, values, code, begin, family)
+    w, place = _start(image, values, code, begin, family, covered=covered)
     return _misfit(w, place, blurred_region(place.edge(w.s), w.x, w.y, w.s)[w.within])
 
 
-def settled_misfit(image: Array, values: Array, code: int, begin: float, family: RingFamily) -> tuple[float, float]:
+def settled_misfit(
+    image: Array, values: Array, code: int, begin: float, family: RingFamily, *, covered: bool = False
+) -> tuple[float, float]:
     """The same after the ring was moved to where grey values want it.
 
     The turn was read in steps of an eighth of a sector, and the perspective not at all: in large targets of many
     sectors both show.  Three unknowns more, and so more than `pattern_misfit` of a ring that something lies on.
     """
-    w, place = _start(image, values, code, begin, family)
+    w, place = _start(image, values, code, begin, family, covered=covered)
     ring = blurred_region(place.edge(w.s), w.x, w.y, w.s)[w.within]
     slack = TURN * 2 * np.pi / family.bits
     for _ in range(ROUNDS):
@@ -116,12 +123,14 @@ def settled_misfit(image: Array, values: Array, code: int, begin: float, family:
     return _misfit(w, place, ring)
 
 
-def _start(image: Array, values: Array, code: int, begin: float, family: RingFamily) -> tuple[_Window, _Place]:
+def _start(
+    image: Array, values: Array, code: int, begin: float, family: RingFamily, *, covered: bool
+) -> tuple[_Window, _Place]:
     L = np.array([[values[A], 0], [values[A + 1], values[D]]])
-    return _window(image, values, L, family), _Place(L, code, family, begin, np.zeros(2))
+    return _window(image, values, L, family, covered=covered), _Place(L, code, family, begin, np.zeros(2))
 
 
-def _window(image: Array, values: Array, L: Array, family: RingFamily) -> _Window:
+def _window(image: Array, values: Array, L: Array, family: RingFamily, *, covered: bool) -> _Window:
     reach = (family.ring[1] + BEYOND) * np.hypot(L[:, 0], L[:, 1])
     low = np.maximum(np.floor(values[:2] - reach).astype(int), 0)
     high = np.minimum(np.ceil(values[:2] + reach).astype(int), [image.shape[1], image.shape[0]])
@@ -129,11 +138,19 @@ def _window(image: Array, values: Array, L: Array, family: RingFamily) -> _Windo
     w, h = np.maximum((high - low) // step, 1)
     grey = image[low[1] : low[1] + h * step, low[0] : low[0] + w * step]
     grey = grey.reshape(h, step, w, step).mean(axis=(1, 3))
+    from scipy.ndimage import binary_dilation  # noqa: PLC0415
+
     x, y = (first + (np.arange(n) + 0.5) * step - v for first, n, v in zip(low, (w, h), values[[X0, Y0]], strict=True))
     s = math.sqrt(values[S] ** 2 + (step**2 - 1) / 12)
     dot = blurred_region(circle_edge(L, s), x, y, s)
     p, q = np.einsum("ij,j...->i...", np.linalg.inv(L), np.stack(np.meshgrid(x, y))) / family.ring[1]
-    within = np.hypot(p, q) < 1 + BEYOND / family.ring[1]
+    radius = np.hypot(p, q)
+    within = radius < 1 + BEYOND / family.ring[1]
+    if covered:
+        dx, dy = np.meshgrid(x, y)
+        seen = (values[GROUND] + values[CONTRAST] * dot) * (1 + values[GX] * dx + values[GY] * dy)
+        off = (radius < family.ring[0] / family.ring[1]) & (abs(grey - seen) > OFF * abs(values[CONTRAST]))
+        within &= ~np.asarray(binary_dilation(off, np.ones((3, 3))), bool)
     return _Window(x, y, s, within, p[within], q[within], grey[within], dot[within])
 
 

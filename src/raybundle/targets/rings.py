@@ -5,7 +5,7 @@ Everything is sampled in the affine frame of the dot, in which its edge is the u
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 
@@ -15,6 +15,12 @@ from raybundle.targets.codes import RingFamily
 STEPS = 8
 """Positions within a sector at which the reading may begin."""
 RAYS = 24
+PART = 0.5
+"""Least share of the rays that find an edge on one ellipse where something lies on a dot."""
+NEAR_PX, NEAR = 0.3, 0.03
+"""Largest distance of an edge from that ellipse: pixels and mean radii.  Rays are sampled at tenths of a radius."""
+SIZES = (0.4, 2.5)
+"""Least and largest semi-axis of that ellipse, in units of those of the spot that was found."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -35,14 +41,21 @@ class Edges:
     """(n,) largest departure from the ground half way to a ring, in units of the contrast"""
     source: Index
     """(n,) row of the candidate"""
+    partly: Mask
+    """(n,) whether only a part of the edge was found, more than half; `misfit` and `quiet` are those of that part"""
 
     def rows(self, chosen: Index | Mask) -> Edges:
         """Some of them."""
         return Edges(
             xy_px=self.xy_px[chosen], ellipse=self.ellipse[chosen], ground=self.ground[chosen],
             contrast=self.contrast[chosen], misfit=self.misfit[chosen], quiet=self.quiet[chosen],
-            source=self.source[chosen],
+            source=self.source[chosen], partly=self.partly[chosen],
         )  # fmt: skip
+
+
+def joined(edges: list[Edges]) -> Edges:
+    """All of them in a row."""
+    return Edges(**{f.name: np.concatenate([getattr(e, f.name) for e in edges]) for f in fields(Edges)})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -102,21 +115,9 @@ def rough_gate(image: Array, xy: Array, ellipse: Array, sign: Array, contrast: f
 
 def find_edges(image: Array, xy: Array, ellipse: Array, sign: Array, rays: int = RAYS) -> Edges:
     """Ellipses through the edges of dots, where grey values are half way between ground and dot along rays."""
-    rho = np.linspace(0.3, 1.7, 15)
     u = circle((np.arange(rays) + 0.5) * 2 * np.pi / rays)
     L = frame(ellipse)
-    grey = sample(image, _places(xy, L, (u[:, None] * rho[:, None]).reshape(-1, 2)))
-    grey = grey.reshape(len(xy), rays, len(rho)) * sign[:, None, None].astype(np.float32)
-    zone = grey[:, :, 12:14].mean(axis=2)  # 1.5 and 1.6 radii
-    ground = np.median(zone, axis=1)
-    core = np.median(grey[:, :, :3].reshape(len(xy), 3 * rays), axis=1)
-    level = ((ground + core) / 2)[:, None]
-    below = grey < level[..., None]
-    k = np.argmax(below, axis=2)
-    found = below.any(axis=2) & (k > 0)
-    k = np.maximum(k, 1)
-    a, b = (np.take_along_axis(grey, j[..., None], axis=2)[..., 0] for j in (k - 1, k))
-    r = rho[0] + (k - 1 + np.clip((a - level) / np.maximum(a - b, 1e-9), 0, 1)) * (rho[1] - rho[0])
+    r, found, core, ground, zone = _profiles(image, xy, L, sign, u)
     good = np.flatnonzero((found.sum(axis=1) >= 0.85 * rays) & (core > ground))
     edge = (u * r[..., None])[good]
     centre, C, misfit, fine = _through(xy[good], L[good], edge, found[good])
@@ -130,7 +131,121 @@ def find_edges(image: Array, xy: Array, ellipse: Array, sign: Array, rays: int =
         misfit=misfit[fine],
         quiet=abs(zone[good] - ground[good, None]).max(axis=1) / contrast,
         source=good,
+        partly=np.zeros(len(good), bool),
     )
+
+
+def _profiles(image: Array, xy: Array, L: Array, sign: Array, u: Array) -> tuple[Array, Mask, Array, Array, Array]:
+    """Radii (n, rays) where grey values are half way between dot and ground, whether they are; levels (n,), (n,).
+
+    The last are the levels (n, rays) half way to a ring.
+    """
+    rho, rays = np.linspace(0.3, 1.7, 15), len(u)
+    grey = sample(image, _places(xy, L, (u[:, None] * rho[:, None]).reshape(-1, 2)))
+    grey = grey.reshape(len(xy), rays, len(rho)) * sign[:, None, None].astype(np.float32)
+    zone = grey[:, :, 12:14].mean(axis=2)  # 1.5 and 1.6 radii
+    ground = np.median(zone, axis=1)
+    core = np.median(grey[:, :, :3].reshape(len(xy), 3 * rays), axis=1)
+    level = ((ground + core) / 2)[:, None]
+    below = grey < level[..., None]
+    k = np.argmax(below, axis=2)
+    found = below.any(axis=2) & (k > 0)
+    k = np.maximum(k, 1)
+    a, b = (np.take_along_axis(grey, j[..., None], axis=2)[..., 0] for j in (k - 1, k))
+    r = rho[0] + (k - 1 + np.clip((a - level) / np.maximum(a - b, 1e-9), 0, 1)) * (rho[1] - rho[0])
+    return r, found, core, ground, zone
+
+
+def outline_share(image: Array, xy: Array, ellipse: Array, sign: Array, blur: Array, near: Array) -> Array:
+    """Share (n,) of rays on which grey values are half way between dot and ground where a blurred ellipse has it so.
+
+    blur  (n,) standard deviation [px];  near  (n,) distance up to which it is so [px]
+    Where an edge bends with a curvature k, the half way line of its image lies s^2 k / 2 within it.
+    """
+    u = circle((np.arange(RAYS) + 0.5) * 2 * np.pi / RAYS)
+    L = frame(ellipse)
+    r, found, *_ = _profiles(image, xy, L, sign, u)
+    # distance along the normal L^-T u of that along the ray; curvature det L / |L u'|^3 with u' at right angles to u
+    normal = np.linalg.solve(L.transpose(0, 2, 1), np.broadcast_to(u.T, (len(L), 2, len(u))))
+    along = u[:, ::-1] * [-1, 1] @ L.transpose(0, 2, 1)
+    bend = np.linalg.det(L)[:, None] / np.hypot(*along.transpose(2, 0, 1)) ** 3
+    away = (r - 1) / np.hypot(*normal.transpose(1, 0, 2)) + blur[:, None] ** 2 * bend / 2
+    return (found & (abs(away) < near[:, None])).mean(axis=1)
+
+
+def find_parts(image: Array, xy: Array, ellipse: Array, sign: Array) -> Edges:
+    """Ellipses through the larger part of the edges of dots on which something lies."""
+    if not len(xy):
+        return find_edges(image, xy, ellipse, sign)
+    u = circle((np.arange(RAYS) + 0.5) * 2 * np.pi / RAYS)
+    L = frame(ellipse)
+    r, found, core, ground, zone = _profiles(image, xy, L, sign, u)
+    good = np.flatnonzero((found.mean(axis=1) > PART) & (core > ground))
+    near = np.maximum(NEAR_PX / np.sqrt(np.linalg.det(ellipse[good])) ** 0.5, NEAR)
+    centre, C, misfit, agree = _through_part(xy[good], L[good], (u * r[..., None])[good], found[good], near)
+    fine = agree.mean(axis=1) > PART
+    good, agree = good[fine], agree[fine]
+    contrast = core[good] - ground[good]
+    return Edges(
+        xy_px=centre[fine],
+        ellipse=C[fine],
+        ground=ground[good] * sign[good],
+        contrast=contrast * sign[good],
+        misfit=misfit[fine],
+        quiet=np.where(agree, abs(zone[good] - ground[good, None]), 0).max(axis=1, initial=0) / contrast,
+        source=good,
+        partly=np.ones(len(good), bool),
+    )
+
+
+def _through_part(xy: Array, L: Array, p: Array, found: Mask, near: Array) -> tuple[Array, Array, Array, Mask]:
+    """Ellipses that most points p (n, k, 2) of frames L agree with: centres, C, rms distance [px], which do (n, k).
+
+    Of ellipses through every half of the edge, the one that most points are `near` (n,) to, fitted again to these.
+    """
+    n, k = found.shape
+    rays = np.arange(k)
+    halves = ((rays - np.arange(0, k, 2)[:, None]) % k < k // 2)[None] & found[:, None]
+    a = _conics(np.broadcast_to(p[:, None], (n, k // 2, k, 2)), halves.astype(float))
+    agree = (_sampson(a, p[:, None]) < near[:, None, None]) & found[:, None]
+    best = np.argmax(agree.sum(axis=2), axis=1)
+    agree = agree[np.arange(n), best]
+    distance = np.full(found.shape, np.inf)
+    for _ in range(2):
+        a = _conics(p, agree.astype(float))
+        distance = _sampson(a, p)
+        agree = (distance < near[:, None]) & found
+    M = np.stack([a[:, 0], a[:, 1] / 2, a[:, 1] / 2, a[:, 2]], axis=1).reshape(-1, 2, 2)
+    fine = (np.linalg.det(M) > 0.01) & (a[:, 0] > 0.05)
+    M[~fine] = np.eye(2)
+    c = -0.5 * np.linalg.solve(M, a[:, 3:, None])[..., 0]
+    size = 1 + np.einsum("ni,nij,nj->n", c, M, c)
+    D = np.linalg.inv(M) * size[:, None, None]
+    C = L @ D @ L.transpose(0, 2, 1)
+    fine &= (np.hypot(*c.T) < 1) & (size > 0) & (np.linalg.eigvalsh(D) < SIZES[1] ** 2).all(axis=1)
+    fine &= (np.linalg.eigvalsh(D) > SIZES[0] ** 2).all(axis=1)
+    agree &= fine[:, None]
+    C[~fine] = np.eye(2)
+    mean = np.sqrt(np.sqrt(np.maximum(np.linalg.det(C), 0)))
+    rms = np.sqrt(np.where(agree, distance**2, 0).sum(axis=1) / np.maximum(agree.sum(axis=1), 1)) * mean
+    return xy + np.einsum("nij,nj->ni", L, c), C, rms, agree
+
+
+def _conics(p: Array, w: Array) -> Array:
+    """Conics (..., 5), A x^2 + B x y + C y^2 + D x + E y = 1, through points (..., k, 2) with weights (..., k)."""
+    x, y = p[..., 0], p[..., 1]
+    J = np.stack([x * x, x * y, y * y, x, y], axis=-1)
+    JW = J * w[..., None]
+    N = np.einsum("...ki,...kj->...ij", JW, J) + 1e-9 * np.eye(5)
+    return np.linalg.solve(N, JW.sum(axis=-2)[..., None])[..., 0]
+
+
+def _sampson(a: Array, p: Array) -> Array:
+    """Distances (..., k) of points (..., k, 2) from conics (..., 5), to first order.  Sampson 1982."""
+    x, y = p[..., 0], p[..., 1]
+    A, B, C, D, E = (k[..., None] for k in np.moveaxis(a, -1, 0))
+    value = A * x * x + B * x * y + C * y * y + D * x + E * y - 1
+    return abs(value) / np.maximum(np.hypot(2 * A * x + B * y + D, B * x + 2 * C * y + E), 1e-9)
 
 
 def _through(xy: Array, L: Array, p: Array, found: Mask) -> tuple[Array, Array, Array, Mask]:

@@ -1,0 +1,409 @@
+"""Dots that are partly covered: by a hand, a cable, another thing, a highlight, the border of the photograph.
+
+What lies on a dot is judged by the residuals of its grey values against their noise, and leaves the fit together with
+as much around it as its own edge is blurred over; ellipse, blur and contrast are fitted to what is free, and judged
+again until nothing changes.  The covariance of the centre comes from the free pixels alone, and so grows as the arc
+shrinks.
+
+An ellipse that was fitted to a covered dot as a whole is wrong all around, and its residuals do not tell where.  So the
+judgement starts from an ellipse through the largest part of the edge that lies on one (see `arcs`).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.targets.arcs import NEAR, free_arc
+from raybundle.targets.centre import (
+    CONTRAST,
+    GROUND,
+    GX,
+    NORMAL,
+    SECTORS,
+    SOFTEST,
+    UNKNOWNS,
+    WIDTHS,
+    X0,
+    Y0,
+    A,
+    Box,
+    D,
+    DotOptions,
+    DotOutcome,
+    Dots,
+    MaskedDots,
+    S,
+    chi_deviate,
+    difference_noise,
+    edge_shifts,
+    fit_dots,
+    fit_masked,
+    radius_of,
+    sector_of,
+    triangle_from_ellipse,
+)
+from raybundle.targets.rings import outline_share
+
+FALSE = 0.01
+"""Share of dots on which nothing lies that are looked at again, and of those that lose an arc all the same.
+
+An arc of a sixteenth costs a tenth of the precision of a centre: a thousandth of all.
+"""
+ROUGH = 1.35
+"""rms residual over the noise from which a dot is looked at again: that of 100 white grey values is known to 0.1."""
+HALO = 1.2
+"""Standard deviations of the blur by which what stands out is enlarged.
+
+The mean of 3 x 3 pixels stands out at 1.5 standard deviations of a grey value.  Beyond, a blurred edge that is 10 to
+100 of these high falls to a tenth of that within 1.1 to 0.8 standard deviations of the blur.
+"""
+ROUNDS = 12
+"""Most judgements."""
+STILL = 0.05
+"""Change of the centre, in its standard deviations, below which what is covered is settled."""
+CURVED = 1.44
+"""Largest ratio of the growth of the sum of squares at two standard deviations to what the linear model says.
+
+The stated standard deviation is that of the linear model, and true to a fifth as long as the sum of squares grows by
+4 (1.2)^(+-2) variances two standard deviations off along the worst direction.  As the arc shrinks, that fails first:
+the ellipses through a short arc lie on a bent line (Bates, Watts 1980: curvature of the parameters).
+"""
+NEARBY_PX = 3.5
+"""Ground beyond the edge that the first fit rests on: farther out it may be covered where the edge is not [px]."""
+ONE_THING = 0.9
+"""Least share of the hidden edge that one connected thing hides: an ellipse that is none of the dot's leaves the edge
+on several sides."""
+LEAST_EDGE = 0.5
+"""Least share of the edge that is free: of what is judged by the majority, the majority must be right (Rousseeuw 1984).
+"""
+EVEN_PX = 0.12
+"""Distance up to which the outline of a dot is told to lie on an ellipse: four times what noise of a hundredth of the
+contrast makes of an edge blurred by a pixel."""
+HOPELESS = 0.35
+"""Share of the edge that is free below which a dot is given up before what is covered has settled."""
+NO_DOT, NO_OUTLINE = 0.08, 0.65
+"""rms residual of a fit to the whole, in units of the contrast, and share of the outline that lies on its ellipse:
+beyond these a spot in texture is no dot, and not worth a judgement; the second is refused."""
+ELLIPTIC = 0.9
+"""Share of the rays from which on an outline is an ellipse: what the eye takes for a dot is not refused."""
+SAME = 4.0
+"""Standard deviations up to which the centre by what is free is that of the whole."""
+LOST = 3.0
+"""rms residual over the noise from which a dot is refused of which no arc lies on an ellipse."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Judged:
+    """A dot under judgement."""
+
+    box: Box
+    values: Array
+    covered: Mask
+    window: float
+    fits: int = 0
+    strict: bool = False
+    """what stands out is judged by the noise alone"""
+
+    @property
+    def within(self) -> Mask:
+        """(h, w) pixels near enough to the dot."""
+        return radius_of(self.values, *self.box) <= self.window
+
+    @property
+    def free(self) -> Mask:
+        """(h, w) pixels that take part."""
+        return self.within & ~self.covered
+
+
+def measure_dots(
+    image: Array, xy_px: Array, ellipse: Array, window: Array, options: DotOptions | None = None,
+    surely: Mask | None = None,
+) -> Dots:  # fmt: skip
+    """Fit dots that may be partly covered; arguments as those of `centre.fit_dots`.
+
+    surely  (n,) whether these are dots, and not spots of which some may be: None, all are
+
+    A dot on which something lies is measured by what is free of it, or refused as COVERED.  What the covariance does
+    not tell: a thing of the colour that the dot or its ground has there is not seen, and does no harm; a bent edge
+    along the dot's own that hides less than its grey values would show at one false alarm in a hundred dots remains.
+    """
+    o = options or DotOptions()
+    image = np.ascontiguousarray(image, np.uint16)
+    window = np.broadcast_to(np.asarray(window, float), len(xy_px))
+    dots = fit_dots(image, xy_px, ellipse, window, o)
+    known, suspect = doubts_on(dots)
+    # what only seems rough may be so: most prints and lenses are no ideal ones
+    share, asked = np.zeros(len(window)), np.flatnonzero(dots.measured & (known | suspect))
+    share[asked] = _elliptic_share(image, dots, asked)
+    elliptic = share > ELLIPTIC
+    if surely is not None:
+        dots.outcome[~surely & dots.measured & (known | suspect) & (share < NO_OUTLINE)] = DotOutcome.COVERED
+        spot = ~surely & (~(dots.residual < NO_DOT * abs(dots.values[:, CONTRAST])) | ~dots.measured)
+        known, suspect = known & ~spot, suspect & ~spot
+    rows = np.flatnonzero(known | (suspect & ~elliptic))
+    if not len(rows):
+        return dots
+    free = _measure_free(
+        image, np.reshape(xy_px, (-1, 2))[rows], np.reshape(ellipse, (-1, 2, 2))[rows], window[rows], o
+    )
+    # a dot on which nothing was found stays as it was fitted
+    free.outcome[(free.outcome < 0) & dots.measured[rows] & (dots.doubts[rows, 2] > LOST)] = DotOutcome.COVERED
+    refused = free.outcome == DotOutcome.COVERED
+    kept = elliptic[rows] | _is_the_same(dots, rows, free)
+    if surely is not None:  # prints and lenses make real dots rough: what is seen as a whole is not refused for that
+        kept |= ~surely[rows] & dots.measured[rows]
+    free.outcome[refused & kept] = -1
+    taken = free.outcome >= 0
+    for whole, part in (
+        (dots.values, free.values), (dots.cov_px2, free.cov_px2), (dots.residual, free.residual),
+        (dots.outcome, free.outcome),
+    ):  # fmt: skip
+        whole[rows[taken]] = part[taken]
+    dots.covered[rows[taken]] = True
+    return dots
+
+
+def doubts_on(dots: Dots) -> tuple[Mask, Mask]:
+    """Dots (n,) that are to be judged in any case; and those (n,) if their outline is no ellipse.
+
+    A part of the edge that has moved, and what stands out far, is something on the dot; squares and roughness may be
+    the print's, the lens's or the noise's own.
+    """
+    from scipy.special import ndtri  # noqa: PLC0415
+
+    limit = ndtri(1 - FALSE / ((2 * len(WIDTHS) + 1) * SECTORS))  # two sides of shifts, one of squares
+    shift, square, rough = dots.doubts.T
+    known = (shift > limit) | (square > 2 * limit)
+    lost = ~dots.measured & (dots.outcome != DotOutcome.FLAT)
+    return (dots.measured & known) | lost, dots.measured & ((square > limit) | (rough > ROUGH))
+
+
+def _is_the_same(dots: Dots, rows: Index, free: Dots) -> Mask:
+    """(k,) whether what was left out changed nothing: roughness of print and ground, then, not a thing on the dot."""
+    apart = np.hypot(*(dots.xy_px[rows] - free.xy_px).T)
+    like = dots.measured[rows] & (dots.doubts[rows, 2] < LOST)
+    return like & (apart < SAME * np.sqrt(np.linalg.eigvalsh(dots.cov_px2[rows])[:, 1]))
+
+
+def _elliptic_share(image: Array, dots: Dots, rows: Index) -> Array:
+    """(k,) how much of the outlines of these dots lies on their ellipses."""
+    C = dots.ellipse[rows]
+    near = np.maximum(EVEN_PX, NEAR * np.sqrt(np.sqrt(np.linalg.det(C))))
+    sign, blur = np.sign(dots.values[rows, CONTRAST]), dots.values[rows, S]
+    return outline_share(image, dots.xy_px[rows], C, sign, blur, near)
+
+
+def _measure_free(image: Array, xy: Array, ellipse: Array, window: Array, o: DotOptions) -> Dots:
+    """Dots by what is free of them; outcome -1 where nothing was found to lie on one."""
+    n = len(xy)
+    dots = Dots(
+        values=np.zeros((n, UNKNOWNS)), cov_px2=np.zeros((n, 2, 2)), residual=np.zeros(n), doubts=np.zeros((n, 3)),
+        outcome=np.full(n, -1, np.int32), covered=np.zeros(n, bool),
+    )  # fmt: skip
+    judged = {i: j for i in range(n) if (j := _start(image, xy[i], ellipse[i], window[i])) is not None}
+    for _ in range(2 * ROUNDS):
+        if not judged:
+            break
+        fitted = _fit(image, judged, o)
+        following: dict[int, _Judged] = {}
+        for k, (i, j) in enumerate(judged.items()):
+            new = _judge(j, fitted, k)
+            if new is None:
+                dots.values[i] = fitted.values[k]
+                dots.outcome[i] = -1 if j.strict else DotOutcome.COVERED
+            elif not _settled(j, new, fitted, k):
+                following[i] = new
+            elif (again := _end(image, dots, i, j, fitted, k, o)) is not None:
+                following[i] = again
+        judged = following
+    return dots
+
+
+def _fit(image: Array, judged: dict[int, _Judged], o: DotOptions) -> MaskedDots:
+    of = judged.values()
+    return fit_masked(image, np.array([j.values for j in of]), [j.box for j in of], [j.free for j in of], o)
+
+
+def _start(image: Array, xy: Array, ellipse: Array, window: float) -> _Judged | None:
+    """A dot with the arc of its edge that lies on an ellipse; None where there is none."""
+    arc = free_arc(image, xy, ellipse)
+    if arc is None:
+        return None
+    v = np.zeros(UNKNOWNS)
+    v[:2], v[A : D + 1], v[S] = arc.xy_px, triangle_from_ellipse(arc.ellipse[None])[0], 0.8
+    reach = 1.1 * window * np.sqrt(np.diag(arc.ellipse)) + 3
+    low = np.maximum(np.floor(arc.xy_px - reach), 0).astype(int)
+    high = np.minimum(np.ceil(arc.xy_px + reach).astype(int), [image.shape[1], image.shape[0]])
+    if not (high - low > 4).all():
+        return None
+    box = slice(int(low[1]), int(high[1])), slice(int(low[0]), int(high[0]))
+    y, x = np.mgrid[box] + 0.5
+    # to begin with: less one more sector at the ends, and what is near
+    sure = arc.free & np.roll(arc.free, 1) & np.roll(arc.free, -1)
+    covered = ~sure[sector_of(v, x, y)]
+    radius, grey = radius_of(v, *box), image[box]
+    covered |= radius > 1 + NEARBY_PX / min(v[A], v[D])
+    inner, outer = grey[(radius < 0.6) & ~covered], grey[(radius > 1.15) & ~covered]
+    if not (len(inner) and len(outer)):
+        return None
+    v[GROUND] = np.median(outer)
+    v[CONTRAST] = np.median(inner) - v[GROUND]
+    return _Judged(box, v, covered, window) if abs(v[CONTRAST]) > 1 else None
+
+
+def _judge(j: _Judged, fitted: MaskedDots, k: int) -> _Judged | None:
+    """The dot as fitted, and what then seems to be covered; None where it cannot be fitted, or does not settle."""
+    if fitted.outcome[k] != DotOutcome.MEASURED or j.fits > ROUNDS:
+        return None
+    v = fitted.values[k]
+    covered = covered_pixels(
+        v, fitted.cov[k], j.box, j.free, fitted.residuals[k], fitted.derivatives[k], strict=j.strict
+    )
+    if j.fits >= ROUNDS // 2:  # what comes and goes is left out
+        covered |= j.covered
+    new = replace(j, values=v, covered=covered, fits=j.fits + 1)
+    return new if free_edge(new).mean() > HOPELESS else None
+
+
+def covered_pixels(v: Array, cov: Array, box: Box, free: Mask, e: Array, J: Array, *, strict: bool = False) -> Mask:
+    """Pixels (h, w) of a box that something lies on, or near enough to be touched by its blurred edge.
+
+    v, cov  (10,), (10, 10) values and their covariance
+    free    (h, w) the pixels that the fit rests on: they tell the noise
+    e, J    (h, w), (h, w, 10) residuals and derivatives of the model
+
+    Means and squares of 3 x 3 pixels as normal deviates, in units of their own median, and shifts of parts of the edge
+    in units of the rms residual, where these are more than 1 (unless strict).  Far from the free arc a residual may be
+    what the ellipse is wrong by there, which its covariance tells.
+    """
+    from scipy.ndimage import binary_dilation, uniform_filter  # noqa: PLC0415
+    from scipy.special import ndtri  # noqa: PLC0415
+
+    h = J[..., A : D + 1] @ v[A : D + 1]
+    noise = _noise(e, free, radius_of(v, *box), h)
+    t, u = e / noise, J / noise[..., None]
+    loose = np.where(free, 0, np.einsum("hwi,ij,hwj->hw", u, cov, u))
+    smooth: Any = uniform_filter
+    mean_u = smooth(u, (3, 3, 0), mode="nearest")
+    mean, square = smooth(np.stack([t, t * t / (1 + 9 * loose)]), (0, 3, 3), mode="nearest")
+    mean = 3 * abs(mean) / np.sqrt(1 + 9 * np.where(free, 0, np.einsum("hwi,ij,hwj->hw", mean_u, cov, mean_u)))
+    limit = ndtri(1 - FALSE / (3 * max(t.size, 1)))
+    flagged = np.zeros(t.shape, bool)
+    for deviate in (mean, chi_deviate(9 * np.asarray(square), 9.0)):
+        flagged |= deviate > limit * (1.0 if strict else _roughness(deviate[free]))
+    flagged |= _moved_edge(v, cov, box, free & ~flagged, t, u, strict=strict)
+    reach = HALO * min(v[S], SOFTEST) + 0.5
+    k = int(reach)
+    y, x = np.mgrid[-k : k + 1, -k : k + 1]
+    return binary_dilation(flagged, np.hypot(x, y) <= reach)
+
+
+def _noise(e: Array, free: Mask, radius: Array, h: Array) -> Array:
+    """Standard deviation (h, w) of grey values: that of all, or that within the dot or around it where it is more."""
+    all_ = difference_noise(e, free)
+    flat = abs(h) < 0.01 * abs(h).max()
+    noise = np.full(e.shape, all_)
+    for side in (radius < 1, radius >= 1):
+        of = e[free & flat & side]
+        if len(of) > 2 * UNKNOWNS:
+            noise[side] = max(all_, float(np.median(abs(of))) / NORMAL)
+    return noise
+
+
+def _roughness(deviates: Array) -> float:
+    """By how much more than 1 the standard deviation of normal deviates is, by their median."""
+    return max(1.0, float(np.median(abs(deviates))) / NORMAL) if deviates.size else 1.0
+
+
+def _moved_edge(v: Array, cov: Array, box: Box, free: Mask, t: Array, u: Array, *, strict: bool) -> Mask:
+    """Pixels (h, w) at those parts of the edge that lie elsewhere than on the ellipse."""
+    from scipy.special import ndtri  # noqa: PLC0415
+
+    y, x = np.mgrid[box] + 0.5
+    k = sector_of(v, x, y)
+    deviates = edge_shifts(v, k[free], t[free], u[free], cov)
+    limit = ndtri(1 - FALSE / (2 * deviates.size)) * (1 if strict else max(1, float(np.sqrt(np.mean(t[free] ** 2)))))
+    off = np.zeros(deviates.shape, bool)
+    # what has moved bends the ellipse beside it: the worst part alone, and what is left out already and still is off
+    off.flat[deviates.argmax()] = deviates.max() > limit
+    off[0] |= edge_shifts(v, k[~free], t[~free], u[~free], cov, fitted=False)[0] > limit
+    parts = np.zeros(SECTORS, bool)
+    for m, of in zip(WIDTHS, off, strict=True):
+        for j in range(m):
+            parts |= np.roll(of, j)
+    h = abs(u[..., A : D + 1] @ v[A : D + 1])
+    return parts[k] & (h > 0.1 * h.max())
+
+
+def _settled(old: _Judged, new: _Judged, fitted: MaskedDots, k: int) -> bool:
+    """Whether another fit would change nothing that matters."""
+    within = new.within
+    if np.array_equal(old.covered & within, new.covered & within):
+        return True
+    shift = new.values[:2] - old.values[:2]
+    return old.fits > 1 and float(shift @ np.linalg.solve(fitted.cov[k][:2, :2], shift)) < STILL**2
+
+
+def _end(image: Array, dots: Dots, i: int, j: _Judged, fitted: MaskedDots, k: int, o: DotOptions) -> _Judged | None:
+    """The outcome of a dot whose free pixels are settled; or the dot again, to be judged more strictly.
+
+    The residuals of small dots that are wrong all around rise above their noise, but nowhere above each other.
+    """
+    j = replace(j, values=fitted.values[k])
+    edge = free_edge(j)
+    rough = fitted.residual[k] / difference_noise(fitted.residuals[k], j.free)
+    if edge.all() and not (j.covered & j.within).any():
+        dots.values[i] = j.values
+        return replace(j, strict=True, fits=1) if rough > ROUGH and not j.strict else None
+    good = edge.mean() > LEAST_EDGE and rough < ROUGH and _is_one_thing(j) and _is_straight(image, j, fitted, k, o)
+    if good or not j.strict:
+        dots.values[i], dots.residual[i], dots.cov_px2[i] = j.values, fitted.residual[k], fitted.cov[k][:2, :2]
+        dots.outcome[i] = DotOutcome.MEASURED if good else DotOutcome.COVERED
+    return None
+
+
+def _edge_pixels(j: _Judged) -> tuple[Array, Array, Mask]:
+    """Rows and columns (128,) in the box of points evenly round the edge, in the frame of the dot; which are in it."""
+    v, (rows, columns) = j.values, j.box
+    t = (np.arange(128) + 0.5) * 2 * np.pi / 128
+    x, y = v[X0] + v[A] * np.cos(t), v[Y0] + v[A + 1] * np.cos(t) + v[D] * np.sin(t)
+    x, y = np.floor(x).astype(int) - columns.start, np.floor(y).astype(int) - rows.start
+    h, w = j.covered.shape
+    return np.clip(y, 0, h - 1), np.clip(x, 0, w - 1), (x >= 0) & (y >= 0) & (x < w) & (y < h)
+
+
+def free_edge(j: _Judged) -> Mask:
+    """Points (128,) evenly round the edge whose pixel takes part."""
+    y, x, inside = _edge_pixels(j)
+    return inside & ~j.covered[y, x]
+
+
+def _is_one_thing(j: _Judged) -> bool:
+    """Whether one connected thing hides the edge, but for a tenth of what is hidden."""
+    from scipy.ndimage import label  # noqa: PLC0415
+
+    y, x, inside = _edge_pixels(j)
+    found: Any = label(np.pad(j.covered, 1, constant_values=not inside.all()), np.ones((3, 3)))
+    labels = found[0]
+    of = np.where(inside, labels[y + 1, x + 1], labels[0, 0])
+    parts = np.bincount(of[of > 0])
+    return not len(parts) or parts.max() > ONE_THING * parts.sum()
+
+
+def _is_straight(image: Array, j: _Judged, fitted: MaskedDots, k: int, o: DotOptions) -> bool:
+    """Whether the sum of squares grows as the linear model says, along the worst direction of the centre."""
+    cov, variance = fitted.cov[k][:2], fitted.residual[k] ** 2
+    size, axes = np.linalg.eigh(cov[:, :2])
+    step = 2 * axes[:, 1] @ cov / np.sqrt(size[1])
+    at = j.values + np.array([[0.0], [1.0], [-1.0]]) * step
+    if not (np.minimum(at[:, A], at[:, D]) > 0.5).all():
+        return False
+    seen = fit_masked(image, at, [j.box] * 3, [j.free] * 3, replace(o, iterations=0))
+    total = np.array([(e[j.free] ** 2).sum() for e in seen.residuals]) / variance
+    total += (at[:, GX:] ** 2).sum(axis=1) / o.slope**2
+    growth = (total[1:] - total[0]) / 4
+    return bool((growth > 1 / CURVED).all() and (growth < CURVED).all())
