@@ -192,7 +192,7 @@ def covered(count=560):
     for radius in (5, 8):
         shots = [shot(rng, radius, 0.4, size=int(4.4 * radius + 16)) for _ in range(300)]
         image, ellipse = np.hstack([s.image for s in shots]), np.array([s.ellipse for s in shots])
-        xy = np.array([[*s.centre, k * s.image.shape[1] + 0.1, 0.1] for k, s in enumerate(shots)])
+        xy = np.array([np.add(s.centre, (k * s.image.shape[1] + 0.1, 0.1)) for k, s in enumerate(shots)])
         seconds = {}
         for fit in (fit_dots, measure_dots, fit_dots, measure_dots):
             began = time.process_time()
