@@ -32,7 +32,6 @@ def test_stated_covariance_of_what_is_free_is_true():
 
 
 @pytest.mark.long
-@pytest.mark.xfail(strict=False, reason="covers that flatten a tenth of a small dot by 0.2 px are not always told")
 def test_stated_covariance_of_what_is_free_is_true_of_many():
     square = check(measured(measure_dots, 560, 2))
     far = chi2(2).sf(SIGMAS**2)
