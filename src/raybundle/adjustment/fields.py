@@ -1,0 +1,198 @@
+"""Smooth errors that differ from image to image: fields, and how large they are by the residuals themselves.
+
+Lens stabilisers, focus, shutters and compression displace image points smoothly, and differently in each image; what
+is left of a photograph's errors is correlated over hundreds of pixels.  Both make standard deviations from white noise
+too small on real photographs, by factors of 1.5 to 14.  The model here: in each image a field of Legendre products of
+degree 1 and 2 whose coefficients are random with one standard deviation tau [px] (variance components: Rao and Kleffe
+1988), and a floor phi >= 1 by which all noise carries less information than white noise would (in the sense of
+quasi-likelihood: McCullagh and Nelder 1989).  The estimates stay those of least squares; only their covariance and
+what is said of it change (`raybundle.adjustment.noise`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.polynomial import legendre
+
+from raybundle.block import Camera
+from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.maths import Scalar
+from raybundle.sensors import Parameter, SensorModel
+
+DEGREE = 2
+"""Largest degree of a field; what is smoother still, a shift of the whole image, the principal point takes."""
+TERMS = tuple((d - i, i) for d in range(1, DEGREE + 1) for i in range(d + 1))
+"""Degrees in x and y of each product."""
+COLUMNS = 2 * len(TERMS)
+"""Coefficients of an image: each product in x and in y."""
+NEGLIGIBLE = 1e-7
+"""Of the largest eigenvalue, below which a direction of the fields is what orientations and points absorb."""
+MOST = 30.0
+"""What a direction counts at most, in its own variances (5.5 standard deviations): a blunder is no field."""
+FEWEST_DIRECTIONS = 20
+"""Directions from which on two numbers can be told: their standard deviation is then below a third."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Noise:
+    """What was assumed of the noise of the image coordinates, and what was found."""
+
+    kind: str
+    """white | fields"""
+    phi: float = 1.0
+    """Floor: variance of smooth sums of the noise, in units of white noise; 1 for white noise"""
+    tau_px: float = 0.0
+    """Standard deviation of the coefficients of each image's field; about the field's rms per coordinate and term"""
+    directions: int = 0
+    """Independent combinations of the fields that the residuals tell of"""
+    chi_square: float = 1.0
+    """Mean square of the residuals in these directions, in units of what white noise would leave there"""
+    images: int = 0
+    """Images that have a field"""
+    sampled: int = 0
+    """Images whose residuals phi and tau were taken from"""
+    share: float = 0.0
+    """Of the variances of the interior orientations (projection centres where none is free) that fields cause: mean"""
+    ratio_interior: float = 1.0
+    """Standard deviations of interior orientations over those of white noise: median; also of the following; NaN where
+    there are none"""
+    ratio_images: float = 1.0
+    ratio_points: float = 1.0
+    reason: str = ""
+    """Why white noise was assumed, where fields had been asked for"""
+
+
+WHITE = Noise(kind="white")
+
+
+def field_shapes(x: Array, y: Array) -> Array:
+    """Values (terms, n) of the products at coordinates over half the longer side of the format.
+
+    Normalised to a mean square of one over the square -1 .. 1; a term of degree d is divided by d, so that fields fall
+    off with their degree.
+    """
+    X, Y = (np.stack([legendre.legval(t, np.eye(DEGREE + 1)[k]) for k in range(DEGREE + 1)]) for t in (x, y))
+    return np.stack([X[a] * Y[b] * np.sqrt((2 * a + 1) * (2 * b + 1)) / (a + b) for a, b in TERMS])
+
+
+class WithFields(SensorModel, registered=False):
+    """A camera whose image points are displaced by a field, in pixels: the model's parameters, and the coefficients.
+
+    Its partial derivatives are all that is wanted: the coefficients themselves are zero.
+    """
+
+    name = "fields"
+    explicit = False  # the field is taken at the adjusted image point: at the measured one it would see its noise
+
+    def __init__(self, camera: Camera) -> None:
+        """The sensor model of a camera, with its format."""
+        self.base = camera.sensor
+        self.parameters = self.base.parameters + tuple(
+            Parameter(f"f{axis}{a}{b}", "px", f"field in {axis}") for a, b in TERMS for axis in "xy"
+        )
+        self._pixel = np.array(camera.pixel_mm)
+        self._half = max(camera.width_px, camera.height_px) / 2
+
+    @property
+    def condition_and_jacobian(self) -> Callable[..., tuple[Array, Array]]:  # pyright: ignore[reportIncompatibleVariableOverride]
+        """G (2, n) and its Jacobian, the fields' columns last."""
+        return self._evaluate
+
+    def _evaluate(self, x: Array, y: Array, X: Array, Y: Array, Z: Array, *values: Scalar) -> tuple[Array, Array]:
+        g, J = self.base.condition_and_jacobian(x, y, X, Y, Z, *values[:-COLUMNS])
+        shapes = field_shapes(x / self._pixel[0] / self._half, y / self._pixel[1] / self._half)
+        # measured = true + field: the condition holds at the measured point less the field
+        by_x, by_y = -J[:, :1] * self._pixel[0] * shapes, -J[:, 1:2] * self._pixel[1] * shapes
+        return g, np.concatenate([J, np.stack([by_x, by_y], axis=2).reshape(2, COLUMNS, -1)], axis=1)
+
+    def in_front(self, points: Array, image: Array | None = None, values: Array | None = None) -> Mask:
+        """As the camera's own model says."""
+        return self.base.in_front(points, image, None if values is None else values[:-COLUMNS])
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Components:
+    """Variance components of the fields and the floor."""
+
+    phi: float
+    tau_square: float
+    """[px^2]"""
+    directions: int
+    chi_square: float
+
+
+def variance_components(M: Array, scores: Array, variance: float, response: Array | None = None) -> Components:
+    """Floor phi >= 1 and variance tau^2 >= 0 of the fields, by maximum likelihood from the scores of the residuals.
+
+    M         (k, k) what is left of the fields' normal matrix when all unknowns are eliminated: F' W R F
+    scores    (k,) F' W v
+    variance  sigma0^2
+    response  (k, k) M over all fields, squared, where M is that of a sample of them: F' W R G G' R' W F; None: M M
+    The scores have the covariance phi s0^2 M + tau^2 M M; in the eigen-directions of M they are independent.  A
+    direction counts at most MOST times its variance.
+    """
+    values, vectors = np.linalg.eigh((M + M.T) / 2)
+    kept = values > NEGLIGIBLE * max(values[-1], 0.0)
+    values, vectors = values[kept], vectors[:, kept]
+    y = (vectors.T @ scores) / np.sqrt(values * variance)
+    square = values
+    if response is not None:
+        W = vectors / np.sqrt(values)
+        square, turned = np.linalg.eigh(W.T @ response @ W)
+        y = turned.T @ y
+    return _fitted(np.maximum(square, 0.0) / variance, y**2)
+
+
+def _fitted(weight: Array, square: Array) -> Components:
+    """Of squares whose expectations are phi + tau^2 weight."""
+    if not len(square):
+        return Components(phi=1.0, tau_square=0.0, directions=0, chi_square=1.0)
+
+    def cost(phi: Array, tau_square: Array) -> Array:
+        w = phi[..., None] + tau_square[..., None] * weight
+        return np.sum(np.log(w) + np.minimum(square / w, MOST), axis=-1)
+
+    # the surface may have two valleys and the borders phi = 1, tau = 0 count: a grid that closes in on its least value
+    top = np.log(max(float(square.max()), 2.0))
+    scale = float(np.median(weight))
+    low, high = np.array([0.0, np.log(1e-6)]), np.array([top, top + np.log(1e3)])
+    steps = np.linspace(0, 1, GRID)
+    while True:
+        a, b = (low[k] + (high[k] - low[k]) * steps for k in (0, 1))
+        phi = np.exp(a)[:, None] * np.ones(GRID)
+        tau_square = np.exp(b) * np.ones((GRID, 1)) / scale
+        found = cost(phi, tau_square)
+        i, j = np.unravel_index(int(found.argmin()), found.shape)
+        width = (high - low) / (GRID - 1) * 2
+        if width.max() < PRECISION:
+            break
+        middle = np.array([a[i], b[j]])
+        low, high = np.maximum(middle - width, [0.0, -np.inf]), middle + width
+    best = float(phi[i, j]), float(tau_square[i, j])
+    bare = _floor_alone(square)
+    without = float(cost(np.array(bare), np.array(0.0)))
+    if without <= float(found[i, j]) + PRECISION:
+        best = bare, 0.0
+    return Components(
+        phi=best[0], tau_square=best[1], directions=len(square), chi_square=float(np.minimum(square, 1e300).mean())
+    )
+
+
+GRID = 21
+PRECISION = 1e-3
+"""Of the logarithms of both components, and of twice the log-likelihood."""
+
+
+def _floor_alone(square: Array) -> float:
+    """Phi >= 1 without fields: the mean of the squares that count in full."""
+    phi = max(1.0, float(np.median(square)) / 0.455)
+    for _ in range(100):
+        full = square < MOST * phi
+        new = max(1.0, float(square[full].sum()) / max(len(square), 1))
+        if abs(new - phi) < 1e-9 * phi:
+            break
+        phi = new
+    return phi

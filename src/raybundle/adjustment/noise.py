@@ -1,0 +1,262 @@
+"""Covariances under the noise of real photographs: the one place where floor and fields meet the cofactors.
+
+C = s0^2 (Q + (phi - 1) (Q - Own)) + tau^2 J J', with Q the cofactors of least squares, Own what the points' own rays
+bring when the cameras are known (the noise of one point's rays is not that of another's: it is not inflated), and
+J = Q U the influence of the fields on every unknown.  Own is taken where the cameras carry the datum; an
+S-transformation (Baarda 1973) then brings all three to the datum of the result, so that what can be estimated at all
+does not depend on it.  Everything here is in units of s0^2, as the cofactors of white noise are.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from raybundle.adjustment.assemble import State
+from raybundle.adjustment.datum import Datum, Transformation, node_generators, point_generators, transformation
+from raybundle.adjustment.field_system import (
+    FieldSystem,
+    entries,
+    field_system,
+    mask_of,
+    reason_against,
+    sparse_normals,
+)
+from raybundle.adjustment.fields import (
+    FEWEST_DIRECTIONS,
+    WHITE,
+    Components,
+    Noise,
+    variance_components,
+)
+from raybundle.adjustment.normals import Normals
+from raybundle.adjustment.precision import Cofactors
+from raybundle.numerics.arrays import Array
+
+CHUNK = 160
+"""Columns of fields that are solved together."""
+
+
+@dataclass(slots=True)
+class Spread:
+    """How noise that is not white spreads over the unknowns of a factored block, in the datum of the factor."""
+
+    fields: FieldSystem
+    phi: float
+    tau_square: float
+    """In units of s0^2"""
+    own: Array
+    """(p, 3, 3) V_p^-1 of eliminated points, the cameras known; nothing held for the datum"""
+    own_nodes: Any
+    """(N, N) sparse: the same of retained points, in the places of their unknowns"""
+    inverse: Array
+    """The covariance of the nodes in the layout of the normal matrix, in units of s0^2, no datum taken"""
+    points: Array
+    """(p, 3, 3) of the points"""
+
+    def solve(self, nodes: Array, points: Array) -> tuple[Array, Array]:
+        """The covariance applied to right sides for nodes (N, k) and points (p, 3, k), k <= 16; as `Normals.solve`.
+
+        The points' own part is that of a datum which the cameras carry, all else in the datum of the factor: a
+        transformation to the datum of the result makes one of them.
+        """
+        n, p = self.fields.base.solve(self.fields.state, nodes, points)
+        moved_n, moved_p = self.fields.influence(self.fields.projected(n, points))
+        own_n, own_p = self.own_solve(nodes, points)
+        own = self.phi - 1
+        return (
+            self.phi * n - own * own_n + self.tau_square * moved_n,
+            self.phi * p - own * own_p + self.tau_square * moved_p,
+        )
+
+    def own_solve(self, nodes: Array, points: Array) -> tuple[Array, Array]:
+        """The points' own part applied to right sides."""
+        n = self.own_nodes @ self._with_retained(nodes, points)
+        return n, self.own @ points + self._of_retained(n)
+
+    def _with_retained(self, nodes: Array, points: Array) -> Array:
+        """Right sides of nodes with those that are given for retained points."""
+        system = self.fields.base.system
+        kept = np.flatnonzero(system.point_node >= 0)
+        whole = nodes.copy()
+        at = system.offsets[system.point_node[kept]][:, None] + np.arange(3)
+        whole[at] += points[kept]
+        return whole
+
+    def _of_retained(self, nodes: Array) -> Array:
+        """Points (p, 3, k) of what stands in the nodes of retained ones."""
+        system = self.fields.base.system
+        kept = np.flatnonzero(system.point_node >= 0)
+        points = np.zeros((len(system.point_node), 3, nodes.shape[1]))
+        points[kept] = nodes[system.offsets[system.point_node[kept]][:, None] + np.arange(3)]
+        return points
+
+
+def noise_of(
+    normals: Normals, state: State, found: Cofactors, datum: Datum, variance: float
+) -> tuple[Noise, Cofactors, Spread | None]:
+    """Floor and fields of a block, its cofactors under them, and what answers further questions.
+
+    normals   with the undamped factor in its minimal datum, at `state`
+    variance  sigma0^2
+    returns   white noise with its reason and the cofactors as they are where fields cannot be told
+    """
+    reason = reason_against(normals.system)
+    if reason:
+        return replace(WHITE, reason=reason), found, None
+    fields = field_system(normals, state)
+    told = components(fields, variance)
+    noise = Noise(
+        kind="fields", phi=told.phi, tau_px=float(np.sqrt(told.tau_square)), directions=told.directions,
+        chi_square=told.chi_square, images=len(fields.images), sampled=len(fields.images),
+    )  # fmt: skip
+    if told.directions < FEWEST_DIRECTIONS:
+        words = f"the residuals tell of {told.directions} directions of fields only, {FEWEST_DIRECTIONS} are needed"
+        return replace(WHITE, reason=words), found, None
+    spread = spread_of(fields, found, told.phi, told.tau_square / variance)
+    return noise, spread_in_datum(spread, found, datum), spread
+
+
+def components(fields: FieldSystem, variance: float) -> Components:
+    """Floor and variance of the fields from the residuals of the whole block."""
+    every = np.arange(len(fields.columns))
+    M = fields.own.toarray() - fields.H.T @ fields.of_nodes(every)
+    return variance_components(M, fields.scores, variance)
+
+
+def spread_of(fields: FieldSystem, found: Cofactors, phi: float, tau_square: float) -> Spread:
+    """The noise spread over the unknowns; `tau_square` in units of s0^2."""
+    own, own_nodes = _own(fields)
+    row, column = entries(fields.base)
+    inverse = phi * found.inverse
+    if own_nodes.nnz:
+        inverse -= (phi - 1) * np.asarray(own_nodes[row, column]).ravel()
+    points = phi * found.points_minimal - (phi - 1) * own
+    if tau_square > 0:
+        nodes_jj, points_jj = _influences(fields, row, column)
+        inverse += tau_square * nodes_jj
+        points += tau_square * points_jj
+    retained = np.flatnonzero(fields.base.system.point_node >= 0)
+    points[retained] = _retained_blocks(fields.base, inverse, retained)
+    return Spread(
+        fields=fields, phi=phi, tau_square=tau_square, own=own, own_nodes=own_nodes, inverse=inverse, points=points
+    )
+
+
+def spread_in_datum(spread: Spread, found: Cofactors, datum: Datum) -> Cofactors:
+    """The cofactors under this noise, in units of s0^2, in any datum of the same defect.
+
+    found  those of white noise, of which what tests rest on is kept
+    """
+    fields, phi = spread.fields, spread.phi
+    normals, system = fields.base, fields.base.system
+    change = transformation(normals, fields.state, datum) or _minimal_transformation(fields, datum)
+    if change is None:
+        return replace(found, inverse=spread.inverse, points_minimal=spread.points, points=spread.points)
+    # H = C B G and K = G'B C B G of this covariance, in place of those of the cofactors
+    white_h = normals.solve_points(fields.state, change.nodes_h, change.given)
+    white_h[system.held] = 0
+    own_n, own_p = spread.own_solve(np.zeros_like(change.nodes_h), change.given)
+    nodes_h, points_h = phi * change.nodes_h - (phi - 1) * own_n, phi * white_h - (phi - 1) * own_p
+    if spread.tau_square > 0:
+        moved_n, moved_p = fields.influence(fields.projected(change.nodes_h, change.given))
+        moved_p[system.held] = 0
+        nodes_h, points_h = nodes_h + spread.tau_square * moved_n, points_h + spread.tau_square * moved_p
+    change = replace(change, nodes_h=nodes_h).with_points(points_h)
+    points = change.apply_own(spread.points)
+    fixed = system.control_held if datum.kind == "inner" else system.held
+    points[fixed[:, :, None] | fixed[:, None, :]] = 0.0
+    return replace(
+        found, inverse=spread.inverse, transformation=change, points_minimal=spread.points, points=points
+    )  # fmt: skip
+
+
+def _minimal_transformation(fields: FieldSystem, datum: Datum) -> Transformation | None:
+    """The transformation to the minimal datum of the factor; None where nothing is open."""
+    if datum.defect == 0:
+        return None
+    state, system = fields.state, fields.base.system
+    G = (point_generators(state.xyz, datum.centre, datum.extent).reshape(-1, 7) @ datum.basis).reshape(
+        -1, 3, datum.defect
+    )
+    G[~system.points_used] = 0
+    G[system.control_held] = 0
+    given = G * (system.held & ~system.control_held)[:, :, None]
+    nodes = node_generators(system, state, datum)
+    d = datum.defect
+    middle = np.linalg.inv(given.reshape(-1, d).T @ G.reshape(-1, d))
+    return Transformation(nodes, G, given, np.zeros_like(nodes), np.zeros((0, 3, d)), middle, np.zeros((d, d)))
+
+
+def _influences(fields: FieldSystem, row: Array, column: Array) -> tuple[Array, Array]:
+    """J J' of the nodes at the entries of the normal matrix, and of the points (p, 3, 3)."""
+    N, f = len(fields.unknowns), len(fields.columns)
+    wide_row, wide_column = entries(fields.wide)
+    back = np.full(N + f, -1)
+    back[fields.unknowns] = np.arange(N)
+    back[fields.columns] = N + np.arange(f)
+    # [J; -1] [J; -1]' in the places of the wide normal matrix: the solver makes the points' part of it
+    J = np.zeros((N + f, f))
+    J[:N] = fields.of_nodes(np.arange(f))
+    J[N + np.arange(f), np.arange(f)] = -1.0
+    square = J @ J.T
+    wide = square[back[wide_row], back[wide_column]]
+    nodes = square[row, column]
+    points = _statistics(fields.wide, fields.wide_state, wide) - _statistics(
+        fields.wide, fields.wide_state, np.zeros_like(wide)
+    )
+    return nodes, points
+
+
+def _statistics(normals: Normals, state: State, inverse: Array) -> Array:
+    """Cofactors (p, 3, 3) of the points for an inverse of the reduced normal matrix."""
+    none = np.zeros(0)
+    return normals.solver.statistics(
+        *normals.arguments(state), normals.threads, np.ascontiguousarray(inverse), 0, none, none, none, none
+    )[0]
+
+
+def _own(fields: FieldSystem) -> tuple[Array, Any]:
+    """What the points' own rays bring, the cameras known: (p, 3, 3) eliminated, (N, N) sparse retained.
+
+    Nothing is held but control, so that it is the same in every datum that cameras carry.
+    """
+    from scipy.sparse import csr_matrix  # noqa: PLC0415
+
+    normals, state, system = fields.base, fields.state, fields.base.system
+    N = int(system.offsets[-1])
+    held = system.held
+    kept = np.flatnonzero((system.point_node >= 0) & system.points_used)
+    try:
+        system.held = system.control_held
+        normals.solver.set_held(mask_of(system.control_held))
+        own = _statistics(normals, state, np.zeros_like(normals.values))
+        own *= ~system.control_held[:, :, None] & ~system.control_held[:, None, :]
+        nodes = csr_matrix((N, N))
+        if len(kept):
+            factor = normals.values.copy()
+            right, diagonal = normals.right.copy(), normals.diagonal.copy()
+            normals.reduce(state)
+            at = (system.offsets[system.point_node[kept]][:, None] + np.arange(3)).ravel()
+            block = np.linalg.inv(sparse_normals(normals)[at][:, at].toarray())
+            free = ~system.control_held[kept].ravel()
+            block *= np.outer(free, free)
+            normals.values[:], normals.right[:], normals.diagonal[:] = factor, right, diagonal
+            r, c = np.meshgrid(at, at, indexing="ij")
+            nodes = csr_matrix((block.ravel(), (r.ravel(), c.ravel())), shape=(N, N))
+    finally:
+        system.held = held
+        normals.solver.set_held(mask_of(held))
+    own[system.point_node >= 0] = 0
+    return own, nodes
+
+
+def _retained_blocks(normals: Normals, inverse: Array, points: Array) -> Array:
+    """Blocks (k, 3, 3) of retained points in the layout of the normal matrix."""
+    system = normals.system
+    nodes = [int(system.point_node[p]) for p in points]
+    blocks = np.array([normals.node_block(inverse, a, a) for a in nodes]).reshape(-1, 3, 3)
+    free = ~system.held[points]
+    return blocks * free[:, :, None] * free[:, None, :]
