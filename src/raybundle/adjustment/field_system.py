@@ -15,7 +15,9 @@ import numpy as np
 from raybundle.adjustment.assemble import InteriorRow, State, System
 from raybundle.adjustment.fields import COLUMNS, WithFields
 from raybundle.adjustment.normals import Normals
+from raybundle.adjustment.twin import inverse2
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.platforms.station import sensor_from_object
 
 
 @dataclass(slots=True)
@@ -96,6 +98,7 @@ def field_system(base: Normals, state: State) -> FieldSystem:
     wide_system, unknowns, columns = _widened(system, images)
     wide_state = _widened_state(system, wide_system, state)
     wide = Normals.of(wide_system, base.threads)
+    _evaluate(wide, wide_state, base, state, images)
     wide.reduce(wide_state)
     whole = sparse_normals(wide)
     order = whole[:, columns]
@@ -153,6 +156,48 @@ def _widened_state(system: System, wide: System, state: State) -> State:
     for i in np.flatnonzero(wide.interior_of_image != system.interior_of_image):
         interior[wide.interior_of_image[i], : system.stride] = state.interior[system.interior_of_image[i]]
     return State(state.rotation, state.centre, interior, state.xyz)
+
+
+def _evaluate(wide: Normals, wide_state: State, base: Normals, state: State, images: Index) -> None:
+    """Hand the partial derivatives to the native solver, at the adjusted image points that it knows: no iteration.
+
+    Where this is not all that there is to say of a row (another form of the residual, other models that are not
+    compiled) the solver asks as always.
+    """
+    system, block = base.system, base.system.block
+    o = block.observations
+    rows = system.rows
+    image, point = o.image[rows], o.point[rows]
+    mine = np.isin(image, images)
+    if not np.array_equal(wide.external, mine) or system.corrected[block.images.camera[images]].any():
+        return
+    whitened, flags = base.residuals(state)
+    W = np.zeros((len(rows), 2, 2))
+    W[:, 0, 0], W[:, 1, 0], W[:, 1, 1] = system.whiten.T
+    v = np.linalg.solve(W, whitened[:, :, None])[:, :, 0]
+    if flags[mine].any():
+        return
+    w = max(len(row.model.symbols) for row in wide.system.interior[len(system.interior) :])
+    out = np.zeros((len(rows), 9 + 2 * w))
+    out[:, :2] = v
+    P = sensor_from_object(state.rotation[image], state.centre[image], state.xyz[point])
+    camera = block.images.camera[image]
+    for c in np.unique(camera[mine]):
+        k = np.flatnonzero(mine & (camera == c))
+        model, fields = block.cameras[c].sensor, WithFields(block.cameras[c])
+        n = len(model.symbols)
+        x, y = (system.xy_mm[k] + v[k]).T
+        values = state.interior[system.interior_of_image[image[k]], :n].T
+        _, J = model.condition_and_jacobian(x, y, *P[:, k], *values)
+        D = -inverse2(J[:, :2], J[:, 2:])
+        out[k, 2:8] = np.moveaxis(D[:, :3], 2, 0).reshape(len(k), 6)
+        shifts = fields.displacements(x, y)
+        for axis in (0, 1):
+            first = 8 + axis * w
+            out[k, first : first + n] = D[axis, 3:].T
+            out[k, first + n : first + n + COLUMNS] = shifts[axis].T
+    wide.solver.set_external(out[mine], np.full((int(mine.sum()), w), -1, np.int32), w)
+    wide.evaluated = wide_state
 
 
 def entries(normals: Normals) -> tuple[Array, Array]:

@@ -15,8 +15,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.polynomial import legendre
 
+from raybundle.adjustment.dense import as_many_threads_as_help
 from raybundle.block import Camera
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.maths import Scalar
@@ -74,8 +74,8 @@ def field_shapes(x: Array, y: Array) -> Array:
     Normalised to a mean square of one over the square -1 .. 1; a term of degree d is divided by d, so that fields fall
     off with their degree.
     """
-    X, Y = (np.stack([legendre.legval(t, np.eye(DEGREE + 1)[k]) for k in range(DEGREE + 1)]) for t in (x, y))
-    return np.stack([X[a] * Y[b] * np.sqrt((2 * a + 1) * (2 * b + 1)) / (a + b) for a, b in TERMS])
+    X, Y = ((np.ones_like(t), t, 1.5 * t * t - 0.5) for t in (x, y))
+    return np.stack([X[a] * Y[b] * (np.sqrt((2 * a + 1) * (2 * b + 1)) / (a + b)) for a, b in TERMS])
 
 
 class WithFields(SensorModel, registered=False):
@@ -103,10 +103,15 @@ class WithFields(SensorModel, registered=False):
 
     def _evaluate(self, x: Array, y: Array, X: Array, Y: Array, Z: Array, *values: Scalar) -> tuple[Array, Array]:
         g, J = self.base.condition_and_jacobian(x, y, X, Y, Z, *values[:-COLUMNS])
-        shapes = field_shapes(x / self._pixel[0] / self._half, y / self._pixel[1] / self._half)
         # measured = true + field: the condition holds at the measured point less the field
-        by_x, by_y = -J[:, :1] * self._pixel[0] * shapes, -J[:, 1:2] * self._pixel[1] * shapes
-        return g, np.concatenate([J, np.stack([by_x, by_y], axis=2).reshape(2, COLUMNS, -1)], axis=1)
+        return g, np.concatenate([J, -np.einsum("ijn,jkn->ikn", J[:, :2], self.displacements(x, y))], axis=1)
+
+    def displacements(self, x: Array, y: Array) -> Array:
+        """Displacements (2, 10, n) [mm] by the coefficients [px] of image points [mm]."""
+        shapes = field_shapes(x / (self._pixel[0] * self._half), y / (self._pixel[1] * self._half))
+        found = np.zeros((2, COLUMNS, shapes.shape[1]))
+        found[0, ::2], found[1, 1::2] = self._pixel[0] * shapes, self._pixel[1] * shapes
+        return found
 
     def in_front(self, points: Array, image: Array | None = None, values: Array | None = None) -> Mask:
         """As the camera's own model says."""
@@ -134,7 +139,10 @@ def variance_components(M: Array, scores: Array, variance: float, response: Arra
     The scores have the covariance phi s0^2 M + tau^2 M M; in the eigen-directions of M they are independent.  A
     direction counts at most MOST times its variance.
     """
-    values, vectors = np.linalg.eigh((M + M.T) / 2)
+    from scipy.linalg import eigh  # noqa: PLC0415
+
+    with as_many_threads_as_help(len(M)):
+        values, vectors = eigh((M + M.T) / 2)
     kept = values > NEGLIGIBLE * max(values[-1], 0.0)
     values, vectors = values[kept], vectors[:, kept]
     y = (vectors.T @ scores) / np.sqrt(values * variance)

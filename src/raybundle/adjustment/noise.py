@@ -204,10 +204,8 @@ def _influences(fields: FieldSystem, row: Array, column: Array) -> tuple[Array, 
     square = J @ J.T
     wide = square[back[wide_row], back[wide_column]]
     nodes = square[row, column]
-    points = _statistics(fields.wide, fields.wide_state, wide) - _statistics(
-        fields.wide, fields.wide_state, np.zeros_like(wide)
-    )
-    return nodes, points
+    points = _statistics(fields.wide, fields.wide_state, wide)
+    return nodes, points - _of_rays(fields.base, fields.state)
 
 
 def _statistics(normals: Normals, state: State, inverse: Array) -> Array:
@@ -216,6 +214,14 @@ def _statistics(normals: Normals, state: State, inverse: Array) -> Array:
     return normals.solver.statistics(
         *normals.arguments(state), normals.threads, np.ascontiguousarray(inverse), 0, none, none, none, none
     )[0]
+
+
+def _of_rays(normals: Normals, state: State) -> Array:
+    """Cofactors (p, 3, 3) of the points by their own rays, all nodes known."""
+    right = np.zeros((len(state.xyz), 3, 3))
+    right[:, np.arange(3), np.arange(3)] = 1.0
+    found = normals.solve_points(state, np.zeros((len(normals.right), 3)), right)
+    return (found + np.swapaxes(found, 1, 2)) / 2
 
 
 def _own(fields: FieldSystem) -> tuple[Array, Any]:
@@ -232,8 +238,7 @@ def _own(fields: FieldSystem) -> tuple[Array, Any]:
     try:
         system.held = system.control_held
         normals.solver.set_held(mask_of(system.control_held))
-        own = _statistics(normals, state, np.zeros_like(normals.values))
-        own *= ~system.control_held[:, :, None] & ~system.control_held[:, None, :]
+        own = _of_rays(normals, state)
         nodes = csr_matrix((N, N))
         if len(kept):
             factor = normals.values.copy()
