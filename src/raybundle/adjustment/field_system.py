@@ -45,6 +45,15 @@ class FieldSystem:
         """J (N, k) of the nodes: influence of these fields (k,) on the unknowns."""
         return self.base.solved(self.H[:, chosen].toarray())
 
+    def left(self, chosen: Array) -> Array:
+        """Columns (10 f, k) of F' W R F: what is left of the fields when all unknowns are eliminated."""
+        return self.own[:, chosen].toarray() - self.H.T @ self.of_nodes(chosen)
+
+    def points_of(self, nodes: Array, coefficients: Array) -> Array:
+        """J c of the points (p, 3, k) for coefficients (10 f, k) whose J c of the nodes (N, k) is known."""
+        wide = np.ascontiguousarray(self.wide_nodes(nodes, -coefficients))
+        return self.wide.solve_points(self.wide_state, wide, np.zeros((*self.state.xyz.shape, wide.shape[1])))
+
     def wide_nodes(self, nodes: Array, fields: Array) -> Array:
         """(wide N, k) of the block's own unknowns (N, k) and of the fields (10 f, k)."""
         whole = np.zeros((len(self.unknowns) + len(self.columns), fields.shape[1]))
@@ -54,8 +63,7 @@ class FieldSystem:
     def influence(self, coefficients: Array) -> tuple[Array, Array]:
         """J c for coefficients (10 f, k): nodes (N, k) and points (p, 3, k)."""
         nodes = self.base.solved(self.H @ coefficients)
-        wide = np.ascontiguousarray(self.wide_nodes(nodes, -coefficients))
-        return nodes, self.wide.solve_points(self.wide_state, wide, np.zeros((*self.state.xyz.shape, len(wide.T))))
+        return nodes, self.points_of(nodes, coefficients)
 
     def projected(self, nodes: Array, given: Array) -> Array:
         """J' a (10 f, k) for right sides a.

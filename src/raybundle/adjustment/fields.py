@@ -3,16 +3,17 @@
 Lens stabilisers, focus, shutters and compression displace image points smoothly, and differently in each image; what
 is left of a photograph's errors is correlated over hundreds of pixels.  Both make standard deviations from white noise
 too small on real photographs, by factors of 1.5 to 14.  The model here: in each image a field of Legendre products of
-degree 1 and 2 whose coefficients are random with one standard deviation tau [px] (variance components: Rao and Kleffe
-1988), and a floor phi >= 1 by which all noise carries less information than white noise would (in the sense of
-quasi-likelihood: McCullagh and Nelder 1989).  The estimates stay those of least squares; only their covariance and
-what is said of it change (`raybundle.adjustment.noise`).
+degree 1 and 2 whose coefficients are random with one standard deviation tau [px]; a scale, which a wandering focus
+moves, with one of its own (variance components: Rao and Kleffe 1988); and a floor phi >= 1 by which all noise carries
+less information than white noise would (in the sense of quasi-likelihood: McCullagh and Nelder 1989).  The estimates
+stay those of least squares; only their covariance and what is said of it change (`raybundle.adjustment.noise`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -32,6 +33,14 @@ NEGLIGIBLE = 1e-7
 """Of the largest eigenvalue, below which a direction of the fields is what orientations and points absorb."""
 MOST = 30.0
 """What a direction counts at most, in its own variances (5.5 standard deviations): a blunder is no field."""
+FOCUS = np.zeros(COLUMNS)
+FOCUS[[2 * TERMS.index((1, 0)), 2 * TERMS.index((0, 1)) + 1]] = 1 / np.sqrt(3)
+"""Coefficients of a change of scale that displaces by a pixel at half the longer side of the format."""
+GRID = 21
+PRECISION = 1e-3
+"""Of the logarithms of phi and tau^2, and of twice the log-likelihood."""
+REACH = 14.0
+"""Of the logarithms, from where a search begins."""
 FEWEST_DIRECTIONS = 20
 """Directions from which on two numbers can be told: their standard deviation is then below a third."""
 
@@ -46,6 +55,8 @@ class Noise:
     """Floor: variance of smooth sums of the noise, in units of white noise; 1 for white noise"""
     tau_px: float = 0.0
     """Standard deviation of the coefficients of each image's field; about the field's rms per coordinate and term"""
+    focus_px: float = 0.0
+    """Standard deviation of each image's scale, which a wandering focus makes: displacement at half the longer side"""
     directions: int = 0
     """Independent combinations of the fields that the residuals tell of"""
     chi_square: float = 1.0
@@ -120,44 +131,142 @@ class WithFields(SensorModel, registered=False):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Components:
-    """Variance components of the fields and the floor."""
+    """Variance components of the noise."""
 
     phi: float
     tau_square: float
     """[px^2]"""
+    focus_square: float
+    """[px^2], at half the longer side of the format"""
     directions: int
     chi_square: float
 
+    def root(self, variance: float) -> Array:
+        """A square root (10, 10) of the covariance of an image's coefficients, in units of `variance`."""
+        tau, size = np.sqrt(self.tau_square), float(FOCUS @ FOCUS)
+        along = np.sqrt(self.tau_square + self.focus_square * size)
+        return (tau * np.eye(COLUMNS) + (along - tau) * np.outer(FOCUS, FOCUS) / size) / np.sqrt(variance)
 
-def variance_components(M: Array, scores: Array, variance: float, response: Array | None = None) -> Components:
-    """Floor phi >= 1 and variance tau^2 >= 0 of the fields, by maximum likelihood from the scores of the residuals.
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Scores:
+    """Independent scores of the fields: y has the covariance phi + tau^2 diag(weight) + focus^2 B B'."""
+
+    y: Array
+    """(k,)"""
+    weight: Array
+    """(k,) [px^-2]"""
+    B: Array
+    """(k, images) [px^-1]"""
+
+
+def independent_scores(M: Array, scores: Array, variance: float, across: Array | None = None) -> Scores:
+    """The scores in their eigen-directions, in units of what white noise makes of them.
 
     M         (k, k) what is left of the fields' normal matrix when all unknowns are eliminated: F' W R F
-    scores    (k,) F' W v
+    scores    (k,) F' W v, of the covariance phi s0^2 M + M cov(fields) M
     variance  sigma0^2
-    response  (k, k) M over all fields, squared, where M is that of a sample of them: F' W R G G' R' W F; None: M M
-    The scores have the covariance phi s0^2 M + tau^2 M M; in the eigen-directions of M they are independent.  A
-    direction counts at most MOST times its variance.
+    across    (k, 10 f) where the scores are those of some images: F' W R G, G the columns of all f
+    Directions that orientations and points absorb (NEGLIGIBLE) are left out.
     """
     from scipy.linalg import eigh  # noqa: PLC0415
 
     with as_many_threads_as_help(len(M)):
         values, vectors = eigh((M + M.T) / 2)
-    kept = values > NEGLIGIBLE * max(values[-1], 0.0)
-    values, vectors = values[kept], vectors[:, kept]
-    y = (vectors.T @ scores) / np.sqrt(values * variance)
-    square = values
-    if response is not None:
-        W = vectors / np.sqrt(values)
-        square, turned = np.linalg.eigh(W.T @ response @ W)
-        y = turned.T @ y
-    return _fitted(np.maximum(square, 0.0) / variance, y**2)
+        kept = values > NEGLIGIBLE * max(values[-1], 0.0)
+        values, vectors = values[kept], vectors[:, kept]
+        whiten = vectors / np.sqrt(values * variance)
+        y = whiten.T @ scores
+        if across is None:
+            weight, T = values / variance, np.sqrt(values / variance)[:, None] * vectors.T
+        else:
+            T = whiten.T @ across
+            weight, turn = eigh(T @ T.T)
+            y, T = turn.T @ y, turn.T @ T
+    return Scores(y=y, weight=np.maximum(weight, 0.0), B=T.reshape(len(y), -1, COLUMNS) @ FOCUS)
 
 
-def _fitted(weight: Array, square: Array) -> Components:
-    """Of squares whose expectations are phi + tau^2 weight."""
-    if not len(square):
-        return Components(phi=1.0, tau_square=0.0, directions=0, chi_square=1.0)
+def variance_components(samples: Sequence[Scores]) -> Components:
+    """Floor phi >= 1, fields tau^2 >= 0 and focus^2 >= 0 by maximum likelihood from the scores of the residuals.
+
+    A direction counts at most MOST times its variance.  Several samples count as if they were independent.
+    """
+    y, weight = (np.concatenate([getattr(s, name) for s in samples]) for name in ("y", "weight"))
+    if not len(y):
+        return Components(phi=1.0, tau_square=0.0, focus_square=0.0, directions=0, chi_square=1.0)
+    phi, tau_square = _floor_and_fields(weight, y**2)
+    best = _cost(samples, phi, tau_square, 0.0), phi, tau_square, 0.0
+    scale = 1 / float(np.mean(np.concatenate([(s.B**2).sum(axis=1) for s in samples])))
+    # from what was found without a wandering focus, and from where it explains most of it
+    starts = ((phi, max(tau_square, 1e-3 / float(np.median(weight))), scale), (1.2, tau_square / 10, 10 * scale))
+    with as_many_threads_as_help(max(s.B.shape[1] for s in samples)):
+        for start in starts if _falls(samples, phi, tau_square) else ():
+            found = _descended(samples, start)
+            if found[0] < best[0] - PRECISION:
+                best = found
+    if best[2] > 0 and _cost(samples, best[1], 0.0, best[3]) <= best[0] + PRECISION:
+        best = best[0], best[1], 0.0, best[3]
+    square = float(np.mean(y**2))
+    return Components(phi=best[1], tau_square=best[2], focus_square=best[3], directions=len(y), chi_square=square)
+
+
+def _cost(samples: Sequence[Scores], phi: float, tau_square: float, focus_square: float) -> float:
+    """Minus twice the log-likelihood, but for a constant."""
+    from scipy.linalg import get_blas_funcs, get_lapack_funcs  # noqa: PLC0415
+
+    blas: Any = get_blas_funcs
+    lapack: Any = get_lapack_funcs
+    total = 0.0
+    for s in samples:
+        d = phi + tau_square * s.weight
+        if focus_square <= 0:
+            total += float(np.sum(np.log(d) + np.minimum(s.y**2 / d, MOST)))
+            continue
+        # C = D + focus^2 B B', with n columns B: its determinant and inverse by matrices of n rows
+        most = np.sqrt(MOST * (d + focus_square * (s.B**2).sum(axis=1)))
+        y = np.clip(s.y, -most, most)
+        E = np.sqrt(focus_square / d)[:, None] * s.B
+        # SciPy's BLAS: the threads of NumPy's wait for one another where processors are busy
+        inner = blas(("syrk",), (E,))[0](1.0, E, trans=1)
+        inner[np.diag_indices_from(inner)] += 1.0
+        potrf, trtrs = lapack(("potrf", "trtrs"), (E,))
+        U = potrf(inner, lower=0)[0]
+        r = trtrs(U, E.T @ (y / np.sqrt(d)), lower=0, trans=1)[0]
+        total += float(np.sum(np.log(d) + y**2 / d) + 2 * np.log(np.diagonal(U)).sum() - r @ r)
+    return total
+
+
+def _falls(samples: Sequence[Scores], phi: float, tau_square: float) -> bool:
+    """Whether a little of a wandering focus makes the cost less."""
+    slope = 0.0
+    for s in samples:
+        d = phi + tau_square * s.weight
+        y = np.clip(s.y, -np.sqrt(MOST * d), np.sqrt(MOST * d))
+        slope += float(np.sum(s.B**2 / d[:, None]) - np.sum((s.B.T @ (y / d)) ** 2))
+    return slope < 0
+
+
+def _descended(samples: Sequence[Scores], start: tuple[float, float, float]) -> tuple[float, float, float, float]:
+    """Least cost near a start, and where: cost, phi, tau^2, focus^2."""
+    from scipy.optimize import minimize  # noqa: PLC0415
+
+    first = np.log(np.maximum(start, 1e-300))
+    middle = first.copy()
+
+    def values(t: Array) -> tuple[float, float, float]:
+        a, b, c = (float(v) for v in np.exp(np.clip(t, middle - REACH, middle + REACH)))
+        return max(a, 1.0), b, c
+
+    done = minimize(
+        lambda t: _cost(samples, *values(t)), first, method="Nelder-Mead",
+        options={"xatol": 0.02, "fatol": PRECISION, "maxfev": 200},
+    )  # fmt: skip
+    at = values(done.x)
+    return _cost(samples, *at), *at
+
+
+def _floor_and_fields(weight: Array, square: Array) -> tuple[float, float]:
+    """Phi and tau^2 of squares whose expectations are phi + tau^2 weight."""
 
     def cost(phi: Array, tau_square: Array) -> Array:
         w = phi[..., None] + tau_square[..., None] * weight
@@ -179,19 +288,10 @@ def _fitted(weight: Array, square: Array) -> Components:
             break
         middle = np.array([a[i], b[j]])
         low, high = np.maximum(middle - width, [0.0, -np.inf]), middle + width
-    best = float(phi[i, j]), float(tau_square[i, j])
     bare = _floor_alone(square)
-    without = float(cost(np.array(bare), np.array(0.0)))
-    if without <= float(found[i, j]) + PRECISION:
-        best = bare, 0.0
-    return Components(
-        phi=best[0], tau_square=best[1], directions=len(square), chi_square=float(np.minimum(square, 1e300).mean())
-    )
-
-
-GRID = 21
-PRECISION = 1e-3
-"""Of the logarithms of both components, and of twice the log-likelihood."""
+    if float(cost(np.array(bare), np.array(0.0))) <= float(found[i, j]) + PRECISION:
+        return bare, 0.0
+    return float(phi[i, j]), float(tau_square[i, j])
 
 
 def _floor_alone(square: Array) -> float:
@@ -199,7 +299,7 @@ def _floor_alone(square: Array) -> float:
     phi = max(1.0, float(np.median(square)) / 0.455)
     for _ in range(100):
         full = square < MOST * phi
-        new = max(1.0, float(square[full].sum()) / max(len(square), 1))
+        new = max(1.0, float(square[full].sum()) / len(square))
         if abs(new - phi) < 1e-9 * phi:
             break
         phi = new

@@ -25,18 +25,29 @@ from raybundle.adjustment.field_system import (
     sparse_normals,
 )
 from raybundle.adjustment.fields import (
+    COLUMNS,
     FEWEST_DIRECTIONS,
     WHITE,
     Components,
     Noise,
+    Scores,
+    independent_scores,
     variance_components,
 )
 from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.precision import Cofactors
 from raybundle.numerics.arrays import Array
 
-CHUNK = 160
-"""Columns of fields that are solved together."""
+WHOLE = 150
+"""Images up to which all residuals are asked at once: the eigenvalues of 1500 columns take a second."""
+SAMPLE, SAMPLES = 40, 5
+"""Images of a sample of larger blocks, and number of samples."""
+EXACT = 300
+"""Images up to which the influence of every coefficient is formed."""
+PROBES = 256
+"""Random combinations that stand for the coefficients beyond."""
+ENTRIES = 1_000_000
+"""Entries of the normal matrix that are formed together."""
 
 
 @dataclass(slots=True)
@@ -45,8 +56,8 @@ class Spread:
 
     fields: FieldSystem
     phi: float
-    tau_square: float
-    """In units of s0^2"""
+    basis: Any
+    """(10 f, r) sparse: a square root of the covariance of the fields' coefficients, in units of s0^2"""
     own: Array
     """(p, 3, 3) V_p^-1 of eliminated points, the cameras known; nothing held for the datum"""
     own_nodes: Any
@@ -63,13 +74,19 @@ class Spread:
         transformation to the datum of the result makes one of them.
         """
         n, p = self.fields.base.solve(self.fields.state, nodes, points)
-        moved_n, moved_p = self.fields.influence(self.fields.projected(n, points))
+        moved_n, moved_p = self.moved(n, points)
         own_n, own_p = self.own_solve(nodes, points)
         own = self.phi - 1
         return (
-            self.phi * n - own * own_n + self.tau_square * moved_n,
-            self.phi * p - own * own_p + self.tau_square * moved_p,
+            self.phi * n - own * own_n + moved_n,
+            self.phi * p - own * own_p + moved_p,
         )
+
+    def moved(self, nodes: Array, given: Array) -> tuple[Array, Array]:
+        """The fields' part applied to right sides, of which `Normals.solve` made these nodes."""
+        if not self.basis.shape[1]:
+            return np.zeros_like(nodes), np.zeros((*self.fields.state.xyz.shape, nodes.shape[1]))
+        return self.fields.influence(self.basis @ (self.basis.T @ self.fields.projected(nodes, given)))
 
     def own_solve(self, nodes: Array, points: Array) -> tuple[Array, Array]:
         """The points' own part applied to right sides."""
@@ -107,42 +124,100 @@ def noise_of(
     if reason:
         return replace(WHITE, reason=reason), found, None
     fields = field_system(normals, state)
-    told = components(fields, variance)
+    told, sampled = components(fields, variance)
     noise = Noise(
-        kind="fields", phi=told.phi, tau_px=float(np.sqrt(told.tau_square)), directions=told.directions,
-        chi_square=told.chi_square, images=len(fields.images), sampled=len(fields.images),
+        kind="fields", phi=told.phi, tau_px=float(np.sqrt(told.tau_square)),
+        focus_px=float(np.sqrt(told.focus_square)), directions=told.directions, chi_square=told.chi_square,
+        images=len(fields.images), sampled=sampled,
     )  # fmt: skip
     if told.directions < FEWEST_DIRECTIONS:
         words = f"the residuals tell of {told.directions} directions of fields only, {FEWEST_DIRECTIONS} are needed"
         return replace(WHITE, reason=words), found, None
-    spread = spread_of(fields, found, told.phi, told.tau_square / variance)
+    spread = spread_of(fields, found, told.phi, told.root(variance))
     return noise, spread_in_datum(spread, found, datum), spread
 
 
-def components(fields: FieldSystem, variance: float) -> Components:
-    """Floor and variance of the fields from the residuals of the whole block."""
-    every = np.arange(len(fields.columns))
-    M = fields.own.toarray() - fields.H.T @ fields.of_nodes(every)
-    return variance_components(M, fields.scores, variance)
+def components(fields: FieldSystem, variance: float) -> tuple[Components, int]:
+    """Floor and fields from the residuals, and the number of images that they are taken from.
+
+    Of more than WHOLE images samples of neighbouring ones are taken: their scores, with all that the fields of the
+    others do to them.
+    """
+    n = len(fields.images)
+    if n <= WHOLE:
+        M = fields.left(np.arange(len(fields.columns)))
+        return variance_components([independent_scores(M, fields.scores, variance)]), n
+    samples, taken = list[Scores](), set[int]()
+    for images in _samples(fields):
+        chosen = (COLUMNS * images[:, None] + np.arange(COLUMNS)).ravel()
+        across = fields.left(chosen).T
+        samples.append(independent_scores(across[:, chosen], fields.scores[chosen], variance, across))
+        taken.update(images.tolist())
+    return variance_components(samples), len(taken)
 
 
-def spread_of(fields: FieldSystem, found: Cofactors, phi: float, tau_square: float) -> Spread:
-    """The noise spread over the unknowns; `tau_square` in units of s0^2."""
+def _samples(fields: FieldSystem) -> list[Array]:
+    """Neighbouring images (k,), by their positions among those with fields: each sample grows from one of its own.
+
+    The next image is that which shares most with those that are in it; the first ones are spread over the block.
+    """
+    n = len(fields.images)
+    joint = fields.own.multiply(fields.own)
+    at = np.repeat(np.arange(n), COLUMNS)
+    from scipy.sparse import coo_matrix  # noqa: PLC0415
+
+    entries_ = joint.tocoo()
+    shared = coo_matrix((entries_.data, (at[entries_.row], at[entries_.col])), shape=(n, n)).tocsr()
+    free, found = np.ones(n, bool), list[Array]()
+    for first in np.linspace(0, n - 1, SAMPLES).round().astype(int):
+        start = first if free[first] else int(np.flatnonzero(free)[0])
+        mine, pull = [start], np.asarray(shared[start].todense()).ravel()
+        free[start] = False
+        while len(mine) < SAMPLE and (free & (pull > 0)).any():
+            following = int(np.argmax(np.where(free, pull, -1.0)))
+            mine.append(following)
+            free[following] = False
+            pull = pull + np.asarray(shared[following].todense()).ravel()
+        found.append(np.array(sorted(mine)))
+        if not free.any():
+            break
+    return found
+
+
+def spread_of(fields: FieldSystem, found: Cofactors, phi: float, root: Array) -> Spread:
+    """The noise spread over the unknowns; `root` (10, 10) of the covariance of an image's coefficients, units of s0^2.
+
+    Of more than EXACT images random combinations of all coefficients stand for them: PROBES of them tell a variance to
+    a tenth, a standard deviation to a twentieth, and what is stated remains a covariance.
+    """
     own, own_nodes = _own(fields)
+    basis = _basis(fields, root)
     row, column = entries(fields.base)
     inverse = phi * found.inverse
     if own_nodes.nnz:
         inverse -= (phi - 1) * np.asarray(own_nodes[row, column]).ravel()
     points = phi * found.points_minimal - (phi - 1) * own
-    if tau_square > 0:
-        nodes_jj, points_jj = _influences(fields, row, column)
-        inverse += tau_square * nodes_jj
-        points += tau_square * points_jj
+    if basis.shape[1]:
+        nodes_jj, points_jj = _influences(fields, basis, row, column)
+        inverse += nodes_jj
+        points += points_jj
     retained = np.flatnonzero(fields.base.system.point_node >= 0)
     points[retained] = _retained_blocks(fields.base, inverse, retained)
-    return Spread(
-        fields=fields, phi=phi, tau_square=tau_square, own=own, own_nodes=own_nodes, inverse=inverse, points=points
-    )
+    return Spread(fields=fields, phi=phi, basis=basis, own=own, own_nodes=own_nodes, inverse=inverse, points=points)
+
+
+def _basis(fields: FieldSystem, root: Array) -> Any:
+    """(10 f, r) sparse, a square root of the covariance of all coefficients; no column where there are no fields."""
+    from scipy.sparse import csr_matrix, identity, kron  # noqa: PLC0415
+
+    n = len(fields.images)
+    if not root.any():
+        return csr_matrix((COLUMNS * n, 0))
+    whole = kron(identity(n), root, format="csr")
+    if n <= EXACT:
+        return whole
+    signs = np.random.default_rng(n).integers(0, 2, (COLUMNS * n, PROBES)) * 2.0 - 1.0
+    return csr_matrix(whole @ signs / np.sqrt(PROBES))
 
 
 def spread_in_datum(spread: Spread, found: Cofactors, datum: Datum) -> Cofactors:
@@ -159,11 +234,10 @@ def spread_in_datum(spread: Spread, found: Cofactors, datum: Datum) -> Cofactors
     white_h = normals.solve_points(fields.state, change.nodes_h, change.given)
     white_h[system.held] = 0
     own_n, own_p = spread.own_solve(np.zeros_like(change.nodes_h), change.given)
-    nodes_h, points_h = phi * change.nodes_h - (phi - 1) * own_n, phi * white_h - (phi - 1) * own_p
-    if spread.tau_square > 0:
-        moved_n, moved_p = fields.influence(fields.projected(change.nodes_h, change.given))
-        moved_p[system.held] = 0
-        nodes_h, points_h = nodes_h + spread.tau_square * moved_n, points_h + spread.tau_square * moved_p
+    moved_n, moved_p = spread.moved(change.nodes_h, change.given)
+    moved_p[system.held] = 0
+    nodes_h = phi * change.nodes_h - (phi - 1) * own_n + moved_n
+    points_h = phi * white_h - (phi - 1) * own_p + moved_p
     change = replace(change, nodes_h=nodes_h).with_points(points_h)
     points = change.apply_own(spread.points)
     fixed = system.control_held if datum.kind == "inner" else system.held
@@ -190,22 +264,29 @@ def _minimal_transformation(fields: FieldSystem, datum: Datum) -> Transformation
     return Transformation(nodes, G, given, np.zeros_like(nodes), np.zeros((0, 3, d)), middle, np.zeros((d, d)))
 
 
-def _influences(fields: FieldSystem, row: Array, column: Array) -> tuple[Array, Array]:
-    """J J' of the nodes at the entries of the normal matrix, and of the points (p, 3, 3)."""
+def _influences(fields: FieldSystem, basis: Any, row: Array, column: Array) -> tuple[Array, Array]:
+    """J J' of the nodes at the entries of the normal matrix, and of the points (p, 3, 3); J by the basis (10 f, r)."""
     N, f = len(fields.unknowns), len(fields.columns)
+    J = fields.base.solved((fields.H @ basis).toarray())
+    if f > COLUMNS * EXACT:
+        nodes = np.concatenate([
+            np.einsum("ek,ek->e", J[row[k : k + ENTRIES]], J[column[k : k + ENTRIES]])
+            for k in range(0, len(row), ENTRIES)
+        ])  # fmt: skip
+        points = np.zeros((len(fields.state.xyz), 3, 3))
+        for k in range(0, basis.shape[1], 16):
+            moved = fields.points_of(J[:, k : k + 16], basis[:, k : k + 16].toarray())
+            points += moved @ np.swapaxes(moved, 1, 2)
+        return nodes, points
     wide_row, wide_column = entries(fields.wide)
     back = np.full(N + f, -1)
     back[fields.unknowns] = np.arange(N)
     back[fields.columns] = N + np.arange(f)
-    # [J; -1] [J; -1]' in the places of the wide normal matrix: the solver makes the points' part of it
-    J = np.zeros((N + f, f))
-    J[:N] = fields.of_nodes(np.arange(f))
-    J[N + np.arange(f), np.arange(f)] = -1.0
-    square = J @ J.T
-    wide = square[back[wide_row], back[wide_column]]
-    nodes = square[row, column]
-    points = _statistics(fields.wide, fields.wide_state, wide)
-    return nodes, points - _of_rays(fields.base, fields.state)
+    # [J; -basis] [J; -basis]' in the places of the wide normal matrix: the solver makes the points' part of it
+    whole = np.concatenate([J, -basis.toarray()])
+    square = whole @ whole.T
+    points = _statistics(fields.wide, fields.wide_state, square[back[wide_row], back[wide_column]])
+    return square[row, column], points - _of_rays(fields.base, fields.state)
 
 
 def _statistics(normals: Normals, state: State, inverse: Array) -> Array:
