@@ -165,7 +165,9 @@ def dense(name):
     own = np.zeros_like(N)
     seen = keep & (np.arange(len(N)) >= n)
     own[np.ix_(seen, seen)] = np.linalg.inv(N[np.ix_(seen, seen)])
-    return PHI * S @ Q @ S.T - (PHI - 1) * S @ own @ S.T + J @ each @ J.T, n
+    K = (Q - own) @ A[2 * m :].T  # what observations outside the images bring: the floor leaves it alone
+    floor = Q - own - K @ K.T
+    return S @ (Q + (PHI - 1) * floor) @ S.T + J @ each @ J.T, n
 
 
 def close(found, expected, rows=None, columns=None):

@@ -39,6 +39,9 @@ FOCUS[[2 * TERMS.index((1, 0)), 2 * TERMS.index((0, 1)) + 1]] = 1 / np.sqrt(3)
 GRID = 21
 PRECISION = 1e-3
 """Of the logarithms of phi and tau^2, and of twice the log-likelihood."""
+SIGNIFICANT = 5.41
+"""Twice the gain of log-likelihood that one more variance has by chance in one case of a hundred (Self and Liang 1987:
+half of chi-square with one degree of freedom, for a variance at its border)."""
 REACH = 14.0
 """Of the logarithms, from where a search begins."""
 FEWEST_DIRECTIONS = 20
@@ -157,7 +160,7 @@ class Scores:
     weight: Array
     """(k,) [px^-2]"""
     B: Array
-    """(k, images) [px^-1]"""
+    """(k, n) [px^-1]"""
 
 
 def independent_scores(M: Array, scores: Array, variance: float, across: Array | None = None) -> Scores:
@@ -183,13 +186,19 @@ def independent_scores(M: Array, scores: Array, variance: float, across: Array |
             T = whiten.T @ across
             weight, turn = eigh(T @ T.T)
             y, T = turn.T @ y, turn.T @ T
-    return Scores(y=y, weight=np.maximum(weight, 0.0), B=T.reshape(len(y), -1, COLUMNS) @ FOCUS)
+        B = T.reshape(len(y), -1, COLUMNS) @ FOCUS
+        if B.shape[1] > len(y):  # only B B' counts
+            square, vectors = eigh(B @ B.T)
+            B = vectors * np.sqrt(np.maximum(square, 0.0))
+    return Scores(y=y, weight=np.maximum(weight, 0.0), B=B)
 
 
 def variance_components(samples: Sequence[Scores]) -> Components:
     """Floor phi >= 1, fields tau^2 >= 0 and focus^2 >= 0 by maximum likelihood from the scores of the residuals.
 
-    A direction counts at most MOST times its variance.  Several samples count as if they were independent.
+    A direction counts at most MOST times its variance.  Several samples count as if they were independent.  A focus
+    that wanders is believed where its likelihood ratio is SIGNIFICANT: where heights absorb it, as over flat ground,
+    what would be found is chance, and large.
     """
     y, weight = (np.concatenate([getattr(s, name) for s in samples]) for name in ("y", "weight"))
     if not len(y):
@@ -202,7 +211,7 @@ def variance_components(samples: Sequence[Scores]) -> Components:
     with as_many_threads_as_help(max(s.B.shape[1] for s in samples)):
         for start in starts if _falls(samples, phi, tau_square) else ():
             found = _descended(samples, start)
-            if found[0] < best[0] - PRECISION:
+            if found[0] < best[0] - (SIGNIFICANT if best[3] == 0 else 0.0):
                 best = found
     if best[2] > 0 and _cost(samples, best[1], 0.0, best[3]) <= best[0] + PRECISION:
         best = best[0], best[1], 0.0, best[3]

@@ -1,10 +1,11 @@
 """Covariances under the noise of real photographs: the one place where floor and fields meet the cofactors.
 
-C = s0^2 (Q + (phi - 1) (Q - Own)) + tau^2 J J', with Q the cofactors of least squares, Own what the points' own rays
-bring when the cameras are known (the noise of one point's rays is not that of another's: it is not inflated), and
-J = Q U the influence of the fields on every unknown.  Own is taken where the cameras carry the datum; an
-S-transformation (Baarda 1973) then brings all three to the datum of the result, so that what can be estimated at all
-does not depend on it.  Everything here is in units of s0^2, as the cofactors of white noise are.
+C = s0^2 (Q + (phi - 1) (Q - Own - K K')) + J cov(fields) J', with Q the cofactors of least squares and J = Q U the
+influence of the fields on every unknown.  The floor is that of image points as cameras see them: Own, what the points'
+own rays bring when the cameras are known, is not inflated (the noise of one point's rays is not that of another's), nor
+is what observations E outside the images bring, K = (Q - Own) E'.  Own is taken where the cameras carry the datum; an
+S-transformation (Baarda 1973) then brings all to the datum of the result, so that what can be estimated at all does not
+depend on it.  Everything here is in units of s0^2, as the cofactors of white noise are.
 """
 
 from __future__ import annotations
@@ -36,7 +37,7 @@ from raybundle.adjustment.fields import (
 )
 from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.precision import Cofactors
-from raybundle.numerics.arrays import Array
+from raybundle.numerics.arrays import Array, Index
 
 WHOLE = 150
 """Images up to which all residuals are asked at once: the eigenvalues of 1500 columns take a second."""
@@ -46,8 +47,33 @@ EXACT = 300
 """Images up to which the influence of every coefficient is formed."""
 PROBES = 256
 """Random combinations that stand for the coefficients beyond."""
-ENTRIES = 1_000_000
+ENTRIES = 50_000
 """Entries of the normal matrix that are formed together."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Outside:
+    """Whitened rows of the observations outside the images: control, distances, positions, parameters."""
+
+    nodes: Any
+    """(N, k) sparse, transposed"""
+    point: Index
+    """(q,) of those of eliminated points, which stand last among the k"""
+    axis: Index
+    weight: Array
+
+    def told(self, nodes: Array, points: Array) -> Array:
+        """(k, c) of columns for nodes (N, c) and points (p, 3, c)."""
+        found = self.nodes.T @ nodes
+        found[len(found) - len(self.point) :] += self.weight[:, None] * points[self.point, self.axis]
+        return found
+
+    def right(self, told: Array, shape: tuple[int, ...]) -> tuple[Array, Array]:
+        """Right sides for nodes (N, c) and points (p, 3, c), `shape`, of coefficients (k, c)."""
+        points = np.zeros(shape)
+        values = self.weight[:, None] * told[len(told) - len(self.point) :]
+        np.add.at(points, (self.point, self.axis), values)
+        return self.nodes @ told, points
 
 
 @dataclass(slots=True)
@@ -62,6 +88,8 @@ class Spread:
     """(p, 3, 3) V_p^-1 of eliminated points, the cameras known; nothing held for the datum"""
     own_nodes: Any
     """(N, N) sparse: the same of retained points, in the places of their unknowns"""
+    outside: Outside | None
+    """Observations outside the images; None where there are none, or the floor is that of white noise"""
     inverse: Array
     """The covariance of the nodes in the layout of the normal matrix, in units of s0^2, no datum taken"""
     points: Array
@@ -74,13 +102,26 @@ class Spread:
         transformation to the datum of the result makes one of them.
         """
         n, p = self.fields.base.solve(self.fields.state, nodes, points)
+        return self.applied(nodes, points, n, p)
+
+    def applied(self, nodes: Array, points: Array, n: Array, p: Array) -> tuple[Array, Array]:
+        """As `solve`, where what white noise makes of the right sides is known: nodes (N, k), points (p, 3, k)."""
         moved_n, moved_p = self.moved(n, points)
+        if self.phi == 1:
+            return n + moved_n, p + moved_p
         own_n, own_p = self.own_solve(nodes, points)
-        own = self.phi - 1
-        return (
-            self.phi * n - own * own_n + moved_n,
-            self.phi * p - own * own_p + moved_p,
-        )
+        floor_n, floor_p = n - own_n, p - own_p
+        if self.outside is not None:
+            told = self.outside.told(floor_n, floor_p)
+            k_n, k_p = self.behind(*self.outside.right(told, p.shape))
+            floor_n, floor_p = floor_n - k_n, floor_p - k_p
+        return n + (self.phi - 1) * floor_n + moved_n, p + (self.phi - 1) * floor_p + moved_p
+
+    def behind(self, nodes: Array, points: Array) -> tuple[Array, Array]:
+        """Q - Own applied to right sides: what cameras make of them."""
+        n, p = self.fields.base.solve(self.fields.state, nodes, points)
+        own_n, own_p = self.own_solve(nodes, points)
+        return n - own_n, p - own_p
 
     def moved(self, nodes: Array, given: Array) -> tuple[Array, Array]:
         """The fields' part applied to right sides, of which `Normals.solve` made these nodes."""
@@ -191,19 +232,59 @@ def spread_of(fields: FieldSystem, found: Cofactors, phi: float, root: Array) ->
     a tenth, a standard deviation to a twentieth, and what is stated remains a covariance.
     """
     own, own_nodes = _own(fields)
-    basis = _basis(fields, root)
+    none = np.zeros(0)
+    spread = Spread(
+        fields=fields, phi=phi, basis=_basis(fields, root), own=own, own_nodes=own_nodes,
+        outside=_outside(fields) if phi > 1 else None, inverse=none, points=none,
+    )  # fmt: skip
     row, column = entries(fields.base)
-    inverse = phi * found.inverse
+    inverse, points = phi * found.inverse, phi * found.points_minimal - (phi - 1) * own
     if own_nodes.nnz:
         inverse -= (phi - 1) * np.asarray(own_nodes[row, column]).ravel()
-    points = phi * found.points_minimal - (phi - 1) * own
-    if basis.shape[1]:
-        nodes_jj, points_jj = _influences(fields, basis, row, column)
+    if spread.basis.shape[1]:
+        nodes_jj, points_jj = _influences(fields, spread.basis, row, column)
         inverse += nodes_jj
         points += points_jj
+    if spread.outside is not None:
+        nodes_kk, points_kk = _from_outside(spread, spread.outside, row, column)
+        inverse -= (phi - 1) * nodes_kk
+        points -= (phi - 1) * points_kk
     retained = np.flatnonzero(fields.base.system.point_node >= 0)
     points[retained] = _retained_blocks(fields.base, inverse, retained)
-    return Spread(fields=fields, phi=phi, basis=basis, own=own, own_nodes=own_nodes, inverse=inverse, points=points)
+    spread.inverse, spread.points = inverse, points
+    return spread
+
+
+def _outside(fields: FieldSystem) -> Outside | None:
+    """The rows of all observations outside the images; None where there are none, or far too many.
+
+    Of more than EXACT images their part would take longer than all else: the floor then counts for them as well, and
+    standard deviations come out rather too large.
+    """
+    from scipy.sparse import coo_matrix  # noqa: PLC0415
+
+    system = fields.base.system
+    extra = fields.base.extra(fields.state)
+    point, axis = np.nonzero(system.prior & (system.point_node < 0)[:, None])
+    k = len(extra.residual)
+    if k + len(point) == 0 or len(fields.images) > EXACT:
+        return None
+    shape = (int(system.offsets[-1]), k + len(point))
+    nodes = coo_matrix((extra.value, (extra.unknown, extra.row)), shape=shape).tocsr()
+    weight = 1 / system.block.points.sigma[point, axis]
+    return Outside(nodes=nodes, point=point.astype(np.int32), axis=axis.astype(np.int32), weight=weight)
+
+
+def _from_outside(spread: Spread, outside: Outside, row: Array, column: Array) -> tuple[Array, Array]:
+    """K K' of the nodes at the entries of the normal matrix, and of the points (p, 3, 3)."""
+    count, p = outside.nodes.shape[1], len(spread.own)
+    nodes, points = np.zeros(len(row)), np.zeros((p, 3, 3))
+    for first in range(0, count, 16):
+        told = np.eye(count)[:, first : first + 16]
+        n, moved = spread.behind(*outside.right(told, (p, 3, told.shape[1])))
+        nodes += np.einsum("ek,ek->e", n[row], n[column])
+        points += moved @ np.swapaxes(moved, 1, 2)
+    return nodes, points
 
 
 def _basis(fields: FieldSystem, root: Array) -> Any:
@@ -225,7 +306,7 @@ def spread_in_datum(spread: Spread, found: Cofactors, datum: Datum) -> Cofactors
 
     found  those of white noise, of which what tests rest on is kept
     """
-    fields, phi = spread.fields, spread.phi
+    fields = spread.fields
     normals, system = fields.base, fields.base.system
     change = transformation(normals, fields.state, datum) or _minimal_transformation(fields, datum)
     if change is None:
@@ -233,11 +314,9 @@ def spread_in_datum(spread: Spread, found: Cofactors, datum: Datum) -> Cofactors
     # H = C B G and K = G'B C B G of this covariance, in place of those of the cofactors
     white_h = normals.solve_points(fields.state, change.nodes_h, change.given)
     white_h[system.held] = 0
-    own_n, own_p = spread.own_solve(np.zeros_like(change.nodes_h), change.given)
-    moved_n, moved_p = spread.moved(change.nodes_h, change.given)
-    moved_p[system.held] = 0
-    nodes_h = phi * change.nodes_h - (phi - 1) * own_n + moved_n
-    points_h = phi * white_h - (phi - 1) * own_p + moved_p
+    nodes_h, points_h = spread.applied(np.zeros_like(change.nodes_h), change.given, change.nodes_h, white_h)
+    if datum.kind == "inner":
+        points_h[system.control_held] = 0
     change = replace(change, nodes_h=nodes_h).with_points(points_h)
     points = change.apply_own(spread.points)
     fixed = system.control_held if datum.kind == "inner" else system.held
