@@ -7,16 +7,20 @@ import numpy as np
 import pytest
 from numpy.polynomial import legendre
 
+from raybundle.adjustment import noise
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.field_system import field_system
-from raybundle.adjustment.fields import Components
+from raybundle.adjustment.fields import Components, Scores, variance_components
 from raybundle.adjustment.noise import spread_in_datum, spread_of
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.options import AdjustmentOptions, noise_of_photographs
 from raybundle.adjustment.precision import angle_form, image_unknowns, interior_unknowns, precision
-from raybundle.adjustment.queries import covariance_between, design_row
+from raybundle.adjustment.queries import covariance_between, design_row, precision_in_datum
+from raybundle.block.select import with_rows
 from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.numerics import native
 from raybundle.platforms.station import sensor_from_object
 from raybundle.sensors import sensor_models
+from raybundle.workflows.adjust import adjust
 
 SCENE = field_scene(TargetField(rows=4, columns=6, stations=5, frontal=1))
 NOISE = Components(phi=2.3, tau_square=40.0, focus_square=90.0, directions=99, chi_square=9.0)
@@ -221,3 +225,175 @@ def test_every_question_is_answered_by_the_same_covariance(name):
         for b, (j, Dj) in rows.items():
             std = (np.sqrt(np.abs(np.diagonal(D @ C[np.ix_(k, k)] @ D.T))) for k, D in ((i, Di), (j, Dj)))
             close(covariance_between(result, a, b) / result.sigma0**2, Di @ C[np.ix_(i, j)] @ Dj.T, *std)
+
+
+def white_and_fields(name="bars", tau_px=0.3):
+    block, options = CASES[name]
+    block = with_fields(block, tau_px)
+    return tuple(adjust_block(block, replace(options, noise=noise)) for noise in ("white", "fields"))
+
+
+def test_estimates_and_tests_stay_to_the_last_bit():
+    white, fields = white_and_fields()
+    assert fields.noise.kind == "fields"
+    assert fields.noise.tau_px > 0.1
+    assert white.sigma0 == fields.sigma0
+    for a, b in (
+        (white.adjusted.points.xyz, fields.adjusted.points.xyz),
+        (white.adjusted.images.centre, fields.adjusted.images.centre),
+        (white.adjusted.images.rotation, fields.adjusted.images.rotation),
+        (white.image_observations.residuals_px, fields.image_observations.residuals_px),
+        (white.image_observations.redundancy, fields.image_observations.redundancy),
+        (white.image_observations.w, fields.image_observations.w),
+        (white.image_observations.mdb_px, fields.image_observations.mdb_px),
+        *((g.w, h.w) for g, h in zip(white.groups, fields.groups, strict=True)),
+    ):
+        np.testing.assert_array_equal(a, b)
+    assert white.adjusted.cameras[0].values == fields.adjusted.cameras[0].values
+    assert white.notices == fields.notices
+
+
+def test_standard_deviations_are_wider_and_those_of_white_noise_stand_beside():
+    white, fields = white_and_fields()
+    before, after = (r.interior[0].parameters for r in (white, fields))
+    for s in ("c", "x0", "K1"):
+        assert after[s].std_white == pytest.approx(before[s].std, rel=1e-12)
+        assert after[s].std > before[s].std
+        assert after[s].status == before[s].status
+        assert after[s].determinability == before[s].determinability
+    assert after["x0"].t == pytest.approx(abs(after["x0"].value) / after["x0"].std)
+    ratio = after["c"].std / before["c"].std
+    assert ratio > 1.3
+    assert fields.noise.ratio_interior == pytest.approx(ratio, rel=1)
+    assert fields.network.relative_precision < white.network.relative_precision
+    for g, h in zip(white.groups, fields.groups, strict=True):
+        assert (h.adjusted_std >= g.adjusted_std * (1 - 1e-9)).all()
+    bar = next(g for g in fields.groups if g.kind == "distance")
+    ends = [f"point:{p}" for p in bar.ids[0].split("-")]
+    C = [[covariance_between(fields, a, b) for b in ends] for a in ends]
+    d = fields.given.distances
+    unit = np.diff(fields.adjusted.points.xyz[[d.start[0], d.end[0]]], axis=0)[0]
+    unit /= np.linalg.norm(unit)
+    variance = unit @ (C[0][0] + C[1][1] - C[0][1] - C[1][0]) @ unit
+    assert bar.adjusted_std[0] == pytest.approx(np.sqrt(variance), rel=1e-6)
+
+
+def test_what_can_be_estimated_has_one_covariance_in_every_datum():
+    block = with_fields(CASES["free"][0], 0.3)
+    chosen = tuple(block.points.ids[i] for i in (0, 4, 9, 15, 19))
+    results = [
+        adjust_block(block, AdjustmentOptions(noise="fields", **kind))
+        for kind in ({}, {"datum": "minimal"}, {"datum_points": chosen})
+    ]
+    first = results[0]
+    for other in results[1:]:
+        # no datum changes the interior orientation
+        key = next(iter(first.precision.interior))
+        a, b = (r.precision.interior[key] for r in (first, other))
+        s = np.sqrt(np.diagonal(a))
+        np.testing.assert_allclose(a / np.outer(s, s), b / np.outer(s, s), atol=1e-9)
+    # moved onto other points the block has another scale, by a few ten thousandths
+    there = precision_in_datum(first, chosen)
+    np.testing.assert_allclose(there.object_point_std, results[2].precision.object_point_std, rtol=1e-3)
+    np.testing.assert_allclose(there.image_std, results[2].precision.image_std, rtol=1e-3)
+
+
+@pytest.mark.parametrize("name", ["free", "minimal", "bars", "weighted control", "two cameras"])
+def test_the_whole_covariance_is_positive_definite(name):
+    C, n = dense(name)
+    result = adjusted(name)
+    fixed = result.work.system.held if result.work.datum.kind == "minimal" else np.zeros_like(result.work.system.held)
+    s = np.sqrt(np.diagonal(C))
+    free = s > 1e-9 * s.max()
+    values = np.linalg.eigvalsh((C / np.outer(s, s).clip(1e-300))[np.ix_(free, free)])
+    assert values.min() > -1e-9
+    for p in np.flatnonzero(~fixed.any(axis=1)):
+        at = n + 3 * p + np.arange(3)
+        assert np.linalg.eigvalsh(C[np.ix_(at, at)]).min() > 0
+
+
+def test_noise_is_found_by_the_twin_of_the_kernels_alike(monkeypatch):
+    block = with_fields(CASES["bars"][0], 0.3)
+    compiled = adjust_block(block, AdjustmentOptions(noise="fields"))
+    monkeypatch.setattr(native, "module", lambda: None)
+    monkeypatch.setattr(native, "sensor_models", frozenset)
+    plain = adjust_block(block, AdjustmentOptions(noise="fields"))
+    assert plain.noise.phi == pytest.approx(compiled.noise.phi, rel=1e-4)
+    assert plain.noise.tau_px == pytest.approx(compiled.noise.tau_px, rel=1e-4)
+    np.testing.assert_allclose(
+        plain.precision.object_point_std, compiled.precision.object_point_std, rtol=1e-4, atol=1e-12
+    )
+
+
+def test_larger_blocks_are_told_by_samples_and_random_combinations(monkeypatch):
+    scene = field_scene(TargetField(rows=7, columns=9, stations=24, frontal=6))
+    block = simulate(scene, Survey(points="exact", orientation="exact", interior="exact")).observed
+    block = with_fields(block, 0.3)
+    whole = adjust_block(block, AdjustmentOptions(noise="fields"))
+    monkeypatch.setattr(noise, "WHOLE", 12)
+    monkeypatch.setattr(noise, "SAMPLE", 6)
+    sampled = adjust_block(block, AdjustmentOptions(noise="fields"))
+    assert sampled.noise.sampled == 30
+    assert sampled.noise.tau_px == pytest.approx(whole.noise.tau_px, rel=0.15)
+    monkeypatch.setattr(noise, "SAMPLES", 2)
+    fewer = adjust_block(block, AdjustmentOptions(noise="fields"))
+    assert fewer.noise.sampled == 12
+    assert fewer.noise.tau_px == pytest.approx(whole.noise.tau_px, rel=0.3)
+    monkeypatch.setattr(noise, "WHOLE", 150)
+    monkeypatch.setattr(noise, "EXACT", 10)
+    probed = adjust_block(block, AdjustmentOptions(noise="fields"))
+    assert probed.noise.tau_px == whole.noise.tau_px
+    for name in ("object_point_std", "image_std"):
+        a, b = (getattr(r.precision, name) for r in (probed, whole))
+        assert np.sqrt(np.nanmean((a / b - 1) ** 2)) < 0.08
+
+
+def test_where_fields_cannot_be_told_noise_is_white_and_the_reason_said():
+    block = CASES["free"][0]
+    few = with_rows(block, block.observations.image < 2)
+    o = few.observations
+    few = with_rows(few, np.bincount(o.point, minlength=len(few.points))[o.point] > 1)
+    camera = replace(few.cameras[0], estimate=())
+    result = adjust_block(replace(few, cameras=(camera,)), AdjustmentOptions(noise="fields"))
+    if result.noise.kind == "white":
+        assert "directions" in result.noise.reason
+    values = dict.fromkeys(sensor_models["brown_rolling"].symbols, 0.0) | dict(block.cameras[0].values)
+    wide = replace(block.cameras[0], model="brown_rolling", values=values, estimate=("c",))
+    result = adjust_block(replace(block, cameras=(wide,)), AdjustmentOptions(noise="fields"))
+    assert result.noise.kind == "white"
+    assert "brown_rolling" in result.noise.reason
+    plain = adjust_block(replace(block, cameras=(wide,)), AdjustmentOptions())
+    np.testing.assert_array_equal(plain.precision.object_points, result.precision.object_points)
+
+
+def test_auto_means_photographs_that_are_measured_here():
+    assert noise_of_photographs("auto", 5) == "fields"
+    assert noise_of_photographs("auto", 4) == "white"
+    assert noise_of_photographs("white", 50) == "white"
+    assert noise_of_photographs("fields", 2) == "fields"
+    given = adjust(with_fields(CASES["free"][0], 0.3), AdjustmentOptions())
+    assert given.noise.kind == "white"
+    assert not given.noise.reason
+
+
+def test_a_blunder_is_no_field():
+    y = np.random.default_rng(4).normal(size=300)
+    clean = Scores(y=y, weight=np.full(300, 2.0), B=np.zeros((300, 10)))
+    wrong = replace(clean, y=np.where(np.arange(300) == 7, 60.0, y))
+    assert variance_components([wrong]).phi < 1.3
+    assert variance_components([wrong]).tau_square < 0.1
+    assert variance_components([replace(clean, y=3 * y)]).phi == pytest.approx(9 * np.mean(y**2), rel=0.01)
+
+
+def test_fields_a_floor_and_a_focus_are_told_apart():
+    rng = np.random.default_rng(5)
+    weight = np.exp(rng.normal(size=400) * 2)
+    B = rng.normal(size=(400, 40)) * np.sqrt(weight)[:, None] / 3
+    y = np.sqrt(2.0 + 0.25 * weight) * rng.normal(size=400)
+    found = variance_components([Scores(y=y, weight=weight, B=B)])
+    assert found.phi == pytest.approx(2.0, rel=0.4)
+    assert found.tau_square == pytest.approx(0.25, rel=0.4)
+    assert found.focus_square == 0
+    found = variance_components([Scores(y=y + B @ rng.normal(size=40) * 1.5, weight=weight, B=B)])
+    assert found.focus_square == pytest.approx(2.25, rel=0.6)
+    assert found.tau_square == pytest.approx(0.25, rel=0.5)

@@ -205,7 +205,8 @@ def variance_components(samples: Sequence[Scores]) -> Components:
         return Components(phi=1.0, tau_square=0.0, focus_square=0.0, directions=0, chi_square=1.0)
     phi, tau_square = _floor_and_fields(weight, y**2)
     best = _cost(samples, phi, tau_square, 0.0), phi, tau_square, 0.0
-    scale = 1 / float(np.mean(np.concatenate([(s.B**2).sum(axis=1) for s in samples])))
+    felt = float(np.mean(np.concatenate([(s.B**2).sum(axis=1) for s in samples])))
+    scale = 1 / max(felt, 1e-300)
     # from what was found without a wandering focus, and from where it explains most of it
     starts = ((phi, max(tau_square, 1e-3 / float(np.median(weight))), scale), (1.2, tau_square / 10, 10 * scale))
     with as_many_threads_as_help(max(s.B.shape[1] for s in samples)):

@@ -89,7 +89,9 @@ def noise_lines(noise: Noise) -> list[str]:
         ("object points", noise.ratio_points),
     )  # fmt: skip
     wider = ", ".join(f"{what} {ratio:.2g}" for what, ratio in ratios if math.isfinite(ratio))
-    line = f"noise: floor {noise.phi:.2g}, fields of {noise.tau_px:.2g} px that differ from image to image; standard "
+    focus = f", a focus that wanders by {noise.focus_px:.2g} px" if noise.focus_px > 0 else ""
+    fields = f"fields of {noise.tau_px:.2g} px that differ from image to image{focus}"
+    line = f"noise: floor {noise.phi:.2g}, {fields}; standard "
     return [f"{line}deviations beside those of white noise: {wider}"]
 
 

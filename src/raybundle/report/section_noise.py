@@ -47,6 +47,7 @@ def noise_section(view: View) -> Section | None:
 def _figures(noise: Noise) -> Table:
     rows = [
         ("fields in each image: standard deviation τ of a coefficient", f"{significant(noise.tau_px, 2)} px"),
+        ("wandering focus: displacement at half the longer side", f"{significant(noise.focus_px, 2)} px"),
         ("share of fields in the variances of the interior orientation", f"{fixed(100 * noise.share, 0)} %"),
         ("floor φ: variance of smooth sums of errors, in units of independent ones", significant(noise.phi, 3)),
         ("images, of which residuals were used", f"{grouped(noise.images)}, {grouped(noise.sampled)}"),
