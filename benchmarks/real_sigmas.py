@@ -72,7 +72,8 @@ def of_halves(folder: Path, count: int) -> dict:
     whole, rows, lost = halves(block_of(folder), count)
     if not rows:
         return {"images": whole.noise.images, "splits": 0, "not_solvable": lost}
-    table = {k: np.array([r[k] for r in rows]) for k in rows[0] if k not in {"phi", "tau_px"}}
+    names = [f"{of}_{by}" for of in ("interior", "points") for by in ("white", "fields")]
+    table = {k: v for k in names if len(v := np.array([r[k] for r in rows if k in r]))}
     noise = whole.noise
     found = {
         "images": noise.images, "splits": len(rows), "not_solvable": lost,

@@ -193,7 +193,7 @@ def _as_table(q: CalibrationQuality) -> dict[str, Any]:
 
 def lines(done: Calibration) -> list[str]:
     """What the command prints."""
-    from raybundle.cli.summary import notice_lines  # noqa: PLC0415
+    from raybundle.cli.summary import noise_lines, notice_lines  # noqa: PLC0415
 
     read = sum(int(m.named.sum()) for sets in done.marks for m in sets)
     extra = f", {done.completed} without a readable code found by prediction" if done.completed else ""
@@ -218,7 +218,7 @@ def lines(done: Calibration) -> list[str]:
             for p in list(interior.parameters.values())[:MOST_PARAMETERS] if p.std or p.value
         ))  # fmt: skip
         told.append(f"  in pixels: {in_pixels(camera, interior, sure=sure)}")
-    return told + notice_lines(done.adjustment.notices)
+    return told + noise_lines(done.adjustment.noise) + notice_lines(done.adjustment.notices)
 
 
 def in_pixels(camera: Camera, interior: InteriorResult, *, sure: bool) -> str:
