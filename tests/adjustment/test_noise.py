@@ -9,7 +9,7 @@ from numpy.polynomial import legendre
 
 from raybundle.adjustment import noise
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.field_system import field_system
+from raybundle.adjustment.field_system import field_system, reason_against
 from raybundle.adjustment.fields import Components, Scores, variance_components
 from raybundle.adjustment.noise import spread_in_datum, spread_of
 from raybundle.adjustment.options import AdjustmentOptions, noise_of_photographs
@@ -397,3 +397,14 @@ def test_fields_a_floor_and_a_focus_are_told_apart():
     found = variance_components([Scores(y=y + B @ rng.normal(size=40) * 1.5, weight=weight, B=B)])
     assert found.focus_square == pytest.approx(2.25, rel=0.6)
     assert found.tau_square == pytest.approx(0.25, rel=0.5)
+
+
+def test_images_of_a_rig_keep_white_noise():
+    block = CASES["free"][0]
+    n = len(block.images)
+    station = np.arange(n, dtype=np.int32) // 2
+    result = adjusted("free")
+    system = result.work.system
+    shared = replace(system, image_node=system.image_node[2 * station])
+    assert "rig" in reason_against(shared)
+    assert not reason_against(system)

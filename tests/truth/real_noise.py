@@ -183,7 +183,7 @@ def halves(block, count, seed=11):
     points = replace(block.points, xyz=_placed(block, whole))
     block = replace(block, cameras=whole.adjusted.cameras, images=images, points=points)
     of = np.flatnonzero(used)
-    for half in splits(len(of), count, rng):
+    for half in splits(len(of), count, np.random.default_rng(seed + 1)):
         one = np.zeros(len(used), bool)
         one[of[half]] = True
         try:
