@@ -47,6 +47,8 @@ EXACT = 300
 """Images up to which the influence of every coefficient is formed."""
 PROBES = 256
 """Random combinations that stand for the coefficients beyond."""
+SINGULAR = 1e-12
+"""Eigenvalue, of a normal matrix with a unit diagonal, below which its direction is not determined."""
 ENTRIES = 50_000
 """Entries of the normal matrix that are formed together."""
 
@@ -165,6 +167,8 @@ def noise_of(
     if reason:
         return replace(WHITE, reason=reason), found, None
     fields = field_system(normals, state)
+    if not all(np.isfinite(part).all() for part in (fields.scores, fields.H.data, fields.own.data)):
+        return replace(WHITE, reason="some image points tell nothing of their object points by themselves"), found, None
     told, sampled = components(fields, variance)
     noise = Noise(
         kind="fields", phi=told.phi, tau_px=float(np.sqrt(told.tau_square)),
@@ -405,7 +409,7 @@ def _own(fields: FieldSystem) -> tuple[Array, Any]:
             right, diagonal = normals.right.copy(), normals.diagonal.copy()
             normals.reduce(state)
             at = (system.offsets[system.point_node[kept]][:, None] + np.arange(3)).ravel()
-            block = np.linalg.inv(sparse_normals(normals)[at][:, at].toarray())
+            block = _inverse(sparse_normals(normals)[at][:, at].toarray())
             free = ~system.control_held[kept].ravel()
             block *= np.outer(free, free)
             normals.values[:], normals.right[:], normals.diagonal[:] = factor, right, diagonal
@@ -416,6 +420,15 @@ def _own(fields: FieldSystem) -> tuple[Array, Any]:
         normals.solver.set_held(mask_of(held))
     own[system.point_node >= 0] = 0
     return own, nodes
+
+
+def _inverse(N: Array) -> Array:
+    """The inverse of normal equations; of what they do not determine, nothing."""
+    scale = 1 / np.sqrt(np.maximum(np.diagonal(N), 1e-300))
+    values, vectors = np.linalg.eigh(N * np.outer(scale, scale))
+    known = values > SINGULAR
+    whole = vectors[:, known] / np.sqrt(values[known])
+    return whole @ whole.T * np.outer(scale, scale)
 
 
 def _retained_blocks(normals: Normals, inverse: Array, points: Array) -> Array:
