@@ -21,6 +21,7 @@ from raybundle.numerics import native
 from raybundle.platforms.station import sensor_from_object
 from raybundle.sensors import sensor_models
 from raybundle.workflows.adjust import adjust
+from tests.truth.mixed_blocks import MonteCarlo, ikonos_pair
 
 SCENE = field_scene(TargetField(rows=4, columns=6, stations=5, frontal=1))
 NOISE = Components(phi=2.3, tau_square=40.0, focus_square=90.0, directions=99, chi_square=9.0)
@@ -408,3 +409,22 @@ def test_images_of_a_rig_keep_white_noise():
     shared = replace(system, image_node=system.image_node[2 * station])
     assert "rig" in reason_against(shared)
     assert not reason_against(system)
+
+
+def test_scenes_keep_white_noise_and_frames_beside_them_have_fields():
+    scenes = ikonos_pair("shift", (), points=30, check=0)
+    observed = MonteCarlo.of(scenes).noisy(np.random.default_rng(5))
+    result = adjust_block(observed, AdjustmentOptions(noise="fields"))
+    assert result.noise.kind == "white"
+    assert "no places in one exposure" in result.noise.reason
+
+
+def test_several_cameras_of_which_one_rolls():
+    block = with_fields(CASES["two cameras"][0], 0.3)
+    values = dict.fromkeys(sensor_models["brown_rolling"].symbols, 0.0) | dict(block.cameras[1].values)
+    rolling = replace(block.cameras[1], model="brown_rolling", values=values, estimate=())
+    result = adjust_block(replace(block, cameras=(block.cameras[0], rolling)), AdjustmentOptions(noise="fields"))
+    assert result.noise.kind == "fields"
+    assert result.noise.images == 3
+    for r in np.flatnonzero(np.isfinite(result.precision.images[:, 0, 0])):
+        assert np.linalg.eigvalsh(result.precision.images[r][:3, :3]).min() > 0

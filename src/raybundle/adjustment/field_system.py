@@ -96,7 +96,8 @@ def _model(system: System, image: int) -> Any:
 def _carries(system: System, image: int) -> bool:
     """Whether an image has a field: a sensor of one exposure whose parameters all count at every place."""
     model = _model(system, image)
-    return bool(model.has_images and model.one_exposure and not model.local_width)
+    scene = system.block.cameras[int(system.block.images.camera[image])].is_scene
+    return bool(model.has_images and model.one_exposure and not model.local_width and not scene)
 
 
 def field_system(base: Normals, state: State) -> FieldSystem:
