@@ -319,7 +319,7 @@ def _search(
 
 def _adjusted(
     stage: Stage, placed: Georeferenced, apart: Sequence[Georeferenced], groups: Sequence[CameraGroup], jobs: int,
-    progress: Progress, remarks: Sequence[str], noise: NoiseModel,
+    progress: Progress, remarks: Sequence[str], noise: NoiseModel = "auto",
 ) -> tuple[Adjustment, tuple[Part, ...]]:  # fmt: skip
     """The final adjustments of what is placed together and of the parts that nothing joins to it."""
     parts, kept, lost = list[Part](), list[Georeferenced](), list[Notice]()
