@@ -17,10 +17,21 @@ pytestmark = pytest.mark.skipif(
 
 
 @pytest.fixture(scope="module")
-def portal(tmp_path_factory):
+def project(tmp_path_factory):
+    return tmp_path_factory.mktemp("portal") / "project"
+
+
+@pytest.fixture(scope="module")
+def portal(project):
     truth = read_block(PORTAL / "truth")
-    project = tmp_path_factory.mktemp("portal") / "project"
     return truth, orient([PORTAL / "photos"], project, OrientOptions(jobs=2), given=given_of(PORTAL, truth))
+
+
+@pytest.fixture(scope="module")
+def white(project, portal):
+    """The same under white noise."""
+    options = OrientOptions(jobs=2, noise="white", redo_from="adjustment")
+    return orient([PORTAL / "photos"], project, options, given=given_of(PORTAL, portal[0]))
 
 
 def test_every_photograph_is_oriented_to_a_tenth_of_a_millimetre(portal):
@@ -40,16 +51,34 @@ def test_errors_of_points_and_centres_lie_in_the_band_of_their_covariances(porta
         assert normalised(error, covariance / 9)[0] > high, what
 
 
-def test_the_calibration_lies_in_the_band_of_its_covariance(portal):
+def test_the_calibration_lies_in_the_band_of_its_covariance(portal, white):
     truth, done = portal
+    squares = [calibration_error(truth, result) for result in (done, white)]
+    for square, low, high in squares:
+        assert low < square < high
+    # the twin: with sigmas three times too small the same errors are out of the band
+    square, _, high = squares[1]
+    assert 9 * square > high
+
+
+def calibration_error(truth, done):
+    """Square of the error over the covariance of the interior orientation, and its 99.9 % band."""
     interior = done.adjustment.interior[0]
     true = truth.cameras[0].values
     z = np.array([(p.value - true.get(s, 0.0)) / p.std for s, p in interior.parameters.items() if s in interior.free])
     assert {"c", "x0", "y0", "K1", "K2", "K3", "P1", "P2"} <= set(interior.free)
-    square = z @ np.linalg.solve(np.asarray(interior.correlations), z)
     low, high = chi2.ppf([0.0005, 0.9995], len(z))
-    assert low < square < high
-    assert 9 * square > high
+    return z @ np.linalg.solve(np.asarray(interior.correlations), z), low, high
+
+
+def test_rendered_photographs_are_nearly_white_and_nothing_else_changes(portal, white):
+    (_, done), noise = portal, portal[1].adjustment.noise
+    assert noise.kind == "fields"
+    assert noise.phi < 3
+    assert noise.tau_px < 0.02
+    assert white.adjustment.noise.kind == "white"
+    np.testing.assert_array_equal(done.adjustment.adjusted.points.xyz, white.adjustment.adjusted.points.xyz)
+    np.testing.assert_array_equal(done.adjustment.image_observations.w, white.adjustment.image_observations.w)
 
 
 def test_tie_points_are_measured_to_an_eighth_of_a_pixel(portal):

@@ -337,7 +337,7 @@ def calibration_qualities(result: Adjustment, progress: Progress = silent) -> tu
     ]
     if not wanted:
         return ()
-    structure = residual_structure(result)
+    structure = residual_structure(result) if result.noise.kind == "white" else None  # else the covariance carries it
     return tuple(
         calibration_quality(result, c, cross_validation(result, c, progress=progress), structure, progress)
         for c in wanted

@@ -37,6 +37,7 @@ from raybundle.adjustment.reliability import (
 from raybundle.adjustment.result import Adjustment, Notice, Precision
 from raybundle.adjustment.solve import CAUTIOUS, FLOOR, HUBER, solve
 from raybundle.adjustment.steady import steadied, told_by_network, without_priors
+from raybundle.adjustment.under_noise import under_noise
 from raybundle.adjustment.work import Work
 from raybundle.block import Block, Camera
 from raybundle.block.rejection import Rejection, RejectionKind, Rejections
@@ -89,7 +90,7 @@ def adjust_block(
     try:
         work, found = carry_out(block, options, free, reasons, progress, start=start)
         result = result_of(work, block, options, found, notices, time.perf_counter() - began, progress, extent)
-        return _with_settled_components(result, block, options, free, found)
+        return _finished(_with_settled_components(result, block, options, free, found), extent)
     except TooFewObservations:
         raise
     except (RankDefect, NoConvergence) as error:
@@ -102,7 +103,13 @@ def adjust_block(
             raise  # fewer observations than unknowns: what is said would be what was added
     seconds = time.perf_counter() - began
     result = result_of(work, steady.block, options, found, notices, seconds, progress, extent, steady.added)
-    return without_priors(_with_settled_components(result, steady.block, options, free, found), block, steady.added)
+    result = without_priors(_with_settled_components(result, steady.block, options, free, found), block, steady.added)
+    return _finished(result, extent)
+
+
+def _finished(result: Adjustment, extent: Extent) -> Adjustment:
+    """The result under the noise that is asked for."""
+    return under_noise(result) if result.options.noise == "fields" and extent == "report" else result
 
 
 def _with_settled_components(

@@ -135,11 +135,11 @@ def _one(
     return InteriorResult(
         camera=camera.id, image=image, parameters=parameters, free=free_symbols,
         correlations=np.zeros((0, 0)) if C is None else correlation(C),
-        joint_tests={} if C is None else _joint_tests(row, values, C, redundancy),
+        joint_tests={} if C is None else joint_tests(row, values, C, redundancy),
     )  # fmt: skip
 
 
-def _joint_tests(row: InteriorRow, values: Array, C: Array, redundancy: int) -> dict[str, tuple[float, float]]:
+def joint_tests(row: InteriorRow, values: Array, C: Array, redundancy: int) -> dict[str, tuple[float, float]]:
     """F = x' C^-1 x / p of groups of parameters, with the probability of a larger one by chance."""
     tests: dict[str, tuple[float, float]] = {}
     for kind in JOINT:

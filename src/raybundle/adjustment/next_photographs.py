@@ -9,8 +9,10 @@ import numpy as np
 from raybundle.adjustment.calibration import ProjectionShifts, projection_shifts
 from raybundle.adjustment.engine import expected_interior
 from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.precision import interior_unknowns, node_cofactor
 from raybundle.adjustment.predict import image_points
 from raybundle.adjustment.result import Adjustment
+from raybundle.adjustment.work import Work
 from raybundle.block import Block, Images, Observations
 from raybundle.block.rejection import Rejections
 from raybundle.errors import RaybundleError
@@ -45,8 +47,8 @@ def next_photographs(result: Adjustment, camera: str) -> tuple[Proposal, ...]:
     """Proposals for a camera, the best first; only those that reduce the largest uncertainty of projection by a tenth.
 
     Each set of four is added with the image points that it would see, of the precision of the others; what comes out is
-    the covariance to be expected.  What it does not tell: whether there is room to stand there, and whether targets can
-    be recognised at that angle.
+    the covariance to be expected, as much wider than for white noise as it is now.  What it does not tell: whether
+    there is room to stand there, and whether targets can be recognised at that angle.
     """
     k = next(i for i, c in enumerate(result.given.cameras) if c.id == camera)
     interior = next((i for i in result.interior if i.camera == camera and i.image is None), None)
@@ -59,17 +61,28 @@ def next_photographs(result: Adjustment, camera: str) -> tuple[Proposal, ...]:
         return ()
     free = _free(result)
     shifts = projection_shifts(block.cameras[k], free[camera], columns=18, rows=12)
+    wider = 1.0
     if free[camera] == interior.free:
         now = shifts.uncertainty(result.precision.interior[camera]).largest
+        if result.noise.kind == "fields":
+            wider = now / shifts.uncertainty(_white(result, camera)).largest
     else:
         now = _uncertainty(block, result, free, result.image_observations.rejected, shifts, camera)
     found: list[Proposal] = []
     for words, centre, rotation in _sets(block, mine, used):
         more, rejected = _with(result, block, k, centre, rotation)
-        then = _uncertainty(more, result, free, rejected, shifts, camera)
+        then = wider * _uncertainty(more, result, free, rejected, shifts, camera)
         if np.isfinite(then) and then < WORTH * now:
             found.append(Proposal(words=words, uncertainty_px=then, ratio=then / now))
     return tuple(sorted(found, key=lambda p: p.uncertainty_px))
+
+
+def _white(result: Adjustment, camera: str) -> Array:
+    """Covariance of the interior orientation for white noise."""
+    work: Work = result.work
+    assert work.found is not None
+    row = next(r for r in work.system.interior if r.image < 0 and result.given.cameras[r.camera].id == camera)
+    return result.sigma0**2 * node_cofactor(work.normals, work.found, interior_unknowns(work.system, row))
 
 
 def _seen(block: Block, used: Mask) -> Mask:

@@ -6,6 +6,16 @@ from dataclasses import dataclass
 from typing import Literal
 
 Datum = Literal["auto", "control", "minimal", "inner"]
+NoiseModel = Literal["white", "fields", "auto"]
+
+
+FEWEST_IMAGES = 5
+"""Images from which on their differences are looked for unasked: fewer are too small a sample of them."""
+
+
+def noise_of_photographs(asked: NoiseModel, images: int) -> NoiseModel:
+    """What `auto` means for this number of photographs that were measured here."""
+    return ("fields" if images >= FEWEST_IMAGES else "white") if asked == "auto" else asked
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -33,6 +43,10 @@ class AdjustmentOptions:
     """Start with a Huber weight function; the end is always pure least squares."""
     statistics: bool = True
     """False stops after the estimate: no covariances, no redundancy numbers."""
+    noise: NoiseModel = "auto"
+    """white: errors of image coordinates are independent; fields: smooth errors that differ from image to image and a
+    floor, both from the residuals, widen the standard deviations (the estimates stay); auto: fields for five
+    photographs or more that are measured here, white noise for blocks that are given."""
     max_iterations: int = 100
     tolerance: float = 1e-6
     """The last step's length, in standard deviations of the unknowns (root of dx' N dx / u)."""

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from raybundle.adjustment.assemble import State, System
 from raybundle.adjustment.datum import Datum, Transformation, transformation
+from raybundle.adjustment.noise import spread_in_datum
 from raybundle.adjustment.normals import Normals
-from raybundle.adjustment.precision import Cofactors, angle_form, image_unknowns, interior_unknowns, precision
+from raybundle.adjustment.precision import angle_form, image_unknowns, interior_unknowns, precision
 from raybundle.adjustment.work import Work
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
@@ -42,8 +45,10 @@ def covariance_between(result: Adjustment, first: str, second: str) -> Array:
             points[at, axis, k] = 1
         else:
             nodes[at, k] = 1
-    nodes, points = work.normals.solve(state, nodes, points)
-    t = work.found.transformation if work.found else None
+    solve = work.spread.solve if work.spread is not None else partial(work.normals.solve, state)
+    nodes, points = solve(nodes, points)
+    found = work.under_noise or work.found
+    t = found.transformation if found else None
     if t is not None:
         Ga, Ha = _gauge(system, t, a)
         nodes, points = (
@@ -71,14 +76,17 @@ def precision_in_datum(result: Adjustment, datum_points: tuple[str, ...]) -> Pre
     datum = Datum(
         kind="inner", basis=work.datum.basis, centre=work.datum.centre, extent=work.datum.extent, carriers=carriers
     )
-    change = transformation(work.normals, state, datum)
-    assert change is not None
     assert work.found is not None
-    points_h = work.normals.solve_points(state, change.nodes_h, change.given)
-    points_h[work.normals.system.held] = 0
-    change = change.with_points(points_h)
-    points = change.apply_own(work.found.points_minimal)
-    found = Cofactors(work.found.inverse, change, work.found.points_minimal, points, work.found.hat, work.found.effect)
+    if work.spread is not None:
+        found = spread_in_datum(work.spread, work.found, datum)
+    else:
+        change = transformation(work.normals, state, datum)
+        assert change is not None
+        points_h = work.normals.solve_points(state, change.nodes_h, change.given)
+        points_h[work.normals.system.held] = 0
+        change = change.with_points(points_h)
+        points = change.apply_own(work.found.points_minimal)
+        found = replace(work.found, transformation=change, points=points)
     return precision(work.normals, state, found, _variance(result))
 
 

@@ -11,6 +11,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from raybundle.adjustment.fields import WHITE, Noise
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.severity import SEVERITY, Severity
 from raybundle.block import Block
@@ -146,6 +147,8 @@ class ParameterResult:
     """Largest shift over the format that this parameter causes, at its value."""
     effect_std_px: float | None
     """The same for one standard deviation."""
+    std_white: float | None = None
+    """What `std` would be if the noise of the image coordinates were white; None where that was assumed"""
     status: str
     """held | estimated | observed | not significant | not determinable"""
     remark: str = ""
@@ -261,5 +264,7 @@ class Adjustment:
     notices: tuple[Notice, ...]
     condition: float
     """Condition number of the scaled reduced normal matrix (estimate)."""
+    noise: Noise = WHITE
+    """What standard deviations rest on; tests and smallest detectable blunders rest on white noise in any case."""
     work: Any = field(default=None, repr=False, compare=False)
     """The factored normal equations, for `raybundle.adjustment.queries`; None without statistics."""

@@ -157,8 +157,11 @@ def _neighbours(xy: Array, near: float, far: float) -> tuple[Array, Array]:
 
 
 def structure_notice(result: Adjustment) -> Notice | None:
-    """What a user should know of the structure in the residuals; None where there is none to speak of."""
-    found = residual_structure(result)
+    """What a user should know of the structure in the residuals; None where there is none to speak of.
+
+    Nor where standard deviations carry it already (`raybundle.adjustment.noise`).
+    """
+    found = residual_structure(result) if result.noise.kind == "white" else None
     if found is None or found.correlation < max(NOTICED, 5 * found.std):
         return None
     ids = result.given.images.ids

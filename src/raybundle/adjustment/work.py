@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from raybundle.adjustment.assemble import State, System
 from raybundle.adjustment.datum import Datum
+from raybundle.adjustment.noise import Spread
 from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.precision import Cofactors
 from raybundle.adjustment.solve import Solution
@@ -23,3 +24,7 @@ class Work:
     parts: int
     state: State
     """Adjusted values in the frame of the result, at which the factor stands"""
+    under_noise: Cofactors | None = None
+    """The cofactors that covariances are made of: `found`, under the noise of the photographs where it is not white"""
+    spread: Spread | None = None
+    """How that noise spreads; None for white noise"""

@@ -8,7 +8,7 @@ from typing import Any, Literal, cast
 import click
 
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, noise_option
 
 DEFAULT = AdjustmentOptions()
 
@@ -48,6 +48,7 @@ DEFAULT = AdjustmentOptions()
 @click.option(
     "--threads", type=click.IntRange(0), default=DEFAULT.threads, show_default=True, help="0: all processors."
 )
+@noise_option
 @click.option("--no-report", is_flag=True, help="Leave out report.html and network.html.")
 @common_options
 def command(
@@ -60,6 +61,7 @@ def command(
     residuals: str | None,
     robust_start: bool,  # noqa: FBT001  (a flag of the command line)
     threads: int,
+    noise: str,
     no_report: bool,  # noqa: FBT001
     progress: str,
 ) -> None:
@@ -84,6 +86,7 @@ def command(
         residuals=cast("Any", residuals or DEFAULT.residuals),
         robust_start=robust_start,
         threads=threads,
+        noise=cast("Any", noise),
     )
     run(block, out, options, "none" if no_report else "html", progress)
 

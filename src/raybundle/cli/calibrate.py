@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, counted
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, counted, noise_option
 from raybundle.errors import InputError
 
 if TYPE_CHECKING:
@@ -61,6 +61,7 @@ MOST_PARAMETERS = 16
 @click.option("--shear", is_flag=True, help="Estimate the shear of the pixel grid, too: for scanned pictures.")
 @click.option("--keep", is_flag=True, help="Keep a good calibration in the camera library, where orient finds it.")
 @click.option("--jobs", type=click.IntRange(0), default=0, show_default=True, help="0: all processors.")
+@noise_option
 @click.option("--no-report", is_flag=True, help="Leave out report.html and network.html.")
 @common_options
 def command(
@@ -78,6 +79,7 @@ def command(
     shear: bool,  # noqa: FBT001
     keep: bool,  # noqa: FBT001
     jobs: int,
+    noise: str,
     no_report: bool,  # noqa: FBT001
     progress: str,
 ) -> int:
@@ -105,6 +107,7 @@ def command(
         targets=wanted_targets(targets, table, bits, sheet), sheet=None if sheet is None else read_sidecar(sheet),
         separate=separate, model=model, spacing=spacing,
         estimate=tuple(t.strip() for t in estimate.split(",") if t.strip()), dots=dots, shear=shear, jobs=jobs,
+        noise=cast("Any", noise),
     )  # fmt: skip
     check_target(out)
     with reporting(progress) as tell:
@@ -190,7 +193,7 @@ def _as_table(q: CalibrationQuality) -> dict[str, Any]:
 
 def lines(done: Calibration) -> list[str]:
     """What the command prints."""
-    from raybundle.cli.summary import notice_lines  # noqa: PLC0415
+    from raybundle.cli.summary import noise_lines, notice_lines  # noqa: PLC0415
 
     read = sum(int(m.named.sum()) for sets in done.marks for m in sets)
     extra = f", {done.completed} without a readable code found by prediction" if done.completed else ""
@@ -215,7 +218,7 @@ def lines(done: Calibration) -> list[str]:
             for p in list(interior.parameters.values())[:MOST_PARAMETERS] if p.std or p.value
         ))  # fmt: skip
         told.append(f"  in pixels: {in_pixels(camera, interior, sure=sure)}")
-    return told + notice_lines(done.adjustment.notices)
+    return told + noise_lines(done.adjustment.noise) + notice_lines(done.adjustment.notices)
 
 
 def in_pixels(camera: Camera, interior: InteriorResult, *, sure: bool) -> str:

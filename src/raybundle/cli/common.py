@@ -36,6 +36,19 @@ def common_options(function: Callable[..., Any]) -> Callable[..., Any]:
     )(function)
 
 
+def noise_option(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Add --noise."""
+    return click.option(
+        "--noise",
+        type=click.Choice(["white", "fields", "auto"]),
+        default="auto",
+        show_default=True,
+        help="Errors of image coordinates, for standard deviations: white: independent; fields: smooth ones that "
+        "differ from image to image, and a floor, both told by the residuals; auto: fields for five photographs or "
+        "more that are measured here, white for a block that is given.",
+    )(function)
+
+
 def grouped(number: int) -> str:
     """A whole number in groups of three digits: 18 803."""
     return f"{number:,}".replace(",", " ")

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal, cast
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, counted
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, counted, noise_option
 
 if TYPE_CHECKING:
     from raybundle.io.project import StageRecord
@@ -146,6 +146,7 @@ class StageName(_Choice):
     help="Memory that the pixels of photographs may take while points are measured.",
 )  # fmt: skip
 @click.option("--from", "redo_from", type=StageName(STAGES), help="Do this stage and all after it again.")
+@noise_option
 @click.option("--no-report", is_flag=True, help="Leave out report.html and network.html.")
 @common_options
 def command(
@@ -177,6 +178,7 @@ def command(
     jobs: int,
     memory: float,
     redo_from: str | None,
+    noise: str,
     no_report: bool,  # noqa: FBT001
     progress: str,
 ) -> int:
@@ -218,7 +220,7 @@ def command(
         memory_gb=memory, separate=separate, library=None if no_library else library_folder(),
         redo_from=cast("Any", redo_from or ""), scene_bias=cast("Any", scene_bias), crs=crs,
         attitudes=cast("Any", attitudes), attitude_sigma_deg=_positive(attitude_sigma),
-        relative=cast("Any", relative or ""),
+        relative=cast("Any", relative or ""), noise=cast("Any", noise),
     )  # fmt: skip
     cameras = read_cameras(calibration) if calibration is not None else ()
     plan, height = control_sigma or (DEFAULTS.plan, DEFAULTS.height)

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from raybundle.adjustment.fields import Noise
 from raybundle.adjustment.result import Adjustment, Notice, gravest_first
 from raybundle.block import Block
 from raybundle.cli.common import counted, grouped, significant
@@ -30,7 +31,7 @@ def summary_lines(adjustment: Adjustment) -> list[str]:
         f"sigma0 {_sigma0(a)} (a priori {a_priori(a.given)}), redundancy {grouped(a.redundancy)}",
         f"datum: {a.datum}",
     ]
-    lines += _precision(a)
+    lines += _precision(a) + noise_lines(a.noise)
     lines += _check_points(a)
     lines += notice_lines(a.notices)
     return [f" {line}" for line in lines]
@@ -77,6 +78,21 @@ def _precision(a: Adjustment) -> list[str]:
             f"relative precision 1 : {grouped(n)} {meaning}" + (f"; {a.network.precision_class}" if photographs else "")
         )
     return lines
+
+
+def noise_lines(noise: Noise) -> list[str]:
+    """What standard deviations rest on, where it is not white noise or was to be something else."""
+    if noise.kind == "white":
+        return [f"noise taken as white: {noise.reason}"] if noise.reason else []
+    ratios = (
+        ("interior orientation", noise.ratio_interior), ("projection centres", noise.ratio_images),
+        ("object points", noise.ratio_points),
+    )  # fmt: skip
+    wider = ", ".join(f"{what} {ratio:.2g}" for what, ratio in ratios if math.isfinite(ratio))
+    focus = f", a focus that wanders by {noise.focus_px:.2g} px" if noise.focus_px > 0 else ""
+    fields = f"fields of {noise.tau_px:.2g} px that differ from image to image{focus}"
+    line = f"noise: floor {noise.phi:.2g}, {fields}; standard "
+    return [f"{line}deviations beside those of white noise: {wider}"]
 
 
 def _check_points(a: Adjustment) -> list[str]:

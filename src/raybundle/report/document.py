@@ -19,6 +19,7 @@ from raybundle.report.section_calibration import calibration_section, graver, he
 from raybundle.report.section_control import control_section
 from raybundle.report.section_interior import interior_section
 from raybundle.report.section_network import network_section, precision_section
+from raybundle.report.section_noise import noise_section
 from raybundle.report.section_panoramas import panorama_section
 from raybundle.report.section_photographs import PhotographFacts, photograph_sections
 from raybundle.report.section_reliability import reliability_section
@@ -78,6 +79,7 @@ def write_report(
         ("result", lambda: result_section(view, told)),
         ("summary", lambda: summary_section(view)),
         ("precision", lambda: precision_section(view)),
+        ("noise", lambda: noise_section(view)),
         ("control", lambda: control_section(view)),
         ("trajectories", lambda: trajectory_section(view)),
         ("strips", lambda: strip_section(view)),

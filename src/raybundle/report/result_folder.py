@@ -249,6 +249,7 @@ def result_json(adjustment: Adjustment) -> dict[str, Any]:
         "not_significant": list(a.not_significant),
         "cameras": {_key(i): _parameters(i) for i in a.interior},
         "correlations": {_key(i): _correlations(i) for i in a.interior if len(i.free)},
+        "noise": asdict(a.noise),
         "variance_components": [asdict(v) for v in a.variance_components],
         "options": asdict(a.options),
         "warnings": [
@@ -276,6 +277,7 @@ def _parameters(interior: InteriorResult) -> dict[str, dict[str, Any]]:
         symbol: {
             "value": p.value,
             "std": p.std,
+            "std_white": p.std if p.std_white is None else p.std_white,
             "t": p.t,
             "unit": p.unit,
             "status": p.status,

@@ -343,6 +343,9 @@ def _cameras(view: View) -> str:
 INDEPENDENT_ERRORS = """\
 A standard deviation describes random errors that are independent from one image point to the next. An error common to \
 many of them (distortion that the model lacks, eccentric targets, refraction, an unstable camera) is not in it."""
+COMMON_ERRORS = """\
+A standard deviation describes random errors, here with smooth ones that differ from image to image. An error common \
+to all of them (distortion that the model lacks, eccentric targets, refraction) is not in it."""
 HIDDEN_BLUNDERS = """\
 Residuals show only what the redundancy lets through: a share r of each error. Blunders below the smallest detectable \
 ones stay in the result."""
@@ -367,7 +370,7 @@ def not_told(view: View) -> tuple[tuple[str, str], ...]:
     compared = bool(np.isfinite(view.check_difference).any())
     snooped = len(view.rejected) > 0 and a.options.reject == "snooping"
     found = (
-        (True, "Precision is not accuracy.", INDEPENDENT_ERRORS),
+        (True, "Precision is not accuracy.", INDEPENDENT_ERRORS if a.noise.kind == "white" else COMMON_ERRORS),
         (True, "A small σ₀ is no proof of correct coordinates.", HIDDEN_BLUNDERS),
         (not compared, "Nothing independent was compared.", NO_COMPARISON),
         (view.free_frame, "The standard deviations belong to the datum stated.", DATUM_OF_SIGMAS),

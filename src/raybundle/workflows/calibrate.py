@@ -19,8 +19,9 @@ import numpy as np
 from raybundle.adjustment.calibration_quality import CalibrationQuality, calibration_qualities
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.eccentricity import RadiusScale, eccentricity_px, radius_scale
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.options import AdjustmentOptions, NoiseModel, noise_of_photographs
 from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.adjustment.under_noise import under_noise
 from raybundle.block import Block, Camera, Role
 from raybundle.block.boards import spline_camera
 from raybundle.block.select import with_rows
@@ -89,6 +90,9 @@ class CalibrateOptions:
     shear: bool = False
     """believe any shear S, as of scanned pictures; rows and columns of a sensor are at right angles by lithography, and
     a large shear is something else that the model lacks, which would move the principal point"""
+    noise: NoiseModel = "auto"
+    """errors of image coordinates: white; fields: smooth ones that differ from image to image, and a floor; auto:
+    fields where there are five photographs or more"""
     split: bool = True
     """tell the photographs of two cameras apart where they cannot be of one"""
 
@@ -189,7 +193,8 @@ def _calibrated(m: _Measured, options: CalibrateOptions, clock: _Clock, progress
     clock.stop("start")
     start, rows = oriented_part(approximate)
     notices = (*told, *_remarks(found, groups))
-    settings = AdjustmentOptions(threads=options.jobs or os.cpu_count() or 1, reject="snooping", robust_start=True)
+    threads = options.jobs or os.cpu_count() or 1
+    settings = AdjustmentOptions(threads=threads, reject="snooping", robust_start=True, noise="white")
     start = _with_model(start, options.model)
     first = decide(start, settings, progress)
     block, radius, added = completed(block, radius, first.adjusted, targets, marks)
@@ -218,6 +223,8 @@ def _calibrated(m: _Measured, options: CalibrateOptions, clock: _Clock, progress
     if options.model == "spline":
         check_spline(first, result)
         result = replace(result, notices=bundled(result.notices))
+    if noise_of_photographs(options.noise, len(np.unique(result.given.observations.image))) == "fields":
+        result = under_noise(result)
     clock.stop("adjustment")
     quality = calibration_qualities(result, progress)
     clock.stop("verdict")
@@ -273,7 +280,8 @@ def _by_tie_points(inputs: Sequence[Path], found: Found, options: CalibrateOptio
 
     with TemporaryDirectory() as folder:
         done = orient(
-            inputs, Path(folder) / "calibration", OrientOptions(jobs=options.jobs, separate=options.separate),
+            inputs, Path(folder) / "calibration",
+            OrientOptions(jobs=options.jobs, separate=options.separate, noise=options.noise),
             given=Given(gps=False), progress=progress,
         )  # fmt: skip
     told = Notice(

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from raybundle.adjustment.decide import decide
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.options import AdjustmentOptions, NoiseModel, noise_of_photographs
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.structure import structure_notice
 from raybundle.block import Block
@@ -34,12 +34,14 @@ COARSE = 1e-2
 
 
 def final_adjustment(
-    placed: Georeferenced, groups: Sequence[CameraGroup], jobs: int, progress: Progress, remarks: Sequence[str]
-) -> Adjustment:
+    placed: Georeferenced, groups: Sequence[CameraGroup], jobs: int, progress: Progress, remarks: Sequence[str],
+    noise: NoiseModel = "auto",
+) -> Adjustment:  # fmt: skip
     """The final adjustment: parameters by significance and determinability, blunders by data snooping."""
     notices = [Notice(code="photographs", message=r) for r in remarks]
     notices += [Notice(code="camera", message=f"camera {g.id}: {r}", ids=(g.id,)) for g in groups for r in g.remarks]
-    options = AdjustmentOptions(threads=jobs, reject="snooping", tolerance=FINAL, datum_over="good")
+    noise = noise_of_photographs(noise, int(placed.block.images.oriented.sum()))
+    options = AdjustmentOptions(threads=jobs, reject="snooping", tolerance=FINAL, datum_over="good", noise=noise)
     block, flat = placed.block, flat_points(placed.block) & ~placed.marked
     flat &= ~placed.block.points.is_control.any(axis=1)
     flat &= np.bincount(block.observations.point, minlength=len(block.points)) > 0
@@ -52,7 +54,7 @@ def final_adjustment(
         placed = _with_block(placed, block)
     placed, result = _held(placed, options, progress, notices)
     first = list(rejected_marks(result, placed.marked[result.given.observations.point]))
-    structure = structure_notice(result)
+    structure = structure_notice(result)  # where standard deviations do not allow for it
     first += [structure] if structure is not None else []
     return replace(result, notices=(*first, *result.notices)) if first else result
 
@@ -158,11 +160,13 @@ def _with_block(placed: Georeferenced, block: Block) -> Georeferenced:
     return replace(placed, block=block, marked=placed.marked[np.isin(placed.block.points.ids, block.points.ids)])
 
 
-def adjusted_part(placed: Georeferenced, groups: Sequence[CameraGroup], jobs: int, progress: Progress) -> Part:
+def adjusted_part(
+    placed: Georeferenced, groups: Sequence[CameraGroup], jobs: int, progress: Progress, noise: NoiseModel = "auto"
+) -> Part:
     """The adjustment of a part that nothing joins to the others."""
     images = placed.block.images
     names = tuple(n for n, o in zip(images.ids, images.oriented, strict=True) if o)
-    return Part(adjustment=final_adjustment(placed, groups, jobs, progress, ()), photographs=names)
+    return Part(adjustment=final_adjustment(placed, groups, jobs, progress, (), noise), photographs=names)
 
 
 def undetermined_part(placed: Georeferenced, error: NotSolvable) -> list[Notice]:

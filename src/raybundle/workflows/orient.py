@@ -11,6 +11,7 @@ from typing import Literal
 import numpy as np
 
 from raybundle.adjustment.accuracy import accuracy
+from raybundle.adjustment.options import NoiseModel
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Camera
 from raybundle.block.relative import relative_control
@@ -72,6 +73,9 @@ class OrientOptions:
     relative: Literal["", "shift", "drift"] = ""
     """relative aerial control: positions and attitudes of a flight line count by their differences alone, or also after
     a drift; "": they count as they are"""
+    noise: NoiseModel = "auto"
+    """errors of image coordinates: white; fields: smooth ones that differ from image to image, and a floor; auto:
+    fields where there are five photographs or more"""
     redo_from: Literal["", "photographs", "features", "matching", "start", "precision", "adjustment", "report"] = ""
     """stage from which on everything is done again"""
 
@@ -192,7 +196,9 @@ def orient(
                 assert photographs.store is not None
                 placed, apart = scenes.place(blocks, photos, given, photographs.store, method)
             placed = _relative(placed, photos, options.relative)
-            adjustment, parts = _adjusted(stage, placed, apart, photographs.groups, jobs, progress, remarks)
+            adjustment, parts = _adjusted(
+                stage, placed, apart, photographs.groups, jobs, progress, remarks, options.noise
+            )
         return _orientation(project, photographs, scenes, adjustment, parts, placed, remarks)
     finally:
         project.close()
@@ -313,13 +319,13 @@ def _search(
 
 def _adjusted(
     stage: Stage, placed: Georeferenced, apart: Sequence[Georeferenced], groups: Sequence[CameraGroup], jobs: int,
-    progress: Progress, remarks: Sequence[str],
+    progress: Progress, remarks: Sequence[str], noise: NoiseModel = "auto",
 ) -> tuple[Adjustment, tuple[Part, ...]]:  # fmt: skip
     """The final adjustments of what is placed together and of the parts that nothing joins to it."""
     parts, kept, lost = list[Part](), list[Georeferenced](), list[Notice]()
     for part in apart:
         try:
-            parts.append(adjusted_part(part, groups, jobs, progress))
+            parts.append(adjusted_part(part, groups, jobs, progress, noise))
             kept.append(part)
         except NotSolvable as error:
             lost += undetermined_part(part, error)
@@ -327,7 +333,7 @@ def _adjusted(
         told = apart_notice(placed.block, kept, [part_folder(k) for k in range(len(kept))])
         placed = replace(placed, notices=(told, *placed.notices))
     placed = replace(placed, notices=(*lost, *placed.notices))
-    adjustment = final_adjustment(placed, groups, jobs, progress, remarks)
+    adjustment = final_adjustment(placed, groups, jobs, progress, remarks, noise)
     stage.from_cache = False
     stage.summary = f"sigma0 {adjustment.sigma0:.3f}"
     return adjustment, tuple(parts)
