@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.far_points import FARTHEST, diverging, retracted, turned_about
+from raybundle.adjustment.far_points import FAR, FARTHEST, diverging, retracted, turned_about
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.predict import predicted_px
 from raybundle.block import Role
@@ -37,8 +37,8 @@ def test_a_short_step_is_the_linear_one_to_second_order():
 
 def test_a_point_behind_is_placed_before_on_the_same_ray():
     new = turned_about(RAYS, 5.0)
-    assert np.allclose(np.linalg.norm(new, axis=1), 5.0)
-    assert np.allclose(np.einsum("ij,ij->i", new, RAYS), -5.0 * np.linalg.norm(RAYS, axis=1))
+    assert np.allclose(np.linalg.norm(new, axis=1), 5.0 * FAR)
+    assert np.allclose(np.einsum("ij,ij->i", new, RAYS), -5.0 * FAR * np.linalg.norm(RAYS, axis=1))
 
 
 def test_only_what_is_beyond_the_farthest_diverges():

@@ -203,9 +203,9 @@ def estimate_only(
     normals = Normals.of(system, options.threads)
     state = system.initial_state()
     if options.robust_start:
-        found = solve(normals, state, options, huber=HUBER, tolerance=1e-1, passing=True)
+        found = solve(normals, state, options, huber=HUBER, tolerance=1e-1, approximate=True)
     else:
-        found = solve(normals, state, options, passing=True)
+        found = solve(normals, state, options, approximate=True)
     state = found.state
     bad = np.zeros(len(block.observations), bool)
     bad[system.rows] = normals.residuals(state)[1] > 0
@@ -267,7 +267,7 @@ def _estimate(
     parts = defects.check_components(block, mask, open_of) if datum.defect == 0 or _may_fall_apart(block, mask) else 1
     normals = Normals.of(system, options.threads)
     if options.robust_start:
-        state = solve(normals, state, options, huber=HUBER, tolerance=1e-2, progress=progress).state
+        state = solve(normals, state, options, huber=HUBER, tolerance=1e-2, approximate=True, progress=progress).state
     damping = FLOOR if start == "adjusted" else CAUTIOUS
     solution = solve(normals, state, options, damping=damping, progress=progress)
     return Work(

@@ -19,6 +19,8 @@ FARTHEST = 1e6
 The parallax over a base of one median is then 1e-6 radians, a hundredth of a pixel at c = 10 000 pixels: less than the
 best targets are measured to, so no point is determined there.
 """
+FAR = 10.0
+"""Distance, in medians of the block, at which such a point begins."""
 SMALL = 0.02
 """Relative change of the distance up to which both kinds of step are one."""
 
@@ -40,11 +42,12 @@ def retracted(ray: Array, step: Array, *, passing: bool = False) -> tuple[Index,
 
 
 def turned_about(ray: Array, typical: float) -> Array:
-    """Rays (n, 3) to points behind all their cameras, turned to before them: the same image points, `typical` distance.
+    """Rays (n, 3) to points behind all their cameras, turned to before them: the same image points, `FAR` away.
 
-    A negative inverse distance becomes a positive one; the iteration finds which.
+    A negative inverse distance becomes a small positive one; the iteration finds which.  Nearer, at a `typical`
+    distance, a point would lie behind others of its cameras.
     """
-    return -ray * (typical / np.maximum(np.linalg.norm(ray, axis=1), 1e-300))[:, None]
+    return -ray * (FAR * typical / np.maximum(np.linalg.norm(ray, axis=1), 1e-300))[:, None]
 
 
 def diverging(ray: Array) -> Index:

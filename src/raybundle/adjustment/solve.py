@@ -7,7 +7,7 @@ are short.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -60,24 +60,39 @@ def solve(
     huber: float = 0.0,
     tolerance: float | None = None,
     damping: float = CAUTIOUS,
-    passing: bool = False,
+    approximate: bool = False,
     progress: Progress = silent,
 ) -> Solution:
     """Minimise the weighted square sum (or its robust form) from a state.
 
     The length of a step is sqrt(dx' N dx / u) / sigma0: the root mean square of its components in
     standard deviations.  Converged: an undamped step, or one damped too little to matter, is
-    shorter than the tolerance.  `passing`: points may pass infinity (`far_points`).
+    shorter than the tolerance.
+
+    approximate  points that end behind their cameras may stay there, whoever asks intersects them anew; otherwise they
+                 are placed before them, and the iteration goes on without any passing infinity (`far_points`)
     """
+    found = _iterated(normals, state, options, huber, tolerance, damping, progress, passing=True)
+    if approximate or not found.behind or not found.converged:
+        return found
+    turned = normals.system.before(found.state, (normals.residuals(found.state)[1] & 1) > 0)
+    again = _iterated(normals, turned, options, huber, tolerance, CAUTIOUS, progress, passing=False)
+    if not again.converged:
+        return found
+    return replace(again, iterations=found.iterations + again.iterations)
+
+
+def _iterated(
+    normals: Normals, state: State, options: AdjustmentOptions, huber: float, tolerance: float | None, damping: float,
+    progress: Progress, *, passing: bool,
+) -> Solution:  # fmt: skip
+    """One run of the iteration; `passing`: points may pass infinity."""
     limit = options.tolerance if tolerance is None else tolerance
     system = normals.system
     unknowns = max(system.unknowns, 1)
     redundancy = max(system.observations - system.unknowns, 1)
     growth = 2.0
     cost, behind, _ = normals.reduce(state, damping=damping, huber=huber)
-    if behind and not passing:
-        state = system.before(state, (normals.residuals(state)[1] & 1) > 0)
-        cost, behind, _ = normals.reduce(state, damping=damping, huber=huber)
     excess = _excess(normals, state, huber)
     length, refused_behind = np.inf, 0
     start, refused, settled = None, False, False
@@ -122,10 +137,11 @@ def solve(
             damping, growth = max(damping, 1e-9) * growth, growth * 2
             if damping > 1e12:
                 break
-        if length < NEARLY and len(system.beyond(state)):
+        if not passing and length < NEARLY and len(system.beyond(state)):
             break
         normals.reduce(state, damping=damping, huber=huber)
-    return Solution(state, cost, settled or length < NEARLY, iterations, length, behind, system.beyond(state))
+    beyond = np.zeros(0, np.int64) if passing else system.beyond(state)
+    return Solution(state, cost, settled or length < NEARLY, iterations, length, behind, beyond)
 
 
 def _excess(normals: Normals, state: State, huber: float) -> float:

@@ -79,7 +79,7 @@ def _held(
         except NotSolvable as error:
             less = _without_images(placed, error) or _without_points(placed, error) or _with_held_cameras(placed)
             less = less or _without_smallest(placed)
-            if less is None:
+            if less is None or not len(less[0].block.observations):
                 raise
             placed, told = less
             notices += told
