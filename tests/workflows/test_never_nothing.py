@@ -11,7 +11,7 @@ from raybundle.errors import NotSolvable
 from raybundle.matching.refine import CandidateMatches, Refined, choose_references
 from raybundle.numerics.progress import silent
 from raybundle.workflows import precise
-from raybundle.workflows.final import final_adjustment, left_out
+from raybundle.workflows.final import _with_block, final_adjustment, left_out
 from raybundle.workflows.georeference import Georeferenced
 from raybundle.workflows.orient import _adjusted
 from raybundle.workflows.precise import refine
@@ -156,3 +156,12 @@ def test_rays_that_are_all_parallel_say_so(monkeypatch):
     monkeypatch.setattr("raybundle.workflows.final.flat_points", lambda block: np.ones(len(block.points), bool))
     with pytest.raises(NotSolvable, match="taken from one place"):
         final_adjustment(placed(whole), (), 1, silent, ())
+
+
+def test_points_that_keep_one_ray_leave_with_the_images_that_saw_them():
+    whole, _ = features()
+    o = whole.observations
+    rows = np.ones(len(o), bool)
+    rows[np.flatnonzero(o.point == o.point[0])[1:]] = False
+    less = _with_block(placed(whole), with_rows(whole, rows)).block
+    assert np.bincount(less.observations.point, minlength=len(less.points)).min() >= 2

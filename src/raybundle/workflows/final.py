@@ -156,7 +156,12 @@ def _without_smallest(placed: Georeferenced) -> Relieved:
 
 
 def _with_block(placed: Georeferenced, block: Block) -> Georeferenced:
-    """With a block of fewer points."""
+    """With a block of fewer points; of those that are not given, none with a single ray."""
+    o = block.observations
+    rays = np.bincount(o.point, minlength=len(block.points))
+    lone = (rays == 1) & ~np.asarray(block.points.is_control).any(axis=1)
+    if lone.any():
+        block = with_rows(block, ~lone[o.point])
     return replace(placed, block=block, marked=placed.marked[np.isin(placed.block.points.ids, block.points.ids)])
 
 
