@@ -226,6 +226,10 @@ def _without_control(block: Block, control: tuple[str, float], choices: Decision
     k = block.points.ids.index(name)
     role = block.points.role.copy()
     role[k] = Role.CHECK
+    rays = np.flatnonzero(block.observations.point == k)
+    if len(rays) == 1:  # it held the point's image, now it tells nothing
+        lone = Rejection(kind=RejectionKind.SINGLE_RAY)
+        choices.reasons = tuple(r or lone if i == rays[0] else r for i, r in enumerate(choices.reasons))
     choices.notices.append(
         Notice(
             code="control_rejected",

@@ -70,10 +70,10 @@ def check_rays(block: Block, rejected: Mask) -> None:
     A point of which rays were rejected is left to the caller, who rejects the rest.
     """
     given = np.bincount(block.observations.point, minlength=len(block.points))
-    del rejected
+    left = np.bincount(block.observations.point[~rejected], minlength=len(block.points))
     tie = block.points.role != Role.CONTROL
     none = [block.points.ids[i] for i in np.flatnonzero(tie & (given == 0))]
-    one = [block.points.ids[i] for i in np.flatnonzero(tie & (given == 1))]
+    one = [block.points.ids[i] for i in np.flatnonzero(tie & (given == 1) & (left == 1))]
     parts: list[str] = []
     if one and not none and len(np.unique(block.observations.image)) == 1:
         raise _one_image(block, one)
