@@ -4,7 +4,7 @@ Nearer, the same linear step is taken along the ray by inverse distance (Montiel
 never passes through its camera.  Farther, it is taken as it is: a point never passes infinity, behind which the
 collinearity equations go on with a mirror image that no camera sees.  Where rays diverge, by errors of measurement or
 a wrong match, the best inverse distance is negative; such a point runs away by orders of magnitude, and soon nothing
-hangs on it.  Only on the way to approximate values may points pass infinity: far ones come to their place sooner.
+hangs on it.  At first points may pass infinity: far ones come to their place sooner; see `solve`.
 """
 
 from __future__ import annotations
@@ -28,8 +28,7 @@ SMALL = 0.02
 def retracted(ray: Array, step: Array, *, passing: bool = False) -> tuple[Index, Array]:
     """Points at `ray` (n, 3) from a projection centre that a linear step (n, 3) moves otherwise than straight on.
 
-    passing  points farther off, too, move by inverse distance, and may pass infinity: for approximate values, where
-             they are intersected anew and what ends behind is told
+    passing  points farther off, too, move by inverse distance, and may pass infinity
     returns  which (k,), and their new rays (k, 3) from the old projection centre
     """
     d2 = np.einsum("ij,ij->i", ray, ray)
