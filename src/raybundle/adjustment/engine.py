@@ -18,7 +18,7 @@ from raybundle.adjustment.components import Found, settled_components, variance_
 from raybundle.adjustment.datum import Datum, analyse, fit_to_given, hold_minimal, open_names
 from raybundle.adjustment.interior import interior_results
 from raybundle.adjustment.network import network_figures
-from raybundle.adjustment.normals import Normals
+from raybundle.adjustment.normals import Normals, held_bits
 from raybundle.adjustment.notices import notices_of, with_group_notices
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.precision import (
@@ -284,7 +284,7 @@ def _in_minimal_datum(normals: Normals, state: State, datum: Datum) -> list[int]
     """Form the undamped normal equations in a minimal datum at a state; returns points without an intersection."""
     system = normals.system
     system.held = system.control_held | hold_minimal(system, state, datum)
-    normals.solver.set_held((system.held * np.array([1, 2, 4])).sum(axis=1).astype(np.uint8))
+    normals.solver.set_held(held_bits(system.held))
     return normals.reduce(state)[2]
 
 

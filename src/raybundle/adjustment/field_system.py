@@ -16,7 +16,7 @@ from raybundle.adjustment.assemble import InteriorRow, State, System
 from raybundle.adjustment.fields import COLUMNS, WithFields
 from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.twin import inverse2
-from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.arrays import Array, Index
 from raybundle.platforms.station import sensor_from_object
 
 
@@ -236,8 +236,3 @@ def sparse_normals(normals: Normals) -> Any:
     rows, columns = np.concatenate([row[at], column[apart]]), np.concatenate([column[at], row[apart]])
     N = int(normals.system.offsets[-1])
     return coo_matrix((normals.values[np.concatenate([at, apart])], (rows, columns)), shape=(N, N)).tocsr()
-
-
-def mask_of(points: Mask) -> Array:
-    """Held coordinates (p, 3) as the solver takes them."""
-    return (points * np.array([1, 2, 4])).sum(axis=1).astype(np.uint8)

@@ -21,7 +21,6 @@ from raybundle.adjustment.field_system import (
     FieldSystem,
     entries,
     field_system,
-    mask_of,
     reason_against,
     sparse_normals,
 )
@@ -35,7 +34,7 @@ from raybundle.adjustment.fields import (
     independent_scores,
     variance_components,
 )
-from raybundle.adjustment.normals import Normals
+from raybundle.adjustment.normals import Normals, held_bits
 from raybundle.adjustment.precision import Cofactors
 from raybundle.numerics.arrays import Array, Index
 
@@ -401,7 +400,7 @@ def _own(fields: FieldSystem) -> tuple[Array, Any]:
     kept = np.flatnonzero((system.point_node >= 0) & system.points_used)
     try:
         system.held = system.control_held
-        normals.solver.set_held(mask_of(system.control_held))
+        normals.solver.set_held(held_bits(system.control_held))
         own = _of_rays(normals, state)
         nodes = csr_matrix((N, N))
         if len(kept):
@@ -417,7 +416,7 @@ def _own(fields: FieldSystem) -> tuple[Array, Any]:
             nodes = csr_matrix((block.ravel(), (r.ravel(), c.ravel())), shape=(N, N))
     finally:
         system.held = held
-        normals.solver.set_held(mask_of(held))
+        normals.solver.set_held(held_bits(held))
     own[system.point_node >= 0] = 0
     return own, nodes
 

@@ -395,9 +395,8 @@ def _fill(solver: Any, system: System, compiled: frozenset[str]) -> Mask:
     solver.set_patterns(patterns)
     counts = np.bincount(point, minlength=len(block.points))
     first = np.concatenate([[0], np.cumsum(counts)]).astype(np.int64)
-    held = (system.held * np.array([1, 2, 4])).sum(axis=1).astype(np.uint8)
     weight, value = point_prior(system)
-    solver.set_points(first, system.point_node, held, weight, value)
+    solver.set_points(first, system.point_node, held_bits(system.held), weight, value)
     return external
 
 
@@ -409,3 +408,8 @@ def point_prior(system: System) -> tuple[Array, Array]:
     weight[mine] = 1 / points.sigma[mine] ** 2
     value = np.where(mine, points.xyz - system.shift, 0.0)
     return np.ascontiguousarray(weight), np.ascontiguousarray(value)
+
+
+def held_bits(held: Mask) -> Array:
+    """Held coordinates (p, 3) of points as the solver takes them: (p,) bits."""
+    return (held * np.array([1, 2, 4])).sum(axis=1).astype(np.uint8)

@@ -76,6 +76,8 @@ def solve(
     if approximate or not found.behind or not found.converged:
         return found
     turned = normals.system.before(found.state, (normals.residuals(found.state)[1] & 1) > 0)
+    if turned is found.state:  # control, or points that other cameras see: their observations leave
+        return found
     again = _iterated(normals, turned, options, huber, tolerance, CAUTIOUS, progress, passing=False)
     if not again.converged:
         return found

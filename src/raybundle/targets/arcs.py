@@ -13,6 +13,7 @@ import numpy as np
 
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.targets.centre import SECTORS
+from raybundle.targets.conics import centred, conics, matrix, sampson
 from raybundle.targets.rings import circle, frame, sample
 
 RAYS = 48
@@ -60,12 +61,12 @@ def free_arc(image: Array, xy: Array, ellipse: Array) -> Arc | None:
         if not len(a):
             return None
         distance = _distance(a, points)
-        nearest = np.nanmin(np.where(np.isnan(distance), np.inf, distance), axis=2)
+        nearest = distance.min(axis=2)
         count = (nearest < near).sum(axis=1)
         k = int(np.argmax(count - np.minimum(nearest, near).sum(axis=1) / (near * RAYS)))
         best, agree = a[k], nearest[k] < near
-        which = np.argmin(np.where(np.isnan(distance[k]), np.inf, distance[k]), axis=1)
-        a = _conics(points[np.arange(RAYS), which][None], agree[None].astype(float))
+        which = np.argmin(distance[k], axis=1)
+        a = conics(np.nan_to_num(points[np.arange(RAYS), which])[None], agree[None].astype(float))
     if best is None or agree.mean() < LEAST:
         return None
     return _as_arc(best, xy, L, points, near)
@@ -104,16 +105,8 @@ def _through_parts(points: Array) -> Array:
             within = (rays - np.arange(0, RAYS, 2)[:, None]) % RAYS < part * RAYS
             w = (within & found).astype(float)
             w = w[w.sum(axis=1) > 0.7 * part * RAYS]
-            all_.append(_conics(np.broadcast_to(p, (len(w), *p.shape)), w))
+            all_.append(conics(np.broadcast_to(p, (len(w), *p.shape)), w))
     return np.concatenate(all_)
-
-
-def _conics(p: Array, w: Array) -> Array:
-    """Conics (n, 5), A x^2 + B x y + C y^2 + D x + E y = 1, through points (n, k, 2) with weights (n, k)."""
-    x, y = np.nan_to_num(p[..., 0]), np.nan_to_num(p[..., 1])
-    J = np.stack([x * x, x * y, y * y, x, y], axis=2)
-    N = np.einsum("nki,nk,nkj->nij", J, w, J) + 1e-9 * np.eye(5)
-    return np.linalg.solve(N, np.einsum("nki,nk->ni", J, w)[..., None])[..., 0]
 
 
 def _is_ellipse(a: Array) -> Mask:
@@ -126,19 +119,16 @@ def _is_ellipse(a: Array) -> Mask:
 
 
 def _centred(a: Array) -> tuple[Array, Array, Array]:
-    """M (n, 2, 2), centre (n, 2) and k (n,) with (x - centre)' M (x - centre) = k."""
-    M = np.stack([a[:, 0], a[:, 1] / 2, a[:, 1] / 2, a[:, 2]], axis=1).reshape(-1, 2, 2)
-    regular = abs(np.linalg.det(M)) > 1e-9
-    c = -0.5 * np.linalg.solve(np.where(regular[:, None, None], M, np.eye(2)), a[:, 3:, None])[..., 0]
-    return M, c, np.where(regular, 1 + np.einsum("ni,nij,nj->n", c, M, c), -1)
+    """As `centred`; k is -1 where there is no centre."""
+    regular = abs(np.linalg.det(matrix(a))) > 1e-9
+    M, c, k = centred(a, regular)
+    return M, c, np.where(regular, k, -1)
 
 
 def _distance(a: Array, points: Array) -> Array:
-    """Distances (n, rays, m) of points (rays, m, 2) from conics (n, 5), to first order (Sampson 1982)."""
-    x, y = points[..., 0], points[..., 1]
-    A, B, C, D, E = (k[:, None, None] for k in a.T)
-    value = A * x * x + B * x * y + C * y * y + D * x + E * y - 1
-    return abs(value) / np.maximum(np.hypot(2 * A * x + B * y + D, B * x + 2 * C * y + E), 1e-9)
+    """Distances (n, rays, m) of points (rays, m, 2) from conics (n, 5); infinite where there is none."""
+    distance = sampson(a, points.reshape(-1, 2)).reshape(len(a), *points.shape[:2])
+    return np.where(np.isnan(distance), np.inf, distance)
 
 
 def _as_arc(a: Array, xy: Array, L: Array, points: Array, near: float) -> Arc:
@@ -146,8 +136,8 @@ def _as_arc(a: Array, xy: Array, L: Array, points: Array, near: float) -> Arc:
     M, c, k = (m[0] for m in _centred(a[None]))
     ellipse = L @ (np.linalg.inv(M) * k) @ L.T
     distance = _distance(a[None], points)[0]
-    agree = (np.where(np.isnan(distance), np.inf, distance) < near).any(axis=1)
-    which = np.argmin(np.where(np.isnan(distance), np.inf, distance), axis=1)
+    agree = (distance < near).any(axis=1)
+    which = np.argmin(distance, axis=1)
     at = (points[np.arange(RAYS), which] - c) @ L.T
     p = np.linalg.solve(frame(ellipse), at.T)
     turn = np.arctan2(p[1], p[0]) / (2 * np.pi) % 1

@@ -11,6 +11,7 @@ import numpy as np
 
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.targets.codes import RingFamily
+from raybundle.targets.conics import algebraic, centred, conics, matrix, sampson
 
 STEPS = 8
 """Positions within a sector at which the reading may begin."""
@@ -122,17 +123,20 @@ def find_edges(image: Array, xy: Array, ellipse: Array, sign: Array, rays: int =
     edge = (u * r[..., None])[good]
     centre, C, misfit, fine = _through(xy[good], L[good], edge, found[good])
     good = good[fine]
+    quiet = abs(zone[good] - ground[good, None]).max(axis=1)
+    return _edges(centre[fine], C[fine], misfit[fine], quiet, good, core, ground, sign, partly=False)
+
+
+def _edges(
+    centre: Array, C: Array, misfit: Array, unquiet: Array, good: Index, core: Array, ground: Array, sign: Array, *,
+    partly: bool,
+) -> Edges:  # fmt: skip
+    """Edges (k,) of the candidates `good` (k,); core, ground and sign of all candidates, unquiet [grey values]."""
     contrast = core[good] - ground[good]
     return Edges(
-        xy_px=centre[fine],
-        ellipse=C[fine],
-        ground=ground[good] * sign[good],
-        contrast=contrast * sign[good],
-        misfit=misfit[fine],
-        quiet=abs(zone[good] - ground[good, None]).max(axis=1) / contrast,
-        source=good,
-        partly=np.zeros(len(good), bool),
-    )
+        xy_px=centre, ellipse=C, ground=ground[good] * sign[good], contrast=contrast * sign[good], misfit=misfit,
+        quiet=unquiet / contrast, source=good, partly=np.full(len(good), partly),
+    )  # fmt: skip
 
 
 def _profiles(image: Array, xy: Array, L: Array, sign: Array, u: Array) -> tuple[Array, Mask, Array, Array, Array]:
@@ -185,17 +189,8 @@ def find_parts(image: Array, xy: Array, ellipse: Array, sign: Array) -> Edges:
     centre, C, misfit, agree = _through_part(xy[good], L[good], (u * r[..., None])[good], found[good], near)
     fine = agree.mean(axis=1) > PART
     good, agree = good[fine], agree[fine]
-    contrast = core[good] - ground[good]
-    return Edges(
-        xy_px=centre[fine],
-        ellipse=C[fine],
-        ground=ground[good] * sign[good],
-        contrast=contrast * sign[good],
-        misfit=misfit[fine],
-        quiet=np.where(agree, abs(zone[good] - ground[good, None]), 0).max(axis=1, initial=0) / contrast,
-        source=good,
-        partly=np.ones(len(good), bool),
-    )
+    quiet = np.where(agree, abs(zone[good] - ground[good, None]), 0).max(axis=1, initial=0)
+    return _edges(centre[fine], C[fine], misfit[fine], quiet, good, core, ground, sign, partly=True)
 
 
 def _through_part(xy: Array, L: Array, p: Array, found: Mask, near: Array) -> tuple[Array, Array, Array, Mask]:
@@ -206,20 +201,17 @@ def _through_part(xy: Array, L: Array, p: Array, found: Mask, near: Array) -> tu
     n, k = found.shape
     rays = np.arange(k)
     halves = ((rays - np.arange(0, k, 2)[:, None]) % k < k // 2)[None] & found[:, None]
-    a = _conics(np.broadcast_to(p[:, None], (n, k // 2, k, 2)), halves.astype(float))
-    agree = (_sampson(a, p[:, None]) < near[:, None, None]) & found[:, None]
+    a = conics(np.broadcast_to(p[:, None], (n, k // 2, k, 2)), halves.astype(float))
+    agree = (sampson(a, p[:, None]) < near[:, None, None]) & found[:, None]
     best = np.argmax(agree.sum(axis=2), axis=1)
     agree = agree[np.arange(n), best]
     distance = np.full(found.shape, np.inf)
     for _ in range(2):
-        a = _conics(p, agree.astype(float))
-        distance = _sampson(a, p)
+        a = conics(p, agree.astype(float))
+        distance = sampson(a, p)
         agree = (distance < near[:, None]) & found
-    M = np.stack([a[:, 0], a[:, 1] / 2, a[:, 1] / 2, a[:, 2]], axis=1).reshape(-1, 2, 2)
-    fine = (np.linalg.det(M) > 0.01) & (a[:, 0] > 0.05)
-    M[~fine] = np.eye(2)
-    c = -0.5 * np.linalg.solve(M, a[:, 3:, None])[..., 0]
-    size = 1 + np.einsum("ni,nij,nj->n", c, M, c)
+    fine = _well_shaped(a)
+    M, c, size = centred(a, fine)
     D = np.linalg.inv(M) * size[:, None, None]
     C = L @ D @ L.transpose(0, 2, 1)
     fine &= (np.hypot(*c.T) < 1) & (size > 0) & (np.linalg.eigvalsh(D) < SIZES[1] ** 2).all(axis=1)
@@ -231,21 +223,9 @@ def _through_part(xy: Array, L: Array, p: Array, found: Mask, near: Array) -> tu
     return xy + np.einsum("nij,nj->ni", L, c), C, rms, agree
 
 
-def _conics(p: Array, w: Array) -> Array:
-    """Conics (..., 5), A x^2 + B x y + C y^2 + D x + E y = 1, through points (..., k, 2) with weights (..., k)."""
-    x, y = p[..., 0], p[..., 1]
-    J = np.stack([x * x, x * y, y * y, x, y], axis=-1)
-    JW = J * w[..., None]
-    N = np.einsum("...ki,...kj->...ij", JW, J) + 1e-9 * np.eye(5)
-    return np.linalg.solve(N, JW.sum(axis=-2)[..., None])[..., 0]
-
-
-def _sampson(a: Array, p: Array) -> Array:
-    """Distances (..., k) of points (..., k, 2) from conics (..., 5), to first order.  Sampson 1982."""
-    x, y = p[..., 0], p[..., 1]
-    A, B, C, D, E = (k[..., None] for k in np.moveaxis(a, -1, 0))
-    value = A * x * x + B * x * y + C * y * y + D * x + E * y - 1
-    return abs(value) / np.maximum(np.hypot(2 * A * x + B * y + D, B * x + 2 * C * y + E), 1e-9)
+def _well_shaped(a: Array) -> Mask:
+    """Which conics (n, 5) are ellipses not too far from the unit circle."""
+    return (np.linalg.det(matrix(a)) > 0.01) & (a[:, 0] > 0.05)
 
 
 def _through(xy: Array, L: Array, p: Array, found: Mask) -> tuple[Array, Array, Array, Mask]:
@@ -253,23 +233,16 @@ def _through(xy: Array, L: Array, p: Array, found: Mask) -> tuple[Array, Array, 
 
     A x^2 + B x y + C y^2 + D x + E y = 1 by least squares, points near the unit circle; the farthest left out once.
     """
-    x, y = p[..., 0], p[..., 1]
-    J = np.stack([x * x, x * y, y * y, x, y], axis=2)
     w = found.astype(float)
-    a, e = np.zeros((len(p), 5)), np.zeros(x.shape)
+    a, e = np.zeros((len(p), 5)), np.zeros(found.shape)
     for _ in range(2):
-        N = np.einsum("nki,nk,nkj->nij", J, w, J) + 1e-9 * np.eye(5)
-        a = np.linalg.solve(N, np.einsum("nki,nk->ni", J, w)[..., None])[..., 0]
-        e = (np.einsum("nki,ni->nk", J, a) - 1) / 2
+        a = conics(p, w)
+        e = algebraic(a, p) / 2
         limit = 3 * np.median(abs(e), axis=1) + 0.02
         w = found & (abs(e) < limit[:, None])
         w = np.where(w.sum(axis=1, keepdims=True) >= 0.65 * p.shape[1], w, found).astype(float)
-    M = np.stack([a[:, 0], a[:, 1] / 2, a[:, 1] / 2, a[:, 2]], axis=1).reshape(-1, 2, 2)
-    det = np.linalg.det(M)
-    fine = (det > 0.01) & (a[:, 0] > 0.05)
-    M[~fine] = np.eye(2)
-    c = -0.5 * np.linalg.solve(M, a[:, 3:, None])[..., 0]
-    k = 1 + np.einsum("ni,nij,nj->n", c, M, c)
+    fine = _well_shaped(a)
+    M, c, k = centred(a, fine)
     fine &= np.hypot(*c.T) < 0.5
     D = np.linalg.inv(M) * k[:, None, None]
     C = L @ D @ L.transpose(0, 2, 1)
