@@ -22,7 +22,7 @@ def test_one_heading_is_warned_of_and_mended(capsys, tmp_path):
     (turned,) = [line for line in told.splitlines() if line.startswith(" headings alternate  ")]
     assert turned.endswith("none (c)")
     assert (
-        "warning: c, x0, y0 hang on the unevenness of the flight alone; what mends it: headings alternate, lines"
+        "caution: c, x0, y0 hang on the unevenness of the flight alone; what mends it: headings alternate, lines"
         in told
     )
     assert len(read_block(out).images) == 32
@@ -35,7 +35,7 @@ def test_what_is_lost_is_no_figure(capsys):
     told = capsys.readouterr().out
     (planned,) = [line for line in told.splitlines() if line.startswith(" as planned")]
     assert planned.split()[2:] == ["32", "-", "-", "-", "-", "c", "(c)"]
-    assert "warning: c cannot be determined by this flight; what mends it" in told
+    assert "fault: c cannot be determined by this flight; what mends it" in told
 
 
 def test_a_sound_plan_and_a_held_camera(capsys):

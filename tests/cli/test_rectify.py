@@ -134,7 +134,7 @@ def test_a_wall_of_one_photograph(wall, tmp_path, capsys):
     assert main([*common, "--out", str(tmp_path / "one.png"), "--calibration", str(calibration)]) == 0
     told = capsys.readouterr().out
     assert "sigma0" in told
-    assert "warning" not in told
+    assert "caution" not in told
     picture = seen(tmp_path / "one.png")
     u, v = np.meshgrid(-0.4 + 0.01 * (np.arange(80) + 0.5), 0.3 - 0.01 * (np.arange(60) + 0.5))
     good = picture[..., 3] > 0
@@ -142,7 +142,7 @@ def test_a_wall_of_one_photograph(wall, tmp_path, capsys):
     assert np.abs(picture[..., :3] - painted(u, v))[good].max() < 2.5
     # without the calibration the distortion is in the residuals, and is told
     assert main([*common, "--out", str(tmp_path / "bent.png")]) == 0
-    assert "warning" in capsys.readouterr().out
+    assert "caution" in capsys.readouterr().out
 
 
 def test_a_wrong_mark_is_named(wall, tmp_path, capsys):

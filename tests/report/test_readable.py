@@ -7,6 +7,7 @@ import pytest
 from raybundle.adjustment.calibration_quality import calibration_qualities
 from raybundle.adjustment.result import Notice
 from raybundle.block import Role
+from raybundle.cli.summary import summary_lines
 from raybundle.report.document import write_report
 from raybundle.report.figures_photographs import KEY_CHARACTER, colour_key
 from raybundle.report.numbers import plain
@@ -69,6 +70,10 @@ def test_lengths_without_a_scale_have_no_metres(case, tmp_path):
     assert FREE_UNIT in precision
     assert ">mm<" not in precision
     assert view_of(case("one_scale_bar")).unit == "mm"
+    (line,) = [t for t in summary_lines(case("free")) if "standard deviation of object points" in t]
+    assert f" {FREE_UNIT} of a scale that is arbitrary" in line
+    assert " mm" not in line
+    assert any("object points (rms)" in t and t.endswith(" mm") for t in summary_lines(case("one_scale_bar")))
 
 
 def test_control_that_was_taken_out_is_shown_with_its_differences(case):

@@ -107,10 +107,10 @@ def _tell(conversion: Conversion) -> None:
     )
     click.echo(f" camera {c.id}: {conversion.variant}, {how}")
     if conversion.covered < 1:
-        click.echo(f" warning: its distortion has an inverse over {conversion.covered:.1%} of the format alone")
-    click.echo(f" {'note' if conversion.validity.whole_format else 'warning'}: {conversion.validity}")
+        click.echo(f" caution: its distortion has an inverse over {conversion.covered:.1%} of the format alone")
+    click.echo(f" {'remark' if conversion.validity.whole_format else 'caution'}: {conversion.validity}")
     for remark in c.remarks:
-        click.echo(f" note: {remark}")
+        click.echo(f" remark: {remark}")
 
 
 def _calibrations(source: Path, given: str | None, size: tuple[int, int] | None) -> tuple[Calibration, ...]:
@@ -249,7 +249,7 @@ def compare(
         click.echo(json.dumps(values))
         return
     for note in notes:
-        click.echo(f" note: {note}")
+        click.echo(f" remark: {note}")
     turn = float(np.degrees(np.linalg.norm(d.rotation)))
     where = "at infinity" if distance is None else f"at the distance {distance:g}"
     click.echo(f" difference {where}, after a rotation of {turn:.4f} deg: rms {significant(d.rms)} px, "
@@ -334,7 +334,7 @@ def add(
     )
     place = add_entry(entry, library)
     for remark in (*calibration.remarks, *([words] if words else [])):
-        click.echo(f" note: {remark}")
+        click.echo(f" remark: {remark}")
     click.echo(f" {key}: kept as {place}")
 
 
@@ -368,7 +368,7 @@ def list_(library: Path | None, *, as_json: bool) -> None:
     for entry in found.entries:
         click.echo(_row(entry))
     for path, why in found.refused:
-        click.echo(f" warning: {path.name} cannot be used: {why}")
+        click.echo(f" caution: {path.name} cannot be used: {why}")
 
 
 @command.command("find", context_settings=COMMAND_SETTINGS)

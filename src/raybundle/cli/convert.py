@@ -126,7 +126,7 @@ def command(
     click.echo(f" {counted(int(b.images.oriented.sum()), 'oriented image')}, {counted(len(b.points), 'point')}, "
                f"{counted(len(b.observations), 'image observation')}")  # fmt: skip
     for remark in dict.fromkeys((*remarks, *more)):
-        click.echo(f" note: {remark}")
+        click.echo(f" remark: {remark}")
     if deviation > 0:
         click.echo(f" cameras: largest deviation {deviation:.3g} px")
     click.echo(f" {target}: {out}" + (f" and {counted(files - 1, 'more file')}" if files > 1 and out.is_file() else ""))

@@ -129,9 +129,9 @@ def _head(plan: Flight) -> list[str]:
     seen = f" overlap {100 * along:.0f} % along, {100 * across:.0f} % across; tie points over {size} x {size}"
     lines = [flown, seen]
     if along < 0.5:
-        lines.append(" warning: below 50 % along, points between the photographs of a line are seen once")
+        lines.append(" caution: below 50 % along, points between the photographs of a line are seen once")
     if across < 0:
-        lines.append(" warning: the lines leave gaps; fly them nearer to each other")
+        lines.append(" fault: the lines leave gaps; fly them nearer to each other")
     return lines
 
 
@@ -149,9 +149,9 @@ def _verdict(planned: Forecast, advised: Forecast | None) -> str:
     if planned.sure:
         return " everything is determined by design"
     what = ", ".join(planned.lost_level or planned.lost)
-    lead = f" warning: {what} hang{'s' if ',' not in what else ''} on the unevenness of the flight alone"
+    lead = f" caution: {what} hang{'s' if ',' not in what else ''} on the unevenness of the flight alone"
     if planned.lost:
-        lead = f" warning: {', '.join(planned.lost)} cannot be determined by this flight"
+        lead = f" fault: {', '.join(planned.lost)} cannot be determined by this flight"
     if advised is None:
         return f"{lead}; none of the changes above mends it: hold the camera as calibrated, or add control"
     return f"{lead}; what mends it: {advised.name}, sigma Z {1000 * advised.sigma_m[2]:.0f} mm"

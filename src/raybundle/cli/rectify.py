@@ -138,7 +138,7 @@ def _of_result(
             f"{picture.slope[1]:.1f} at most)"
         ),
         *_picture_lines(picture, grid, unit, out),
-        *(f"note: {r}" for r in remarks),
+        *(f"remark: {r}" for r in remarks),
     ]
 
 
@@ -182,9 +182,9 @@ def _of_photo(
         lines.append(f"sigma0 {fit.sigma0:.2f} (1 = marks as good as {sigma_px:g} px), redundancy {fit.redundancy}")
         if not fit.adequate:
             worst = names[int(np.linalg.norm(fit.residuals_px, axis=1).argmax())]
-            lines.append(f"warning: {fit.reason}; the largest residual is that of {worst}")
+            lines.append(f"caution: {fit.reason}; the largest residual is that of {worst}")
     else:
-        lines.append("warning: just enough points; one more would show whether they are right")
+        lines.append("caution: just enough points; one more would show whether they are right")
     if single.off_plane > 0:
         lines.append(f"the control points lie {significant(single.off_plane)} off their plane (rms)")
     return [*lines, *_picture_lines(picture, grid, "", out)]

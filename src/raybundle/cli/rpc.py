@@ -76,7 +76,7 @@ def info(scene: Path) -> None:
     if s.line is not None:
         _tell_line(s, s.line)
     for remark in s.remarks:
-        click.echo(f" note: {remark}")
+        click.echo(f" remark: {remark}")
 
 
 @command.command("project")
@@ -123,11 +123,11 @@ def project(scene: Path, points: Path, out: Path, model: str, *, to_ground: bool
         write_table(file, {"point": ids, **both, **({"note": notes} if any(notes) else {})})
     if beyond := [k for k, note in enumerate(notes) if note and why[k] is None]:
         told = f"{counted(len(beyond), 'point')} outside the range for which the RPC was made"
-        click.echo(f" note: {told}: {_named(ids, notes, beyond)}")
+        click.echo(f" remark: {told}: {_named(ids, notes, beyond)}")
     if lost:
         which = "ground" if to_ground else "image"
         told = f"{counted(len(lost), 'point')} without {which} coordinates, their cells are empty"
-        click.echo(f" warning: {told}: {_named(ids, notes, lost)}")
+        click.echo(f" caution: {told}: {_named(ids, notes, lost)}")
     click.echo(f" {counted(len(ids), 'point')}: {out}")
 
 
@@ -178,7 +178,7 @@ def correct(
     stated = rows[:, 5:] if rows.shape[1] == 8 else None
     _check_near(s, s.rpc, rows, ids)
     for k, note in _beyond(s.rpc, rows[:, :3], range(len(ids)), only_heights=True).items():
-        click.echo(f" warning: {ids[k]}: {note}")
+        click.echo(f" caution: {ids[k]}: {note}")
     advice = choose_bias(s.rpc, rows[:, :3], rows[:, 3:5], sigma_px=sigma, sigma_ground_m=stated)
     _tell_advice(advice, ids)
     chosen = next((f for f in advice.fits if f.kind == bias), None) if bias != "auto" else advice.advised
@@ -223,7 +223,7 @@ def fit(scene: Path, out: Path, heights: tuple[float, float] | None) -> None:
     if s.line is None:
         raise InputError("it holds no rigorous model from which an RPC could be made", file=scene)
     if s.line.ellipsoid != WGS84:
-        click.echo(" note: the body is not the earth; other programs will take the RPC for one of WGS 84")
+        click.echo(" remark: the body is not the earth; other programs will take the RPC for one of WGS 84")
     result = fit_rpc(s.line.localise, _size(s), _heights(s, heights))
     low, high = result.height_range
     x, y = result.rms_px
@@ -347,7 +347,7 @@ def _tell_advice(advice: BiasAdvice, ids: tuple[str, ...]) -> None:
         )
         verb = "contradicts" if len(advice.set_aside) == 1 else "contradict"
         click.echo(
-            f" warning: {counted(len(advice.set_aside), 'point')} of {len(ids)} {verb} the others and took no part; "
+            f" caution: {counted(len(advice.set_aside), 'point')} of {len(ids)} {verb} the others and took no part; "
             f"look at coordinates, height and measurement: {away}"
         )
     click.echo(f" advised: {advice.reason}")
@@ -368,10 +368,10 @@ def _tell_fit(advice: BiasAdvice, fit: BiasFit, rpc: Rpc) -> None:
             scaled = f"u = (x - {x0:g}) / {u:g}, v = (y - {y0:g}) / {v:g}"
             click.echo(f"   x: A0 + A1 u + A2 v, y: B0 + B1 u + B2 v, {scaled}")
     if fit.redundancy == 0:
-        click.echo(" note: no redundancy: a wrong point would not be noticed; measure one more")
+        click.echo(" remark: no redundancy: a wrong point would not be noticed; measure one more")
     if fit.misfit > 1:
         click.echo(
-            f" warning: residuals are {fit.misfit:.3g} times the stated sigma of {advice.sigma_px:g} px; standard "
+            f" caution: residuals are {fit.misfit:.3g} times the stated sigma of {advice.sigma_px:g} px; standard "
             "deviations are enlarged by it"
         )
 

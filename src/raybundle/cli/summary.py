@@ -13,6 +13,7 @@ from raybundle.block import Block
 from raybundle.cli.common import counted, grouped, significant
 from raybundle.numerics.arrays import Array
 from raybundle.report.result_folder import check_differences
+from raybundle.report.view import printed_lengths
 
 SHOWN = 15
 """Notices that are printed."""
@@ -65,11 +66,11 @@ def _precision(a: Adjustment) -> list[str]:
     free = np.isfinite(std).all(axis=1) & (std > 0).any(axis=1)
     if not free.any():
         return []
-    factor = 1000.0 if a.given.length_unit == "m" else 1.0
-    scale = ", in a scale that is arbitrary" if "scale" in a.datum_defect else ""
+    factor, unit = printed_lengths(a)
+    scale = " of a scale that is arbitrary" if "scale" in a.datum_defect else ""
     mean = np.sqrt((std[free] ** 2).mean(axis=0)) * factor
     each = ", ".join(f"{axis} {significant(m)}" for axis, m in zip("XYZ", mean, strict=True))
-    lines = [f"standard deviation of object points (rms): {each} mm{scale}"]
+    lines = [f"standard deviation of object points (rms): {each} {unit}{scale}"]
     if a.network is not None and math.isfinite(a.network.relative_precision):
         n = round(float(f"{a.network.relative_precision:.2g}"))
         meaning = "(mean standard deviation / largest extent)"
@@ -99,10 +100,10 @@ def _check_points(a: Adjustment) -> list[str]:
     check, difference = check_differences(a)
     if not np.isfinite(difference).any():
         return []
-    factor = 1000.0 if a.given.length_unit == "m" else 1.0
+    factor, unit = printed_lengths(a)
     rms: list[str] = []
     for axis, column in zip("XYZ", difference.T, strict=True):
         known = column[np.isfinite(column)]
         if len(known):
             rms.append(f"{axis} {significant(float(np.sqrt((known**2).mean())) * factor)}")
-    return [f"{counted(len(check), 'check point')}, rms difference: {', '.join(rms)} mm"]
+    return [f"{counted(len(check), 'check point')}, rms difference: {', '.join(rms)} {unit}"]

@@ -77,15 +77,8 @@ class View:
 def view_of(adjustment: Adjustment) -> View:
     """The view of an adjustment."""
     used = adjustment.image_observations.used
-    length = FREE_UNIT if "scale" in adjustment.datum_defect else adjustment.given.length_unit
-    factor, unit = 1.0, length
-    std: Array | None = None
-    if adjustment.precision is not None:
-        full = adjustment.precision.object_point_std
-        std = np.where(full > 0, full, np.nan)
-    sizes = np.zeros(0) if std is None else std[np.isfinite(std)]
-    if unit == "m" and (not len(sizes) or float(np.median(sizes)) < 1):
-        factor, unit = 1000.0, "mm"
+    std = _object_point_std(adjustment)
+    factor, unit = printed_lengths(adjustment)
     rows, difference = check_differences(adjustment)
     return View(
         adjustment=adjustment,
@@ -94,12 +87,34 @@ def view_of(adjustment: Adjustment) -> View:
         scale=adjustment.sigma0 if math.isfinite(adjustment.sigma0) and adjustment.sigma0 > 0 else 1.0,
         factor=factor,
         unit=unit,
-        length_unit=length,
+        length_unit=_length_unit(adjustment),
         std=None if std is None else std * factor,
         rays=used_rays(adjustment),
         check_rows=rows,
         check_difference=difference,
     )
+
+
+def printed_lengths(adjustment: Adjustment) -> tuple[float, str]:
+    """Factor from the block's length unit to that of small lengths in print, and its name: mm where metres are small."""
+    unit = _length_unit(adjustment)
+    std = _object_point_std(adjustment)
+    sizes = np.zeros(0) if std is None else std[np.isfinite(std)]
+    if unit == "m" and (not len(sizes) or float(np.median(sizes)) < 1):
+        return 1000.0, "mm"
+    return 1.0, unit
+
+
+def _length_unit(adjustment: Adjustment) -> str:
+    return FREE_UNIT if "scale" in adjustment.datum_defect else adjustment.given.length_unit
+
+
+def _object_point_std(adjustment: Adjustment) -> Array | None:
+    """(p, 3) [length unit]; NaN where held or unused."""
+    if adjustment.precision is None:
+        return None
+    full = adjustment.precision.object_point_std
+    return np.where(full > 0, full, np.nan)
 
 
 def key_of(result: InteriorResult) -> str:
