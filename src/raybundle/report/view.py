@@ -96,7 +96,7 @@ def view_of(adjustment: Adjustment) -> View:
 
 
 def printed_lengths(adjustment: Adjustment) -> tuple[float, str]:
-    """Factor from the block's length unit to that of small lengths in print, and its name: mm where metres are small."""
+    """Factor from the block's length unit to that of small lengths in print, and its name."""
     unit = _length_unit(adjustment)
     std = _object_point_std(adjustment)
     sizes = np.zeros(0) if std is None else std[np.isfinite(std)]

@@ -30,6 +30,7 @@ from raybundle.workflows.marks import (
     intersected,
 )
 from raybundle.workflows.positions import SCALE, Positions, mean_place, observe, positions_of, scale_sigma
+from raybundle.workflows.reduced_marks import take_at_their_size
 from raybundle.workflows.upright import Upright, doubts, upright
 
 LEVEL = 0.05
@@ -79,8 +80,9 @@ def georeference(
     add_bars(state, given)
     if around is None:  # else a scene may show the point as well
         drop_single_marks(state)
+    take_at_their_size(state, given.control, given.mark_px)
     free = intersected(state.block)
-    drop_gross_marks(state, free, given.mark_px)
+    drop_gross_marks(state, free)
     control = _control_to_fit(state.block, free)
     positions = None
     if frame is not None and given.gps:

@@ -179,7 +179,7 @@ def drop_unseen_checks(state: Placing) -> None:
     state.tell("check_unseen", f"check points without a measurement that could be used: {', '.join(names)}", *names)
 
 
-def drop_gross_marks(state: Placing, free: Array, mark_px: float) -> None:
+def drop_gross_marks(state: Placing, free: Array) -> None:
     """Marks that lie far from where the other marks of their point meet: a wrong number, as a rule.
 
     Tested in the free block, whose orientation does not depend on them; smaller errors are left to data snooping.
@@ -194,16 +194,17 @@ def drop_gross_marks(state: Placing, free: Array, mark_px: float) -> None:
     xyz = np.where(np.isfinite(free), free, block.points.xyz)
     v = residuals_px(replace(block, points=replace(block.points, xyz=xyz)), rows)
     far = np.linalg.norm(v, axis=1)
-    limit = GROSS * mark_px
-    wrong = rows[~(far <= limit)]
+    limits = GROSS * np.sqrt(o.cov_px2[rows, :2].max(axis=1))
+    wrong = rows[~(far <= limits)]
     for k in wrong:
+        limit = float(limits[rows == k][0])
         name, file = block.points.ids[o.point[k]], block.images.ids[o.image[k]]
         beside = rows_near(block, int(k), special, limit)
         hint = f"; point {beside} is marked at the same place" if beside else ""
         state.tell(
             "mark_rejected",
             f"the measurement of point {name} in {file} lies {far[rows == k][0]:.0f} px from where its other "
-            f"measurements put it (limit {limit:g} px) and is left out{hint}; look at it again",
+            f"measurements put it (limit {limit:.4g} px) and is left out{hint}; look at it again",
             name, file,
         )  # fmt: skip
     if len(wrong):
