@@ -6,7 +6,14 @@ import numpy as np
 import pytest
 from scipy.stats import chi2, kstest
 
-from raybundle.matching.least_squares import Outcome, WindowOptions, match_windows, match_windows_twin
+from raybundle.matching.least_squares import (
+    Outcome,
+    WindowOptions,
+    match_windows,
+    match_windows_twin,
+    with_noisy_gradients,
+)
+from raybundle.matching.refine import smoothed
 from raybundle.numerics import native
 from raybundle.numerics.statistics import mahalanobis2
 from tests.matching.scenes import Texture, noisy, quantised
@@ -112,6 +119,26 @@ def test_with_the_gaussian_weight_the_stated_covariance_promises_too_little_not_
     error, C = repeated(replace(MANY, sigma=4.8))
     factor = mahalanobis2(error, C).mean() / 2
     assert 0.3 < factor < 1.0
+
+
+def test_where_both_windows_are_noisy_the_noise_of_gradients_is_no_information():
+    texture = Texture(6, shortest=8)
+    picture = texture.image(900, 900)
+    xy = grid(900, 900) + np.random.default_rng(2).uniform(-0.5, 0.5, (len(grid(900, 900)), 2))
+    factors = []
+    for noise in (300.0, 900.0, 1500.0):
+        a, b = (smoothed(noisy(picture, noise, k)) for k in (1, 2))
+        m = match_windows(a, b, xy, xy, identity(len(xy)), OPTIONS)
+        good = m.outcome == Outcome.MATCHED
+        error = (m.xy_px - xy)[good]
+        true = with_noisy_gradients(m, xy, OPTIONS)
+        np.testing.assert_array_equal(true.cov_px2[~good], m.cov_px2[~good])
+        factors.append([np.median(error**2 / f.cov_px2[good][:, :2]) / 0.455 for f in (m, true)])
+    first, corrected = np.array(factors).T
+    assert first[-1] > 3 * first[0]
+    assert corrected.max() < 1.4 * corrected.min()
+    # smooth textures see noise that the smoothing has correlated: sum of its correlations 4.5, half by the weights
+    assert (np.abs(corrected / 2.26 - 1) < 0.4).all()
 
 
 @needs_kernel

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from raybundle.matching import refine
 from raybundle.matching.refine import (
     NEIGHBOURS_FROM,
     Candidates,
@@ -10,11 +11,12 @@ from raybundle.matching.refine import (
     choose_references,
     local_affine,
     match_candidates,
+    pyramid,
     refine_tracks,
     similarity,
     smoothed,
 )
-from tests.matching.scenes import Texture
+from tests.matching.scenes import Texture, noisy
 
 AFFINE = np.array([[0.94, 0.06], [-0.08, 1.03]])
 MOVE = np.array([12.0, -7.5])
@@ -86,6 +88,12 @@ def three():
     return images, [xy @ A.T + t for A, t in maps]
 
 
+def levels(images):
+    """Pictures by number and level of their pyramid."""
+    held = [pyramid(image) for image in images]
+    return lambda i, level: held[i][level]
+
+
 def tracks(places, noise, seed=1):
     n = len(places[0])
     image, point = np.repeat(np.arange(3), n), np.tile(np.arange(n), 3)
@@ -98,7 +106,7 @@ def tracks(places, noise, seed=1):
 def test_tracks_are_measured_again_ten_times_better(three):
     images, places = three
     p, _ = tracks(places, 0.4)
-    r = refine_tracks(p, images.__getitem__, threads=2)
+    r = refine_tracks(p, levels(images), threads=2)
     n = len(places[0])
     assert r.reference[:n].mean() > 0.97
     assert not r.reference[n:].any()
@@ -119,8 +127,8 @@ def test_tracks_are_measured_again_ten_times_better(three):
 def test_the_number_of_threads_changes_nothing(three):
     images, places = three
     p, _ = tracks(places, 0.3)
-    a, b = (refine_tracks(p, images.__getitem__, threads=k) for k in (1, 3))
-    for name in ("xy_px", "cov_px2", "measured", "reference", "correlation"):
+    a, b = (refine_tracks(p, levels(images), threads=k) for k in (1, 3))
+    for name in ("xy_px", "cov_px2", "measured", "reference", "correlation", "level"):
         np.testing.assert_array_equal(getattr(a, name), getattr(b, name))
 
 
@@ -128,7 +136,7 @@ def test_what_shows_something_else_is_not_measured(three):
     images, places = three
     other = smoothed(Texture(77).image(360, 320))
     p, _ = tracks(places, 0.2)
-    r = refine_tracks(p, [images[0], images[1], other].__getitem__)
+    r = refine_tracks(p, levels([images[0], images[1], other]))
     n = len(places[0])
     assert r.measured[:n].mean() > 0.95
     assert r.measured[2 * n :].mean() < 0.05
@@ -148,7 +156,7 @@ def test_points_are_found_where_no_feature_was(three):
     c = Candidates(
         reference=hidden, image=np.ones(len(hidden), np.int32), point=hidden, xy_px=begin, row=np.full(len(hidden), -1)
     )
-    m = match_candidates(p, c, images.__getitem__)
+    m = match_candidates(p, c, levels(images))
     assert m.good.mean() > 0.95
     assert np.abs(m.xy_px - places[1][hidden])[m.good].max() < 0.05
 
@@ -158,8 +166,52 @@ def test_no_candidates_and_unknown_surroundings_give_nothing(three):
     p = points([0, 1], [0, 0], [places[0][0], places[1][0]])
     none = np.zeros(0, np.int64)
     c = Candidates(reference=none, image=none, point=none, xy_px=np.zeros((0, 2)), row=none)
-    assert len(match_candidates(p, c, images.__getitem__).good) == 0
+    assert len(match_candidates(p, c, levels(images)).good) == 0
     one = Candidates(
         reference=np.array([0]), image=np.array([1]), point=np.array([0]), xy_px=places[1][:1], row=np.array([-1])
     )
-    assert not match_candidates(p, one, images.__getitem__).good.any()
+    assert not match_candidates(p, one, levels(images)).good.any()
+
+
+def soft(image, blur, noise, seed):
+    """The same picture out of focus and with noise of its grey values, smoothed as every picture is before matching."""
+    import cv2
+
+    wide = cv2.GaussianBlur(image.astype(np.float32), (0, 0), blur)
+    return smoothed(np.clip(noisy(wide, noise, seed), 0, 65535).astype(np.uint16))
+
+
+def test_a_level_of_the_pyramid_shows_the_same_place_at_half_the_coordinates():
+    image = np.zeros((203, 301), np.uint16)
+    image[96:104, 152:160] = 60000
+    for step, level in enumerate(pyramid(image)):
+        assert level.shape == (203 >> step, 301 >> step)
+        y, x = np.indices(level.shape) + 0.5
+        at = np.array([(x * level).sum(), (y * level).sum()]) / level.sum(dtype=float)
+        np.testing.assert_allclose(at * 2**step, [156, 100], atol=0.01)
+    assert all(a.size == 0 for a in pyramid(image[:1])[1:])
+
+
+@pytest.mark.parametrize(("blur", "noise"), [(0.7, 100), (0.7, 900), (3.0, 300), (3.0, 2000), (5.0, 900), (5.0, 2000)])
+def test_however_soft_and_noisy_points_are_measured_and_the_covariance_is_true(monkeypatch, blur, noise):
+    texture = Texture(9, waves=80, longest=90.0)
+    images = [
+        soft(texture.image(500, 480), blur, noise, 1),
+        soft(texture.image(500, 480, lambda xy: (xy - MOVE) @ np.linalg.inv(AFFINE).T), blur, noise, 2),
+    ]
+    x, y = np.meshgrid(np.arange(70.5, 430, 24), np.arange(70.5, 410, 24))
+    xy = np.stack([x.ravel(), y.ravel()], axis=1)
+    n, true = len(xy), xy @ AFFINE.T + MOVE
+    begin = true + np.random.default_rng(0).normal(0, 0.4, true.shape)
+    p = points(np.repeat([0, 1], n), np.tile(np.arange(n), 2), np.vstack([xy, begin]), scale=np.repeat([3.0, 2.0], n))
+    r = refine_tracks(p, levels(images))
+    assert r.measured.mean() > 0.97
+    chi2 = ((r.xy_px - np.vstack([xy, true])) ** 2 / np.maximum(r.cov_px2[:, :2], 1e-12))[n:][r.measured[n:]]
+    assert 0.3 < np.median(chi2) / 0.455 < 3.2  # of first-order covariances at full size: up to 30
+    assert 0.3 < chi2.mean() < 3.2
+    if blur > 1:
+        assert np.median(r.level[n:]) >= 1
+        monkeypatch.setattr(refine, "LEVELS", 1)
+        fine = refine_tracks(p, levels(images))
+        error = [np.sqrt(((f.xy_px[n:] - true) ** 2)[f.measured[n:]].mean()) for f in (r, fine)]
+        assert fine.measured[n:].mean() < 0.9 or error[0] < 0.7 * error[1]

@@ -8,7 +8,7 @@ import pytest
 from raybundle.block.select import with_rows
 from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 from raybundle.errors import NotSolvable
-from raybundle.matching.refine import CandidateMatches, Refined, choose_references
+from raybundle.matching.refine import LEVELS, CandidateMatches, Refined, choose_references
 from raybundle.numerics.progress import silent
 from raybundle.workflows import precise
 from raybundle.workflows.final import _with_block, final_adjustment, left_out
@@ -50,17 +50,28 @@ def matching(monkeypatch, block, truth, failing, share=0.0):
         xy = np.where(measured[:, None], truth.observations.xy_px + rng.normal(0, MATCH_PX, (m, 2)), points.xy_px)
         cov = np.zeros((m, 3))
         cov[measured, :2] = MATCH_PX**2 / 9 * rng.lognormal(0, 0.3, m)[measured, None]
-        return Refined(xy_px=xy, cov_px2=cov, measured=measured, reference=is_reference, correlation=np.ones(m))
+        return Refined(
+            xy_px=xy,
+            cov_px2=cov,
+            measured=measured,
+            reference=is_reference,
+            correlation=np.ones(m),
+            level=np.zeros(m, int),
+        )
 
     def nothing(points, places, image, *, threads, progress):
         k = len(places.image)
         return CandidateMatches(
-            good=np.zeros(k, bool), xy_px=places.xy_px, cov_px2=np.zeros((k, 3)), correlation=np.zeros(k)
+            good=np.zeros(k, bool),
+            xy_px=places.xy_px,
+            cov_px2=np.zeros((k, 3)),
+            correlation=np.zeros(k),
+            level=np.full(k, LEVELS),
         )
 
     monkeypatch.setattr(precise, "refine_tracks", refined)
     monkeypatch.setattr(precise, "match_candidates", nothing)
-    return refine(tie_of(block), lambda _: np.zeros((2, 2)), 1)
+    return refine(tie_of(block), lambda *_: np.zeros((2, 2)), 1)
 
 
 def test_a_photograph_that_matching_does_not_measure_keeps_its_features_with_their_own_sigma(monkeypatch):

@@ -13,7 +13,8 @@ from raybundle.block.simulate import Survey, TargetField, brown_camera, field_sc
 from raybundle.errors import NoOrientation
 from raybundle.matching.refine import TrackPoints
 from raybundle.workflows import precise
-from raybundle.workflows.precise import Weights, candidates, estimate_weights
+from raybundle.workflows.match_weights import FEWEST, Weights, estimate_weights
+from raybundle.workflows.precise import candidates
 from raybundle.workflows.tie_block import flat_points, image_sigma_px
 from raybundle.workflows.tie_start import start
 
@@ -27,43 +28,44 @@ def field(rows=10, columns=14, stations=16):
     return simulate(field_scene(plan), EXACT).truth
 
 
-def measured(truth, weights, seed):
-    """The block with errors of these variances; the covariances that the grey values promise; the references."""
+def measured(truth, weights, seed, share=(1.0, 0.0, 0.0, 0.0)):
+    """The block with errors of these variances; the covariances that the grey values promise; levels; references."""
     rng = np.random.default_rng(seed)
     m = len(truth.observations)
+    level = rng.choice(4, m, p=share)
     grey = np.zeros((m, 3))
-    grey[:, :2] = 0.02**2 * rng.lognormal(0, 1.0, m)[:, None]
+    grey[:, :2] = (0.02 * 2.0 ** level[:, None]) ** 2 * rng.lognormal(0, 1.0, m)[:, None]
     _, first = np.unique(truth.observations.point, return_index=True)
     reference = np.zeros(m, bool)
     reference[first] = True
-    cov = weights.covariance(grey.copy(), reference)
+    cov = weights.covariance(grey, level, reference)
     error = rng.normal(0, 1, (m, 2)) * np.sqrt(cov[:, :2])
     o = truth.observations
-    return replace(truth, observations=replace(o, xy_px=o.xy_px + error)), grey, reference
+    return replace(truth, observations=replace(o, xy_px=o.xy_px + error)), grey, level, reference
 
 
-def settled(block, grey, reference, rounds=4):
+def settled(block, grey, level, reference, rounds=4):
     weights = Weights()
     for _ in range(rounds):
-        o = replace(block.observations, cov_px2=weights.covariance(grey.copy(), reference))
+        o = replace(block.observations, cov_px2=weights.covariance(grey, level, reference))
         result = adjust_block(replace(block, observations=o), OPTIONS)
-        weights = estimate_weights(result, grey, reference, weights)
+        weights = estimate_weights(result, grey, level, reference, weights)
     return weights, result
 
 
 @pytest.mark.parametrize(
     "true",
     [
-        Weights(factor=9.0, floor_px2=0.03**2, reference_px2=0.1**2),
-        Weights(factor=2.0, floor_px2=0.08**2, reference_px2=0.05**2),
-        Weights(factor=30.0, floor_px2=0.01**2, reference_px2=0.2**2),
+        Weights(factors=(9.0, 9, 9, 9), floors_px2=(0.03**2,) * 4, reference_px2=0.1**2),
+        Weights(factors=(2.0, 2, 2, 2), floors_px2=(0.08**2,) * 4, reference_px2=0.05**2),
+        Weights(factors=(30.0, 3, 3, 3), floors_px2=(0.01**2,) * 4, reference_px2=0.2**2),
     ],
 )
 def test_weights_are_found_again(true):
-    block, grey, reference = measured(field(), true, 1)
-    found, result = settled(block, grey, reference)
-    variance = true.factor * grey[~reference, 0] + true.floor_px2
-    stated = found.factor * grey[~reference, 0] + found.floor_px2
+    block, grey, level, reference = measured(field(), true, 1)
+    found, result = settled(block, grey, level, reference)
+    variance = true.factors[0] * grey[~reference, 0] + true.floors_px2[0]
+    stated = found.factors[0] * grey[~reference, 0] + found.floors_px2[0]
     middle = np.quantile(grey[~reference, 0], [0.1, 0.9])
     inside = (grey[~reference, 0] > middle[0]) & (grey[~reference, 0] < middle[1])
     assert np.median((stated / variance)[inside]) == pytest.approx(1.0, abs=0.15)
@@ -72,35 +74,61 @@ def test_weights_are_found_again(true):
     assert result.sigma0 == pytest.approx(1.0, abs=0.05)
 
 
+def test_every_level_has_its_own_line():
+    true = Weights(factors=(1.0, 3.0, 1.5, 1.0), floors_px2=(0.01**2, 0.05**2, 0.2**2, 0.5**2), reference_px2=0.05**2)
+    block, grey, level, reference = measured(field(14, 18, 20), true, 5, (0.4, 0.3, 0.25, 0.05))
+    assert all((level[~reference] == k).sum() > 10 * FEWEST for k in range(4))
+    found, result = settled(block, grey, level, reference)
+    stated, variance = (w.covariance(grey, level, reference)[~reference, 0] for w in (found, true))
+    for k in range(4):
+        assert np.median((stated / variance)[level[~reference] == k]) == pytest.approx(1.0, abs=0.25)
+    assert result.sigma0 == pytest.approx(1.0, abs=0.05)
+
+
+def test_a_level_with_few_points_keeps_its_ratio_to_the_finer_one():
+    true = Weights(factors=(8.0, 8, 8, 8), floors_px2=(0.05**2,) * 4)
+    block, grey, level, reference = measured(field(), true, 6)
+    found, _ = settled(block, grey, level, reference, rounds=1)
+    start = Weights()
+    assert found.factors[2] / found.factors[0] == pytest.approx(start.factors[2] / start.factors[0])
+    assert found.floors_px2[3] / found.floors_px2[0] == pytest.approx(start.floors_px2[3] / start.floors_px2[0])
+
+
+def test_weights_are_stored_and_read_again():
+    w = Weights(factors=(1.0, 2, 3, 4), floors_px2=(5.0, 6, 7, 8), reference_px2=9.0, feature_px2=10.0)
+    assert Weights.of(w.array()) == w
+
+
 def test_with_true_weights_sigma0_is_one_and_ten_percent_would_show():
-    true = Weights(factor=4.0, floor_px2=0.02**2, reference_px2=0.06**2)
-    block, grey, reference = measured(field(), true, 2)
+    true = Weights(factors=(4.0,) * 4, floors_px2=(0.02**2,) * 4, reference_px2=0.06**2)
+    block, grey, level, reference = measured(field(), true, 2)
     for wrong, good in ((1.0, True), (1.1, False), (1 / 1.1, False)):
-        cov = true.covariance(grey.copy(), reference) * wrong**2
+        cov = true.covariance(grey, level, reference) * wrong**2
         result = adjust_block(replace(block, observations=replace(block.observations, cov_px2=cov)), OPTIONS)
         limit = 4 / np.sqrt(2 * result.redundancy)  # four standard deviations of sigma0
         assert (abs(result.sigma0 - 1) < limit) == good
 
 
 def test_the_mean_sigma_of_an_image_point_is_that_of_the_errors():
-    true = Weights(factor=4.0, floor_px2=0.02**2, reference_px2=0.06**2)
-    block, grey, reference = measured(field(), true, 3)
-    cov = true.covariance(grey.copy(), reference)
+    true = Weights(factors=(4.0,) * 4, floors_px2=(0.02**2,) * 4, reference_px2=0.06**2)
+    block, grey, level, reference = measured(field(), true, 3)
+    cov = true.covariance(grey, level, reference)
     for units in (1.0, 5.0):
         result = adjust_block(replace(block, observations=replace(block.observations, cov_px2=cov * units**2)), OPTIONS)
         assert image_sigma_px(result) == pytest.approx(np.sqrt(cov[:, :2].mean()), rel=0.05)
 
 
 def test_too_few_points_leave_the_weights_as_they_were():
-    block, grey, reference = measured(field(rows=3, columns=4, stations=4), Weights(), 4)
-    before = Weights(factor=3.3, floor_px2=0.4, reference_px2=0.5)
-    assert estimate_weights(adjust_block(block, OPTIONS), grey, reference, before) == before
+    block, grey, level, reference = measured(field(rows=3, columns=4, stations=4), Weights(), 4)
+    before = Weights(factors=(3.3, 3, 3, 3), floors_px2=(0.4, 0.5, 0.6, 0.7), reference_px2=0.5)
+    assert estimate_weights(adjust_block(block, OPTIONS), grey, level, reference, before) == before
 
 
 def test_covariances_of_weights():
-    grey = np.array([[1.0, 2.0, 0.5], [1.0, 2.0, 0.5]])
-    cov = Weights(factor=2.0, floor_px2=0.25, reference_px2=4.0).covariance(grey, np.array([False, True]))
-    np.testing.assert_allclose(cov, [[2.25, 4.25, 1.0], [4.0, 4.0, 0.0]])
+    grey = np.array([[1.0, 2.0, 0.5], [1.0, 2.0, 0.5], [1.0, 1.0, 0.0]])
+    weights = Weights(factors=(2.0, 3.0, 1.0, 1.0), floors_px2=(0.25, 0.5, 1.0, 1.0), reference_px2=4.0)
+    cov = weights.covariance(grey, np.array([0, 0, 1]), np.array([False, True, False]))
+    np.testing.assert_allclose(cov, [[2.25, 4.25, 1.0], [4.0, 4.0, 0.0], [3.5, 3.5, 0.0]])
 
 
 def test_points_with_parallel_rays_are_flat():

@@ -9,7 +9,7 @@ window and stay.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import IntEnum
 
 import numpy as np
@@ -18,6 +18,10 @@ from raybundle.numerics import native
 from raybundle.numerics.arrays import Array, Index
 
 UNKNOWNS = 10
+NOISE_SIGMA_PX = 0.6
+"""White noise after the smoothing of `smoothed` and `halved` correlates as exp(-d^2 / (4 sigma^2)) at a distance d."""
+LEAST_SHARE = 0.2
+"""Share of the gradients' information below which it is not told from noise: the variance is 25 times the naive one."""
 
 
 class Outcome(IntEnum):
@@ -72,8 +76,9 @@ def match_windows(
     xy_reference, xy_start (n, 2) pixel frame
     affine_start           (n, 2, 2) target_from_reference
 
-    What the covariance does not tell: grey values of neighbouring pixels are correlated, and a surface that is not
-    plane within the window moves the result; variance components of the block decide how much is to be added.
+    What the covariance does not tell: gradients of the reference hold noise, too (`with_noisy_gradients`); grey values
+    of neighbouring pixels are correlated, and a surface that is not plane within the window moves the result; variance
+    components of the block decide how much is to be added.
     """
     module = native.module()
     arguments = (
@@ -90,6 +95,57 @@ def match_windows(
         *arguments, o.half, o.sigma, o.iterations, o.step, o.reach, o.loose
     )
     return WindowMatches(xy_px=xy, affine=affine, cov_px2=covariance, correlation=correlation, outcome=outcome)
+
+
+def with_noisy_gradients(found: WindowMatches, xy_reference: Array, options: WindowOptions) -> WindowMatches:
+    """The matches of two noisy windows with a covariance that does not take the noise of gradients for information.
+
+    xy_reference  (n, 2) where the reference windows stand
+
+    Half of the residuals' variance is the noise of the reference window, whose gradients make the normal matrix N; of
+    N only N_s = N - noise of the gradients * sum(weights) ties the shift to the grey values, and an equation J'We = 0
+    in which e moves by N_s d has the covariance s^2 N_s^-1 N N_s^-1 (errors in variables; Fuller 1987, section 1.2).
+    The same holds where the second derivative of the residuals' square sum is taken in place of N.
+    """
+    rows = np.flatnonzero(found.outcome == Outcome.MATCHED)
+    side = np.arange(-options.half, options.half + 1.0)
+    weights = np.exp(-(side**2) / (2 * options.sigma**2)).sum() ** 2
+    positions = len(side) ** 2
+    lost = 1 - found.correlation[rows]  # the noise of one window, in units of its contrast
+    s2 = np.maximum(2 * lost * positions / (positions - UNKNOWNS), 1e-12)
+    c = found.cov_px2[rows]
+    inverse = np.linalg.inv(found.affine[rows])
+    C = inverse @ np.stack([c[:, [0, 2]], c[:, [2, 1]]], axis=1) @ inverse.swapaxes(1, 2)
+    # with N^-1 = F F' the noise is p = F' D F of the information, in directions that are independent of each other
+    F = np.linalg.cholesky(C / s2[:, None, None] + 1e-300 * np.eye(2))
+    noise = (lost * weights)[:, None] * _gradient_noise(xy_reference[rows])
+    share, V = np.linalg.eigh(np.einsum("nki,nk,nkj->nij", F, noise, F))
+    share = np.maximum(1 - share, LEAST_SHARE)
+    back = found.affine[rows] @ F @ V
+    C = np.einsum("nik,nk,njk->nij", back, s2[:, None] / share**2, back)
+    cov = found.cov_px2.copy()
+    cov[rows] = np.stack([C[:, 0, 0], C[:, 1, 1], C[:, 0, 1]], axis=1)
+    return replace(found, cov_px2=cov)
+
+
+def _gradient_noise(xy: Array) -> Array:
+    """(n, 2) variances of both gradients of noise where windows stand, in units of the noise of two windows' mean.
+
+    All positions of a window are read at one place between the pixels: in the middle of a pixel a gradient is a
+    difference over two pixels, at its edge one over one.
+    """
+    distance = np.subtract.outer(np.arange(4), np.arange(4))
+    R = np.exp(-(distance**2) / (4 * NOISE_SIGMA_PX**2))
+
+    def variances(at: Array) -> tuple[Array, Array]:
+        """Variances of value and derivative at places (n,)."""
+        w, d = _cubic(at - np.floor(at))
+        return np.einsum("ni,ij,nj->n", w, R, w), np.einsum("ni,ij,nj->n", d, R, d)
+
+    (vx, dx), (vy, dy) = variances(xy[:, 0] - 0.5), variances(xy[:, 1] - 0.5)
+    anywhere = float(variances(np.linspace(0, 1, 64, endpoint=False))[0].mean()) ** 2
+    mean = (vx * vy + anywhere) / 2
+    return np.stack([dx * vy / mean, vx * dy / mean], axis=1)
 
 
 def match_windows_twin(

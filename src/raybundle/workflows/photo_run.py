@@ -18,7 +18,7 @@ from raybundle.io.photos.cameras import CameraGroup, camera_groups, camera_of
 from raybundle.io.photos.photo import Photo
 from raybundle.io.project import Project, Stage, key_of
 from raybundle.matching.features import FeatureMethod
-from raybundle.matching.refine import smoothed
+from raybundle.matching.refine import pyramid, smoothed
 from raybundle.matching.tracks import tracks_of
 from raybundle.matching.verify import VerifiedPair, trusted
 from raybundle.numerics.arrays import Array, Index
@@ -28,7 +28,7 @@ from raybundle.workflows.precise import PreciseBlock, Weights, refine
 from raybundle.workflows.tie_block import TieBlock, block_of_tracks
 from raybundle.workflows.tie_points import FeatureStore, find_features, grey_of, match_pairs, pairs_of
 
-START, PRECISION = 7, 18
+START, PRECISION = 7, 19
 """Versions of the stages' results."""
 ALONE = "one photograph alone cannot be oriented; at least 2 are needed"
 
@@ -250,23 +250,23 @@ def _precision(
 
 
 class _GreyCache:
-    """Smoothed photographs, the latest used ones within a limit of memory."""
+    """Smoothed photographs with their pyramids, the latest used ones within a limit of memory."""
 
     def __init__(self, photos: Sequence[Photo], limit_gb: float) -> None:
         self.photos = photos
         self.limit = limit_gb * 1e9
-        self.held: OrderedDict[int, Array] = OrderedDict()
+        self.held: OrderedDict[int, tuple[Array, ...]] = OrderedDict()
         self.lock = Lock()
 
-    def of(self, i: int) -> Array:
-        """Photograph i, (h, w) uint16."""
+    def of(self, i: int, level: int) -> Array:
+        """Photograph i at a level of its pyramid, uint16."""
         with self.lock:
             if i in self.held:
                 self.held.move_to_end(i)
-                return self.held[i]
-        image = smoothed(grey_of(self.photos[i]))
+                return self.held[i][level]
+        levels = pyramid(smoothed(grey_of(self.photos[i])))
         with self.lock:
-            self.held[i] = image
-            while len(self.held) > 2 and sum(a.nbytes for a in self.held.values()) > self.limit:
+            self.held[i] = levels
+            while len(self.held) > 2 and sum(a.nbytes for p in self.held.values() for a in p) > self.limit:
                 self.held.popitem(last=False)
-        return image
+        return levels[level]

@@ -6,7 +6,7 @@ of its features, with a standard deviation of their own.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, cast
 
@@ -20,12 +20,13 @@ from raybundle.block import Block, Camera, Observations
 from raybundle.block.rejection import Rejection, RejectionKind
 from raybundle.block.select import with_rows, without_images
 from raybundle.errors import NotSolvable
-from raybundle.matching.refine import NEIGHBOURS_FROM, Candidates, TrackPoints, match_candidates, refine_tracks
+from raybundle.matching.refine import NEIGHBOURS_FROM, Candidates, Levels, TrackPoints, match_candidates, refine_tracks
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.orientation.cleaning import clean
 from raybundle.orientation.rays import intersect_linear
 from raybundle.platforms.station import sensor_from_object
+from raybundle.workflows.match_weights import Weights, estimate_weights
 from raybundle.workflows.tie_block import (
     FEATURE_SIGMA_PX,
     TieBlock,
@@ -45,36 +46,6 @@ SURROUNDINGS = 0.03
 MARGIN_PX = 20.0
 FEWEST_HELD = 6
 """Points that hold an image which the start has oriented: as many redundant coordinates as unknowns."""
-MOST_FEATURE_PX = 5.0
-"""Largest standard deviation that the residuals can give a feature: verification leaves none beyond 6 px."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Weights:
-    """Variance of a least-squares match: factor * (covariance from grey values) + floor; of references; of features."""
-
-    factor: float = 9.0
-    floor_px2: float = 0.03**2
-    reference_px2: float = 0.1**2
-    feature_px2: float = FEATURE_SIGMA_PX**2
-
-    @classmethod
-    def of(cls, values: Array) -> Weights:
-        """The weights that `array` gave."""
-        return cls(**dict(zip(cls.__slots__, values.tolist(), strict=True)))
-
-    def array(self) -> Array:
-        """The values, to be stored."""
-        return np.array([getattr(self, name) for name in type(self).__slots__])
-
-    def covariance(self, grey: Array, reference: Mask, feature: Mask | None = None) -> Array:
-        """(m, 3) variances and covariances [px^2]."""
-        cov = self.factor * grey
-        cov[:, :2] += self.floor_px2
-        cov[reference] = self.reference_px2, self.reference_px2, 0.0
-        if feature is not None:
-            cov[feature] = self.feature_px2, self.feature_px2, 0.0
-        return cov
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -114,6 +85,7 @@ class _Work:
     spare: _Spare
     block: Block
     grey: Array
+    level: Index
     reference: Mask
     feature: Mask
     weights: Weights
@@ -132,13 +104,13 @@ class _Work:
 
     def weighted(self) -> Block:
         """The block with the covariances of its present weights."""
-        cov = self.weights.covariance(self.grey.copy(), self.reference, self.feature)
+        cov = self.weights.covariance(self.grey, self.level, self.reference, self.feature)
         return replace(self.block, observations=replace(self.block.observations, cov_px2=cov))
 
 
 def refine(
     tie: TieBlock,
-    image: Callable[[int], Array],
+    image: Levels,
     threads: int,
     progress: Progress = silent,
 ) -> PreciseBlock:
@@ -158,7 +130,7 @@ def refine(
             image=o.image[left], point=o.point[left], xy_px=o.xy_px[left], scale_px=tie.scale_px[left],
             angle=tie.angle[left],
         ),
-        block=block, grey=found.cov_px2[keep], reference=found.reference[keep],
+        block=block, grey=found.cov_px2[keep], level=found.level[keep], reference=found.reference[keep],
         feature=np.zeros(len(block.observations), bool), weights=Weights(),
         rejected=np.zeros(len(block.observations), bool), scale_px=tie.scale_px[keep],
         angle=tie.angle[keep],
@@ -238,6 +210,7 @@ def _append(work: _Work, fresh: Index, rows: Index, at: Index) -> None:
     )
     work.block = replace(block, points=points, observations=observations)
     work.grey = np.vstack([work.grey, np.zeros((k, 3))])
+    work.level = np.concatenate([work.level, np.zeros(k, int)])
     work.reference = np.concatenate([work.reference, np.zeros(k, bool)])
     work.feature = np.concatenate([work.feature, np.ones(k, bool)])
     work.rejected = np.concatenate([work.rejected, np.zeros(k, bool)])
@@ -281,7 +254,7 @@ def _settle(work: _Work, options: AdjustmentOptions, first: float) -> Adjustment
                 continue
             return None  # the final adjustment has more ways out; the weights stay as they are
         work.block = as_start(cleaned.block, result.adjusted)
-        work.weights = estimate_weights(result, work.grey, work.reference, work.weights, work.feature)
+        work.weights = estimate_weights(result, work.grey, work.level, work.reference, work.weights, work.feature)
         return result
 
 
@@ -321,7 +294,7 @@ def _with_partners(block: Block, keep: Mask) -> Mask:
     return keep & (rays[block.observations.point] > 1)
 
 
-def _complete(work: _Work, image: Callable[[int], Array], threads: int, progress: Progress) -> int:
+def _complete(work: _Work, image: Levels, threads: int, progress: Progress) -> int:
     """Measure points in images that should see them and where no feature was found; the number of rays gained."""
     block, o = work.block, work.block.observations
     used = ~work.rejected
@@ -349,6 +322,7 @@ def _complete(work: _Work, image: Callable[[int], Array], threads: int, progress
         ),
     )
     work.grey = np.vstack([work.grey[old], found.cov_px2[good]])
+    work.level = np.concatenate([work.level[old], found.level[good]])
     work.reference = np.concatenate([work.reference[old], np.zeros(n, bool)])
     work.feature = np.concatenate([work.feature[old], np.zeros(n, bool)])
     work.rejected = np.concatenate([work.rejected[old], np.zeros(n, bool)])
@@ -436,45 +410,3 @@ def _roughly_seen(block: Block, image: int, xyz: Array) -> Mask:
     P = (xyz - block.images.centre[image]) @ block.images.rotation[image].T
     c = cast("SceneSensor", camera.sensor).camera_constant(camera.parameters)
     return (np.abs(c * P[:, :2] / -P[:, 2:]) < 0.6 * camera.size_mm).all(axis=1)
-
-
-def estimate_weights(
-    result: Adjustment, grey: Array, reference: Mask, before: Weights, feature: Mask | None = None, classes: int = 10
-) -> Weights:
-    """Variance components by the precision that the grey values promise.
-
-    In classes of equal number, sum v^2 / sum r estimates the variance of an image coordinate (Förstner 1979); a line
-    through the classes gives factor and floor.  References and features are classes of their own.
-    """
-    other = np.zeros(len(reference), bool) if feature is None else feature
-    s = result.image_observations
-    used = s.used
-    v2 = (s.residuals_px**2).sum(axis=1)
-    r = np.nan_to_num(s.redundancy.sum(axis=1))
-    mean = (grey[:, 0] + grey[:, 1]) / 2
-    good = used & ~reference & ~other & (r > 0.2)
-    mine = used & other & (r > 0.2)
-    features = before.feature_px2
-    if mine.sum() > 20:
-        features = float(np.clip(v2[mine].sum() / r[mine].sum(), 0.02**2, MOST_FEATURE_PX**2))
-    if good.sum() < 20 * classes:
-        return replace(before, feature_px2=features)
-    edges = np.quantile(mean[good], np.linspace(0, 1, classes + 1))
-    label = np.clip(np.searchsorted(edges, mean, side="right") - 1, 0, classes - 1)
-    full = [k for k in range(classes) if (good & (label == k)).any()]  # equal values share a class
-    x, y = np.empty(len(full)), np.empty(len(full))
-    for i, k in enumerate(full):
-        mine = good & (label == k)
-        x[i], y[i] = mean[mine].mean(), v2[mine].sum() / max(r[mine].sum(), 1e-9)
-    A = np.stack([x, np.ones(len(full))], axis=1) / y[:, None]
-    factor, floor = np.linalg.lstsq(A, np.ones(len(full)), rcond=None)[0]
-    if floor < 0:
-        factor, floor = 1 / float(np.mean(x / y)), 0.0
-    if factor < 0:
-        factor, floor = 0.0, float(y.mean())
-    mine = used & reference & (r > 0.2)
-    own = v2[mine].sum() / r[mine].sum() if mine.sum() > 20 else before.reference_px2
-    return Weights(
-        factor=float(factor), floor_px2=max(float(floor), 0.01**2), reference_px2=float(np.clip(own, 0.02**2, 1.0)),
-        feature_px2=features,
-    )  # fmt: skip

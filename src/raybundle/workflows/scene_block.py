@@ -20,6 +20,7 @@ from raybundle.errors import NoOrientation
 from raybundle.io.block_arrays import arrays_of_block, block_of_arrays
 from raybundle.io.block_scenes import with_views
 from raybundle.io.project import Project, Stage, key_of
+from raybundle.matching.refine import LEVELS, halved
 from raybundle.matching.tracks import Tracks, tracks_of
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.places import Local
@@ -42,8 +43,10 @@ from raybundle.workflows.tie_points import FeatureStore
 if TYPE_CHECKING:
     from raybundle.io.photos.photo import Photo
 
-START, PRECISION = 1, 3
+START, PRECISION = 1, 4
 """Versions of the results."""
+STRIP, STRIP_EDGE = 2048, 16
+"""Rows of a pyramid's level that are made at once, and how far strips overlap [px]."""
 FEWEST_POINTS = 6
 """Tie points below which a scene does not hang together with the others."""
 
@@ -206,8 +209,8 @@ def refine_scenes(
     if kept is None:
         stage.from_cache = False
         with tempfile.TemporaryDirectory(prefix=".pixels-", dir=_scratch(project)) as folder:
-            held = [_smoothed_file(s, Path(folder) / f"{k}") for k, s in enumerate(scenes.images)]
-            precise = refine(tie, held.__getitem__, jobs, progress)
+            held = [_smoothed_files(s, Path(folder) / f"{k}") for k, s in enumerate(scenes.images)]
+            precise = refine(tie, lambda i, level: held[i][level], jobs, progress)
             held.clear()
         kept = {
             **arrays_of_block(_plain(weighed(precise.block, jobs))),
@@ -227,13 +230,34 @@ def _scratch(project: Project) -> Path:
     return folder
 
 
-def _smoothed_file(image: SceneImage, path: Path) -> Array:
-    """The smoothed scene in a file that is mapped into memory: only what is looked at is read."""
+def _smoothed_files(image: SceneImage, path: Path) -> tuple[Array, ...]:
+    """The smoothed scene and its pyramid in files that are mapped into memory: only what is looked at is read."""
     target: Any = np.memmap(path, np.uint16, "w+", shape=(image.height_px, image.width_px))
     ScenePixels(image).smooth(target)
+    levels = [_as_read(target, path)]
+    while len(levels) < LEVELS:
+        file = path.with_name(f"{path.name}-{len(levels)}")
+        levels.append(_halved_file(levels[-1], file))
+    return tuple(levels)
+
+
+def _halved_file(fine: Array, path: Path) -> Array:
+    """The next level of a pyramid, in strips."""
+    shape = fine.shape[0] // 2, fine.shape[1] // 2
+    if min(shape) == 0:
+        return np.zeros(shape, np.uint16)
+    target: Any = np.memmap(path, np.uint16, "w+", shape=shape)
+    for y in range(0, shape[0], STRIP):
+        top, end = max(y - STRIP_EDGE, 0), min(y + STRIP, shape[0])
+        part = halved(np.asarray(fine[2 * top : 2 * (end + STRIP_EDGE)]))
+        target[y:end] = part[y - top : end - top]
+    return _as_read(target, path)
+
+
+def _as_read(target: Any, path: Path) -> Array:
+    """The same file, to be read only."""
     target.flush()
-    del target
-    return np.memmap(path, np.uint16, "r", shape=(image.height_px, image.width_px))
+    return np.memmap(path, np.uint16, "r", shape=target.shape)
 
 
 def joined(scenes: Block, photographs: Block | None) -> Block:
