@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -123,7 +124,8 @@ def _least(cost: Callable[[float], float], ends: tuple[float, float]) -> float:
     """Where a function is least between two ends."""
     from scipy.optimize import minimize_scalar  # noqa: PLC0415
 
-    return float(minimize_scalar(cost, bounds=ends, method="bounded", options={"xatol": 0.1}).x)
+    found: Any = minimize_scalar(cost, bounds=ends, method="bounded", options={"xatol": 0.1})
+    return float(found.x)
 
 
 def _sigma(apart: Callable[[float], Array], side: float, near: Array, redundancy: int, mark_px: float) -> float:
