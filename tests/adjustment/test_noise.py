@@ -167,11 +167,9 @@ def dense(name):
         f[2 * k : 2 * k + 2, 10 * i : 10 * i + 10] = W @ F
     J = S @ Q @ A.T @ f
     each = np.kron(np.eye(len(block.images)), NOISE.tau_square * np.eye(10) + NOISE.focus_square * FOCUS)
-    own = np.zeros_like(N)
-    seen = keep & (np.arange(len(N)) >= n)
-    own[np.ix_(seen, seen)] = np.linalg.inv(N[np.ix_(seen, seen)])
-    K = (Q - own) @ A[2 * m :].T  # what observations outside the images bring: the floor leaves it alone
-    floor = Q - own - K @ K.T
+    rays = A[: 2 * m].T @ A[: 2 * m]  # the floor is that of image points, as the cameras see them
+    reduced = rays[:n, :n] - rays[:n, n:] @ np.linalg.pinv(rays[n:, n:], hermitian=True) @ rays[n:, :n]
+    floor = Q[:, :n] @ reduced @ Q[:n]
     return S @ (Q + (PHI - 1) * floor) @ S.T + J @ each @ J.T, n
 
 
@@ -277,6 +275,25 @@ def test_standard_deviations_are_wider_and_those_of_white_noise_stand_beside():
     unit /= np.linalg.norm(unit)
     variance = unit @ (C[0][0] + C[1][1] - C[0][1] - C[1][0]) @ unit
     assert bar.adjusted_std[0] == pytest.approx(np.sqrt(variance), rel=1e-6)
+
+
+def test_a_length_that_one_bar_fixes_keeps_the_standard_deviation_of_the_bar():
+    block, options = CASES["bars"]
+    one = replace(block, distances=replace(
+        block.distances, start=block.distances.start[:1], end=block.distances.end[:1],
+        length=block.distances.length[:1], sigma=block.distances.sigma[:1],
+    ))  # fmt: skip
+    w = adjust_block(with_fields(one, 0.3), options).work
+    spread = spread_of(field_system(w.normals, w.state), w.found, 30.0, NOISE.root(1.0))
+    result = adjust_block(with_fields(one, 0.3), options)
+    found = spread_in_datum(spread, w.found, w.datum)
+    result = replace(result, work=replace(w, under_noise=found, spread=spread))
+    start, end = (int(e[0]) for e in (one.distances.start, one.distances.end))
+    a, b = (f"point:{one.points.ids[k]}" for k in (start, end))
+    aa, ab, bb = (covariance_between(result, *pair) / result.sigma0**2 for pair in ((a, a), (a, b), (b, b)))
+    along = result.adjusted.points.xyz[end] - result.adjusted.points.xyz[start]
+    along /= np.linalg.norm(along)
+    assert np.sqrt(along @ (aa - ab - ab.T + bb) @ along) == pytest.approx(one.distances.sigma[0], rel=1e-6)
 
 
 def test_what_can_be_estimated_has_one_covariance_in_every_datum():

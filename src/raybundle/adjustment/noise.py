@@ -1,11 +1,15 @@
 """Covariances under the noise of real photographs: the one place where floor and fields meet the cofactors.
 
-C = s0^2 (Q + (phi - 1) (Q - Own - K K')) + J cov(fields) J', with Q the cofactors of least squares and J = Q U the
-influence of the fields on every unknown.  The floor is that of image points as cameras see them: Own, what the points'
-own rays bring when the cameras are known, is not inflated (the noise of one point's rays is not that of another's), nor
-is what observations E outside the images bring, K = (Q - Own) E'.  Own is taken where the cameras carry the datum; an
-S-transformation (Baarda 1973) then brings all to the datum of the result, so that what can be estimated at all does not
-depend on it.  Everything here is in units of s0^2, as the cofactors of white noise are.
+C = s0^2 (Q + (phi - 1) Q_c S Q_c') + J cov(fields) J', with Q the cofactors of least squares, Q_c their columns of the
+cameras, S the normal matrix of the image points when object points are eliminated, and J = Q U the influence of the
+fields on every unknown.  The floor is that of image points as cameras see them: what the points' own rays bring is not
+inflated (the noise of one point's rays is not that of another's), nor is what observations outside the images bring; a
+length that a scale bar alone fixes keeps the standard deviation of the bar.
+
+With K = Q E' of the whitened rows E outside the images, Own the inverse normal matrices of the points by their rays
+alone, and G = Own E', the middle is Q_c S Q_c' = Q - K K' - (I - K E) Own (I - K E)'.  Own is taken where the cameras
+carry the datum; an S-transformation (Baarda 1973) then brings all to the datum of the result, so that what can be
+estimated at all does not depend on it.  Everything here is in units of s0^2, as the cofactors of white noise are.
 """
 
 from __future__ import annotations
@@ -15,7 +19,7 @@ from typing import Any
 
 import numpy as np
 
-from raybundle.adjustment.assemble import State
+from raybundle.adjustment.assemble import State, System
 from raybundle.adjustment.datum import Datum, Transformation, node_generators, point_generators, transformation
 from raybundle.adjustment.field_system import (
     FieldSystem,
@@ -86,7 +90,7 @@ class Spread:
     basis: Any
     """(10 f, r) sparse: a square root of the covariance of the fields' coefficients, in units of s0^2"""
     own: Array
-    """(p, 3, 3) V_p^-1 of eliminated points, the cameras known; nothing held for the datum"""
+    """(p, 3, 3) V_p^-1 of eliminated points by their rays, the cameras known; nothing held for the datum"""
     own_nodes: Any
     """(N, N) sparse: the same of retained points, in the places of their unknowns"""
     outside: Outside | None
@@ -110,19 +114,20 @@ class Spread:
         moved_n, moved_p = self.moved(n, points)
         if self.phi == 1:
             return n + moved_n, p + moved_p
-        own_n, own_p = self.own_solve(nodes, points)
-        floor_n, floor_p = n - own_n, p - own_p
-        if self.outside is not None:
-            told = self.outside.told(floor_n, floor_p)
-            k_n, k_p = self.behind(*self.outside.right(told, p.shape))
-            floor_n, floor_p = floor_n - k_n, floor_p - k_p
+        floor_n, floor_p = self.floor(nodes, points, n, p)
         return n + (self.phi - 1) * floor_n + moved_n, p + (self.phi - 1) * floor_p + moved_p
 
-    def behind(self, nodes: Array, points: Array) -> tuple[Array, Array]:
-        """Q - Own applied to right sides: what cameras make of them."""
-        n, p = self.fields.base.solve(self.fields.state, nodes, points)
-        own_n, own_p = self.own_solve(nodes, points)
-        return n - own_n, p - own_p
+    def floor(self, nodes: Array, points: Array, n: Array, p: Array) -> tuple[Array, Array]:
+        """Q_c S Q_c' applied to right sides, of which Q makes n and p."""
+        if self.outside is None:
+            own_n, own_p = self.own_solve(nodes, points)
+            return n - own_n, p - own_p
+        told = self.outside.told(n, p)
+        taken_n, taken_p = self.outside.right(told, p.shape)
+        own_n, own_p = self.own_solve(nodes - taken_n, points - taken_p)
+        told = told - self.outside.told(own_n, own_p)
+        k_n, k_p = self.fields.base.solve(self.fields.state, *self.outside.right(told, p.shape))
+        return n - own_n - k_n, p - own_p - k_p
 
     def moved(self, nodes: Array, given: Array) -> tuple[Array, Array]:
         """The fields' part applied to right sides, of which `Normals.solve` made these nodes."""
@@ -279,14 +284,36 @@ def _outside(fields: FieldSystem) -> Outside | None:
 
 
 def _from_outside(spread: Spread, outside: Outside, row: Array, column: Array) -> tuple[Array, Array]:
-    """K K' of the nodes at the entries of the normal matrix, and of the points (p, 3, 3)."""
+    """Q - Own - Q_c S Q_c' of the nodes at the entries of the normal matrix, and of the points (p, 3, 3).
+
+    (K - G) (K - G)' - G G' + K E G K', the last with a root of E G, which is that of rows on points alone.
+    """
     count, p = outside.nodes.shape[1], len(spread.own)
     nodes, points = np.zeros(len(row)), np.zeros((p, 3, 3))
+    both = np.zeros((count, count))
+
+    def add(n: Array, moved: Array, sign: float = 1.0) -> None:
+        nonlocal nodes, points
+        nodes += sign * np.einsum("ek,ek->e", n[row], n[column])
+        points += sign * (moved @ np.swapaxes(moved, 1, 2))
+
+    def solved(told: Array) -> tuple[Array, Array]:
+        return spread.fields.base.solve(spread.fields.state, *outside.right(told, (p, 3, told.shape[1])))
+
     for first in range(0, count, 16):
         told = np.eye(count)[:, first : first + 16]
-        n, moved = spread.behind(*outside.right(told, (p, 3, told.shape[1])))
-        nodes += np.einsum("ek,ek->e", n[row], n[column])
-        points += moved @ np.swapaxes(moved, 1, 2)
+        own_n, own_p = spread.own_solve(*outside.right(told, (p, 3, told.shape[1])))
+        n, moved = solved(told)
+        add(n - own_n, moved - own_p)
+        add(own_n, own_p, -1.0)
+        both[:, first : first + 16] = outside.told(own_n, own_p)
+    touching = np.flatnonzero(np.abs(both).sum(axis=0) > 0)
+    if len(touching):
+        values, vectors = np.linalg.eigh(both[np.ix_(touching, touching)])
+        root = np.zeros((count, len(touching)))
+        root[touching] = vectors * np.sqrt(np.maximum(values, 0.0))
+        for first in range(0, len(touching), 16):
+            add(*solved(np.ascontiguousarray(root[:, first : first + 16])))
     return nodes, points
 
 
@@ -390,7 +417,8 @@ def _of_rays(normals: Normals, state: State) -> Array:
 def _own(fields: FieldSystem) -> tuple[Array, Any]:
     """What the points' own rays bring, the cameras known: (p, 3, 3) eliminated, (N, N) sparse retained.
 
-    Nothing is held but control, so that it is the same in every datum that cameras carry.
+    Nothing is held but control, so that it is the same in every datum that cameras carry; what control, distances and
+    other observations outside the images bring to the points is not theirs.
     """
     from scipy.sparse import csr_matrix  # noqa: PLC0415
 
@@ -408,17 +436,42 @@ def _own(fields: FieldSystem) -> tuple[Array, Any]:
             right, diagonal = normals.right.copy(), normals.diagonal.copy()
             normals.reduce(state)
             at = (system.offsets[system.point_node[kept]][:, None] + np.arange(3)).ravel()
-            block = _inverse(sparse_normals(normals)[at][:, at].toarray())
+            whole = sparse_normals(normals)[at][:, at].toarray() - _of_extra(fields, at)
+            normals.values[:], normals.right[:], normals.diagonal[:] = factor, right, diagonal
+            block = np.zeros_like(whole)
+            for k in range(0, len(at), 3):  # rays tie no two points
+                mine = slice(k, k + 3)
+                block[mine, mine] = _inverse(whole[mine, mine])
             free = ~system.control_held[kept].ravel()
             block *= np.outer(free, free)
-            normals.values[:], normals.right[:], normals.diagonal[:] = factor, right, diagonal
             r, c = np.meshgrid(at, at, indexing="ij")
             nodes = csr_matrix((block.ravel(), (r.ravel(), c.ravel())), shape=(N, N))
     finally:
         system.held = held
         normals.solver.set_held(held_bits(held))
     own[system.point_node >= 0] = 0
+    _without_priors(own, system)
     return own, nodes
+
+
+def _of_extra(fields: FieldSystem, at: Array) -> Array:
+    """The part of the normal matrix at these unknowns that observations outside the images make."""
+    from scipy.sparse import coo_matrix  # noqa: PLC0415
+
+    extra = fields.base.extra(fields.state)
+    shape = (len(extra.residual), int(fields.base.system.offsets[-1]))
+    rows = coo_matrix((extra.value, (extra.row, extra.unknown)), shape=shape).tocsr()[:, at]
+    return (rows.T @ rows).toarray()
+
+
+def _without_priors(own: Array, system: System) -> None:
+    """Take from the cofactors of eliminated points (p, 3, 3) what their given coordinates bring, in place."""
+    prior = system.prior & (system.point_node < 0)[:, None]
+    for p in np.flatnonzero(prior.any(axis=1)):
+        free = np.flatnonzero(~system.control_held[p])
+        at = np.ix_(free, free)
+        weight = np.where(prior[p, free], 1 / system.block.points.sigma[p, free] ** 2, 0.0)
+        own[p][at] = _inverse(_inverse(own[p][at]) - np.diag(weight))
 
 
 def _inverse(N: Array) -> Array:
