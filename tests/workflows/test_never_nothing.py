@@ -1,16 +1,19 @@
 """What the start has oriented ends as a result: features where matching fails, images left out by name."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
+from raybundle.adjustment.severity import Severity
+from raybundle.block import Role
 from raybundle.block.select import with_rows
 from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 from raybundle.errors import NotSolvable
 from raybundle.matching.refine import LEVELS, CandidateMatches, Refined, choose_references
 from raybundle.numerics.progress import silent
-from raybundle.workflows import precise
+from raybundle.workflows import final, precise
 from raybundle.workflows.final import _with_block, final_adjustment, left_out
 from raybundle.workflows.georeference import Georeferenced
 from raybundle.workflows.orient import _adjusted
@@ -176,3 +179,27 @@ def test_points_that_keep_one_ray_leave_with_the_images_that_saw_them():
     rows[np.flatnonzero(o.point == o.point[0])[1:]] = False
     less = _with_block(placed(whole), with_rows(whole, rows)).block
     assert np.bincount(less.observations.point, minlength=len(less.points)).min() >= 2
+
+
+def test_control_with_which_nothing_can_be_adjusted_leaves_before_any_photograph(monkeypatch):
+    whole, _ = features()
+    p = whole.points
+    role, sigma = np.array(p.role), np.array(p.sigma)
+    role[:4], sigma[:4] = Role.CONTROL, 0.01
+    block = replace(whole, points=replace(p, role=role, sigma=sigma))
+
+    def decided(block, *rest):
+        if block.points.is_control.any():
+            raise NotSolvable("nothing fits")
+        return decide(block, *rest)
+
+    decide = final._decided
+    monkeypatch.setattr(final, "_decided", decided)
+    result = final_adjustment(placed(block), (), 1, silent, ())
+    assert result.adjusted.images.oriented.all()
+    (notice,) = [n for n in result.notices if n.code == "control_left_out"]
+    assert set(notice.ids) == set(p.ids[:4])
+    assert notice.severity is Severity.FAULT
+    assert not left_out(result, ())
+    assert not result.given.points.is_control.any()
+    assert result.given.cameras[0].estimate == block.cameras[0].estimate

@@ -19,8 +19,8 @@ class Severity(StrEnum):
 
 _CODES = {
     Severity.FAULT: (
-        "redundancy_sum no_redundancy not_determinable control_rejected behind_camera snooping_unfinished "
-        "control_suspect distance_suspect station_suspect attitude_suspect parameter_suspect relation_suspect "
+        "redundancy_sum no_redundancy not_determinable control_left_out control_rejected behind_camera "
+        "snooping_unfinished control_suspect distance_suspect station_suspect attitude_suspect parameter_suspect relation_suspect "
         "group_less_precise weak_convergence attitudes_contradict"
     ),
     Severity.CAUTION: (

@@ -11,10 +11,11 @@ from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions, NoiseModel, noise_of_photographs
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.structure import structure_notice
-from raybundle.block import Block
+from raybundle.block import Block, Distances, Role
 from raybundle.block.select import with_rows, without_images
 from raybundle.errors import NoConvergence, NotSolvable
 from raybundle.io.photos.cameras import CameraGroup
+from raybundle.numerics.arrays import Mask
 from raybundle.numerics.progress import Progress
 from raybundle.workflows.georeference import Georeferenced, rejected_marks
 from raybundle.workflows.parts import Part
@@ -70,15 +71,16 @@ def _held(
 ) -> tuple[Georeferenced, Adjustment]:
     """The adjustment of what can be adjusted: what it names as not determined leaves, and is told.
 
-    First images and points that are named, then the cameras' freedom, then the image with the fewest points: a defect
-    ends the run only where it would leave fewer than two images.
+    First images and points that are named, then the cameras' freedom, then control, with everything else as it was,
+    then the image with the fewest points: a defect ends the run only where it would leave fewer than two images.
     """
+    whole = placed
     while True:
         try:
             return placed, _decided(placed.block, options, progress, (*notices, *placed.notices))
         except NotSolvable as error:
             less = _without_images(placed, error) or _without_points(placed, error) or _with_held_cameras(placed)
-            less = less or _without_smallest(placed)
+            less = less or _without_control(placed, whole, error) or _without_smallest(placed)
             if less is None or not len(less[0].block.observations):
                 raise
             placed, told = less
@@ -142,6 +144,32 @@ def _with_held_cameras(placed: Georeferenced) -> Relieved:
     )
     notice = Notice(code="held_not_determinable", message=message, ids=tuple(free))
     return replace(placed, block=replace(placed.block, cameras=cameras)), [notice]
+
+
+def _without_control(placed: Georeferenced, whole: Georeferenced, error: NotSolvable) -> Relieved:
+    """The whole block without control and its marks, where the block still has some: they may be what contradicts."""
+    block = placed.block
+    if not np.asarray(block.points.is_control).any() or not _tie_rows(whole.block).any():
+        return None
+    p, rows = whole.block.points, _tie_rows(whole.block)
+    names = [n for n, c in zip(p.ids, np.asarray(p.is_control).any(axis=1), strict=True) if c]
+    role, sigma = np.array(p.role), np.array(p.sigma)
+    control = np.asarray(p.is_control).any(axis=1)
+    role[control], sigma[control] = Role.TIE, np.nan
+    d = whole.block.distances
+    free = ~(control[d.start] | control[d.end])
+    bars = Distances(start=d.start[free], end=d.end[free], length=d.length[free], sigma=d.sigma[free])
+    left = with_rows(replace(whole.block, points=replace(p, role=role, sigma=sigma), distances=bars), rows)
+    message = (
+        f"control is left out ({', '.join(names[:8])}{' ...' * (len(names) > 8)}): with it nothing could be adjusted "
+        f"({error.headline}). Position, orientation and scale are those to which the start brought the block; look at "
+        "coordinates, names and measurements of the control"
+    )
+    return _with_block(whole, left), [Notice(code="control_left_out", message=message, ids=tuple(names))]
+
+
+def _tie_rows(block: Block) -> Mask:
+    return ~np.asarray(block.points.is_control).any(axis=1)[block.observations.point]
 
 
 def _without_smallest(placed: Georeferenced) -> Relieved:
