@@ -78,7 +78,11 @@ class Placing:
 
 
 def add_points(state: Placing, photos: Sequence[Photo], given: Given, frame: LocalFrame | None) -> None:
-    """Control and check points with their image measurements."""
+    """Control, check and merely measured points with their image measurements.
+
+    A measured point of which nothing is asked to be used (role tie) is control without a given coordinate until the
+    block is placed: so every step knows that it was marked, by its role; `without_empty_control` ends that.
+    """
     images = {p.name: i for i, p in enumerate(photos)}
     block = state.block
     ids, xyz, sigma, role = list[str](), list[Array](), list[Array](), list[int]()
@@ -88,10 +92,12 @@ def add_points(state: Placing, photos: Sequence[Photo], given: Given, frame: Loc
         for k, name in enumerate(c.ids):
             if name in ids:
                 raise InputError(f"point {name} is given twice", file=c.path)
+            tie = int(c.role[k]) == Role.TIE
+            place = np.full(3, np.nan) if tie else local[k]
             ids.append(name)
-            xyz.append(local[k])
-            sigma.append(np.where(np.isfinite(local[k]), c.sigma[k], np.nan))
-            role.append(int(c.role[k]))
+            xyz.append(place)
+            sigma.append(np.where(np.isfinite(place), c.sigma[k], np.nan))
+            role.append(int(Role.CONTROL if tie else c.role[k]))
         unknown: dict[str, int] = {}
         for name, k, at, line in zip(
             c.measurements.image, c.measurements.point, c.measurements.xy_px, c.measurements.line, strict=True
@@ -139,6 +145,13 @@ def add_points(state: Placing, photos: Sequence[Photo], given: Given, frame: Loc
             sigma=np.vstack([p.sigma, np.array(sigma)]),
         ),
     )
+
+
+def without_empty_control(block: Block) -> Block:
+    """Points that were marked and of which nothing is given are tie points: measured by hand, that is all."""
+    role = np.array(block.points.role)
+    role[(role == Role.CONTROL) & ~block.points.is_control.any(axis=1)] = Role.TIE
+    return replace(block, points=replace(block.points, role=role))
 
 
 def drop_single_marks(state: Placing) -> None:
