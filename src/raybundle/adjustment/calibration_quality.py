@@ -14,7 +14,9 @@ import numpy as np
 from raybundle.adjustment.calibration import projection_shifts
 from raybundle.adjustment.cross_validation import CrossValidation, cross_validation
 from raybundle.adjustment.next_photographs import Proposal, next_photographs
+from raybundle.adjustment.pixel_shape import UNTOLD
 from raybundle.adjustment.result import Adjustment, InteriorResult
+from raybundle.adjustment.severity import Severity
 from raybundle.adjustment.structure import (
     RepeatedResiduals,
     ResidualStructure,
@@ -36,7 +38,7 @@ REACH = 0.85
 COVERED = 0.7
 """Share of the format's cells (10 x 10) that image points must cover."""
 FEW_PHOTOGRAPHS = 6
-UNSTEADY = frozenset({"unstable_camera", "shear"})
+UNSTEADY = frozenset({"unstable_camera", "pixel_shape"})
 """Notices that speak against a calibration."""
 GOOD_PX, USABLE_PX = 0.1, 0.3
 """Largest error of projection over the format, at infinity, of a good and a usable calibration: targets are measured to
@@ -45,8 +47,6 @@ what single points scatter by."""
 SURE, LIKELY = 0.95, 0.5
 """A calibration is called good where its largest error is below GOOD_PX with this probability: whoever holds it must be
 able to rely on it.  Below USABLE_PX it need only be more likely than not: it is a start, or for small things."""
-UNTOLD = 0.01
-"""Median uncertainty of projection, in half diagonals of the format, from which on nothing is told."""
 TILT_SPREAD = np.radians(20)
 
 
@@ -125,12 +125,14 @@ def calibration_quality(
     )  # fmt: skip
     kinds = {p.symbol: p.kind for p in adjusted.sensor.parameters}
     vital = tuple(s for s in lacking if kinds[s] in {"scale", "principal point"})
-    if not vital and error.typical > UNTOLD * float(np.hypot(adjusted.width_px, adjusted.height_px)) / 2:
+    doubtful = [n for n in result.notices if n.code in UNSTEADY and camera in n.ids]
+    nonsense = any(n.severity is Severity.FAULT for n in doubtful)
+    if not vital and (nonsense or error.typical > UNTOLD * float(np.hypot(adjusted.width_px, adjusted.height_px)) / 2):
         vital = ("the interior orientation as a whole",)
     grade = _grade(vital, error, reach, validation)
     if lacking and grade == "good":
         grade = "usable"
-    unsteady = [n.reason for n in result.notices if n.code in UNSTEADY and camera in n.ids]
+    unsteady = [n.reason for n in doubtful]
     reasons = [*unsteady, *reasons]
     if unsteady and grade == "good":
         grade = "usable"

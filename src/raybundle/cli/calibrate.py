@@ -58,7 +58,7 @@ MOST_PARAMETERS = 16
     help="Distance of neighbouring points of a board; the calibration does not depend on it.",
 )  # fmt: skip
 @click.option("--dots", is_flag=True, help="Use dots without a code among the targets, too.")
-@click.option("--shear", is_flag=True, help="Estimate the shear of the pixel grid, too: for scanned pictures.")
+@click.option("--shear", is_flag=True, help="Believe any shear and affinity of the pixels: for scanned pictures.")
 @click.option("--keep", is_flag=True, help="Keep a good calibration in the camera library, where orient finds it.")
 @click.option("--jobs", type=click.IntRange(0), default=0, show_default=True, help="0: all processors.")
 @noise_option

@@ -94,9 +94,7 @@ def grid_over(extent: Array, pixel: float) -> Grid:
     return Grid(left=left, top=top, pixel=pixel, width=width, height=height)
 
 
-def plane_of(
-    block: Block, names: Sequence[str] = (), *, horizontal: bool = False, sigma: Array | None = None
-) -> Plane:
+def plane_of(block: Block, names: Sequence[str] = (), *, horizontal: bool = False, sigma: Array | None = None) -> Plane:
     """The plane through these object points, or the one that most points lie in; horizontal: at their median height.
 
     sigma  (p, 3) standard deviations of the object points; a point lies in a plane within what they allow, or within
