@@ -174,6 +174,15 @@ def test_a_scale_bar_gives_the_scale(flight):
         georeference(flight.free, flight.photos, Given(control=(nothing,), scale_bars=(replace(bar, end="Q"),)))
 
 
+@pytest.mark.parametrize(
+    ("length", "sigma", "words"),
+    [(-24.0, 0.01, "length of -24 m is no distance"), (0.0, 0.01, "is no distance"), (24.0, -0.01, "must be above 0")],
+)
+def test_a_bar_that_is_no_distance_is_refused_in_words_of_its_own(length, sigma, words):
+    with pytest.raises(InputError, match=f"scale bar A - B: .*{words}"):
+        ScaleBar(start="A", end="B", length=length, sigma=sigma)
+
+
 def measured_only(flight, marks=None):
     """The six points with the role tie: marked, and nothing given."""
     file = control(flight, np.full_like(flight.xyz, np.nan), marks)

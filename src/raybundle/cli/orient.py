@@ -80,7 +80,8 @@ class StageName(_Choice):
     type=(str, str, float, float),
     multiple=True,
     metavar="A B LENGTH SIGMA",
-    help="A known distance between two points that --control measures.",
+    help="A known distance between two points that --control measures, and its standard deviation, both in metres; may "
+    "be repeated.",
 )
 @click.option(
     "--positions", type=FOLDER, metavar="FILE",

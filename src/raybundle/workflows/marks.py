@@ -29,12 +29,23 @@ GROSS = 30.0
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ScaleBar:
-    """A distance between two measured points."""
+    """A distance between two measured points; InputError unless its length and its sigma are positive."""
 
     start: str
     end: str
     length: float
+    """[m]"""
     sigma: float
+    """[m]"""
+
+    def __post_init__(self) -> None:
+        name = f"scale bar {self.start} - {self.end}"
+        if not (np.isfinite(self.length) and self.length > 0):
+            raise InputError(f"{name}: the length of {self.length:g} m is no distance; give it in metres, above 0")
+        if not (np.isfinite(self.sigma) and self.sigma > 0):
+            raise InputError(f"{name}: the standard deviation of {self.sigma:g} m must be above 0 (metres)")
+        if self.start == self.end:
+            raise InputError(f"{name}: both ends are the same point")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
