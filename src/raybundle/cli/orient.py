@@ -50,7 +50,7 @@ class StageName(_Choice):
     "separate",
     multiple=True,
     metavar="PATTERN",
-    help="Photographs whose names match, as 'left_*', are a camera apart; for those without metadata.",
+    help="Photographs whose names match, as 'left_*' or 'a.jpg|b.jpg', are a camera apart; for those without metadata.",
 )
 @click.option("--no-library", is_flag=True, help="Leave calibrations of the camera library out.")
 @click.option(
