@@ -1,6 +1,8 @@
 """`raybundle convert`: between block and result folders and foreign formats, with what was assumed printed."""
 
 import json
+import re
+import sys
 from dataclasses import replace
 
 import numpy as np
@@ -129,6 +131,14 @@ def test_las_with_its_system(tmp_path):
     block = read_block(tmp_path / "b")
     np.testing.assert_allclose(cloud.xyz, block.points.xyz, atol=1e-3)
     assert cloud.header.parse_crs().to_epsg() == 32632
+
+
+def test_las_without_its_extra_names_the_extra_and_no_temporary_path(tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "laspy", None)
+    write_block(flight(), tmp_path / "b")
+    with pytest.raises(InputError, match=re.escape("pip install 'raybundle[las]'")) as told:
+        convert(tmp_path / "b", "--to", "las", "--out", tmp_path / "p.las", "--crs", "EPSG:32632")
+    assert ".partial" not in str(told.value)
 
 
 @pytest.fixture

@@ -241,6 +241,13 @@ def test_a_wrong_option_is_named(orient, photos, more):
     assert more[1] in told.err or more[0] in told.err
 
 
+def test_a_bar_of_negative_length_is_refused_before_anything_is_done(orient, photos, tmp_path):
+    told = orient(photos, more=["--scale-bar", "A", "B", "-24", "0.01"])
+    assert told.status == 2
+    assert "scale bar A - B: the length of -24 m" in told.err
+    assert not (tmp_path / "project").exists()
+
+
 def test_a_damaged_project_is_named(orient, photos, tmp_path):
     for k in range(2):
         save(photos / f"{k}.jpg", texture(k))

@@ -1,6 +1,7 @@
 """`raybundle rectify`: colours of a known wall come back to their places, from a result and from one photograph."""
 
 import math
+import shutil
 from dataclasses import replace
 
 import numpy as np
@@ -12,6 +13,7 @@ from raybundle.block import Role
 from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 from raybundle.cli.main import main
 from raybundle.io.undistort import camera_plane
+from raybundle.numerics.planes import plane_of_most
 from raybundle.report.result_folder import write_result
 from raybundle.workflows.rectify import plane_of
 
@@ -187,3 +189,44 @@ def test_the_plane_that_most_points_lie_in(wall):
     found = plane_of(replace(block, points=replace(block.points, xyz=xyz)))
     assert math.degrees(math.acos(min(1.0, float(found.axes[2] @ axes[2])))) < 0.01
     assert found.points == len(xyz) - len(away)
+
+
+def relief(rng, *, wall=0.25, n=4000):
+    """Points before and behind a wall that a quarter lie in, their sigmas, and the wall's normal."""
+    normal = np.array([0.05, 1.0, -0.03]) / np.linalg.norm([0.05, 1.0, -0.03])
+    xyz = rng.uniform([-18, -6, 0], [18, 6, 20], (n, 3)) * [1.0, 1.0, 0.9]
+    sigma = rng.uniform(0.01, 0.05, (n, 3))
+    mine = rng.random(n) < wall
+    xyz[mine, 1] = -(xyz[mine, 0] * normal[0] + xyz[mine, 2] * normal[2]) / normal[1]
+    xyz += rng.normal(0, sigma)
+    return xyz, sigma, mine, normal
+
+
+def test_the_plane_of_a_quarter_of_the_points_is_found_within_their_sigmas():
+    xyz, sigma, mine, normal = relief(np.random.default_rng(3))
+    found = plane_of_most(xyz, sigma, 0.005)
+    assert math.degrees(math.acos(min(1.0, abs(float(found.normal @ normal))))) < 0.05
+    assert found.inliers[mine].mean() > 0.995  # 3.29 sigma: one in a thousand is missed
+    # of the others those that lie in it by chance: within 2 x 3.29 x 0.03 m of 12 m
+    assert found.inliers[~mine].mean() < 0.03
+
+
+def test_a_plane_of_few_points_is_a_caution(wall, tmp_path, capsys):
+    folder, *_ = wall
+    copy = tmp_path / "result"
+    shutil.copytree(folder / "result", copy)
+    lines = (copy / "points.csv").read_text().splitlines()
+    head = lines[0].split(",")
+    z = head.index("Z")
+    rng = np.random.default_rng(2)
+    for k in range(1, len(lines)):
+        cells = lines[k].split(",")
+        if k % 3:
+            cells[z] = f"{float(cells[z]) + rng.uniform(0.5, 4):.4f}"
+        lines[k] = ",".join(cells)
+    (copy / "points.csv").write_text("\n".join(lines) + "\n")
+    arguments = ["rectify", str(copy), "--out", str(tmp_path / "a.png"), "--photos", str(folder / "photos")]
+    assert main(arguments) == 0
+    told = capsys.readouterr().out
+    assert "plane of 18 of 56 points" in told
+    assert "caution: 32 % of the points lie in this plane" in told

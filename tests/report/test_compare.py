@@ -7,7 +7,8 @@ import pytest
 
 from raybundle.errors import InputError
 from raybundle.numerics.rotation import rotation_from_vector
-from raybundle.report.compare import common_rows, point_differences, write_comparison
+from raybundle.report.common_points import common_points, common_rows
+from raybundle.report.compare import point_differences, write_comparison
 from raybundle.report.result_folder import read_result, write_result
 from tests.report.test_document import parsed
 
@@ -118,3 +119,49 @@ def test_metres_and_millimetres(folder, case, tmp_path):
     write_comparison(folder("rich"), folder("mm", other), tmp_path / "c.html")
     text = " ".join(parsed((tmp_path / "c.html").read_text(encoding="utf-8")).text)
     assert "× 10⁻" in text.split("common points differ by")[1][:40]
+
+
+def renamed(result, name_of):
+    """A result whose points have other names."""
+    block = result.block
+    points = replace(block.points, ids=tuple(name_of(n) for n in block.points.ids))
+    table = replace(
+        result.points, text={**result.points.text, "point": tuple(map(name_of, result.points.text["point"]))}
+    )
+    return replace(result, block=replace(block, points=points), points=table)
+
+
+def test_running_numbers_are_common_only_where_their_image_points_agree(folder, tmp_path):
+    plain = folder("free")
+    ids = list(plain.block.points.ids)
+    first = renamed(plain, lambda n: f"t{ids.index(n) + 1}")
+    # the same points, but for four that have each other's number
+    turn = {0: 1, 1: 2, 2: 3, 3: 0}
+    second = renamed(plain, lambda n: f"t{turn.get(ids.index(n), ids.index(n)) + 1}")
+    tables = first.points.text["point"], second.points.text["point"]
+    found = common_points(*tables, (first.block, second.block))
+    assert set(found.namesakes) == {"t1", "t2", "t3", "t4"}
+    assert len(found.ids) == len(ids) - 4
+    text = compared(first, second, tmp_path)
+    assert "4 points with the same automatic name" in text
+    named = common_points(plain.points.text["point"], plain.points.text["point"], (plain.block, plain.block))
+    assert not named.namesakes
+
+
+def test_results_of_which_only_the_running_numbers_agree_are_compared_by_projection_centres(folder, tmp_path):
+    plain = folder("free")
+    ids = list(plain.block.points.ids)
+    first = renamed(plain, lambda n: f"t{ids.index(n) + 1}")
+    second = renamed(plain, lambda n: f"t{(ids.index(n) + 1) % len(ids) + 1}")
+    text = compared(first, second, tmp_path)
+    assert "0 points in common" in text
+    assert "No object point is known to be the same in both" in text
+    assert "after the similarity of the projection centres themselves" in text
+
+
+def test_lengths_of_free_scale_are_units(folder, tmp_path):
+    plain = folder("rich")
+    free = replace(plain, block=replace(plain.block, free_scale=True))
+    text = compared(free, plain, tmp_path)
+    assert "units rms after a similarity" in text
+    assert " mm" not in text.split("points in common")[1]

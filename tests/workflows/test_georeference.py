@@ -18,8 +18,11 @@ from raybundle.cli.summary import summary_lines
 from raybundle.errors import InputError
 from raybundle.io.control_files import ControlFile, Measurements
 from raybundle.numerics.geodesy import LocalPlace
+from raybundle.numerics.progress import silent
 from raybundle.numerics.rotation import rotation_from_angles
+from raybundle.numerics.transform import similarity
 from raybundle.report.result_folder import check_differences, write_result
+from raybundle.workflows.final import final_adjustment
 from raybundle.workflows.georeference import georeference
 from raybundle.workflows.marks import Given, ScaleBar
 from raybundle.workflows.parts import place_parts
@@ -169,6 +172,62 @@ def test_a_scale_bar_gives_the_scale(flight):
     assert set(placed.block.points.role[-6:]) == {Role.TIE}
     with pytest.raises(InputError, match="point Q is not measured"):
         georeference(flight.free, flight.photos, Given(control=(nothing,), scale_bars=(replace(bar, end="Q"),)))
+
+
+@pytest.mark.parametrize(
+    ("length", "sigma", "words"),
+    [(-24.0, 0.01, "length of -24 m is no distance"), (0.0, 0.01, "is no distance"), (24.0, -0.01, "must be above 0")],
+)
+def test_a_bar_that_is_no_distance_is_refused_in_words_of_its_own(length, sigma, words):
+    with pytest.raises(InputError, match=f"scale bar A - B: .*{words}"):
+        ScaleBar(start="A", end="B", length=length, sigma=sigma)
+
+
+def measured_only(flight, marks=None):
+    """The six points with the role tie: marked, and nothing given."""
+    file = control(flight, np.full_like(flight.xyz, np.nan), marks)
+    return replace(file, role=np.full(6, Role.TIE, np.int32))
+
+
+def with_bar(flight, marks=None):
+    length = float(np.linalg.norm(flight.xyz[0] - flight.xyz[2]))
+    bar = ScaleBar(start="A", end="C", length=length, sigma=0.001)
+    given = Given(control=(measured_only(flight, marks),), scale_bars=(bar,))
+    placed = georeference(flight.free, flight.photos, given)
+    return final_adjustment(placed, (), 1, silent, (), "stated")
+
+
+def test_marked_points_of_which_nothing_is_given_end_as_object_points(flight):
+    result = with_bar(flight)
+    assert not {"parallel_rays", "marked_lost", "mark_rejected"} & {n.code for n in result.notices}
+    rows = np.array([result.adjusted.points.ids.index(n) for n in NAMES])
+    found = result.adjusted.points.xyz[rows]
+    sigma = np.sqrt(np.einsum("nii->ni", result.precision.object_points[rows]))
+    assert (sigma > 0).all()
+    moved = similarity(found, flight.xyz)
+    apart = moved.scale * found @ moved.rotation.T + moved.translation - flight.xyz
+    assert (np.abs(apart) < 5 * sigma).all()
+
+
+def test_a_wrong_mark_on_the_end_of_a_bar_is_named(flight):
+    end = int(np.flatnonzero(flight.marks.point == 0)[0])
+    xy = flight.marks.xy_px.copy()
+    xy[end] += [9.0, -8.0]  # below what is gross beyond doubt: data snooping finds it
+    told = [n for n in with_bar(flight, replace(flight.marks, xy_px=xy)).notices if n.code == "mark_rejected"]
+    assert [n.ids for n in told] == [("A", flight.marks.image[end])]
+
+
+def test_a_marked_point_whose_rays_do_not_meet_is_lost_by_name(flight):
+    rows = np.flatnonzero(flight.marks.point == 1)
+    keep = np.ones(len(flight.marks.point), bool)
+    keep[rows[2:]] = False
+    xy = flight.marks.xy_px.copy()
+    xy[rows[1]] += [0.0, -600.0]
+    marks = Measurements(
+        image=tuple(n for n, k in zip(flight.marks.image, keep, strict=True) if k), point=flight.marks.point[keep],
+        xy_px=xy[keep], line=flight.marks.line[keep],
+    )  # fmt: skip
+    assert [n.ids for n in with_bar(flight, marks).notices if n.code == "marked_lost"] == [("B",)]
 
 
 def test_a_mark_outside_the_photograph_is_an_error_with_its_line(flight):

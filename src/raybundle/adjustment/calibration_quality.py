@@ -14,7 +14,9 @@ import numpy as np
 from raybundle.adjustment.calibration import projection_shifts
 from raybundle.adjustment.cross_validation import CrossValidation, cross_validation
 from raybundle.adjustment.next_photographs import Proposal, next_photographs
+from raybundle.adjustment.pixel_shape import UNTOLD
 from raybundle.adjustment.result import Adjustment, InteriorResult
+from raybundle.adjustment.severity import Severity
 from raybundle.adjustment.structure import (
     RepeatedResiduals,
     ResidualStructure,
@@ -36,7 +38,8 @@ REACH = 0.85
 COVERED = 0.7
 """Share of the format's cells (10 x 10) that image points must cover."""
 FEW_PHOTOGRAPHS = 6
-UNSTEADY = frozenset({"unstable_camera", "shear"})
+UNSTABLE = "unstable_camera"
+UNSTEADY = frozenset({UNSTABLE, "pixel_shape"})
 """Notices that speak against a calibration."""
 GOOD_PX, USABLE_PX = 0.1, 0.3
 """Largest error of projection over the format, at infinity, of a good and a usable calibration: targets are measured to
@@ -45,8 +48,6 @@ what single points scatter by."""
 SURE, LIKELY = 0.95, 0.5
 """A calibration is called good where its largest error is below GOOD_PX with this probability: whoever holds it must be
 able to rely on it.  Below USABLE_PX it need only be more likely than not: it is a start, or for small things."""
-UNTOLD = 0.01
-"""Median uncertainty of projection, in half diagonals of the format, from which on nothing is told."""
 TILT_SPREAD = np.radians(20)
 
 
@@ -61,7 +62,9 @@ class CalibrationQuality:
     reasons: tuple[str, ...]
     """What speaks against it, the gravest first"""
     advice: tuple[Proposal, ...]
-    """What to photograph next, with its predicted effect; the best first"""
+    """What to photograph next, with its predicted effect; the best first.  None where the camera was not stable"""
+    unstable: bool
+    """The photographs had not the same interior orientation: more of them would not help"""
     photographs: int
     image_sigma_px: float
     """Standard deviation of an image coordinate of median weight, from the residuals"""
@@ -114,29 +117,32 @@ def calibration_quality(
     rolls, convergence = _views(result, images)
     couplings = _couplings(result, interior)
     progress("proposals", 0.0)
-    advice = next_photographs(result, camera)
+    doubtful = [n for n in result.notices if n.code in UNSTEADY and camera in n.ids]
+    unstable = any(n.code == UNSTABLE for n in doubtful)
+    advice = () if unstable else next_photographs(result, camera)
     progress("proposals", 1.0)
     # knots of surfaces in corners that no point reaches say nothing, and are none the worse for it
     surfaces = adjusted.sensor.local_width > 0
     lacking = () if surfaces else tuple(s for s, p in interior.parameters.items() if p.status == "not determinable")
     reasons = _reasons(
         lacking, interior, len(images), error, reach, coverage, rolls, convergence, couplings, validation, structure,
-        repeated,
+        repeated, unstable=unstable,
     )  # fmt: skip
     kinds = {p.symbol: p.kind for p in adjusted.sensor.parameters}
     vital = tuple(s for s in lacking if kinds[s] in {"scale", "principal point"})
-    if not vital and error.typical > UNTOLD * float(np.hypot(adjusted.width_px, adjusted.height_px)) / 2:
+    nonsense = any(n.severity is Severity.FAULT for n in doubtful)
+    if not vital and (nonsense or error.typical > UNTOLD * float(np.hypot(adjusted.width_px, adjusted.height_px)) / 2):
         vital = ("the interior orientation as a whole",)
     grade = _grade(vital, error, reach, validation)
     if lacking and grade == "good":
         grade = "usable"
-    unsteady = [n.reason for n in result.notices if n.code in UNSTEADY and camera in n.ids]
+    unsteady = [n.reason for n in doubtful]
     reasons = [*unsteady, *reasons]
     if unsteady and grade == "good":
         grade = "usable"
     return CalibrationQuality(
         camera=camera, grade=grade, headline=_headline(grade, vital, error, sigma, reach),
-        reasons=tuple(reasons), advice=advice, photographs=len(images), image_sigma_px=sigma,
+        reasons=tuple(reasons), advice=advice, unstable=unstable, photographs=len(images), image_sigma_px=sigma,
         uncertainty_px=error.largest, typical_px=error.typical, worst_px=error.sure, likely_px=error.likely,
         reach=reach, coverage=coverage, rolls=rolls, convergence=convergence,
         couplings=couplings, validation=validation, structure=structure, repeated=repeated,
@@ -241,6 +247,7 @@ def _reasons(
     lacking: tuple[str, ...], interior: InteriorResult, photographs: int, error: _Projection, reach: float,
     coverage: float, rolls: int, convergence: float, couplings: tuple[tuple[str, str, float], ...],
     validation: CrossValidation | None, structure: ResidualStructure | None, repeated: RepeatedResiduals | None,
+    *, unstable: bool,
 ) -> list[str]:  # fmt: skip
     told: list[str] = []
     for s in lacking:
@@ -252,8 +259,8 @@ def _reasons(
     if error.sure > GOOD_PX:
         told.append(
             f"the interior orientation may place image points wrongly by {error.sure:.2g} px somewhere in the format "
-            f"({100 * SURE:.0f} % certainty; {error.likely:.2g} px is to be expected): more photographs that converge "
-            "and are rolled, or more precise image points"
+            f"({100 * SURE:.0f} % certainty; {error.likely:.2g} px is to be expected)"
+            + ("" if unstable else ": more photographs that converge and are rolled, or more precise image points")
         )
     if reach < REACH:
         told.append(
@@ -319,7 +326,7 @@ def _headline(grade: Grade, lacking: tuple[str, ...], error: _Projection, sigma:
     )
     measured = f"measured here with {sigma:.2g} px"
     if grade == "weak":
-        return f"Weak: {worth}, {measured}. Good as a start; let each adjustment estimate the camera again."
+        return f"Weak: {worth}, {measured}. Take it as a start only, and let each adjustment estimate the camera again."
     inside = "" if reach >= REACH else f" within {100 * reach:.0f} % of the way to the corners"
     if grade == "usable":
         return f"Usable: {worth}, {measured}{inside}. Good for measurements to about {error.sure:.2g} px."

@@ -14,6 +14,7 @@ import numpy as np
 
 from raybundle.adjustment.engine import Extent, Start, adjust_block, as_start, free_parameters
 from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.pixel_shape import Beyond, beyond_sensor, shape_limit
 from raybundle.adjustment.reliability import UNCONTROLLED
 from raybundle.adjustment.result import Adjustment, InteriorResult, Notice
 from raybundle.adjustment.separability import unlocatable
@@ -250,9 +251,7 @@ def _choose(
             model = sensor_models[camera.model]
             named = () if camera.estimate == "auto" else camera.estimate  # of the other kinds, what is asked for
             choices.free[camera.id] = tuple(
-                p.symbol
-                for p in model.parameters
-                if (p.kind != "other" or p.symbol in named) and p.symbol not in options.never
+                p.symbol for p in model.parameters if p.kind != "other" or p.symbol in named
             )
     given = {c.id: c.values for c in block.cameras}
     result: Adjustment | None = None
@@ -274,12 +273,25 @@ def _choose(
             # what it took in the fit is no value of it; the others are to be what they are beside the given one
             block = _with_values(block, camera, {symbol: given[camera][symbol]})
             continue
+        beyond = beyond_sensor(result, automatic) if options.pixel_shape == "sensor" else None
+        if beyond is not None:
+            block = _hold_shape(block, choices, beyond, given[beyond.camera][beyond.symbol])
+            continue
         without = _drop_insignificant(block, options, choices, automatic, result, progress)
         if without is None:
             return block
         block = without
     assert result is not None
     return as_start(block, result.adjusted)
+
+
+def _hold_shape(block: Block, choices: Decisions, beyond: Beyond, given: float) -> Block:
+    """The block with an affinity or shear of no sensor held as given, or at 0 where that is no sensor's either."""
+    camera = next(c for c in block.cameras if c.id == beyond.camera)
+    choices.free[camera.id] = tuple(s for s in choices.free[camera.id] if s != beyond.symbol)
+    choices.notices.append(beyond.notice)
+    value = given if abs(given) <= shape_limit(camera, beyond.symbol) else 0.0
+    return _with_values(block, camera.id, {beyond.symbol: value})
 
 
 def _hold(choices: Decisions, camera: str, symbol: str, reason: str) -> None:

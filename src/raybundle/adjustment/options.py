@@ -33,8 +33,9 @@ class AdjustmentOptions:
     deviation, where points far away would carry their uncertainty into every standard deviation."""
     estimate: Literal["given", "auto"] = "given"
     """given: the parameters named in the block; auto: chosen by significance, BIC and determinability."""
-    never: tuple[str, ...] = ()
-    """Parameters that the automatic choice leaves held, as the shear of a sensor whose pixels are lithographed."""
+    pixel_shape: Literal["sensor", "any"] = "sensor"
+    """sensor: the automatic choice holds an affinity or a shear beyond what a sensor has; any: it believes each, as of
+    scanned pictures.  Parameters that a camera's `estimate` names are free in any case."""
     reject: Literal["none", "snooping"] = "none"
     """snooping: blunders leave one family at a time, with reactivation."""
     residuals: Literal["as_block", "measured", "corrected"] = "as_block"

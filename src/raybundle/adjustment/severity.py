@@ -28,9 +28,9 @@ _CODES = {
         "approximate_values_replaced blunder_not_located board_alike camera camera_constant check_unseen "
         "control_file control_not_observed control_sigma control_without_photograph coordinate_system correlation "
         "global_test gps_too_near held_not_determinable identical_images image_left_out levelled mark_rejected "
-        "marked_once marks_reduced no_targets one_ray_control parallel_rays parts_apart points_left_out rays_diverge "
-        "relative_control residual_structure scene_datum scene_prior shear small_angle start_behind start_parallel "
-        "two_cameras unstable_camera up_ambiguous up_uncertain"
+        "marked_lost marked_once marks_reduced no_targets one_ray_control parallel_rays parts_apart pixel_shape "
+        "points_left_out rays_diverge relative_control residual_structure scene_datum scene_prior small_angle "
+        "start_behind start_parallel two_cameras unstable_camera up_ambiguous up_uncertain"
     ),
     Severity.REMARK: (
         "attitudes gps model not_significant parts_joined photographs rejected scene_joins target_radius"

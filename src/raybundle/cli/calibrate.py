@@ -44,7 +44,7 @@ MOST_PARAMETERS = 16
     "separate",
     multiple=True,
     metavar="PATTERN",
-    help="Photographs whose names match, as 'left_*', are a camera apart; for those without metadata.",
+    help="Photographs whose names match, as 'left_*' or 'a.jpg|b.jpg', are a camera apart; for those without metadata.",
 )
 @click.option("--model", default="auto", show_default=True, metavar="NAME",
     help="Distortion model: aicon, brown, brown_harmonic, fisheye, radial, rational, spline; auto: brown, or what fits "
@@ -58,7 +58,7 @@ MOST_PARAMETERS = 16
     help="Distance of neighbouring points of a board; the calibration does not depend on it.",
 )  # fmt: skip
 @click.option("--dots", is_flag=True, help="Use dots without a code among the targets, too.")
-@click.option("--shear", is_flag=True, help="Estimate the shear of the pixel grid, too: for scanned pictures.")
+@click.option("--shear", is_flag=True, help="Believe any shear and affinity of the pixels: for scanned pictures.")
 @click.option("--keep", is_flag=True, help="Keep a good calibration in the camera library, where orient finds it.")
 @click.option("--jobs", type=click.IntRange(0), default=0, show_default=True, help="0: all processors.")
 @noise_option
@@ -218,7 +218,9 @@ def lines(done: Calibration) -> list[str]:
             for p in list(interior.parameters.values())[:MOST_PARAMETERS] if p.std or p.value
         ))  # fmt: skip
         told.append(f"  in pixels: {in_pixels(camera, interior, sure=sure)}")
-    return told + noise_lines(done.adjustment.noise) + notice_lines(done.adjustment.notices)
+    reasons = {reason for q in done.quality for reason in q.reasons}
+    others = [n for n in done.adjustment.notices if n.reason not in reasons]  # those stand with their camera
+    return told + noise_lines(done.adjustment.noise) + notice_lines(others)
 
 
 def in_pixels(camera: Camera, interior: InteriorResult, *, sure: bool) -> str:

@@ -24,6 +24,8 @@ from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options
 def command(first: Path, second: Path, out: Path, progress: str) -> None:
     """Put two result folders side by side: statistics, interior orientations, points after a similarity.
 
+    Points are the same by their names; those with a running number (t100) only where their image points agree too.
+
     \b
     Example:
       raybundle compare camcal21-result free --out camcal21.html

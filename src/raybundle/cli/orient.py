@@ -50,7 +50,7 @@ class StageName(_Choice):
     "separate",
     multiple=True,
     metavar="PATTERN",
-    help="Photographs whose names match, as 'left_*', are a camera apart; for those without metadata.",
+    help="Photographs whose names match, as 'left_*' or 'a.jpg|b.jpg', are a camera apart; for those without metadata.",
 )
 @click.option("--no-library", is_flag=True, help="Leave calibrations of the camera library out.")
 @click.option(
@@ -80,7 +80,8 @@ class StageName(_Choice):
     type=(str, str, float, float),
     multiple=True,
     metavar="A B LENGTH SIGMA",
-    help="A known distance between two points that --control measures.",
+    help="A known distance between two points that --control measures, and its standard deviation, both in metres; may "
+    "be repeated.",
 )
 @click.option(
     "--positions", type=FOLDER, metavar="FILE",

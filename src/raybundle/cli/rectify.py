@@ -102,7 +102,7 @@ def _of_result(
     from raybundle.cli.convert import read_source  # noqa: PLC0415
     from raybundle.io.formats import base as exchange  # noqa: PLC0415
     from raybundle.io.project import photographs_of  # noqa: PLC0415
-    from raybundle.workflows.rectify import grid_over, plane_of, rectify_block, usual_pixel  # noqa: PLC0415
+    from raybundle.workflows.rectify import FEW, grid_over, plane_of, rectify_block, usual_pixel  # noqa: PLC0415
 
     result = source / "result" if (source / "result" / "result.json").is_file() else source
     export, _ = read_source(result, None)
@@ -115,7 +115,7 @@ def _of_result(
     folders = photos or photographs_of(result)
     if not folders:
         raise InputError("where its photographs are is not known; say so with --photos FOLDER", file=source)
-    plane = plane_of(export.block, names, horizontal=horizontal)
+    plane = plane_of(export.block, names, horizontal=horizontal, sigma=export.sigma)
     size = pixel or usual_pixel(export.block, plane)
     grid = grid_over(plane.extent if area is None else np.array(area), size)
     picture, remarks = rectify_block(export.block, folders, plane, grid, only=only, progress=tell)
@@ -123,7 +123,7 @@ def _of_result(
     about: dict[str, Any] = {
         "unit": unit,
         "origin": plane.origin.tolist(), "right": plane.axes[0].tolist(), "up": plane.axes[1].tolist(),
-        "normal": plane.axes[2].tolist(), "points": plane.points, "points_rms": plane.rms,
+        "normal": plane.axes[2].tolist(), "points": plane.points, "points_of": plane.of, "points_rms": plane.rms,
         "slope_rms": picture.slope[0], "slope_largest": picture.slope[1],
     }  # fmt: skip
     if export.block.free_scale:
@@ -131,8 +131,17 @@ def _of_result(
     if export.frame is not None:
         about["frame"] = export.frame.as_mapping()
     _write(picture, out, grid, about)
+    of = f" of {plane.of}" if plane.of > plane.points else ""
+    told = [
+        f"plane of {plane.points}{of} points, which lie {significant(plane.rms)} {unit or 'units'} off it (rms)",
+    ]
+    if plane.points < FEW * plane.of:
+        told.append(
+            f"caution: {100 * plane.points / plane.of:.0f} % of the points lie in this plane, so that most of what the "
+            "picture shows is displaced; --plane A,B,C takes the wall that you mean"
+        )
     return [
-        f"plane of {counted(plane.points, 'point')}, which lie {significant(plane.rms)} {unit or 'units'} off it (rms)",
+        *told,
         (
             f"what lies in front of or behind it is displaced by {picture.slope[0]:.2f} of its distance from it (rms; "
             f"{picture.slope[1]:.1f} at most)"

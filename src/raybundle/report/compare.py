@@ -16,6 +16,7 @@ from raybundle.io.tables import Table as Csv
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.rotation import rotation_from_angles
 from raybundle.numerics.transform import Similarity, similarity
+from raybundle.report.common_points import Common, common_points, common_rows
 from raybundle.report.numbers import (
     NONE,
     cells,
@@ -38,17 +39,6 @@ LARGEST = 25
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Common:
-    """Rows with the same id in two tables."""
-
-    ids: tuple[str, ...]
-    first: Index
-    second: Index
-    only_first: tuple[str, ...]
-    only_second: tuple[str, ...]
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
 class PointDifferences:
     """Second minus first, after the second was laid onto the first."""
 
@@ -67,12 +57,14 @@ def write_comparison(first: ResultFolder, second: ResultFolder, path: str | Path
     first, second  what `read_result` returns
     path           the file; its folder exists
 
+    Points that nobody named are common where their image points agree (`common_points`).  Where no points are common,
+    the similarity is that of the projection centres.
     Differences are second minus first.  Combined standard deviations take the two results as independent: for two
     adjustments of the same observations real differences should be much smaller.
     """
     from raybundle.report.document import page  # noqa: PLC0415  (Jinja2 only where it is used)
 
-    points = common_rows(first.points.text["point"], second.points.text["point"])
+    points = common_points(first.points.text["point"], second.points.text["point"], (first.block, second.block))
     differences = [
         compared for fitted in (True, False) if (compared := _compared(first, second, points, fitted=fitted))
     ]
@@ -86,26 +78,12 @@ def write_comparison(first: ResultFolder, second: ResultFolder, path: str | Path
     html = page(
         title=f"{_name(first)} and {_name(second)}",
         subtitle=f"Comparison of two adjustments. First: {first.path.name}; second: {second.path.name}.",
-        headline=_headline(first, second, differences),
+        headline=_headline(first, second, points, differences),
         grade="remarks",
         sections=sections,
     )
     with new_files(Path(path)) as (file,):
         file.write_text(html, encoding="utf-8")
-
-
-def common_rows(first: Sequence[str], second: Sequence[str]) -> Common:
-    """The ids that both tables have, in the order of the first, and those that only one has."""
-    at = {i: k for k, i in enumerate(second)}
-    mine = [(i, k, at[i]) for k, i in enumerate(first) if i in at]
-    known = {i for i, _, _ in mine}
-    return Common(
-        ids=tuple(i for i, _, _ in mine),
-        first=np.array([k for _, k, _ in mine], np.int32),
-        second=np.array([k for _, _, k in mine], np.int32),
-        only_first=tuple(i for i in first if i not in known),
-        only_second=tuple(i for i in second if i not in known),
-    )
 
 
 def point_differences(
@@ -157,7 +135,9 @@ def _float(value: Any) -> float:
     return float(value) if isinstance(value, int | float) else math.nan
 
 
-def _headline(first: ResultFolder, second: ResultFolder, differences: Sequence[PointDifferences]) -> str:
+def _headline(
+    first: ResultFolder, second: ResultFolder, common: Common, differences: Sequence[PointDifferences]
+) -> str:
     a, b = (_float(r.result.get("sigma0")) for r in (first, second))
     words = [f"σ₀ {significant(a)} and {significant(b)}."]
     ratios = [abs(r) for row in _parameter_rows(first, second) if math.isfinite(r := row.ratio)]
@@ -172,11 +152,15 @@ def _headline(first: ResultFolder, second: ResultFolder, differences: Sequence[P
             f"{counted(len(d.ids), 'common point')} differ by {significant(rms(d.difference) * factor, 2)} {unit} "
             f"rms {how}."
         )
+    elif common.namesakes:
+        words.append("No object point is known to be the same in both.")
     return " ".join(words)
 
 
 def _small(result: ResultFolder) -> tuple[float, str]:
     """Factor to, and name of, the unit in which differences are shown."""
+    if result.block.free_scale:
+        return 1.0, "units"
     return (1000.0, "mm") if result.block.length_unit == "m" else (1.0, "mm")
 
 
@@ -294,6 +278,12 @@ def _points(first: ResultFolder, common: Common, differences: Sequence[PointDiff
     for words, ids in (("first", common.only_first), ("second", common.only_second)):
         if ids:
             parts.append(Paragraph(text=f"Only in the {words}: {listed(ids, 20)}.", note=True))
+    if common.namesakes:
+        words = (
+            f"{counted(len(common.namesakes), 'point')} with the same automatic name ({listed(common.namesakes, 3)}) "
+            "were measured at other places of the photographs: the name is a running number, they are not compared."
+        )
+        parts.append(Paragraph(text=words, note=True))
     for d in differences:
         parts += _point_parts(first, d)
     if len(differences) > 1:
@@ -310,11 +300,12 @@ def _point_parts(first: ResultFolder, d: PointDifferences) -> list[Part]:
     parts: list[Part] = [Heading(text=title)]
     if d.fit is not None:
         turn = math.degrees(math.acos(min(1.0, max(-1.0, (float(np.trace(d.fit.rotation)) - 1) / 2))))
+        length = "units" if first.block.free_scale else first.block.length_unit
         shift = ", ".join(significant(float(t), 5) for t in d.fit.translation)
         parts.append(
             Paragraph(
                 text=f"Scale 1 {'+' if d.fit.scale >= 1 else '−'} {significant(abs(d.fit.scale - 1), 3)}, rotation "
-                f"{significant(turn)}°, translation ({shift}) {first.block.length_unit}."
+                f"{significant(turn)}°, translation ({shift}) {length}."
             )
         )
     values, std = d.difference * factor, d.std * factor
@@ -378,12 +369,16 @@ def _images(first: ResultFolder, second: ResultFolder, differences: Sequence[Poi
     other = _to_first(first, second) * _columns(second.images, "XYZ", common.second)
     R = rotation_from_angles(np.radians(_columns(first.images, angles, common.first)))
     S = rotation_from_angles(np.radians(_columns(second.images, angles, common.second)))
+    by_points = fit is not None
+    if fit is None and not differences:
+        fit = _by_centres(centre, other)
     if fit is not None:
         other, S = fit.points(other), fit.rotations(S)
     factor, unit = _small(first)
     shift = np.linalg.norm(other - centre, axis=1) * factor
     turn = np.degrees(2 * np.arcsin(np.clip(np.linalg.norm(S - R, axis=(1, 2)) / math.sqrt(8), 0, 1)))
-    frame = "in the frame of the first, after the similarity of the points" if fit is not None else "as they stand"
+    of = "points" if by_points else "projection centres themselves"
+    frame = f"in the frame of the first, after the similarity of the {of}" if fit is not None else "as they stand"
     summary = (
         f"Projection centres differ by {significant(rms(shift))} {unit} rms (length of the difference), rotations by "
         f"{significant(rms(turn))}°, {frame}."
@@ -399,6 +394,15 @@ def _images(first: ResultFolder, second: ResultFolder, differences: Sequence[Poi
         rest="images.csv",
     )
     return (*parts, Paragraph(text=summary), Folded(summary="All images, the largest difference first", parts=(body,)))
+
+
+def _by_centres(centre: Array, other: Array) -> Similarity | None:
+    """The similarity onto projection centres (n, 3) from others; None where these do not determine it."""
+    good = np.isfinite(centre).all(axis=1) & np.isfinite(other).all(axis=1)
+    try:
+        return similarity(other[good], centre[good])
+    except InputError:
+        return None
 
 
 def _warnings(first: ResultFolder, second: ResultFolder) -> tuple[Part, ...]:

@@ -75,7 +75,7 @@ def _facts(q: CalibrationQuality) -> tuple[Fact, ...]:
             label="cross-validation", value=NONE if validation is None else f"{fixed(validation.ratio, 2)} ×",
             remark="too few photographs" if validation is None else
             f"residuals of photographs left out ({significant(validation.rms_px, 2)} px) against those that took part; "
-            f"{validation.folds} folds. {_prediction(validation)}",
+            f"{validation.folds} folds. {_prediction(validation, unstable=q.unstable)}",
         ),
         Fact(
             label="format", value=per_cent(q.coverage),
@@ -89,9 +89,14 @@ def _facts(q: CalibrationQuality) -> tuple[Fact, ...]:
     )  # fmt: skip
 
 
-def _prediction(validation: CrossValidation) -> str:
+def _prediction(validation: CrossValidation, *, unstable: bool) -> str:
     if validation.contradicts:
         return f"{fixed(validation.excess, 1)} times as far from their prediction as its covariance explains"
+    if unstable:
+        return (
+            "They lie within the covariance of points and camera, which is as wide as the photographs differ: no proof "
+            "that they had one camera"
+        )
     return "They lie where the covariance of points and camera predicts them"
 
 
@@ -102,6 +107,12 @@ def _sentence(words: str) -> str:
 
 
 def _advice(q: CalibrationQuality) -> list[Part]:
+    if q.unstable:
+        words = (
+            "More photographs of a camera that changes between them do not help. Switch autofocus, zoom and "
+            "stabilisation off and photograph anew, or calibrate the two groups apart, with the --camera named above."
+        )
+        return [Heading(text="What to do next"), Paragraph(text=words)]
     if not q.advice:
         return [Paragraph(text="No four further photographs would improve it by a tenth.", note=True)]
     now = "not determinable" if not np.isfinite(q.uncertainty_px) or q.grade == "not determinable" else (

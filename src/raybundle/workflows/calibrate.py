@@ -59,10 +59,6 @@ SETTLED_PX = 0.003
 FEWEST_PHOTOGRAPHS = 3
 STRANGE = 0.25
 """Share of a photograph's points that are rejected, from which on it does not belong to the others."""
-SHEAR = 1e-4
-"""Shear that is believed: rows and columns of a sensor are at right angles by lithography."""
-SIGNIFICANT = 2.6
-"""Standard deviations beyond it from which a larger one says that the model lacks something (99 percent)."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -88,8 +84,7 @@ class CalibrateOptions:
     eccentricity: bool = True
     """correct the centres of ellipses"""
     shear: bool = False
-    """believe any shear S, as of scanned pictures; rows and columns of a sensor are at right angles by lithography, and
-    a large shear is something else that the model lacks, which would move the principal point"""
+    """believe any affinity and shear, as of scanned pictures (`AdjustmentOptions.pixel_shape`)"""
     noise: NoiseModel = "auto"
     """errors of image coordinates: white; fields: smooth ones that differ from image to image, and a floor; auto:
     fields where there are five photographs or more"""
@@ -194,7 +189,10 @@ def _calibrated(m: _Measured, options: CalibrateOptions, clock: _Clock, progress
     start, rows = oriented_part(approximate)
     notices = (*told, *_remarks(found, groups))
     threads = options.jobs or os.cpu_count() or 1
-    settings = AdjustmentOptions(threads=threads, reject="snooping", robust_start=True, noise="white")
+    settings = AdjustmentOptions(
+        threads=threads, reject="snooping", robust_start=True, noise="white",
+        pixel_shape="any" if options.shear else "sensor",
+    )  # fmt: skip
     start = _with_model(start, options.model)
     first = decide(start, settings, progress)
     block, radius, added = completed(block, radius, first.adjusted, targets, marks)
@@ -413,26 +411,6 @@ def _remarks(found: Found, groups: Sequence[CameraGroup]) -> list[Notice]:
     ]
 
 
-def _sheared(result: Adjustment) -> tuple[bool, list[Notice]]:
-    """Whether a shear is larger than that of any sensor, with a notice for each camera where it is significantly so."""
-    found: list[Notice] = []
-    large = False
-    for i in result.interior:
-        p = i.parameters.get("S")
-        if p is None or not p.std or abs(p.value) < SHEAR:
-            continue
-        large = True
-        if abs(p.value) - SHEAR < SIGNIFICANT * p.std:
-            continue
-        reason = (
-            f"the residuals ask for a shear S of {p.value:.1e} ± {p.std:.0e}, which no sensor has (limit {SHEAR:.0e}); "
-            "it is held at 0. Something else is not in the model, as motion during the read-out or uneven light on the "
-            "targets; standard deviations may be too small. For scanned pictures: --shear"
-        )
-        found.append(Notice(code="shear", message=f"camera {i.camera}: {reason}", ids=(i.camera,), reason=reason))
-    return large, found
-
-
 def _adjust(
     start: Block,
     first: Adjustment,
@@ -447,17 +425,7 @@ def _adjust(
     Radii are those that the images show; where the eccentricities tell them better, they are estimated.
     """
     shift = _eccentricity(start, first, radius_px, options)
-    # decisions do not change with the scale of all standard deviations
-    known = not shift.any() and _alike(start, first.given)
-    result = first if known else decide(_moved(start, shift), settings, progress, notices=tuple(notices))
-    sheared, told = (False, []) if options.shear else _sheared(result)
-    if sheared:
-        notices = (*notices, *told)
-        settings = replace(settings, never=("S",))
-        flat = tuple(replace(c, values={**c.values, "S": 0.0}) if "S" in c.values else c for c in start.cameras)
-        start = replace(start, cameras=flat)
-    if sheared or known:
-        result = decide(_moved(start, shift), settings, progress, notices=tuple(notices))
+    result = decide(_moved(start, shift), settings, progress, notices=tuple(notices))
     if start is not (clean := _without_leftovers(start, result)):
         start = clean
         result = decide(_moved(start, shift), settings, progress, notices=tuple(notices))
@@ -475,16 +443,6 @@ def _adjust(
         here = reweighted(_moved(with_values(start, result.adjusted), shift), result.sigma0)
         result = decide(here, settings, progress, notices=tuple(notices))
     return result, float(np.linalg.norm(shift[used], axis=1).max(initial=0.0)), scale
-
-
-def _alike(start: Block, given: Block) -> bool:
-    """Whether a block has the image points and the models of another; their standard deviations may differ."""
-    a, b = start.observations, given.observations
-    return (
-        a.xy_px.shape == b.xy_px.shape
-        and bool((a.xy_px == b.xy_px).all())
-        and [c.model for c in start.cameras] == [c.model for c in given.cameras]
-    )
 
 
 def _without_leftovers(start: Block, result: Adjustment) -> Block:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from glob import escape
+from shlex import quote
 
 import numpy as np
 
@@ -96,12 +98,13 @@ def _unstable(camera: Camera, share: float, after: Adjustment, split: Split) -> 
     """A notice that photographs differ in their interior orientation though neither names nor order tell them apart."""
     dc, dx, dy = split.difference
     names = [after.given.images.ids[i] for i in split.groups[1]]
+    n = len(split.groups[0]), len(names)
     reason = (
-        "its interior orientation was not the same in all photographs. Two groups would "
-        f"reduce the residuals to {share:.2f} of theirs (c differs by {dc:+.1f} px, the principal point by {dx:+.1f}, "
-        f"{dy:+.1f} px; the one are {', '.join(names[:8])}{' ...' if len(names) > 8 else ''}); the "
-        "calibration is their mean, its standard deviations are too small. Switch autofocus, zoom and stabilisation "
-        "off, or tell cameras apart (--camera)"
+        f"its interior orientation was not the same in all photographs. Two groups of {n[0]} and {n[1]} would reduce "
+        f"the residuals to {share:.2f} of theirs (c differs by {dc:+.1f} px, the principal point by {dx:+.1f}, "
+        f"{dy:+.1f} px). This calibration is one camera for both and need not lie between them, and its standard "
+        "deviations are too small. Switch autofocus, zoom and stabilisation off and photograph again, or calibrate the "
+        f"groups apart: --camera {quote('|'.join(map(escape, names)))}"
     )
     return Notice(
         code="unstable_camera", message=f"camera {camera.id}: {reason}", ids=(camera.id, *names), reason=reason

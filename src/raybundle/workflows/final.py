@@ -43,6 +43,7 @@ def final_adjustment(
     notices += [Notice(code="camera", message=f"camera {g.id}: {r}", ids=(g.id,)) for g in groups for r in g.remarks]
     noise = noise_of_photographs(noise, int(placed.block.images.oriented.sum()))
     options = AdjustmentOptions(threads=jobs, reject="snooping", tolerance=FINAL, datum_over="good", noise=noise)
+    asked = placed
     block, flat = placed.block, flat_points(placed.block) & ~placed.marked
     flat &= ~placed.block.points.is_control.any(axis=1)
     flat &= np.bincount(block.observations.point, minlength=len(block.points)) > 0
@@ -54,10 +55,32 @@ def final_adjustment(
         notices.append(Notice(code="parallel_rays", message=message))
         placed = _with_block(placed, block)
     placed, result = _held(placed, options, progress, notices)
-    first = list(rejected_marks(result, placed.marked[result.given.observations.point]))
+    first = [
+        *rejected_marks(result, placed.marked[result.given.observations.point]),
+        *_lost_marks(asked, result),
+    ]
     structure = structure_notice(result)  # where standard deviations do not allow for it
     first += [structure] if structure is not None else []
     return replace(result, notices=(*first, *result.notices)) if first else result
+
+
+def _lost_marks(asked: Georeferenced, result: Adjustment) -> list[Notice]:
+    """Marked points of which the result has no coordinates, though they were marked more than once: each by name."""
+    given, o = result.given, result.given.observations
+    rays = np.bincount(o.point[result.image_observations.used], minlength=len(given.points))
+    placed = (rays > 1) | np.asarray(given.points.is_control).any(axis=1)
+    left = {n for n, p in zip(given.points.ids, placed.tolist(), strict=True) if p}
+    before = asked.block.ray_count
+    return [
+        Notice(
+            code="marked_lost",
+            message=f"the marked point {name} has no place in the result: its {before[k]} rays do not meet, or are "
+            "parallel; mark it in photographs from other places, and look at its marks again",
+            ids=(name,),
+        )
+        for k, name in enumerate(asked.block.points.ids)
+        if asked.marked[k] and before[k] > 1 and name not in left
+    ]
 
 
 def left_out(adjustment: Adjustment, parts: Sequence[Part]) -> list[tuple[str, str]]:

@@ -28,6 +28,7 @@ from raybundle.workflows.marks import (
     drop_single_marks,
     drop_unseen_checks,
     intersected,
+    without_empty_control,
 )
 from raybundle.workflows.positions import SCALE, Positions, mean_place, observe, positions_of, scale_sigma
 from raybundle.workflows.reduced_marks import take_at_their_size
@@ -106,20 +107,13 @@ def georeference(
     drop_unseen_checks(state)
     marked = np.asarray(state.block.points.role) != Role.TIE
     return Georeferenced(
-        block=_without_empty_control(state.block),
+        block=without_empty_control(state.block),
         frame=frame,
         notices=tuple(state.notices),
         marked=marked,
         fixed=fixed,
         upright=state.upright,
     )
-
-
-def _without_empty_control(block: Block) -> Block:
-    """Points of a control file of which nothing is known are tie points: measured by hand, that is all."""
-    role = np.array(block.points.role)
-    role[(role == Role.CONTROL) & ~block.points.is_control.any(axis=1)] = Role.TIE
-    return replace(block, points=replace(block.points, role=role))
 
 
 def frame_of(photos: Sequence[Photo], given: Given) -> LocalFrame | None:
@@ -429,7 +423,7 @@ def _subsets(n: int, least: int) -> list[tuple[int, ...]]:
 
 
 def rejected_marks(result: Adjustment, marks: Mask) -> list[Notice]:
-    """Image measurements of control and check points that were rejected, each by name."""
+    """Image measurements of marked points that were rejected, each by name: control, check, ends of scale bars."""
     o, ids = result.given.observations, result.given.points.ids
     found: list[Notice] = []
     for k in np.flatnonzero(marks):

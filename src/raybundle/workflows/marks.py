@@ -29,12 +29,23 @@ GROSS = 30.0
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ScaleBar:
-    """A distance between two measured points."""
+    """A distance between two measured points; InputError unless its length and its sigma are positive."""
 
     start: str
     end: str
     length: float
+    """[m]"""
     sigma: float
+    """[m]"""
+
+    def __post_init__(self) -> None:
+        name = f"scale bar {self.start} - {self.end}"
+        if not (np.isfinite(self.length) and self.length > 0):
+            raise InputError(f"{name}: the length of {self.length:g} m is no distance; give it in metres, above 0")
+        if not (np.isfinite(self.sigma) and self.sigma > 0):
+            raise InputError(f"{name}: the standard deviation of {self.sigma:g} m must be above 0 (metres)")
+        if self.start == self.end:
+            raise InputError(f"{name}: both ends are the same point")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -78,7 +89,11 @@ class Placing:
 
 
 def add_points(state: Placing, photos: Sequence[Photo], given: Given, frame: LocalFrame | None) -> None:
-    """Control and check points with their image measurements."""
+    """Control, check and merely measured points with their image measurements.
+
+    A measured point of which nothing is asked to be used (role tie) is control without a given coordinate until the
+    block is placed: so every step knows that it was marked, by its role; `without_empty_control` ends that.
+    """
     images = {p.name: i for i, p in enumerate(photos)}
     block = state.block
     ids, xyz, sigma, role = list[str](), list[Array](), list[Array](), list[int]()
@@ -88,10 +103,12 @@ def add_points(state: Placing, photos: Sequence[Photo], given: Given, frame: Loc
         for k, name in enumerate(c.ids):
             if name in ids:
                 raise InputError(f"point {name} is given twice", file=c.path)
+            tie = int(c.role[k]) == Role.TIE
+            place = np.full(3, np.nan) if tie else local[k]
             ids.append(name)
-            xyz.append(local[k])
-            sigma.append(np.where(np.isfinite(local[k]), c.sigma[k], np.nan))
-            role.append(int(c.role[k]))
+            xyz.append(place)
+            sigma.append(np.where(np.isfinite(place), c.sigma[k], np.nan))
+            role.append(int(Role.CONTROL if tie else c.role[k]))
         unknown: dict[str, int] = {}
         for name, k, at, line in zip(
             c.measurements.image, c.measurements.point, c.measurements.xy_px, c.measurements.line, strict=True
@@ -139,6 +156,13 @@ def add_points(state: Placing, photos: Sequence[Photo], given: Given, frame: Loc
             sigma=np.vstack([p.sigma, np.array(sigma)]),
         ),
     )
+
+
+def without_empty_control(block: Block) -> Block:
+    """Points that were marked and of which nothing is given are tie points: measured by hand, that is all."""
+    role = np.array(block.points.role)
+    role[(role == Role.CONTROL) & ~block.points.is_control.any(axis=1)] = Role.TIE
+    return replace(block, points=replace(block.points, role=role))
 
 
 def drop_single_marks(state: Placing) -> None:

@@ -21,6 +21,7 @@ from raybundle.errors import InputError
 from raybundle.io.rectified import Rectified
 from raybundle.io.undistort import camera_plane, pixels_of_plane
 from raybundle.numerics.arrays import Array
+from raybundle.numerics.planes import plane_of_most
 from raybundle.numerics.progress import Progress, silent
 from raybundle.scenes.empirical import EmpiricalFit, fit_empirical
 
@@ -28,13 +29,14 @@ STEP = 16
 """The map is computed at every sixteenth pixel and interpolated linearly between."""
 LARGEST_PX = 4e8
 """Pixels that a picture may have."""
-TRIALS = 500
 FLAT = 0.9
 """Vertical part of the normal from which a plane counts as horizontal."""
 STEEPEST = 0.26
 """Cosine of the angle between ray and normal below which a photograph is not used (75 degrees)."""
 BLUNDER = 3.0
-"""Robust standard deviations from which a point does not lie in the plane."""
+"""Robust standard deviations from which a point does not lie at the median height."""
+FEW = 0.5
+"""Share of the points in a plane below which most of what the picture shows is not in it."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -48,6 +50,8 @@ class Plane:
     rms: float
     """Root mean square distance of the points that it was fitted to."""
     points: int
+    of: int
+    """points that might lie in it: all that were seen twice, or those named"""
     extent: Array
     """(4,) left, bottom, right, top of these points in the plane"""
 
@@ -90,9 +94,11 @@ def grid_over(extent: Array, pixel: float) -> Grid:
     return Grid(left=left, top=top, pixel=pixel, width=width, height=height)
 
 
-def plane_of(block: Block, names: Sequence[str] = (), *, horizontal: bool = False) -> Plane:
+def plane_of(block: Block, names: Sequence[str] = (), *, horizontal: bool = False, sigma: Array | None = None) -> Plane:
     """The plane through these object points, or the one that most points lie in; horizontal: at their median height.
 
+    sigma  (p, 3) standard deviations of the object points; a point lies in a plane within what they allow, or within
+           the size of a photograph's pixel there, which a picture does not show; None: within the latter
     raises  InputError for unknown points, for fewer than three and where they lie on a line
     """
     xyz = block.points.xyz
@@ -114,43 +120,24 @@ def plane_of(block: Block, names: Sequence[str] = (), *, horizontal: bool = Fals
         inliers = np.abs(near) < BLUNDER * 1.4826 * max(float(np.median(np.abs(near))), 1e-12)
         normal, origin = np.array([0.0, 0.0, 1.0]), np.median(points, axis=0)
     else:
-        inliers = np.ones(len(points), bool) if names else _most(points)
-        origin = points[inliers].mean(axis=0)
-        _, spread, axes = np.linalg.svd(points[inliers] - origin, full_matrices=False)
-        if spread[1] < 1e-6 * spread[0]:
+        inliers = np.ones(len(points), bool)
+        origin = points.mean(axis=0)
+        normal = np.linalg.svd(points - origin, full_matrices=False)[2][2]
+        if not names:
+            known = np.full((len(points), 3), np.nan) if sigma is None else sigma[chosen]
+            found = plane_of_most(points, known, _pixel_at(block, np.median(points, axis=0)))
+            inliers, origin, normal = found.inliers, found.origin, found.normal
+        spread = np.linalg.svd(points[inliers] - points[inliers].mean(axis=0), compute_uv=False)
+        if inliers.sum() < 3 or spread[1] < 1e-6 * spread[0]:
             raise InputError("the points of the plane lie on a line; name others")
-        normal = axes[2]
     axes = _axes(normal, viewer - origin)
     at = (points[inliers] - origin) @ axes.T
     low, high = np.percentile(at[:, :2], [0.5, 99.5], axis=0) if len(at) > 200 else (at.min(axis=0), at.max(axis=0))
     return Plane(
         origin=origin, axes=axes, rms=float(np.sqrt((at[:, 2] ** 2).mean())), points=int(inliers.sum()),
+        of=len(points),
         extent=np.array([low[0], low[1], high[0], high[1]]),
     )  # fmt: skip
-
-
-def _most(points: Array) -> Array:
-    """The points (n,) of the plane that least median of squares finds (Rousseeuw 1984)."""
-    rng = np.random.default_rng(1)
-    sample = points[rng.choice(len(points), min(len(points), 3000), replace=False)]
-    best, found = np.inf, (np.zeros(3), np.array([0.0, 0.0, 1.0]))
-    for _ in range(TRIALS):
-        a, b, c = sample[rng.choice(len(sample), 3, replace=False)]
-        normal = np.cross(b - a, c - a)
-        length = float(np.linalg.norm(normal))
-        if length < 1e-12:
-            continue
-        # of a relief much lies behind or before: the plane is that of the nearest third
-        cost = float(np.quantile(np.abs((sample - a) @ normal) / length, 0.35))
-        if cost < best:
-            best, found = cost, (a, normal / length)
-    inliers = np.abs((points - found[0]) @ found[1]) < BLUNDER * max(best, 1e-12) / 0.4538
-    for _ in range(5):
-        origin = points[inliers].mean(axis=0)
-        normal = np.linalg.svd(points[inliers] - origin, full_matrices=False)[2][2]
-        away = np.abs((points - origin) @ normal)
-        inliers = away < BLUNDER * 1.4826 * max(float(np.median(away[inliers])), 1e-12)
-    return inliers
 
 
 def _axes(normal: Array, towards: Array) -> Array:
@@ -164,16 +151,20 @@ def _axes(normal: Array, towards: Array) -> Array:
 
 def usual_pixel(block: Block, plane: Plane) -> float:
     """The median size of a photograph's pixel in the plane, in two digits."""
+    value = _pixel_at(block, plane.origin)
+    digits = 10.0 ** (np.floor(np.log10(value)) - 1)
+    return float(np.ceil(value / digits) * digits)
+
+
+def _pixel_at(block: Block, middle: Array) -> float:
+    """The median size of a photograph's pixel at the distance of a place (3,)."""
     sizes: list[float] = []
-    middle = plane.origin
     for i in np.flatnonzero(block.images.oriented).tolist():
         camera = block.cameras[int(block.images.camera[i])]
         ray = block.images.centre[i] - middle
         distance = float(np.linalg.norm(ray))
         sizes.append(distance * float(np.mean(camera.pixel_mm)) / camera.sensor.camera_constant(camera.parameters))
-    value = float(np.median(sizes))
-    digits = 10.0 ** (np.floor(np.log10(value)) - 1)
-    return float(np.ceil(value / digits) * digits)
+    return float(np.median(sizes))
 
 
 def rectify_block(

@@ -18,7 +18,14 @@ from raybundle.numerics.arrays import Array
 from raybundle.numerics.places import Local
 from raybundle.scenes.sensor import RpcSensor, SceneSensor
 from raybundle.workflows.georeference import Georeferenced, frame_of
-from raybundle.workflows.marks import Given, Placing, add_points, drop_single_marks, drop_unseen_checks
+from raybundle.workflows.marks import (
+    Given,
+    Placing,
+    add_points,
+    drop_single_marks,
+    drop_unseen_checks,
+    without_empty_control,
+)
 from raybundle.workflows.scene_block import SceneSet, joined, with_cameras
 from raybundle.workflows.scene_geometry import prior_px
 from raybundle.workflows.scene_images import SceneImage
@@ -245,12 +252,12 @@ def finish(state: Placing, photographs: Georeferenced | None, placed: Placed, mo
         known = {n.message for n in both.notices}
         both.notices += [n for n in photographs.notices if n.message not in known]
     drop_single_marks(both)
-    role = np.array(both.block.points.role)
-    role[(role == Role.CONTROL) & ~both.block.points.is_control.any(axis=1)] = Role.TIE
-    both.block = replace(both.block, points=replace(both.block.points, role=role))
     drop_unseen_checks(both)
-    block = both.block
-    marked = np.asarray(block.points.role) != Role.TIE
+    block, own = both.block, set[str]()
+    if photographs is not None:
+        own = {n for n, m in zip(photographs.block.points.ids, photographs.marked, strict=True) if m}
+    marked = (np.asarray(block.points.role) != Role.TIE) | np.array([n in own for n in block.points.ids], bool)
+    block = without_empty_control(block)
     return Georeferenced(block=block, frame=placed.frame, notices=tuple(both.notices), marked=marked, fixed=True)
 
 

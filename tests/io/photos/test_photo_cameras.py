@@ -231,6 +231,8 @@ def test_patterns_of_names_take_cameras_apart():
     names = ("left_1.jpg", "right_1.jpg", "left_2.jpg", "right_2.jpg", "other.jpg")
     groups = camera_groups([photo(n) for n in names], (), ("left_*", "right_*"))
     assert [g.photos for g in groups] == [(0, 2), (1, 3), (4,)]
+    listed = camera_groups([photo(n) for n in names], (), ("left_1.jpg|right_2.jpg",))
+    assert [g.photos for g in listed] == [(0, 3), (1, 2, 4)]
     with pytest.raises(InputError, match="no photograph's name matches the pattern 'up_\\*'"):
         camera_groups([photo("left_1.jpg")], (), ("up_*",))
     with pytest.raises(InputError, match="matches two patterns"):

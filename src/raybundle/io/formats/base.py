@@ -154,7 +154,7 @@ def write_format(
     if format_.kind == "folder":
         with new_folder(path) as folder:
             draft = format_.write(export, folder)
-            check_deviation(draft.deviation_px, draft.remarks, path, approximate=approximate)
+            check_deviation(draft.deviation_px, draft.remarks, path, approximate=approximate, remedy=STRAIGHTEN)
             names = sorted(p.relative_to(folder) for p in folder.rglob("*") if p.is_file())
         files = tuple(path / n for n in names)
         return Written(files=files, remarks=(*told, *draft.remarks), deviation_px=draft.deviation_px)
@@ -166,13 +166,22 @@ FREE_SCALE = "the scale of the block is free, for no length fixes it"
 GIVE_SCALE = "give the adjustment a scale bar, two control points or observed positions"
 
 
-def check_deviation(deviation_px: float, remarks: Sequence[str], path: Path, *, approximate: bool) -> None:
+HOLDS = "give a format that holds it"
+STRAIGHTEN = (
+    "write the photographs without distortion, which every format holds (--photos FOLDER --undistort inside), or give "
+    "a format that holds this one"
+)
+
+
+def check_deviation(
+    deviation_px: float, remarks: Sequence[str], path: Path, *, approximate: bool, remedy: str = HOLDS
+) -> None:
     """Raise InputError where cameras deviate by more than 0.1 px from what they stand for and no one allowed it."""
     if not approximate and not deviation_px <= LIMIT_PX:
         told = "; ".join(r for r in remarks if "deviation" in r)
         raise InputError(
             f"a camera deviates by up to {deviation_px:.3g} px from the one that it stands for ({told}), more than "
-            f"{LIMIT_PX:g} px; give a format that holds it, or --approximate",
+            f"{LIMIT_PX:g} px; {remedy}, or take the deviation (--approximate)",
             file=path,
         )
 
@@ -198,7 +207,7 @@ def _write_files(write: Writer, export: Export, path: Path, *, approximate: bool
     make_parent(path)
     with new_files(path) as (temporary,):
         draft = write(export, temporary)
-        check_deviation(draft.deviation_px, draft.remarks, path, approximate=approximate)
+        check_deviation(draft.deviation_px, draft.remarks, path, approximate=approximate, remedy=STRAIGHTEN)
         made = sorted(temporary.parent.iterdir())
         for file in made:
             if (path.parent / file.name).exists():

@@ -20,7 +20,7 @@ def write(export: Export, path: Path) -> Draft:
     try:
         import laspy  # noqa: PLC0415  (an extra)
     except ModuleNotFoundError:
-        raise InputError("LAS files need laspy; install the extra: pip install 'raybundle[las]'", file=path) from None
+        raise InputError("LAS files need laspy; install the extra: pip install 'raybundle[las]'") from None
     s = scene(export)
     xyz = s.xyz
     metres = 0.001 if export.block.length_unit == "mm" else 1.0

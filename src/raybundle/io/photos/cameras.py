@@ -55,7 +55,8 @@ def camera_groups(
 
     stored    calibrations to be used, as `read_cameras` reads them; each must fit a camera by its id or, where
             only one camera has its format, by that
-    separate  patterns of names, as "left_*": photographs that match one are a camera apart, whatever they state
+    separate  patterns of names, as "left_*" or "a.jpg|b.jpg": photographs that match one are a camera apart,
+            whatever they state
     raises    InputError where a stored calibration fits none, or more than one could be meant, or a pattern matches
               no photograph or one that another matches too
     Photographs belong together by make, model, serial number, lens, focal length, digital zoom and format as
@@ -98,8 +99,8 @@ def camera_of(group: CameraGroup) -> Camera:
 
 
 def _pattern_of(name: str, patterns: Sequence[str]) -> str:
-    """The pattern that a photograph's name matches, "" for none."""
-    found = [p for p in patterns if fnmatchcase(name, p)]
+    """The pattern that a photograph's name matches, by one of its parts between |; "" for none."""
+    found = [p for p in patterns if fnmatchcase(name, p) or any(fnmatchcase(name, part) for part in p.split("|"))]
     if len(found) > 1:
         raise InputError(f"photograph {name} matches two patterns of cameras, {found[0]!r} and {found[1]!r}")
     return found[0] if found else ""

@@ -1,0 +1,67 @@
+"""Affinity and shear are free where a sensor can have them; beyond that they are held, and it is said."""
+
+from dataclasses import replace
+
+import pytest
+
+from raybundle.adjustment.calibration_quality import calibration_qualities
+from raybundle.adjustment.decide import decide
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.pixel_shape import shape_limit
+from raybundle.adjustment.severity import Severity
+from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+
+EVERY = ("c", "x0", "y0", "K1", "K2", "K3", "P1", "P2", "A", "S")
+
+
+def decided(shape, estimate="auto", options=None):
+    """A field of targets seen by a camera of this affinity and shear."""
+    plan = TargetField(camera=brown_camera(values=shape), rows=8, columns=10, stations=6)
+    block = simulate(field_scene(plan), Survey(orientation="exact", points="exact", image_sigma_px=0.1)).observed
+    camera = block.cameras[0]
+    camera = replace(camera, estimate=estimate, values={**camera.values, "A": 0.0, "S": 0.0})
+    return decide(replace(block, cameras=(camera,)), options or AdjustmentOptions(threads=1, noise="white"))
+
+
+def told(result):
+    return [n for n in result.notices if n.code == "pixel_shape"]
+
+
+@pytest.mark.parametrize("shape", [{"A": 2e-4, "S": 0.8e-4}, {"A": -2e-4}, {"S": -0.9e-4}])
+def test_what_a_sensor_can_have_is_free(shape):
+    result = decided(shape)
+    assert not told(result)
+    p = result.interior[0].parameters
+    for s, value in shape.items():
+        assert abs(p[s].value - value) < 4 * p[s].std
+
+
+@pytest.mark.parametrize(("symbol", "value"), [("S", 1e-3), ("A", -2e-3)])
+def test_what_no_sensor_has_is_held_and_said(symbol, value):
+    result = decided({symbol: value})
+    (notice,) = told(result)
+    assert notice.ids[1] == symbol
+    assert notice.severity is Severity.CAUTION
+    assert f"{shape_limit(result.given.cameras[0], symbol):.0e}" in notice.message
+    assert result.interior[0].parameters[symbol].value == 0
+    assert symbol not in result.interior[0].free
+
+
+def test_where_it_is_nonsense_nothing_is_told_of_the_camera():
+    result = decided({"A": -0.03, "S": 0.02})
+    assert {n.severity for n in told(result)} == {Severity.FAULT}
+    (quality,) = calibration_qualities(result)
+    assert quality.grade == "not determinable"
+    assert any("no sensor has" in r for r in quality.reasons)
+
+
+@pytest.mark.parametrize(
+    ("estimate", "options"),
+    [(EVERY, None), ("auto", AdjustmentOptions(threads=1, noise="white", pixel_shape="any"))],
+    ids=["named", "any"],
+)
+def test_a_scan_keeps_its_freedom(estimate, options):
+    result = decided({"S": 1e-3}, estimate, options)
+    assert not told(result)
+    p = result.interior[0].parameters["S"]
+    assert abs(p.value - 1e-3) < 4 * p.std
