@@ -11,6 +11,7 @@ import numpy as np
 
 from raybundle.block import Block, Camera, Images
 from raybundle.cli.common import APPROXIMATE, COMMAND_SETTINGS, FOLDER, FREE_SCALE, common_options, counted
+from raybundle.cli.numbers import NUMBER
 from raybundle.errors import InputError
 from raybundle.io.coordinate_systems import LocalFrame, frame_from_mapping, local_frame
 from raybundle.io.formats import Export, check_deviation, formats, read_format, write_format
@@ -60,12 +61,12 @@ Example:
 @click.option(
     "--origin",
     nargs=3,
-    type=float,
+    type=NUMBER,
     metavar="E N H",
     help="The block stands in the local east-north-up frame at this point of --crs; without it, in --crs itself, and "
     "is brought to a local frame in its middle.",
 )
-@click.option("--undulation", type=float, metavar="M", help="Height of the geoid above the ellipsoid, for --crs.")
+@click.option("--undulation", type=NUMBER, metavar="M", help="Height of the geoid above the ellipsoid, for --crs.")
 @click.option("--photos", type=FOLDER, metavar="FOLDER",
     help="The photographs: colours of points, and --undistort. An oriented project's colours are found without it.",
 )  # fmt: skip
