@@ -16,6 +16,7 @@ from raybundle.errors import InputError
 from raybundle.io.coordinate_systems import LocalFrame, frame_from_mapping, local_frame
 from raybundle.io.formats import Export, check_deviation, formats, read_format, write_format
 from raybundle.io.project import photographs_of
+from raybundle.io.reading.files import opened
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress
 from raybundle.numerics.rotation import rotation_from_angles
@@ -181,7 +182,7 @@ def recognised(source: Path) -> str:
     elif source.suffix.lower() in {".opf", ".xml"}:
         return {".opf": "opf", ".xml": "metashape"}[source.suffix.lower()]
     elif source.suffix.lower() == ".json":
-        with source.open("rb") as file:
+        with opened(source) as file:
             return "opensfm" if file.read(64).lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"[") else "nerfstudio"
     raise InputError(f"its format is not recognised; give --from, one of {', '.join(READABLE)}", file=source)
 

@@ -211,6 +211,7 @@ def command(
     from raybundle.io.camera_library import library_folder  # noqa: PLC0415
     from raybundle.io.control_files import DEFAULTS, ControlDefaults, read_control  # noqa: PLC0415
     from raybundle.io.photos.photo import shown  # noqa: PLC0415
+    from raybundle.io.project import discard_empty  # noqa: PLC0415
     from raybundle.io.trajectories import read_trajectory  # noqa: PLC0415
     from raybundle.report.result_folder import check_target  # noqa: PLC0415
     from raybundle.workflows.marks import Given, ScaleBar  # noqa: PLC0415
@@ -240,6 +241,7 @@ def command(
     if shown(out) != out:
         raise InputError("this name is no UTF-8, which the result is written in; choose another --out", file=shown(out))
     check_target(result)
+    begins = not out.exists()
     try:
         with reporting(progress) as tell:
             _keep_settings(out)
@@ -252,6 +254,10 @@ def command(
     except KeyboardInterrupt:
         click.echo(f"interrupted; what is finished is kept in {out}, the same command continues there", err=True)
         return 130
+    except InputError:
+        if begins and out.is_dir():
+            discard_empty(out)
+        raise
     if done.photos or not done.scenes:
         click.echo(f" {done.oriented} of {counted(len(done.photos), 'photograph')} oriented")
     if done.scenes:

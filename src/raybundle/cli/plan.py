@@ -87,10 +87,13 @@ def flight(
 
     from raybundle.block.uav_networks import FREE, Flight, flight_block, uav_camera  # noqa: PLC0415
     from raybundle.io.block_folder import write_block  # noqa: PLC0415
+    from raybundle.io.folders import check_place  # noqa: PLC0415
     from raybundle.workflows.plan_flight import plan_flight  # noqa: PLC0415
 
     if out is not None and out.exists():
         raise InputError("stands there already and is not overwritten; choose another folder or delete it", file=out)
+    if out is not None:
+        check_place(out)
     width, size, c = camera
     usual = uav_camera()
     taken = replace(

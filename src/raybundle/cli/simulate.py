@@ -62,6 +62,7 @@ def command(scene: str, out: Path, progress: str, seed: int, noise: float, **sur
     """  # noqa: D301
     del progress
     from raybundle.block.simulate import Survey, simulate  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.io.folders import check_place  # noqa: PLC0415
 
     control = cast("int", survey["control"])
     sigma = cast("float", survey["control_sigma"])
@@ -78,6 +79,7 @@ def command(scene: str, out: Path, progress: str, seed: int, noise: float, **sur
         gross_share=cast("float", survey["gross"]),
         gross_px=cast("float", survey["gross_px"]),
     )
+    check_place(out)
     simulation = simulate(scene_of(scene), plan)
     write_simulation(simulation, out)
     block = simulation.observed
