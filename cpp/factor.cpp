@@ -249,6 +249,7 @@ int64_t Factor::factorise(const double* values, const double* added) {
     for (int e = 0; e < c; ++e) {
       const double pivot = F[size_t(e) * m + e] * F[size_t(e) * m + e];
       const int64_t at = unknown(e);
+      if (!std::isfinite(pivot)) return at + 1;  // whether potrf itself stops at a NaN is the library's choice
       pivots_[at] = pivot / (scale_[at] * scale_[at]);
       if (pivot < smallest_pivot_) {
         smallest_pivot_ = pivot;

@@ -223,7 +223,7 @@ struct Solver {
   void ready() const { check(complete, "the problem is not complete: call set_nodes after set_observations, set_images, set_patterns, set_points"); }
   const Factor& solved() const {
     ready();
-    check(factorised, "the matrix is not factorised: call factorise first");
+    check(factorised, "the matrix is not factorised: call factorise first, and solve only where it returns 0");
     return *factor;
   }
   static void count(int threads) { check(threads >= 1 && threads <= 4096, "the number of threads is not from 1 to 4096"); }
@@ -419,10 +419,15 @@ NB_MODULE(_native, m) {
              s.ready();
              s.check(values.size() == size_t(s.q.block_start.back()), "normal matrix has the wrong size");
              s.check(!added.size() || added.size() == size_t(s.q.unknowns), "what is added to the diagonal has the wrong size");
-             s.factorised = true;
+             s.factorised = false;  // what a factorisation that stops has written is no factor, nor is the one before it left
              const double *v = values.data(), *a = added.size() ? added.data() : nullptr;
-             nb::gil_scoped_release release;
-             return s.factor->factorise(v, a);
+             int64_t stopped;
+             {
+               nb::gil_scoped_release release;
+               stopped = s.factor->factorise(v, a);
+             }
+             s.factorised = stopped == 0;
+             return stopped;
            })
       .def("solve",
            [](const Solver& s, Doubles x, int columns) {

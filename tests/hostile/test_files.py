@@ -253,3 +253,122 @@ def test_a_photograph_exchanged_for_one_of_the_same_size_is_noticed(tmp_path, re
     assert path.stat().st_size == size
     with pytest.raises(InputError, match="was exchanged during the work: its content"):
         read(photo)
+
+
+# --- where results go
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("d/" * 3000 + "r", "too long"), ("file/r", "is no folder"), ("file", "is no folder"),
+        ("circle", "back to itself"), ("circle/r", ""), ("/proc/nothing/r", ""),
+    ],
+    ids=["nested", "below a file", "a file", "circle", "below a circle", "proc"],
+)  # fmt: skip
+def test_what_cannot_be_written_is_found_before_anything_is_computed(tmp_path, block, capsys, monkeypatch, name, words):
+    (tmp_path / "file").write_text("x")
+    (tmp_path / "circle").symlink_to(tmp_path / "circle")
+    monkeypatch.setattr("raybundle.workflows.adjust.adjust", lambda *_: pytest.fail("it was adjusted first"))
+    out = name if name[0] == "/" else str(tmp_path / name)
+    before = sorted(p.name for p in tmp_path.iterdir())
+    assert main(["adjust", str(block), "--out", out]) == 2
+    told = capsys.readouterr().err
+    assert words in told
+    assert "internal" not in told
+    assert sorted(p.name for p in tmp_path.iterdir()) == before
+
+
+def test_many_nested_folders_are_made(tmp_path):
+    deep = tmp_path.joinpath(*["d"] * 1200)
+    with new_folder(deep) as folder:
+        (folder / "a").write_text("b")
+    assert (deep / "a").read_text() == "b"
+
+
+@pytest.mark.parametrize("there", [False, True], ids=["dangling", "to an older result"])
+def test_a_result_goes_where_a_link_points(tmp_path, block, there):
+    real, link = tmp_path / "disk" / "result", tmp_path / "link"
+    link.symlink_to(real)
+    if there:
+        assert main(["adjust", str(block), "--out", str(real), "--no-report"]) == 0
+        (real / "result.json").touch()
+        before = (real / "result.json").stat().st_ino
+    assert main(["adjust", str(block), "--out", str(link), "--no-report"]) == 0
+    assert link.is_symlink()
+    assert (real / "result.json").is_file()
+    assert not there or (real / "result.json").stat().st_ino != before
+    file = tmp_path / "page.html"
+    file.symlink_to(tmp_path / "disk" / "page.html")
+    with new_files(file) as (temporary,):
+        temporary.write_text("page")
+    assert file.is_symlink()
+    assert (tmp_path / "disk" / "page.html").read_text() == "page"
+
+
+@pytest.mark.parametrize("table", ["block.toml", "images.csv", "observations.csv", "points.csv"])
+@pytest.mark.parametrize("kind", ["pipe", "folder", "device"])
+def test_what_is_no_file_is_refused_not_waited_for(tmp_path, block, capsys, table, kind):
+    copy = tmp_path / "b"
+    shutil.copytree(block, copy)
+    (copy / table).unlink(missing_ok=True)
+    if kind == "pipe":
+        os.mkfifo(copy / table)
+    elif kind == "folder":
+        (copy / table).mkdir()
+    else:
+        (copy / table).symlink_to(os.devnull)
+    assert main(["adjust", str(copy), "--out", str(tmp_path / "r")]) == 2
+    told = capsys.readouterr().err
+    assert table in told
+    assert f"is a {kind} and is no file" in told
+
+
+def test_a_folder_is_not_called_missing(tmp_path, capsys):
+    assert main(["rpc", "info", str(tmp_path)]) == 2
+    assert "is a folder" in capsys.readouterr().err
+    assert main(["rpc", "info", str(tmp_path / "nothing")]) == 2
+    assert "No such file" in capsys.readouterr().err
+
+
+def test_a_comparison_replaces_a_comparison_alone(tmp_path, block, capsys):
+    result, page = str(tmp_path / "r"), tmp_path / "c.html"
+    assert main(["adjust", str(block), "--out", result, "--no-report"]) == 0
+    page.write_text("my own page")
+    assert main(["compare", result, result, "--out", str(page)]) == 2
+    assert "is no comparison" in capsys.readouterr().err
+    assert page.read_text() == "my own page"
+    page.unlink()
+    for _ in range(2):
+        assert main(["compare", result, result, "--out", str(page)]) == 0
+
+
+def test_nothing_to_orient_leaves_no_project(tmp_path, capsys):
+    (tmp_path / "photo.jpg").write_bytes(b"no photograph")
+    out = tmp_path / "project"
+    assert main(["orient", str(tmp_path / "photo.jpg"), "--out", str(out)]) == 2
+    assert "0 usable photographs" in capsys.readouterr().err
+    assert not out.exists()
+    out.mkdir()
+    assert main(["orient", str(tmp_path / "photo.jpg"), "--out", str(out)]) == 2
+    assert (out / "project.db").exists()  # the folder was there before: its owner's
+
+
+@pytest.mark.parametrize(
+    ("number", "words"),
+    [("1e30", "greater in size than 1e+18"), ("1e999", "greater in size than 1e+18"), ("nan", "not a finite number")],
+)
+def test_a_number_beyond_the_limit_is_told_the_limit(tmp_path, block, capsys, number, words):
+    copy = tmp_path / "b"
+    shutil.copytree(block, copy)
+    lines = (copy / "observations.csv").read_text().splitlines()
+    cells = lines[1].split(",")
+    (copy / "observations.csv").write_text(
+        "\n".join([lines[0], ",".join([*cells[:2], number, *cells[3:]]), *lines[2:]])
+    )
+    assert main(["adjust", str(copy), "--out", str(tmp_path / "r")]) == 2
+    assert words in capsys.readouterr().err
+    cells[4] = "1e-300"
+    (copy / "observations.csv").write_text("\n".join([lines[0], ",".join(cells), *lines[2:]]))
+    assert main(["adjust", str(copy), "--out", str(tmp_path / "r")]) == 2
+    assert "nearer to 0 than 1e-100" in capsys.readouterr().err

@@ -227,7 +227,7 @@ CASES = {
     "semicolons": ("stations.csv", "a,0,0,,", "a;0;0;;", 2, None, "not by semicolons"),
     "NaN": ("observations.csv", "2500.5", "nan", 3, "x_px", "'nan' is not a finite number"),
     "infinity": ("points.csv", "p1,control,1", "p1,control,inf", 2, "X", "'inf' is not a finite number"),
-    "too large": ("points.csv", "p1,control,1", "p1,control,1e999", 2, "X", "not a finite number"),
+    "too large": ("points.csv", "p1,control,1", "p1,control,1e999", 2, "X", "greater in size than 1e+18"),
     "empty measurement": ("observations.csv", "2500.5", "", 3, "x_px", "the cell is empty"),
     "negative sigma": ("points.csv", "0,0.01,", "0,-0.01,", 2, "sY", "'-0.01' is negative"),
     "sigma 0 of an image point": ("observations.csv", "0.1,0.2", "0.1,0", 3, "sy_px", "must be greater than 0"),

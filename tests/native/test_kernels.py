@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from raybundle.adjustment import defects
 from raybundle.adjustment import normals as normals_module
 from raybundle.adjustment.assemble import assemble
 from raybundle.adjustment.options import AdjustmentOptions
@@ -120,6 +121,36 @@ def test_solve_with_right_sides_for_points(pair):
         found.append(normals.solve(state, nodes, points))
     close(found[0][0], found[1][0], 1e-8)
     close(found[0][1], found[1][1], 1e-8)
+
+
+def test_neither_solves_after_a_factorisation_that_stops(pair):
+    """A factor that stood before is gone as well: the matrix it belongs to is another."""
+    for normals in pair[:2]:
+        normals.reduce(pair[2])
+        assert normals.factorise() == 0
+        good = normals.values.copy()
+        for bad in (np.nan, 0.0):
+            normals.values[:] = bad
+            if not len(normals.right):  # every unknown is a point's
+                continue
+            assert normals.factorise() > 0
+            for use in (lambda n=normals: n.solved(n.right), normals.selected_inverse, normals.least_share):
+                with pytest.raises(ValueError, match="not factorised"):
+                    use()
+        normals.values[:] = good
+        assert normals.factorise() == 0
+        assert np.isfinite(normals.solved(normals.right)).all()
+
+
+def test_what_cannot_be_factored_has_no_null_space_to_be_named(pair):
+    for normals in pair[:2]:
+        normals.reduce(pair[2])
+        normals.values[:] = np.nan
+        assert not len(defects.null_vectors(normals)[0])
+        assert defects.null_space(normals) == ([], "")
+        error = defects.no_convergence(normals, pair[2], 7, np.nan)
+        assert error.undetermined == ()
+        assert "after 7 iterations" in str(error)
 
 
 @pytest.mark.parametrize("datum", [0, 3])

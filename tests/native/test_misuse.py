@@ -108,6 +108,14 @@ def factorised():
     return s
 
 
+def unfactorised(what=None):
+    """A solver whose factor stood and whose next factorisation stops, at a NaN or without information."""
+    s = factorised()
+    values = reduced(s) * 0.0 if what is None else np.full(s.values_size, what)
+    assert s.factorise(values, np.zeros(0)) > 0
+    return s
+
+
 def in_child(call):
     """The name of the exception that a call raises, "" for none, or the signal that ended the process."""
     reading, writing = os.pipe()
@@ -153,6 +161,10 @@ ORDER = {
     "pivots": lambda: solver().pivots(np.zeros(17)),
     "solve first": lambda: native.module().Solver().solve(np.zeros(0), 1),
     "solve before factorise": lambda: solver().solve(np.zeros(17), 1),
+    "solve after a factorisation that stops": lambda: unfactorised().solve(np.zeros(17), 1),
+    "solve after a factorisation of NaN": lambda: unfactorised(np.nan).solve(np.zeros(17), 1),
+    "inverse after a factorisation that stops": lambda: (s := unfactorised()).selected_inverse(np.zeros(s.values_size)),
+    "pivots after a factorisation that stops": lambda: unfactorised().pivots(np.zeros(17)),
     "selected inverse": lambda: solver().selected_inverse(np.zeros(solver().values_size)),
     "block": lambda: native.module().Solver().block(0, 0),
     "set_held first": lambda: native.module().Solver().set_held(np.zeros(0, np.uint8)),

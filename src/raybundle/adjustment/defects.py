@@ -273,15 +273,20 @@ def unknown_name(system: System, unknown: int) -> str:
 def null_vectors(normals: Normals, count: int = 6) -> tuple[Array, Array]:
     """Smallest eigenvalues and vectors of the reduced normal matrix scaled to a unit diagonal.
 
-    Inverse subspace iteration with a tiny shift; vectors are per unit of the scaled unknowns.
+    Inverse subspace iteration with a tiny shift; vectors are per unit of the scaled unknowns.  None (N, 0) where no
+    shift up to 1e-6 makes the matrix positive definite: it is not finite, or nothing of it is left beside rounding.
     """
     size = len(normals.right)
+    if not size:
+        return np.zeros(0), np.zeros((0, 0))
     diagonal = np.maximum(normals.diagonal, 1e-300)
     shift = 1e-11
     for _ in range(6):
         if not normals.factorise(shift * diagonal):
             break
         shift *= 10
+    else:
+        return np.zeros(0), np.zeros((size, 0))
     rng = np.random.default_rng(1)
     count = min(count, size)
     scale = np.sqrt(diagonal)
@@ -409,6 +414,12 @@ def no_convergence(normals: Normals, state: State, iterations: int, step: float)
     normals  in a minimal datum, formed at the state
     """
     del state
+    if not np.isfinite(normals.values).all():
+        return NoConvergence(
+            f"no convergence: after {iterations} iterations the normal equations are not finite. Image points, "
+            "coordinates or approximate values are too large for any camera to see: look for wrong units and decimal "
+            "points."
+        )
     values, vectors = null_vectors(normals)
     lost = [u for u in shares(normals, vectors[:, values < NULL]) if u.share > 1e-4]
     return NoConvergence(

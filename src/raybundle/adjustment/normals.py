@@ -249,7 +249,10 @@ class Normals:
         return nodes, points, float(cost) + 0.5 * float(moved @ moved)
 
     def factorise(self, added: Array = _NONE) -> int:
-        """Factor the matrix of the last `reduce` with this added to its diagonal; 0, or 1 + the unknown that fails."""
+        """Factor the matrix of the last `reduce` with this added to its diagonal; 0, or 1 + the unknown that fails.
+
+        Where it fails there is no factor: `solved`, `selected_inverse` and `least_share` then raise ValueError.
+        """
         with as_many_threads_as_help(len(self.right)):
             return int(self.solver.factorise(self.values, added))
 

@@ -146,6 +146,7 @@ class Solver:
         """Keep the system; the `set_...` calls hand over the same arrays as to the compiled solver."""
         del block
         self.system = system
+        self.factorised = False
         self.smallest_pivot, self.smallest_pivot_at = 1.0, -1
         self.own_pivots = np.ones(0)
 
@@ -355,6 +356,7 @@ class Solver:
         """
         from scipy.linalg import get_lapack_funcs  # noqa: PLC0415
 
+        self.factorised = False
         S = self._dense(values)
         if added.size:
             S[np.diag_indices_from(S)] += added
@@ -367,6 +369,9 @@ class Solver:
         if info:
             return int(info)
         pivots = np.diagonal(self.L) ** 2
+        if not np.isfinite(pivots).all():
+            return int(np.flatnonzero(~np.isfinite(pivots))[0]) + 1
+        self.factorised = True
         self.own_pivots = pivots / self.scale**2
         self.smallest_pivot_at = int(pivots.argmin()) if len(pivots) else -1
         self.smallest_pivot = float(pivots.min(initial=1.0))
@@ -374,12 +379,18 @@ class Solver:
 
     def pivots(self, out: Array) -> None:
         """Pivots (N,) of the matrix itself, in the order of the unknowns."""
+        self._check_factor()
         out[:] = self.own_pivots
+
+    def _check_factor(self) -> None:
+        if not self.factorised:
+            raise ValueError("the matrix is not factorised: call factorise first, and solve only where it returns 0")
 
     def solve(self, x: Array, columns: int) -> None:
         """Solve in place for right sides (N, columns)."""
         from scipy.linalg import cho_solve  # noqa: PLC0415
 
+        self._check_factor()
         if not self.unknowns:  # SciPy before 1.14 refuses matrices without rows
             return
         right = x.reshape(self.unknowns, columns) * self.scale[:, None]

@@ -8,6 +8,7 @@ import numpy as np
 
 from raybundle.block.block import Block, Camera, Images, Observations, Points, Role, Stations
 from raybundle.block.simulate import Scene, brown_camera, measured
+from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.attitude import rotation_from_gimbal
 from raybundle.numerics.rotation import rotation_from_vector
@@ -125,6 +126,14 @@ def _exact(scene: Scene, plan: Flight) -> Block:
     block = measured(_empty(scene, plan), plan.image_sigma_px)
     count = np.bincount(block.observations.image, minlength=len(block.images))
     keep = np.flatnonzero(count >= plan.least_points)
+    if len(keep) < 2:
+        across = " x ".join(f"{side:.3g}" for side in plan.footprint)
+        raise InputError(
+            f"flight: {len(keep)} of {len(count)} photographs show {plan.least_points} tie points or more, two are "
+            f"needed. A photograph covers {across} m, tie points lie {plan.size / (plan.points - 1):.3g} m apart over "
+            f"{plan.size:.3g} x {plan.size:.3g} m, photographs {plan.base:.3g} m and lines {plan.spacing:.3g} m: bring "
+            "these figures together (--height, --base, --spacing, --ground, --points, --jitter)"
+        )
     if len(keep) == len(count):
         return block
     part = replace(scene, centre=scene.centre[keep], rotation=scene.rotation[keep])

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, cast
 import click
 
 from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, counted, noise_option
+from raybundle.cli.numbers import POSITIVE
 from raybundle.errors import InputError
 
 if TYPE_CHECKING:
@@ -54,7 +55,7 @@ MOST_PARAMETERS = 16
     help="Parameters to be estimated, as c,x0,y0,K1,K2,P1,P2.  [default: what is significant and determinable]",
 )  # fmt: skip
 @click.option(
-    "--spacing", type=click.FloatRange(0, min_open=True), default=1.0, metavar="MM",
+    "--spacing", type=POSITIVE, default=1.0, metavar="MM",
     help="Distance of neighbouring points of a board; the calibration does not depend on it.",
 )  # fmt: skip
 @click.option("--dots", is_flag=True, help="Use dots without a code among the targets, too.")

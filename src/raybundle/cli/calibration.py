@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from raybundle.cli.common import APPROXIMATE, COMMAND_SETTINGS, FOLDER, counted, significant
+from raybundle.cli.numbers import NOT_NEGATIVE, POSITIVE
 from raybundle.errors import InputError
 
 if TYPE_CHECKING:
@@ -57,7 +58,7 @@ def command() -> None:
 @click.option("--to", "target", required=True, metavar="FORMAT", help="Format to write.")
 @click.option("--out", type=FOLDER, required=True, metavar="FILE", help="New file; nothing is overwritten.")
 @click.option("--model", metavar="NAME", help="Distortion model of FORMAT, as 8 (opencv) or OPENCV (colmap).")
-@click.option("--pixel-mm", type=float, metavar="MM", help="Size of a pixel, where INPUT does not tell it.")
+@click.option("--pixel-mm", type=POSITIVE, metavar="MM", help="Size of a pixel, where INPUT does not tell it.")
 @SIZE
 @CAMERA
 @APPROXIMATE
@@ -189,7 +190,7 @@ def _our_camera(calibration: Calibration) -> tuple[Camera, str]:
 @command.command("compare", context_settings=COMMAND_SETTINGS)
 @click.argument("first", type=FOLDER, metavar="A")
 @click.argument("second", type=FOLDER, metavar="B")
-@click.option("--distance", type=click.FloatRange(0, min_open=True), metavar="D", help="Of the object; else infinity.")
+@click.option("--distance", type=POSITIVE, metavar="D", help="Of the object; else infinity.")
 @click.option("--json", "as_json", is_flag=True, help="Everything, the map too, as JSON.")
 @SIZE
 @CAMERA
@@ -272,8 +273,8 @@ def compare(
 @click.option("--model", help="As --make.")
 @click.option("--serial", help="As --make.")
 @click.option("--lens", help="As --make.")
-@click.option("--focal", type=float, metavar="MM", help="EXIF focal length; as --make.")
-@click.option("--focus", type=float, metavar="M", help="Distance to which the lens was focused; as --make.")
+@click.option("--focal", type=POSITIVE, metavar="MM", help="EXIF focal length; as --make.")
+@click.option("--focus", type=POSITIVE, metavar="M", help="Distance to which the lens was focused; as --make.")
 @click.option("--date", help="Of the calibration.  [default: today]")
 @SIZE
 @CAMERA
@@ -411,10 +412,10 @@ def find(photo: Path, out: Path | None, library: Path | None) -> int:
 @click.argument("results", type=FOLDER, nargs=-1, required=True, metavar="RESULT...")
 @click.option("--out", type=FOLDER, required=True, metavar="FOLDER", help="New folder for camera.toml and zoom.toml.")
 @click.option(
-    "--focal", type=float, multiple=True, metavar="MM",
+    "--focal", type=POSITIVE, multiple=True, metavar="MM",
     help="EXIF focal length of each camera in its order, where the photographs do not tell it.",
 )  # fmt: skip
-@click.option("--resolution", type=click.FloatRange(0), metavar="MM", help="Step of the focal lengths; 0: not rounded.")
+@click.option("--resolution", type=NOT_NEGATIVE, metavar="MM", help="Step of the focal lengths; 0: not rounded.")
 @click.option("--keep", is_flag=True, help="Keep it in the camera library, where orient finds it for any focal length.")
 @LIBRARY
 @TRACEBACK

@@ -18,7 +18,7 @@ from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options
     default=Path("compare.html"),
     show_default=True,
     metavar="FILE",
-    help="The HTML file to write.",
+    help="The HTML file to write; an older comparison is replaced, no other file.",
 )
 @common_options
 def command(first: Path, second: Path, out: Path, progress: str) -> None:

@@ -11,10 +11,12 @@ import numpy as np
 
 from raybundle.block import Block, Camera, Images
 from raybundle.cli.common import APPROXIMATE, COMMAND_SETTINGS, FOLDER, FREE_SCALE, common_options, counted
+from raybundle.cli.numbers import NUMBER
 from raybundle.errors import InputError
 from raybundle.io.coordinate_systems import LocalFrame, frame_from_mapping, local_frame
 from raybundle.io.formats import Export, check_deviation, formats, read_format, write_format
 from raybundle.io.project import photographs_of
+from raybundle.io.reading.files import opened
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress
 from raybundle.numerics.rotation import rotation_from_angles
@@ -60,12 +62,12 @@ Example:
 @click.option(
     "--origin",
     nargs=3,
-    type=float,
+    type=NUMBER,
     metavar="E N H",
     help="The block stands in the local east-north-up frame at this point of --crs; without it, in --crs itself, and "
     "is brought to a local frame in its middle.",
 )
-@click.option("--undulation", type=float, metavar="M", help="Height of the geoid above the ellipsoid, for --crs.")
+@click.option("--undulation", type=NUMBER, metavar="M", help="Height of the geoid above the ellipsoid, for --crs.")
 @click.option("--photos", type=FOLDER, metavar="FOLDER",
     help="The photographs: colours of points, and --undistort. An oriented project's colours are found without it.",
 )  # fmt: skip
@@ -180,7 +182,7 @@ def recognised(source: Path) -> str:
     elif source.suffix.lower() in {".opf", ".xml"}:
         return {".opf": "opf", ".xml": "metashape"}[source.suffix.lower()]
     elif source.suffix.lower() == ".json":
-        with source.open("rb") as file:
+        with opened(source) as file:
             return "opensfm" if file.read(64).lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"[") else "nerfstudio"
     raise InputError(f"its format is not recognised; give --from, one of {', '.join(READABLE)}", file=source)
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, counted, significant
+from raybundle.cli.numbers import PIXELS
 from raybundle.errors import InputError
 
 if TYPE_CHECKING:
@@ -26,7 +27,7 @@ CORRELATED = 0.95
 @click.option("--model", type=click.Choice(("auto", *MODELS)), default="auto", show_default=True,
     help="auto: the adequate one with the fewest parameters.",
 )  # fmt: skip
-@click.option("--sigma", type=click.FloatRange(0, min_open=True), default=0.5, show_default=True,
+@click.option("--sigma", type=PIXELS, default=0.5, show_default=True,
     help="Of a measured image coordinate [px]; it decides what is adequate.",
 )  # fmt: skip
 @click.option("--without", default="", metavar="K3,P1,...", help="Additional parameters of dlt-brown to leave out.")

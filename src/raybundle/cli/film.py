@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, cast
 import click
 
 from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, counted
+from raybundle.cli.numbers import POSITIVE
 from raybundle.errors import InputError
 
 if TYPE_CHECKING:
@@ -29,7 +30,7 @@ LARGE_SHRINKAGE = 0.01
     help="TOML with one [cameras.ID]: format, c_mm, x0_mm, y0_mm of the certificate.",
 )
 @click.option("--points", "points_file", type=FOLDER, metavar="FILE", help="CSV: image,point,x_px,y_px[,sx_px,sy_px].")
-@click.option("--pixel-mm", type=float, metavar="MM", help="Pixel of the scanner.  [default: that of the camera]")
+@click.option("--pixel-mm", type=POSITIVE, metavar="MM", help="Pixel of the scanner.  [default: that of the camera]")
 @click.option("--model", type=click.Choice(["similarity", "affine", "projective"]), default="affine", show_default=True)
 @click.option(
     "--reseau",

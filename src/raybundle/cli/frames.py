@@ -7,18 +7,17 @@ from pathlib import Path
 import click
 
 from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, counted
+from raybundle.cli.numbers import POSITIVE
 
 
 @click.command("frames", context_settings=COMMAND_SETTINGS)
 @click.argument("video", type=FOLDER)
 @click.option("--out", type=FOLDER, required=True, metavar="FOLDER", help="A new or empty folder for the photographs.")
 @click.option("--count", type=click.IntRange(1), help="So many frames, evenly by image motion.")
-@click.option(
-    "--every", type=click.FloatRange(0, min_open=True), metavar="SECONDS", help="One frame in so many seconds."
-)
+@click.option("--every", type=POSITIVE, metavar="SECONDS", help="One frame in so many seconds.")
 @click.option(
     "--motion",
-    type=click.FloatRange(0, min_open=True),
+    type=POSITIVE,
     default=0.08,
     show_default=True,
     help="Without --count and --every: one frame whenever the view has moved by this share of the image's longer side.",

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal, cast
 import click
 
 from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, counted, noise_option
+from raybundle.cli.numbers import NOT_NEGATIVE, NUMBER, POSITIVE, Number
 
 if TYPE_CHECKING:
     from raybundle.io.project import StageRecord
@@ -63,13 +64,13 @@ class StageName(_Choice):
 @click.option("--check", type=FOLDER, multiple=True, metavar="FILE", help="Check points, in the same formats.")
 @click.option(
     "--control-sigma",
-    type=(float, float),
+    type=(NOT_NEGATIVE, NOT_NEGATIVE),
     metavar="PLAN HEIGHT",
     help="Standard deviation of control whose file states none.",
 )
 @click.option(
     "--mark-sigma",
-    type=click.FloatRange(0.001),
+    type=Number(0.001, 1e5),
     default=0.5,
     show_default=True,
     metavar="PX",
@@ -77,7 +78,7 @@ class StageName(_Choice):
 )
 @click.option(
     "--scale-bar",
-    type=(str, str, float, float),
+    type=(str, str, POSITIVE, NOT_NEGATIVE),
     multiple=True,
     metavar="A B LENGTH SIGMA",
     help="A known distance between two points that --control measures, and its standard deviation, both in metres; may "
@@ -93,7 +94,7 @@ class StageName(_Choice):
     "file holds with standard deviations.",
 )  # fmt: skip
 @click.option(
-    "--attitude-sigma", type=(float, float), metavar="TILT HEADING",
+    "--attitude-sigma", type=(POSITIVE, POSITIVE), metavar="TILT HEADING",
     help="Standard deviations [deg] of attitudes that state none; observes those of the gimbal as well.",
 )  # fmt: skip
 @click.option(
@@ -105,7 +106,7 @@ class StageName(_Choice):
     "after a drift of the positions as well.",
 )  # fmt: skip
 @click.option(
-    "--lever-arm", type=(float, float, float, float), metavar="RIGHT UP BACK SIGMA",
+    "--lever-arm", type=(NUMBER, NUMBER, NUMBER, NOT_NEGATIVE), metavar="RIGHT UP BACK SIGMA",
     help="Positions belong to an antenna that stands there in the axes of the image, seen from the projection centre; "
     "SIGMA 0 holds it.",
 )  # fmt: skip
@@ -143,7 +144,7 @@ class StageName(_Choice):
 @click.option("--quick", is_flag=True, help="Leave out least-squares matching: several times less precise.")
 @click.option("--jobs", type=click.IntRange(0), default=0, show_default=True, help="0: all processors.")
 @click.option(
-    "--memory", type=click.FloatRange(0.1), default=4.0, show_default=True, metavar="GB",
+    "--memory", type=Number(0.1, 1e6), default=4.0, show_default=True, metavar="GB",
     help="Memory that the pixels of photographs may take while points are measured.",
 )  # fmt: skip
 @click.option("--from", "redo_from", type=StageName(STAGES), help="Do this stage and all after it again.")
@@ -211,6 +212,7 @@ def command(
     from raybundle.io.camera_library import library_folder  # noqa: PLC0415
     from raybundle.io.control_files import DEFAULTS, ControlDefaults, read_control  # noqa: PLC0415
     from raybundle.io.photos.photo import shown  # noqa: PLC0415
+    from raybundle.io.project import discard_empty  # noqa: PLC0415
     from raybundle.io.trajectories import read_trajectory  # noqa: PLC0415
     from raybundle.report.result_folder import check_target  # noqa: PLC0415
     from raybundle.workflows.marks import Given, ScaleBar  # noqa: PLC0415
@@ -220,7 +222,7 @@ def command(
         features=features, feature_count=feature_count, start=cast("Any", start), precise=not quick, jobs=jobs,
         memory_gb=memory, separate=separate, library=None if no_library else library_folder(),
         redo_from=cast("Any", redo_from or ""), scene_bias=cast("Any", scene_bias), crs=crs,
-        attitudes=cast("Any", attitudes), attitude_sigma_deg=_positive(attitude_sigma),
+        attitudes=cast("Any", attitudes), attitude_sigma_deg=attitude_sigma,
         relative=cast("Any", relative or ""), noise=cast("Any", noise),
     )  # fmt: skip
     cameras = read_cameras(calibration) if calibration is not None else ()
@@ -240,6 +242,7 @@ def command(
     if shown(out) != out:
         raise InputError("this name is no UTF-8, which the result is written in; choose another --out", file=shown(out))
     check_target(result)
+    begins = not out.exists()
     try:
         with reporting(progress) as tell:
             _keep_settings(out)
@@ -252,6 +255,10 @@ def command(
     except KeyboardInterrupt:
         click.echo(f"interrupted; what is finished is kept in {out}, the same command continues there", err=True)
         return 130
+    except InputError:
+        if begins and out.is_dir():
+            discard_empty(out)
+        raise
     if done.photos or not done.scenes:
         click.echo(f" {done.oriented} of {counted(len(done.photos), 'photograph')} oriented")
     if done.scenes:
@@ -269,12 +276,6 @@ def command(
         + ("" if no_report else f", report: {result / 'report.html'}, in 3D: {result / 'network.html'}")
     )
     return 0
-
-
-def _positive(sigma: tuple[float, float] | None) -> tuple[float, float] | None:
-    if sigma is not None and not min(sigma) > 0:
-        raise click.BadParameter(f"{min(sigma):g} is no standard deviation; give two positive ones [deg]")
-    return sigma
 
 
 def _keep_settings(out: Path) -> None:

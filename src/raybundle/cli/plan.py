@@ -9,13 +9,15 @@ from typing import TYPE_CHECKING
 import click
 
 from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, counted
+from raybundle.cli.numbers import METRES, PIXELS, Number
 from raybundle.errors import InputError
 
 if TYPE_CHECKING:
     from raybundle.block.uav_networks import Flight
     from raybundle.workflows.plan_flight import Forecast
 
-POSITIVE = click.FloatRange(0, min_open=True)
+
+FORMAT = click.IntRange(100, 100_000)
 
 
 @click.group("plan", context_settings=COMMAND_SETTINGS)
@@ -31,32 +33,32 @@ def command() -> None:
 @command.command("flight")
 @click.option("--lines", type=click.IntRange(1, 40), default=4, show_default=True, help="Flight lines.")
 @click.option("--photos", type=click.IntRange(2, 80), default=8, show_default=True, help="Photographs of a line.")
-@click.option("--height", type=POSITIVE, default=80.0, show_default=True, help="Above ground [m].")
-@click.option("--base", type=POSITIVE, help="Between photographs of a line [m].  [default: by --overlap]")
-@click.option("--spacing", type=POSITIVE, help="Between lines [m].  [default: by --overlap]")
-@click.option("--overlap", type=(click.FloatRange(0, 0.95), click.FloatRange(0, 0.95)), default=(0.8, 0.6),
+@click.option("--height", type=METRES, default=80.0, show_default=True, help="Above ground [m].")
+@click.option("--base", type=METRES, help="Between photographs of a line [m].  [default: by --overlap]")
+@click.option("--spacing", type=METRES, help="Between lines [m].  [default: by --overlap]")
+@click.option("--overlap", type=(Number(0, 0.95), Number(0, 0.95)), default=(0.8, 0.6),
     show_default=True, metavar="ALONG ACROSS", help="Of photographs along a line, and of lines.",
 )  # fmt: skip
-@click.option("--camera", type=(click.IntRange(100), click.IntRange(100), POSITIVE), default=(5472, 3648, 3650.0),
+@click.option("--camera", type=(FORMAT, FORMAT, PIXELS), default=(5472, 3648, 3650.0),
     show_default=True, metavar="WIDTH HEIGHT C", help="Format and camera constant [px].",
 )  # fmt: skip
 @click.option("--hold-camera", is_flag=True, help="The camera is calibrated and held; else it is calibrated in flight.")
-@click.option("--rtk", type=(POSITIVE, POSITIVE, POSITIVE), default=(0.02, 0.02, 0.03), show_default=True,
+@click.option("--rtk", type=(METRES, METRES, METRES), default=(0.02, 0.02, 0.03), show_default=True,
     metavar="E N U", help="Standard deviations of the positions [m].",
 )  # fmt: skip
 @click.option("--alternate", is_flag=True, help="Every second line is flown the other way.")
-@click.option("--cross", type=click.FloatRange(0, 60), metavar="TILT",
+@click.option("--cross", type=Number(0, 60), metavar="TILT",
     help="As many lines across, the camera tilted so far [deg].",
 )  # fmt: skip
 @click.option("--control", type=click.IntRange(0, 5), default=0, show_default=True, help="Control points.")
-@click.option("--control-sigma", type=(POSITIVE, POSITIVE), default=(0.01, 0.02), show_default=True,
+@click.option("--control-sigma", type=(METRES, METRES), default=(0.01, 0.02), show_default=True,
     metavar="PLAN HEIGHT", help="Their standard deviations [m].",
 )  # fmt: skip
-@click.option("--jitter", type=(click.FloatRange(0), click.FloatRange(0)), default=(0.5, 1.5), show_default=True,
+@click.option("--jitter", type=(Number(0, 1e6), Number(0, 180)), default=(0.5, 1.5), show_default=True,
     metavar="HEIGHT ANGLE", help="Unevenness of the flight: standard deviations [m], [deg].",
 )  # fmt: skip
-@click.option("--noise", type=POSITIVE, default=0.3, show_default=True, help="Sigma of an image coordinate [px].")
-@click.option("--ground", type=POSITIVE, help="Side of the square of tie points [m].  [default: by lines and photos]")
+@click.option("--noise", type=PIXELS, default=0.3, show_default=True, help="Sigma of an image coordinate [px].")
+@click.option("--ground", type=METRES, help="Side of the square of tie points [m].  [default: by lines and photos]")
 @click.option("--points", type=click.IntRange(4, 60), default=30, show_default=True,
     help="Tie points along a side of it.",
 )  # fmt: skip
@@ -85,10 +87,13 @@ def flight(
 
     from raybundle.block.uav_networks import FREE, Flight, flight_block, uav_camera  # noqa: PLC0415
     from raybundle.io.block_folder import write_block  # noqa: PLC0415
+    from raybundle.io.folders import check_place  # noqa: PLC0415
     from raybundle.workflows.plan_flight import plan_flight  # noqa: PLC0415
 
     if out is not None and out.exists():
         raise InputError("stands there already and is not overwritten; choose another folder or delete it", file=out)
+    if out is not None:
+        check_place(out)
     width, size, c = camera
     usual = uav_camera()
     taken = replace(

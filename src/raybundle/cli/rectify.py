@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, FREE_SCALE, common_options, counted, significant
+from raybundle.cli.numbers import NUMBER, POSITIVE, Number
 from raybundle.errors import InputError
 
 if TYPE_CHECKING:
@@ -21,9 +22,9 @@ Area = tuple[float, float, float, float]
 @click.command("rectify", context_settings=COMMAND_SETTINGS)
 @click.argument("source", type=FOLDER, metavar="RESULT|PHOTO")
 @click.option("--out", type=FOLDER, required=True, metavar="FILE", help="New picture: .tif, .png or .jpg.")
-@click.option("--pixel", type=click.FloatRange(0, min_open=True), metavar="SIZE",
+@click.option("--pixel", type=POSITIVE, metavar="SIZE",
     help="Size of a pixel in the object's unit.  [default: that of the photographs]")  # fmt: skip
-@click.option("--area", type=(float, float, float, float), metavar="LEFT BOTTOM RIGHT TOP",
+@click.option("--area", type=(NUMBER, NUMBER, NUMBER, NUMBER), metavar="LEFT BOTTOM RIGHT TOP",
     help="Part of the plane, in its coordinates.  [default: where the points lie]")  # fmt: skip
 @click.option(
     "--plane", "points", metavar="A,B,C,...", help="Object points of the plane.  [default: that of most points]"
@@ -39,7 +40,7 @@ Area = tuple[float, float, float, float]
 @click.option(
     "--calibration", type=FOLDER, metavar="CAMERA.toml", help="For a PHOTO: the lens, to take its distortion off."
 )
-@click.option("--mark-sigma", type=click.FloatRange(0.001), default=0.5, show_default=True, metavar="PX",
+@click.option("--mark-sigma", type=Number(0.001, 1e5), default=0.5, show_default=True, metavar="PX",
     help="For a PHOTO: standard deviation of a marked point.")  # fmt: skip
 @FREE_SCALE
 @common_options

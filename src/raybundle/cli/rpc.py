@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import click
 
 from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, counted, significant
+from raybundle.cli.numbers import NUMBER, PIXELS
 from raybundle.errors import InputError, NotSolvable, RaybundleError
 
 if TYPE_CHECKING:
@@ -29,7 +30,7 @@ MODEL = click.option(
 HEIGHTS = click.option(
     "--heights",
     nargs=2,
-    type=float,
+    type=NUMBER,
     metavar="LOW HIGH",
     help="Ellipsoidal heights [m] between which the RPC shall hold.  [default: those of the file's RPC]",
 )
@@ -146,7 +147,7 @@ def project(scene: Path, points: Path, out: Path, model: str, *, to_ground: bool
 )
 @click.option(
     "--sigma",
-    type=click.FloatRange(0, min_open=True),
+    type=PIXELS,
     default=0.5,
     show_default=True,
     help="Of a measured image coordinate [px].",

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, cast
 import click
 
 from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, counted
+from raybundle.cli.numbers import METRES, PIXELS, Number
 
 if TYPE_CHECKING:
     from raybundle.block.simulate import Scene, Simulation
@@ -21,27 +22,23 @@ if TYPE_CHECKING:
 @click.option("--seed", type=click.IntRange(0), default=1, show_default=True, help="Of all random numbers.")
 @click.option(
     "--noise",
-    type=click.FloatRange(0, min_open=True),
+    type=PIXELS,
     default=0.1,
     show_default=True,
     help="Sigma of an image coordinate [px].",
 )
 @click.option("--control", type=click.IntRange(0), default=0, show_default=True, help="Number of control points.")
-@click.option(
-    "--control-sigma", type=click.FloatRange(0), default=0.0, show_default=True, help="Their sigma [m]; 0: held."
-)
+@click.option("--control-sigma", type=Number(0, 1e6), default=0.0, show_default=True, help="Their sigma [m]; 0: held.")
 @click.option("--check", type=click.IntRange(0), default=0, show_default=True, help="Number of check points.")
 @click.option("--scale-bars", type=click.IntRange(0), default=0, show_default=True, help="Number of scale bars.")
 @click.option(
     "--scale-bar-sigma",
-    type=click.FloatRange(0, min_open=True),
+    type=METRES,
     default=1e-4,
     show_default=True,
     help="Their sigma [m].",
 )
-@click.option(
-    "--station-sigma", type=click.FloatRange(0, min_open=True), help="Observe projection centres so well [m]."
-)
+@click.option("--station-sigma", type=METRES, help="Observe projection centres so well [m].")
 @click.option(
     "--orientation",
     type=click.Choice(["exact", "approximate", "absent"]),
@@ -49,8 +46,8 @@ if TYPE_CHECKING:
     show_default=True,
     help="Exterior orientation given at the start.",
 )
-@click.option("--gross", type=click.FloatRange(0, 0.5), default=0.0, show_default=True, help="Share of gross errors.")
-@click.option("--gross-px", type=click.FloatRange(0), default=20.0, show_default=True, help="Their size [px].")
+@click.option("--gross", type=Number(0, 0.5), default=0.0, show_default=True, help="Share of gross errors.")
+@click.option("--gross-px", type=Number(0, 1e5), default=20.0, show_default=True, help="Their size [px].")
 @common_options
 def command(scene: str, out: Path, progress: str, seed: int, noise: float, **survey: float | None) -> None:
     """Write a simulated block, the truth beside it and the list of its gross errors.
@@ -65,6 +62,7 @@ def command(scene: str, out: Path, progress: str, seed: int, noise: float, **sur
     """  # noqa: D301
     del progress
     from raybundle.block.simulate import Survey, simulate  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.io.folders import check_place  # noqa: PLC0415
 
     control = cast("int", survey["control"])
     sigma = cast("float", survey["control_sigma"])
@@ -81,6 +79,7 @@ def command(scene: str, out: Path, progress: str, seed: int, noise: float, **sur
         gross_share=cast("float", survey["gross"]),
         gross_px=cast("float", survey["gross_px"]),
     )
+    check_place(out)
     simulation = simulate(scene_of(scene), plan)
     write_simulation(simulation, out)
     block = simulation.observed

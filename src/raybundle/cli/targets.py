@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, cast
 import click
 
 from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, counted
+from raybundle.cli.numbers import Number
 from raybundle.errors import InputError
 
 if TYPE_CHECKING:
@@ -25,7 +26,7 @@ FAMILY_HELP = (
 )
 
 
-class Length(click.ParamType):
+class Length(Number):
     """A length in millimetres, written with or without its unit."""
 
     name = "LENGTH"
@@ -39,7 +40,7 @@ class Length(click.ParamType):
         match = LENGTH.fullmatch(str(value).strip())
         if match is None:
             self.fail(f"{value!r} is not a length such as 5mm, 0.5cm or 0.2in", param, ctx)
-        return (number_of(match[1]) or 0.0) * UNITS[match[2]]
+        return super().convert((number_of(match[1]) or 0.0) * UNITS[match[2]], param, ctx)
 
 
 def family_options(function: Any) -> Any:
@@ -97,8 +98,12 @@ def command() -> None:
 @family_options
 @click.option("--count", type=click.IntRange(1), help="So many targets, chosen to stay distinct when partly hidden.")
 @click.option("--codes", "id_text", metavar="ID,FROM-TO,...", help="These targets, in place of --count.")
-@click.option("--spacing", type=Length(), help="Boards: side of a square, distance of dots; tags: their side.")
-@click.option("--dot-radius", type=Length(), default="5mm", show_default=True, help="Radius of the dots.")
+@click.option(
+    "--spacing", type=Length(0, 1e5, above=True), help="Boards: side of a square, distance of dots; tags: their side."
+)
+@click.option(
+    "--dot-radius", type=Length(0, 1e5, above=True), default="5mm", show_default=True, help="Radius of the dots."
+)
 @click.option("--paper", type=click.Choice(["A0", "A1", "A2", "A3", "A4"]), default="A4", show_default=True)
 @click.option("--lying", is_flag=True, help="The longer side across.")
 @click.option("--tile", type=click.Choice(["A1", "A2", "A3", "A4"]), help="Cut into parts for a printer of this paper.")

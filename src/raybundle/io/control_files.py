@@ -19,7 +19,7 @@ from raybundle.errors import InputError
 from raybundle.io.block_folder import ROLES
 from raybundle.io.coordinate_systems import parse_crs
 from raybundle.io.reading.files import read_lines
-from raybundle.io.reading.words import number_of, quoted
+from raybundle.io.reading.words import no_number, number_of, quoted
 from raybundle.io.tables import SHOWN, Column, Problem, fail, read_table
 from raybundle.numerics.arrays import Array, Index, Mask
 
@@ -169,7 +169,7 @@ def _gcp_rows(lines: Iterator[tuple[int, str]]) -> tuple[list[_Row], list[Proble
         ]
         if bad:
             hint = " (the decimal sign is a point)" if "," in bad[0][1] else ""
-            problems.append(Problem(line, bad[0][0], f"{quoted(bad[0][1])} is not a finite number{hint}"))
+            problems.append(Problem(line, bad[0][0], f"{no_number(bad[0][1])}{hint}"))
             continue
         if not words[5] or not "".join(words[5:7]).isprintable():
             problems.append(Problem(line, "image", f"{quoted(words[5])} is no name of an image"))

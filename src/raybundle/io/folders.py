@@ -28,7 +28,7 @@ def new_folder(path: Path) -> Generator[Path]:
     process that is killed leaves `path` as it was, and a folder `.NAME.*.partial` beside it, which the next one that
     writes there deletes.  Raises InputError where nothing can be written there.
     """
-    path = path.absolute()
+    path = place_of(path)
     make_parent(path)
     with _sibling(path) as temporary:
         yield temporary
@@ -39,7 +39,42 @@ def new_folder(path: Path) -> Generator[Path]:
 def make_parent(path: Path) -> None:
     """Make the folder in which a file or folder is to stand; raises InputError where that cannot be."""
     with _told(path):
-        path.parent.mkdir(parents=True, exist_ok=True)
+        missing = [path.parent]
+        while not missing[-1].exists():
+            missing.append(missing[-1].parent)
+        for folder in reversed(missing):  # pathlib's own way calls itself for each of thousands of parts
+            folder.mkdir(exist_ok=True)
+
+
+def place_of(path: Path) -> Path:
+    """Where a path leads: a link stays, and what is written under its name goes where it points.
+
+    raises  InputError for a link that leads back to itself
+    """
+    with _told(path):
+        place = Path(os.path.realpath(path))
+        if any(part.is_symlink() for part in (place, *place.parents)):
+            raise InputError("a link in it leads back to itself; choose another name", file=path)
+    return place
+
+
+def check_place(path: Path) -> None:
+    """Raise InputError where nothing can be written under a name, before something is computed for it.
+
+    A folder is made, and deleted, where the first folder that `new_folder` would have to make is to stand: what the
+    system refuses, it refuses here (permissions are no measure: to the superuser they say yes everywhere).
+    """
+    with _told(path):
+        place = place_of(path)
+        place.exists()  # a name that is too long
+        parent = place.parent
+        while not parent.exists():
+            parent = parent.parent
+        if not parent.is_dir():
+            raise InputError(f"cannot be written: {parent} is no folder; choose another name", file=path)
+        probe = parent / f".{uuid.uuid4().hex[:8]}.partial"
+        probe.mkdir()
+        probe.rmdir()
 
 
 @contextmanager
@@ -49,7 +84,7 @@ def new_files(*paths: Path) -> Generator[tuple[Path, ...]]:
     They have the same names and stand in a temporary folder beside the last one; what stands at a path is replaced.
     What the body has not written is passed over.  Raises InputError where nothing can be written there.
     """
-    target = paths[-1].absolute()
+    target = place_of(paths[-1])
     if target.is_dir():
         raise InputError("is a folder; give the name of a file", file=paths[-1])
     with _sibling(target) as temporary:
@@ -57,7 +92,7 @@ def new_files(*paths: Path) -> Generator[tuple[Path, ...]]:
         for path in paths:
             with _told(path):
                 if (temporary / path.name).exists():
-                    (temporary / path.name).replace(path.absolute())
+                    (temporary / path.name).replace(place_of(path))
 
 
 @contextmanager

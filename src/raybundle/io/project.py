@@ -303,6 +303,13 @@ class Project:
         self.db.execute("COMMIT")
 
 
+def discard_empty(folder: Path) -> None:
+    """Delete a project folder that a run began and that holds no product: there is nothing to continue."""
+    held = {str(p.relative_to(folder)) for p in folder.rglob("*") if not p.is_dir()}
+    if held <= {"project.db", "project.db-wal", "project.db-shm", "project.toml"}:
+        shutil.rmtree(folder, ignore_errors=True)
+
+
 @contextmanager
 def writing(folder: Path) -> Generator[None]:
     """Turn a full disk, a read-only folder and the like into a message that says what to do."""

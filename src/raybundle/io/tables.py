@@ -17,7 +17,7 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.io.reading import words
-from raybundle.io.reading.files import decoded
+from raybundle.io.reading.files import decoded, opened
 from raybundle.io.reading.rows import BadRow, cells_of
 from raybundle.io.reading.words import quoted
 from raybundle.numerics.arrays import Array, Index
@@ -128,23 +128,20 @@ def _pieces(path: Path) -> Iterator[str]:
     """The file's text in pieces of whole lines, without the last line's end; errors name the line."""
     line = 1
     rest = b""
-    try:
-        with path.open("rb") as file:
-            while block := file.read(PIECE_BYTES):
-                if line == 1 and not rest:
-                    block = block.removeprefix(b"\xef\xbb\xbf")
-                block = rest + block
-                cut = block.rstrip(b"\r\n").rfind(b"\n") + 1
-                rest = block[cut:]
-                if cut:
-                    yield _decoded(path, block[:cut], line)
-                    line += block.count(b"\n", 0, cut)
-                if len(rest) > LINE_BYTES:
-                    blank = len(rest) - len(rest.rstrip(b"\r\n"))
-                    what = "1 MiB of empty lines" if blank > LINE_BYTES // 2 else "a line of more than 1 MiB"
-                    raise InputError(f"{what}: this is not a table; export it again", file=path, line=line)
-    except OSError as error:
-        raise InputError(f"cannot be read: {error.strerror}; check the path and the permissions", file=path) from None
+    with opened(path) as file:
+        while block := file.read(PIECE_BYTES):
+            if line == 1 and not rest:
+                block = block.removeprefix(b"\xef\xbb\xbf")
+            block = rest + block
+            cut = block.rstrip(b"\r\n").rfind(b"\n") + 1
+            rest = block[cut:]
+            if cut:
+                yield _decoded(path, block[:cut], line)
+                line += block.count(b"\n", 0, cut)
+            if len(rest) > LINE_BYTES:
+                blank = len(rest) - len(rest.rstrip(b"\r\n"))
+                what = "1 MiB of empty lines" if blank > LINE_BYTES // 2 else "a line of more than 1 MiB"
+                raise InputError(f"{what}: this is not a table; export it again", file=path, line=line)
     rest = rest.rstrip(b"\r\n")
     if rest:
         yield _decoded(path, rest, line)
@@ -277,10 +274,11 @@ def _why_not_a_number(column: Column, cell: str) -> str:
     if value is None:
         if words.NOT_FINITE.fullmatch(cell):
             empty = ", or leave the cell empty where it is not known" if column.empty else ""
-            return f"{quoted(cell)} is not a finite number; give one{empty}"
+            return f"{words.no_number(cell)}; give one that is{empty}"
         return f"{quoted(cell)} is not a number; the decimal sign is a point, an unknown value an empty cell"
     if column.limit == "> 0" and value <= 0:
-        return f"{quoted(cell)} must be greater than 0"
+        tiny = f" is nearer to 0 than {words.SMALLEST:g} and counts as 0; it" if words.vanishes(cell) else ""
+        return f"{quoted(cell)}{tiny} must be greater than 0"
     if column.limit == ">= 0" and value < 0:
         return f"{quoted(cell)} is negative; a standard deviation is 0 (held) or greater"
     return ""

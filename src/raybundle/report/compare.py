@@ -12,6 +12,7 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.io.folders import new_files
+from raybundle.io.reading.files import read_text
 from raybundle.io.tables import Table as Csv
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.rotation import rotation_from_angles
@@ -56,6 +57,7 @@ def write_comparison(first: ResultFolder, second: ResultFolder, path: str | Path
 
     first, second  what `read_result` returns
     path           the file; its folder exists
+    raises         InputError where something else than an older comparison stands there
 
     Points that nobody named are common where their image points agree (`common_points`).  Where no points are common,
     the similarity is that of the projection centres.
@@ -64,6 +66,8 @@ def write_comparison(first: ResultFolder, second: ResultFolder, path: str | Path
     """
     from raybundle.report.document import page  # noqa: PLC0415  (Jinja2 only where it is used)
 
+    if Path(path).exists() and not is_comparison(Path(path)):
+        raise InputError("stands there already and is no comparison; choose another name, or delete it", file=path)
     points = common_points(first.points.text["point"], second.points.text["point"], (first.block, second.block))
     differences = [
         compared for fitted in (True, False) if (compared := _compared(first, second, points, fitted=fitted))
@@ -77,13 +81,25 @@ def write_comparison(first: ResultFolder, second: ResultFolder, path: str | Path
     )
     html = page(
         title=f"{_name(first)} and {_name(second)}",
-        subtitle=f"Comparison of two adjustments. First: {first.path.name}; second: {second.path.name}.",
+        subtitle=f"{MARK} First: {first.path.name}; second: {second.path.name}.",
         headline=_headline(first, second, points, differences),
         grade="remarks",
         sections=sections,
     )
     with new_files(Path(path)) as (file,):
         file.write_text(html, encoding="utf-8")
+
+
+MARK = "Comparison of two adjustments."
+"""By which a page that this module wrote is known."""
+
+
+def is_comparison(path: Path) -> bool:
+    """Whether a file is a page that `write_comparison` wrote."""
+    try:
+        return MARK in read_text(path)
+    except InputError:
+        return False
 
 
 def point_differences(

@@ -29,7 +29,7 @@ from raybundle.io.block_folder import (
     read_block,
     write_block_files,
 )
-from raybundle.io.folders import new_folder
+from raybundle.io.folders import check_place, new_folder
 from raybundle.io.reading.trees import read_json
 from raybundle.io.reading.words import quoted
 from raybundle.io.tables import Column, Table, read_table, write_table
@@ -108,6 +108,7 @@ class ResultFolder:
 def check_target(path: str | Path) -> None:
     """Raise InputError where a result must not be written: over anything but a result folder."""
     folder = Path(path)
+    check_place(folder)
     if not folder.exists():
         return
     if not folder.is_dir():

@@ -26,7 +26,7 @@ from raybundle.io.calibrations.ours import cameras_text
 from raybundle.io.control_files import DEFAULTS
 from raybundle.io.formats.base import Export, Import, Scene, Tracks, block_of
 from raybundle.io.reading.files import read_lines
-from raybundle.io.reading.words import number_of, quoted
+from raybundle.io.reading.words import no_number, number_of, quoted
 from raybundle.io.tables import Column, Table, read_table, write_table
 from raybundle.numerics.arrays import Array
 
@@ -64,7 +64,7 @@ class Line:
         for word, column in zip(self.words[first:], columns, strict=False):
             value = number_of(word)
             if value is None:
-                self.fail(f"{quoted(word)} is not a finite number", column)
+                self.fail(f"{no_number(word)}", column)
             found.append(value)
         return found
 

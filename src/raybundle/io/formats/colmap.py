@@ -35,7 +35,7 @@ from raybundle.io.formats.base import (
 from raybundle.io.forward_camera import ForwardCamera
 from raybundle.io.reading.binary import Binary
 from raybundle.io.reading.files import read_text
-from raybundle.io.reading.words import number_of, numbers_of, quoted, whole_of
+from raybundle.io.reading.words import no_number, number_of, numbers_of, quoted, whole_of
 from raybundle.numerics.arrays import Array, Index
 
 MODELS: dict[int, tuple[str, tuple[str, ...]]] = {
@@ -406,7 +406,7 @@ def _floats(path: Path, line: int, words: Sequence[str], what: str) -> list[floa
     values = numbers_of(words)
     if values is None:
         bad = next(w for w in words if number_of(w) is None)
-        raise InputError(f"{what}: {quoted(bad)} is not a finite number", file=path, line=line)
+        raise InputError(f"{what}: {no_number(bad)}", file=path, line=line)
     return values.tolist()
 
 

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import os
 import re
+import stat
 from collections.abc import Generator, Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import BinaryIO
 
 import numpy as np
 
@@ -14,7 +17,7 @@ from raybundle.errors import InputError
 TEXT_BYTES = 1 << 30
 """Largest text file that is read at once."""
 UNSIZED_BYTES = 1 << 20
-"""What is read of a device or a pipe, which say nothing of their size."""
+"""What is read of a file that says nothing of its size, as those of /proc."""
 _CONTROL = re.compile(r"[\x00-\x08\x0b\x0e-\x1f\x7f]")
 
 
@@ -34,18 +37,38 @@ def guarded(path: Path) -> Generator[None]:
         raise InputError(message, file=path) from None
 
 
-def read_bytes(path: Path, limit: int = TEXT_BYTES) -> bytes:
-    """The bytes of a file; raises InputError where it cannot be read or is larger than the limit."""
+def check_regular(path: Path) -> None:
+    """Raise InputError where a path is no regular file: reading a pipe may never end, nor may a device."""
     try:
-        size = path.stat().st_size
-        if size > limit:
-            raise InputError(f"{size} bytes, more than the {limit} that are read; is it the right file?", file=path)
-        with path.open("rb") as file:
-            data = file.read(min(limit, size or UNSIZED_BYTES) + 1)
+        mode = path.stat().st_mode
     except OSError as error:
         raise InputError(f"cannot be read: {error.strerror}; check the path and the permissions", file=path) from None
     except ValueError:  # a zero byte in the name
         raise InputError("is no name that a file can have; check the path", file=path) from None
+    if not stat.S_ISREG(mode):
+        kinds = ((stat.S_ISDIR, "a folder"), (stat.S_ISFIFO, "a pipe"), (stat.S_ISSOCK, "a socket"))
+        kind = next((name for asked, name in kinds if asked(mode)), "a device")
+        raise InputError(f"cannot be read: is {kind} and is no file; give the name of a file", file=path)
+
+
+@contextmanager
+def opened(path: Path) -> Generator[BinaryIO]:
+    """A regular file, open for reading its bytes; raises InputError where it is none or cannot be opened or read."""
+    check_regular(path)
+    try:
+        with path.open("rb") as file:
+            yield file
+    except OSError as error:
+        raise InputError(f"cannot be read: {error.strerror}; check the path and the permissions", file=path) from None
+
+
+def read_bytes(path: Path, limit: int = TEXT_BYTES) -> bytes:
+    """The bytes of a file; raises InputError where it cannot be read or is larger than the limit."""
+    with opened(path) as file:
+        size = os.fstat(file.fileno()).st_size
+        if size > limit:
+            raise InputError(f"{size} bytes, more than the {limit} that are read; is it the right file?", file=path)
+        data = file.read(min(limit, size or UNSIZED_BYTES) + 1)
     if len(data) > (size or min(limit, UNSIZED_BYTES)):
         raise InputError("is no file, or was written to while it was read; give a file that is complete", file=path)
     return data

@@ -15,7 +15,7 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.io.reading.files import TEXT_BYTES, read_text
-from raybundle.io.reading.words import NOT_FINITE, finite, quoted, whole_of
+from raybundle.io.reading.words import NOT_FINITE, finite, no_number, quoted, whole_of
 from raybundle.numerics.arrays import Array
 
 DEEPEST = 100
@@ -76,7 +76,7 @@ class Json:
         if number is None:
             near = isinstance(self.value, float | int) or NOT_FINITE.fullmatch(str(self.value))
             near = near and not isinstance(self.value, bool)
-            self.fail(f"{quoted(self.value)} is not a {'finite ' if near else ''}number")
+            self.fail(no_number(self.value) if near else f"{quoted(self.value)} is not a number")
         return number
 
     def optional(self, key: str, default: float = 0.0) -> float:

@@ -61,6 +61,23 @@ def finite(value: object) -> float | None:
     return float(value) if abs(value) >= SMALLEST else math.copysign(0.0, value)
 
 
+def no_number(value: object) -> str:
+    """What `number_of` or `finite` refuse in words, with the limit where it is a number beyond it."""
+    size: float = 0
+    if isinstance(value, str):
+        size = abs(float(value)) if _NUMBER.fullmatch(value) else 0
+    elif isinstance(value, int) or (isinstance(value, float) and math.isfinite(value)):
+        size = abs(value)
+    if size > LARGEST:
+        return f"{quoted(value)} is greater in size than {LARGEST:g}, up to which numbers are read"
+    return f"{quoted(value)} is not a finite number"
+
+
+def vanishes(word: str) -> bool:
+    """Whether a word is a number other than 0 that counts as 0, nearer to it than SMALLEST."""
+    return number_of(word) == 0 and any(digit in "123456789" for digit in re.split("[eE]", word)[0])
+
+
 def whole_of(word: str) -> int | None:
     """The whole number that a word is, of at most 19 ASCII digits; None where it is none."""
     return int(word) if _WHOLE.fullmatch(word) else None

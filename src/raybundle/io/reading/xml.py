@@ -11,7 +11,7 @@ from xml.parsers import expat
 from raybundle.errors import InputError
 from raybundle.io.reading.files import read_bytes
 from raybundle.io.reading.trees import DEEPEST
-from raybundle.io.reading.words import number_of, numbers_of, quoted
+from raybundle.io.reading.words import no_number, number_of, numbers_of, quoted
 from raybundle.numerics.arrays import Array
 
 
@@ -58,7 +58,7 @@ class Element:
         """The finite number in an attribute."""
         found = number_of(self.attribute(name))
         if found is None:
-            self.fail(f"attribute {name} = {quoted(self.attribute(name))} is not a finite number")
+            self.fail(f"attribute {name} = {no_number(self.attribute(name))}")
         return found
 
     def numbers(self, count: int) -> Array:
@@ -67,7 +67,7 @@ class Element:
         values = numbers_of(words)
         if values is None:
             bad = next(w for w in words if number_of(w) is None)
-            self.fail(f"{quoted(bad)} is not a finite number")
+            self.fail(f"{no_number(bad)}")
         if len(values) != count:
             self.fail(f"{len(values)} numbers, {count} are needed")
         return values

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.io.reading.files import guarded
+from raybundle.io.reading.files import guarded, opened
 from raybundle.io.reading.xml import Element
 from raybundle.numerics.arrays import Array
 from raybundle.scenes.linescan import LineScene
@@ -67,13 +67,8 @@ def read_scene(path: str | Path) -> Scene:
     raises  InputError where the file cannot be read, has no known format, or contradicts itself
     """
     path = Path(path)
-    if not path.is_file():
-        raise InputError("there is no such file; check the path", file=path)
-    try:
-        with path.open("rb") as file:
-            head = file.read(HEAD_BYTES)
-    except OSError as error:
-        raise InputError(f"cannot be read: {error.strerror}; check the permissions", file=path) from None
+    with opened(path) as file:
+        head = file.read(HEAD_BYTES)
     if not head.strip():
         raise InputError("the file is empty; get the scene's metadata or RPC again", file=path)
     for format_ in scene_formats.values():

@@ -13,7 +13,7 @@ import numpy as np
 from raybundle.errors import InputError
 from raybundle.io.folders import new_files
 from raybundle.io.reading.files import read_bytes
-from raybundle.io.reading.words import fortran_of, quoted, whole_of
+from raybundle.io.reading.words import fortran_of, no_number, quoted, whole_of
 from raybundle.io.scenes.base import Scene, SceneFormat, check_denominators, register
 from raybundle.numerics.arrays import Array
 from raybundle.scenes.rpc import Rpc, rpc_of
@@ -110,7 +110,7 @@ def _polynomial(name: str) -> str | None:
 def _number(path: Path, word: str, line: int, key: str) -> float:
     value = fortran_of(word)
     if value is None:
-        raise InputError(f"{quoted(word)} is not a finite number", file=path, line=line, column=key)
+        raise InputError(f"{no_number(word)}", file=path, line=line, column=key)
     return value
 
 

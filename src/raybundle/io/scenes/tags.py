@@ -15,7 +15,7 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.io.reading.binary import tiff_values
-from raybundle.io.reading.words import number_of, numbers_of, quoted, whole_of
+from raybundle.io.reading.words import no_number, number_of, numbers_of, whole_of
 from raybundle.io.scenes.base import Scene, SceneFormat, check_denominators, register
 from raybundle.io.scenes.maxar import RPC00A_IN_B
 from raybundle.numerics.arrays import Array
@@ -137,7 +137,7 @@ def _nitf_scene(path: Path, name: str, subheader: bytes, data: bytes) -> Scene:
     values = numbers_of(w.strip() for w in words)
     if values is None:
         bad = next(w for w in words if number_of(w.strip()) is None)
-        raise InputError(f"{name}: {quoted(bad)} is not a finite number; the file is damaged", file=path)
+        raise InputError(f"{name}: {no_number(bad)}; the file is damaged", file=path)
     coefficients, remarks = values[12:].reshape(4, 20), ()
     if name == "RPC00A":
         ordered = np.zeros((4, 20))

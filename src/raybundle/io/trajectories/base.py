@@ -13,7 +13,7 @@ from raybundle.block import Stations
 from raybundle.errors import InputError
 from raybundle.io.coordinate_systems import LocalFrame, local_frame
 from raybundle.io.folders import make_parent, new_files
-from raybundle.io.reading.files import guarded
+from raybundle.io.reading.files import guarded, opened
 from raybundle.io.reading.words import whole_of
 from raybundle.numerics.arrays import Array, Index
 
@@ -98,11 +98,8 @@ def read_trajectory(path: str | Path, *, name: str | None = None) -> Trajectory:
     if name is not None:
         with guarded(path):
             return _named(name).read(path)
-    try:
-        with path.open("rb") as file:
-            head = file.read(4096).decode("utf-8-sig", errors="replace")
-    except OSError as error:
-        raise InputError(f"cannot be read: {error.strerror}; check the path and the permissions", file=path) from None
+    with opened(path) as file:
+        head = file.read(4096).decode("utf-8-sig", errors="replace")
     for format_ in trajectory_formats.values():
         if format_.recognises(head, path.suffix.lower()):
             with guarded(path):

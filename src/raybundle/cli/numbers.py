@@ -1,0 +1,48 @@
+"""Numbers on the command line: finite, and within what a computation in double precision carries."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import click
+
+SMALLEST, LARGEST = 1e-12, 1e12
+"""Least and greatest size of a number other than 0.
+
+What an adjustment sums are squares of ratios of what is given here, a length over a standard deviation: of at most
+(1e12 / 1e-12)^2 = 1e48 each.  Their products in a factor of a matrix, and the squares of those, stay below 1e192, far
+from the 1.8e308 at which a double overflows.  No length of surveying comes near either limit in metres or millimetres.
+"""
+
+
+class Number(click.FloatRange):
+    """A finite number of a range: click's own let NaN through, which compares with nothing, infinity and 1e300."""
+
+    def __init__(self, low: float | None = None, high: float | None = None, *, above: bool = False) -> None:
+        """From `low`, or above it, to `high`; LARGEST in size at most and, but for 0, SMALLEST at least."""
+        super().__init__(low, high, min_open=above)
+
+    def _describe_range(self) -> str:
+        """The range for the help; click's word for none is x<=None."""
+        return "" if self.min is None and self.max is None else super()._describe_range()
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
+        """The number; a usage error where it is none, is not finite or lies outside."""
+        found = float(super().convert(value, param, ctx))
+        if not math.isfinite(found):
+            self.fail(f"{value!r} is not a finite number", param, ctx)
+        if abs(found) > LARGEST or 0 < abs(found) < SMALLEST:
+            self.fail(
+                f"{found:g} is out of range: numbers are 0 or from {SMALLEST:g} to {LARGEST:g} in size", param, ctx
+            )
+        return found
+
+
+NUMBER = Number()
+POSITIVE = Number(0, above=True)
+NOT_NEGATIVE = Number(0)
+PIXELS = Number(0, 1e5, above=True)
+"""A standard deviation of image points [px]: no format is wider."""
+METRES = Number(0, 1e6, above=True)
+"""A length of a flight [m]: farther away the Earth is not flat, and nothing flies."""
