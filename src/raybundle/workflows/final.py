@@ -174,10 +174,9 @@ def _without_control(placed: Georeferenced, whole: Georeferenced, error: NotSolv
     block = placed.block
     if not np.asarray(block.points.is_control).any() or not _tie_rows(whole.block).any():
         return None
-    p, rows = whole.block.points, _tie_rows(whole.block)
-    names = [n for n, c in zip(p.ids, np.asarray(p.is_control).any(axis=1), strict=True) if c]
+    p, rows, control = whole.block.points, _tie_rows(whole.block), _control(whole.block)
+    names = [n for n, c in zip(p.ids, control, strict=True) if c]
     role, sigma = np.array(p.role), np.array(p.sigma)
-    control = np.asarray(p.is_control).any(axis=1)
     role[control], sigma[control] = Role.TIE, np.nan
     d = whole.block.distances
     free = ~(control[d.start] | control[d.end])
@@ -191,8 +190,12 @@ def _without_control(placed: Georeferenced, whole: Georeferenced, error: NotSolv
     return _with_block(whole, left), [Notice(code="control_left_out", message=message, ids=tuple(names))]
 
 
+def _control(block: Block) -> Mask:
+    return np.asarray(block.points.is_control.any(axis=1), bool)
+
+
 def _tie_rows(block: Block) -> Mask:
-    return ~np.asarray(block.points.is_control).any(axis=1)[block.observations.point]
+    return ~_control(block)[block.observations.point]
 
 
 def _without_smallest(placed: Georeferenced) -> Relieved:
