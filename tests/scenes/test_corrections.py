@@ -7,6 +7,7 @@ import pytest
 from scipy.stats import chi2
 
 from raybundle.adjustment.engine import adjust_block
+from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.precision import interior_unknowns, node_cofactor
 from raybundle.block.simulate import measured
 from raybundle.errors import InputError, NoConvergence, RankDefect
@@ -228,7 +229,8 @@ def test_fixes_in_an_adjustment_have_true_sigmas():  # benchmarks/truth_trajecto
 def test_the_answer_does_not_depend_on_how_an_observation_touches_its_parameters():
     # up to 64 parameters may be touched by every point: the same adjustment without the short way
     block = MonteCarlo.of(pair(FIXES, SIGMA)).noisy(np.random.default_rng(7))
-    one = adjust_block(block)
+    options = AdjustmentOptions(tolerance=1e-9)  # both to the end: what is compared are two ways of summing
+    one = adjust_block(block, options)
 
     class Whole(LineSensor, registered=False):
         local_width = 0
@@ -237,12 +239,13 @@ def test_the_answer_does_not_depend_on_how_an_observation_touches_its_parameters
     for c in block.cameras:
         s = c.scene
         cameras.append(replace(c, scene=Whole(s.scene, s.place, s.corrections, s.height_m)))
-    two = adjust_block(replace(block, cameras=tuple(cameras)))
+    two = adjust_block(replace(block, cameras=tuple(cameras)), options)
     assert two.sigma0 == pytest.approx(one.sigma0, rel=1e-9)
     for a, b in zip(one.interior, two.interior, strict=True):
         for s, p in a.parameters.items():
-            assert p.std == pytest.approx(b.parameters[s].std, rel=1e-6)
-            assert p.value == pytest.approx(b.parameters[s].value, abs=1e-6 * p.std)
+            # neighbouring fixes are nearly dependent: rounding comes to 2e-6 of a standard deviation without FMA
+            assert p.std == pytest.approx(b.parameters[s].std, rel=2e-5)
+            assert p.value == pytest.approx(b.parameters[s].value, abs=2e-5 * p.std)
 
 
 def test_fixes_without_points_are_named_and_a_smoothness_prior_determines_them():
