@@ -17,7 +17,7 @@ from raybundle.adjustment.assemble import State, System
 from raybundle.adjustment.carried import antenna_rows, attitude_rows
 from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.errors import DatumDefect, InputError
+from raybundle.errors import DatumDefect, InputError, NotSolvable
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.sensors.imu import IMU
 
@@ -105,7 +105,10 @@ def analyse(system: System, state: State, options: AdjustmentOptions) -> Datum:
     """Which of the seven datum parameters control, distances, stations and held images leave open."""
     used = system.points_used
     if not used.any():
-        raise InputError("no object point takes part; nothing can be adjusted")
+        raise NotSolvable(
+            "no object point takes part: none has rays that meet before their cameras; nothing can be adjusted. Look at "
+            "camera constant and its sign, at orientations, and at which point is measured where"
+        )
     cloud = state.xyz[used]
     centre = np.median(cloud, axis=0)
     extent = float(np.median(np.linalg.norm(cloud - centre, axis=1))) or 1.0
