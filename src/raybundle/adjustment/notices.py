@@ -68,7 +68,7 @@ def _interior(result: Adjustment) -> list[Notice]:
         found += [
             Notice(
                 code="not_determinable",
-                message=f"{who}: {p.symbol} is not determinable: its standard deviation {p.std:.2g} {p.unit} says less "
+                message=f"{who}: {p.symbol} is not determinable: its standard deviation {p.std_words} says less "
                 f"than is known beforehand. {_remedy(result, p.symbol)}",
                 ids=(interior.camera, p.symbol),
             )
