@@ -43,3 +43,13 @@ def test_what_is_not_significant_is_zero():
     assert set(left) >= {"A", "S"}
     assert all(p.value == 0 for p in left.values())
     assert f"A (camera {result.interior[0].camera})" in result.not_significant
+
+
+def test_a_ratio_has_no_unit_in_print():
+    result, _ = decided(0, 5.0, (0.0,))
+    messages = [n.message for n in result.notices if n.code in {"held_not_determinable", "not_determinable"}]
+    assert messages
+    assert not any(" 1, " in m or " 1 says" in m for m in messages)
+    p = result.interior[0].parameters
+    assert replace(p["A"], std=0.16).std_words == "0.16"
+    assert replace(p["x0"], std=0.16).std_words == "0.16 mm"

@@ -147,6 +147,26 @@ def test_a_wall_of_one_photograph(wall, tmp_path, capsys):
     assert "caution" in capsys.readouterr().out
 
 
+def test_four_points_leave_nothing_and_print_no_rounding(tmp_path, capsys):
+    Image.fromarray(np.full((300, 400, 3), 120, np.uint8)).save(tmp_path / "w.png")
+    (tmp_path / "c.csv").write_text("point,X,Y,Z\na,0,0,\nb,1.37,0,\nc,1.37,0.91,\nd,0,0.91,\n")
+    (tmp_path / "c-measurements.csv").write_text(
+        "image,point,x_px,y_px\nw.png,a,41.3,262.8\nw.png,b,371.9,251.2\nw.png,c,349.4,33.7\nw.png,d,58.6,41.1\n"
+    )
+    arguments = [
+        "rectify",
+        str(tmp_path / "w.png"),
+        "--control",
+        str(tmp_path / "c.csv"),
+        "--out",
+        str(tmp_path / "o.png"),
+    ]
+    assert main(arguments) == 0
+    told = capsys.readouterr().out
+    assert "e-1" not in told
+    assert [line.split() for line in told.splitlines()[1:5]] == [[n, "0", "0"] for n in "abcd"]
+
+
 def test_a_wrong_mark_is_named(wall, tmp_path, capsys):
     folder, block, origin, axes = wall
     ids = marks(tmp_path, block, origin, axes, wrong=3)

@@ -5,7 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.report.residuals import cell_means, image_rows, normalised, radial_profile, rows_of_images
+from raybundle import adjust
+from raybundle.adjustment.cell_means import cell_means, systematic_notices
+from raybundle.adjustment.severity import Severity
+from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.report.residuals import image_rows, normalised, radial_profile, rows_of_images
 from raybundle.report.view import view_of
 
 RNG = np.random.default_rng(5)
@@ -31,7 +35,7 @@ def random(case):
 
 def cells_of(adjustment):
     view = view_of(adjustment)
-    return cell_means(view, view.given.cameras[0], view.used, normalised(view))
+    return cell_means(adjustment, view.given.cameras[0], view.used, normalised(view))
 
 
 def test_random_residuals_pass(random):
@@ -93,3 +97,15 @@ def test_without_statistics_residuals_are_scaled_by_their_sigma(case):
     sigma = np.sqrt(view.given.observations.cov_px2[:, :2])
     expected = view.adjustment.image_observations.residuals_px / sigma / view.adjustment.sigma0
     assert normalised(view) == pytest.approx(expected)
+
+
+def test_what_the_figures_call_systematic_is_a_caution():
+    a = adjust(simulate(field_scene(TargetField()), Survey()).observed)
+    assert not any(n.code == "systematic_residuals" for n in a.notices)
+    o, camera = a.given.observations, a.given.cameras[0]
+    bent = ((o.xy_px / [camera.width_px, camera.height_px] - 0.5) ** 2).sum(axis=1)
+    wrong = with_residuals(a, a.image_observations.residuals_px + (1.5 * bent - 0.3)[:, None] * [1.0, 0.0])
+    (notice,) = systematic_notices(wrong)
+    assert notice.severity is Severity.CAUTION
+    cells = cells_of(wrong)
+    assert f"camera {camera.id}: in {int(cells.significant.sum())} of {cells.tested} cells" in notice.message

@@ -4,7 +4,10 @@ from dataclasses import replace
 
 import pytest
 
+from raybundle import adjust
 from raybundle.adjustment.result import Notice
+from raybundle.adjustment.severity import Severity
+from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.report.numbers import grouped, significant
 from raybundle.report.view import rms, view_of
 from raybundle.report.words import expected_check_std, free_std, not_told, open_datum, verdict
@@ -65,6 +68,39 @@ def test_the_global_test_is_put_in_words(case):
     assert "larger than stated" in told(replace(a, global_test=(lower, 2 * upper, upper)))[2]["Fit"]
     assert "more precise than stated" in told(replace(a, global_test=(lower, lower / 2, upper)))[2]["Fit"]
     assert "as large as" in told(replace(a, global_test=(lower, value, upper)))[2]["Fit"]
+
+
+def passed(a):
+    lower, _, upper = a.global_test
+    return replace(a, global_test=(lower, (lower + upper) / 2, upper), notices=())
+
+
+def test_a_fit_is_not_praised_where_the_weights_came_from_the_same_residuals(case):
+    a = passed(case("rich"))
+    assert "fit each other and the model as stated" in told(a)[1]
+    taken = replace(a, options=replace(a.options, weights="residuals"))
+    _, headline, words = told(taken)
+    assert "fit each other" not in headline
+    assert "is no test" in headline
+    assert "as it must be" in words["Fit"]
+
+
+@pytest.mark.parametrize("code", ["systematic_residuals", "residual_structure"])
+def test_the_headline_follows_what_is_systematic(case, code):
+    _, headline, _ = told(replace(passed(case("rich")), notices=(Notice(code=code, message="m"),)))
+    assert "systematic part" in headline
+    assert "fit each other" not in headline
+
+
+def test_a_scale_that_nothing_controls_is_a_caution_and_stands_in_the_headline():
+    block = simulate(field_scene(TargetField()), Survey(scale_bars=1)).observed
+    one = adjust(block)
+    (notice,) = [n for n in one.notices if n.code == "scale_unchecked"]
+    assert notice.severity is Severity.CAUTION
+    assert "rests on 1 scale bar" in notice.message
+    assert "nothing controls" in told(one)[1]
+    two = adjust(simulate(field_scene(TargetField()), Survey(scale_bars=2)).observed)
+    assert not any(n.code == "scale_unchecked" for n in two.notices)
 
 
 def test_what_the_numbers_do_not_tell_depends_on_the_result(case):

@@ -57,7 +57,7 @@ def test_chessboard(board):
 
 @needs_board
 def test_the_board_is_recognised(board):
-    (found,) = recognised(board.photos)
+    (found,) = recognised(board.photos).targets
     assert found.family == "chessboard-9x6"
 
 

@@ -14,6 +14,8 @@ from raybundle.targets.layout_boards import design_board, design_tags
 from raybundle.targets.marks import target
 from raybundle.targets.seen import SeenTags, charuco_of, smallest
 from raybundle.targets.sheets import write_sheet
+from raybundle.workflows.calibrate import _no_targets, calibrate
+from raybundle.workflows.orient import orient
 from raybundle.workflows.recognise import recognised
 from tests.conftest import DATA
 from tests.targets.test_sheets import raster
@@ -53,14 +55,14 @@ def seen(folder, sheet, views=VIEWS, hide=None):
 )
 def test_boards_of_any_size(tmp_path, family, spacing):
     photos = seen(tmp_path, design_board(target(family), spacing, SheetOptions(dot_radius_mm=4)))
-    assert [t.family for t in recognised(photos)] == [family]
+    assert [t.family for t in recognised(photos).targets] == [family]
 
 
 @pytest.mark.parametrize("family", ["aruco-6x6_50", "apriltag-25h9", "apriltag-36h11"])
 def test_tags(tmp_path, family):
     numbers = [3, 1, 7, 20, 12, 5]  # in no order of a board
     photos = seen(tmp_path, design_tags(target(family), numbers, 50.0, SheetOptions()))
-    assert [t.family for t in recognised(photos)] == [family]
+    assert [t.family for t in recognised(photos).targets] == [family]
 
 
 @pytest.mark.parametrize("family", ["aicon14", "agisoft14"])
@@ -68,14 +70,38 @@ def test_families_that_share_codes_are_told_by_their_rings(tmp_path, family):
     shared = [c for c in families["aicon14"].codes.tolist() if c in set(families["agisoft14"].codes.tolist())][:12]
     f = families[family]
     photos = seen(tmp_path, design(f, np.sort(f.id_of(np.array(shared))), SheetOptions(dot_radius_mm=5)))
-    assert [t.family for t in recognised(photos)] == [family]
+    assert [t.family for t in recognised(photos).targets] == [family]
 
 
 def test_nothing_known(tmp_path):
     rng = np.random.default_rng(1)
     for k in range(2):
         cv2.imwrite(str(tmp_path / f"{k}.png"), rng.normal(120, 20, (300, 400)).clip(0, 255).astype(np.uint8))
-    assert recognised(find_photos([tmp_path]).photos) == ()
+    assert recognised(find_photos([tmp_path]).photos).targets == ()
+
+
+def test_targets_on_too_few_of_the_photographs_are_named(tmp_path):
+    f = families["aicon14"]
+    photos = seen(tmp_path, design(f, np.sort(f.id_of(f.codes[:12])), SheetOptions(dot_radius_mm=5)), VIEWS[:1])
+    rng = np.random.default_rng(1)
+    for k in range(1, 3):
+        plain = rng.normal(120, 20, (840, 840)).clip(0, 255).astype(np.uint8)
+        cv2.imwrite(str(tmp_path / "photographs" / f"{k}.png"), plain)
+    shown = recognised(find_photos([photos[0].path.parent]).photos)
+    assert shown.targets == ()
+    assert "aicon14" in shown.few
+    assert shown.looked_at == ("0.png", "1.png", "2.png")
+    told = _no_targets(shown)
+    assert "fewer than half of the 3 photographs that were looked at (0.png, 1.png, 2.png)" in told
+    assert "--target a" in told
+
+
+def test_a_folder_above_the_photographs_is_said(tmp_path):
+    above = tmp_path / "above"
+    (above / "images").mkdir(parents=True)
+    for attempt in (lambda: calibrate([above]), lambda: orient([above], tmp_path / "project")):
+        with pytest.raises(InputError, match=r"1 sub-folder is not looked into \(images\); give them too"):
+            attempt()
 
 
 def test_a_board_that_is_not_seen_whole_must_be_named(tmp_path):
@@ -109,4 +135,4 @@ def test_tags_that_are_no_board():
 def test_photographs(folder, family):
     if not Path(DATA / folder).is_dir():
         pytest.skip(f"no {folder}: set RAYBUNDLE_DATA")
-    assert [t.family for t in recognised(find_photos([DATA / folder]).photos)] == [family]
+    assert [t.family for t in recognised(find_photos([DATA / folder]).photos).targets] == [family]

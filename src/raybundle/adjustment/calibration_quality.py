@@ -252,7 +252,7 @@ def _reasons(
     told: list[str] = []
     for s in lacking:
         p = interior.parameters[s]
-        why = "" if p.std is None else f": its standard deviation would be {p.std:.2g} {p.unit}".rstrip()
+        why = "" if p.std is None else f": its standard deviation would be {p.std_words}"
         told.append(f"{s} ({p.meaning}) is not determinable from these photographs and was held{why}")
     if photographs < FEW_PHOTOGRAPHS:
         told.append(f"{photographs} photographs are few; {FEW_PHOTOGRAPHS} to 20 make a calibration")

@@ -336,7 +336,7 @@ def _least_determinable(result: Adjustment, automatic: list[str]) -> tuple[str, 
         kinds = {p.symbol: p.kind for p in model.parameters}
         for p in interior.parameters.values():
             if p.status == "not determinable" and kinds[p.symbol] in DROP_ORDER:
-                reason = f"its standard deviation is {p.std:.2g} {p.unit}, {p.effect_std_px or 0:.0f} px in the image"
+                reason = f"its standard deviation is {p.std_words}, {p.effect_std_px or 0:.0f} px in the image"
                 found.append(
                     (DROP_ORDER.index(kinds[p.symbol]), -(p.effect_std_px or 0), interior.camera, p.symbol, reason)
                 )

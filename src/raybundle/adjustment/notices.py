@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from raybundle.adjustment.cell_means import systematic_notices
 from raybundle.adjustment.components import NAMES, differs
+from raybundle.adjustment.reliability import UNCONTROLLED
 from raybundle.adjustment.result import Adjustment, Notice, ObservationGroup, VarianceComponent
 from raybundle.adjustment.severity import POOR_FIT, Severity
 from raybundle.block import Role
@@ -29,6 +31,7 @@ def notices_of(result: Adjustment, redundancy_sum: float | None) -> tuple[Notice
             )
         )
     found += _fit(result) + _interior(result) + _rejected(result) + _points(result) + _control(result)
+    found += _unchecked_scale(result) + systematic_notices(result)
     return tuple(found)
 
 
@@ -65,7 +68,7 @@ def _interior(result: Adjustment) -> list[Notice]:
         found += [
             Notice(
                 code="not_determinable",
-                message=f"{who}: {p.symbol} is not determinable: its standard deviation {p.std:.2g} {p.unit} says less "
+                message=f"{who}: {p.symbol} is not determinable: its standard deviation {p.std_words} says less "
                 f"than is known beforehand. {_remedy(result, p.symbol)}",
                 ids=(interior.camera, p.symbol),
             )
@@ -245,6 +248,23 @@ def _control(result: Adjustment) -> list[Notice]:
             for k in np.flatnonzero(np.abs(np.nan_to_num(g.w)) > limit * own)
         ]
     return found
+
+
+def _unchecked_scale(result: Adjustment) -> list[Notice]:
+    """Scale bars that no other observation controls: every length stands and falls with them."""
+    bars = next((g for g in result.groups if g.kind == "distance"), None)
+    if bars is None or not len(bars.ids) or not (np.nan_to_num(bars.redundancy) < UNCONTROLLED).all():
+        return []
+    names = ", ".join(bars.ids[:5])
+    return [
+        Notice(
+            code="scale_unchecked",
+            message=f"nothing controls the scale: it rests on {len(bars.ids)} scale bar"
+            f"{'s' * (len(bars.ids) > 1)} ({names}), and an error of its length goes into every length unseen. A "
+            "second bar, or a measured length between two points, would check it",
+            ids=bars.ids[:5],
+        )
+    ]
 
 
 def _without_worst(result: Adjustment, g: ObservationGroup) -> bool:

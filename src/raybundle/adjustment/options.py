@@ -36,6 +36,9 @@ class AdjustmentOptions:
     pixel_shape: Literal["sensor", "any"] = "sensor"
     """sensor: the automatic choice holds an affinity or a shear beyond what a sensor has; any: it believes each, as of
     scanned pictures.  Parameters that a camera's `estimate` names are free in any case."""
+    weights: Literal["given", "residuals"] = "given"
+    """Where the standard deviations of the image points come from.  residuals: an earlier adjustment of the same image
+    points chose them, so that sigma0 near 1 and a passed global test say nothing; no number hangs on it."""
     reject: Literal["none", "snooping"] = "none"
     """snooping: blunders leave one family at a time, with reactivation."""
     residuals: Literal["as_block", "measured", "corrected"] = "as_block"

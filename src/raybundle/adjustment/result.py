@@ -153,6 +153,12 @@ class ParameterResult:
     """held | estimated | observed | not significant | not determinable"""
     remark: str = ""
 
+    @property
+    def std_words(self) -> str:
+        """The standard deviation with its unit, as "0.16 mm"; a ratio (unit "1") has none in print."""
+        std = "unknown" if self.std is None else f"{self.std:.2g}"
+        return std if self.unit == "1" else f"{std} {self.unit}"
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class InteriorResult:

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from raybundle.workflows.rectify import Grid, SinglePhoto
 
 Area = tuple[float, float, float, float]
+ROUNDING = 1e-9
+"""Share of the extent of the points below which a difference is that of rounding."""
 
 
 @click.command("rectify", context_settings=COMMAND_SETTINGS)
@@ -187,7 +189,10 @@ def _of_photo(
     }  # fmt: skip
     _write(picture, out, grid, about)
     lines = [f"{'point':<12}{'right':>12}{'up':>12}   measured minus given"]
-    lines += [f"{n:<12}{d[0]:>12.4g}{d[1]:>12.4g}" for n, d in zip(names, single.differences, strict=True)]
+    # of four points the transformation leaves nothing but rounding
+    nothing = ROUNDING * float(np.ptp(single.plane_xy, axis=0).max())
+    differences = np.where(np.abs(single.differences) < nothing, 0.0, single.differences)
+    lines += [f"{n:<12}{d[0]:>12.4g}{d[1]:>12.4g}" for n, d in zip(names, differences, strict=True)]
     if fit.redundancy:
         lines.append(f"sigma0 {fit.sigma0:.2f} (1 = marks as good as {sigma_px:g} px), redundancy {fit.redundancy}")
         if not fit.adequate:

@@ -8,11 +8,12 @@ from statistics import NormalDist
 
 import numpy as np
 
+from raybundle.adjustment.cell_means import CellMeans
 from raybundle.block import Camera
-from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.arrays import Array, Index
 from raybundle.report.figures_interior import format_plot, scale_bar
 from raybundle.report.numbers import fixed, grouped, significant
-from raybundle.report.residuals import CellMeans, ImageRow, Profile
+from raybundle.report.residuals import ImageRow, Profile
 from raybundle.report.svg import (
     Drawing,
     Plot,
@@ -81,18 +82,13 @@ def reference(px_per_px: float, width: float) -> Drawing:
     )
 
 
-def well_filled(cells: CellMeans) -> Mask:
-    """(cells,) whether a mean is drawn: three points at least, and a tenth of the typical number."""
-    return cells.count >= max(3.0, 0.1 * float(np.median(cells.count[cells.count > 0])))
-
-
 def mean_field(cells: CellMeans, camera: Camera, what: str) -> Drawing:
     """Mean residual of each cell as a vector, with the number of points; cells that differ from zero stand out."""
     plot, parts = format_plot(camera.size_mm, 430)
     x0, y0, w, h = plot.box
     cw, ch = w / cells.columns, h / cells.rows
     size = np.linalg.norm(cells.mean_px, axis=1)
-    full = well_filled(cells)
+    full = cells.well_filled
     largest = float(np.nanmax(size[full])) if full.any() else 0.0
     scale = 0.5 * min(cw, ch) / largest if largest > 0 else 1.0
     for k in range(len(cells.count)):

@@ -1,4 +1,4 @@
-"""Residuals in figures: per image, averaged over the format, against the normal curve, against the radius."""
+"""Residuals in figures: per image, against the normal curve, against the radius."""
 
 from __future__ import annotations
 
@@ -8,86 +8,15 @@ from itertools import pairwise
 
 import numpy as np
 
+from raybundle.adjustment.cell_means import normalised_residuals
 from raybundle.block import Camera
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.report.view import View, rms
 
-FAMILY = 0.05
-"""Family-wise significance level of the tests in the figures."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class CellMeans:
-    """Residuals averaged over the cells of an image format; cells run along x (right), then y (down)."""
-
-    columns: int
-    rows: int
-    count: Array
-    """(cells,) image points"""
-    mean_px: Array
-    """(cells, 2) mean residual, pixel frame; NaN where a cell is empty"""
-    redundancy: Array
-    """(cells,) mean redundancy number; NaN without statistics"""
-    test: Array
-    """(cells,) chi-square with 2 degrees of freedom of the mean"""
-    limit: float
-    """Its family-wise critical value (Bonferroni)"""
-
-    @property
-    def significant(self) -> Mask:
-        """(cells,) whether the mean differs from zero."""
-        return np.nan_to_num(self.test) > self.limit
-
 
 def normalised(view: View) -> Array:
-    """Residuals over their standard deviation (m, 2), a-posteriori: w / sigma0; NaN where untested or rejected.
-
-    Without statistics v / (s sigma0), whose spread is below 1 by the root of the redundancy numbers.
-    """
-    s = view.adjustment.image_observations
-    if view.adjustment.precision is not None:
-        return np.where(view.used[:, None], s.w / view.scale, np.nan)
-    sigma = np.sqrt(view.given.observations.cov_px2[:, :2])
-    return np.where(view.used[:, None], s.residuals_px / sigma / view.scale, np.nan)
-
-
-def cell_means(view: View, camera: Camera, mask: Mask, tests: Array) -> CellMeans:
-    """Means over cells of about a tenth of the format's width.
-
-    mask   (m,) observations of the camera
-    tests  (m, 2) normalised residuals
-
-    The test takes residuals as uncorrelated; a common unmodelled effect of a few images looks like a
-    systematic one of the camera.
-    """
-    columns = 12 if mask.sum() >= 2400 else 8 if mask.sum() >= 400 else 5
-    rows = int(min(max(2, round(columns * camera.height_px / camera.width_px)), 24))
-    xy = view.given.observations.xy_px[mask]
-    i = np.clip((xy[:, 0] / camera.width_px * columns).astype(int), 0, columns - 1)
-    j = np.clip((xy[:, 1] / camera.height_px * rows).astype(int), 0, rows - 1)
-    cell = j * columns + i
-    s = view.adjustment.image_observations
-
-    def total(values: Array) -> Array:
-        return np.bincount(cell, np.nan_to_num(values), minlength=columns * rows)
-
-    count = np.bincount(cell, minlength=columns * rows).astype(float)
-    with np.errstate(invalid="ignore", divide="ignore"):
-        mean = np.stack([total(s.residuals_px[mask, k]) for k in (0, 1)], axis=1) / count[:, None]
-        tested = np.stack([total(np.isfinite(tests[mask, k]).astype(float)) for k in (0, 1)], axis=1)
-        t = np.stack([total(tests[mask, k]) for k in (0, 1)], axis=1) / np.sqrt(tested)
-        r = s.redundancy[mask]
-        redundancy = total(r.sum(axis=1)) / (2 * total(np.isfinite(r).all(axis=1).astype(float)))
-    filled = int((count > 0).sum())
-    return CellMeans(
-        columns=columns,
-        rows=rows,
-        count=count,
-        mean_px=mean,
-        redundancy=redundancy,
-        test=np.sum(t**2, axis=1),
-        limit=-2 * math.log(FAMILY / max(filled, 1)),
-    )
+    """Residuals over their standard deviation (m, 2), a-posteriori; NaN where untested or rejected."""
+    return normalised_residuals(view.adjustment)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

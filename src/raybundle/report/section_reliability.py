@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from raybundle.adjustment.cell_means import cell_means
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.statistics import ALPHA, CRITICAL_W, DELTA0, POWER
 from raybundle.report.figures_residuals import image_columns, redundancy_map
@@ -22,7 +23,7 @@ from raybundle.report.parts import (
     table,
     text,
 )
-from raybundle.report.residuals import cell_means, image_rows, normalised
+from raybundle.report.residuals import image_rows, normalised
 from raybundle.report.svg import histogram
 from raybundle.report.view import View
 
@@ -106,7 +107,7 @@ def _figures(view: View) -> list[Part]:
     r = a.image_observations.redundancy[view.used].ravel()
     figures = [
         Figure(
-            drawing=redundancy_map(cell_means(view, view.given.cameras[c], mask, tests), view.given.cameras[c],
+            drawing=redundancy_map(cell_means(a, view.given.cameras[c], mask, tests), view.given.cameras[c],
                                    f"redundancy numbers over the format of camera {view.given.cameras[c].id}"),
             caption=f"Mean redundancy number over the format, camera {view.given.cameras[c].id}; red where the "
             "observations hardly control one another.",

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from raybundle.adjustment.cell_means import FAMILY, CellMeans, cell_means
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.report.figures_residuals import (
     MOST_VECTORS,
@@ -18,7 +19,6 @@ from raybundle.report.figures_residuals import (
     normal_quantiles,
     profile_figure,
     reference,
-    well_filled,
 )
 from raybundle.report.numbers import cells, counted, fixed, grouped, per_cent, significant
 from raybundle.report.parts import (
@@ -35,10 +35,7 @@ from raybundle.report.parts import (
     text,
 )
 from raybundle.report.residuals import (
-    FAMILY,
-    CellMeans,
     ImageRow,
-    cell_means,
     image_rows,
     normalised,
     radial_profile,
@@ -105,7 +102,7 @@ def _distribution(view: View, tests: Array) -> list[Part]:
 
 def _systematic(view: View, index: int, mask: Mask, tests: Array) -> list[Part]:
     camera = view.given.cameras[index]
-    means = cell_means(view, camera, mask, tests)
+    means = cell_means(view.adjustment, camera, mask, tests)
     results = [i for i in view.adjustment.interior if i.camera == camera.id]
     centre = adjusted_interior(view, results[0]).principal_point if results else np.zeros(2)
     profile = radial_profile(view, camera, mask, centre)
@@ -131,24 +128,20 @@ def _systematic(view: View, index: int, mask: Mask, tests: Array) -> list[Part]:
 
 
 def _systematic_words(means: CellMeans, overall: float) -> str:
-    tested = int((np.nan_to_num(means.test) > 0).sum())
     beyond = int(means.significant.sum())
-    full = well_filled(means)
-    if not full.any():
+    if not means.well_filled.any():
         return "There are too few points for averages."
-    size = np.linalg.norm(means.mean_px, axis=1)
-    weighted = math.sqrt(float(np.sum(means.count[full] * size[full] ** 2) / means.count[full].sum()) / 2)
     verdict = (
         "no systematic part can be proven"
         if not beyond
         else "the camera model leaves a systematic part"
-        if beyond > 0.1 * tested
+        if means.systematic
         else "a small systematic part is left in places"
     )
     return (
-        f"In {grouped(beyond)} of {grouped(tested)} cells the mean residual differs from zero: {verdict}. The rms of "
-        f"the cell means is {significant(weighted, 2)} px, {per_cent(weighted / overall)} of the rms residual; the "
-        f"largest mean {significant(float(np.nanmax(size[full])), 2)} px."
+        f"In {grouped(beyond)} of {grouped(means.tested)} cells the mean residual differs from zero: {verdict}. The "
+        f"rms of the cell means is {significant(means.rms_px, 2)} px, {per_cent(means.rms_px / overall)} of the rms "
+        f"residual; the largest mean {significant(means.largest_px, 2)} px."
     )
 
 

@@ -111,6 +111,17 @@ def _state(view: View, grade: Grade) -> str:
         )
     if grade == "attention":
         return f"{counted(serious, 'matter')} to settle before it is used: see the warnings."
+    systematic = {n.code for n in a.notices} & {"systematic_residuals", "residual_structure"}
+    scale = any(n.code == "scale_unchecked" for n in a.notices)
+    alone = " The scale rests on lengths that nothing controls." if scale else ""
+    if systematic:
+        return f"But the residuals have a systematic part, which these figures leave out: see the warnings.{alone}"
+    return _fits(view) + alone
+
+
+def _fits(view: View) -> str:
+    """How the observations fit, in one sentence."""
+    a = view.adjustment
     lower, value, upper = a.global_test
     if value > upper:
         return (
@@ -119,6 +130,8 @@ def _state(view: View, grade: Grade) -> str:
         )
     if value < lower:
         return f"The observations fit better than stated (σ₀ {significant(a.sigma0, 2)})."
+    if a.options.weights == "residuals":
+        return "That the observations fit is no test: their standard deviations were taken from these residuals."
     return "The observations fit each other and the model as stated."
 
 
@@ -251,6 +264,8 @@ def _fit(view: View) -> str:
         return "There is no redundancy: the fit cannot be tested, and no blunder can be found."
     lower, value, upper = a.global_test
     sigma0 = f"σ₀ = {significant(a.sigma0)} (a priori 1)"
+    if lower <= value <= upper and a.options.weights == "residuals":
+        return f"{sigma0}, as it must be: the standard deviations of the image points were taken from these residuals."
     if lower <= value <= upper:
         return (
             f"{sigma0}: the residuals are as large as the stated precision of the observations says (global test at "

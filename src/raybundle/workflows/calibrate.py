@@ -38,7 +38,7 @@ from raybundle.workflows.board_start import board_oriented
 from raybundle.workflows.calibration_defects import CANNOT, bundled, check_spline, explained, flat_only
 from raybundle.workflows.camera_split import cameras_apart
 from raybundle.workflows.model_choice import choose_models, with_model
-from raybundle.workflows.recognise import recognised
+from raybundle.workflows.recognise import Recognised, recognised
 from raybundle.workflows.target_block import (
     FEWEST_TARGETS,
     TargetBlock,
@@ -144,9 +144,10 @@ def calibrate(
     if options.sheet is not None:
         targets = (options.sheet.target,)
     elif not targets:
-        targets = recognised(photos, progress)
-    if not targets:
-        return _by_tie_points(inputs, found, options, progress)
+        shown = recognised(photos, progress)
+        targets = shown.targets
+        if not targets:
+            return _by_tie_points(inputs, found, options, shown, progress)
     clock.stop("photographs")
     groups = camera_groups(photos, (), options.separate)
     if options.dots:
@@ -191,7 +192,7 @@ def _calibrated(m: _Measured, options: CalibrateOptions, clock: _Clock, progress
     threads = options.jobs or os.cpu_count() or 1
     settings = AdjustmentOptions(
         threads=threads, reject="snooping", robust_start=True, noise="white",
-        pixel_shape="any" if options.shear else "sensor",
+        pixel_shape="any" if options.shear else "sensor", weights="residuals",
     )  # fmt: skip
     start = _with_model(start, options.model)
     first = decide(start, settings, progress)
@@ -271,7 +272,9 @@ class _Clock:
         self._began = now
 
 
-def _by_tie_points(inputs: Sequence[Path], found: Found, options: CalibrateOptions, progress: Progress) -> Calibration:
+def _by_tie_points(
+    inputs: Sequence[Path], found: Found, options: CalibrateOptions, shown: Recognised, progress: Progress
+) -> Calibration:
     """Calibration by the natural points of the object, where there are no targets."""
     from raybundle.workflows.marks import Given  # noqa: PLC0415  (loaded only where they are used, as features are)
     from raybundle.workflows.orient import OrientOptions, orient  # noqa: PLC0415
@@ -282,18 +285,29 @@ def _by_tie_points(inputs: Sequence[Path], found: Found, options: CalibrateOptio
             OrientOptions(jobs=options.jobs, separate=options.separate, noise=options.noise),
             given=Given(gps=False), progress=progress,
         )  # fmt: skip
-    told = Notice(
-        code="no_targets",
-        message="no coded targets and no board are seen: calibrated by natural points. Name what was photographed, as "
-        "--target chessboard-12x9 or --target aicon14, if there was something; natural points are several times less "
-        "precise than targets",
-    )
+    told = Notice(code="no_targets", message=_no_targets(shown))
     adjustment = replace(done.adjustment, notices=(told, *done.adjustment.notices))
     return Calibration(
         adjustment=adjustment, quality=calibration_qualities(adjustment, progress), photos=found.photos,
         groups=done.groups, refused=done.refused, not_used=done.not_oriented, marks=(), targets=(), completed=0, dots=0,
         largest_eccentricity_px=0.0,
     )  # fmt: skip
+
+
+def _no_targets(shown: Recognised) -> str:
+    """Why natural points were taken, and what to do."""
+    looked = f"{len(shown.looked_at)} photographs that were looked at ({', '.join(shown.looked_at)})"
+    if shown.few:
+        return (
+            f"fewer than half of the {looked} show targets, of {', '.join(shown.few)}: calibrated by natural points, "
+            "which are several times less precise. Put the photographs of targets into a folder of their own, or name "
+            f"them: --target {shown.few[0]}"
+        )
+    return (
+        f"no coded targets and no board are seen in the {looked}: calibrated by natural points, which are several "
+        "times less precise. If others show some, name what was photographed, as --target chessboard-12x9 or --target "
+        "aicon14, and put their photographs into a folder of their own"
+    )
 
 
 def _approximate(
@@ -357,6 +371,7 @@ def _enough(found: Found, inputs: Sequence[Path]) -> None:
         )
         lines = [first]
         lines += [f"  {p.name}: {r}" for p, r in found.refused[:20]]
+        lines += [f"  {r}" for r in found.remarks]  # as of sub-folders, which are not looked into
         raise InputError("\n".join(lines), file=", ".join(str(p) for p in inputs))
 
 

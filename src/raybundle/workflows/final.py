@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import Literal
 
 import numpy as np
 
@@ -36,13 +37,18 @@ COARSE = 1e-2
 
 def final_adjustment(
     placed: Georeferenced, groups: Sequence[CameraGroup], jobs: int, progress: Progress, remarks: Sequence[str],
-    noise: NoiseModel = "auto",
+    noise: NoiseModel = "auto", *, weights: Literal["given", "residuals"] = "given",
 ) -> Adjustment:  # fmt: skip
-    """The final adjustment: parameters by significance and determinability, blunders by data snooping."""
+    """The final adjustment: parameters by significance and determinability, blunders by data snooping.
+
+    weights  residuals: the standard deviations of the tie points were taken from theirs
+    """
     notices = [Notice(code="photographs", message=r) for r in remarks]
     notices += [Notice(code="camera", message=f"camera {g.id}: {r}", ids=(g.id,)) for g in groups for r in g.remarks]
     noise = noise_of_photographs(noise, int(placed.block.images.oriented.sum()))
-    options = AdjustmentOptions(threads=jobs, reject="snooping", tolerance=FINAL, datum_over="good", noise=noise)
+    options = AdjustmentOptions(
+        threads=jobs, reject="snooping", tolerance=FINAL, datum_over="good", noise=noise, weights=weights
+    )
     asked = placed
     block, flat = placed.block, flat_points(placed.block) & ~placed.marked
     flat &= ~placed.block.points.is_control.any(axis=1)
@@ -220,12 +226,15 @@ def _with_block(placed: Georeferenced, block: Block) -> Georeferenced:
 
 
 def adjusted_part(
-    placed: Georeferenced, groups: Sequence[CameraGroup], jobs: int, progress: Progress, noise: NoiseModel = "auto"
-) -> Part:
+    placed: Georeferenced, groups: Sequence[CameraGroup], jobs: int, progress: Progress, noise: NoiseModel = "auto", *,
+    weights: Literal["given", "residuals"] = "given",
+) -> Part:  # fmt: skip
     """The adjustment of a part that nothing joins to the others."""
     images = placed.block.images
     names = tuple(n for n, o in zip(images.ids, images.oriented, strict=True) if o)
-    return Part(adjustment=final_adjustment(placed, groups, jobs, progress, (), noise), photographs=names)
+    return Part(
+        adjustment=final_adjustment(placed, groups, jobs, progress, (), noise, weights=weights), photographs=names
+    )
 
 
 def undetermined_part(placed: Georeferenced, error: NotSolvable) -> list[Notice]:

@@ -197,8 +197,9 @@ def orient(
                 placed, apart = scenes.place(blocks, photos, given, photographs.store, method)
             placed = _relative(placed, photos, options.relative)
             adjustment, parts = _adjusted(
-                stage, placed, apart, photographs.groups, jobs, progress, remarks, options.noise
-            )
+                stage, placed, apart, photographs.groups, jobs, progress, remarks, options.noise,
+                weights="residuals" if options.precise else "given",
+            )  # fmt: skip
         return _orientation(project, photographs, scenes, adjustment, parts, placed, remarks)
     finally:
         project.close()
@@ -308,7 +309,7 @@ def _search(
             placed, told = with_positions(found.photos, positions, crs)
             found = replace(found, photos=placed, remarks=(*found.remarks, *told))
         refused = [(p.name, r) for p, r in found.refused]
-        _check_number(inputs, found.photos, len(scenes.scenes), [*refused, *scenes.refused])
+        _check_number(inputs, found.photos, len(scenes.scenes), [*refused, *scenes.refused], found.remarks)
         stage.from_cache = False
         stage.key = key_of("photographs", [p.sha256 for p in found.photos], [s.sha256 for s in scenes.scenes])
         stage.summary = f"{len(found.photos)} photographs, {len(refused)} refused"
@@ -319,13 +320,14 @@ def _search(
 
 def _adjusted(
     stage: Stage, placed: Georeferenced, apart: Sequence[Georeferenced], groups: Sequence[CameraGroup], jobs: int,
-    progress: Progress, remarks: Sequence[str], noise: NoiseModel = "auto",
+    progress: Progress, remarks: Sequence[str], noise: NoiseModel = "auto", *,
+    weights: Literal["given", "residuals"] = "given",
 ) -> tuple[Adjustment, tuple[Part, ...]]:  # fmt: skip
     """The final adjustments of what is placed together and of the parts that nothing joins to it."""
     parts, kept, lost = list[Part](), list[Georeferenced](), list[Notice]()
     for part in apart:
         try:
-            parts.append(adjusted_part(part, groups, jobs, progress, noise))
+            parts.append(adjusted_part(part, groups, jobs, progress, noise, weights=weights))
             kept.append(part)
         except NotSolvable as error:
             lost += undetermined_part(part, error)
@@ -333,30 +335,34 @@ def _adjusted(
         told = apart_notice(placed.block, kept, [part_folder(k) for k in range(len(kept))])
         placed = replace(placed, notices=(told, *placed.notices))
     placed = replace(placed, notices=(*lost, *placed.notices))
-    adjustment = final_adjustment(placed, groups, jobs, progress, remarks, noise)
+    adjustment = final_adjustment(placed, groups, jobs, progress, remarks, noise, weights=weights)
     stage.from_cache = False
     stage.summary = f"sigma0 {adjustment.sigma0:.3f}"
     return adjustment, tuple(parts)
 
 
 def _check_number(
-    inputs: Sequence[Path], photos: Sequence[Photo], scenes: int, refused: Sequence[tuple[str, str]]
-) -> None:
+    inputs: Sequence[Path], photos: Sequence[Photo], scenes: int, refused: Sequence[tuple[str, str]],
+    remarks: Sequence[str] = (),
+) -> None:  # fmt: skip
     """Raise InputError where there are neither two photographs nor a scene."""
     if len(photos) >= 2 or scenes >= 2 or (scenes and photos):
         return
     if not scenes:
-        raise _too_few(inputs, photos, refused)
+        raise _too_few(inputs, photos, refused, remarks)
     lines = ["1 satellite scene and no photograph; at least 2 images of the same ground are needed"]
     lines += [f"  {name}: {reason}" for name, reason in refused[:20]]
     raise InputError("\n".join(lines), file=", ".join(str(p) for p in inputs))
 
 
-def _too_few(inputs: Sequence[Path], photos: Sequence[Photo], refused: Sequence[tuple[str, str]]) -> InputError:
+def _too_few(
+    inputs: Sequence[Path], photos: Sequence[Photo], refused: Sequence[tuple[str, str]], remarks: Sequence[str]
+) -> InputError:
     lines = [f"{len(photos)} usable photograph{'' if len(photos) == 1 else 's'}, at least 2 are needed"]
     lines += [f"  {name}: {reason}" for name, reason in refused[:20]]
     if len(refused) > 20:
         lines.append(f"  and {len(refused) - 20} more")
+    lines += [f"  {r}" for r in remarks]  # as of sub-folders, which are not looked into
     return InputError("\n".join(lines), file=", ".join(str(p) for p in inputs))
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -38,33 +39,57 @@ TRIED = (
 )
 
 
-def recognised(photos: Sequence[Photo], progress: Progress = silent) -> tuple[Target, ...]:
-    """The family that the photographs show, () for none.
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Recognised:
+    """What some photographs show."""
+
+    targets: tuple[Target, ...]
+    """the family, () for none"""
+    looked_at: tuple[str, ...]
+    """names of the photographs that were looked at"""
+    few: tuple[str, ...]
+    """families of which fewer than half of them show enough points"""
+
+
+def recognised(photos: Sequence[Photo], progress: Progress = silent) -> Recognised:
+    """The family that the photographs show, by a few of them.
 
     Raises InputError where more than one can be meant, or where a board is seen that cannot be told.
     """
     asked = [photos[i] for i in np.unique(np.linspace(0, len(photos) - 1, ASKED).astype(int))]
+    names, few = tuple(p.name for p in asked), set[str]()
     grey = [read_grey(p) for p in asked]
-    steps: tuple[Callable[[list[Array]], str | None], ...] = (_ring_family, _tags, _sheet, _raster, _chessboard)
+    steps: tuple[Callable[[list[Array], set[str]], str | None], ...] = (
+        _ring_family,
+        _tags,
+        _sheet,
+        _raster,
+        _chessboard,
+    )
     for k, step in enumerate(steps):
         progress("what was photographed", k / len(steps))
-        name = step(grey)
+        name = step(grey, few)
         if name is not None:
             progress("what was photographed", 1.0)
-            return (target(name),)
+            return Recognised(targets=(target(name),), looked_at=names, few=())
     progress("what was photographed", 1.0)
-    return ()
+    return Recognised(targets=(), looked_at=names, few=tuple(sorted(few)))
 
 
-def _most(grey: list[Array], wanted: Target) -> list[set[str]]:
-    """Names read on each photograph; all empty where fewer than half of them show enough."""
+def _most(grey: list[Array], wanted: Target, few: set[str]) -> list[set[str]]:
+    """Names read on each photograph; all empty where fewer than half of them show enough.
+
+    few  takes the family where one of them does
+    """
     read = [{n for n in detect(g, wanted).name if n} for g in grey]
+    if max(map(len, read)) >= ENOUGH:
+        few.add(wanted.family)
     return read if sorted(map(len, read))[len(read) // 2] >= ENOUGH else [set() for _ in read]
 
 
-def _ring_family(grey: list[Array]) -> str | None:
+def _ring_family(grey: list[Array], few: set[str]) -> str | None:
     """The family of coded rings; raises InputError where more than one can be meant."""
-    found = {name: read for name in families if any(read := _most(grey, target(name)))}
+    found = {name: read for name in families if any(read := _most(grey, target(name), few))}
     if not found:
         return None
     count = {name: sum(map(len, read)) for name, read in found.items()}
@@ -104,7 +129,7 @@ def _repeated(name: str, read: list[set[str]], other: str) -> set[int]:
     return codes
 
 
-def _tags(grey: list[Array]) -> str | None:
+def _tags(grey: list[Array], few: set[str]) -> str | None:
     """The ChArUco board or the dictionary of tags."""
     views = [tags_seen(g) for g in grey]
     count = Counter(name for v in views for name, tags in v.items() if len(tags.id) >= FEWEST_TAGS)
@@ -114,33 +139,35 @@ def _tags(grey: list[Array]) -> str | None:
     for name in likely:
         seen = [v[name] for v in views if name in v]
         board = charuco_of(name, seen)
-        if board is not None and any(_most(grey, target(board))):
+        if board is not None and any(_most(grey, target(board), few)):
             return board
         tags = smallest(name, max(int(s.id.max()) for s in seen))
-        if any(_most(grey, target(tags))):
+        if any(_most(grey, target(tags), few)):
             return tags
     return None
 
 
-def _sheet(grey: list[Array]) -> str | None:
-    return SHEET if any(_most(grey, target(SHEET))) else None
+def _sheet(grey: list[Array], few: set[str]) -> str | None:
+    return SHEET if any(_most(grey, target(SHEET), few)) else None
 
 
-def _raster(grey: list[Array]) -> str | None:
-    return _agreed(grey, raster_of, "a raster of dots", "circles-7x5, or acircles-4x11 where it is staggered")
+def _raster(grey: list[Array], few: set[str]) -> str | None:
+    return _agreed(grey, few, raster_of, "a raster of dots", "circles-7x5, or acircles-4x11 where it is staggered")
 
 
-def _chessboard(grey: list[Array]) -> str | None:
-    return _agreed(grey, chessboard_of, "a chessboard", "chessboard-9x6, by the corners between squares")
+def _chessboard(grey: list[Array], few: set[str]) -> str | None:
+    return _agreed(grey, few, chessboard_of, "a chessboard", "chessboard-9x6, by the corners between squares")
 
 
-def _agreed(grey: list[Array], look: Callable[[Array], str | None], what: str, example: str) -> str | None:
+def _agreed(
+    grey: list[Array], few: set[str], look: Callable[[Array], str | None], what: str, example: str
+) -> str | None:
     """The board that most photographs show; raises InputError where most show one, but none that can be told."""
     names = [name for g in grey if (name := look(g)) is not None]
     if not names:
         return None
     (name, times), *_ = Counter(names).most_common()
-    if 2 * times > len(names) and any(_most(grey, target(name))):
+    if 2 * times > len(names) and any(_most(grey, target(name), few)):
         return name
     if len(names) <= len(grey) // 2:
         return None

@@ -79,7 +79,7 @@ def test_each_bad_file_costs_that_file_only(tmp_path):
     assert "cannot be read: No such file" in why["gone.jpg"]
     assert why["pipe.jpg"] == "is not a regular file"
     assert len(why) == 11
-    assert any("subfolders" in r for r in found.remarks)
+    assert any("sub-folder" in r for r in found.remarks)
     assert any(".txt" in r for r in found.remarks)
 
 

@@ -234,8 +234,8 @@ def _in_folder(folder: Path, leave: frozenset[Path], remarks: list[str]) -> list
     folders = [p for p in entries if p.is_dir()]
     if folders:
         remarks.append(
-            f"{shown(folder)}: {len(folders)} subfolders are not looked into ({shown(folders[0]).name}, ...); "
-            "give them too"
+            f"{shown(folder)}: {len(folders)} sub-folder{'s are' if len(folders) > 1 else ' is'} not looked into "
+            f"({shown(folders[0]).name}{', ...' if len(folders) > 1 else ''}); give them too"
         )
     return files
 
