@@ -55,6 +55,7 @@ def _adjust(block: Block, options: AdjustmentOptions, progress: Progress) -> Adj
         from raybundle.orientation.assembly import approximate_values  # noqa: PLC0415
 
         refuse_unoriented(block)
+        block = _with_known(block)
         approximate = approximate_values(block, progress)
         start = approximate.block
         notices += approximate.notices
@@ -62,6 +63,14 @@ def _adjust(block: Block, options: AdjustmentOptions, progress: Progress) -> Adj
     if result.sigma0 > POOR_FIT and block.images.oriented[observed].any() and _held(block) == 0:
         return _started_afresh(block, options, progress, result)
     return result
+
+
+def _with_known(block: Block) -> Block:
+    """The block whose cameras keep what was given of them while approximate values move it; 0 is no camera constant."""
+    cameras = tuple(
+        replace(c, known={s: v for s, v in c.values.items() if v or s != c.sensor.symbols[0]}) for c in block.cameras
+    )
+    return replace(block, cameras=cameras)
 
 
 def identical_images(block: Block) -> list[tuple[str, str]]:
@@ -102,6 +111,7 @@ def _started_afresh(block: Block, options: AdjustmentOptions, progress: Progress
     from raybundle.orientation.assembly import approximate_values  # noqa: PLC0415
 
     images = block.images
+    block = _with_known(block)
     blank = replace(
         block,
         images=replace(
