@@ -13,15 +13,21 @@ from raybundle.block.simulate import Survey, simulate
 GIVEN = {"x0": 0.02, "y0": -0.03, "K1": 2e-6, "K2": 0.0, "K3": 0.0, "P1": 1e-6, "P2": 0.0, "A": 0.0, "S": 0.0}
 
 
-def decided(seed, tilt_deg, rolls_deg):
-    """A free calibration on a flat field whose parameters are all left to the adjustment, and the camera's truth."""
+def decided(seed, tilt_deg, rolls_deg, moved=None, **options):
+    """A free calibration on a flat field whose parameters are all left to the adjustment, and the camera's truth.
+
+    moved  values that an earlier fit left, where what is known are those given
+    """
     plan = FlatField(tilt_deg=tilt_deg, rolls_deg=rolls_deg)
     survey = Survey(seed=seed, orientation="exact", points="exact", interior="exact", image_sigma_px=0.3)
     simulated = simulate(flat_field_scene(plan), survey)
     block = simulated.observed
     camera = block.cameras[0]
-    block = replace(block, cameras=(replace(camera, estimate="auto", values={**camera.values, **GIVEN}),))
-    return decide(block, AdjustmentOptions(threads=1)), camera
+    known = {**camera.values, **GIVEN}
+    free = replace(camera, estimate="auto", values=known)
+    if moved is not None:
+        free = replace(free, values={**known, **moved}, known=known)
+    return decide(replace(block, cameras=(free,)), AdjustmentOptions(threads=1, **options)), camera
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -31,10 +37,21 @@ def test_what_is_not_determinable_is_held_at_what_was_given_and_spoils_nothing(s
     held = {s: p for s, p in parameters.items() if p.status == "not determinable"}
     assert held
     assert {s: p.value for s, p in held.items()} == {s: GIVEN[s] for s in held}
+    told = {n.ids[1]: n.message for n in result.notices if n.code == "held_not_determinable"}
+    assert all(f"is held at {GIVEN[s]:.4g}" in told[s] for s in held)
     c = parameters["c"]
     assert abs(c.value - camera.values["c"]) < 3.5 * c.std
     estimated = [s for s, p in parameters.items() if p.status == "estimated"]
     assert np.isfinite([parameters[s].std for s in estimated]).all()
+
+
+@pytest.mark.parametrize("reject", ["none", "snooping"])
+def test_what_is_held_is_not_what_an_earlier_fit_left(reject):
+    """A start, or snooping before the choice, may have moved the camera anywhere."""
+    result, _ = decided(1, 5.0, (0.0,), moved={"x0": 0.9, "y0": -0.8, "K3": 1e-9}, reject=reject)
+    held = {s: p.value for s, p in result.interior[0].parameters.items() if p.status == "not determinable"}
+    assert {"x0", "y0"} <= set(held)
+    assert held == {s: GIVEN[s] for s in held}
 
 
 def test_what_is_not_significant_is_zero():

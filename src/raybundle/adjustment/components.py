@@ -10,6 +10,7 @@ import numpy as np
 from raybundle.adjustment.assemble import System
 from raybundle.adjustment.result import ObservationGroup, ObservationStatistics, VarianceComponent
 from raybundle.block import Block, Camera
+from raybundle.block.known import is_known_before
 from raybundle.block.points import is_automatic
 from raybundle.errors import NotSolvable
 from raybundle.numerics.arrays import Array, Mask
@@ -66,7 +67,7 @@ def variance_components(found: Found) -> tuple[VarianceComponent, ...]:
     names = [n for n in CLASSES if n in set(of_point.tolist())]
     for name in names if len(names) > 1 else []:
         add_rows("point class", name, of_point == name)
-    for g in groups:
+    for g in map(without_known_before, groups):
         weighted = g.sigma > 0
         if weighted.any():
             square = float(np.sum((g.residual[weighted] / g.sigma[weighted]) ** 2))
@@ -170,6 +171,14 @@ def _is_kind(c: VarianceComponent, found: tuple[VarianceComponent, ...]) -> bool
     return (c.kind == images or c.kind in NAMES.values()) and np.isfinite(c.ratio) and c.ratio > 0
 
 
+def without_known_before(group: ObservationGroup) -> ObservationGroup:
+    """A group without what was known of cameras before: that is judged all together (`known_before`)."""
+    if group.kind != "relation":
+        return group
+    keep = np.array([not is_known_before(name) for name in group.component], bool)
+    return group if keep.all() else group.rows(keep)
+
+
 def _of_images(steps: Mapping[tuple[str, str], VarianceComponent]) -> float:
     own = [c for (kind, _), c in steps.items() if kind in {"camera", "image observations"}]
     return max(own, key=lambda c: c.redundancy).ratio
@@ -186,7 +195,9 @@ def _weighted(block: Block, factors: Mapping[tuple[str, str], float]) -> Block:
     rows = image[block.images.camera[o.image]]
 
     def camera(c: Camera) -> Camera:
-        relations = tuple(replace(r, sigma=r.sigma * of("relations")) for r in c.relations)
+        relations = tuple(
+            r if is_known_before(r.name) else replace(r, sigma=r.sigma * of("relations")) for r in c.relations
+        )
         return replace(c, sigma={s: v * of("parameters") for s, v in c.sigma.items()}, relations=relations)
 
     return replace(

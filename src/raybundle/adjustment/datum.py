@@ -106,8 +106,8 @@ def analyse(system: System, state: State, options: AdjustmentOptions) -> Datum:
     used = system.points_used
     if not used.any():
         raise NotSolvable(
-            "no object point takes part: none has rays that meet before their cameras; nothing can be adjusted. Look at "
-            "camera constant and its sign, at orientations, and at which point is measured where"
+            "no object point takes part: none has rays that meet before their cameras; nothing can be adjusted. Look "
+            "at camera constant and its sign, at orientations, and at which point is measured where"
         )
     cloud = state.xyz[used]
     centre = np.median(cloud, axis=0)

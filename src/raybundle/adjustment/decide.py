@@ -13,12 +13,13 @@ from itertools import groupby
 import numpy as np
 
 from raybundle.adjustment.engine import Extent, Start, adjust_block, as_start, free_parameters
+from raybundle.adjustment.known_before import against_known
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.pixel_shape import Beyond, beyond_sensor, shape_limit
 from raybundle.adjustment.reliability import UNCONTROLLED
 from raybundle.adjustment.result import Adjustment, InteriorResult, Notice
 from raybundle.adjustment.separability import unlocatable
-from raybundle.block import Block, Role
+from raybundle.block import Block, Camera, Role
 from raybundle.block.rejection import Rejection, RejectionKind, Rejections
 from raybundle.block.stored import is_observed_jointly
 from raybundle.errors import NoConvergence, NotSolvable, RankDefect
@@ -38,6 +39,8 @@ class Decisions:
 
     free: dict[str, tuple[str, ...]]
     reasons: Rejections
+    known: Mapping[str, Mapping[str, float]]
+    """By camera, what was known before anything was measured: where what is not determinable is held"""
     notices: list[Notice] = field(default_factory=list[Notice])
     not_significant: list[tuple[str, str]] = field(default_factory=list[tuple[str, str]])
     not_determinable: list[tuple[str, str]] = field(default_factory=list[tuple[str, str]])
@@ -49,7 +52,9 @@ def decide(
     """Adjust a block with approximate values, with the decisions that the options and the block ask for."""
     began = time.perf_counter()
     choices = Decisions(
-        free={c.id: free_parameters(c) for c in block.cameras}, reasons=(None,) * len(block.observations)
+        free={c.id: free_parameters(c) for c in block.cameras},
+        reasons=(None,) * len(block.observations),
+        known={c.id: {**c.values, **{s: v for s, v in c.known.items() if s in c.values}} for c in block.cameras},
     )
     automatic = [
         c.id
@@ -69,7 +74,8 @@ def decide(
         start, final, progress, free=choices.free, rejected=choices.reasons, notices=(*notices, *choices.notices),
         start="approximate" if start is block else "adjusted",
     )  # fmt: skip
-    return replace(_labelled(result, choices), given=block, options=options, seconds=time.perf_counter() - began)
+    result = against_known(_labelled(result, choices))
+    return replace(result, given=block, options=options, seconds=time.perf_counter() - began)
 
 
 def _quiet(
@@ -86,7 +92,6 @@ def _snoop_what_is_determined(
     block: Block, options: AdjustmentOptions, choices: Decisions, automatic: list[str], progress: Progress
 ) -> Block:
     """As `_snoop`; parameters that make the block singular are held first, the least needed ones before the others."""
-    given = {c.id: c.values for c in block.cameras}
     while True:
         try:
             return _snoop(block, options, choices, progress)
@@ -94,7 +99,7 @@ def _snoop_what_is_determined(
             held = _hold_next(block, choices, automatic, error)
             if held is None:
                 raise
-            block = _with_values(block, held[0], {held[1]: given[held[0]][held[1]]})
+            block = _with_values(block, *held)
 
 
 def _snoop(
@@ -253,7 +258,6 @@ def _choose(
             choices.free[camera.id] = tuple(
                 p.symbol for p in model.parameters if p.kind != "other" or p.symbol in named
             )
-    given = {c.id: c.values for c in block.cameras}
     result: Adjustment | None = None
     for _ in range(30):
         try:
@@ -263,19 +267,20 @@ def _choose(
             held = _hold_next(block, choices, automatic, error)
             if held is None:
                 raise
-            block = _with_values(block, held[0], {held[1]: given[held[0]][held[1]]})
+            block = _with_values(block, *held)
             continue
         block = as_start(block, result.adjusted)
         worst = _least_determinable(result, automatic)
         if worst is not None:
             camera, symbol, reason = worst
-            _hold(choices, camera, symbol, reason)
-            # what it took in the fit is no value of it; the others are to be what they are beside the given one
-            block = _with_values(block, camera, {symbol: given[camera][symbol]})
+            value = choices.known[camera][symbol]
+            _hold(choices, _camera(block, camera), symbol, value, reason)
+            # what it took in the fit is no value of it; the others are to be what they are beside the known one
+            block = _with_values(block, camera, {symbol: value})
             continue
         beyond = beyond_sensor(result, automatic) if options.pixel_shape == "sensor" else None
         if beyond is not None:
-            block = _hold_shape(block, choices, beyond, given[beyond.camera][beyond.symbol])
+            block = _hold_shape(block, choices, beyond, choices.known[beyond.camera][beyond.symbol])
             continue
         without = _drop_insignificant(block, options, choices, automatic, result, progress)
         if without is None:
@@ -294,20 +299,34 @@ def _hold_shape(block: Block, choices: Decisions, beyond: Beyond, given: float) 
     return _with_values(block, camera.id, {beyond.symbol: value})
 
 
-def _hold(choices: Decisions, camera: str, symbol: str, reason: str) -> None:
-    choices.free[camera] = tuple(s for s in choices.free[camera] if s != symbol)
-    choices.not_determinable.append((camera, symbol))
+def _camera(block: Block, name: str) -> Camera:
+    return next(c for c in block.cameras if c.id == name)
+
+
+def _hold(choices: Decisions, camera: Camera, symbol: str, value: float, reason: str) -> None:
+    """Hold a parameter at a value, and say so."""
+    choices.free[camera.id] = tuple(s for s in choices.free[camera.id] if s != symbol)
+    choices.not_determinable.append((camera.id, symbol))
+    unit = next(p.unit for p in camera.sensor.parameters if p.symbol == symbol)
+    at = _in_unit(value, unit, 4) if value else "0"
     choices.notices.append(
         Notice(
             code="held_not_determinable",
-            message=f"camera {camera}: {symbol} is not determinable and is held: {reason}",
-            ids=(camera, symbol),
+            message=f"camera {camera.id}: {symbol} is not determinable and is held at {at}, as known before: {reason}. "
+            "All that is stated holds for that value",
+            ids=(camera.id, symbol),
         )
     )
 
 
-def _hold_next(block: Block, choices: Decisions, automatic: list[str], error: NotSolvable) -> tuple[str, str] | None:
-    """Hold the least needed parameter, of those that the error names; camera and symbol, None if none is left.
+def _in_unit(value: float, unit: str, digits: int = 2) -> str:
+    return f"{value:.{digits}g}" + ("" if unit == "1" else f" {unit}")
+
+
+def _hold_next(
+    block: Block, choices: Decisions, automatic: list[str], error: NotSolvable
+) -> tuple[str, dict[str, float]] | None:
+    """Hold the least needed parameter, of those that the error names; camera and value, None if none is left.
 
     Where images or points alone are not determined, it is no parameter's fault.
     """
@@ -316,15 +335,15 @@ def _hold_next(block: Block, choices: Decisions, automatic: list[str], error: No
         return None
     found: list[tuple[bool, int, int, str, str]] = []
     for camera in automatic:
-        model = sensor_models[next(c.model for c in block.cameras if c.id == camera)]
-        for k, p in enumerate(model.parameters):
+        for k, p in enumerate(_camera(block, camera).sensor.parameters):
             if p.kind in DROP_ORDER and p.symbol in choices.free[camera]:
                 found.append(((camera, p.symbol) not in named, DROP_ORDER.index(p.kind), -k, camera, p.symbol))
     if not found:
         return None
     _, _, _, camera, symbol = min(found)
-    _hold(choices, camera, symbol, str(error).splitlines()[0])
-    return camera, symbol
+    value = choices.known[camera][symbol]
+    _hold(choices, _camera(block, camera), symbol, value, str(error).splitlines()[0])
+    return camera, {symbol: value}
 
 
 def _least_determinable(result: Adjustment, automatic: list[str]) -> tuple[str, str, str] | None:

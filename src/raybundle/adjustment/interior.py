@@ -12,6 +12,7 @@ from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.precision import interior_unknowns
 from raybundle.adjustment.result import InteriorResult, ParameterResult, Precision
 from raybundle.block import Camera
+from raybundle.block.known import known_before
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.statistics import correlation, fisher_tail
 from raybundle.sensors import SensorModel
@@ -103,6 +104,7 @@ def _one(
     diagonal = normals.diagonal[interior_unknowns(system, row)] if row.node >= 0 else np.zeros(0)
     variance = sigma0**2 if np.isfinite(sigma0) and sigma0 > 0 else 1.0
     parameters: dict[str, ParameterResult] = {}
+    known = known_before(camera)
 
     @cache
     def effects() -> Array:
@@ -124,7 +126,8 @@ def _one(
             determinability = float(1 / max(C[k, k] / variance * diagonal[k], 1e-300))
             effect_std = float(effects()[position]) * std if row.model.has_images else None
             t = abs(value) / std if parameter.kind != "scale" and std > 0 else None
-            if std > plausible_std(row.model, camera, values, position, effects):
+            # what was known of this camera is observed: `known_before` says whether the images add to it
+            if parameter.symbol not in known and std > plausible_std(row.model, camera, values, position, effects):
                 status = "not determinable"
         parameters[parameter.symbol] = ParameterResult(
             symbol=parameter.symbol, unit=parameter.unit, meaning=parameter.meaning, value=value, std=std, t=t,

@@ -19,6 +19,10 @@ LEAST_OBSERVATIONS = 2000
 """Image observations for each thread, below which it takes longer to start it than to work alone."""
 
 
+SMALLEST = 1e-3
+"""Share of its observed value that a sum has at least whose logarithm is observed: a step may overshoot to below 0."""
+
+
 @dataclass(slots=True)
 class Linearised:
     """Linearised extra observations: whitened residuals and sparse rows."""
@@ -173,10 +177,14 @@ class Normals:
             add(i, np.array(where, np.int64), weight[i])
         for k in np.flatnonzero(extra.kind == 4):
             row = system.interior[extra.item[k]]
-            terms = system.block.cameras[row.camera].relations[extra.component[k]].terms
-            places = [row.model.symbols.index(s) for s in terms]
-            factors = np.array([*terms.values()])
-            residual[k] = factors @ state.interior[extra.item[k], places] - extra.value[k]
+            relation = system.block.cameras[row.camera].relations[extra.component[k]]
+            places = [row.model.symbols.index(s) for s in relation.terms]
+            factors = np.array([*relation.terms.values()])
+            seen = float(factors @ state.interior[extra.item[k], places])
+            if relation.logarithm:
+                seen = max(seen, SMALLEST * float(np.exp(extra.value[k])))
+                factors, seen = factors / seen, float(np.log(seen))
+            residual[k] = seen - extra.value[k]
             free = [(row.free.index(p), f) for p, f in zip(places, factors, strict=True) if p in row.free]
             where = system.offsets[row.node] + row.start + np.array([w for w, _ in free], np.int64)
             add(np.full(len(free), k), where, np.array([f for _, f in free]) * weight[k])

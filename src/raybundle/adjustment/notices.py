@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from raybundle.adjustment.cell_means import systematic_notices
-from raybundle.adjustment.components import NAMES, differs
+from raybundle.adjustment.components import NAMES, differs, without_known_before
 from raybundle.adjustment.reliability import UNCONTROLLED
 from raybundle.adjustment.result import Adjustment, Notice, ObservationGroup, VarianceComponent
 from raybundle.adjustment.severity import POOR_FIT, Severity
@@ -227,7 +227,7 @@ def _control(result: Adjustment) -> list[Notice]:
     limit = result.critical_w
     scale = max(result.sigma0, 1.0) if np.isfinite(result.sigma0) else 1.0
     wrong = {c.kind: c for c in result.variance_components if c.significant and c.kind in NAMES.values()}
-    for g in result.groups:
+    for g in map(without_known_before, result.groups):
         component = wrong.get(NAMES[g.kind])
         own = scale
         if (

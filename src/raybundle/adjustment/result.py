@@ -98,6 +98,18 @@ class ObservationGroup:
     t: Array
     mdb: Array
 
+    def rows(self, keep: Mask) -> ObservationGroup:
+        """These of its observations."""
+        import numpy as np  # noqa: PLC0415
+
+        chosen = np.flatnonzero(keep)
+        return ObservationGroup(
+            kind=self.kind, ids=tuple(self.ids[k] for k in chosen), component=tuple(self.component[k] for k in chosen),
+            given=self.given[chosen], sigma=self.sigma[chosen], adjusted=self.adjusted[chosen],
+            adjusted_std=self.adjusted_std[chosen], residual=self.residual[chosen], redundancy=self.redundancy[chosen],
+            w=self.w[chosen], t=self.t[chosen], mdb=self.mdb[chosen],
+        )  # fmt: skip
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Precision:

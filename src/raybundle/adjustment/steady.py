@@ -74,10 +74,7 @@ def without_priors(result: Adjustment, given: Block, added: Mapping[tuple[str, s
     """The result as one of the block that was given: what was added is no observation of the user's."""
     cameras = tuple(replace(a, sigma=g.sigma) for a, g in zip(result.adjusted.cameras, given.cameras, strict=True))
     groups = tuple(
-        replace(
-            g,
-            **{name: _taken(getattr(g, name), keep) for name in g.__dataclass_fields__ if name != "kind"},
-        )
+        g.rows(np.array(keep))
         for g in result.groups
         if g.kind == "parameter"
         for keep in [[(i.partition("/")[0], c) not in added for i, c in zip(g.ids, g.component, strict=True)]]
@@ -92,12 +89,6 @@ def without_priors(result: Adjustment, given: Block, added: Mapping[tuple[str, s
         observations=result.observations - len(added),
         constraints=result.constraints + len(added),
     )
-
-
-def _taken(values: object, keep: list[bool]) -> object:
-    if isinstance(values, tuple):
-        return tuple(v for v, k in zip(values, keep, strict=True) if k)
-    return np.asarray(values)[np.array(keep)]
 
 
 def told_by_network(interior: InteriorResult, added: Mapping[tuple[str, str], float], sigma0: float) -> InteriorResult:

@@ -42,6 +42,8 @@ class Relation:
     sigma: float
     observed: float = 0.0
     """What the sum is."""
+    logarithm: bool = False
+    """Whether it is the sum's natural logarithm that is observed: of what is known by a factor, as a length."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -67,6 +69,9 @@ class Camera:
     """Symbols of which each image has its own value while the others are shared: motion during a read-out."""
     relations: tuple[Relation, ...] = ()
     """What is known of several parameters together, as that corrections change smoothly in time."""
+    known: Mapping[str, float] = field(default_factory=dict[str, float])
+    """Values that were known before anything was measured, where `values` have moved since: what the observations do
+    not determine is held there.  Not written to files: what a file gives is what is known."""
     scene: SensorModel | None = None
     """A satellite scene, which is the sensor of one image alone; None: the registered model of that name."""
 

@@ -139,7 +139,8 @@ class StageName(_Choice):
     type=click.Choice(("auto", "growing", "averaging")),
     default="auto",
     show_default=True,
-    help="Image by image, or all pairs at once; auto: the second where the first leaves photographs.",
+    help="Image by image, or all pairs at once; auto: the second where the first leaves photographs or the view is "
+    "narrow.",
 )
 @click.option("--quick", is_flag=True, help="Leave out least-squares matching: several times less precise.")
 @click.option("--jobs", type=click.IntRange(0), default=0, show_default=True, help="0: all processors.")

@@ -25,7 +25,10 @@ def arrays_of_block(block: Block) -> dict[str, Array]:
         "free_scale": block.free_scale,
         "sigma0_apriori": block.sigma0_apriori,
         "residuals": block.residuals,
-        "cameras": [{**asdict(c), "values": dict(c.values), "sigma": dict(c.sigma)} for c in block.cameras],
+        "cameras": [
+            {**asdict(c), "values": dict(c.values), "sigma": dict(c.sigma), "known": dict(c.known)}
+            for c in block.cameras
+        ],
         "interior": {str(k): dict(v) for k, v in block.images.interior.items()},
         "held": block.images.held is not None,
     }
@@ -102,4 +105,5 @@ def _camera(values: dict[str, Any]) -> Camera:
         interior=values["interior"],
         per_image=tuple(values["per_image"]),
         relations=tuple(Relation(**r) for r in values["relations"]),
+        known=values["known"],
     )

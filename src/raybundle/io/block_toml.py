@@ -25,6 +25,8 @@ from raybundle.sensors.imu import IMU
 CARRIED: tuple[tuple[str, str, SensorModel], ...] = (("antennas", "antenna", ANTENNA), ("imus", "IMU", IMU))
 """Tables of block.toml for what has no images, what one of them is, and its parameters."""
 SCALES = ("fixed", "free")
+RELATION = {"name", "terms", "observed", "sigma", "logarithm"}
+"""What a table of `relations` may hold."""
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
 
 
@@ -295,7 +297,7 @@ def _relations(section: Section, model: SensorModel) -> tuple[Relation, ...]:
     for number, given in enumerate(cast("list[Any]", value), 1):
         table = cast("dict[str, Any]", given) if isinstance(given, dict) else {}
         terms = cast("dict[str, Any]", table.get("terms")) if isinstance(table.get("terms"), dict) else {}
-        if not terms or set(table) - {"name", "terms", "observed", "sigma"} or "sigma" not in table:
+        if not terms or set(table) - RELATION or "sigma" not in table:
             section.fail(
                 "relations", f"number {number} is no table {{name, terms = {{symbol = factor}}, observed, sigma}}"
             )
@@ -309,9 +311,16 @@ def _relations(section: Section, model: SensorModel) -> tuple[Relation, ...]:
                 terms={s: section.checked("relations", f) for s, f in terms.items()},
                 observed=section.checked("relations", table.get("observed", 0.0)),
                 sigma=section.checked("relations", table["sigma"], above=0),
+                logarithm=_flag(section, table.get("logarithm", False)),
             )
         )
     return tuple(found)
+
+
+def _flag(section: Section, value: object) -> bool:
+    if not isinstance(value, bool):
+        section.fail("relations", f"logarithm {quoted(value)} is neither true nor false")
+    return value
 
 
 def head_text(block: Block) -> str:
@@ -369,6 +378,7 @@ def _camera_lines(camera: Camera) -> list[str]:
 def _relation_text(relation: Relation) -> str:
     terms = ", ".join(f"{s} = {float(f)!r}" for s, f in relation.terms.items())
     tail = f"observed = {float(relation.observed)!r}, sigma = {float(relation.sigma)!r}"
+    tail += ", logarithm = true" if relation.logarithm else ""
     return f"{{name = {_quoted(relation.name)}, terms = {{{terms}}}, {tail}}}"
 
 

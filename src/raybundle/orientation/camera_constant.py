@@ -10,6 +10,7 @@ import numpy as np
 
 from raybundle.adjustment.result import Notice
 from raybundle.block import Block, Camera
+from raybundle.block.stored import is_observed_jointly
 from raybundle.errors import NoOrientation
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.orientation.dlt import dlt
@@ -94,7 +95,7 @@ def checked_by_pairs(block: Block) -> Block:
     for k, camera in enumerate(block.cameras):
         model = sensor_models[camera.model]
         symbol = model.symbols[0]
-        if type(model).start is not SensorModel.start or symbol not in camera.estimate or camera.relations:
+        if type(model).start is not SensorModel.start or symbol not in camera.estimate or is_observed_jointly(camera):
             continue
         size = float(camera.size_mm.max())
         values = np.array(_from_pairs(block, camera, np.asarray(block.images.camera) == k))

@@ -43,7 +43,10 @@ def fingerprints(block: Block) -> list[tuple[str, str, str]]:
             sorted(c.sigma.items()),
             c.interior,
             *([c.per_image] if c.per_image else []),
-            *([[r.name, sorted(r.terms.items()), r.sigma, r.observed] for r in c.relations]),
+            *(
+                [r.name, sorted(r.terms.items()), r.sigma, r.observed, *([True] if r.logarithm else [])]
+                for r in c.relations
+            ),
             *([_scene(c)] if c.is_scene else []),
         ])
         for c in block.cameras

@@ -12,9 +12,12 @@ from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.scene_start import refuse_unoriented, with_scene_points
-from raybundle.block import Block
-from raybundle.errors import NoConvergence, NotSolvable
+from raybundle.adjustment.severity import Severity
+from raybundle.block import Block, Role
+from raybundle.errors import InputError, NoConvergence, NoOrientation, NotSolvable, RankDefect
+from raybundle.numerics.arrays import Mask
 from raybundle.numerics.progress import Progress, silent
+from raybundle.orientation.given_points import intersected_where_better, without_given_ties
 
 POOR_FIT = 10.0
 """sigma0 from which on the approximate values are doubted."""
@@ -48,20 +51,60 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
 
 def _adjust(block: Block, options: AdjustmentOptions, progress: Progress) -> Adjustment:
     block = with_scene_points(block)
-    start, notices = block, list[Notice]()
     observed = np.bincount(block.observations.image, minlength=len(block.images)) > 0
+    own = bool(block.images.oriented[observed].any() or _given_ties(block).any())
+    afresh = own and _held(block) == 0
+    try:
+        result = _from_given(block, observed, options, progress)
+    except (NoOrientation, NoConvergence, RankDefect) as error:
+        fresh = _afresh(block, options, progress) if afresh else None
+        if fresh is None or fresh.sigma0 > POOR_FIT:
+            raise
+        return _replaced(fresh, f"the approximate values of the block lead nowhere ({error.headline})")
+    if result.sigma0 > POOR_FIT and afresh:
+        fresh = _afresh(block, options, progress)
+        if fresh is not None and fresh.sigma0 < 0.5 * result.sigma0:
+            return _replaced(fresh, f"the approximate values of the block lead to sigma0 {result.sigma0:.3g}")
+    return result
+
+
+def _from_given(block: Block, observed: Mask, options: AdjustmentOptions, progress: Progress) -> Adjustment:
+    """The adjustment from the approximate values that were given, those that are missing or far off found."""
+    notices = list[Notice]()
+    given = intersected_where_better(block)
+    start = given.block
+    if len(given.gross):
+        names = tuple(block.points.ids[k] for k in given.gross)
+        message = (
+            f"{len(names)} tie points were given far from their rays ({', '.join(names[:5])}"
+            f"{' ...' if len(names) > 5 else ''}) and are intersected anew; check points.csv"
+        )
+        notices.append(
+            Notice(code="approximate_values_replaced", message=message, ids=names[:100], measured=Severity.REMARK)
+        )
     seen = np.bincount(block.observations.point, minlength=len(block.points)) > 0
     if (observed & ~block.images.oriented).any() or (seen & ~np.isfinite(block.points.xyz).all(axis=1)).any():
         from raybundle.orientation.assembly import approximate_values  # noqa: PLC0415
 
         refuse_unoriented(block)
-        approximate = approximate_values(block, progress)
+        approximate = approximate_values(_with_known(start), progress)
         start = approximate.block
         notices += approximate.notices
-    result = decide(start, options, progress, notices=tuple(notices))
-    if result.sigma0 > POOR_FIT and block.images.oriented[observed].any() and _held(block) == 0:
-        return _started_afresh(block, options, progress, result)
-    return result
+    return decide(start, options, progress, notices=tuple(notices))
+
+
+def _given_ties(block: Block) -> Mask:
+    """(p,) tie points that were given coordinates."""
+    free = ~np.asarray(block.points.is_control).any(axis=1)
+    return free & (np.asarray(block.points.role) == Role.TIE) & np.isfinite(block.points.xyz).all(axis=1)
+
+
+def _with_known(block: Block) -> Block:
+    """The block whose cameras keep what was given of them while approximate values move it; 0 is no camera constant."""
+    cameras = tuple(
+        replace(c, known={s: v for s, v in c.values.items() if v or s != c.sensor.symbols[0]}) for c in block.cameras
+    )
+    return replace(block, cameras=cameras)
 
 
 def identical_images(block: Block) -> list[tuple[str, str]]:
@@ -94,31 +137,33 @@ def _held(block: Block) -> int:
     return 0 if block.images.held is None else int(block.images.held.sum())
 
 
-def _started_afresh(block: Block, options: AdjustmentOptions, progress: Progress, poor: Adjustment) -> Adjustment:
-    """The adjustment from orientations of our own, if that fits better than from those given.
+def _afresh(block: Block, options: AdjustmentOptions, progress: Progress) -> Adjustment | None:
+    """The adjustment from orientations and tie points of our own; None where there is none.
 
-    Rough approximate values can lead into a minimum that is not the lowest one.
+    Rough approximate values can lead into a minimum that is not the lowest one, or nowhere.
     """
     from raybundle.orientation.assembly import approximate_values  # noqa: PLC0415
 
     images = block.images
     blank = replace(
-        block,
+        without_given_ties(_with_known(block)),
         images=replace(
             images, centre=np.full_like(images.centre, np.nan), rotation=np.full_like(images.rotation, np.nan)
         ),
-        points=replace(block.points, xyz=np.where(block.points.is_control, block.points.xyz, np.nan)),
     )
     try:
+        refuse_unoriented(blank)
         approximate = approximate_values(blank, progress)
-        fresh = decide(approximate.block, options, progress, notices=approximate.notices)
-    except NotSolvable:
-        return poor
-    if not fresh.sigma0 < 0.5 * poor.sigma0:
-        return poor
+        return decide(approximate.block, options, progress, notices=approximate.notices)
+    except (InputError, NotSolvable):
+        return None
+
+
+def _replaced(fresh: Adjustment, why: str) -> Adjustment:
+    """The result from approximate values of our own, which says so."""
     notice = Notice(
         code="approximate_values_replaced",
-        message=f"the approximate orientations of the block lead to sigma0 {poor.sigma0:.3g}, orientations found from "
-        f"the observations to {fresh.sigma0:.3g}; the latter are used. Check images.csv.",
+        message=f"{why}, orientations and tie points found from the observations to {fresh.sigma0:.3g}; the latter are "
+        "used. Check images.csv and points.csv.",
     )
     return replace(fresh, notices=(notice, *fresh.notices))

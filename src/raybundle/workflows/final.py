@@ -12,7 +12,7 @@ from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions, NoiseModel, noise_of_photographs
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.structure import structure_notice
-from raybundle.block import Block, Distances, Role
+from raybundle.block import Block, Camera, Distances, Role
 from raybundle.block.select import with_rows, without_images
 from raybundle.errors import NoConvergence, NotSolvable
 from raybundle.io.photos.cameras import CameraGroup
@@ -167,9 +167,10 @@ def _with_held_cameras(placed: Georeferenced) -> Relieved:
     if not free:
         return None
     cameras = tuple(replace(c, estimate=()) if c.id in free else c for c in placed.block.cameras)
+    at = ", ".join(f"{c.id} at {_scale(c)}" for c in placed.block.cameras if c.id in free)
     message = (
-        f"camera{'s' * (len(free) > 1)} {', '.join(free)}: the interior orientation is held as the start found it: "
-        "together with it nothing is determined"
+        f"camera{'s' * (len(free) > 1)} {', '.join(free)}: the interior orientation is held as the start found it "
+        f"({at}): together with it nothing is determined. All that is stated holds for that value"
     )
     notice = Notice(code="held_not_determinable", message=message, ids=tuple(free))
     return replace(placed, block=replace(placed.block, cameras=cameras)), [notice]
@@ -202,6 +203,14 @@ def _control(block: Block) -> Mask:
 
 def _tie_rows(block: Block) -> Mask:
     return ~_control(block)[block.observations.point]
+
+
+def _scale(camera: Camera) -> str:
+    """The camera constant in words; the model for a sensor that has none."""
+    symbol = next((p.symbol for p in camera.sensor.parameters if p.kind == "scale"), "")
+    if not symbol:
+        return f"its {camera.model} values"
+    return f"{symbol} {camera.values[symbol] / camera.pixel_mm[0]:.0f} px"
 
 
 def _without_smallest(placed: Georeferenced) -> Relieved:

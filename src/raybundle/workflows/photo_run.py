@@ -14,7 +14,7 @@ import numpy as np
 from raybundle.block import Block, Camera
 from raybundle.io.block_arrays import arrays_of_block, block_of_arrays
 from raybundle.io.camera_library import with_library
-from raybundle.io.photos.cameras import CameraGroup, camera_groups, camera_of
+from raybundle.io.photos.cameras import CameraGroup, camera_groups, camera_of, with_what_is_known
 from raybundle.io.photos.photo import Photo
 from raybundle.io.project import Project, Stage, key_of
 from raybundle.matching.features import FeatureMethod
@@ -28,7 +28,7 @@ from raybundle.workflows.precise import PreciseBlock, Weights, refine
 from raybundle.workflows.tie_block import TieBlock, block_of_tracks
 from raybundle.workflows.tie_points import FeatureStore, find_features, grey_of, match_pairs, pairs_of
 
-START, PRECISION = 7, 19
+START, PRECISION = 8, 19
 """Versions of the stages' results."""
 ALONE = "one photograph alone cannot be oriented; at least 2 are needed"
 
@@ -128,7 +128,9 @@ def _cameras(groups: Sequence[CameraGroup], count: int) -> tuple[tuple[Camera, .
     of_photo = np.zeros(count, np.int32)
     for k, group in enumerate(groups):
         camera = camera_of(group)
-        cameras.append(camera if group.stored is not None else replace(camera, estimate="auto"))
+        if group.stored is None:
+            camera = with_what_is_known(replace(camera, estimate="auto"), group)
+        cameras.append(camera)
         of_photo[list(group.photos)] = k
     return tuple(cameras), of_photo
 

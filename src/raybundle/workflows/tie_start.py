@@ -27,6 +27,13 @@ MOST_RAYS = 8
 """Rays of a point that are looked at for that."""
 LEFT = 0.1
 """Share of the images left by the first kind of start from which on the second is tried."""
+NARROW = 2.0
+"""Camera constant in longer sides of the format from which on both kinds are tried: the view is within 28 degrees.
+
+The poses of an image of which depth is told by little but the perspective come in twos, mirrored about the line of
+sight (Schweighofer and Pinz 2006), and a free camera constant takes up what tells them apart: an image that is added
+to others may take the wrong one, and the rays that contradict it leave.  All pairs at once outvote it.
+"""
 
 
 def start(
@@ -40,6 +47,7 @@ def start(
     """Approximate values of a block of tracks; wrong rays and images that cannot be oriented leave.
 
     method  growing: image by image; averaging: all pairs at once; auto: growing, and averaging where images are left
+            or the view is narrow; the one that leaves fewer images is taken, of two alike that which keeps more rays
     """
     block = replace(raw, cameras=tuple(replace(c, estimate=free_at_start(c)) for c in raw.cameras))
     ways = {"growing": (_by_growing,), "averaging": (_by_averaging,), "auto": (_by_growing, _by_averaging)}[method]
@@ -53,10 +61,10 @@ def start(
         except NoOrientation as error:
             problem = problem or error
             continue
-        if best is None or len(found[2]) < len(best[2]):
+        if best is None or _worth(found) > _worth(best):
             best = found
         # no kind of start orients what has too little in common with the others
-        if len(best[2].keys() - loose.keys()) <= LEFT * len(raw.images):
+        if len(best[2].keys() - loose.keys()) <= LEFT * len(raw.images) and not _narrow(found[0]):
             break
     if best is None:
         assert problem is not None
@@ -69,6 +77,19 @@ def start(
         angle=angle[rows],
         not_oriented=tuple((n, failed[n]) for n in raw.images.ids if n in failed),
     )
+
+
+def _worth(found: tuple[Block, Index, dict[str, str]]) -> tuple[int, int]:
+    """By what one of two starts is taken: the fewest images left, then the most rays kept."""
+    return -len(found[2]), len(found[1])
+
+
+def _narrow(block: Block) -> bool:
+    """Whether a camera's view is narrow, so that its images' poses come in twos."""
+    seen = np.unique(block.images.camera[block.images.oriented])
+    cameras = [block.cameras[k] for k in seen.tolist()]
+    scales = [(c, next((p.symbol for p in c.sensor.parameters if p.kind == "scale"), "")) for c in cameras]
+    return any(symbol and c.values[symbol] > NARROW * float(c.size_mm.max()) for c, symbol in scales)
 
 
 def _by_growing(block: Block, progress: Progress) -> tuple[Block, Index, dict[str, str]]:

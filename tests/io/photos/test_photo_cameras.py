@@ -1,5 +1,6 @@
 """Which photographs share an interior orientation, and where its camera constant starts."""
 
+import math
 from dataclasses import replace
 from pathlib import Path
 
@@ -7,8 +8,9 @@ import pytest
 from tests.conftest import DATA
 
 from raybundle.block import Camera
+from raybundle.block.known import known_before
 from raybundle.errors import InputError
-from raybundle.io.photos.cameras import camera_groups, camera_of
+from raybundle.io.photos.cameras import camera_groups, camera_of, with_what_is_known
 from raybundle.io.photos.metadata import Metadata
 from raybundle.io.photos.photo import Photo, find_photos
 from raybundle.io.photos.start import starting_value
@@ -237,3 +239,28 @@ def test_patterns_of_names_take_cameras_apart():
         camera_groups([photo("left_1.jpg")], (), ("up_*",))
     with pytest.raises(InputError, match="matches two patterns"):
         camera_groups([photo("left_1.jpg")], (), ("left_*", "*_1.jpg"))
+
+
+# ---- what is known before
+
+
+@pytest.mark.parametrize(
+    ("metadata", "c", "centre"),
+    [
+        (BODY, 0.05, 0.02),  # a nominal focal length
+        (Metadata(), 0.5, 0.05),  # nothing: by a factor, and it may be cropped
+        (replace(BODY, exif_width=5616, exif_height=3744), 0.05, 0.02),
+        (replace(BODY, exif_width=5616, exif_height=4744), None, (0.02**2 + (1000 / 5616) ** 2 / 12) ** 0.5),
+    ],
+)
+def test_what_is_known_of_a_camera_without_a_calibration(metadata, c, centre):
+    (group,) = camera_groups([photo(metadata=metadata)])
+    camera = with_what_is_known(camera_of(group), group)
+    known, side = known_before(camera), 5616 * camera.pixel_mm[0]
+    assert known["x0"].sigma == known["y0"].sigma == pytest.approx(centre * side)
+    assert known["x0"].observed == 0
+    assert known["c"].logarithm
+    assert known["c"].observed == pytest.approx(math.log(group.c_mm))
+    if c is not None:
+        assert known["c"].sigma == pytest.approx(c)
+    assert camera.known == camera.values

@@ -4,14 +4,23 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fnmatch import fnmatchcase
 
 from raybundle.block import Camera
+from raybundle.block.known import observed_as_known
 from raybundle.errors import InputError
 from raybundle.io.photos.metadata import Metadata
 from raybundle.io.photos.photo import Photo
-from raybundle.io.photos.start import DEFAULT_SOURCE, Start, starting_value
+from raybundle.io.photos.start import (
+    BY_FACTOR,
+    DEFAULT_SOURCE,
+    NOMINAL,
+    XMP_SOURCE,
+    Start,
+    centre_sigma,
+    starting_value,
+)
 from raybundle.sensors import sensor_models
 
 
@@ -33,6 +42,8 @@ class CameraGroup:
     """Its standard deviation; 0 where a stored calibration holds it."""
     source: str
     """Where the camera constant comes from, in words."""
+    sigma_centre: float = 0.0
+    """Standard deviation of the principal point about the middle, by the longer side of the format"""
     remarks: tuple[str, ...] = ()
     stored: Camera | None = None
     """The calibration that was given for this camera."""
@@ -88,14 +99,25 @@ def camera_of(group: CameraGroup) -> Camera:
             values=s.values, estimate=s.estimate, sigma=s.sigma, interior=s.interior, relations=s.relations,
         )  # fmt: skip
     values = {p.symbol: 0.0 for p in sensor_models["brown"].parameters}
+    values["c"] = group.c_mm
     return Camera(
         id=group.id,
         model="brown",
         width_px=group.width_px,
         height_px=group.height_px,
         pixel_mm=group.pixel_mm,
-        values={**values, "c": group.c_mm},
+        values=values,
+        known=values,
     )
+
+
+def with_what_is_known(camera: Camera, group: CameraGroup) -> Camera:
+    """The camera of a group without a calibration, observed as it is known before its photographs measure anything."""
+    side = group.pixel_mm[0] * max(group.width_px, group.height_px)
+    centre = group.sigma_centre * side
+    stated = group.sigma_c_mm / group.c_mm
+    by_factor = {DEFAULT_SOURCE: BY_FACTOR, XMP_SOURCE: stated}.get(group.source, max(stated, NOMINAL))
+    return observed_as_known(camera, {"c": by_factor, "x0": centre, "y0": centre})
 
 
 def _pattern_of(name: str, patterns: Sequence[str]) -> str:
@@ -131,6 +153,7 @@ def _group(id_: str, photos: Sequence[Photo], members: Sequence[int]) -> CameraG
         c_mm=start.c_mm,
         sigma_c_mm=start.c_mm * start.sigma,
         source=start.source,
+        sigma_centre=max(centre_sigma(photos[k].metadata, photo.width_px, photo.height_px) for k in members),
         remarks=start.remarks,
     )
 
@@ -195,19 +218,10 @@ def with_calibration(group: CameraGroup, camera: Camera) -> CameraGroup:
     if group.source != DEFAULT_SOURCE and abs(c_px / own - 1) > 0.1:
         says = f"the stored calibration says c = {c_px:.0f} px, {group.source} {own:.0f} px"
         remarks = (f"{says}; the calibration is taken",)
-    return CameraGroup(
-        id=group.id,
-        name=group.name,
-        photos=group.photos,
-        width_px=group.width_px,
-        height_px=group.height_px,
-        pixel_mm=camera.pixel_mm,
-        c_mm=camera.values[c],
-        sigma_c_mm=camera.sigma.get(c, 0.0),
-        source=f"stored calibration {camera.id}",
-        remarks=remarks,
-        stored=camera,
-    )
+    return replace(
+        group, pixel_mm=camera.pixel_mm, c_mm=camera.values[c], sigma_c_mm=camera.sigma.get(c, 0.0),
+        source=f"stored calibration {camera.id}", remarks=remarks, stored=camera,
+    )  # fmt: skip
 
 
 def _with_remarks(group: CameraGroup, groups: Sequence[CameraGroup], photos: Sequence[Photo]) -> CameraGroup:
@@ -233,8 +247,4 @@ def _with_remarks(group: CameraGroup, groups: Sequence[CameraGroup], photos: Seq
             f"zoom lens {low:g} to {high:g} mm: photographs with the same entry {m.focal_mm or 0:g} mm may have been "
             "taken at slightly different settings"
         )
-    return CameraGroup(
-        id=group.id, name=group.name, photos=group.photos, width_px=group.width_px, height_px=group.height_px,
-        pixel_mm=group.pixel_mm, c_mm=group.c_mm, sigma_c_mm=group.sigma_c_mm, source=group.source,
-        remarks=tuple(remarks), stored=group.stored,
-    )  # fmt: skip
+    return replace(group, remarks=tuple(remarks))

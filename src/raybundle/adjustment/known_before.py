@@ -1,0 +1,114 @@
+"""What photographs say of a camera against what was known of it before (`raybundle.block.known`).
+
+Where they contradict it jointly, the camera that was found is none that this one can be, and orientations that lean on
+it are wrong with it.  Where they add nothing to it, everything else leans on what was known.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from scipy.stats import chi2
+
+from raybundle.adjustment.result import Adjustment, InteriorResult, Notice
+from raybundle.adjustment.steady import CARRIED
+from raybundle.block import Camera, Relation
+from raybundle.block.known import is_known_before, known_before
+
+LEVEL = 1e-3
+"""Probability with which a camera that is as known before is called a contradiction, at most."""
+
+
+def against_known(result: Adjustment) -> Adjustment:
+    """The result with what is to be said of its cameras against what was known of them."""
+    notices = list[Notice]()
+    interiors = list[InteriorResult]()
+    names = list[str]()
+    for interior in result.interior:
+        camera = next(c for c in result.given.cameras if c.id == interior.camera)
+        known = {s: r for s, r in known_before(camera).items() if s in interior.free}
+        untold = [s for s, r in known.items() if not _told(interior, s, r, result.sigma0)]
+        parameters = {s: replace(p, status="not determinable") for s, p in interior.parameters.items() if s in untold}
+        interiors.append(replace(interior, parameters={**interior.parameters, **parameters}))
+        names += [f"{s} (camera {camera.id})" for s in untold]
+        contradiction = _contradiction(result, camera, interior)
+        notices += (
+            [_untold(camera, interior, s, known[s]) for s in untold] if contradiction is None else [contradiction]
+        )
+    if not notices:
+        return result
+    return replace(
+        result, interior=tuple(interiors), notices=(*notices, *result.notices),
+        not_determinable=tuple(dict.fromkeys((*result.not_determinable, *names))),
+    )  # fmt: skip
+
+
+def _told(interior: InteriorResult, symbol: str, known: Relation, sigma0: float) -> bool:
+    """Whether the photographs say more of a parameter than was known: at most half its standard deviation is left."""
+    p = interior.parameters[symbol]
+    if p.std is None:
+        return True
+    white = p.std_white or p.std  # the prior's share is that of the adjustment, whatever the noise is
+    std = white / abs(p.value) if known.logarithm else white
+    return std / (sigma0 if np.isfinite(sigma0) and sigma0 > 0 else 1.0) <= CARRIED * known.sigma
+
+
+def _untold(camera: Camera, interior: InteriorResult, symbol: str, known: Relation) -> Notice:
+    p = interior.parameters[symbol]
+    return Notice(
+        code="held_not_determinable",
+        message=f"camera {camera.id}: {symbol} is not determinable and is held by little but what was known before, "
+        f"{_words(camera, known)}; found {_px(camera, p.value)} +- {_px(camera, p.std or 0.0)}. Orientations "
+        "and coordinates lean on it; a calibration says it",
+        ids=(camera.id, symbol),
+    )
+
+
+def _contradiction(result: Adjustment, camera: Camera, interior: InteriorResult) -> Notice | None:
+    """Where the interior orientation lies beyond what was known, by the sum of squares v'C^-1 v of all that was.
+
+    The residuals v of what was known have the covariance C - C(adjusted), which is less than C: the sum is chi-square
+    distributed, or smaller, and `LEVEL` is kept.
+    """
+    squares = 0.0
+    far = list[tuple[float, str]]()
+    for g in result.groups:
+        for k, (name, component) in enumerate(zip(g.ids, g.component, strict=True)):
+            if g.kind == "relation" and name == _key(interior) and is_known_before(component):
+                square = float((g.residual[k] / g.sigma[k]) ** 2)
+                squares += square
+                far.append((square, component))
+    limit = float(chi2.ppf(1 - LEVEL, len(far))) if far else np.inf
+    if not squares > limit:
+        return None
+    known = {r.name: (s, r) for s, r in known_before(camera).items()}
+    told = list[str]()
+    for _, name in sorted(far, reverse=True):
+        symbol, relation = known[name]
+        value = interior.parameters[symbol].value
+        told.append(f"{symbol} {_px(camera, value)} where {_words(camera, relation)} was known")
+    return Notice(
+        code="camera_contradicts",
+        message=f"camera {camera.id}: the interior orientation found is none that this camera can have: "
+        f"{'; '.join(told)} (chi-square {squares:.0f} of {len(far)}, limit {limit:.1f} at {100 * LEVEL:g} %). The "
+        "photographs hardly determine it, or are wrongly oriented: orientations and their standard deviations cannot "
+        "be trusted. Calibrate the camera and give --calibration, or take convergent and rolled photographs; of "
+        "cropped photographs or a lens far from the usual, a calibration says so",
+        ids=(camera.id,),
+    )
+
+
+def _key(interior: InteriorResult) -> str:
+    return interior.camera if interior.image is None else f"{interior.camera}/{interior.image}"
+
+
+def _px(camera: Camera, value: float) -> str:
+    return f"{value / camera.pixel_mm[0]:.0f} px"
+
+
+def _words(camera: Camera, known: Relation) -> str:
+    """What was known: "0 px +- 13 px", or "768 px, to a factor of 1.5"."""
+    if known.logarithm:
+        return f"{_px(camera, float(np.exp(known.observed)))} to a factor of {np.exp(known.sigma):.3g}"
+    return f"{_px(camera, known.observed)} +- {_px(camera, known.sigma)}"

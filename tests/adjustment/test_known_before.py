@@ -1,0 +1,110 @@
+"""What is known of a camera before its photographs measure anything: observed, told apart from them, contradicted."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.stats import chi2
+
+from raybundle.adjustment.decide import decide
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.severity import Severity
+from raybundle.block.calibration_networks import ROLLS, FlatField, flat_field_scene
+from raybundle.block.known import known_before, observed_as_known
+from raybundle.block.simulate import Survey, simulate
+from raybundle.io.block_folder import read_block, write_block
+from raybundle.io.block_toml import head_text
+
+SIGMA = {"c": 0.05, "x0": 0.4, "y0": 0.4}
+"""Of ln c, and mm: 2 % of a format of 20 mm"""
+
+
+def block_of(seed, tilt_deg, rolls_deg):
+    plan = FlatField(tilt_deg=tilt_deg, rolls_deg=rolls_deg)
+    survey = Survey(seed=seed, orientation="exact", points="exact", interior="exact", image_sigma_px=0.3)
+    block = simulate(flat_field_scene(plan), survey).observed
+    return replace(block, cameras=(replace(block.cameras[0], estimate="auto"),))
+
+
+def known(block, sigma=SIGMA, **wrong):
+    """The block whose camera is observed as it was known, wrongly by so much."""
+    camera = block.cameras[0]
+    before = {s: v * (1 + wrong.get(s, 0)) if s == "c" else v + wrong.get(s, 0.0) for s, v in camera.values.items()}
+    observed = observed_as_known(replace(camera, values=before), sigma)
+    return replace(block, cameras=(replace(observed, values=camera.values),))
+
+
+def adjusted(block):
+    return decide(block, AdjustmentOptions(threads=1))
+
+
+def codes(result):
+    return {n.code: n for n in result.notices}
+
+
+def test_a_camera_that_is_well_determined_does_not_notice():
+    block = block_of(1, 25.0, ROLLS)
+    free, observed = adjusted(block), adjusted(known(block, c=0.05, x0=0.4, y0=-0.4))
+    for symbol, p in free.interior[0].parameters.items():
+        q = observed.interior[0].parameters[symbol]
+        assert abs(q.value - p.value) <= 0.05 * (p.std or 0.0), symbol
+    assert codes(observed).keys() == codes(free).keys()
+    assert observed.not_determinable == free.not_determinable
+
+
+def test_what_the_photographs_do_not_tell_stays_as_uncertain_as_it_was():
+    """Nearly square views of a plane leave c and the principal point open: not held, not infinite, and said."""
+    result = adjusted(known(block_of(2, 1.0, (0.0,)), x0=0.2))
+    x0 = result.interior[0].parameters["x0"]
+    assert 0.3 < x0.std < 0.6
+    assert x0.status == "not determinable"
+    assert any(n.startswith("x0 ") for n in result.not_determinable)
+    told = next(n for n in result.notices if n.ids[-1:] == ("x0",))
+    assert told.code == "held_not_determinable"
+    assert "+- 0.4" not in told.message  # in pixels, as everything there
+    assert "lean on it" in told.message
+
+
+@pytest.mark.parametrize(("wrong", "contradicts"), [(0.1, False), (0.3, True)])
+def test_a_camera_that_cannot_be_is_a_fault_with_its_numbers(wrong, contradicts):
+    """Two standard deviations of ln c are none, six are one: limit chi-square of 3 at 0.1 %, 4.03 squared."""
+    result = adjusted(known(block_of(3, 25.0, ROLLS), c=wrong))
+    assert ("camera_contradicts" in codes(result)) is contradicts
+    if contradicts:
+        notice = codes(result)["camera_contradicts"]
+        assert notice.severity is Severity.FAULT
+        assert f"limit {chi2.ppf(0.999, 3):.1f} at 0.1 %" in notice.message
+        assert "to a factor of 1.05 was known" in notice.message
+
+
+def test_cameras_as_known_contradict_seldom_and_the_stated_covariance_is_true():
+    """Truth drawn from what was known, network that hardly tells it: the errors are in the band of their covariance."""
+    rng, squares, contradictions = np.random.default_rng(4), [], 0
+    for seed in range(12):
+        wrong = {
+            "c": float(np.expm1(rng.normal(0, 0.05))),
+            **dict(zip(("x0", "y0"), rng.normal(0, 0.4, 2), strict=True)),
+        }
+        block = block_of(seed, 4.0, (0.0,))
+        result = adjusted(known(block, **wrong))
+        contradictions += "camera_contradicts" in codes(result)
+        interior, true = result.interior[0], block.cameras[0].values
+        error = np.array([interior.parameters[s].value - true[s] for s in SIGMA])
+        k = [interior.free.index(s) for s in SIGMA]
+        C = result.precision.interior[block.cameras[0].id][np.ix_(k, k)]
+        squares.append(float(error @ np.linalg.solve(C, error)))
+    low, high = chi2.ppf([0.0005, 0.9995], 3 * len(squares))
+    assert low < sum(squares) < high
+    assert 4 * sum(squares) > high  # the twin: with half the standard deviations it is out
+    assert contradictions == 0
+
+
+def test_a_logarithm_that_is_observed_reads_back(tmp_path):
+    block = known(block_of(1, 25.0, ROLLS))
+    assert "logarithm = true" in head_text(block)
+    write_block(block, tmp_path / "b")
+    back = read_block(tmp_path / "b").cameras[0]
+    assert back.relations == block.cameras[0].relations
+    c = known_before(back)["c"]
+    assert c.observed == pytest.approx(np.log(block.cameras[0].values["c"]))
+    assert c.sigma == SIGMA["c"]

@@ -1,0 +1,75 @@
+"""Given coordinates of tie points: kept where they are near their rays, intersected anew where the rays do better."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from raybundle import adjust
+from raybundle.adjustment.severity import Severity
+from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.numerics.rotation import rotation_from_vector
+from raybundle.orientation.given_points import intersected_where_better
+
+
+def network(seed, share=0.0, metres=0.0, orientation=(0.02, 0.02)):
+    """Convergent images of a field: orientations off by metres and radians, a share of the points by metres."""
+    s = simulate(field_scene(TargetField()), Survey(seed=seed, orientation="exact", points="exact", control=0))
+    block, rng = s.observed, np.random.default_rng(seed)
+    images = block.images
+    turn = np.array([rotation_from_vector(v) for v in rng.normal(0, orientation[1], (len(images), 3))])
+    moved = replace(
+        images, centre=images.centre + rng.normal(0, orientation[0], (len(images), 3)), rotation=turn @ images.rotation
+    )
+    bad = rng.random(len(block.points)) < share
+    xyz = block.points.xyz + bad[:, None] * rng.normal(0, metres, block.points.xyz.shape)
+    return replace(block, images=moved, points=replace(block.points, xyz=xyz)), bad
+
+
+@pytest.mark.parametrize("metres", [3.0, 1000.0])
+@pytest.mark.parametrize("seed", range(4))
+def test_points_far_off_cost_no_observation(seed, metres):
+    block, bad = network(seed, 0.2, metres)
+    result = adjust(block)
+    assert result.converged
+    assert all(r is None for r in result.image_observations.rejected)
+    clean = adjust(network(seed)[0])
+    assert result.sigma0 == pytest.approx(clean.sigma0, rel=1e-6)
+    told = [n for n in result.notices if n.code == "approximate_values_replaced"]
+    assert bad.any()
+    assert [n.severity for n in told] == [Severity.REMARK]
+    assert "points.csv" in told[0].message
+
+
+def test_points_near_their_rays_are_kept_also_where_orientations_are_rough():
+    block, _ = network(1, orientation=(0.05, 0.03))
+    found = intersected_where_better(block)
+    assert len(found.replaced) <= 0.05 * len(block.points)
+    assert not len(found.gross)
+
+
+def test_a_wrong_ray_makes_no_given_point_wrong():
+    block, _ = network(1, orientation=(0.0, 0.0))
+    o, xy = block.observations, np.array(block.observations.xy_px)
+    of_first = np.flatnonzero(o.point == o.point[0])
+    xy[of_first[0]] += 300.0
+    found = intersected_where_better(replace(block, observations=replace(o, xy_px=xy)))
+    assert o.point[0] not in found.replaced
+
+
+def test_where_orientations_are_nonsense_the_points_are_kept():
+    block, _ = network(1)
+    turned = np.random.default_rng(2).permutation(len(block.images))
+    block = replace(block, images=replace(block.images, rotation=block.images.rotation[turned]))
+    assert len(intersected_where_better(block).gross) < 0.5 * len(block.points)
+
+
+def test_arbitrary_coordinates_without_orientations_are_not_used_and_that_is_said():
+    block, _ = network(3)
+    nowhere = np.full_like(block.images.centre, np.nan)
+    images = replace(block.images, centre=nowhere, rotation=np.full_like(block.images.rotation, np.nan))
+    arbitrary = np.random.default_rng(3).normal(0, 2.4, block.points.xyz.shape)
+    result = adjust(replace(block, images=images, points=replace(block.points, xyz=arbitrary)))
+    without = adjust(replace(block, images=images, points=replace(block.points, xyz=np.full_like(arbitrary, np.nan))))
+    assert result.sigma0 == pytest.approx(without.sigma0, rel=1e-6)
+    assert "approximate_values_replaced" in {n.code for n in result.notices}
