@@ -7,7 +7,7 @@ import pytest
 from raybundle.adjustment.calibration_quality import calibration_qualities
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.pixel_shape import shape_limit
+from raybundle.adjustment.pixel_shape import shape_limit, under_its_noise
 from raybundle.adjustment.severity import Severity
 from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 
@@ -65,3 +65,18 @@ def test_a_scan_keeps_its_freedom(estimate, options):
     assert not told(result)
     p = result.interior[0].parameters["S"]
     assert abs(p.value - 1e-3) < 4 * p.std
+
+
+@pytest.mark.parametrize(("ratio", "code"), [(1.0, "pixel_shape"), (3.0, "pixel_shape"), (60.0, "not_significant")])
+def test_what_is_said_rests_on_the_noise_that_the_result_has(ratio, code):
+    result = decided({"S": 1e-3})
+    (white,) = told(result)
+    assert 3 * 2.6 * white.std < 9e-4 < 60 * 2.6 * white.std
+    wider = under_its_noise(replace(result, noise=replace(result.noise, kind="fields", ratio_interior=ratio)))
+    (notice,) = [n for n in wider.notices if "S" in n.ids]
+    assert notice.code == code
+    if code == "pixel_shape":
+        assert notice.std == pytest.approx(ratio * white.std)
+    else:
+        assert notice.severity is Severity.REMARK
+        assert f"know it to {60 * white.std:.0e} only" in notice.message

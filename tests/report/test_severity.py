@@ -27,9 +27,9 @@ REMARK, CAUTION, FAULT = (
 
 
 def codes_of(call):
-    """Codes of one `Notice(code=...)` or `....tell(code, ...)`."""
+    """Codes of one `Notice(code=...)`, of a notice with numbers of its own, or of `....tell(code, ...)`."""
     name = call.func.id if isinstance(call.func, ast.Name) else getattr(call.func, "attr", "")
-    if name == "Notice":
+    if name in {"Notice", *(c.__name__ for c in Notice.__subclasses__())}:
         return [k.value for k in call.keywords if k.arg == "code"]
     return call.args[:1] if ast.unparse(call.func) == "state.tell" else []
 

@@ -411,10 +411,11 @@ def test_rigorous_scenes_without_an_rpc(terrain, tmp_path, monkeypatch):
     assert result.sigma_px < 0.1
     used = result.adjustment.precision.object_point_std
     # the attitude is known to 12 m on the ground, in both scenes
-    assert 4 < np.median(used[:, 0]) < 16
+    assert 4 < np.nanmedian(used[:, 0]) < 16  # points that were left out have none
     truth = terrain.points(*PLACE.block_from_geographic(geographic(result)).T[:2])
     error = PLACE.block_from_geographic(geographic(result)) - truth
-    assert np.abs(np.median(error[:, 2])) < np.median(used[:, 2])
+    assert np.isfinite(used[:, 0]).mean() > 0.9
+    assert np.abs(np.median(error[:, 2])) < np.nanmedian(used[:, 2])
     assert np.std(error[:, 2]) < 0.2
     assert any("no RPC; the attitude" in n.message for n in result.adjustment.notices)
 

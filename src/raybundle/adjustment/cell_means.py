@@ -151,8 +151,9 @@ def systematic_notices(result: Adjustment) -> list[Notice]:
         Notice(
             code="systematic_residuals",
             message="mean residuals over the format differ from zero: " + "; ".join(told) + ". The camera model "
-            "leaves a systematic part, which no standard deviation contains; a calibration, or photographs that are "
-            "rolled and converge, would tell the lens better",
+            "leaves a systematic part, which standard deviations of independent errors do not contain (in few "
+            "photographs smooth errors of single ones look alike); a calibration, or photographs that are rolled and "
+            "converge, would tell the lens better",
             ids=tuple(ids),
         )
     ]

@@ -15,7 +15,7 @@ import numpy as np
 from raybundle.adjustment.engine import Extent, Start, adjust_block, as_start, free_parameters
 from raybundle.adjustment.known_before import against_known
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.pixel_shape import Beyond, beyond_sensor, shape_limit
+from raybundle.adjustment.pixel_shape import ShapeNotice, beyond_sensor, under_its_noise
 from raybundle.adjustment.reliability import UNCONTROLLED
 from raybundle.adjustment.result import Adjustment, InteriorResult, Notice
 from raybundle.adjustment.separability import unlocatable
@@ -74,8 +74,13 @@ def decide(
         start, final, progress, free=choices.free, rejected=choices.reasons, notices=(*notices, *choices.notices),
         start="approximate" if start is block else "adjusted",
     )  # fmt: skip
+<<<<<<< HEAD
     result = against_known(_labelled(result, choices))
     return replace(result, given=block, options=options, seconds=time.perf_counter() - began)
+=======
+    result = under_its_noise(result)
+    return replace(_labelled(result, choices), given=block, options=options, seconds=time.perf_counter() - began)
+>>>>>>> w-new
 
 
 def _quiet(
@@ -280,7 +285,11 @@ def _choose(
             continue
         beyond = beyond_sensor(result, automatic) if options.pixel_shape == "sensor" else None
         if beyond is not None:
+<<<<<<< HEAD
             block = _hold_shape(block, choices, beyond, choices.known[beyond.camera][beyond.symbol])
+=======
+            block = _hold_shape(block, choices, beyond, given[beyond.ids[0]][beyond.ids[1]])
+>>>>>>> w-new
             continue
         without = _drop_insignificant(block, options, choices, automatic, result, progress)
         if without is None:
@@ -290,13 +299,12 @@ def _choose(
     return as_start(block, result.adjusted)
 
 
-def _hold_shape(block: Block, choices: Decisions, beyond: Beyond, given: float) -> Block:
+def _hold_shape(block: Block, choices: Decisions, beyond: ShapeNotice, given: float) -> Block:
     """The block with an affinity or shear of no sensor held as given, or at 0 where that is no sensor's either."""
-    camera = next(c for c in block.cameras if c.id == beyond.camera)
-    choices.free[camera.id] = tuple(s for s in choices.free[camera.id] if s != beyond.symbol)
-    choices.notices.append(beyond.notice)
-    value = given if abs(given) <= shape_limit(camera, beyond.symbol) else 0.0
-    return _with_values(block, camera.id, {beyond.symbol: value})
+    name, symbol = beyond.ids
+    choices.free[name] = tuple(s for s in choices.free[name] if s != symbol)
+    choices.notices.append(beyond)
+    return _with_values(block, name, {symbol: given if abs(given) <= beyond.limit else 0.0})
 
 
 def _camera(block: Block, name: str) -> Camera:

@@ -8,7 +8,7 @@ point and the camera constant.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.severity import Severity
@@ -25,14 +25,14 @@ UNTOLD = 0.01
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Beyond:
-    """An affinity or a shear that no sensor has."""
+class ShapeNotice(Notice):
+    """An affinity or a shear of a camera that no sensor has, with its numbers: `ids` are camera and symbol."""
 
-    camera: str
-    symbol: str
-    excess: float
-    """of its size by the limit"""
-    notice: Notice
+    value: float
+    std: float
+    """As the noise of the image coordinates was when it was made"""
+    limit: float
+    shear: bool
 
 
 def shape_limit(camera: Camera, symbol: str) -> float:
@@ -41,17 +41,12 @@ def shape_limit(camera: Camera, symbol: str) -> float:
     Of a picture whose sides were rounded to whole pixels when it was made smaller, the pixels are less square by half a
     pixel of each side; its rows and columns stay at right angles.
     """
-    meaning = next(p.meaning for p in camera.sensor.parameters if p.symbol == symbol)
-    return LIMIT + (0.0 if meaning == "shear" else ROUNDED * (1 / camera.width_px + 1 / camera.height_px))
+    return LIMIT + (0.0 if _is_shear(camera, symbol) else ROUNDED * (1 / camera.width_px + 1 / camera.height_px))
 
 
-def beyond_sensor(result: Adjustment, cameras: Sequence[str]) -> Beyond | None:
-    """The affinity or shear of these cameras that is farthest beyond what a sensor has, significantly; else None.
-
-    It is a fault where it would move image points by more than the share UNTOLD of the half diagonal, as it does where
-    the affinity is as large: the rest of the interior orientation is nonsense then, too.
-    """
-    found: list[Beyond] = []
+def beyond_sensor(result: Adjustment, cameras: Sequence[str]) -> ShapeNotice | None:
+    """The affinity or shear of these cameras that is farthest beyond what a sensor has, significantly; else None."""
+    found: list[ShapeNotice] = []
     for interior in result.interior:
         if interior.camera not in cameras:
             continue
@@ -61,19 +56,55 @@ def beyond_sensor(result: Adjustment, cameras: Sequence[str]) -> Beyond | None:
             if p.kind != "affinity" or p.symbol not in interior.free or value is None or not value.std:
                 continue
             limit = shape_limit(camera, p.symbol)
-            size = abs(value.value)
-            if size - limit <= SIGNIFICANT * value.std:
-                continue
-            reason = (
-                f"the residuals ask for {'a shear' if p.meaning == 'shear' else 'an affinity'} {p.symbol} of "
-                f"{value.value:.1e} ± {value.std:.0e}, which no sensor has (limit {limit:.0e}); it is held. Something "
-                "else is not in the model, as motion during the read-out or uneven light on the targets, or the "
-                "photographs say too little; standard deviations may be too small. Of a scan or an old camera it is "
-                "believed where it is asked for by name"
-            )
-            notice = Notice(
-                code="pixel_shape", message=f"camera {camera.id}: {reason}", ids=(camera.id, p.symbol), reason=reason,
-                measured=Severity.FAULT if size > UNTOLD else Severity.CAUTION,
-            )  # fmt: skip
-            found.append(Beyond(camera=camera.id, symbol=p.symbol, excess=size / limit, notice=notice))
-    return max(found, key=lambda b: b.excess, default=None)
+            if abs(value.value) - limit > SIGNIFICANT * value.std:
+                found.append(
+                    _notice(camera.id, p.symbol, value.value, value.std, limit, shear=_is_shear(camera, p.symbol))
+                )
+    return max(found, key=lambda n: abs(n.value) / n.limit, default=None)
+
+
+def under_its_noise(result: Adjustment) -> Adjustment:
+    """The result with what was said of affinity and shear under white noise restated under the noise that it has.
+
+    Decisions are taken under white noise.  Where smooth errors make standard deviations so much larger that a value may
+    be a sensor's after all, it stays held, for a sensor's is known better than these photographs tell; that is a
+    remark.
+    """
+    wider = result.noise.ratio_interior
+    if result.noise.kind != "fields" or not wider > 1.0:
+        return result
+    told = tuple(_restated(n, wider) if isinstance(n, ShapeNotice) else n for n in result.notices)
+    return replace(result, notices=told)
+
+
+def _restated(n: ShapeNotice, wider: float) -> Notice:
+    camera, symbol = n.ids
+    std = wider * n.std
+    if abs(n.value) - n.limit > SIGNIFICANT * std:
+        return _notice(camera, symbol, n.value, std, n.limit, shear=n.shear)
+    return Notice(
+        code="not_significant", ids=n.ids,
+        message=f"camera {camera}: {symbol} left out: these photographs know it to {std:.0e} only ({n.value:.1e} would "
+        f"fit best), and sensors have less than {n.limit:.0e}",
+    )  # fmt: skip
+
+
+def _is_shear(camera: Camera, symbol: str) -> bool:
+    return next(p.meaning for p in camera.sensor.parameters if p.symbol == symbol) == "shear"
+
+
+def _notice(camera: str, symbol: str, value: float, std: float, limit: float, *, shear: bool) -> ShapeNotice:
+    """A fault where it would move image points by more than the share UNTOLD of the half diagonal.
+
+    An affinity or a shear of that size does; the rest of the interior orientation is nonsense then, too.
+    """
+    reason = (
+        f"the residuals ask for {'a shear' if shear else 'an affinity'} {symbol} of {value:.1e} ± {std:.0e}, which no "
+        f"sensor has (limit {limit:.0e}); it is held. Something else is not in the model, as motion during the "
+        "read-out or uneven light on the targets, or the photographs say too little; standard deviations may be too "
+        "small. Of a scan or an old camera it is believed where it is asked for by name"
+    )
+    return ShapeNotice(
+        code="pixel_shape", message=f"camera {camera}: {reason}", ids=(camera, symbol), reason=reason, value=value,
+        std=std, limit=limit, shear=shear, measured=Severity.FAULT if abs(value) > UNTOLD else Severity.CAUTION,
+    )  # fmt: skip

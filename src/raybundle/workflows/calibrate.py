@@ -20,6 +20,7 @@ from raybundle.adjustment.calibration_quality import CalibrationQuality, calibra
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.eccentricity import RadiusScale, eccentricity_px, radius_scale
 from raybundle.adjustment.options import AdjustmentOptions, NoiseModel, noise_of_photographs
+from raybundle.adjustment.pixel_shape import under_its_noise
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.under_noise import under_noise
 from raybundle.block import Block, Camera, Role
@@ -223,7 +224,7 @@ def _calibrated(m: _Measured, options: CalibrateOptions, clock: _Clock, progress
         check_spline(first, result)
         result = replace(result, notices=bundled(result.notices))
     if noise_of_photographs(options.noise, len(np.unique(result.given.observations.image))) == "fields":
-        result = under_noise(result)
+        result = under_its_noise(under_noise(result))
     clock.stop("adjustment")
     quality = calibration_qualities(result, progress)
     clock.stop("verdict")
