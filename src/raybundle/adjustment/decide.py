@@ -74,13 +74,8 @@ def decide(
         start, final, progress, free=choices.free, rejected=choices.reasons, notices=(*notices, *choices.notices),
         start="approximate" if start is block else "adjusted",
     )  # fmt: skip
-<<<<<<< HEAD
-    result = against_known(_labelled(result, choices))
+    result = against_known(_labelled(under_its_noise(result), choices))
     return replace(result, given=block, options=options, seconds=time.perf_counter() - began)
-=======
-    result = under_its_noise(result)
-    return replace(_labelled(result, choices), given=block, options=options, seconds=time.perf_counter() - began)
->>>>>>> w-new
 
 
 def _quiet(
@@ -285,11 +280,7 @@ def _choose(
             continue
         beyond = beyond_sensor(result, automatic) if options.pixel_shape == "sensor" else None
         if beyond is not None:
-<<<<<<< HEAD
-            block = _hold_shape(block, choices, beyond, choices.known[beyond.camera][beyond.symbol])
-=======
-            block = _hold_shape(block, choices, beyond, given[beyond.ids[0]][beyond.ids[1]])
->>>>>>> w-new
+            block = _hold_shape(block, choices, beyond, choices.known[beyond.ids[0]][beyond.ids[1]])
             continue
         without = _drop_insignificant(block, options, choices, automatic, result, progress)
         if without is None:
