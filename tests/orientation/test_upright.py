@@ -5,7 +5,7 @@ import pytest
 
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.orientation.upright import habits
-from tests.orientation.upright_cases import CASES, UP, one_strip
+from tests.orientation.upright_cases import CASES, UP, kite, one_strip
 
 
 def found(case, seed):
@@ -39,6 +39,17 @@ def test_the_stated_sigma_of_the_vertical_is_its_scatter():
 def test_one_strip_square_to_a_plane_is_ambiguous():
     ambiguous = [found(one_strip, seed)[0].ambiguous for seed in range(10)]
     assert np.mean(ambiguous) > 0.8
+
+
+def test_few_photographs_that_differ_among_themselves_are_not_sure():
+    """Five from a kite: of those that are called sure no more are wrong than the level says."""
+    sure = wrong = 0
+    for seed in range(40):
+        h, up = found(kite, seed)
+        sure += not h.ambiguous
+        wrong += not h.ambiguous and h.up @ up < np.cos(np.radians(20))
+    assert 5 < sure < 25
+    assert wrong <= 0.05 * sure
 
 
 def test_the_turn_of_the_camera_matters():
