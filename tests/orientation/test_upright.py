@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from raybundle.numerics.rotation import rotation_from_vector
-from raybundle.orientation.upright import habits
-from tests.orientation.upright_cases import CASES, UP, kite, one_strip
+from raybundle.orientation.upright import _log_density, habits
+from tests.orientation.upright_cases import CASES, UP, one_strip
 
 
 def found(case, seed):
@@ -41,15 +41,16 @@ def test_one_strip_square_to_a_plane_is_ambiguous():
     assert np.mean(ambiguous) > 0.8
 
 
-def test_few_photographs_that_differ_among_themselves_are_not_sure():
-    """Five from a kite: of those that are called sure no more are wrong than the level says."""
-    sure = wrong = 0
-    for seed in range(40):
-        h, up = found(kite, seed)
-        sure += not h.ambiguous
-        wrong += not h.ambiguous and h.up @ up < np.cos(np.radians(20))
-    assert 5 < sure < 25
-    assert wrong <= 0.05 * sure
+def test_photographs_of_one_session_are_no_independent_draws():
+    """Ten alike say as much as 10 / (1 + 9 / 10) = 5.3 of different sessions, not as ten."""
+    x, y, place = np.array([[1.0, 0, 0]]), np.array([[0, np.sin(1.4), np.cos(1.4)]]), np.zeros((1, 3))
+    z = np.array([[0.0, 0.0, 1.0], [0.3, 0.0, np.sqrt(1 - 0.09)]])
+
+    def told(n):
+        value = _log_density("aerial", z, np.tile(x, (n, 1)), np.tile(y, (n, 1)), np.tile(place, (n, 1)))
+        return value[0] - value[1]
+
+    assert told(10) / told(1) == pytest.approx(10 / 1.9, rel=0.1)
 
 
 def test_the_turn_of_the_camera_matters():

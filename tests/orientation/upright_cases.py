@@ -60,17 +60,6 @@ def one_strip(rng, n=5):
     return *held(centre, centre + aim, rng, 2.0), 10.0
 
 
-def kite(rng, n=5, down_deg=40.0, swing_deg=12.0):
-    """From a kite: the view down by an angle about which all angles swing, and a height that hardly changes."""
-    swing = np.radians(swing_deg)
-    heading = rng.uniform(0, 2 * np.pi) + rng.normal(0, np.radians(30), n)
-    down = np.radians(down_deg) + rng.normal(0, swing, n)
-    centre = np.stack([*rng.normal(0, 8, (2, n)), 50 + rng.normal(0, 2, n)], axis=1)
-    ahead = np.stack([np.cos(heading) * np.cos(down), np.sin(heading) * np.cos(down), -np.sin(down)], axis=1)
-    R = look_at(centre, centre + 50 * ahead, rng.normal(0, swing, n))
-    return R[:, 0], R[:, 1], centre, 50.0
-
-
 CASES = {
     "nadir": (nadir, "aerial"),
     "oblique": (oblique, "oblique"),

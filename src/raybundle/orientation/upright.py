@@ -14,10 +14,7 @@ object.  Means and standard deviations within a hypothesis are those that fit be
 worth is the integral over z (Jeffreys 1961: the wider a hypothesis, the less); what z is worth its posterior.
 
 Photographs of one session share their habits, and are no independent draws from a hypothesis: n of them count as
-n / (1 + (n - 1) r), with the correlation r within a session, however many as 1 / r = `INDEPENDENT`.  And others of the
-same session would have said something else: how much is told by leaving some out in turn (jackknife).  The probability
-is the mean over that uncertainty of its logit (MacKay 1992), so that a few photographs that differ among
-themselves cannot make it sure.
+n / (1 + (n - 1) r), with the correlation r within a session, however many as 1 / r = `INDEPENDENT`.
 """
 
 from __future__ import annotations
@@ -26,7 +23,6 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from scipy.special import expit
 
 from raybundle.numerics.arrays import Array
 
@@ -35,8 +31,6 @@ KINDS: tuple[Kind, ...] = ("terrestrial", "aerial", "oblique")
 PRIOR: dict[Kind, float] = {"terrestrial": 0.5, "aerial": 0.25, "oblique": 0.25}
 INDEPENDENT = 10
 """Independent photographs that a session of any number is worth."""
-GROUPS = 10
-"""Groups of photographs that are left out in turn, at most."""
 SURE = 0.95
 """Probability below which up is called ambiguous."""
 SAME = np.radians(10.0)
@@ -97,8 +91,6 @@ def habits(right: Array, upward: Array, centre: Array, distance: float, only: Ki
     rows = np.unique(np.linspace(0, len(right) - 1, min(len(right), MOST)).astype(int))
     x, y, X0 = right[rows], upward[rows], centre[rows] / max(distance, 1e-300)
     found: dict[Kind, tuple[float, Array, float]] = {}
-    groups = np.arange(len(rows)) % GROUPS
-    apart: dict[Kind, Array] = {}
     coarse = _sphere(COARSE)
     kinds: tuple[Kind, ...] = KINDS if only is None else (only,)
     for each in kinds:
@@ -116,25 +108,11 @@ def habits(right: Array, upward: Array, centre: Array, distance: float, only: Ki
         away = near - up
         spread = np.linalg.eigvalsh((away * share[:, None]).T @ away / share.sum())[2]
         found[each] = (evidence + np.log(PRIOR[each]), up, float(np.sqrt(spread)))
-        if len(kinds) > 1:
-            without = [_log_density(each, near, x[k], y[k], X0[k]) for g in np.unique(groups) for k in [groups != g]]
-            apart[each] = np.array([np.logaddexp.reduce(v) for v in without])
     kind: Kind = max(kinds, key=lambda k: found[k][0])
     top = found[kind]
-    agree: list[Kind] = [k for k in kinds if found[k][1] @ top[1] > np.cos(SAME)]
-    probability = 1.0
-    if len(agree) < len(kinds):
-        odds = float(_log_odds({k: np.array([f[0]]) for k, f in found.items()}, agree)[0])
-        told = _log_odds({k: v + np.log(PRIOR[k]) for k, v in apart.items()}, agree)
-        variance = (len(told) - 1) * float(np.var(told))
-        probability = float(expit(odds / np.sqrt(1 + np.pi * variance / 8)))
-    return Habits(kind=kind, probability=probability, up=top[1], sigma=top[2])
-
-
-def _log_odds(evidence: dict[Kind, Array], agree: list[Kind]) -> Array:
-    """Logarithms (g,) of the odds of some kinds together against the others."""
-    ours = np.logaddexp.reduce(np.stack([evidence[k] for k in agree]))
-    return ours - np.logaddexp.reduce(np.stack([v for k, v in evidence.items() if k not in agree]))
+    weight: dict[Kind, float] = {k: float(np.exp(f[0] - top[0])) for k, f in found.items()}
+    agree = sum(w for k, w in weight.items() if found[k][1] @ top[1] > np.cos(SAME))
+    return Habits(kind=kind, probability=agree / sum(weight.values()), up=top[1], sigma=top[2])
 
 
 def _log_density(kind: Kind, z: Array, x: Array, y: Array, X0: Array) -> Array:
