@@ -10,6 +10,7 @@ from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.structure import repeated_residuals, residual_structure, structure_notice
 from raybundle.block.calibration_networks import ROLLS, FlatField, flat_field_scene
+from raybundle.block.select import with_rows
 from raybundle.block.simulate import AerialStrips, Survey, aerial_scene, simulate
 from raybundle.sensors import sensor_models
 from raybundle.workflows.model_choice import choose_models
@@ -56,6 +57,17 @@ def test_a_lens_that_differs_between_images_is_noticed_with_the_images(block):
     named = {block.images.ids[i] for i in (2, 5, 7)}
     assert len(named & set(notice.ids)) >= 2
     assert "too small, by a factor of" in notice.message
+    assert "2.4 to 6" not in notice.message
+    few = with_rows(result.given, np.isin(o.image, [1, 2, 6, 7]) & _seen_twice(o, [1, 2, 6, 7])[o.point])
+    told = structure_notice(adjusted(few))
+    assert told is not None
+    assert "5 photographs or more, where it is estimated, of 2.4 to 6" in told.message
+
+
+def _seen_twice(observations, images):
+    """(p,) points that two of these images see."""
+    mine = np.isin(observations.image, images)
+    return np.bincount(observations.point[mine], minlength=int(observations.point.max()) + 1) > 1
 
 
 def test_few_points_give_no_answer(block):

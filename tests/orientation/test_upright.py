@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from raybundle.numerics.rotation import rotation_from_vector
-from raybundle.orientation.upright import habits
+from raybundle.orientation.upright import _log_density, habits
 from tests.orientation.upright_cases import CASES, UP, one_strip
 
 
@@ -39,6 +39,18 @@ def test_the_stated_sigma_of_the_vertical_is_its_scatter():
 def test_one_strip_square_to_a_plane_is_ambiguous():
     ambiguous = [found(one_strip, seed)[0].ambiguous for seed in range(10)]
     assert np.mean(ambiguous) > 0.8
+
+
+def test_photographs_of_one_session_are_no_independent_draws():
+    """Ten alike say as much as 10 / (1 + 9 / 10) = 5.3 of different sessions, not as ten."""
+    x, y, place = np.array([[1.0, 0, 0]]), np.array([[0, np.sin(1.4), np.cos(1.4)]]), np.zeros((1, 3))
+    z = np.array([[0.0, 0.0, 1.0], [0.3, 0.0, np.sqrt(1 - 0.09)]])
+
+    def told(n):
+        value = _log_density("aerial", z, np.tile(x, (n, 1)), np.tile(y, (n, 1)), np.tile(place, (n, 1)))
+        return value[0] - value[1]
+
+    assert told(10) / told(1) == pytest.approx(10 / 1.9, rel=0.1)
 
 
 def test_the_turn_of_the_camera_matters():

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from raybundle.adjustment.options import FEWEST_IMAGES
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.numerics.arrays import Array
 
@@ -17,6 +18,9 @@ MOST_POINTS = 4000
 NOTICED = 0.05
 """Correlation from which on it is worth a notice."""
 FEWEST_PAIRS = 500
+USUAL = "2.4 to 6"
+"""Factor of standard deviations by errors that are smooth within an image: the roots of 6 and 37, of real sets
+(docs/explanation/noise-of-photographs.md).  Neighbours alone show less of it, and a few photographs absorb more."""
 CELL = 0.04
 """Side of a cell in which image points are at the same place of the format, in diagonals."""
 
@@ -166,11 +170,13 @@ def structure_notice(result: Adjustment) -> Notice | None:
         return None
     ids = result.given.images.ids
     worst = [ids[i] for i in np.argsort(-np.nan_to_num(found.images))[:3]]
+    few = len(np.unique(result.given.observations.image[result.image_observations.used])) < FEWEST_IMAGES
+    larger = f" (in sets of {FEWEST_IMAGES} photographs or more, where it is estimated, of {USUAL})" if few else ""
     return Notice(
         code="residual_structure",
         message=f"residuals of neighbouring image points agree (correlation {found.correlation:.2f}, most in "
         f"{', '.join(worst)}): something is not in the model, as an interior orientation that was not the same in all "
         f"images (stabilised lens, refocusing, zoom). Standard deviations are too small, by a factor of "
-        f"{found.factor:.1f} at least; look at the residuals in the report, and fix lens and focus next time",
+        f"{found.factor:.1f} at least{larger}; look at the residuals in the report, and fix lens and focus next time",
         ids=tuple(worst),
     )

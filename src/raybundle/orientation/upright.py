@@ -13,7 +13,8 @@ The heights of the projection centres scatter little where people stand, and in 
 object.  Means and standard deviations within a hypothesis are those that fit best, within bounds.  What a hypothesis is
 worth is the integral over z (Jeffreys 1961: the wider a hypothesis, the less); what z is worth its posterior.
 
-Photographs of one session share their habits: no more than `INDEPENDENT` of them count.
+Photographs of one session share their habits, and are no independent draws from a hypothesis: n of them count as
+n / (1 + (n - 1) r), with the correlation r within a session, however many as 1 / r = `INDEPENDENT`.
 """
 
 from __future__ import annotations
@@ -29,6 +30,7 @@ Kind = Literal["terrestrial", "aerial", "oblique"]
 KINDS: tuple[Kind, ...] = ("terrestrial", "aerial", "oblique")
 PRIOR: dict[Kind, float] = {"terrestrial": 0.5, "aerial": 0.25, "oblique": 0.25}
 INDEPENDENT = 10
+"""Independent photographs that a session of any number is worth."""
 SURE = 0.95
 """Probability below which up is called ambiguous."""
 SAME = np.radians(10.0)
@@ -116,7 +118,7 @@ def habits(right: Array, upward: Array, centre: Array, distance: float, only: Ki
 def _log_density(kind: Kind, z: Array, x: Array, y: Array, X0: Array) -> Array:
     """(k,) logarithm of the density of rotations and heights, of directions z (k, 3)."""
     n = len(x)
-    share = min(1.0, INDEPENDENT / n)
+    share = 1 / (1 + (n - 1) / INDEPENDENT)
     view = -np.cross(x, y)
     value = _nadir(z, x, view) if kind == "aerial" else _level(kind, z, x, y, view)
     s = np.log(np.maximum((X0 @ z.T).std(axis=0), 1e-3))
