@@ -41,6 +41,8 @@ def check_regular(path: Path) -> None:
     """Raise InputError where a path is no regular file: reading a pipe may never end, nor may a device."""
     try:
         mode = path.stat().st_mode
+    except FileNotFoundError:
+        raise InputError("cannot be read: there is no such file; check the path", file=path) from None
     except OSError as error:
         raise InputError(f"cannot be read: {error.strerror}; check the path and the permissions", file=path) from None
     except ValueError:  # a zero byte in the name
