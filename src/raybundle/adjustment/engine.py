@@ -38,6 +38,7 @@ from raybundle.adjustment.reliability import (
 from raybundle.adjustment.result import Adjustment, Notice, ObservationGroup, ObservationStatistics, Precision
 from raybundle.adjustment.solve import CAUTIOUS, FLOOR, HUBER, solve
 from raybundle.adjustment.steady import steadied, told_by_network, without_priors
+from raybundle.adjustment.straight import on_a_line
 from raybundle.adjustment.under_noise import under_noise
 from raybundle.adjustment.work import Work
 from raybundle.block import Block, Camera
@@ -109,7 +110,10 @@ def adjust_block(
 
 
 def _finished(result: Adjustment, extent: Extent) -> Adjustment:
-    """The result under the noise that is asked for."""
+    """The result under the noise that is asked for; RankDefect where images turn about a line."""
+    turning = on_a_line(result) if extent == "report" else None
+    if turning is not None:
+        raise turning
     return under_noise(result) if result.options.noise == "fields" and extent == "report" else result
 
 
