@@ -105,7 +105,11 @@ def analyse(system: System, state: State, options: AdjustmentOptions) -> Datum:
     """Which of the seven datum parameters control, distances, stations and held images leave open."""
     used = system.points_used
     if not used.any():
-        raise InputError("no object point takes part; nothing can be adjusted")
+        raise InputError(
+            "no object point takes part; nothing can be adjusted. All were left out: they lie behind the cameras "
+            "that see them, or have no ray left: look at the orientations that are given, at the sign and the unit of "
+            "the camera constant, or leave the orientations out"
+        )
     cloud = state.xyz[used]
     centre = np.median(cloud, axis=0)
     extent = float(np.median(np.linalg.norm(cloud - centre, axis=1))) or 1.0
