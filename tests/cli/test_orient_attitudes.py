@@ -65,4 +65,4 @@ def test_options_that_do_not_fit(tmp_path, capsys):
     photos.mkdir()
     status = main(["orient", str(photos), "--out", str(tmp_path / "p"), "--attitude-sigma", "0", "1"])
     assert status == 2
-    assert "'--attitude-sigma': 0.0 is not in the range x>0" in capsys.readouterr().err
+    assert "0.0 is not in the range x>0" in capsys.readouterr().err

@@ -328,7 +328,7 @@ def test_a_folder_is_not_called_missing(tmp_path, capsys):
     assert main(["rpc", "info", str(tmp_path)]) == 2
     assert "is a folder" in capsys.readouterr().err
     assert main(["rpc", "info", str(tmp_path / "nothing")]) == 2
-    assert "No such file" in capsys.readouterr().err
+    assert "no such file" in capsys.readouterr().err
 
 
 def test_a_comparison_replaces_a_comparison_alone(tmp_path, block, capsys):

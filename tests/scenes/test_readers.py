@@ -307,7 +307,7 @@ def test_unknown_and_absent_files(tmp_path):
     path.write_text("once upon a time")
     with pytest.raises(InputError, match="no scene format is recognised .* Maxar"):
         read_scene(path)
-    with pytest.raises(InputError, match="No such file"):
+    with pytest.raises(InputError, match="no such file"):
         read_scene(tmp_path / "b")
     for nothing in (b"", b" \n\n"):
         path.write_bytes(nothing)

@@ -106,19 +106,14 @@ def analyse(system: System, state: State, options: AdjustmentOptions) -> Datum:
     used = system.points_used
     if not used.any():
         raise NotSolvable(
-            "no object point takes part: none has rays that meet before their cameras; nothing can be adjusted. Look "
-            "at camera constant and its sign, at orientations, and at which point is measured where"
+            "no object point takes part; nothing can be adjusted. All were left out: they lie behind the cameras "
+            "that see them, or have no ray left: look at the orientations that are given, at the sign and the unit of "
+            "the camera constant, or leave the orientations out"
         )
     cloud = state.xyz[used]
     centre = np.median(cloud, axis=0)
     extent = float(np.median(np.linalg.norm(cloud - centre, axis=1))) or 1.0
-    rows = _fixing_rows(system, state, centre, extent)
-    if len(rows):
-        _, singular, vt = np.linalg.svd(_folded(rows), full_matrices=True)
-        rank = int(np.sum(singular > 1e-7 * max(singular[0], 1e-2)))  # rows of what fixes anything are about 1 long
-        basis = _plain(vt[rank:].T)
-    else:
-        basis = np.eye(7)
+    basis = open_directions(*_fixing_rows(system, state, centre, extent))
     kind = {"auto": "inner", "control": "control", "minimal": "minimal", "inner": "inner"}[options.datum]
     if basis.shape[1] == 0:
         kind = "control"
@@ -162,6 +157,40 @@ def analyse(system: System, state: State, options: AdjustmentOptions) -> Datum:
                 f"({', '.join(datum.open_names)}); choose at least three points that are not collinear"
             )
     return datum
+
+
+def open_directions(rows: Array, sigma: Array) -> Array:
+    """The directions (7, d) of the generators that fixing observations leave open, orthonormal.
+
+    rows   (k, 7) what the generators do to each, in extents and radians
+    sigma  (k,) its standard deviation in the same unit, 0 = held
+
+    Open is what moves no observation, and a rotation or change of scale of which a whole radian, or a factor of e,
+    moves none of them by LEVER of its standard deviations once the best shift is taken out: stations on a straight
+    line do not tell the rotation about it, however far errors of measurement put them off the line.  So the answer is
+    the same at approximate and at adjusted values.  A shift has no lever, and is determined as well as it is observed.
+    """
+    if not len(rows):
+        return np.eye(7)
+    _, singular, vt = np.linalg.svd(_folded(rows), full_matrices=True)
+    rank = int(np.sum(singular > 1e-7 * max(singular[0], 1e-2)))  # rows of what fixes anything are about 1 long
+    weighted = rows / np.maximum(sigma, HELD)[:, None]
+    taken = np.linalg.lstsq(weighted[:, :3], weighted[:, 3:], rcond=1e-7)[0]
+    levers = weighted[:, 3:] - weighted[:, :3] @ taken
+    turns = np.linalg.svd(_folded(levers), full_matrices=True)[2]
+    weak = np.abs(levers @ turns.T).max(axis=0) < LEVER
+    found = np.vstack([-taken @ turns[weak].T, turns[weak].T])
+    whole = np.linalg.svd(np.hstack([vt[rank:].T, found]), full_matrices=False)
+    return _plain(whole[0][:, whole[1] > 1e-6 * max(whole[1].max(initial=0.0), 1e-300)])
+
+
+LEVER = 5.0
+"""Standard deviations by which a whole radian must move an observation that tells a rotation.
+
+Errors alone put one of a million stations on a line so far off it.
+"""
+HELD = 1e-9
+"""Standard deviation, in extents, that stands for that of a held value."""
 
 
 def _folded(rows: Array) -> Array:
@@ -213,32 +242,37 @@ def _plain(basis: Array) -> Array:
     return np.hstack(columns)
 
 
-def _fixing_rows(system: System, state: State, centre: Array, extent: float) -> Array:
-    """Directions of the seven generators that an observation or a held value fixes, scaled alike."""
+def _fixing_rows(system: System, state: State, centre: Array, extent: float) -> tuple[Array, Array]:
+    """Directions (k, 7) of the generators that observations and held values fix, scaled alike, and their sigma (k,)."""
     rows: list[Array] = []
+    sigma: list[Array] = []
     fixed = system.control_held | system.prior
     points = np.flatnonzero(fixed.any(axis=1))
     if len(points):
         G = point_generators(state.xyz[points], centre, extent) / extent
         rows.append(G[fixed[points]])
+        sigma.append(np.where(system.prior, system.block.points.sigma, 0.0)[points][fixed[points]] / extent)
     images = np.flatnonzero(system.images_used & ~system.exterior_free)
     if len(images):
         rows.append(point_generators(state.centre[images], centre, extent).reshape(-1, 7) / extent)
         turn = np.zeros((len(images), 3, 7))
         turn[:, :, 3:6] = state.rotation[images]
         rows.append(turn.reshape(-1, 7))
+        sigma.append(np.zeros(6 * len(images)))
     carried: list[Array] = []
     stations = system.extra.item[system.extra.kind == 2]
     if len(stations):
         axis = system.extra.component[system.extra.kind == 2]
         image = system.block.stations.image[stations]
         carried.append((point_generators(state.centre[image], centre, extent) / extent)[np.arange(len(axis)), axis])
+        sigma.append(system.extra.sigma[system.extra.kind == 2] / extent)
     turned = np.flatnonzero(system.extra.kind == 5)
     if len(turned):
         image = system.block.attitudes.image[system.extra.item[turned]]
         fixing = np.zeros((len(turned), 7))
         fixing[:, 3:6] = np.einsum("ki,kij->kj", attitude_rows(system, state).by_rotation, state.rotation[image])
         carried.append(fixing)
+        sigma.append(system.extra.sigma[turned])
     if carried:
         rows.append(_without_unknowns(system, state, np.concatenate(carried)))
     scaled = bool((system.extra.kind == 1).any())
@@ -249,7 +283,8 @@ def _fixing_rows(system: System, state: State, centre: Array, extent: float) -> 
         scaled |= row.model.fixes_scale
     if scaled:
         rows.append(np.eye(7)[6:])
-    return np.vstack(rows) if rows else np.zeros((0, 7))
+        sigma.append(np.zeros(1))
+    return (np.vstack(rows), np.concatenate(sigma)) if rows else (np.zeros((0, 7)), np.zeros(0))
 
 
 def _without_unknowns(system: System, state: State, fixing: Array) -> Array:

@@ -403,7 +403,8 @@ def no_base(system: System, state: State, share: float = NO_BASE) -> RankDefect 
     images = name_some([block.images.ids[i] for i in np.unique(image[parallel[point]])])
     return RankDefect(
         f"the rays to {int(parallel.sum())} of {int(tied.sum())} object points are parallel within 0.2 degrees: images "
-        f"{images} have no base, or are the same photo twice. Take images from different stations.",
+        f"{images} have no base, or are the same photo twice, or orientations or point numbers are wrong, so that "
+        "the points went to infinity. Take images from different stations, or look at what is given.",
         undetermined=[Undetermined(kind="point", name=block.points.ids[p]) for p in np.flatnonzero(parallel)],
     )
 

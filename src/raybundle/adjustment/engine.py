@@ -30,13 +30,15 @@ from raybundle.adjustment.precision import (
 )
 from raybundle.adjustment.queries import suspects
 from raybundle.adjustment.reliability import (
+    RedundancySum,
     image_statistics,
     observation_groups,
     redundancy_sum,
 )
-from raybundle.adjustment.result import Adjustment, Notice, Precision
+from raybundle.adjustment.result import Adjustment, Notice, ObservationGroup, ObservationStatistics, Precision
 from raybundle.adjustment.solve import CAUTIOUS, FLOOR, HUBER, solve
 from raybundle.adjustment.steady import steadied, told_by_network, without_priors
+from raybundle.adjustment.straight import on_a_line
 from raybundle.adjustment.under_noise import under_noise
 from raybundle.adjustment.work import Work
 from raybundle.block import Block, Camera
@@ -108,7 +110,10 @@ def adjust_block(
 
 
 def _finished(result: Adjustment, extent: Extent) -> Adjustment:
-    """The result under the noise that is asked for."""
+    """The result under the noise that is asked for; RankDefect where images turn about a line."""
+    turning = on_a_line(result) if extent == "report" else None
+    if turning is not None:
+        raise turning
     return under_noise(result) if result.options.noise == "fields" and extent == "report" else result
 
 
@@ -181,6 +186,10 @@ def carry_out(
     if not work.solution.converged and weak:
         _in_minimal_datum(work.normals, work.solution.state, work.datum)
         raise defects.no_convergence(work.normals, work.solution.state, work.solution.iterations, work.solution.step)
+    # what observations fix is asked where they lead: a run that starts there must find the same
+    settled = analyse(work.system, work.solution.state, options)
+    if settled.defect != work.datum.defect:
+        work.datum = settled
     # residuals do not change within the open datum: moved first, the block is factored once, where it will stand
     work.state = fit_to_given(work.system, work.solution.state, work.system.initial_state(), work.datum)
     _factor(work.normals, work.state, work.datum)
@@ -373,8 +382,16 @@ def result_of(
         )
         notices = (Notice(code="weak_convergence", message=message), *notices)
         adjustment = replace(adjustment, notices=notices)
-    own = () if brief else notices_of(adjustment, None if found is None else redundancy_sum(observations, groups))
+    own = () if brief else notices_of(adjustment, _sum_of(work, adjustment, observations, groups))
     return replace(adjustment, notices=notices + own, seconds=seconds + time.perf_counter() - began)
+
+
+def _sum_of(
+    work: Work, adjustment: Adjustment, observations: ObservationStatistics, groups: tuple[ObservationGroup, ...]
+) -> RedundancySum | None:
+    if work.found is None:
+        return None
+    return redundancy_sum(work, work.state, work.found, observations, groups, adjustment.redundancy)
 
 
 def interior_precision(normals: Normals, state: State, found: Cofactors, variance: float) -> Precision:

@@ -6,7 +6,7 @@ import numpy as np
 
 from raybundle.adjustment.cell_means import systematic_notices
 from raybundle.adjustment.components import NAMES, differs, without_known_before
-from raybundle.adjustment.reliability import UNCONTROLLED
+from raybundle.adjustment.reliability import UNCONTROLLED, RedundancySum
 from raybundle.adjustment.result import Adjustment, Notice, ObservationGroup, VarianceComponent
 from raybundle.adjustment.severity import POOR_FIT, Severity
 from raybundle.block import Role
@@ -19,15 +19,16 @@ FEW = 5.0
 """Redundancy of a group below which single values are suspects rather than all of them."""
 
 
-def notices_of(result: Adjustment, redundancy_sum: float | None) -> tuple[Notice, ...]:
+def notices_of(result: Adjustment, redundancy_sum: RedundancySum | None) -> tuple[Notice, ...]:
     """All notices of an adjustment."""
     found: list[Notice] = []
-    if redundancy_sum is not None and abs(redundancy_sum - result.redundancy) > 1e-6 * max(result.redundancy, 1):
+    if redundancy_sum is not None and not abs(redundancy_sum.sum - result.redundancy) <= redundancy_sum.limit:
         found.append(
             Notice(
                 code="redundancy_sum",
-                message=f"the redundancy numbers sum to {redundancy_sum:.6f} instead of {result.redundancy}: the "
-                "normal matrix is nearly singular, standard deviations are not reliable",
+                message=f"the redundancy numbers sum to {redundancy_sum.sum:.6f} instead of {result.redundancy}, and "
+                f"rounding explains {redundancy_sum.limit:.2g}: standard deviations are not reliable; "
+                "please report this block",
             )
         )
     found += _fit(result) + _interior(result) + _rejected(result) + _points(result) + _control(result)

@@ -259,8 +259,10 @@ class Solver:
         A = csr_matrix((J.ravel(), (rows, np.repeat(self.columns, 2, axis=0).ravel())), shape=(2 * m, self.unknowns))
         return _Linear(v, J, A, x, rho, flags)
 
-    def _points(self, C: Array, X: Array, linear: _Linear, v: Array, damping: float) -> tuple[Array, Array, Array]:
-        """Inverse normal matrices (p, 3, 3), right sides (p, 3) and weak ones of the eliminated points."""
+    def _points(
+        self, C: Array, X: Array, linear: _Linear, v: Array, damping: float, *, root: bool = False
+    ) -> tuple[Array, Array, Array]:
+        """Inverse normal matrices (p, 3, 3) or their roots, right sides (p, 3), weak ones of the eliminated points."""
         p, e = len(X), np.arange(3)
         V, b = np.zeros((p, 3, 3)), np.zeros((p, 3))
         np.add.at(V, self.point, np.einsum("nki,nkj->nij", linear.x, linear.x))
@@ -271,8 +273,8 @@ class Solver:
             V = V + damping * self._point_damping(C, X, V)
         solved = self.eliminated & (np.diff(self.first) > 0)
         V[~solved], b[~solved] = np.eye(3), 0
-        inverse, weak = inverse_of_points(V)
-        return inverse, b, np.flatnonzero(weak & solved)
+        found, weak = roots_of_points(V)
+        return found if root else np.swapaxes(found, 1, 2) @ found, b, np.flatnonzero(weak & solved)
 
     def _point_damping(self, C: Array, X: Array, V: Array) -> Array:
         """Along and across the ray of the point's first image: (p, 3, 3)."""
@@ -311,13 +313,13 @@ class Solver:
         """Form the reduced normal equations; returns cost, behind, without projection, weak points."""
         del threads
         linear = self._linearise(R, C, I, X, huber)
-        inverse, b, weak = self._points(C, X, linear, linear.v, damping)
-        W = self._couplings(linear)
-        Y = W @ _block_diagonal(inverse)
+        root, b, weak = self._points(C, X, linear, linear.v, damping, root=True)
+        # W V^-1 W' by the root of V^-1: its rounding stays that of the matrix itself where V is nearly singular
+        U = self._couplings(linear) @ _block_diagonal(np.swapaxes(root, 1, 2))
         S = (linear.A.T @ linear.A).toarray()
         diagonal[:] = np.diagonal(S)
-        values[:] = (S - (Y @ W.T).toarray()).ravel()[self.place]
-        right[:] = Y @ b.ravel() - linear.A.T @ linear.v.ravel()
+        values[:] = (S - (U @ U.T).toarray()).ravel()[self.place]
+        right[:] = U @ np.einsum("pij,pj->pi", root, b).ravel() - linear.A.T @ linear.v.ravel()
         return *self._totals(linear, X), [int(p) for p in weak]
 
     def back_substitute(
@@ -485,8 +487,8 @@ class Solver:
         return hat, to_point
 
 
-def inverse_of_points(V: Array) -> tuple[Array, Mask]:
-    """Inverse (p, 3, 3) of normal matrices (p, 3, 3) by Cholesky, and which of them are singular (p,).
+def roots_of_points(V: Array) -> tuple[Array, Mask]:
+    """Inverse Cholesky factors T (p, 3, 3), V^-1 = T' T, of normal matrices, and which of them are singular (p,).
 
     A vanishing pivot gives way to the diagonal itself, so that a point without depth stays where it is.
     """
@@ -499,8 +501,7 @@ def inverse_of_points(V: Array) -> tuple[Array, Mask]:
         fine = (pivot > SINGULAR * whole) & (pivot > 0)
         weak |= ~fine
         L[:, i, i] = np.sqrt(np.where(fine, pivot, np.where(whole > 0, whole, 1.0)))
-    inverse = np.linalg.inv(L)
-    return np.swapaxes(inverse, 1, 2) @ inverse, weak
+    return np.linalg.inv(L), weak
 
 
 def _block_diagonal(blocks: Array) -> Any:

@@ -9,6 +9,7 @@ import numpy as np
 
 from raybundle.adjustment import defects
 from raybundle.adjustment.decide import decide
+from raybundle.adjustment.entry import check_entry
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.scene_start import refuse_unoriented, with_scene_points
@@ -30,7 +31,8 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
     (bad input) or NotSolvable (no orientation found, datum or rank defect, no convergence).
     """
     began = time.perf_counter()
-    options = options or AdjustmentOptions()
+    options = AdjustmentOptions() if options is None else options
+    check_entry(block, options)
     defects.check_rays(block, np.zeros(len(block.observations), bool))
     twins = identical_images(block)
     try:

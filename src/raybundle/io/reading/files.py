@@ -42,7 +42,7 @@ def check_regular(path: Path) -> None:
     try:
         mode = path.stat().st_mode
     except FileNotFoundError:
-        raise InputError("cannot be read: No such file or directory; there is no such file", file=path) from None
+        raise InputError("cannot be read: there is no such file; check the path", file=path) from None
     except OSError as error:
         raise InputError(f"cannot be read: {error.strerror}; check the path and the permissions", file=path) from None
     except ValueError:  # a zero byte in the name

@@ -1,0 +1,118 @@
+"""What a block and options from Python must be, asked once where they come in: readers of files ask it of files."""
+
+from __future__ import annotations
+
+import typing
+from typing import Any
+
+import numpy as np
+
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.block import Block, Role
+from raybundle.errors import InputError
+
+LARGEST = 1e18
+"""Greatest size of a number, as in files: what is computed from such numbers stays finite."""
+
+
+def check_entry(block: object, options: object) -> None:
+    """Raise InputError for a block or options with which nothing can be adjusted, by object, value and remedy."""
+    if not isinstance(options, AdjustmentOptions):
+        raise InputError(f"options are {type(options).__name__}, not AdjustmentOptions; give AdjustmentOptions(...)")
+    if not isinstance(block, Block):
+        raise InputError(f"the block is {type(block).__name__}, not Block; read one with raybundle.read_block(path)")
+    _check_options(options)
+    _check_shapes(block)
+    _check_indices(block)
+    _check_numbers(block)
+
+
+def _check_options(options: AdjustmentOptions) -> None:
+    for name, kind in typing.get_type_hints(AdjustmentOptions).items():
+        value = getattr(options, name)
+        allowed = typing.get_args(kind)
+        if typing.get_origin(kind) is typing.Literal and value not in allowed:
+            raise InputError(f"options: {name} is {value!r}; it is one of {', '.join(map(repr, allowed))}")
+        if kind is bool and not isinstance(value, bool):
+            raise InputError(f"options: {name} is {value!r}; it is True or False")
+        if typing.get_origin(kind) is tuple and not (
+            isinstance(value, tuple) and all(isinstance(v, str) for v in typing.cast("tuple[object, ...]", value))
+        ):
+            raise InputError(f"options: {name} is {value!r}; it is a tuple of names")
+    numbers: tuple[tuple[str, float, float, bool], ...] = (
+        ("max_iterations", 1, 1e6, True), ("threads", 0, 4096, True), ("tolerance", 1e-15, 1.0, False),
+        ("significance", 1e-15, 0.5, False),
+    )  # fmt: skip
+    for name, low, high, whole in numbers:
+        value = getattr(options, name)
+        kinds = (int, np.integer) if whole else (int, float, np.number)
+        if not isinstance(value, kinds) or isinstance(value, bool) or not low <= float(value) <= high:
+            what = "a whole number" if whole else "a number"
+            raise InputError(f"options: {name} is {value!r}; it is {what} from {low:g} to {high:g}")
+
+
+def _check_shapes(block: Block) -> None:
+    n, p, m = len(block.images.ids), len(block.points.ids), len(np.atleast_1d(block.observations.image))
+    k, s = len(np.atleast_1d(block.distances.start)), len(np.atleast_1d(block.stations.image))
+    shapes: dict[str, dict[str, tuple[int, ...]]] = {
+        "images": {"camera": (n,), "file": (n,), "centre": (n, 3), "rotation": (n, 3, 3)},
+        "points": {"role": (p,), "xyz": (p, 3), "sigma": (p, 3)},
+        "observations": {"image": (m,), "point": (m,), "xy_px": (m, 2), "cov_px2": (m, 3)},
+        "distances": {"start": (k,), "end": (k,), "length": (k,), "sigma": (k,)},
+        "stations": {"image": (s,), "xyz": (s, 3), "sigma": (s, 3)},
+    }
+    for table, columns in shapes.items():
+        for name, shape in columns.items():
+            value: Any = getattr(getattr(block, table), name)
+            found = (len(value),) if isinstance(value, tuple) else getattr(value, "shape", None)
+            if found != shape:
+                what = type(value).__name__ if found is None else f"of shape {found}"
+                raise InputError(f"block {block.name}: {table}.{name} is {what}; it must be an array of shape {shape}")
+            if not isinstance(value, tuple) and value.dtype.kind not in "fiu":
+                raise InputError(f"block {block.name}: {table}.{name} holds {value.dtype}; it must hold numbers")
+
+
+def _check_indices(block: Block) -> None:
+    n, p, c = len(block.images.ids), len(block.points.ids), len(block.cameras)
+    o, d = block.observations, block.distances
+    for name, values, count in (
+        ("images.camera", block.images.camera, c), ("observations.image", o.image, n),
+        ("observations.point", o.point, p), ("distances.start", d.start, p), ("distances.end", d.end, p),
+        ("stations.image", block.stations.image, n),
+    ):  # fmt: skip
+        if values.dtype.kind not in "iu":
+            raise InputError(f"block {block.name}: {name} holds {values.dtype}; positions are whole numbers")
+        bad = np.flatnonzero((values < 0) | (values >= count))
+        if len(bad):
+            raise InputError(
+                f"block {block.name}: {name}[{bad[0]}] is {values[bad[0]]}; positions run from 0 to {count - 1}"
+            )
+
+
+def _check_numbers(block: Block) -> None:
+    images, points, o = block.images, block.points, block.observations
+    for name, ids, values, gaps in (
+        ("image", images.ids, images.centre, True), ("point", points.ids, points.xyz, True),
+        ("", (), o.xy_px, False), ("", (), o.cov_px2, False),
+    ):  # fmt: skip
+        wrong = ~(np.abs(values) <= LARGEST) & ~(np.isnan(values) & gaps)
+        rows = np.flatnonzero(wrong.any(axis=1))
+        if len(rows):
+            k = int(rows[0])
+            who = f"{name} {ids[k]}" if ids else f"image {images.ids[o.image[k]]}, point {points.ids[o.point[k]]}"
+            raise InputError(
+                f"{who}: {values[k][wrong[k]][0]:g} is no number up to {LARGEST:g} in size; look "
+                "for its unit, or leave it out"
+            )
+    sigma = points.sigma
+    wrong = (sigma < 0) | (sigma > LARGEST)
+    control = (np.asarray(points.role) == Role.CONTROL)[:, None]
+    lost = control & np.isfinite(sigma) & ~np.isfinite(points.xyz)
+    for mask, what in (
+        (wrong, "a standard deviation is 0 (held), greater, or NaN where the coordinate is only approximate"),
+        (lost, "the coordinate is missing; give it, or NaN for its standard deviation"),
+    ):
+        rows = np.argwhere(mask)
+        if len(rows):
+            k, axis = rows[0]
+            raise InputError(f"point {points.ids[k]}, {'XYZ'[axis]}: sigma {sigma[k, axis]:g}: {what}")

@@ -1,0 +1,60 @@
+"""Images whose object points all lie on one straight line: each may stand anywhere on a circle round it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from raybundle.adjustment.defects import name_some
+from raybundle.adjustment.result import Adjustment
+from raybundle.errors import RankDefect, Undetermined
+from raybundle.numerics.arrays import Array
+
+THIN = 0.05
+"""Spread beside a line, as a share of that along it, up to which points are asked whether they lie on it."""
+BESIDE = 3.0
+"""Deviations from a line, in their standard deviations, from which on they are there.
+
+An image turns about the line of its points unless some lie beside it, and what lies beside it by errors alone
+(whose root mean square is 1) tells a rotation that the errors made.
+"""
+
+
+def on_a_line(result: Adjustment) -> RankDefect | None:
+    """The error that names images turning about a line; None where there are none, or no covariances.
+
+    Held images, scenes and images whose position or attitude is observed do not turn.
+    """
+    block = result.adjusted
+    if result.precision is None:
+        return None
+    fixed = np.zeros(len(block.images), bool) if block.images.held is None else block.images.held.copy()
+    fixed[block.stations.image] = True
+    fixed[block.attitudes.image] = True
+    fixed |= np.array([c.is_scene for c in block.cameras])[block.images.camera]
+    used, o = result.image_observations.used, block.observations
+    lost: list[str] = []
+    for image in np.flatnonzero(~fixed):
+        points = np.unique(o.point[used & (o.image == image)])
+        if len(points) and _straight(block.points.xyz[points], result.precision.object_points[points]):
+            lost.append(block.images.ids[image])
+    if not lost:
+        return None
+    return RankDefect(
+        f"image{'s' * (len(lost) > 1)} {name_some(lost)}: all object points there lie on one straight line, within "
+        f"{BESIDE:g} standard deviations, and the image may stand anywhere on a circle round it. Measure points beside "
+        "the line, observe projection centres, or leave the image out.",
+        undetermined=[Undetermined(kind="image", name=name) for name in lost],
+    )
+
+
+def _straight(xyz: Array, covariance: Array) -> bool:
+    """Whether points (n, 3) lie on a line as far as their covariances (n, 3, 3) tell."""
+    d = xyz - xyz.mean(axis=0)
+    _, size, axes = np.linalg.svd(d, full_matrices=False)
+    if len(xyz) < 3 or not size[1] < THIN * size[0]:
+        return False
+    beside = d @ axes[1:].T
+    C = axes[1:] @ np.nan_to_num(covariance) @ axes[1:].T
+    rounding = (1e-12 * float(np.abs(xyz).max()) + 1e-9 * float(size[0])) ** 2  # held points have no covariance
+    squares = np.einsum("ni,ni->n", beside, np.linalg.solve(C + rounding * np.eye(2), beside[:, :, None])[:, :, 0])
+    return bool(squares.sum() < BESIDE**2 * 2 * len(xyz))

@@ -1,0 +1,75 @@
+"""Blocks and options that come from Python are refused by name where nothing can be adjusted with them."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from raybundle import AdjustmentOptions, InputError, adjust
+from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
+
+PLAN = TargetField(stations=3, frontal=2, rows=3, columns=4)
+BLOCK = simulate(field_scene(PLAN), Survey(control=4, control_sigma=(1e-3,) * 3)).observed
+
+
+def changed(table, name, change):
+    part = getattr(BLOCK, table)
+    value = getattr(part, name).copy()
+    return replace(BLOCK, **{table: replace(part, **{name: change(value)})})
+
+
+def put(at, number):
+    def change(value):
+        value[at] = number
+        return value
+
+    return change
+
+
+OPTIONS = {
+    "datum": "x", "reject": "snoping", "estimate": "snoping", "residuals": None, "noise": "grey", "datum_over": 5,
+    "max_iterations": 0, "threads": -1, "tolerance": float("nan"), "significance": 2.0, "datum_points": "p1",
+    "robust_start": "yes", "never": ("A", 1),
+}  # fmt: skip
+CONTROL = int(np.flatnonzero(BLOCK.points.is_control.all(axis=1))[0])
+WRONG = {
+    "an image before the first": ("observations", "image", put(0, -1), r"observations.image\[0\] is -1"),
+    "an image after the last": ("observations", "image", put(3, 10**6), r"observations.image\[3\]"),
+    "a point after the last": ("observations", "point", put(0, 10**6), "positions run from 0"),
+    "no positions": ("observations", "image", lambda v: v.astype(float), "whole numbers"),
+    "a camera that is none": ("images", "camera", put(0, 7), "images.camera"),
+    "a row too few": ("observations", "xy_px", lambda v: v[:-1], "shape"),
+    "no columns": ("observations", "xy_px", lambda v: v.ravel(), "shape"),
+    "a list": ("observations", "xy_px", lambda v: v.tolist(), "is list"),
+    "texts": ("observations", "xy_px", lambda v: v.astype(str), "hold numbers"),
+    "no finite place": ("observations", "xy_px", put((0, 0), np.nan), "image .*, point .*nan"),
+    "a place far away": ("observations", "xy_px", put((0, 0), 1e150), r"1e\+150"),
+    "a negative sigma": ("points", "sigma", put((CONTROL, 1), -1.0), "Y: sigma -1"),
+    "an infinite sigma": ("points", "sigma", put((CONTROL, 0), np.inf), "X: sigma inf"),
+    "control without a coordinate": ("points", "xyz", put((CONTROL, 2), np.nan), "the coordinate is missing"),
+    "an infinite coordinate": ("points", "xyz", put((0, 2), np.inf), "inf is no number"),
+}
+
+
+@pytest.mark.parametrize("name", OPTIONS)
+def test_options_that_mean_nothing_are_refused(name):
+    with pytest.raises(InputError, match=f"options: {name} is"):
+        adjust(BLOCK, AdjustmentOptions(**{name: OPTIONS[name]}))
+
+
+@pytest.mark.parametrize("case", WRONG)
+def test_what_is_wrong_in_a_block_is_named(case):
+    table, name, change, words = WRONG[case]
+    with pytest.raises(InputError, match=words):
+        adjust(changed(table, name, change))
+
+
+def test_what_is_no_block_is_refused():
+    with pytest.raises(InputError, match="read_block"):
+        adjust("path/to/block")
+    with pytest.raises(InputError, match="AdjustmentOptions"):
+        adjust(BLOCK, {"datum": "inner"})
+
+
+def test_what_is_right_passes():
+    assert adjust(BLOCK, AdjustmentOptions(max_iterations=np.int64(50), threads=1)).converged
