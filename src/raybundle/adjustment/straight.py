@@ -49,6 +49,9 @@ def on_a_line(result: Adjustment) -> RankDefect | None:
 
 def _straight(xyz: Array, covariance: Array) -> bool:
     """Whether points (n, 3) lie on a line as far as their covariances (n, 3, 3) tell."""
+    away = np.linalg.norm(xyz - np.median(xyz, axis=0), axis=1)
+    near = away <= 3 * np.median(away)  # points at infinity make a line of any block
+    xyz, covariance = xyz[near], covariance[near]
     d = xyz - xyz.mean(axis=0)
     _, size, axes = np.linalg.svd(d, full_matrices=False)
     if len(xyz) < 3 or not size[1] < THIN * size[0]:
