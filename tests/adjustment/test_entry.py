@@ -29,7 +29,7 @@ def put(at, number):
 OPTIONS = {
     "datum": "x", "reject": "snoping", "estimate": "snoping", "residuals": None, "noise": "grey", "datum_over": 5,
     "max_iterations": 0, "threads": -1, "tolerance": float("nan"), "significance": 2.0, "datum_points": "p1",
-    "robust_start": "yes", "never": ("A", 1),
+    "robust_start": "yes", "pixel_shape": "round", "weights": 3,
 }  # fmt: skip
 CONTROL = int(np.flatnonzero(BLOCK.points.is_control.all(axis=1))[0])
 WRONG = {

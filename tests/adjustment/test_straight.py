@@ -28,9 +28,14 @@ def block_of(beside, seed=1):
 @pytest.mark.parametrize("seed", range(3))
 def test_images_of_a_line_are_named(seed):
     block = block_of(0.0, seed)
-    with pytest.raises(RankDefect, match="straight line") as caught:
+    with pytest.raises(RankDefect) as caught:  # in the solution, or already in the iteration that leads there
         adjust(block, OPTIONS)
     assert set(caught.value.names("image")) == set(block.images.ids)
+
+
+def test_a_line_in_the_solution_says_what_is_missing():
+    with pytest.raises(RankDefect, match=r"straight line.*\n?.*Measure points beside the line"):
+        adjust(block_of(0.0, 0), OPTIONS)
 
 
 def test_two_points_beside_the_line_are_enough():

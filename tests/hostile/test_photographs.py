@@ -310,7 +310,7 @@ def test_a_read_only_folder_is_named_and_can_be_looked_at(photos, tmp_path):
     script = 'mount --bind "$0" "$0" && mount -o remount,ro,bind "$0" && "$@"'
     told = apart(photos, out, "unshare", "-rm", "bash", "-c", script, str(out))
     assert told.status == 2, told.all
-    assert f"{out}: cannot be written: " in told.err
+    assert f"{out}/result: cannot be written: " in told.err
     assert "choose a folder that can be written" in told.err
     look = [sys.executable, "-m", "raybundle", "status", str(out)]
     done = subprocess.run(["unshare", "-rm", "bash", "-c", script, str(out), *look], capture_output=True, check=False)

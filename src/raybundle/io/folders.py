@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import ctypes
+import errno
 import os
 import re
 import shutil
@@ -101,9 +102,9 @@ def _told(path: Path) -> Generator[None]:
     try:
         yield
     except OSError as error:
-        raise InputError(
-            f"cannot be written: {error.strerror or error}; free space or choose another folder", file=path
-        ) from None
+        refused = error.errno in {errno.EROFS, errno.EACCES, errno.EPERM}
+        advice = "choose a folder that can be written" if refused else "free space or choose another folder"
+        raise InputError(f"cannot be written: {error.strerror or error}; {advice}", file=path) from None
 
 
 @contextmanager
