@@ -1,5 +1,7 @@
 """Tracks measured again: references, affine maps to begin with, and points at their true places."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -215,3 +217,20 @@ def test_however_soft_and_noisy_points_are_measured_and_the_covariance_is_true(m
         fine = refine_tracks(p, levels(images))
         error = [np.sqrt(((f.xy_px[n:] - true) ** 2)[f.measured[n:]].mean()) for f in (r, fine)]
         assert fine.measured[n:].mean() < 0.9 or error[0] < 0.7 * error[1]
+
+
+def test_candidates_are_looked_for_up_to_the_level_that_is_asked_for(three):
+    images, places = three
+    flat = [smoothed(soft(image, 6.0, 1500.0, k)) for k, image in enumerate(images[:2])]
+    n = len(places[0])
+    p = points(np.repeat([0, 1], n), np.tile(np.arange(n), 2), np.vstack(places[:2]))
+    c = Candidates(
+        reference=np.arange(n), image=np.ones(n, np.int32), point=np.arange(n), xy_px=places[1], row=n + np.arange(n)
+    )
+    found = [
+        match_candidates(p, replace(c, coarsest=coarsest), levels(flat))
+        for coarsest in (None, np.full(n, 3), np.zeros(n, int))
+    ]
+    np.testing.assert_array_equal(found[0].level, found[1].level)
+    assert found[0].level[found[0].good].max() > 0
+    assert not found[2].level[found[2].good].any()

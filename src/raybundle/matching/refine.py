@@ -126,6 +126,8 @@ class Candidates:
     """(k, 2) where to begin"""
     row: Index
     """(k,) row of the track points that begins there; -1 where none does"""
+    coarsest: Index | None = None
+    """(k,) level of the pyramid up to which each is looked for; None: to the last"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -167,6 +169,8 @@ def match_candidates(
         affine = _affine(points, rows_of_image[a], rows_of_image[b], reference, candidates.row[group])
         left = np.flatnonzero(np.isfinite(affine).all(axis=(1, 2)))
         for step in range(LEVELS):
+            if candidates.coarsest is not None:
+                left = left[candidates.coarsest[group[left]] >= step]
             if not len(left):
                 return
             pictures, size, mine = (image(a, step), image(b, step)), float(2**step), left

@@ -28,7 +28,7 @@ from raybundle.workflows.precise import PreciseBlock, Weights, refine
 from raybundle.workflows.tie_block import TieBlock, block_of_tracks
 from raybundle.workflows.tie_points import FeatureStore, find_features, grey_of, match_pairs, pairs_of
 
-START, PRECISION = 8, 19
+START, PRECISION = 8, 20
 """Versions of the stages' results."""
 ALONE = "one photograph alone cannot be oriented; at least 2 are needed"
 

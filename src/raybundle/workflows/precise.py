@@ -303,6 +303,8 @@ def _complete(work: _Work, image: Levels, threads: int, progress: Progress) -> i
         angle=work.angle[used],
     )  # fmt: skip
     places = candidates(block, points, np.flatnonzero(work.reference[used]))
+    # what was found at a level elsewhere and is not found at it here is hidden, as a rule
+    places = replace(places, coarsest=work.level[used][places.reference])
     found = match_candidates(points, places, image, threads=threads, progress=progress)
     near = np.linalg.norm(found.xy_px - places.xy_px, axis=1) < NEAR_PX
     good = found.good & near & (found.correlation > SURE)
