@@ -281,9 +281,15 @@ def test_what_cannot_be_written_is_found_before_anything_is_computed(tmp_path, b
 
 def test_many_nested_folders_are_made(tmp_path):
     deep = tmp_path.joinpath(*["d"] * 1200)
-    with new_folder(deep) as folder:
-        (folder / "a").write_text("b")
-    assert (deep / "a").read_text() == "b"
+    try:
+        with new_folder(deep) as folder:
+            (folder / "a").write_text("b")
+        assert (deep / "a").read_text() == "b"
+    finally:  # shutil.rmtree, with which pytest cleans up, calls itself for each of them
+        (deep / "a").unlink(missing_ok=True)
+        while deep != tmp_path:
+            deep.rmdir()
+            deep = deep.parent
 
 
 @pytest.mark.parametrize("there", [False, True], ids=["dangling", "to an older result"])
