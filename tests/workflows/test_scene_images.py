@@ -8,7 +8,8 @@ from raybundle.errors import InputError
 from raybundle.io.photos.photo import find_photos
 from raybundle.io.scenes.rpc_text import write_rpc_text
 from raybundle.matching.features import feature_method
-from raybundle.workflows import scene_images
+from raybundle.matching.refine import halved
+from raybundle.workflows import scene_block, scene_images
 from raybundle.workflows.scene_images import ScenePixels, find_scenes, scene_features
 from tests.scenes.render import octave, scene_rpc, write_scene
 
@@ -111,3 +112,10 @@ def test_an_image_without_values_is_refused(folder):
     (scene,) = find_scenes([folder]).scenes
     with pytest.raises(InputError, match="no grey value above 0"):
         ScenePixels(scene)
+
+
+def test_a_level_made_in_strips_is_that_of_the_whole(tmp_path, monkeypatch):
+    fine = np.random.default_rng(4).integers(0, 60000, (301, 203)).astype(np.uint16)
+    monkeypatch.setattr(scene_block, "STRIP", 40)
+    found = scene_block._halved_file(fine, tmp_path / "level")
+    np.testing.assert_array_equal(found, halved(fine))

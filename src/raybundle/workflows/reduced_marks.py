@@ -111,7 +111,7 @@ def size_of_copies(block: Block, points: Index, mark_px: float) -> Size | None:
         return None
     if SIZES * (2 * float(distance[near].max()) / side) ** redundancy > CHANCE:
         return None
-    sigma = _sigma(apart, side, near, redundancy, mark_px)
+    sigma = _sigma(apart, side, distance, near, redundancy, mark_px)
     usual = [s for s in (*USUAL, full / 2, full / 3, full / 4, full / 8) if abs(s - side) <= 3.3 * sigma and s < full]
     best = min(usual, key=lambda s: abs(s - side), default=side)
     return Size(
@@ -128,11 +128,13 @@ def _least(cost: Callable[[float], float], ends: tuple[float, float]) -> float:
     return float(found.x)
 
 
-def _sigma(apart: Callable[[float], Array], side: float, near: Array, redundancy: int, mark_px: float) -> float:
+def _sigma(
+    apart: Callable[[float], Array], side: float, distance: Array, near: Array, redundancy: int, mark_px: float
+) -> float:
     """Standard deviation of the size: how fast marks that agree part with it, beside how well they agree."""
     step = 0.02 * side
-    speed = (np.abs(apart(side + step) - apart(side)) + np.abs(apart(side - step) - apart(side)))[near] / (2 * step)
-    spread = max(float(np.sqrt((apart(side)[near] ** 2).sum() / max(redundancy, 1))), mark_px)
+    speed = (np.abs(apart(side + step) - distance) + np.abs(apart(side - step) - distance))[near] / (2 * step)
+    spread = max(float(np.sqrt((distance[near] ** 2).sum() / redundancy)), mark_px)
     return spread / float(np.sqrt(max((speed**2).sum(), 1e-12)))
 
 
