@@ -5,7 +5,12 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 #include <vector>
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
 
 namespace raybundle {
 namespace RB_ARCH {
@@ -26,6 +31,33 @@ constexpr int kLanes = 1;
 #endif
 constexpr int kRows = 6, kWide = 2 * kLanes;
 
+// Doubles in vectors with sums of their own: without them a sum waits for each of its terms.
+#if defined(__GNUC__)
+typedef double D __attribute__((vector_size(kBytes)));
+constexpr int kDoubles = kBytes / 8;
+#else
+typedef double D;
+constexpr int kDoubles = 1;
+#endif
+static inline D load(const double* a) {
+  D v;
+  std::memcpy(&v, a, sizeof v);
+  return v;
+}
+static inline void store(double* a, D v) { std::memcpy(a, &v, sizeof v); }
+static inline double summed(D v) {
+  double a[kDoubles], sum = 0;
+  std::memcpy(a, &v, sizeof v);
+  for (double x : a) sum += x;
+  return sum;
+}
+// Sum of a b over n values, a multiple of kDoubles.
+static inline double dot(const double* a, const double* b, int n) {
+  D sum = {};
+  for (int i = 0; i < n; i += kDoubles) sum += load(a + i) * load(b + i);
+  return summed(sum);
+}
+
 // sums (kRows, kWide) of products of kRows rows of a (stride k) and a panel of b (k, kWide).
 static inline void products(const float* a, int k, const float* panel, float* sums) {
   V acc[kRows][2] = {};
@@ -42,13 +74,11 @@ static inline void products(const float* a, int k, const float* panel, float* su
   std::memcpy(sums, acc, sizeof acc);
 }
 
-static void best(const float* a, int n, const float* b, int m, int k, int32_t* first, float* value, float* second, int32_t* reverse) {
+// The search of `best`: products(block, p, sums) gives sums (kRows, kWide) of a block of rows and a panel of columns.
+template <class Products>
+static void search(int n, int m, const Products& products, int32_t* first, float* value, float* second, int32_t* reverse) {
   constexpr float low = -std::numeric_limits<float>::max();
   const int panels = (m + kWide - 1) / kWide, blocks = (n + kRows - 1) / kRows;
-  std::vector<float> packed(size_t(panels) * k * kWide, 0.0f), rows(size_t(blocks) * kRows * k, 0.0f);
-  std::copy_n(a, size_t(n) * k, rows.data());
-  for (int j = 0; j < m; ++j)
-    for (int i = 0; i < k; ++i) packed[(size_t(j / kWide) * k + i) * kWide + j % kWide] = b[size_t(j) * k + i];
   std::vector<float> top(blocks * kRows, low), next(blocks * kRows, low), column(panels * kWide, low);
   std::vector<int32_t> where(blocks * kRows, -1), row(panels * kWide, -1);
   alignas(64) float sums[kRows * kWide];
@@ -56,12 +86,11 @@ static void best(const float* a, int n, const float* b, int m, int k, int32_t* f
   constexpr int kStrip = 64;
   for (int strip = 0; strip < blocks; strip += kStrip)
     for (int p = 0; p < panels; ++p) {
-      const float* panel = packed.data() + size_t(p) * k * kWide;
       const int wide = std::min(kWide, m - p * kWide);
       float* c = column.data() + p * kWide;
       int32_t* cr = row.data() + p * kWide;
       for (int block = strip; block < std::min(blocks, strip + kStrip); ++block) {
-        products(rows.data() + size_t(block) * kRows * k, k, panel, sums);
+        products(block, p, sums);
         for (int r = 0; r < kRows; ++r) {
           const int at = block * kRows + r;
           if (at >= n) break;
@@ -93,44 +122,196 @@ static void best(const float* a, int n, const float* b, int m, int k, int32_t* f
   std::copy_n(row.data(), m, reverse);
 }
 
-// Weights of the four neighbours for a fraction t, cubic convolution (Keys 1981, a = -1/2), and their derivatives.
-static inline void cubic(double t, double* w, double* d) {
-  const double t2 = t * t, t3 = t2 * t;
-  w[0] = -0.5 * t3 + t2 - 0.5 * t;
-  w[1] = 1.5 * t3 - 2.5 * t2 + 1;
-  w[2] = -1.5 * t3 + 2 * t2 + 0.5 * t;
-  w[3] = 0.5 * t3 - 0.5 * t2;
-  if (d) {
-    d[0] = -1.5 * t2 + 2 * t - 0.5;
-    d[1] = 4.5 * t2 - 5 * t;
-    d[2] = -4.5 * t2 + 4 * t + 0.5;
-    d[3] = 1.5 * t2 - t;
+static void best(const float* a, int n, const float* b, int m, int k, int32_t* first, float* value, float* second, int32_t* reverse) {
+  const int panels = (m + kWide - 1) / kWide, blocks = (n + kRows - 1) / kRows;
+  std::vector<float> packed(size_t(panels) * k * kWide, 0.0f), rows(size_t(blocks) * kRows * k, 0.0f);
+  std::copy_n(a, size_t(n) * k, rows.data());
+  for (int j = 0; j < m; ++j)
+    for (int i = 0; i < k; ++i) packed[(size_t(j / kWide) * k + i) * kWide + j % kWide] = b[size_t(j) * k + i];
+  const auto of = [&](int block, int p, float* sums) {
+    products(rows.data() + size_t(block) * kRows * k, k, packed.data() + size_t(p) * k * kWide, sums);
+  };
+  search(n, m, of, first, value, second, reverse);
+}
+
+// Products of bytes are exact in whole numbers.  In a panel the values of `Group` neighbouring places stand together for
+// each column, as the instructions want them: pairs of 16 bit, or four of 8 bit.
+constexpr int kPair = 2, kFour = 4;
+
+// sums (kRows, kWide) of products of kRows rows (pairs, k / 2 of them) and a panel (k / 2, kWide) of pairs.
+static inline void pair_products(const int16_t* a, int k, const int16_t* panel, int32_t* sums) {
+#if defined(__AVX512BW__)
+  __m512i acc[kRows][2] = {};
+  for (int i = 0; i < k; i += kPair, panel += kPair * kWide) {
+    const __m512i b0 = _mm512_loadu_si512(panel), b1 = _mm512_loadu_si512(panel + kPair * kLanes);
+    for (int r = 0; r < kRows; ++r) {
+      int32_t two;
+      std::memcpy(&two, a + r * k + i, sizeof two);
+      const __m512i f = _mm512_set1_epi32(two);
+      acc[r][0] = _mm512_add_epi32(acc[r][0], _mm512_madd_epi16(f, b0));
+      acc[r][1] = _mm512_add_epi32(acc[r][1], _mm512_madd_epi16(f, b1));
+    }
+  }
+  std::memcpy(sums, acc, sizeof acc);
+#elif defined(__AVX2__)
+  __m256i acc[kRows][2] = {};
+  for (int i = 0; i < k; i += kPair, panel += kPair * kWide) {
+    const __m256i b0 = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(panel));
+    const __m256i b1 = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(panel + kPair * kLanes));
+    for (int r = 0; r < kRows; ++r) {
+      int32_t two;
+      std::memcpy(&two, a + r * k + i, sizeof two);
+      const __m256i f = _mm256_set1_epi32(two);
+      acc[r][0] = _mm256_add_epi32(acc[r][0], _mm256_madd_epi16(f, b0));
+      acc[r][1] = _mm256_add_epi32(acc[r][1], _mm256_madd_epi16(f, b1));
+    }
+  }
+  std::memcpy(sums, acc, sizeof acc);
+#elif defined(__SSE2__)
+  __m128i acc[kRows][2] = {};
+  for (int i = 0; i < k; i += kPair, panel += kPair * kWide) {
+    const __m128i b0 = _mm_loadu_si128(reinterpret_cast<const __m128i*>(panel));
+    const __m128i b1 = _mm_loadu_si128(reinterpret_cast<const __m128i*>(panel + kPair * kLanes));
+    for (int r = 0; r < kRows; ++r) {
+      int32_t two;
+      std::memcpy(&two, a + r * k + i, sizeof two);
+      const __m128i f = _mm_set1_epi32(two);
+      acc[r][0] = _mm_add_epi32(acc[r][0], _mm_madd_epi16(f, b0));
+      acc[r][1] = _mm_add_epi32(acc[r][1], _mm_madd_epi16(f, b1));
+    }
+  }
+  std::memcpy(sums, acc, sizeof acc);
+#else
+  std::fill_n(sums, kRows * kWide, 0);
+  for (int i = 0; i < k; i += kPair, panel += kPair * kWide)
+    for (int r = 0; r < kRows; ++r)
+      for (int x = 0; x < kWide; ++x)
+        sums[r * kWide + x] += int32_t(a[r * k + i]) * panel[kPair * x] + int32_t(a[r * k + i + 1]) * panel[kPair * x + 1];
+#endif
+}
+
+#if defined(__AVX512BW__)
+#define RB_FOURS
+// The same of bytes, four at a time; those of the panel are 128 less, for the instruction wants them signed.
+__attribute__((target("avx512vnni"))) static void four_products(const uint8_t* a, int k, const int8_t* panel, int32_t* sums) {
+  __m512i acc[kRows][2] = {};
+  for (int i = 0; i < k; i += kFour, panel += kFour * kWide) {
+    const __m512i b0 = _mm512_loadu_si512(panel), b1 = _mm512_loadu_si512(panel + kFour * kLanes);
+    for (int r = 0; r < kRows; ++r) {
+      int32_t four;
+      std::memcpy(&four, a + r * k + i, sizeof four);
+      const __m512i f = _mm512_set1_epi32(four);
+      acc[r][0] = _mm512_dpbusd_epi32(acc[r][0], f, b0);
+      acc[r][1] = _mm512_dpbusd_epi32(acc[r][1], f, b1);
+    }
+  }
+  std::memcpy(sums, acc, sizeof acc);
+}
+#endif
+
+// 1 / length of each row of a (n, k), and the sum of its elements.
+static void lengths(const uint8_t* a, int n, int k, float* inverse, int32_t* sum) {
+  for (int i = 0; i < n; ++i) {
+    int32_t square = 0, all = 0;
+    for (int j = 0; j < k; ++j) {
+      square += int32_t(a[size_t(i) * k + j]) * a[size_t(i) * k + j];
+      all += a[size_t(i) * k + j];
+    }
+    inverse[i] = square ? float(1 / std::sqrt(double(square))) : 0.0f;
+    sum[i] = all;
   }
 }
+
+static void best_bytes(const uint8_t* a, int n, const uint8_t* b, int m, int k, int32_t* first, float* value, float* second,
+                       int32_t* reverse) {
+  const int panels = (m + kWide - 1) / kWide, blocks = (n + kRows - 1) / kRows;
+  std::vector<float> length_a(blocks * kRows, 0.0f), length_b(panels * kWide, 0.0f);
+  std::vector<int32_t> sum_a(blocks * kRows, 0), sum_b(panels * kWide, 0);
+  lengths(a, n, k, length_a.data(), sum_a.data());
+  lengths(b, m, k, length_b.data(), sum_b.data());
+  alignas(64) int32_t whole[kRows * kWide];
+  const auto scaled = [&](int block, int p, int more, float* sums) {
+    for (int r = 0; r < kRows; ++r) {
+      const int32_t back = more * sum_a[block * kRows + r];
+      const float l = length_a[block * kRows + r];
+      for (int x = 0; x < kWide; ++x) sums[r * kWide + x] = float(whole[r * kWide + x] + back) * l * length_b[p * kWide + x];
+    }
+  };
+  const auto packed = [&](auto* panel, int group, int less) {
+    for (int j = 0; j < m; ++j)
+      for (int i = 0; i < k; ++i)
+        panel[((size_t(j / kWide) * (k / group) + i / group) * kWide + j % kWide) * group + i % group] =
+            static_cast<std::remove_reference_t<decltype(*panel)>>(b[size_t(j) * k + i] - less);
+  };
+#if defined(RB_FOURS)
+  static const bool fours = __builtin_cpu_supports("avx512vnni");
+  if (fours) {
+    std::vector<uint8_t> rows(size_t(blocks) * kRows * k, 0);
+    std::vector<int8_t> panel(size_t(panels) * k * kWide, 0);
+    std::copy_n(a, size_t(n) * k, rows.data());
+    packed(panel.data(), kFour, 128);
+    const auto of = [&](int block, int p, float* sums) {
+      four_products(rows.data() + size_t(block) * kRows * k, k, panel.data() + size_t(p) * k * kWide, whole);
+      scaled(block, p, 128, sums);
+    };
+    search(n, m, of, first, value, second, reverse);
+    return;
+  }
+#endif
+  std::vector<int16_t> rows(size_t(blocks) * kRows * k, 0), panel(size_t(panels) * k * kWide, 0);
+  std::copy_n(a, size_t(n) * k, rows.data());
+  packed(panel.data(), kPair, 0);
+  const auto of = [&](int block, int p, float* sums) {
+    pair_products(rows.data() + size_t(block) * kRows * k, k, panel.data() + size_t(p) * k * kWide, whole);
+    scaled(block, p, 0, sums);
+  };
+  search(n, m, of, first, value, second, reverse);
+}
+
+#if defined(__GNUC__)
+typedef double Four __attribute__((vector_size(32)));
+typedef int32_t FourInts __attribute__((vector_size(16)));
+typedef uint16_t FourGreys __attribute__((vector_size(8)));
+static inline Four greys(const uint16_t* p) {
+#if defined(__AVX2__)  // compilers make four times as many instructions of the conversions below
+  return _mm256_cvtepi32_pd(_mm_cvtepu16_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(p))));
+#endif
+  FourGreys g;
+  std::memcpy(&g, p, sizeof g);
+  return __builtin_convertvector(__builtin_convertvector(g, FourInts), Four);
+}
+#else
+struct Four {
+  double a[4];
+  double operator[](int i) const { return a[i]; }
+};
+static inline Four operator*(const Four& x, const Four& y) { return {x.a[0] * y.a[0], x.a[1] * y.a[1], x.a[2] * y.a[2], x.a[3] * y.a[3]}; }
+static inline Four operator*(double x, const Four& y) { return {x * y.a[0], x * y.a[1], x * y.a[2], x * y.a[3]}; }
+static inline Four operator+(const Four& x, const Four& y) { return {x.a[0] + y.a[0], x.a[1] + y.a[1], x.a[2] + y.a[2], x.a[3] + y.a[3]}; }
+static inline Four greys(const uint16_t* p) { return {double(p[0]), double(p[1]), double(p[2]), double(p[3])}; }
+#endif
+static inline double across(const Four& v) { return (v[0] + v[1]) + (v[2] + v[3]); }
+
+// Weights of the four neighbours for a fraction t, cubic convolution (Keys 1981, a = -1/2), and their derivatives.
+constexpr Four kCubic[4] = {{0, 1, 0, 0}, {-0.5, 0, 0.5, 0}, {1, -2.5, 2, -0.5}, {-0.5, 1.5, -1.5, 0.5}};
+static inline Four cubic(double t) { return kCubic[0] + t * (kCubic[1] + t * (kCubic[2] + t * kCubic[3])); }
+static inline Four cubic_slope(double t) { return kCubic[1] + t * (2.0 * kCubic[2] + (3.0 * t) * kCubic[3]); }
 
 // Value at x, y of the pixel frame (centre of the first pixel 0.5, 0.5), 2 px away from the border; gradient on request.
 static inline double sample(const Grey& g, double x, double y, double* gx = nullptr, double* gy = nullptr) {
   x -= 0.5;
   y -= 0.5;
-  const int ix = int(std::floor(x)), iy = int(std::floor(y));
-  double wx[4], wy[4], dx[4], dy[4];
-  cubic(x - ix, wx, gx ? dx : nullptr);
-  cubic(y - iy, wy, gx ? dy : nullptr);
+  const int ix = int(x), iy = int(y);  // both positive
+  const Four wx = cubic(x - ix), wy = cubic(y - iy);
   const uint16_t* p = g.data + int64_t(iy - 1) * g.width + ix - 1;
-  double value = 0, vx = 0, vy = 0;
-  for (int j = 0; j < 4; ++j, p += g.width) {
-    const double line = wx[0] * p[0] + wx[1] * p[1] + wx[2] * p[2] + wx[3] * p[3];
-    value += wy[j] * line;
-    if (gx) {
-      vx += wy[j] * (dx[0] * p[0] + dx[1] * p[1] + dx[2] * p[2] + dx[3] * p[3]);
-      vy += dy[j] * line;
-    }
-  }
+  const Four line[4] = {greys(p), greys(p + g.width), greys(p + 2 * int64_t(g.width)), greys(p + 3 * int64_t(g.width))};
+  const Four column = wy[0] * line[0] + wy[1] * line[1] + (wy[2] * line[2] + wy[3] * line[3]);
   if (gx) {
-    *gx = vx;
-    *gy = vy;
+    const Four dy = cubic_slope(y - iy);
+    *gx = across(cubic_slope(x - ix) * column);
+    *gy = across(wx * (dy[0] * line[0] + dy[1] * line[1] + (dy[2] * line[2] + dy[3] * line[3])));
   }
-  return value;
+  return across(wx * column);
 }
 
 static inline bool inside(const Grey& g, double x, double y) { return x >= 2.5 && y >= 2.5 && x <= g.width - 2.5 && y <= g.height - 2.5; }
@@ -174,19 +355,22 @@ static void solve(const double L[kUnknowns][kUnknowns], double* b) {
   }
 }
 
+// Arrays end with positions of weight 0, so that they fill vectors.
 struct Window {
-  int count;
-  std::vector<double> u, v, w, T, G, J;  // J (kUnknowns, count)
+  int count;                                 // positions that count
+  int filled;                                // positions in an array
+  std::vector<double> u, v, w, T, G, J, WJ;  // J, WJ (kUnknowns, filled); WJ weighted
   double total;
 };
 
 static void match(const Grey& reference, const Grey& target, const Patch& patch, int begin, int end, const double* xy_reference,
                   double* xy, double* affine, double* covariance, double* correlation, int32_t* outcome) {
-  const int h = patch.half, side = 2 * h + 1, count = side * side;
+  const int h = patch.half, side = 2 * h + 1, count = side * side, filled = (count + kDoubles - 1) / kDoubles * kDoubles;
   Window o;
   o.count = count;
-  for (auto* a : {&o.u, &o.v, &o.w, &o.T, &o.G}) a->assign(count, 0);
-  o.J.assign(kUnknowns * count, 0);
+  o.filled = filled;
+  for (auto* a : {&o.u, &o.v, &o.w, &o.T, &o.G}) a->assign(filled, 0);
+  for (auto* a : {&o.J, &o.WJ}) a->assign(kUnknowns * filled, 0);
   o.total = 0;
   for (int i = 0; i < count; ++i) {
     o.u[i] = i % side - h;
@@ -198,17 +382,17 @@ static void match(const Grey& reference, const Grey& target, const Patch& patch,
   // weighted mean to 0, weighted variance to 1; 0 where there is no contrast
   double mean = 0;
   const auto normalise = [&](double* a) {
-    double square = 0;
-    mean = 0;
-    for (int i = 0; i < count; ++i) mean += w[i] * a[i];
-    mean /= o.total;
-    for (int i = 0; i < count; ++i) {
-      a[i] -= mean;
-      square += w[i] * a[i] * a[i];
+    mean = dot(w, a, filled) / o.total;
+    D sum = {};
+    for (int i = 0; i < filled; i += kDoubles) {
+      const D x = load(a + i) - mean;
+      store(a + i, x);
+      sum += load(w + i) * x * x;
     }
-    const double scale = std::sqrt(square / o.total);
+    const double scale = std::sqrt(summed(sum) / o.total);
     if (!(scale > 1e-6)) return 0.0;
-    for (int i = 0; i < count; ++i) a[i] /= scale;
+    const double inverse = 1 / scale;
+    for (int i = 0; i < filled; i += kDoubles) store(a + i, load(a + i) * inverse);
     return scale;
   };
   for (int n = begin; n < end; ++n) {
@@ -227,12 +411,12 @@ static void match(const Grey& reference, const Grey& target, const Patch& patch,
       outcome[n] = outside;
       continue;
     }
-    double *T = o.T.data(), *G = o.G.data(), *J = o.J.data();
+    double *T = o.T.data(), *G = o.G.data(), *J = o.J.data(), *WJ = o.WJ.data();
     for (int i = 0; i < count; ++i) {
       double gx, gy;
       T[i] = sample(reference, c[0] + o.u[i], c[1] + o.v[i], &gx, &gy);
       J[i] = gx;
-      J[count + i] = gy;
+      J[filled + i] = gy;
     }
     const double contrast = normalise(T);
     if (contrast == 0) {
@@ -241,23 +425,21 @@ static void match(const Grey& reference, const Grey& target, const Patch& patch,
     }
     const double level = mean / contrast;
     for (int i = 0; i < count; ++i) {
-      const double gx = J[i] /= contrast, gy = J[count + i] /= contrast;
-      J[2 * count + i] = gx * o.u[i];
-      J[3 * count + i] = gx * o.v[i];
-      J[4 * count + i] = gy * o.u[i];
-      J[5 * count + i] = gy * o.v[i];
-      J[6 * count + i] = 1;
-      J[7 * count + i] = T[i];
-      J[8 * count + i] = o.u[i] * (T[i] + level) / h;
-      J[9 * count + i] = o.v[i] * (T[i] + level) / h;
+      const double gx = J[i] /= contrast, gy = J[filled + i] /= contrast;
+      J[2 * filled + i] = gx * o.u[i];
+      J[3 * filled + i] = gx * o.v[i];
+      J[4 * filled + i] = gy * o.u[i];
+      J[5 * filled + i] = gy * o.v[i];
+      J[6 * filled + i] = 1;
+      J[7 * filled + i] = T[i];
+      J[8 * filled + i] = o.u[i] * (T[i] + level) / h;
+      J[9 * filled + i] = o.v[i] * (T[i] + level) / h;
     }
+    for (int a = 0; a < kUnknowns; ++a)
+      for (int i = 0; i < filled; i += kDoubles) store(WJ + a * filled + i, load(w + i) * load(J + a * filled + i));
     double N[kUnknowns][kUnknowns];
     for (int a = 0; a < kUnknowns; ++a)
-      for (int b = 0; b <= a; ++b) {
-        double sum = 0;
-        for (int i = 0; i < count; ++i) sum += w[i] * J[a * count + i] * J[b * count + i];
-        N[a][b] = sum;
-      }
+      for (int b = 0; b <= a; ++b) N[a][b] = dot(WJ + a * filled, J + b * filled, filled);
     double L[kUnknowns][kUnknowns];
     outcome[n] = unsteady;
     for (int iteration = 0; iteration < patch.iterations; ++iteration) {
@@ -271,15 +453,16 @@ static void match(const Grey& reference, const Grey& target, const Patch& patch,
         outcome[n] = flat;
         break;
       }
-      double d[kUnknowns], square = 0;
-      for (int i = 0; i < count; ++i) G[i] -= T[i];
-      for (int i = 0; i < count; ++i) square += w[i] * G[i] * G[i];
-      const double product = 1 - square / (2 * o.total);  // correlation of two normalised windows
-      for (int a = 0; a < kUnknowns; ++a) {
-        double sum = 0;
-        for (int i = 0; i < count; ++i) sum += w[i] * J[a * count + i] * G[i];
-        d[a] = sum;
+      double d[kUnknowns];
+      D sum = {};
+      for (int i = 0; i < filled; i += kDoubles) {
+        const D e = load(G + i) - load(T + i);
+        store(G + i, e);
+        sum += load(w + i) * e * e;
       }
+      const double square = summed(sum);
+      const double product = 1 - square / (2 * o.total);  // correlation of two normalised windows
+      for (int a = 0; a < kUnknowns; ++a) d[a] = dot(WJ + a * filled, G, filled);
       // the given affine map is an observation: deviation D = given^-1 B - 1, weight relative to a grey value
       const double weight = std::max(square / o.total, 1e-4) / (patch.loose * patch.loose);
       const double D[4] = {(given[3] * B[0] - given[1] * B[2]) / size - 1, (given[3] * B[1] - given[1] * B[3]) / size,
@@ -335,7 +518,7 @@ static void match(const Grey& reference, const Grey& target, const Patch& patch,
 }
 
 extern const ImagingKernels imaging;
-const ImagingKernels imaging = {&best, &match};
+const ImagingKernels imaging = {&best, &best_bytes, &match};
 
 }  // namespace RB_ARCH
 }  // namespace raybundle

@@ -27,6 +27,9 @@ struct ImagingKernels {
   // For rows of a (n, k): position and value of the largest inner product with rows of b (m, k), the second
   // largest; for rows of b: position of the largest.  k a multiple of 4.
   void (*best)(const float* a, int n, const float* b, int m, int k, int32_t* first, float* value, float* second, int32_t* reverse);
+  // The same of the directions of vectors of bytes: products divided by both lengths.
+  void (*best_bytes)(const uint8_t* a, int n, const uint8_t* b, int m, int k, int32_t* first, float* value, float* second,
+                     int32_t* reverse);
   // Affine least-squares matching of points of a reference image in a target image.
   void (*match)(const Grey& reference, const Grey& target, const Patch& patch, int begin, int end, const double* xy_reference,
                 double* xy, double* affine, double* covariance, double* correlation, int32_t* outcome);

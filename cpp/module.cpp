@@ -100,17 +100,20 @@ Doubles make(std::vector<size_t> shape) { return array<double>(std::move(shape))
 using Floats = nb::ndarray<const float, nb::ndim<2>, nb::numpy, nb::c_contig, nb::device::cpu>;
 using Image = nb::ndarray<const uint16_t, nb::ndim<2>, nb::numpy, nb::c_contig, nb::device::cpu>;
 
-nb::tuple best(Floats a, Floats b) {
+constexpr size_t kLongestBytes = 16384;  // whole numbers of 32 bit hold their products
+using ByteRows = nb::ndarray<const uint8_t, nb::ndim<2>, nb::numpy, nb::c_contig, nb::device::cpu>;
+
+template <class Rows, class Kernel> nb::tuple best(const Rows& a, const Rows& b, Kernel kernel) {
   if (a.shape(1) != b.shape(1)) throw std::invalid_argument("descriptors have different lengths");
   const int n = int(a.shape(0)), m = int(b.shape(0)), k = int(a.shape(1));
   auto first = array<int32_t>({a.shape(0)}), reverse = array<int32_t>({b.shape(0)});
   auto value = array<float>({a.shape(0)}), second = array<float>({a.shape(0)});
-  const float *da = a.data(), *db = b.data();
+  const auto *da = a.data(), *db = b.data();
   int32_t *f = first.data(), *r = reverse.data();
   float *v = value.data(), *s = second.data();
   {
     nb::gil_scoped_release release;
-    imaging_kernels().best(da, n, db, m, k, f, v, s, r);
+    kernel(da, n, db, m, k, f, v, s, r);
   }
   return nb::make_tuple(first, value, second, reverse);
 }
@@ -243,7 +246,11 @@ struct Solver {
 
 NB_MODULE(_native, m) {
   m.doc() = "Compiled kernels: observations, reduced normal matrix, sparse factor, selected inverse.";
-  m.def("best_matches", &best);
+  m.def("best_matches", [](Floats a, Floats b) { return best(a, b, imaging_kernels().best); });
+  m.def("best_matches_of_bytes", [](ByteRows a, ByteRows b) {
+    if (a.shape(1) % 4 || a.shape(1) > kLongestBytes) throw std::invalid_argument("descriptors of bytes have a length that is no multiple of 4, or too large");
+    return best(a, b, imaging_kernels().best_bytes);
+  });
   m.def("match_windows", &match_windows);
   m.def("fit_dots", &fit_dots);
   m.def("fit_masked_dots", &fit_masked_dots);

@@ -38,3 +38,16 @@ def test_matches_are_mutual_and_unique():
 def test_nothing_matches_nothing():
     rng = np.random.default_rng(1)
     assert len(mutual_matches(unit(rng, 1), unit(rng, 5))[0]) == 0
+
+
+@pytest.mark.parametrize(("n", "m", "k"), [(1, 1, 4), (7, 65, 128), (200, 131, 64), (65, 3, 128)])
+def test_search_of_bytes_equals_that_of_their_directions(n, m, k):
+    rng = np.random.default_rng(n)
+    a, b = (rng.integers(0, 256, (rows, k)).astype(np.uint8) for rows in (n, m))
+    a[0] = b[-1] = 255
+    found, twin = best_matches(a, b), best_matches_twin(a, b)
+    assert (np.asarray(found[0]) == twin[0]).all()
+    np.testing.assert_allclose(found[1], twin[1], rtol=1e-5)
+    if m > 1:
+        np.testing.assert_allclose(found[2], twin[2], rtol=1e-5)
+    assert (np.asarray(found[3]) == twin[3]).all()

@@ -34,7 +34,7 @@ def installed(name):
 
 def described(method, image, count=1000):
     f = method.detect(image, count)
-    return f, Described(xy_px=f.xy_px, vectors=method.vectors(f.descriptors), size_px=image.shape[::-1])
+    return f, Described(xy_px=f.xy_px, descriptors=f.descriptors, size_px=image.shape[::-1])
 
 
 class Corners(FeatureMethod):
@@ -181,7 +181,7 @@ def test_rootsift_matches_as_before():
     image = texture(300, 400)
     _, a = described(method, image, 400)
     _, b = described(method, np.roll(image, 7, axis=1), 400)
-    assert (method.match(a, b) == mutual_matches(a.vectors, b.vectors)[0]).all()
+    assert (method.match(a, b) == mutual_matches(method.vectors(a.descriptors), method.vectors(b.descriptors))[0]).all()
     assert not method.upright
 
 

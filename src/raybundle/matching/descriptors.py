@@ -13,19 +13,23 @@ CHUNK = 2048
 def best_matches(a: Array, b: Array) -> tuple[Index, Array, Array, Index]:
     """Nearest neighbours by inner product.
 
-    a, b     (n, k), (m, k) unit vectors, float32
+    a, b     (n, k), (m, k) unit vectors, float32; or bytes of which the directions count, k a multiple of 4
     returns  for rows of a: position of the largest product in b, that product, the second largest product;
              for rows of b: position of the largest product in a
     """
     module = native.module()
-    if module is not None:
-        found = module.best_matches(np.ascontiguousarray(a, np.float32), np.ascontiguousarray(b, np.float32))
-        return tuple(found)  # pyright: ignore[reportReturnType]
-    return best_matches_twin(a, b)
+    if module is None:
+        return best_matches_twin(a, b)
+    if a.dtype == b.dtype == np.uint8:
+        # whole numbers are exact, and a quarter of the size
+        return tuple(module.best_matches_of_bytes(np.ascontiguousarray(a), np.ascontiguousarray(b)))  # pyright: ignore[reportReturnType]
+    found = module.best_matches(np.ascontiguousarray(a, np.float32), np.ascontiguousarray(b, np.float32))
+    return tuple(found)  # pyright: ignore[reportReturnType]
 
 
 def best_matches_twin(a: Array, b: Array) -> tuple[Index, Array, Array, Index]:
     """The same with NumPy."""
+    a, b = (directions(v) if v.dtype == np.uint8 else v for v in (a, b))
     n, m = len(a), len(b)
     first = np.full(n, -1, np.int32)
     value, second = np.full(n, -np.inf, np.float32), np.full(n, -np.inf, np.float32)
@@ -47,8 +51,14 @@ def best_matches_twin(a: Array, b: Array) -> tuple[Index, Array, Array, Index]:
     return first, value, second, reverse
 
 
+def directions(a: Array) -> Array:
+    """Unit vectors (n, k) float32 of rows of bytes; 0 for a row of zeros."""
+    v = a.astype(np.float32)
+    return v / np.maximum(np.linalg.norm(v, axis=1, keepdims=True), 1)
+
+
 def mutual_matches(a: Array, b: Array, ratio: float = 0.85, farthest: float = 0.8) -> tuple[Index, Array]:
-    """Matches (k, 2) of unit vectors and their distances (k,).
+    """Matches (k, 2) of vectors, as `best_matches` takes them, and the distances (k,) of their directions.
 
     ratio     the distance to the nearest must be smaller than this share of that to the second (Lowe 2004)
     farthest  largest distance of unit vectors

@@ -53,8 +53,8 @@ class Described:
 
     xy_px: Array
     """(n, 2) pixel frame of the upright picture"""
-    vectors: Array
-    """(n, k) unit vectors, float32"""
+    descriptors: Array
+    """(n, k) uint8, as stored"""
     size_px: tuple[int, int]
     """width and height of the upright picture"""
 
@@ -82,7 +82,7 @@ class FeatureMethod(ABC):
 
     def match(self, first: Described, second: Described) -> Index:
         """Candidate matches (k, 2) of two images; unless a method knows better, mutual nearest neighbours."""
-        return mutual_matches(first.vectors, second.vectors)[0]
+        return mutual_matches(self.vectors(first.descriptors), self.vectors(second.descriptors))[0]
 
 
 _methods: dict[str, FeatureMethod] = {}

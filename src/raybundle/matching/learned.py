@@ -93,7 +93,7 @@ def glued(net: Any, first: Described, second: Described) -> Index:
     def side(one: Described) -> dict[str, Any]:
         return {
             "keypoints": torch.from_numpy(one.xy_px.astype(np.float32))[None],
-            "descriptors": torch.from_numpy(one.vectors)[None],
+            "descriptors": torch.from_numpy(from_bytes(one.descriptors))[None],
             "image_size": torch.tensor([one.size_px]),
         }
 

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import cv2
 import numpy as np
 
-from raybundle.matching.features import FeatureMethod, Features, register, spread
-from raybundle.numerics.arrays import Array
+from raybundle.matching.descriptors import directions, mutual_matches
+from raybundle.matching.features import Described, FeatureMethod, Features, register, spread
+from raybundle.numerics.arrays import Array, Index
 
 CONTRAST = 0.015
 EDGE = 10.0
@@ -31,45 +34,44 @@ class RootSift(FeatureMethod):
         few points the octave of double size is searched too.
         """
         h, w = grey.shape
-        found = _detect(grey, 2, count)
-        if len(found) < FEW * count:
-            found = _detect(grey, 1, count)
-        chosen = spread(found.xy_px, found.response, count, w, h)
-        return found.features(chosen)
+        tiles = _detect(grey, 2, count)
+        if sum(len(t.keypoints) for t in tiles) < FEW * count:
+            tiles = _detect(grey, 1, count)
+        table = np.vstack([np.zeros((0, 5)), *(t.table for t in tiles)])
+        chosen = spread(table[:, :2], table[:, 4], count, w, h)
+        return Features(
+            xy_px=table[chosen, :2],
+            scale_px=table[chosen, 2],
+            angle=table[chosen, 3],
+            descriptors=_described(tiles, chosen),
+        )
 
     def vectors(self, descriptors: Array) -> Array:
         """Unit vectors (n, 128) of the stored bytes."""
-        v = descriptors.astype(np.float32)
-        return v / np.maximum(np.linalg.norm(v, axis=1, keepdims=True), 1)
+        return directions(descriptors)
+
+    def match(self, first: Described, second: Described) -> Index:
+        """Mutual nearest neighbours of the stored bytes."""
+        return mutual_matches(first.descriptors, second.descriptors)[0]
 
 
-class _Raw:
-    """Everything that was found, in arrays."""
+@dataclass(frozen=True, slots=True)
+class _Tile:
+    """What was found in a part of an image."""
 
-    def __init__(self, parts: list[tuple[Array, Array]]) -> None:
-        table = np.vstack([p[0] for p in parts]) if parts else np.zeros((0, 5))
-        self.xy_px, self.scale_px, self.angle, self.response = table[:, :2], table[:, 2], table[:, 3], table[:, 4]
-        self.descriptors = np.vstack([p[1] for p in parts]) if parts else np.zeros((0, 128), np.uint8)
-
-    def __len__(self) -> int:
-        return len(self.xy_px)
-
-    def features(self, index: Array) -> Features:
-        return Features(
-            xy_px=self.xy_px[index],
-            scale_px=self.scale_px[index],
-            angle=self.angle[index],
-            descriptors=self.descriptors[index],
-        )
+    grey: Array
+    """as it was searched"""
+    keypoints: list[Any]
+    table: Array
+    """(n, 5) place in the image of full size, scale, angle, response"""
 
 
-def _detect(grey: Array, reduction: int, count: int) -> _Raw:
-    """Features of the image reduced by a whole number, in the pixel frame of the full size."""
+def _detect(grey: Array, reduction: int, count: int) -> list[_Tile]:
+    """Points of the image reduced by a whole number, in the pixel frame of the full size; not yet described."""
     h, w = grey.shape
     step = TILE_PX * reduction
     margin = OVERLAP_PX * reduction
-    parts: list[tuple[Array, Array]] = []
-    detector: Any = cv2.SIFT.create(0, 3, CONTRAST, EDGE, 1.6, enable_precise_upscale=True)  # pyright: ignore[reportAttributeAccessIssue]
+    tiles: list[_Tile] = []
     for y in range(0, h, step):
         for x in range(0, w, step):
             y0, x0 = max(0, y - margin), max(0, x - margin)
@@ -79,26 +81,35 @@ def _detect(grey: Array, reduction: int, count: int) -> _Raw:
                 size = (max(tile.shape[1] // reduction, 1), max(tile.shape[0] // reduction, 1))
                 tile = tile[: size[1] * reduction, : size[0] * reduction]
                 tile = cv2.resize(tile, size, interpolation=cv2.INTER_AREA)
-            part = _tile(detector, tile, 4 * count)
-            if part is None:
+            found = sorted(_sift().detect(tile, None), key=lambda k: -k.response)[: 4 * count]
+            if not found:
                 continue
-            table, descriptors = part
+            table = np.array([(*k.pt, k.size / 2, np.radians(k.angle), k.response) for k in found])
             table[:, :2] = (table[:, :2] + 0.5) * reduction + [x0, y0]
             table[:, 2] *= reduction
             inner = (table[:, 0] >= x) & (table[:, 0] < x + step) & (table[:, 1] >= y) & (table[:, 1] < y + step)
-            parts.append((table[inner], descriptors[inner]))
-    return _Raw(parts)
+            tiles.append(_Tile(tile, [found[k] for k in np.flatnonzero(inner)], table[inner]))
+    return tiles
 
 
-def _tile(detector: Any, tile: Array, most: int) -> tuple[Array, Array] | None:
-    keypoints = detector.detect(tile, None)
-    keypoints = sorted(keypoints, key=lambda k: -k.response)[:most]
-    if not keypoints:
-        return None
-    keypoints, descriptors = detector.compute(tile, keypoints)
-    table = np.array([(*k.pt, k.size / 2, np.radians(k.angle), k.response) for k in keypoints])
-    root = np.sqrt(descriptors / np.maximum(descriptors.sum(axis=1, keepdims=True), 1e-9))
-    return table, np.minimum(np.round(root * 512), 255).astype(np.uint8)
+def _described(tiles: Sequence[_Tile], chosen: Index) -> Array:
+    """Descriptors (n, 128) uint8 of the chosen ones of the points of all tiles: one in two is dropped undescribed."""
+    result = np.zeros((len(chosen), 128), np.uint8)
+    begin = 0
+    for tile in tiles:
+        mine = np.flatnonzero((chosen >= begin) & (chosen < begin + len(tile.keypoints)))
+        own = chosen[mine] - begin
+        begin += len(tile.keypoints)
+        if not len(mine):
+            continue
+        _, values = _sift().compute(tile.grey, [tile.keypoints[k] for k in own])
+        root = np.sqrt(values / np.maximum(values.sum(axis=1, keepdims=True), 1e-9))
+        result[mine] = np.minimum(np.round(root * 512), 255).astype(np.uint8)
+    return result
+
+
+def _sift() -> Any:
+    return cv2.SIFT.create(0, 3, CONTRAST, EDGE, 1.6, enable_precise_upscale=True)  # pyright: ignore[reportAttributeAccessIssue]
 
 
 register(RootSift())

@@ -44,6 +44,8 @@ NEAR_PX = 2.0
 SURROUNDINGS = 0.03
 """Share of the format's diagonal within which neighbours tell whether a point is seen."""
 MARGIN_PX = 20.0
+NEAR_ENOUGH_PX = 0.02
+"""Last Newton step of a predicted place; matching begins there and looks 2.5 px around."""
 FEWEST_HELD = 6
 """Points that hold an image which the start has oriented: as many redundant coordinates as unknowns."""
 
@@ -387,23 +389,29 @@ def _project(block: Block, image: int, point: Index, guess: Array) -> tuple[Arra
             return xy, inside
     n = len(point)
     xy = np.tile(guess, (n, 1))
-    step = np.full((n, 2), np.inf)
-    for _ in range(12):
-        o = Observations(
-            image=np.full(n, image, np.int32), point=point.astype(np.int32), xy_px=xy, cov_px2=np.ones((n, 3))
-        )
-        with np.errstate(all="ignore"):
-            step = residuals_px(replace(block, observations=o), np.arange(n))
-        step[~np.isfinite(step)] = 0.0
-        longest = np.linalg.norm(step, axis=1, keepdims=True)
-        step *= np.minimum(1, camera.width_px / 4 / np.maximum(longest, 1e-9))
-        xy = xy + step
-    size = np.array([camera.width_px, camera.height_px])
-    inside = ((xy > MARGIN_PX) & (xy < size - MARGIN_PX)).all(axis=1) & (np.abs(step).max(axis=1, initial=0) < 0.1)
     P = sensor_from_object(
         block.images.rotation[[image] * n], block.images.centre[[image] * n], block.points.xyz[point]
     )
-    return xy, inside & (P[2] < 0)
+    inside, left = np.zeros(n, bool), np.flatnonzero(P[2] < 0)
+    size = np.array([camera.width_px, camera.height_px])
+    for _ in range(12):
+        o = Observations(
+            image=np.full(len(left), image, np.int32), point=point[left].astype(np.int32), xy_px=xy[left],
+            cov_px2=np.ones((len(left), 3)),
+        )  # fmt: skip
+        with np.errstate(all="ignore"):
+            step = residuals_px(replace(block, observations=o), np.arange(len(left)))
+        step[~np.isfinite(step)] = 0.0
+        longest = np.linalg.norm(step, axis=1, keepdims=True)
+        step *= np.minimum(1, camera.width_px / 4 / np.maximum(longest, 1e-9))
+        xy[left] += step
+        there = np.abs(step).max(axis=1, initial=0) < NEAR_ENOUGH_PX
+        arrived = left[there]
+        inside[arrived] = ((xy[arrived] > MARGIN_PX) & (xy[arrived] < size - MARGIN_PX)).all(axis=1)
+        left = left[~there]
+        if not len(left):
+            break
+    return xy, inside
 
 
 def _roughly_seen(block: Block, image: int, xyz: Array) -> Mask:

@@ -164,7 +164,7 @@ def match_pairs(
     def loaded(i: int) -> tuple[Array, Described]:
         f, photo = store.of(i), photos[i]
         xy = upright_from_stored(f.xy_px, photo)
-        return f.xy_px, Described(xy_px=xy, vectors=method.vectors(f.descriptors), size_px=photo.upright_size)
+        return f.xy_px, Described(xy_px=xy, descriptors=f.descriptors, size_px=photo.upright_size)
 
     def work(task: tuple[str, int, int]) -> tuple[str, VerifiedPair]:
         key, i, j = task
