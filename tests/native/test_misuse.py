@@ -222,6 +222,8 @@ SIZES = {
     "boxes turned round": lambda: masked(np.zeros((1, 10)), [[5, 5, 0, 0]], [0, 25]),
     "pixels of dots": lambda: masked(np.zeros((1, 10)), [[0, 0, 5, 5]], [0, 24]),
     "descriptors": lambda: native.module().best_matches(np.zeros((2, 8), np.float32), np.zeros((2, 9), np.float32)),
+    "bytes": lambda: native.module().best_matches_of_bytes(np.zeros((2, 8), np.uint8), np.zeros((2, 12), np.uint8)),
+    "odd bytes": lambda: native.module().best_matches_of_bytes(*np.zeros((2, 3, 7), np.uint8)),
 }
 
 
