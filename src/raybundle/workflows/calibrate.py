@@ -40,6 +40,7 @@ from raybundle.workflows.calibration_defects import CANNOT, bundled, check_splin
 from raybundle.workflows.camera_split import cameras_apart
 from raybundle.workflows.model_choice import choose_models, with_model
 from raybundle.workflows.recognise import Recognised, recognised
+from raybundle.workflows.same_camera import shared_sensors
 from raybundle.workflows.target_block import (
     FEWEST_TARGETS,
     TargetBlock,
@@ -208,6 +209,12 @@ def _calibrated(m: _Measured, options: CalibrateOptions, clock: _Clock, progress
     if options.split:
         start, first, split = cameras_apart(start, first, settings, progress)
         notices = (*notices, *split)
+    shared = shared_sensors(first, groups, photos, reduced=False)  # of reduced ones the sizes of targets differ
+    notices = (*notices, *shared.notices)
+    if shared:
+        start, groups = shared.applied(start), shared.grouped(groups)
+        first = decide(start, settings, progress)
+        start = reweighted(with_values(start, first.adjusted), first.sigma0)
     strange = _strange(first)
     if strange:
         lost = {**lost, **{first.given.images.ids[i]: why for i, why in strange.items()}}
