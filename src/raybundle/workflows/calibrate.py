@@ -73,6 +73,8 @@ class CalibrateOptions:
     """the sheet that was photographed, by the file beside it: its family, and where its targets are, as a start"""
     separate: tuple[str, ...] = ()
     """patterns of photographs' names, each a camera apart"""
+    masks: Path | None = None
+    """folder of masks for natural points, which are taken where there are no targets"""
     model: str = "auto"
     """distortion model; auto: brown, or what fits a wide lens better"""
     estimate: tuple[str, ...] = ()
@@ -290,7 +292,7 @@ def _by_tie_points(
     with TemporaryDirectory() as folder:
         done = orient(
             inputs, Path(folder) / "calibration",
-            OrientOptions(jobs=options.jobs, separate=options.separate, noise=options.noise),
+            OrientOptions(jobs=options.jobs, separate=options.separate, noise=options.noise, masks=options.masks),
             given=Given(gps=False), progress=progress,
         )  # fmt: skip
     told = Notice(code="no_targets", message=_no_targets(shown))

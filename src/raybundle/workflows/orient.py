@@ -63,6 +63,8 @@ class OrientOptions:
     """patterns of photographs' names, each a camera apart"""
     library: Path | None = None
     """camera library whose calibrations are held where none is given; None: none is used"""
+    masks: Path | None = None
+    """folder of masks, as COLMAP or Metashape name them: 0 where a photograph is not to be measured in"""
     scene_bias: BiasKind = "shift"
     """what is estimated of a satellite scene's RPC: none, shift, drift, affine"""
     crs: str | None = None
@@ -182,6 +184,7 @@ def orient(
         given, told = _with_attitudes(found.photos, positions, given, options)
         _forget(project, options)
         photographs = PhotoRun(found.photos, jobs, progress, refused)
+        photographs.masked(options.masks)
         scenes = SceneRun.of(scenes_found, options.scene_bias, options.crs) if scenes_found.scenes else None
         _features(project, photographs, scenes, options, method)
         refused += scenes_found.refused if scenes is None else scenes.refused
@@ -202,6 +205,7 @@ def orient(
                 weights="residuals" if options.precise else "given",
             )  # fmt: skip
             photographs.groups = groups
+            adjustment = replace(adjustment, notices=(*photographs.notices, *adjustment.notices))
         return _orientation(project, photographs, scenes, adjustment, parts, placed, remarks)
     finally:
         project.close()
