@@ -157,7 +157,9 @@ def test_a_part_that_nothing_determines_costs_its_photographs_alone():
     whole, _ = features()
     o = whole.observations
     few = with_rows(whole, np.isin(o.image, [0, 1]) & (np.arange(len(o)) % 60 == 0))
-    adjustment, parts = _adjusted(SimpleNamespace(), placed(whole), [placed(few), placed(whole)], (), 1, silent, ())
+    adjustment, parts, _ = _adjusted(
+        SimpleNamespace(), placed(whole), [placed(few), placed(whole)], (), (), 1, silent, ()
+    )
     assert len(parts) == 1
     assert adjustment.sigma0 < 2
     lost = dict(left_out(adjustment, parts))

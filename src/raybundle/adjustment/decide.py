@@ -15,7 +15,7 @@ import numpy as np
 from raybundle.adjustment.engine import Extent, Start, adjust_block, as_start, free_parameters
 from raybundle.adjustment.known_before import against_known
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.pixel_shape import ShapeNotice, beyond_sensor, under_its_noise
+from raybundle.adjustment.pixel_shape import beyond_sensor, shape_limit, under_its_noise, untold_shape
 from raybundle.adjustment.reliability import UNCONTROLLED
 from raybundle.adjustment.result import Adjustment, InteriorResult, Notice
 from raybundle.adjustment.separability import unlocatable
@@ -280,7 +280,12 @@ def _choose(
             continue
         beyond = beyond_sensor(result, automatic) if options.pixel_shape == "sensor" else None
         if beyond is not None:
-            block = _hold_shape(block, choices, beyond, choices.known[beyond.ids[0]][beyond.ids[1]])
+            block = _hold_shape(block, choices, beyond, beyond.limit)
+            continue
+        untold = untold_shape(result, automatic) if options.pixel_shape == "sensor" else None
+        if untold is not None:
+            choices.not_significant.append((untold.ids[0], untold.ids[1]))
+            block = _hold_shape(block, choices, untold, shape_limit(_camera(block, untold.ids[0]), untold.ids[1]))
             continue
         without = _drop_insignificant(block, options, choices, automatic, result, progress)
         if without is None:
@@ -290,12 +295,13 @@ def _choose(
     return as_start(block, result.adjusted)
 
 
-def _hold_shape(block: Block, choices: Decisions, beyond: ShapeNotice, given: float) -> Block:
+def _hold_shape(block: Block, choices: Decisions, told: Notice, limit: float) -> Block:
     """The block with an affinity or shear of no sensor held as given, or at 0 where that is no sensor's either."""
-    name, symbol = beyond.ids
+    name, symbol = told.ids
+    given = choices.known[name][symbol]
     choices.free[name] = tuple(s for s in choices.free[name] if s != symbol)
-    choices.notices.append(beyond)
-    return _with_values(block, name, {symbol: given if abs(given) <= beyond.limit else 0.0})
+    choices.notices.append(told)
+    return _with_values(block, name, {symbol: given if abs(given) <= limit else 0.0})
 
 
 def _camera(block: Block, name: str) -> Camera:

@@ -63,6 +63,36 @@ def beyond_sensor(result: Adjustment, cameras: Sequence[str]) -> ShapeNotice | N
     return max(found, key=lambda n: abs(n.value) / n.limit, default=None)
 
 
+def untold_shape(result: Adjustment, cameras: Sequence[str]) -> Notice | None:
+    """The affinity or shear of these cameras that is told worst, worse than what a sensor may have; else None.
+
+    Estimated, it would say nothing of the sensor, and take with it what it correlates with: of photographs about one
+    axis, an affinity stretches the camera and the object along that axis.  Not every such value is significant, and
+    none of them is the sensor's.
+    """
+    found: list[tuple[float, Notice]] = []
+    for interior in result.interior:
+        if interior.camera not in cameras:
+            continue
+        camera = next(c for c in result.given.cameras if c.id == interior.camera)
+        for p in camera.sensor.parameters:
+            value = interior.parameters.get(p.symbol)
+            if p.kind != "affinity" or p.symbol not in interior.free or value is None or not value.std:
+                continue
+            limit = shape_limit(camera, p.symbol)
+            if value.std > limit:
+                found.append((value.std / limit, _untold(camera.id, p.symbol, value.value, value.std, limit)))
+    return max(found, key=lambda f: f[0])[1] if found else None
+
+
+def _untold(camera: str, symbol: str, value: float, std: float, limit: float) -> Notice:
+    return Notice(
+        code="not_significant", ids=(camera, symbol),
+        message=f"camera {camera}: {symbol} left out: these photographs know it to {std:.0e} only ({value:.1e} would "
+        f"fit best), and sensors have less than {limit:.0e}",
+    )  # fmt: skip
+
+
 def under_its_noise(result: Adjustment) -> Adjustment:
     """The result with what was said of affinity and shear under white noise restated under the noise that it has.
 
@@ -82,11 +112,7 @@ def _restated(n: ShapeNotice, wider: float) -> Notice:
     std = wider * n.std
     if abs(n.value) - n.limit > SIGNIFICANT * std:
         return _notice(camera, symbol, n.value, std, n.limit, shear=n.shear)
-    return Notice(
-        code="not_significant", ids=n.ids,
-        message=f"camera {camera}: {symbol} left out: these photographs know it to {std:.0e} only ({n.value:.1e} would "
-        f"fit best), and sensors have less than {n.limit:.0e}",
-    )  # fmt: skip
+    return _untold(camera, symbol, n.value, std, n.limit)
 
 
 def _is_shear(camera: Camera, symbol: str) -> bool:

@@ -21,6 +21,8 @@ from raybundle.sensors import SensorModel, sensor_models
 
 Residuals = Literal["measured", "corrected"]
 LengthUnit = Literal["m", "mm"]
+Turn = Literal[0, 90, 180, 270]
+"""Quarter turns, clockwise as seen [deg]."""
 
 
 class Role(IntEnum):
@@ -112,6 +114,17 @@ class Camera:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class PixelFrame:
+    """How a file's pixels lie, where they are not those of its camera: stored turned, or a reduced copy."""
+
+    turned: Turn
+    """By which the camera's picture was turned"""
+    width_px: int
+    """Of the file"""
+    height_px: int
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Images:
     """Exterior orientations; NaN where not known."""
 
@@ -132,6 +145,8 @@ class Images:
 
     Images of one station have the same centre and rotation: those of the rig, in whose frame a mounted camera stands.
     """
+    frames: Mapping[int, PixelFrame] = field(default_factory=dict[int, PixelFrame])
+    """Images whose files are stored turned or reduced; image points are in the camera's pixels all the same."""
 
     def __len__(self) -> int:
         return len(self.ids)

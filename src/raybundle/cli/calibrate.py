@@ -41,6 +41,10 @@ MOST_PARAMETERS = 16
     "--sheet", type=FOLDER, metavar="SHEET.toml", help="The file beside the printed sheet, in place of --target."
 )
 @click.option(
+    "--masks", type=FOLDER, metavar="DIR",
+    help="Masks of the photographs for natural points, where there are no targets; named as for `raybundle orient`.",
+)  # fmt: skip
+@click.option(
     "--camera",
     "separate",
     multiple=True,
@@ -72,6 +76,7 @@ def command(
     table: Path | None,
     bits: int | None,
     sheet: Path | None,
+    masks: Path | None,
     separate: tuple[str, ...],
     model: str,
     estimate: str,
@@ -106,7 +111,7 @@ def command(
 
     options = CalibrateOptions(
         targets=wanted_targets(targets, table, bits, sheet), sheet=None if sheet is None else read_sidecar(sheet),
-        separate=separate, model=model, spacing=spacing,
+        separate=separate, masks=masks, model=model, spacing=spacing,
         estimate=tuple(t.strip() for t in estimate.split(",") if t.strip()), dots=dots, shear=shear, jobs=jobs,
         noise=cast("Any", noise),
     )  # fmt: skip

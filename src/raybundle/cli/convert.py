@@ -10,6 +10,7 @@ import click
 import numpy as np
 
 from raybundle.block import Block, Camera, Images
+from raybundle.block.frames import in_file_frames
 from raybundle.cli.common import APPROXIMATE, COMMAND_SETTINGS, FOLDER, FREE_SCALE, common_options, counted
 from raybundle.cli.numbers import NUMBER
 from raybundle.errors import InputError
@@ -110,6 +111,8 @@ def command(
             remarks += more
         if target != BLOCK:
             export = replace(export, block=with_adjusted_cameras(export.block, source))
+        if target != BLOCK or undistort:
+            export = replace(export, block=in_file_frames(export.block))
         coloured = target not in {BLOCK, RPC} and formats[target].colours
         if folders := (photos,) if photos is not None else photographs_of(source) if coloured else ():
             from raybundle.io.undistort import point_colours  # noqa: PLC0415

@@ -53,6 +53,11 @@ class StageName(_Choice):
     metavar="PATTERN",
     help="Photographs whose names match, as 'left_*' or 'a.jpg|b.jpg', are a camera apart; for those without metadata.",
 )
+@click.option(
+    "--masks", type=FOLDER, metavar="DIR",
+    help="Masks of the photographs, named photo.jpg.png as by COLMAP, or photo_mask.png or photo.png as by Metashape: "
+    "nothing is measured where they are 0.",
+)  # fmt: skip
 @click.option("--no-library", is_flag=True, help="Leave calibrations of the camera library out.")
 @click.option(
     "--control",
@@ -157,6 +162,7 @@ def command(
     out: Path,
     calibration: Path | None,
     separate: tuple[str, ...],
+    masks: Path | None,
     no_library: bool,  # noqa: FBT001  (a flag of the command line)
     control: tuple[Path, ...],
     check: tuple[Path, ...],
@@ -221,7 +227,7 @@ def command(
 
     options = OrientOptions(
         features=features, feature_count=feature_count, start=cast("Any", start), precise=not quick, jobs=jobs,
-        memory_gb=memory, separate=separate, library=None if no_library else library_folder(),
+        memory_gb=memory, separate=separate, masks=masks, library=None if no_library else library_folder(),
         redo_from=cast("Any", redo_from or ""), scene_bias=cast("Any", scene_bias), crs=crs,
         attitudes=cast("Any", attitudes), attitude_sigma_deg=attitude_sigma,
         relative=cast("Any", relative or ""), noise=cast("Any", noise),

@@ -100,8 +100,11 @@ def _of_result(
     source: Path, out: Path, pixel: float | None, area: Area | None, names: tuple[str, ...], photos: tuple[Path, ...],
     only: tuple[str, ...], tell: Progress, *, horizontal: bool, free_scale: bool,
 ) -> list[str]:  # fmt: skip
+    from dataclasses import replace  # noqa: PLC0415
+
     import numpy as np  # noqa: PLC0415
 
+    from raybundle.block.frames import in_file_frames  # noqa: PLC0415
     from raybundle.cli.convert import read_source  # noqa: PLC0415
     from raybundle.io.formats import base as exchange  # noqa: PLC0415
     from raybundle.io.project import photographs_of  # noqa: PLC0415
@@ -109,6 +112,7 @@ def _of_result(
 
     result = source / "result" if (source / "result" / "result.json").is_file() else source
     export, _ = read_source(result, None)
+    export = replace(export, block=in_file_frames(export.block))
     if export.block.free_scale and not free_scale:
         raise InputError(
             f"{exchange.FREE_SCALE}, so that no picture to scale can be made; {exchange.GIVE_SCALE}, or --free-scale "

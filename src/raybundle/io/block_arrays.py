@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from raybundle.block import Block, Camera, Distances, Images, Observations, Points, Stations
-from raybundle.block.block import Relation
+from raybundle.block.block import PixelFrame, Relation
 from raybundle.io.reading.trees import own_json_of
 from raybundle.numerics.arrays import Array
 
@@ -31,6 +31,7 @@ def arrays_of_block(block: Block) -> dict[str, Array]:
         ],
         "interior": {str(k): dict(v) for k, v in block.images.interior.items()},
         "held": block.images.held is not None,
+        "frames": {str(k): asdict(f) for k, f in block.images.frames.items()},
     }
     i, o, p, d, s = block.images, block.observations, block.points, block.distances, block.stations
     return {
@@ -80,6 +81,7 @@ def block_of_arrays(a: dict[str, Array]) -> Block:
             rotation=a["rotation"],
             held=a["image_held"] if head["held"] else None,
             interior={int(k): v for k, v in head["interior"].items()},
+            frames={int(k): PixelFrame(**f) for k, f in head.get("frames", {}).items()},
         ),
         observations=Observations(
             image=a["observation_image"], point=a["observation_point"], xy_px=a["xy_px"], cov_px2=a["cov_px2"]

@@ -11,6 +11,8 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.block import Block, Camera, Distances, Images, Observations, Points, Role, no_distances
+from raybundle.block.block import PixelFrame, Turn
+from raybundle.block.frames import TURNS, size_ratio
 from raybundle.errors import InputError
 from raybundle.io.block_scenes import FOLDER as SCENES
 from raybundle.io.block_scenes import with_views, write_scene_files
@@ -19,13 +21,15 @@ from raybundle.io.block_tables import ANGLES, SIGMA_XYZ, XYZ, columns_of, named,
 from raybundle.io.block_toml import head_text, read_head
 from raybundle.io.folders import new_folder
 from raybundle.io.reading.words import quoted
-from raybundle.io.tables import SHOWN, Column, Problem, read_table, write_table
+from raybundle.io.tables import SHOWN, Column, Problem, Table, read_table, write_table
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.rotation import rotation_from_angles
 
 TABLES = ("images", "observations", "points", "distances", "stations", "attitudes", "interior")
 FILES = ("block.toml", *(f"{name}.csv" for name in TABLES), SCENES)
+FRAME = ("turned_deg", "file_width_px", "file_height_px")
+"""Of images whose files are stored turned or reduced."""
 ROLES = {"tie": Role.TIE, "control": Role.CONTROL, "check": Role.CHECK}
 
 
@@ -68,6 +72,7 @@ def read_block(path: str | Path, *, progress: Progress = silent) -> Block:
             held=images.held,
             interior=interior,
             station=images.station,
+            frames=images.frames,
         ),
         observations=observations,
         points=points,
@@ -113,6 +118,7 @@ def _read_images(path: Path, cameras: tuple[Camera, ...]) -> tuple[Images, dict[
             *(Column(name=n, kind="number", empty=True) for n in (*XYZ, *ANGLES)),
             Column(name="held", kind="number", optional=True, empty=True),
             Column(name="station", kind="text", optional=True, empty=True),
+            *(Column(name=n, kind="number", optional=True, empty=True) for n in FRAME),
         ),
     )
     ids = table.text["image"]
@@ -161,7 +167,53 @@ def _read_images(path: Path, cameras: tuple[Camera, ...]) -> tuple[Images, dict[
         rotation=rotation,
         held=(held == 1) | is_scene if ((held == 1) | is_scene).any() else None,
         station=_stations_of(table.text.get("station")),
+        frames=_frames_of(path, table, cameras, camera),
     ), {image: k for k, image in enumerate(ids)}
+
+
+def _frames_of(path: Path, table: Table, cameras: tuple[Camera, ...], camera: Index) -> dict[int, PixelFrame]:
+    """How the files of images lie that are stored turned or reduced."""
+    ids = table.text["image"]
+    columns = np.stack([table.number.get(n, np.full(len(ids), np.nan)) for n in FRAME], axis=1)
+    given = np.isfinite(columns)
+
+    def fits(k: int) -> bool:
+        one, (turned, width, height) = cameras[camera[k]], columns[k]
+        same = size_ratio((one.width_px, one.height_px), (int(width), int(height)))
+        return same is not None and (one.width_px == one.height_px or same[1] == (turned in {90, 270}))
+
+    require(
+        path,
+        problems_of(
+            given.any(axis=1) & ~given.all(axis=1),
+            FRAME[0],
+            lambda k: f"image {quoted(ids[k])} has {given[k].sum()} of {', '.join(FRAME)}; give all three or none",
+        ),
+        problems_of(
+            given[:, 0] & ~np.isin(columns, TURNS)[:, 0],
+            FRAME[0],
+            lambda k: f"{columns[k, 0]:g} is none of {', '.join(map(str, TURNS))}",
+        ),
+    )
+    whole = np.flatnonzero(given.all(axis=1))
+    wrong = np.zeros(len(ids), bool)
+    wrong[[k for k in whole.tolist() if min(columns[k, 1:]) < 1 or not fits(k)]] = True
+    require(
+        path,
+        problems_of(
+            wrong,
+            FRAME[1],
+            lambda k: (
+                f"a file of {columns[k, 1]:g} x {columns[k, 2]:g} px, turned by {columns[k, 0]:g}, is no copy of "
+                f"the {cameras[camera[k]].width_px} x {cameras[camera[k]].height_px} px of its camera"
+            ),
+        ),
+    )
+    turned: dict[float, Turn] = {float(t): t for t in TURNS}
+    return {
+        k: PixelFrame(turned=turned[t], width_px=int(w), height_px=int(h))
+        for k, (t, w, h) in zip(whole.tolist(), columns[whole].tolist(), strict=True)
+    }
 
 
 def _stations_of(names: tuple[str, ...] | None) -> Index | None:
@@ -361,6 +413,11 @@ def write_block_files(block: Block, folder: Path) -> None:
     if images.station is not None:
         shared = np.bincount(images.station)[images.station] > 1
         columns["station"] = [f"{s}" if many else "" for s, many in zip(images.station, shared, strict=True)]
+    if images.frames:
+        rows = [images.frames.get(k) for k in range(len(images))]
+        none = (np.nan,) * 3
+        frames = np.array([none if f is None else (f.turned, f.width_px, f.height_px) for f in rows], float)
+        columns |= columns_of(FRAME, frames)
     write_table(folder / "images.csv", columns)
     _write_observations(folder / "observations.csv", images.ids, points.ids, observations)
     if len(points):

@@ -15,6 +15,7 @@ from typing import Literal
 import numpy as np
 
 from raybundle.block import Role
+from raybundle.block.frames import in_file_frames
 from raybundle.errors import InputError
 from raybundle.io.block_folder import ROLES
 from raybundle.io.coordinate_systems import parse_crs
@@ -357,7 +358,7 @@ def _read_block_points(folder: Path, defaults: ControlDefaults) -> ControlFile:
     from raybundle.io.block_folder import read_block  # noqa: PLC0415  (a whole block, which the other ways do not need)
 
     del defaults  # a block says everything
-    block = read_block(folder)
+    block = in_file_frames(read_block(folder))
     named = np.flatnonzero(block.points.role != Role.TIE)
     if len(named) == 0:
         raise InputError("the block holds neither control nor check points", file=folder / "points.csv")

@@ -129,6 +129,13 @@ class Candidates:
     coarsest: Index | None = None
     """(k,) level of the pyramid up to which each is looked for; None: to the last"""
 
+    def rows(self, keep: Mask) -> Candidates:
+        """A selection."""
+        return Candidates(
+            reference=self.reference[keep], image=self.image[keep], point=self.point[keep], xy_px=self.xy_px[keep],
+            row=self.row[keep], coarsest=None if self.coarsest is None else self.coarsest[keep],
+        )  # fmt: skip
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CandidateMatches:

@@ -53,6 +53,7 @@ def fingerprints(block: Block) -> list[tuple[str, str, str]]:
     ]  # fmt: skip
     held = np.zeros(len(i), bool) if i.held is None else i.held
     own = [json.dumps([k, sorted(v.items())]) for k, v in sorted(i.interior.items())]
+    own += [json.dumps([k, f.turned, f.width_px, f.height_px]) for k, f in sorted(i.frames.items())]
     rows = [
         ("cameras", len(block.cameras), fingerprint([block.length_unit, block.residuals], cameras)),
         ("images", len(i), fingerprint(i.ids, i.camera, i.centre, i.rotation, held, own)),

@@ -40,6 +40,7 @@ from raybundle.workflows.calibration_defects import CANNOT, bundled, check_splin
 from raybundle.workflows.camera_split import cameras_apart
 from raybundle.workflows.model_choice import choose_models, with_model
 from raybundle.workflows.recognise import Recognised, recognised
+from raybundle.workflows.same_camera import shared_sensors
 from raybundle.workflows.target_block import (
     FEWEST_TARGETS,
     TargetBlock,
@@ -72,6 +73,8 @@ class CalibrateOptions:
     """the sheet that was photographed, by the file beside it: its family, and where its targets are, as a start"""
     separate: tuple[str, ...] = ()
     """patterns of photographs' names, each a camera apart"""
+    masks: Path | None = None
+    """folder of masks for natural points, which are taken where there are no targets"""
     model: str = "auto"
     """distortion model; auto: brown, or what fits a wide lens better"""
     estimate: tuple[str, ...] = ()
@@ -208,6 +211,12 @@ def _calibrated(m: _Measured, options: CalibrateOptions, clock: _Clock, progress
     if options.split:
         start, first, split = cameras_apart(start, first, settings, progress)
         notices = (*notices, *split)
+    shared = shared_sensors(first, groups, photos, reduced=False)  # of reduced ones the sizes of targets differ
+    notices = (*notices, *shared.notices)
+    if shared:
+        start, groups = shared.applied(start), shared.grouped(groups)
+        first = decide(start, settings, progress)
+        start = reweighted(with_values(start, first.adjusted), first.sigma0)
     strange = _strange(first)
     if strange:
         lost = {**lost, **{first.given.images.ids[i]: why for i, why in strange.items()}}
@@ -283,7 +292,7 @@ def _by_tie_points(
     with TemporaryDirectory() as folder:
         done = orient(
             inputs, Path(folder) / "calibration",
-            OrientOptions(jobs=options.jobs, separate=options.separate, noise=options.noise),
+            OrientOptions(jobs=options.jobs, separate=options.separate, noise=options.noise, masks=options.masks),
             given=Given(gps=False), progress=progress,
         )  # fmt: skip
     told = Notice(code="no_targets", message=_no_targets(shown))

@@ -45,6 +45,9 @@ def final_adjustment(
     """
     notices = [Notice(code="photographs", message=r) for r in remarks]
     notices += [Notice(code="camera", message=f"camera {g.id}: {r}", ids=(g.id,)) for g in groups for r in g.remarks]
+    notices += [
+        Notice(code="camera_joined", message=f"camera {g.id}: {r}", ids=(g.id,)) for g in groups for r in g.joined
+    ]
     noise = noise_of_photographs(noise, int(placed.block.images.oriented.sum()))
     options = AdjustmentOptions(
         threads=jobs, reject="snooping", tolerance=FINAL, datum_over="good", noise=noise, weights=weights

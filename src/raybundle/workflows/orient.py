@@ -33,6 +33,7 @@ from raybundle.workflows.parts import Part, apart_notice, place_parts
 from raybundle.workflows.photo_run import PhotoRun
 from raybundle.workflows.positions import GPS_M, flight_lines, without_idle
 from raybundle.workflows.precise import Weights
+from raybundle.workflows.same_camera import shared_sensors
 from raybundle.workflows.scene_images import FoundScenes, SceneImage, find_scenes
 from raybundle.workflows.scene_run import SceneRun
 from raybundle.workflows.scene_ties import ScenePair
@@ -62,6 +63,8 @@ class OrientOptions:
     """patterns of photographs' names, each a camera apart"""
     library: Path | None = None
     """camera library whose calibrations are held where none is given; None: none is used"""
+    masks: Path | None = None
+    """folder of masks, as COLMAP or Metashape name them: 0 where a photograph is not to be measured in"""
     scene_bias: BiasKind = "shift"
     """what is estimated of a satellite scene's RPC: none, shift, drift, affine"""
     crs: str | None = None
@@ -181,6 +184,7 @@ def orient(
         given, told = _with_attitudes(found.photos, positions, given, options)
         _forget(project, options)
         photographs = PhotoRun(found.photos, jobs, progress, refused)
+        photographs.masked(options.masks)
         scenes = SceneRun.of(scenes_found, options.scene_bias, options.crs) if scenes_found.scenes else None
         _features(project, photographs, scenes, options, method)
         refused += scenes_found.refused if scenes is None else scenes.refused
@@ -196,10 +200,12 @@ def orient(
                 assert photographs.store is not None
                 placed, apart = scenes.place(blocks, photos, given, photographs.store, method)
             placed = _relative(placed, photos, options.relative)
-            adjustment, parts = _adjusted(
-                stage, placed, apart, photographs.groups, jobs, progress, remarks, options.noise,
+            adjustment, parts, groups = _adjusted(
+                stage, placed, apart, photographs.groups, photos, jobs, progress, remarks, options.noise,
                 weights="residuals" if options.precise else "given",
             )  # fmt: skip
+            photographs.groups = groups
+            adjustment = replace(adjustment, notices=(*photographs.notices, *adjustment.notices))
         return _orientation(project, photographs, scenes, adjustment, parts, placed, remarks)
     finally:
         project.close()
@@ -319,11 +325,14 @@ def _search(
 
 
 def _adjusted(
-    stage: Stage, placed: Georeferenced, apart: Sequence[Georeferenced], groups: Sequence[CameraGroup], jobs: int,
-    progress: Progress, remarks: Sequence[str], noise: NoiseModel = "auto", *,
+    stage: Stage, placed: Georeferenced, apart: Sequence[Georeferenced], groups: tuple[CameraGroup, ...],
+    photos: Sequence[Photo], jobs: int, progress: Progress, remarks: Sequence[str], noise: NoiseModel = "auto", *,
     weights: Literal["given", "residuals"] = "given",
-) -> tuple[Adjustment, tuple[Part, ...]]:  # fmt: skip
-    """The final adjustments of what is placed together and of the parts that nothing joins to it."""
+) -> tuple[Adjustment, tuple[Part, ...], tuple[CameraGroup, ...]]:  # fmt: skip
+    """The final adjustments of what is placed together and of the parts that nothing joins to it, and the cameras.
+
+    Photographs that turn out to be of one sensor, stored differently, are adjusted once more as of one camera.
+    """
     parts, kept, lost = list[Part](), list[Georeferenced](), list[Notice]()
     for part in apart:
         try:
@@ -336,9 +345,15 @@ def _adjusted(
         placed = replace(placed, notices=(told, *placed.notices))
     placed = replace(placed, notices=(*lost, *placed.notices))
     adjustment = final_adjustment(placed, groups, jobs, progress, remarks, noise, weights=weights)
+    shared = shared_sensors(adjustment, groups, photos)
+    if shared:
+        groups = shared.grouped(groups)
+        placed = replace(placed, block=shared.applied(placed.block))
+        adjustment = final_adjustment(placed, groups, jobs, progress, remarks, noise, weights=weights)
+    adjustment = replace(adjustment, notices=(*shared.notices, *adjustment.notices))
     stage.from_cache = False
     stage.summary = f"sigma0 {adjustment.sigma0:.3f}"
-    return adjustment, tuple(parts)
+    return adjustment, tuple(parts), groups
 
 
 def _check_number(

@@ -11,20 +11,24 @@ from typing import Literal
 
 import numpy as np
 
+from raybundle.adjustment.result import Notice
 from raybundle.block import Block, Camera
+from raybundle.errors import NoOrientation
 from raybundle.io.block_arrays import arrays_of_block, block_of_arrays
 from raybundle.io.camera_library import with_library
 from raybundle.io.photos.cameras import CameraGroup, camera_groups, camera_of, with_what_is_known
+from raybundle.io.photos.masks import Masks, find_masks
 from raybundle.io.photos.photo import Photo
 from raybundle.io.project import Project, Stage, key_of
 from raybundle.matching.features import FeatureMethod
 from raybundle.matching.refine import pyramid, smoothed
 from raybundle.matching.tracks import tracks_of
 from raybundle.matching.verify import VerifiedPair, trusted
-from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress
 from raybundle.workflows.parts import start_parts
-from raybundle.workflows.precise import PreciseBlock, Weights, refine
+from raybundle.workflows.precise import PreciseBlock, Visible, Weights, refine
+from raybundle.workflows.static_background import FEWEST_PHOTOGRAPHS, RING_PX, static_background
 from raybundle.workflows.tie_block import TieBlock, block_of_tracks
 from raybundle.workflows.tie_points import FeatureStore, find_features, grey_of, match_pairs, pairs_of
 
@@ -51,10 +55,21 @@ class PhotoRun:
     weights: list[Weights] = field(default_factory=list[Weights])
     told: list[str] = field(default_factory=list[str])
     """what the result is to say of the photographs"""
+    notices: list[Notice] = field(default_factory=list[Notice])
+    """the same with a code of its own"""
+    masks: Masks | None = None
+
+    def masked(self, folder: Path | None) -> None:
+        """The masks of the photographs, where a folder of them is given."""
+        if folder is not None and self.photos:
+            self.masks = find_masks(folder, self.photos)
+            self.notices += mask_notices(self.masks)
 
     def features(self, project: Project, stage: Stage, method: FeatureMethod, most: int) -> None:
         """Features of the photographs."""
-        self.store, failed = find_features(project, stage, self.photos, method, most, self.jobs, self.progress)
+        self.store, failed = find_features(
+            project, stage, self.photos, method, most, self.jobs, self.progress, self.masks
+        )
         if failed:
             self.refused += [(self.photos[i].name, reason) for i, reason in failed.items()]
             kept = [i for i in range(len(self.photos)) if i not in failed]
@@ -77,7 +92,21 @@ class PhotoRun:
         assert self.store is not None
         if self.photos:
             chosen = pairs_of(self.photos, self.store, method, _positions(self.photos), self.progress)
-            self.pairs = match_pairs(project, stage, self.photos, self.store, method, chosen, self.jobs, self.progress)
+            try:
+                self.pairs = match_pairs(
+                    project, stage, self.photos, self.store, method, chosen, self.jobs, self.progress
+                )
+            except NoOrientation as error:
+                still = static_background(self.photos, self.store, method)
+                if still is None:
+                    raise
+                told = still.notice(masked=self.masks is not None).message
+                raise NoOrientation(
+                    f"{error}\n  Or: {told}", images=error.images, undetermined=error.undetermined
+                ) from error
+            if _stands_still(self.pairs):
+                still = static_background(self.photos, self.store, method)
+                self.notices += [] if still is None else [still.notice(masked=self.masks is not None)]
 
     def start(self, project: Project, stage: Stage, name: str, method: Literal["auto", "growing", "averaging"]) -> None:
         """Approximate values of every part."""
@@ -92,7 +121,7 @@ class PhotoRun:
     def precision(self, project: Project, stage: Stage, memory_gb: float) -> None:
         """Least-squares matching of their tie points."""
         if self.photos:
-            found = _precision(project, stage, self.ties, self.photos, memory_gb, self.jobs, self.progress)
+            found = _precision(project, stage, self.ties, self.photos, memory_gb, self.jobs, self.progress, self.masks)
             self.blocks, self.weights = found.blocks, found.weights
             self.lost += found.left_out
             if found.by_features:
@@ -217,15 +246,19 @@ def _precision(
     memory_gb: float,
     jobs: int,
     progress: Progress,
+    masks: Masks | None = None,
 ) -> _Precise:
-    stage.key = key_of("precision", PRECISION, *((arrays_of_block(t.block), t.scale_px, t.angle) for t in ties))
+    worn = [] if masks is None else [[masks.key(p) for p in photos]]
+    stage.key = key_of("precision", PRECISION, *((arrays_of_block(t.block), t.scale_px, t.angle) for t in ties), *worn)
     kept = project.load(stage.key)
     if kept is None:
         stage.from_cache = False
         cache = _GreyCache(photos, memory_gb)
         arrays: list[dict[str, Array]] = []
         for tie in ties:
-            precise: PreciseBlock = refine(tie, cache.of, jobs, progress)
+            precise: PreciseBlock = refine(
+                tie, cache.of, jobs, progress, None if masks is None else _visible(masks, photos)
+            )
             arrays.append(
                 {
                     **arrays_of_block(precise.block),
@@ -249,6 +282,40 @@ def _precision(
         by_features=[n for a in parts for n in a["by_features"].tolist()],
         left_out=[(n, r) for a in parts for n, r in a["left_out"].tolist()],
     )
+
+
+def _stands_still(pairs: Sequence[VerifiedPair]) -> bool:
+    """Whether verified pairs show that something may stand still, so that it is worth while to look."""
+    still = (p for p in pairs if len(p.matches) or p.geometry == "watermark")
+    return sum(p.displacement_px < RING_PX for p in still) >= FEWEST_PHOTOGRAPHS - 1
+
+
+def _visible(masks: Masks, photos: Sequence[Photo]) -> Visible:
+    """Where the photographs show what may be measured."""
+
+    def visible(image: Index, xy_px: Array, radius_px: Array) -> Mask:
+        found = np.ones(len(image), bool)
+        for i in np.unique(image):
+            rows = np.flatnonzero(image == i)
+            found[rows] = masks.visible(photos[i], xy_px[rows], radius_px[rows])
+        return found
+
+    return visible
+
+
+def mask_notices(masks: Masks) -> list[Notice]:
+    """What there is to say of masks."""
+    n, missing = len(masks.photos), masks.missing
+    message = f"{len(masks.files)} of {n} photographs are measured in outside their masks only"
+    if missing:
+        names = ", ".join(missing[:3]) + (" ..." if len(missing) > 3 else "")
+        message += f"; {len(missing)} without a mask are used whole ({names})"
+    told = [Notice(code="masks", message=message, ids=missing)]
+    if masks.refused:
+        more = f" and {len(masks.refused) - 1} more" if len(masks.refused) > 1 else ""
+        first = f"{masks.refused[0][0]}{more} used whole: {masks.refused[0][1]}"
+        told.append(Notice(code="mask_refused", message=first, ids=tuple(name for name, _ in masks.refused)))
+    return told
 
 
 class _GreyCache:

@@ -6,7 +6,7 @@ of its features, with a standard deviation of their own.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, cast
 
@@ -20,7 +20,15 @@ from raybundle.block import Block, Camera, Observations
 from raybundle.block.rejection import Rejection, RejectionKind
 from raybundle.block.select import with_rows, without_images
 from raybundle.errors import NotSolvable
-from raybundle.matching.refine import NEIGHBOURS_FROM, Candidates, Levels, TrackPoints, match_candidates, refine_tracks
+from raybundle.matching.refine import (
+    NEIGHBOURS_FROM,
+    WINDOWS,
+    Candidates,
+    Levels,
+    TrackPoints,
+    match_candidates,
+    refine_tracks,
+)
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.orientation.cleaning import clean
@@ -37,6 +45,8 @@ from raybundle.workflows.tie_block import (
 if TYPE_CHECKING:
     from raybundle.scenes.sensor import SceneSensor
 
+Visible = Callable[[Index, Array, Array], Mask]
+"""Whether images (k,) show at places (k, 2) what may be measured, within radii (k,) [px]: no mask reaches in."""
 SURE = 0.95
 """Least correlation of a point measured where no feature was found."""
 NEAR_PX = 2.0
@@ -115,6 +125,7 @@ def refine(
     image: Levels,
     threads: int,
     progress: Progress = silent,
+    visible: Visible | None = None,
 ) -> PreciseBlock:
     """Measure every track again, also where no feature was found, and weigh the measurements by their residuals.
 
@@ -124,7 +135,8 @@ def refine(
     o = tie.block.observations
     points = TrackPoints(image=o.image, point=o.point, xy_px=o.xy_px, scale_px=tie.scale_px, angle=tie.angle)
     found = refine_tracks(points, image, threads=threads, progress=progress)
-    keep, left = found.measured, ~found.measured
+    seen = found.measured if visible is None else found.measured & visible(o.image, found.xy_px, reach(found.level))
+    keep, left = seen, ~seen
     block = with_rows(replace(tie.block, observations=replace(o, xy_px=found.xy_px)), keep)
     work = _Work(
         start=tie.block,
@@ -142,7 +154,7 @@ def refine(
     options = AdjustmentOptions(threads=threads, tolerance=1e-2)
     _settle(work, options, first=31)
     progress("weights", 1 / 3)
-    added = _complete(work, image, threads, progress)
+    added = _complete(work, image, threads, progress, visible)
     for k in range(2):
         _settle(work, options, first=7.0)
         progress("weights", (k + 2) / 3)
@@ -296,7 +308,12 @@ def _with_partners(block: Block, keep: Mask) -> Mask:
     return keep & (rays[block.observations.point] > 1)
 
 
-def _complete(work: _Work, image: Levels, threads: int, progress: Progress) -> int:
+def reach(level: Index) -> Array:
+    """(k,) radius [px] of the largest window at levels of the pyramid."""
+    return np.sqrt(2) * WINDOWS[-1].half * 2.0 ** np.asarray(level)
+
+
+def _complete(work: _Work, image: Levels, threads: int, progress: Progress, visible: Visible | None) -> int:
     """Measure points in images that should see them and where no feature was found; the number of rays gained."""
     block, o = work.block, work.block.observations
     used = ~work.rejected
@@ -307,9 +324,13 @@ def _complete(work: _Work, image: Levels, threads: int, progress: Progress) -> i
     places = candidates(block, points, np.flatnonzero(work.reference[used]))
     # what was found at a level elsewhere and is not found at it here is hidden, as a rule
     places = replace(places, coarsest=work.level[used][places.reference])
+    if visible is not None:
+        places = places.rows(visible(places.image, places.xy_px, reach(np.zeros(len(places.image), int))))
     found = match_candidates(points, places, image, threads=threads, progress=progress)
     near = np.linalg.norm(found.xy_px - places.xy_px, axis=1) < NEAR_PX
     good = found.good & near & (found.correlation > SURE)
+    if visible is not None:
+        good &= visible(places.image, found.xy_px, reach(found.level))
     n = int(good.sum())
     # a ray that had been rejected gives way to the new measurement of the same point in the same image
     images = len(block.images)

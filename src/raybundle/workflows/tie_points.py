@@ -14,6 +14,7 @@ import numpy as np
 
 from raybundle.errors import InputError, NoOrientation
 from raybundle.io.photos.cameras import camera_groups
+from raybundle.io.photos.masks import Masks
 from raybundle.io.photos.photo import Photo, read_grey, stored_from_upright, upright, upright_from_stored
 from raybundle.io.project import Project, Stage, key_of
 from raybundle.matching.features import Described, FeatureMethod, Features
@@ -29,13 +30,15 @@ HELD = 400_000
 """Features whose vectors are held in memory while pairs are matched: 200 MB."""
 SCALES = np.linspace(-1.0, 1.0, 33)
 """Camera constants tried, in standard deviations about the one that the photographs state."""
+MOST_MASKED = 8.0
+"""Times as many features as are wanted that are looked for where most of a photograph is masked."""
 PIXELS_EACH = 400
 """Pixels of a photograph for each feature."""
 
 
-def feature_key(photo: Photo, method: FeatureMethod, count: int) -> str:
-    """What the features of a photograph depend on."""
-    return key_of("features", photo.sha256, method.name, method.version, count)
+def feature_key(photo: Photo, method: FeatureMethod, count: int, mask: str = "") -> str:
+    """What the features of a photograph depend on; `mask`: the content of its mask."""
+    return key_of("features", photo.sha256, method.name, method.version, count, *([mask] if mask else []))
 
 
 def feature_count(photo: Photo, most: int) -> int:
@@ -55,8 +58,20 @@ def grey_of(photo: Photo) -> Array:
     return np.clip((grey.astype(np.float32) - low) * (255 / max(high - low, 1)), 0, 255).astype(np.uint8)
 
 
-def detected(method: FeatureMethod, photo: Photo, count: int) -> Features:
-    """Features in the photograph as stored; a method that knows no directions finds them in the upright picture."""
+def detected(method: FeatureMethod, photo: Photo, count: int, masks: Masks | None = None) -> Features:
+    """Features in the photograph as stored; a method that knows no directions finds them in the upright picture.
+
+    None of them, with the surroundings that it is found in, reaches into the photograph's mask.
+    """
+    free = None if masks is None else masks.of(photo)
+    if masks is None or free is None:
+        return _detected(method, photo, count)
+    share = max(float(free.mean()), 1 / MOST_MASKED)
+    found = _detected(method, photo, int(count / share))
+    return found.rows(np.flatnonzero(masks.visible(photo, found.xy_px, found.scale_px))[:count])
+
+
+def _detected(method: FeatureMethod, photo: Photo, count: int) -> Features:
     grey = grey_of(photo)
     if not method.upright:
         return method.detect(grey, count)
@@ -128,13 +143,15 @@ def find_features(
     count: int,
     jobs: int,
     progress: Progress,
+    masks: Masks | None = None,
 ) -> tuple[FeatureStore, dict[int, str]]:
     """Features of every photograph; also the photographs whose pixels could not be read, with the reason."""
     counts = [feature_count(p, count) for p in photos]
-    keys = tuple(feature_key(p, method, n) for p, n in zip(photos, counts, strict=True))
+    worn = ["" if masks is None else masks.key(p) for p in photos]
+    keys = tuple(feature_key(p, method, n, m) for p, n, m in zip(photos, counts, worn, strict=True))
     stage.key = key_of("features", keys)
     failed, stage.from_cache = stored_features(
-        project, keys, lambda i: detected(method, photos[i], counts[i]), [p.path for p in photos], jobs, progress
+        project, keys, lambda i: detected(method, photos[i], counts[i], masks), [p.path for p in photos], jobs, progress
     )
     stage.summary = f"{len(photos) - len(failed)} photographs"
     return FeatureStore(project, keys), failed

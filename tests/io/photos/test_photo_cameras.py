@@ -10,7 +10,7 @@ from tests.conftest import DATA
 from raybundle.block import Camera
 from raybundle.block.known import known_before
 from raybundle.errors import InputError
-from raybundle.io.photos.cameras import camera_groups, camera_of, with_what_is_known
+from raybundle.io.photos.cameras import camera_groups, camera_of, may_share_sensor, with_what_is_known
 from raybundle.io.photos.metadata import Metadata
 from raybundle.io.photos.photo import Photo, find_photos
 from raybundle.io.photos.start import starting_value
@@ -50,7 +50,9 @@ def test_a_camera_on_its_side_is_the_same_camera():
     ],
 )
 def test_what_tells_cameras_apart(change):
-    groups = camera_groups([photo(), photo("b.jpg", metadata=replace(BODY, **change)), photo("c.jpg")])
+    full = replace(BODY, serial="1", lens="EF 24")
+    photos = [photo(n, metadata=replace(full, **(change if n == "b.jpg" else {}))) for n in ("a.jpg", "b.jpg", "c.jpg")]
+    groups = camera_groups(photos)
     assert [g.photos for g in groups] == [(0, 2), (1,)]
     assert len({g.id for g in groups}) == 2
 
@@ -61,11 +63,47 @@ def test_another_size_is_another_camera_and_one_without_metadata_is_named():
     assert "another source" in groups[2].remarks[-1]
 
 
-def test_photographs_turned_by_a_program_get_a_camera_of_their_own_and_a_remark():
-    groups = camera_groups([photo(), photo("b.jpg", 3744, 5616)])
+def test_photographs_turned_by_a_program_are_apart_until_they_are_measured_and_may_be_of_one_sensor():
+    upright = photo("b.jpg", 3744, 5616)
+    groups = camera_groups([photo(), upright])
     assert len(groups) == 2
     assert groups[0].c_px == pytest.approx(groups[1].c_px)
-    assert "give the originals" in groups[1].remarks[0]
+    assert may_share_sensor(photo(), upright)
+
+
+@pytest.mark.parametrize("field", ["lens", "serial"])
+@pytest.mark.parametrize("many", [True, False])
+def test_a_lens_or_number_that_some_photographs_do_not_state_makes_no_second_camera(field, many):
+    stated = replace(BODY, **{field: "EF 24"})
+    few, others = (stated, BODY) if many else (BODY, stated)
+    (group,) = camera_groups([photo("a.jpg", metadata=few), *(photo(f"{k}.jpg", metadata=others) for k in range(3))])
+    assert group.photos == (0, 1, 2, 3)
+    (told,) = group.joined
+    assert told.startswith("a.jpg alone states the" if many else "a.jpg does not state the")
+    assert "'EF 24'" in told
+
+
+def test_what_two_lenses_or_bodies_leave_unstated_joins_neither():
+    names = [photo("a.jpg", metadata=replace(BODY, lens=lens)) for lens in ("", "EF 24", "TS-E 24")]
+    assert len(camera_groups(names)) == 3
+    assert len(camera_groups([photo("a.jpg", metadata=Metadata()), photo("b.jpg", metadata=BODY)])) == 2
+    without_focal = replace(BODY, focal_mm=None)
+    assert len(camera_groups([photo(metadata=without_focal), photo(metadata=replace(without_focal, lens="a"))])) == 2
+
+
+@pytest.mark.parametrize(
+    ("change", "may"),
+    [
+        ({}, True),
+        ({"lens": "24"}, True),
+        ({"serial": "2"}, False),
+        ({"focal_mm": 35.0}, False),
+        ({"model": "X"}, False),
+    ],
+)
+def test_what_speaks_against_one_sensor(change, may):
+    one = photo(metadata=replace(BODY, serial="1"))
+    assert may_share_sensor(one, photo("b.jpg", 3744, 5616, metadata=replace(one.metadata, **change))) is may
 
 
 def test_a_zoom_lens_is_remarked():
@@ -94,7 +132,7 @@ def test_a_stored_calibration_is_taken_by_format():
 
 
 def test_a_stored_calibration_is_taken_by_name_where_two_fit():
-    photos = [photo(), photo("b.jpg", metadata=replace(BODY, serial="7"))]
+    photos = [photo(metadata=replace(BODY, serial="1")), photo("b.jpg", metadata=replace(BODY, serial="7"))]
     with pytest.raises(InputError, match="fits 2 cameras"):
         camera_groups(photos, [stored("mine")])
     names = [g.id for g in camera_groups(photos)]

@@ -47,6 +47,10 @@ class CameraGroup:
     remarks: tuple[str, ...] = ()
     stored: Camera | None = None
     """The calibration that was given for this camera."""
+    joined: tuple[str, ...] = ()
+    """What photographs of it state differently and why they are of one camera all the same, in words."""
+    pattern: str = ""
+    """That set its photographs apart."""
 
     @property
     def c_px(self) -> float:
@@ -72,19 +76,36 @@ def camera_groups(
               no photograph or one that another matches too
     Photographs belong together by make, model, serial number, lens, focal length, digital zoom and format as
     stored; turning the camera changes nothing.  Photographs without metadata belong together by their format.
+    A lens or serial number that some photographs of a camera do not state is that which all others state, where these
+    state one.  Files stored turned or at another size are told apart here: `may_share_sensor` says which may be of
+    one sensor, and the adjustment decides.
     What it does not tell: whether a zoom or the focus was moved between photographs with the same entry.
     """
-    members: dict[tuple[object, ...], list[int]] = {}
+    members: dict[_Key, list[int]] = {}
     for k, photo in enumerate(photos):
-        members.setdefault((_pattern_of(photo.name, separate), *_key(photo)), []).append(k)
+        members.setdefault(_key(photo, _pattern_of(photo.name, separate)), []).append(k)
     for pattern in separate:
-        if all(key[0] != pattern for key in members):
+        if all(key.pattern != pattern for key in members):
             raise InputError(
                 f"no photograph's name matches the pattern {pattern!r} of a camera (as in {_some(photos)})"
             )
-    names = _ids([photos[m[0]] for m in members.values()])
-    groups = [_group(id_, photos, m) for id_, m in zip(names, members.values(), strict=True)]
+    joined = _with_unstated(members, photos)
+    names = _ids([photos[m[0]] for m, _ in joined.values()])
+    groups = [
+        replace(_group(id_, photos, m), joined=told, pattern=key.pattern)
+        for id_, (key, (m, told)) in zip(names, joined.items(), strict=True)
+    ]
     return tuple(_with_remarks(g, groups, photos) for g in _with_stored(groups, stored))
+
+
+def may_share_sensor(one: Photo, two: Photo) -> bool:
+    """Whether two photographs state nothing that speaks against one body, lens and zoom setting; the format apart.
+
+    What neither states speaks for nothing: where no photograph tells its camera, only what is measured does.
+    """
+    a, b = _key(one, ""), _key(two, "")
+    known = all(x == y for x, y in zip(a.sure, b.sure, strict=True))
+    return known and all(not x or not y or x == y for x, y in zip(a.unsure, b.unsure, strict=True))
 
 
 def camera_of(group: CameraGroup) -> Camera:
@@ -132,12 +153,63 @@ def _some(photos: Sequence[Photo]) -> str:
     return ", ".join(p.name for p in photos[:3]) or "none"
 
 
-def _key(photo: Photo) -> tuple[object, ...]:
+@dataclass(frozen=True, slots=True)
+class _Key:
+    """By what photographs belong to one camera."""
+
+    pattern: str
+    sure: tuple[str, str, float | None, float]
+    """Make, model, focal length, digital zoom: each says something where it is stated, and where it is not."""
+    unsure: tuple[str, str]
+    """Serial number and lens, which programs and exchanged lenses' contacts leave out of single files."""
+    size: tuple[int, int]
+
+
+def _key(photo: Photo, pattern: str) -> _Key:
     m = photo.metadata
     zoom = m.zoom_ratio if m.zoom_ratio is not None and m.zoom_ratio > 1 else 1.0
     focal = m.focal_mm if m.focal_mm is not None else m.focal35_mm
     setting = None if focal is None else round(focal, 3)
-    return m.make, m.model, m.serial, m.lens, setting, round(zoom, 3), photo.width_px, photo.height_px
+    sure = m.make, m.model, setting, round(zoom, 3)
+    return _Key(pattern, sure, (m.serial, m.lens), (photo.width_px, photo.height_px))
+
+
+def _with_unstated(
+    members: dict[_Key, list[int]], photos: Sequence[Photo]
+) -> dict[_Key, tuple[list[int], tuple[str, ...]]]:
+    """Photographs that leave serial number or lens out, with those that state them, where these state one.
+
+    A camera is known by make, model and focal length; a second body or lens would state another number or name in
+    some photograph.
+    """
+    found = {key: (list(m), list[str]()) for key, m in members.items()}
+    for key in sorted(members, key=lambda k: sum(map(bool, k.unsure))):
+        if all(key.unsure) or not key.sure[1] or key.sure[2] is None:
+            continue
+        fuller = [
+            k
+            for k in found
+            if k != key
+            and (k.pattern, k.sure, k.size) == (key.pattern, key.sure, key.size)
+            and all(not mine or mine == theirs for mine, theirs in zip(key.unsure, k.unsure, strict=True))
+        ]
+        if len(fuller) != 1:
+            continue
+        mine, told = found.pop(key)
+        what = " and ".join(
+            f"{name} {theirs!r}"
+            for name, ours, theirs in zip(("serial number", "lens"), key.unsure, fuller[0].unsure, strict=True)
+            if theirs and not ours
+        )
+        rows, words = found[fuller[0]]
+        few, many = (mine, rows) if len(mine) <= len(rows) else (rows, mine)
+        one, state = len(few) == 1, "do not state" if few is mine else "alone state"
+        state = state.replace("do not", "does not").replace("alone state", "alone states") if one else state
+        whose = photos[few[0]].name + ("" if one else f" and {len(few) - 1} more")
+        words += [*told, f"{whose} {state} the {what}; all else is that of the other {len(many)}: one camera"]
+        found[fuller[0]] = sorted([*rows, *mine]), words
+    first = sorted(found, key=lambda k: found[k][0][0])
+    return {k: (found[k][0], tuple(found[k][1])) for k in first}
 
 
 def _group(id_: str, photos: Sequence[Photo], members: Sequence[int]) -> CameraGroup:
@@ -228,16 +300,6 @@ def _with_remarks(group: CameraGroup, groups: Sequence[CameraGroup], photos: Seq
     """Add what only the whole set shows."""
     m = photos[group.photos[0]].metadata
     remarks = list(group.remarks)
-    turned = [
-        g.id
-        for g in groups
-        if g.name == group.name and (g.width_px, g.height_px) == (group.height_px, group.width_px) and g.id != group.id
-    ]
-    if turned and group.width_px < group.height_px:
-        remarks.append(
-            f"upright photographs were turned by a program and no longer have the sensor's axes; they get an interior "
-            f"orientation of their own beside {turned[0]}; give the originals instead"
-        )
     unknown = {i for i in group.photos if not photos[i].metadata.model}
     if unknown and len(groups) > 1 and any(photos[g.photos[0]].metadata.model for g in groups):
         remarks.append("no metadata, the other photographs have some: perhaps from another source")

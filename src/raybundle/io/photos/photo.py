@@ -39,7 +39,7 @@ from raybundle.numerics.progress import Progress, silent
 
 __all__ = [
     "LIMIT_PIXELS", "Found", "Gps", "Metadata", "Photo", "find_photos", "read_colour", "read_grey", "read_photo",
-    "stored_from_upright", "upright", "upright_from_stored",
+    "stored_from_turned", "stored_from_upright", "upright", "upright_from_stored",
 ]  # fmt: skip
 
 LIMIT_PIXELS = 600_000_000
@@ -300,7 +300,7 @@ def read_colour(photo: Photo) -> Array:
 
 def _checked(photo: Photo, pixels: Array) -> Array:
     if photo.kind == "heic":
-        pixels = np.ascontiguousarray(_TURNS[_INVERSE[photo.orientation]](pixels))
+        pixels = stored_from_turned(pixels, photo.orientation)
     if pixels.shape[:2] != (photo.height_px, photo.width_px):
         raise InputError(
             f"has {pixels.shape[1]} x {pixels.shape[0]} px, its header said {photo.width_px} x {photo.height_px}; "
@@ -331,6 +331,11 @@ _INVERSE = {1: 1, 2: 2, 3: 3, 4: 4, 5: 5, 6: 8, 7: 7, 8: 6}
 def upright(pixels: Array, orientation: int) -> Array:
     """Pixels (h, w) or (h, w, 3) the right way up, for showing."""
     return np.ascontiguousarray(_TURNS[orientation](pixels))
+
+
+def stored_from_turned(pixels: Array, orientation: int) -> Array:
+    """The inverse of `upright`: pixels as stored of pixels the right way up."""
+    return np.ascontiguousarray(_TURNS[_INVERSE[orientation]](pixels))
 
 
 def upright_from_stored(xy_px: Array, photo: Photo) -> Array:

@@ -1,0 +1,244 @@
+"""One sensor behind photographs stored in several ways: turned by a program, or reduced; joined where they agree.
+
+Files do not tell that a program turned their pixels, nor which way.  Photographs that may be of one sensor are oriented
+as of two cameras; then each possible turn is adjusted with one interior orientation.  By how much the weighted square
+sum grows is the likelihood ratio of that hypothesis, chi-square distributed with as many degrees of freedom as
+parameters were saved (Wilks 1938): it takes the parameters' difference under their full covariance, common object
+points included.  Where errors are smooth fields, the parameters scatter by more than white noise says, and the square
+sum counts by the variance that they have.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from raybundle.adjustment.engine import adjust_block, as_start
+from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.adjustment.severity import Severity
+from raybundle.block import Block
+from raybundle.block.block import Turn
+from raybundle.block.frames import joined, size_ratio, stored_turned
+from raybundle.errors import NotSolvable
+from raybundle.io.photos.cameras import CameraGroup, may_share_sensor
+from raybundle.io.photos.photo import Photo
+from raybundle.numerics.statistics import chi_square_tails
+
+ALPHA = 0.001
+"""Probability by chance below which photographs are of two cameras, as of every blunder."""
+DECISIVE = 2 * float(np.log(100))
+"""By how much a chi-square must be larger for a hypothesis to count as out: it is a hundred times less likely then."""
+FEWEST_HALVES = 6
+"""Photographs without metadata from which on some are looked at as upside down."""
+COARSE_STEPS = 8
+"""Places in the order of the photographs at which that is looked for first."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Join:
+    """Files of one camera that are copies of another's pictures."""
+
+    other: str
+    camera: str
+    turned: Turn
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Shared:
+    """What photographs were found to share."""
+
+    joins: tuple[Join, ...] = ()
+    half_turned: tuple[str, ...] = ()
+    """Photographs that are stored upside down"""
+    notices: tuple[Notice, ...] = ()
+
+    def __bool__(self) -> bool:
+        return bool(self.joins or self.half_turned)
+
+    def applied(self, block: Block) -> Block:
+        """The block with these joins; image points are brought over."""
+        if self.half_turned:
+            images = np.flatnonzero(np.isin(np.array(block.images.ids), self.half_turned))
+            block = stored_turned(block, images, 180)
+        for j in self.joins:
+            ids = [c.id for c in block.cameras]
+            block = joined(block, ids.index(j.other), ids.index(j.camera), j.turned)
+        return block
+
+    def grouped(self, groups: Sequence[CameraGroup]) -> tuple[CameraGroup, ...]:
+        """The cameras of the photographs after these joins."""
+        into = {j.other: j.camera for j in self.joins}
+        more = {g.id: [p for o in groups if into.get(o.id) == g.id for p in o.photos] for g in groups}
+        return tuple(
+            replace(g, photos=tuple(sorted([*g.photos, *more[g.id]]))) if more[g.id] else g
+            for g in groups
+            if g.id not in into
+        )
+
+
+def shared_sensors(
+    result: Adjustment, groups: Sequence[CameraGroup], photos: Sequence[Photo], *, reduced: bool = True
+) -> Shared:
+    """Which cameras of an adjusted block are one sensor in files stored differently, and what there is to say.
+
+    reduced  whether copies of another size are looked at, too
+
+    What it does not tell: whether cameras that are kept apart are two; focus or zoom may have been another.
+    """
+    joins, notices = list[Join](), list[Notice]()
+    taken: set[str] = set()
+    seen = np.unique(result.given.images.camera[result.given.images.oriented])
+    present = {result.given.cameras[k].id for k in seen.tolist()}
+    order = sorted((g for g in groups if g.id in present), key=_first)
+    for k, one in enumerate(order):
+        for two in order[k + 1 :]:
+            if {one.id, two.id} & taken or not _candidates(one, two, photos, reduced=reduced):
+                continue
+            join, told = _tested(result, one, two)
+            notices.append(told)
+            if join is not None:
+                joins.append(join)
+                taken.add(two.id)
+    if joins or not _may_be_upside_down(result, groups, photos):
+        return Shared(joins=tuple(joins), notices=tuple(notices))
+    return _half_turned(result, photos) or Shared(notices=tuple(notices))
+
+
+def _first(group: CameraGroup) -> tuple[int, bool, int]:
+    """By what the camera is chosen whose frame all take: the largest, the sensor's usual way, the most photographs."""
+    return -group.width_px * group.height_px, group.width_px < group.height_px, -len(group.photos)
+
+
+def _candidates(one: CameraGroup, two: CameraGroup, photos: Sequence[Photo], *, reduced: bool) -> bool:
+    """Whether two cameras may be one; without metadata only by pixels that are exchanged in width and height."""
+    same = size_ratio((one.width_px, one.height_px), (two.width_px, two.height_px))
+    if one.stored is not None or two.stored is not None or one.pattern != two.pattern or same is None:
+        return False
+    a, b = photos[one.photos[0]], photos[two.photos[0]]
+    copy = same[0] != 1.0
+    square = one.width_px == one.height_px
+    if copy and (not reduced or not (a.metadata.model or a.metadata.serial)):
+        return False
+    return (copy or square or same[1]) and may_share_sensor(a, b)
+
+
+def _tested(result: Adjustment, one: CameraGroup, two: CameraGroup) -> tuple[Join | None, Notice]:
+    """One interior orientation for two cameras in each turn that their sizes allow, against two."""
+    same = size_ratio((one.width_px, one.height_px), (two.width_px, two.height_px))
+    assert same is not None
+    turns: tuple[Turn, ...] = (90, 270) if same[1] else (0,)
+    apart, free = _apart(result, one.id, two.id)
+    scale = _variance(result)
+    found: list[tuple[float, int, Turn]] = []
+    for turned in turns:
+        join = Join(other=two.id, camera=one.id, turned=turned)
+        together = _adjusted(result, Shared(joins=(join,)), free)
+        if together is not None and together.redundancy > apart.redundancy:
+            grown = (together.weighted_square_sum - apart.weighted_square_sum) / scale
+            found.append((max(grown, 0.0), together.redundancy - apart.redundancy, turned))
+    n = f"{len(two.photos)} of {len(one.photos) + len(two.photos)} photographs"
+    how = f"stored turned ({two.width_px} x {two.height_px} px)" if same[1] else "at another size"
+    how += f", reduced to {two.width_px} x {two.height_px} px" if same[0] != 1 else ""
+    where = f"camera {one.id}: {n} are {how} and state nothing that speaks against one sensor"
+    found.sort()
+    if not found:
+        return None, _kept(one, two, f"{where}, but could not be adjusted together; they are a camera apart, {two.id}")
+    value, dof, turned = found[0]
+    figure = f"chi-square {value:.1f} of {dof} for one interior orientation"
+    if chi_square_tails(value, dof)[1] < ALPHA:
+        reason = (
+            f"{where}, but do not have its interior orientation ({figure}): focus, zoom or crop was another. They are "
+            f"a camera apart, {two.id}; give the files as the camera stored them"
+        )
+        return None, _kept(one, two, reason)
+    by = f"; turned by {turned} deg clockwise from the sensor's frame" if turned else ""
+    other = f", {found[1][0]:.1f} for the other turn" if len(found) > 1 else ""
+    message = f"{where}; they are joined: they have one interior orientation ({figure}{other}){by}"
+    doubtful = len(found) > 1 and found[1][0] - value < DECISIVE
+    if doubtful:
+        message += ". The other turn fits hardly worse, and would move the principal point to another side of the "
+        message += "middle: give the files as the camera stored them"
+    told = Notice(
+        code="camera_joined", message=message, ids=(one.id, two.id), measured=Severity.CAUTION if doubtful else None
+    )
+    return Join(other=two.id, camera=one.id, turned=turned), told
+
+
+def _kept(one: CameraGroup, two: CameraGroup, message: str) -> Notice:
+    return Notice(code="camera_kept_apart", message=message, ids=(one.id, two.id))
+
+
+def _variance(result: Adjustment) -> float:
+    """By what a growth of the square sum counts: sigma0^2, and how much wider than by white noise cameras scatter."""
+    ratio = result.noise.ratio_interior if result.noise.kind == "fields" else 1.0
+    return result.sigma0**2 * (max(ratio, 1.0) ** 2 if np.isfinite(ratio) else 1.0)
+
+
+def _apart(result: Adjustment, one: str, two: str) -> tuple[Adjustment, dict[str, tuple[str, ...]]]:
+    """The adjustment with two interior orientations of the same free parameters, and the free parameters."""
+    free = {i.camera: i.free for i in result.interior if i.image is None}
+    both = tuple(dict.fromkeys((*free.get(one, ()), *free.get(two, ()))))
+    wider = {**free, one: both, two: both}
+    again = _adjusted(result, Shared(), wider)
+    return (result, free) if again is None else (again, wider)
+
+
+def _adjusted(result: Adjustment, shared: Shared, free: dict[str, tuple[str, ...]]) -> Adjustment | None:
+    """What was adjusted, once more with what is shared; None where that cannot be."""
+    start = shared.applied(as_start(result.given, result.adjusted))
+    options = replace(
+        result.options, reject="none", robust_start=False, statistics=False, tolerance=1e-3, noise="white"
+    )
+    ids = {c.id for c in start.cameras}
+    try:
+        return adjust_block(
+            start, options, free={k: v for k, v in free.items() if k in ids},
+            rejected=result.image_observations.rejected, extent="tests", start="adjusted",
+        )  # fmt: skip
+    except NotSolvable:
+        return None
+
+
+def _may_be_upside_down(result: Adjustment, groups: Sequence[CameraGroup], photos: Sequence[Photo]) -> bool:
+    """Whether it is worth while to look: one camera that contradicts what is known, of photographs that say nothing."""
+    said = any(p.metadata.make or p.metadata.model for p in photos)
+    free = any(i.free for i in result.interior)
+    strange = any(n.code == "camera_contradicts" for n in result.notices)
+    return strange and free and not said and len(groups) == 1 and len(photos) >= FEWEST_HALVES
+
+
+def _half_turned(result: Adjustment, photos: Sequence[Photo]) -> Shared | None:
+    """Photographs up to one in their order, or after it, that are stored upside down, where that explains them better.
+
+    A half turn leaves the format and moves the principal point to the other side.  With as many parameters, the
+    likelihood of each place in the order is compared; that of the best must be decisive among all of them.
+    """
+    free = {i.camera: i.free for i in result.interior if i.image is None}
+    names = [p.name for p in photos if p.name in set(result.given.images.ids)]
+    tried: dict[int, float] = {}
+
+    def square_sum(k: int) -> float:
+        if k not in tried:
+            after = _adjusted(result, Shared(half_turned=tuple(names[k:])), free)
+            tried[k] = np.inf if after is None else after.weighted_square_sum
+        return tried[k]
+
+    n = len(names)
+    step = max(1, n // (COARSE_STEPS + 1))
+    best = min(range(step, n, step), key=square_sum)
+    while step > 1:
+        step = (step + 1) // 2
+        best = min((k for k in (best - step, best, best + step) if 0 < k < n), key=square_sum)
+    gain = (result.weighted_square_sum - square_sum(best)) / _variance(result)
+    if gain < DECISIVE + 2 * np.log(n):
+        return None
+    few = names[best:] if 2 * best >= n else names[:best]
+    message = (
+        f"{len(few)} photographs ({few[0]} to {few[-1]}) are stored upside down beside the other {n - len(few)}: with "
+        f"their pixels turned by 180 deg the same camera explains all (chi-square smaller by {gain:.0f}). They are "
+        "taken so; the photographs state no metadata that would tell"
+    )
+    told = Notice(code="camera_joined", message=message, ids=tuple(few))
+    return Shared(half_turned=tuple(few), notices=(told,))
