@@ -245,6 +245,11 @@ struct Solver {
 }  // namespace
 
 NB_MODULE(_native, m) {
+#ifndef RAYBUNDLE_LEAKS_TOLD
+  // What is still alive when the interpreter ends is kept by it, as the frames of a last traceback are; that errors
+  // leave nothing behind while it runs is for a test to say (tests/native).
+  nb::set_leak_warnings(false);
+#endif
   m.doc() = "Compiled kernels: observations, reduced normal matrix, sparse factor, selected inverse.";
   m.def("best_matches", [](Floats a, Floats b) { return best(a, b, imaging_kernels().best); });
   m.def("best_matches_of_bytes", [](ByteRows a, ByteRows b) {

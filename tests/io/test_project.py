@@ -39,7 +39,7 @@ def test_a_write_that_fails_leaves_nothing(project, monkeypatch):
     def full(*_, **__):
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(np, "savez", full)
+    monkeypatch.setattr(np.lib.format, "write_array", full)
     with pytest.raises(InputError, match="no space is left; free space and run the same command again"):
         project.store(key_of("start", 2), {"a": np.zeros(3)})
     assert not list((project.folder / "cache").glob("*/*"))

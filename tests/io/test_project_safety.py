@@ -138,7 +138,7 @@ def test_a_write_that_fails_says_what_to_do_and_keeps_what_is_there(project, mon
     def failing(*_, **__):
         raise OSError(number, os.strerror(number))
 
-    monkeypatch.setattr(np, "savez", failing)
+    monkeypatch.setattr(np.lib.format, "write_array", failing)
     text = "no space is left; free space" if number == errno.ENOSPC else "choose a folder that can be written"
     with pytest.raises(InputError, match=text) as caught:
         project.store(key, {"a": np.arange(9)})

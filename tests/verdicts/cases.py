@@ -55,6 +55,23 @@ def windows_of_one_picture() -> Block:
     return simulate(replace(scene, centre=moved), EXACT).observed
 
 
+def square_views_from_nothing() -> Block:
+    """Square views of a plane, no orientation given, four control points: one image sees them all, the others three.
+
+    Three points leave four exact poses of an image; which of them comes first is rounding.
+    """
+    scene = flat_field_scene(FlatField(tilt_deg=0.0, shift=0.5, photographs=4, size=2.8, points=14))
+    block = simulate(scene, EXACT).observed
+    wanted = np.array([[-0.3, -0.1, 0.0], [0.3, -0.1, 0.0], [-0.1, 0.3, 0.0], [0.5, 0.5, 0.0]])
+    known = [int(np.argmin(np.linalg.norm(block.points.xyz - xyz, axis=1))) for xyz in wanted]
+    role, sigma = np.full_like(block.points.role, Role.TIE), np.full_like(block.points.sigma, np.nan)
+    role[known], sigma[known] = Role.CONTROL, 0.001
+    o = block.observations
+    keep = (o.image == 0) | (o.point != known[3])
+    seen = replace(o, image=o.image[keep], point=o.point[keep], xy_px=o.xy_px[keep], cov_px2=o.cov_px2[keep])
+    return _blank(replace(block, points=replace(block.points, role=role, sigma=sigma), observations=seen))
+
+
 def two_images() -> Block:
     scene = field_scene(TargetField(stations=2, frontal=0, tilt_deg=15.0))
     return simulate(scene, EXACT).observed
@@ -102,6 +119,7 @@ CASES = {
         lambda: _flat(FlatField(tilt_deg=0.0, shift=0.1, distances=(1.2, 1.5, 1.8))),
         AUTO,
     ),
+    "square views of a plane, from nothing": (square_views_from_nothing, GIVEN),
     "no rolls": (lambda: _flat(FlatField(tilt_deg=30.0, up_to_centre=True)), GIVEN),
     "no rolls, automatic": (lambda: _flat(FlatField(tilt_deg=30.0, up_to_centre=True)), AUTO),
     "windows of one picture": (windows_of_one_picture, AUTO),

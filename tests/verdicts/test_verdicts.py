@@ -17,6 +17,7 @@ EXPECTED = {
     "square views of a plane": (0, {"c", "x0", "y0"}),
     "square views, three distances": (0, {"c", "x0", "y0"}),
     "square views, automatic": (0, {"A", "S", "c", "x0", "y0"}),
+    "square views of a plane, from nothing": (0, {"c", "x0", "y0"}),
     "no rolls": (0, {"c", "y0"}),
     "no rolls, automatic": (0, {"A", "y0"}),
     "windows of one picture": (0, {"A", "S", "c", "x0", "y0"}),

@@ -393,15 +393,15 @@ def check_count(system: System, defect: int) -> None:
     )
 
 
-def no_base(system: System, state: State, share: float = NO_BASE) -> RankDefect | None:
-    """The error of images without a base: more than this share of the object points has parallel rays; else None."""
+def check_base(system: System, state: State, share: float = NO_BASE) -> None:
+    """Raise RankDefect for images without a base: more than this share of the object points has parallel rays."""
     if not without_base(system, state, share):
-        return None
+        return
     parallel, tied = parallel_rays(system, state)
     block = system.block
     image, point = block.observations.image[system.rows], block.observations.point[system.rows]
     images = name_some([block.images.ids[i] for i in np.unique(image[parallel[point]])])
-    return RankDefect(
+    raise RankDefect(
         f"the rays to {int(parallel.sum())} of {int(tied.sum())} object points are parallel within 0.2 degrees: images "
         f"{images} have no base, or are the same photo twice, or orientations or point numbers are wrong, so that "
         "the points went to infinity. Take images from different stations, or look at what is given.",

@@ -38,7 +38,7 @@ from raybundle.adjustment.reliability import (
 from raybundle.adjustment.result import Adjustment, Notice, ObservationGroup, ObservationStatistics, Precision
 from raybundle.adjustment.solve import CAUTIOUS, FLOOR, HUBER, solve
 from raybundle.adjustment.steady import steadied, told_by_network, without_priors
-from raybundle.adjustment.straight import on_a_line
+from raybundle.adjustment.straight import check_turning
 from raybundle.adjustment.under_noise import under_noise
 from raybundle.adjustment.work import Work
 from raybundle.block import Block, Camera
@@ -111,9 +111,8 @@ def adjust_block(
 
 def _finished(result: Adjustment, extent: Extent) -> Adjustment:
     """The result under the noise that is asked for; RankDefect where images turn about a line."""
-    turning = on_a_line(result) if extent == "report" else None
-    if turning is not None:
-        raise turning
+    if extent == "report":
+        check_turning(result)
     return under_noise(result) if result.options.noise == "fields" and extent == "report" else result
 
 
@@ -180,9 +179,7 @@ def carry_out(
     weak = not work.solution.step < UNENDING or defects.without_base(work.system, work.solution.state)
     # an iteration that creeps off with all points ends anywhere
     share = defects.NO_BASE if not work.solution.converged and weak else defects.NOWHERE
-    lying = defects.no_base(work.system, work.solution.state, share)
-    if lying is not None:
-        raise lying
+    defects.check_base(work.system, work.solution.state, share)
     if not work.solution.converged and weak:
         _in_minimal_datum(work.normals, work.solution.state, work.datum)
         raise defects.no_convergence(work.normals, work.solution.state, work.solution.iterations, work.solution.step)
@@ -302,7 +299,8 @@ def _factor(normals: Normals, state: State, datum: Datum) -> None:
     weak = _in_minimal_datum(normals, state, datum)
     failed = normals.factorise()
     if failed or weak:
-        raise defects.no_base(normals.system, state) or defects.explain(normals, state, weak, failed - 1)
+        defects.check_base(normals.system, state)
+        raise defects.explain(normals, state, weak, failed - 1)
     share, at = normals.least_share()
     if share < defects.SHARE:
         raise defects.explain(normals, state, weak, at)

@@ -6,6 +6,7 @@ import numpy as np
 
 from raybundle.adjustment.cell_means import systematic_notices
 from raybundle.adjustment.components import NAMES, differs, without_known_before
+from raybundle.adjustment.held_control import held_notices
 from raybundle.adjustment.reliability import UNCONTROLLED, RedundancySum
 from raybundle.adjustment.result import Adjustment, Notice, ObservationGroup, VarianceComponent
 from raybundle.adjustment.severity import POOR_FIT, Severity
@@ -31,7 +32,9 @@ def notices_of(result: Adjustment, redundancy_sum: RedundancySum | None) -> tupl
                 "please report this block",
             )
         )
-    found += _fit(result) + _interior(result) + _rejected(result) + _points(result) + _control(result)
+    found += (
+        _fit(result) + _interior(result) + _rejected(result) + _points(result) + _control(result) + held_notices(result)
+    )
     found += _unchecked_scale(result) + systematic_notices(result)
     return tuple(found)
 
@@ -292,4 +295,4 @@ def _group_notice(component: VarianceComponent, sigma0: float) -> Notice:
 def with_group_notices(result: Adjustment) -> tuple[Notice, ...]:
     """The notices of a result whose variance components have changed since."""
     codes = {f"{kind}_suspect" for kind in NAMES} | {"group_less_precise"}
-    return (*(n for n in result.notices if n.code not in codes), *_control(result))
+    return (*(n for n in result.notices if n.code not in codes), *_control(result), *held_notices(result))

@@ -21,7 +21,8 @@ _CODES = {
     Severity.FAULT: (
         "redundancy_sum no_redundancy not_determinable control_left_out control_rejected behind_camera "
         "snooping_unfinished control_suspect distance_suspect station_suspect attitude_suspect parameter_suspect "
-        "relation_suspect group_less_precise weak_convergence attitudes_contradict camera_contradicts"
+        "relation_suspect group_less_precise weak_convergence attitudes_contradict camera_contradicts "
+        "control_contradicts control_identical"
     ),
     Severity.CAUTION: (
         "attitude_wrong attitudes_convergence attitudes_mount attitudes_nominal attitudes_steep "

@@ -19,14 +19,14 @@ An image turns about the line of its points unless some lie beside it, and what 
 """
 
 
-def on_a_line(result: Adjustment) -> RankDefect | None:
-    """The error that names images turning about a line; None where there are none, or no covariances.
+def check_turning(result: Adjustment) -> None:
+    """Raise RankDefect for images that turn about a line; without covariances nothing is asked.
 
     Held images, scenes and images whose position or attitude is observed do not turn.
     """
     block = result.adjusted
     if result.precision is None:
-        return None
+        return
     fixed = np.zeros(len(block.images), bool) if block.images.held is None else block.images.held.copy()
     fixed[block.stations.image] = True
     fixed[block.attitudes.image] = True
@@ -38,8 +38,8 @@ def on_a_line(result: Adjustment) -> RankDefect | None:
         if len(points) and _straight(block.points.xyz[points], result.precision.object_points[points]):
             lost.append(block.images.ids[image])
     if not lost:
-        return None
-    return RankDefect(
+        return
+    raise RankDefect(
         f"image{'s' * (len(lost) > 1)} {name_some(lost)}: all object points there lie on one straight line, within "
         f"{BESIDE:g} standard deviations, and the image may stand anywhere on a circle round it. Measure points beside "
         "the line, observe projection centres, or leave the image out.",

@@ -8,14 +8,16 @@ from typing import Any, Literal, cast
 import click
 
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, noise_option
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER, common_options, noise_option
 
 DEFAULT = AdjustmentOptions()
 
 
 @click.command("adjust", context_settings=COMMAND_SETTINGS)
 @click.argument("block", type=FOLDER)
-@click.option("--out", type=FOLDER, required=True, metavar="RESULT", help="Result folder; an older result is replaced.")
+@click.option(
+    "--out", type=NEW_FOLDER, required=True, metavar="RESULT", help="Result folder; an older result is replaced."
+)
 @click.option(
     "--datum",
     type=click.Choice(["auto", "control", "minimal", "inner"]),

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, counted, noise_option
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER, common_options, counted, noise_option
 from raybundle.cli.numbers import POSITIVE
 from raybundle.errors import InputError
 
@@ -26,7 +26,9 @@ MOST_PARAMETERS = 16
 
 @click.command("calibrate", context_settings=COMMAND_SETTINGS)
 @click.argument("photos", type=FOLDER, nargs=-1, required=True)
-@click.option("--out", type=FOLDER, required=True, metavar="RESULT", help="Result folder; an older one is replaced.")
+@click.option(
+    "--out", type=NEW_FOLDER, required=True, metavar="RESULT", help="Result folder; an older one is replaced."
+)
 @click.option(
     "--target",
     "targets",

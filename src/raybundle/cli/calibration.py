@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import APPROXIMATE, COMMAND_SETTINGS, FOLDER, counted, significant
+from raybundle.cli.common import APPROXIMATE, COMMAND_SETTINGS, FOLDER, NEW_FILE, NEW_FOLDER, counted, significant
 from raybundle.cli.numbers import NOT_NEGATIVE, POSITIVE
 from raybundle.errors import InputError
 
@@ -56,7 +56,7 @@ def command() -> None:
 @click.argument("source", type=FOLDER, metavar="INPUT")
 @GIVEN
 @click.option("--to", "target", required=True, metavar="FORMAT", help="Format to write.")
-@click.option("--out", type=FOLDER, required=True, metavar="FILE", help="New file; nothing is overwritten.")
+@click.option("--out", type=NEW_FILE, required=True, metavar="FILE", help="New file; nothing is overwritten.")
 @click.option("--model", metavar="NAME", help="Distortion model of FORMAT, as 8 (opencv) or OPENCV (colmap).")
 @click.option("--pixel-mm", type=POSITIVE, metavar="MM", help="Size of a pixel, where INPUT does not tell it.")
 @SIZE
@@ -374,7 +374,7 @@ def list_(library: Path | None, *, as_json: bool) -> None:
 
 @command.command("find", context_settings=COMMAND_SETTINGS)
 @click.argument("photo", type=FOLDER)
-@click.option("--out", type=FOLDER, metavar="FILE", help="Write the best one as a file for --calibration.")
+@click.option("--out", type=NEW_FILE, metavar="FILE", help="Write the best one as a file for --calibration.")
 @LIBRARY
 @TRACEBACK
 def find(photo: Path, out: Path | None, library: Path | None) -> int:
@@ -410,7 +410,9 @@ def find(photo: Path, out: Path | None, library: Path | None) -> int:
 
 @command.command("zoom", context_settings=COMMAND_SETTINGS)
 @click.argument("results", type=FOLDER, nargs=-1, required=True, metavar="RESULT...")
-@click.option("--out", type=FOLDER, required=True, metavar="FOLDER", help="New folder for camera.toml and zoom.toml.")
+@click.option(
+    "--out", type=NEW_FOLDER, required=True, metavar="FOLDER", help="New folder for camera.toml and zoom.toml."
+)
 @click.option(
     "--focal", type=POSITIVE, multiple=True, metavar="MM",
     help="EXIF focal length of each camera in its order, where the photographs do not tell it.",

@@ -4,12 +4,32 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal, cast
 
 import click
 
 COMMAND_SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
 FOLDER = click.Path(path_type=Path)
+
+
+class Output(click.Path):
+    """Where a command writes: that something can be written there is found out before anything is computed."""
+
+    def __init__(self, wanted: Literal["file", "folder", "either"]) -> None:
+        super().__init__(path_type=Path)
+        self.wanted: Literal["file", "folder", "either"] = wanted
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """The path; raises InputError where nothing can be written there."""
+        from raybundle.io.folders import check_place  # noqa: PLC0415
+
+        path = super().convert(value, param, ctx)
+        if not (ctx is not None and ctx.resilient_parsing):
+            check_place(cast("Path", path), self.wanted)
+        return path
+
+
+NEW_FILE, NEW_FOLDER, NEW_FILE_OR_FOLDER = Output("file"), Output("folder"), Output("either")
 
 
 APPROXIMATE = click.option(

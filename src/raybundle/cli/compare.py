@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FILE, common_options
 
 
 @click.command("compare", context_settings=COMMAND_SETTINGS)
@@ -14,7 +14,7 @@ from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options
 @click.argument("second", type=FOLDER, metavar="RESULT")
 @click.option(
     "--out",
-    type=FOLDER,
+    type=NEW_FILE,
     default=Path("compare.html"),
     show_default=True,
     metavar="FILE",

@@ -11,7 +11,15 @@ import numpy as np
 
 from raybundle.block import Block, Camera, Images
 from raybundle.block.frames import in_file_frames
-from raybundle.cli.common import APPROXIMATE, COMMAND_SETTINGS, FOLDER, FREE_SCALE, common_options, counted
+from raybundle.cli.common import (
+    APPROXIMATE,
+    COMMAND_SETTINGS,
+    FOLDER,
+    FREE_SCALE,
+    NEW_FILE_OR_FOLDER,
+    common_options,
+    counted,
+)
 from raybundle.cli.numbers import NUMBER
 from raybundle.errors import InputError
 from raybundle.io.coordinate_systems import LocalFrame, frame_from_mapping, local_frame
@@ -58,7 +66,9 @@ Example:
 @click.argument("source", type=FOLDER, metavar="INPUT")
 @click.option("--from", "given", type=click.Choice(READABLE), help="Format of INPUT.  [default: recognised]")
 @click.option("--to", "target", type=click.Choice(WRITABLE), required=True, help="Format to write.")
-@click.option("--out", type=FOLDER, required=True, metavar="PATH", help="New file or folder; nothing is overwritten.")
+@click.option(
+    "--out", type=NEW_FILE_OR_FOLDER, required=True, metavar="PATH", help="New file or folder; nothing is overwritten."
+)
 @click.option("--crs", metavar="SYSTEM", help="Coordinate system: EPSG:25832, EPSG:25832+7837 or a PROJ string.")
 @click.option(
     "--origin",

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, counted
+from raybundle.cli.common import COMMAND_SETTINGS, NEW_FOLDER, common_options, counted
 
 
 @click.group("datasets", context_settings=COMMAND_SETTINGS)
@@ -36,7 +36,7 @@ def list_command() -> None:
 
 @command.command("get", context_settings=COMMAND_SETTINGS)
 @click.argument("name")
-@click.option("--out", type=FOLDER, metavar="FOLDER", help="Where to; by default a folder of the set's name.")
+@click.option("--out", type=NEW_FOLDER, metavar="FOLDER", help="Where to; by default a folder of the set's name.")
 @common_options
 def get_command(name: str, out: Path | None, progress: str) -> None:
     """Fetch a set from its source and check every file; a fetch that was stopped continues with the same command.

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, counted, significant
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER, common_options, counted, significant
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
@@ -19,7 +19,9 @@ if TYPE_CHECKING:
 
 
 @click.command("demo", context_settings=COMMAND_SETTINGS)
-@click.option("--out", type=FOLDER, default=Path("demo"), show_default=True, metavar="FOLDER", help="Where it writes.")
+@click.option(
+    "--out", type=NEW_FOLDER, default=Path("demo"), show_default=True, metavar="FOLDER", help="Where it writes."
+)
 @click.option(
     "--set",
     "photographs",

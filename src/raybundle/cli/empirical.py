@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, counted, significant
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER, counted, significant
 from raybundle.cli.numbers import PIXELS
 from raybundle.errors import InputError
 
@@ -31,7 +31,7 @@ CORRELATED = 0.95
     help="Of a measured image coordinate [px]; it decides what is adequate.",
 )  # fmt: skip
 @click.option("--without", default="", metavar="K3,P1,...", help="Additional parameters of dlt-brown to leave out.")
-@click.option("--out", type=FOLDER, metavar="FOLDER",
+@click.option("--out", type=NEW_FOLDER, metavar="FOLDER",
     help="New folder for model.json, parameters.csv and points.csv.",
 )  # fmt: skip
 @click.option("--traceback", is_flag=True, expose_value=False,

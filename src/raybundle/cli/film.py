@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, cast
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, counted
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER, common_options, counted
 from raybundle.cli.numbers import POSITIVE
 from raybundle.errors import InputError
 
@@ -39,7 +39,7 @@ LARGE_SHRINKAGE = 0.01
     show_default=True,
     help="Local correction between the crosses of a reseau.",
 )
-@click.option("--out", type=FOLDER, required=True, metavar="FOLDER", help="New folder; nothing is overwritten.")
+@click.option("--out", type=NEW_FOLDER, required=True, metavar="FOLDER", help="New folder; nothing is overwritten.")
 @common_options
 def command(
     marks_file: Path,

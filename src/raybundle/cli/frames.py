@@ -6,13 +6,15 @@ from pathlib import Path
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, counted
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER, common_options, counted
 from raybundle.cli.numbers import POSITIVE
 
 
 @click.command("frames", context_settings=COMMAND_SETTINGS)
 @click.argument("video", type=FOLDER)
-@click.option("--out", type=FOLDER, required=True, metavar="FOLDER", help="A new or empty folder for the photographs.")
+@click.option(
+    "--out", type=NEW_FOLDER, required=True, metavar="FOLDER", help="A new or empty folder for the photographs."
+)
 @click.option("--count", type=click.IntRange(1), help="So many frames, evenly by image motion.")
 @click.option("--every", type=POSITIVE, metavar="SECONDS", help="One frame in so many seconds.")
 @click.option(

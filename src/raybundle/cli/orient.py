@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal, cast
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, counted, noise_option
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER, common_options, counted, noise_option
 from raybundle.cli.numbers import NOT_NEGATIVE, NUMBER, POSITIVE, Number
 
 if TYPE_CHECKING:
@@ -38,7 +38,7 @@ class StageName(_Choice):
 
 @click.command("orient", context_settings=COMMAND_SETTINGS)
 @click.argument("photos", type=FOLDER, nargs=-1, required=True)
-@click.option("--out", type=FOLDER, required=True, metavar="PROJECT", help="Project folder; begun, or continued.")
+@click.option("--out", type=NEW_FOLDER, required=True, metavar="PROJECT", help="Project folder; begun, or continued.")
 @click.option(
     "--calibration",
     type=FOLDER,

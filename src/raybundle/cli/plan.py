@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, counted
+from raybundle.cli.common import COMMAND_SETTINGS, NEW_FOLDER, counted
 from raybundle.cli.numbers import METRES, PIXELS, Number
 from raybundle.errors import InputError
 
@@ -62,7 +62,7 @@ def command() -> None:
 @click.option("--points", type=click.IntRange(4, 60), default=30, show_default=True,
     help="Tie points along a side of it.",
 )  # fmt: skip
-@click.option("--out", type=FOLDER, metavar="FOLDER", help="New folder for the simulated block of the plan.")
+@click.option("--out", type=NEW_FOLDER, metavar="FOLDER", help="New folder for the simulated block of the plan.")
 @click.option("--traceback", is_flag=True, expose_value=False,
     help="After an error, show where in the program it arose.",
 )  # fmt: skip
@@ -87,13 +87,10 @@ def flight(
 
     from raybundle.block.uav_networks import FREE, Flight, flight_block, uav_camera  # noqa: PLC0415
     from raybundle.io.block_folder import write_block  # noqa: PLC0415
-    from raybundle.io.folders import check_place  # noqa: PLC0415
     from raybundle.workflows.plan_flight import plan_flight  # noqa: PLC0415
 
     if out is not None and out.exists():
         raise InputError("stands there already and is not overwritten; choose another folder or delete it", file=out)
-    if out is not None:
-        check_place(out)
     width, size, c = camera
     usual = uav_camera()
     taken = replace(

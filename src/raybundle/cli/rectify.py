@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, FREE_SCALE, common_options, counted, significant
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, FREE_SCALE, NEW_FILE, common_options, counted, significant
 from raybundle.cli.numbers import NUMBER, POSITIVE, Number
 from raybundle.errors import InputError
 
@@ -23,7 +23,7 @@ ROUNDING = 1e-9
 
 @click.command("rectify", context_settings=COMMAND_SETTINGS)
 @click.argument("source", type=FOLDER, metavar="RESULT|PHOTO")
-@click.option("--out", type=FOLDER, required=True, metavar="FILE", help="New picture: .tif, .png or .jpg.")
+@click.option("--out", type=NEW_FILE, required=True, metavar="FILE", help="New picture: .tif, .png or .jpg.")
 @click.option("--pixel", type=POSITIVE, metavar="SIZE",
     help="Size of a pixel in the object's unit.  [default: that of the photographs]")  # fmt: skip
 @click.option("--area", type=(NUMBER, NUMBER, NUMBER, NUMBER), metavar="LEFT BOTTOM RIGHT TOP",

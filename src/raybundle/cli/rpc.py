@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, counted, significant
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FILE, counted, significant
 from raybundle.cli.numbers import NUMBER, PIXELS
 from raybundle.errors import InputError, NotSolvable, RaybundleError
 
@@ -83,7 +83,7 @@ def info(scene: Path) -> None:
 @command.command("project")
 @click.argument("scene", type=FOLDER)
 @click.argument("points", type=FOLDER)
-@click.option("--out", type=FOLDER, required=True, metavar="CSV", help="Table to write.")
+@click.option("--out", type=NEW_FILE, required=True, metavar="CSV", help="Table to write.")
 @click.option("--to-ground", is_flag=True, help="POINTS holds point,x_px,y_px,h_m; their ground points are wanted.")
 @MODEL
 @TRACEBACK
@@ -136,7 +136,7 @@ def project(scene: Path, points: Path, out: Path, model: str, *, to_ground: bool
 @click.argument("scene", type=FOLDER)
 @click.argument("points", type=FOLDER)
 @click.option(
-    "--out", type=FOLDER, metavar="FILE", help="RPC to write, with the correction built in: NAME_RPC.TXT or NAME.RPB."
+    "--out", type=NEW_FILE, metavar="FILE", help="RPC to write, with the correction built in: NAME_RPC.TXT or NAME.RPB."
 )
 @click.option(
     "--bias",
@@ -203,7 +203,7 @@ def correct(
 
 @command.command("fit")
 @click.argument("scene", type=FOLDER)
-@click.option("--out", type=FOLDER, required=True, metavar="FILE", help="RPC to write: NAME_RPC.TXT or NAME.RPB.")
+@click.option("--out", type=NEW_FILE, required=True, metavar="FILE", help="RPC to write: NAME_RPC.TXT or NAME.RPB.")
 @HEIGHTS
 @TRACEBACK
 def fit(scene: Path, out: Path, heights: tuple[float, float] | None) -> None:

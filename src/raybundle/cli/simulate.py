@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, counted
+from raybundle.cli.common import COMMAND_SETTINGS, NEW_FOLDER, common_options, counted
 from raybundle.cli.numbers import METRES, PIXELS, Number
 
 if TYPE_CHECKING:
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 @click.command("simulate", context_settings=COMMAND_SETTINGS)
 @click.argument("scene", type=click.Choice(["testfield", "flat", "aerial", "ring", "single"]))
 @click.option(
-    "--out", type=FOLDER, required=True, metavar="FOLDER", help="New folder for block/, truth/ and gross.csv."
+    "--out", type=NEW_FOLDER, required=True, metavar="FOLDER", help="New folder for block/, truth/ and gross.csv."
 )
 @click.option("--seed", type=click.IntRange(0), default=1, show_default=True, help="Of all random numbers.")
 @click.option(
@@ -62,7 +62,6 @@ def command(scene: str, out: Path, progress: str, seed: int, noise: float, **sur
     """  # noqa: D301
     del progress
     from raybundle.block.simulate import Survey, simulate  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.io.folders import check_place  # noqa: PLC0415
 
     control = cast("int", survey["control"])
     sigma = cast("float", survey["control_sigma"])
@@ -79,7 +78,6 @@ def command(scene: str, out: Path, progress: str, seed: int, noise: float, **sur
         gross_share=cast("float", survey["gross"]),
         gross_px=cast("float", survey["gross_px"]),
     )
-    check_place(out)
     simulation = simulate(scene_of(scene), plan)
     write_simulation(simulation, out)
     block = simulation.observed

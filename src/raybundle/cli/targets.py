@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, counted
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FILE, NEW_FOLDER, common_options, counted
 from raybundle.cli.numbers import Number
 from raybundle.errors import InputError
 
@@ -112,7 +112,7 @@ def command() -> None:
     help="dark: black on white; light: white on black.",
 )  # fmt: skip
 @click.option(
-    "--out", type=FOLDER, required=True, metavar="FILE", help="FILE.pdf or FILE.svg; FILE.toml goes beside it."
+    "--out", type=NEW_FILE, required=True, metavar="FILE", help="FILE.pdf or FILE.svg; FILE.toml goes beside it."
 )
 @common_options
 def sheet(
@@ -237,10 +237,14 @@ def choose(family_name: str | None, table: Path | None, bits: int | None, count:
     "--polarity", type=click.Choice(["both", "dark", "light"]), default="both", show_default=True,
     help="Colour of the dots.",
 )  # fmt: skip
-@click.option("--out", type=FOLDER, metavar="FILE", help="Table of all that was found.")
-@click.option("--observations", type=FOLDER, metavar="FILE", help="Points with a name as observations.csv of a block.")
+@click.option("--out", type=NEW_FILE, metavar="FILE", help="Table of all that was found.")
+@click.option(
+    "--observations", type=NEW_FILE, metavar="FILE", help="Points with a name as observations.csv of a block."
+)
 @click.option("--dots", is_flag=True, help="With rings: dots without a ring, too.")
-@click.option("--overlay", type=FOLDER, metavar="DIR", help="Write the photographs with what was found drawn on them.")
+@click.option(
+    "--overlay", type=NEW_FOLDER, metavar="DIR", help="Write the photographs with what was found drawn on them."
+)
 @click.option("--threads", type=click.IntRange(0), default=0, show_default=True, help="0: all processors.")
 @common_options
 def detect(

@@ -12,6 +12,7 @@ import uuid
 from collections.abc import Generator, Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Literal
 
 from raybundle.errors import InputError
 
@@ -59,15 +60,17 @@ def place_of(path: Path) -> Path:
     return place
 
 
-def check_place(path: Path) -> None:
+def check_place(path: Path, wanted: Literal["file", "folder", "either"] = "either") -> None:
     """Raise InputError where nothing can be written under a name, before something is computed for it.
 
+    wanted  what is to stand there: what stands there already and is something else is refused, whatever its use
     A folder is made, and deleted, where the first folder that `new_folder` would have to make is to stand: what the
     system refuses, it refuses here (permissions are no measure: to the superuser they say yes everywhere).
     """
     with _told(path):
         place = place_of(path)
-        place.exists()  # a name that is too long
+        if place.exists():  # or it is a name that is too long
+            _check_kind(path, place, wanted)
         parent = place.parent
         while not parent.exists():
             parent = parent.parent
@@ -76,6 +79,15 @@ def check_place(path: Path) -> None:
         probe = parent / f".{uuid.uuid4().hex[:8]}.partial"
         probe.mkdir()
         probe.rmdir()
+
+
+def _check_kind(path: Path, place: Path, wanted: Literal["file", "folder", "either"]) -> None:
+    if not (place.is_file() or place.is_dir()):
+        raise InputError("is neither a file nor a folder; choose another name", file=path)
+    if wanted == "file" and place.is_dir():
+        raise InputError("is a folder; give the name of a file", file=path)
+    if wanted == "folder" and place.is_file():
+        raise InputError("stands there already and is no folder; choose another name", file=path)
 
 
 @contextmanager

@@ -29,7 +29,7 @@ from collections.abc import Callable, Generator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
 import numpy as np
 
@@ -65,6 +65,17 @@ def key_of(kind: str, *parts: object) -> str:
     """The kind of a product and the hash of everything it depends on: texts, numbers, arrays, mappings of them."""
     text = json.dumps(parts, sort_keys=True, ensure_ascii=False, allow_nan=True, separators=(",", ":"), default=_plain)
     return f"{kind}-{hashlib.sha256(text.encode('utf-8', 'surrogatepass')).hexdigest()[:40]}"
+
+
+def _write_arrays(file: BinaryIO, product: Mapping[str, Array]) -> None:
+    """Write an archive of arrays as np.savez does, and let go of it where the disk is full.
+
+    np.savez before NumPy 2 leaves the archive open then; when it is collected it prints a traceback.
+    """
+    with zipfile.ZipFile(file, "w") as archive:
+        for name, values in product.items():
+            with archive.open(f"{name}.npy", "w", force_zip64=True) as member:
+                np.lib.format.write_array(member, np.asanyarray(values), allow_pickle=False)
 
 
 def _plain(value: object) -> object:
@@ -191,7 +202,7 @@ class Project:
             temporary = path.with_name(f".{key}.{uuid.uuid4().hex[:8]}")
             try:
                 with temporary.open("wb") as file:
-                    np.savez(file, **product)  # pyright: ignore[reportArgumentType]
+                    _write_arrays(file, product)
                 temporary.replace(path)
             finally:
                 temporary.unlink(missing_ok=True)

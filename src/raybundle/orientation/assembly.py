@@ -28,7 +28,7 @@ from raybundle.orientation.completion import Completed, complete
 from raybundle.orientation.growth import Growth
 from raybundle.orientation.rays import rays_of
 from raybundle.orientation.skeleton import skeleton
-from raybundle.orientation.start import start_from_control, start_from_pair
+from raybundle.orientation.start import favoured, start_from_control, start_from_pair
 
 LEAST = 6
 """Known points from which on an image without control is resected."""
@@ -251,8 +251,8 @@ def _resect(growth: Growth, image: int, share: float) -> Pose | None:
         return None
     limit = growth.limit(image)
     if len(xyz) < LEAST:
-        poses = resect_all(direction, xyz)
-        return poses[0] if poses and poses[0].rms < limit else None
+        poses = [p for p in resect_all(direction, xyz) if p.rms < limit]
+        return favoured(growth, image, poses, last=share != MOST)
     for factor, least in ((1, 4), (4, LEAST)) if share == MOST else ((1, FEWEST),):
         pose = resect_robust(direction, xyz, factor * limit)
         if pose is not None and pose.inliers.sum() >= max(least, share * len(xyz)):

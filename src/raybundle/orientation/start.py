@@ -13,6 +13,10 @@ PAIRS = 12
 """Pairs that are tried at the start."""
 COMMON = 8
 """Common points that a starting pair needs."""
+TELLING = 3
+"""Common points that tell poses apart: one or two may lie where the candidates' epipolar lines cross."""
+JUDGES = 5
+"""Oriented images that judge the candidates of another, those with the most common points."""
 
 
 def start_from_control(growth: Growth, left: Mask) -> bool:
@@ -72,9 +76,12 @@ def _common(growth: Growth, a: int, b: int) -> tuple[Array, Array]:
     return common_rows(growth.by_image[a], growth.by_image[b], growth.rays.point)
 
 
-def _agreement(growth: Growth, a: int, pa: Pose, b: int, pb: Pose) -> float | None:
-    """Median angle between rays and intersected common points, in units of the limit; None if most lie behind."""
-    ra, rb = _common(growth, a, b)
+def _agreement(growth: Growth, a: int, pa: Pose, b: int, pb: Pose, of_a: Array | None = None) -> float | None:
+    """Median angle between rays and intersected common points, in units of the limit; None if most lie behind.
+
+    of_a  rays of the first image that count; None: all
+    """
+    ra, rb = common_rows(growth.by_image[a] if of_a is None else of_a, growth.by_image[b], growth.rays.point)
     n = len(ra)
     rotation = np.concatenate([np.broadcast_to(pa.rotation, (n, 3, 3)), np.broadcast_to(pb.rotation, (n, 3, 3))])
     centre = np.concatenate([np.broadcast_to(pa.centre, (n, 3)), np.broadcast_to(pb.centre, (n, 3))])
@@ -85,6 +92,39 @@ def _agreement(growth: Growth, a: int, pa: Pose, b: int, pb: Pose) -> float | No
     if np.median(ratio) < 1e-3 or np.mean(angle > 0.2) > 0.2:
         return None
     return float(np.median(angle) / growth.limit(a) + 0.3 * (pa.rms / growth.limit(a) + pb.rms / growth.limit(b)))
+
+
+def favoured(growth: Growth, image: int, poses: list[Pose], *, last: bool) -> Pose | None:
+    """Of several poses that fit the few known points of an image, the one that its common points favour.
+
+    poses  that fit, the best first; three points leave up to four, all of them exact, so that their residuals are
+           rounding and tell nothing, and four in a plane leave two that are nearly alike
+    last   whether to choose where nothing tells: the highest of three points, else the one that fits best
+    Common points that are not known yet must intersect with oriented images; each candidate is judged by the image
+    with the most of them, and by the median over the next ones.
+    """
+    if len(poses) < 2:
+        return poses[0] if poses else None
+    mine = growth.by_image[image]
+    fresh = mine[~growth.known[growth.rays.point[mine]]]
+    partners: list[tuple[int, int]] = []
+    for other in np.flatnonzero(growth.active):
+        count = len(common_rows(fresh, growth.by_image[int(other)], growth.rays.point)[0])
+        if count >= TELLING:
+            partners.append((count, int(other)))
+    scores = np.full((len(poses), min(len(partners), JUDGES)), np.inf)
+    for k, (_, other) in enumerate(sorted(partners, reverse=True)[:JUDGES]):
+        images = growth.block.images
+        placed = Pose(images.rotation[other], images.centre[other], 0.0, np.ones(0, bool))
+        for j, pose in enumerate(poses):
+            found = _agreement(growth, image, pose, other, placed, fresh)
+            scores[j, k] = np.inf if found is None else found
+    if scores.size and np.isfinite(scores).any():
+        return poses[int(np.argmin(np.median(scores, axis=1)))]
+    if not last and len(fresh):
+        return None
+    exact = len(poses[0].inliers) == 3
+    return max(poses, key=lambda p: float(p.centre[2])) if exact else poses[0]
 
 
 def start_from_pair(growth: Growth, left: Mask) -> bool:

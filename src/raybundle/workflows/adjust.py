@@ -10,17 +10,19 @@ import numpy as np
 from raybundle.adjustment import defects
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.entry import check_entry
+from raybundle.adjustment.identical_control import identical_notices
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.scene_start import refuse_unoriented, with_scene_points
-from raybundle.adjustment.severity import Severity
+from raybundle.adjustment.severity import POOR_FIT, Severity
 from raybundle.block import Block, Role
 from raybundle.errors import InputError, NoConvergence, NoOrientation, NotSolvable, RankDefect
 from raybundle.numerics.arrays import Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.orientation.given_points import intersected_where_better, without_given_ties
+from raybundle.workflows.control_doubts import doubted_control, notice, words
 
-POOR_FIT = 10.0
+DOUBTED = 10.0
 """sigma0 from which on the approximate values are doubted."""
 
 
@@ -35,11 +37,14 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
     check_entry(block, options)
     defects.check_rays(block, np.zeros(len(block.observations), bool))
     twins = identical_images(block)
+    identical = identical_notices(block)
     try:
         result = _adjust(block, options, progress)
     except NotSolvable as error:
-        if twins:
-            raise type(error)(f"{error}\n  {_twin_words(twins)}") from error
+        why = [_twin_words(twins)] if twins else [n.message for n in identical]
+        why = why or _control_words(block, options)
+        if why:
+            raise error.worded("\n  ".join([str(error), *why])) from error
         raise
     if twins and not result.converged:
         raise NoConvergence(f"the iteration did not end.\n  {_twin_words(twins)}")
@@ -48,7 +53,27 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
             code="identical_images", message=_twin_words(twins), ids=tuple(i for pair in twins for i in pair)
         )
         result = replace(result, notices=(warning, *result.notices))
+    doubt = None
+    if result.sigma0 > POOR_FIT and block.points.is_control.any() and not identical and not _held(block):
+        doubt = doubted_control(block, result, options, _plainly)
+    plain = (*identical, *([] if doubt is None else [notice(doubt, result.sigma0)]))
+    if plain:
+        # a large error has bent all others to it: what tests of single values say then is no measure
+        others = [n for n in result.notices if n.code != "control_suspect" or result.sigma0 <= POOR_FIT]
+        result = replace(result, notices=(*plain, *others))
     return replace(result, given=block, seconds=time.perf_counter() - began)
+
+
+def _plainly(block: Block, options: AdjustmentOptions) -> Adjustment:
+    return _adjust(block, options, silent)
+
+
+def _control_words(block: Block, options: AdjustmentOptions) -> list[str]:
+    """What control has to do with it that nothing can be adjusted."""
+    if not block.points.is_control.any() or _held(block):
+        return []
+    doubt = doubted_control(block, None, options, _plainly)
+    return [] if doubt is None else [words(doubt, float("nan"))]
 
 
 def _adjust(block: Block, options: AdjustmentOptions, progress: Progress) -> Adjustment:
@@ -60,10 +85,10 @@ def _adjust(block: Block, options: AdjustmentOptions, progress: Progress) -> Adj
         result = _from_given(block, observed, options, progress)
     except (NoOrientation, NoConvergence, RankDefect) as error:
         fresh = _afresh(block, options, progress) if afresh else None
-        if fresh is None or fresh.sigma0 > POOR_FIT:
+        if fresh is None or fresh.sigma0 > DOUBTED:
             raise
         return _replaced(fresh, f"the approximate values of the block lead nowhere ({error.headline})")
-    if result.sigma0 > POOR_FIT and afresh:
+    if result.sigma0 > DOUBTED and afresh:
         fresh = _afresh(block, options, progress)
         if fresh is not None and fresh.sigma0 < 0.5 * result.sigma0:
             return _replaced(fresh, f"the approximate values of the block lead to sigma0 {result.sigma0:.3g}")

@@ -8,6 +8,7 @@ from itertools import combinations
 
 import numpy as np
 
+from raybundle.adjustment.identical_control import identical_notices
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Block, Role
 from raybundle.block.select import transformed, with_rows
@@ -78,6 +79,7 @@ def georeference(
     state = Placing(block)
     frame = frame_of(photos, given) if around is None else around.frame
     add_points(state, photos, given, frame)
+    state.notices += identical_notices(state.block)
     add_bars(state, given)
     if around is None:  # else a scene may show the point as well
         drop_single_marks(state)

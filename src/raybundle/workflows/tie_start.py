@@ -68,7 +68,10 @@ def start(
             break
     if best is None:
         assert problem is not None
-        raise problem
+        try:
+            raise problem
+        finally:
+            del problem  # it holds this frame, which would hold it
     result, rows, failed = best
     result = replace(result, cameras=_with_estimate(result.cameras, raw.cameras))
     return TieBlock(

@@ -321,7 +321,10 @@ def _best(camera: Camera | ForwardCamera, choice: Sequence[Variant]) -> tuple[Va
         if fit.deviation_px <= CLOSE_PX:
             return variant, fit
     if not fits and problem is not None:
-        raise problem
+        try:
+            raise problem
+        finally:
+            del problem  # it holds this frame, which would hold it
     return min(fits, key=lambda pair: pair[1].deviation_px)
 
 

@@ -19,6 +19,7 @@ from raybundle.targets.border import fit_squares
 from raybundle.targets.detect import eight_bits
 from raybundle.targets.marks import Kind, MarkOptions, Marks, Target, no_ellipses, nothing, register
 from raybundle.targets.tag_fit import fit_tags
+from raybundle.targets.tag_reading import bits_of, read_modules
 
 SMALL_PX = 25.0
 """Side of a tag below which its sides are too short to be measured one by one: a module is 3 px or less."""
@@ -121,25 +122,37 @@ def sides(corners: Array) -> Array:
     return np.hypot(*(np.roll(corners, -1, axis=1) - corners).transpose(2, 0, 1))
 
 
-def bits_of(tags: Any, number: int) -> Array:
-    """(m, m) modules of a tag, rim included: 1 light, 0 dark."""
-    side = tags.markerSize + 2
-    return (cv2.aruco.generateImageMarker(tags, number, side) > 127).astype(float)
-
-
 def seen_tags(image: Array, tags: Any) -> tuple[Array, Array]:
     """Numbers (n,) and approximate corners (n, 4, 2), pixel frame, of all tags in an image (h, w) uint8.
 
     OpenCV takes the smallest tag as a share of the image (3 % of its longer side for the four sides together, 45 px a
-    side in 24 megapixels); here it is what can be read, whatever the image.
+    side in 24 megapixels); here it is what can be read, whatever the image.  Small ones that it finds and cannot read
+    are read by their modules, so that its version does not matter.
     """
     parameters = cv2.aruco.DetectorParameters()
     share = 4 * LEAST_SIDE_PX / max(image.shape)
     parameters.minMarkerPerimeterRate = min(parameters.minMarkerPerimeterRate, share)
     seen: Any = cv2.aruco.ArucoDetector(tags, parameters).detectMarkers(image)
-    if seen[1] is None or not len(seen[1]):
-        return np.zeros(0, int), np.zeros((0, 4, 2))
-    return seen[1].reshape(-1), np.array(seen[0], float).reshape(-1, 4, 2) + 0.5
+    ids = np.zeros(0, int) if seen[1] is None else np.asarray(seen[1], int).reshape(-1)
+    corners = np.array(seen[0], float).reshape(-1, 4, 2) + 0.5
+    left = np.array(seen[2], float).reshape(-1, 4, 2) + 0.5
+    size = sides(left)
+    left = left[(size.min(axis=1) >= LEAST_SIDE_PX) & (size.max(axis=1) < SMALL_PX) & _apart(left, corners)]
+    number, turned = read_modules(image, left, tags)
+    number, turned = number[number >= 0], turned[number >= 0]
+    # the inner and the outer edge of a rim are two quadrangles: the larger one counts
+    order = np.argsort(-sides(turned).min(axis=1), kind="stable")
+    kept: list[int] = []
+    for k in order:
+        if _apart(turned[[k]], turned[kept])[0]:
+            kept.append(int(k))
+    return np.concatenate([ids, number[kept]]), np.concatenate([corners, turned[kept]])
+
+
+def _apart(some: Array, others: Array) -> Array:
+    """(n,) whether the middles of squares (n, 4, 2) lie farther than half a side from those of others (k, 4, 2)."""
+    gap = some.mean(axis=1)[:, None] - others.mean(axis=1)[None]
+    return (np.hypot(*gap.transpose(2, 0, 1)) > sides(some).max(axis=1)[:, None] / 2).all(axis=1)
 
 
 def _make(name: str) -> Target | None:

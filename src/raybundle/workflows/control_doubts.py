@@ -1,0 +1,150 @@
+"""Control that nothing fits: whether the photographs fit one another without it, and which point is wrong."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.adjustment.severity import POOR_FIT, Severity
+from raybundle.block import Block, Role
+from raybundle.block.select import with_rows
+from raybundle.errors import InputError, NotSolvable
+from raybundle.numerics.arrays import Index
+from raybundle.numerics.statistics import fisher_tail
+from raybundle.numerics.transform import robust_similarity
+
+ROUNDS = 3
+"""Points that are left out, one after the other; fewer than a third, or what is left explains as little."""
+ROUGHLY = 0.01
+"""Share of the extent of the control up to which points agree, to begin with those that do not."""
+
+Adjust = Callable[[Block, AdjustmentOptions], Adjustment]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Doubt:
+    """What control does to photographs that fit without it."""
+
+    alone: float
+    """sigma0 without any control"""
+    wrong: tuple[str, ...]
+    """Points without which the others fit; () where no few points explain it"""
+    left: float
+    """sigma0 without these"""
+    names: tuple[str, ...]
+    """All control points"""
+
+
+def doubted_control(
+    block: Block, failed: Adjustment | None, options: AdjustmentOptions, adjust: Adjust
+) -> Doubt | None:
+    """Whether control is what does not fit; None where the photographs contradict themselves, or nothing tells.
+
+    failed  the adjustment with all control, which fits poorly; None where there is none
+    adjust  of a block with the approximate values that it was given
+
+    Likelihood ratio: leaving out a point of k coordinates, the square sum W falls to W', and with right coordinates
+    F = ((W - W') / k) / (W' / r') is distributed as F(k, r') (k directions less where the point had part in the datum).
+    Unlike the force on the held point (`adjustment.held_control`) it does not rest on a solution that a large error
+    has bent; it costs an adjustment a point, which is why the point goes first that agrees least with the others.
+    """
+    control = np.flatnonzero(block.points.is_control.any(axis=1))
+    brief = replace(options, statistics=False, reject="none", estimate="given", datum="auto", noise="white")
+    free = _tried(_without(block, control), brief, adjust)
+    if free is None or free.sigma0 > POOR_FIT:
+        return None
+    names = tuple(block.points.ids[k] for k in control)
+    out: list[int] = []
+    before = failed
+    for k in _by_misfit(block, free)[: min(ROUNDS, max(1, (len(control) - 1) // 3))]:
+        out.append(k)
+        tried = _tried(_without(block, np.array(out)), brief, adjust)
+        if tried is None:
+            continue
+        count = int(block.points.is_control[k].sum())
+        if before is not None and not _significant(before, tried, count, options.significance / len(control)):
+            out.pop()
+            continue
+        before = tried
+        if tried.sigma0 <= POOR_FIT:
+            return Doubt(
+                alone=free.sigma0, wrong=tuple(block.points.ids[p] for p in out), left=tried.sigma0, names=names
+            )
+    return Doubt(alone=free.sigma0, wrong=(), left=float("nan"), names=names)
+
+
+def words(doubt: Doubt, sigma0: float) -> str:
+    """What is wrong, the number against its limit, and what to do; sigma0 NaN where the adjustment failed."""
+    with_all = f"sigma0 {sigma0:.3g} with all control" if np.isfinite(sigma0) else "nothing can be adjusted with it"
+    if doubt.wrong:
+        points = f"point{'s' * (len(doubt.wrong) > 1)} {', '.join(doubt.wrong)}"
+        return (
+            f"control {points} contradict{'s' * (len(doubt.wrong) == 1)} the photographs and the other control: "
+            f"{with_all}, {doubt.left:.3g} without (limit {POOR_FIT:g}). Check the coordinates and the numbers in the "
+            "images, or leave out what is wrong"
+        )
+    some = ", ".join(doubt.names[:10]) + (" ..." if len(doubt.names) > 10 else "")
+    return (
+        f"the photographs fit one another without control (sigma0 {doubt.alone:.3g}), and not with it ({with_all}; "
+        f"limit {POOR_FIT:g}); no single point explains it: {some}. Look for exchanged names or axes, the unit, the "
+        "coordinate system and wrong coordinates"
+    )
+
+
+def notice(doubt: Doubt, sigma0: float) -> Notice:
+    """The fault of a result."""
+    return Notice(
+        code="control_contradicts", message=words(doubt, sigma0), ids=doubt.wrong or doubt.names[:100],
+        measured=Severity.FAULT,
+    )  # fmt: skip
+
+
+def _tried(block: Block, options: AdjustmentOptions, adjust: Adjust) -> Adjustment | None:
+    try:
+        return adjust(block, options)
+    except (InputError, NotSolvable):
+        return None
+
+
+def _significant(before: Adjustment, after: Adjustment, count: int, level: float) -> bool:
+    if after.redundancy < 1 or after.weighted_square_sum <= 0:
+        return False
+    gained = (before.weighted_square_sum - after.weighted_square_sum) / count
+    F = gained / (after.weighted_square_sum / after.redundancy)
+    return F > 0 and fisher_tail(F, count, after.redundancy) < level
+
+
+def _without(block: Block, points: Index) -> Block:
+    """The block in which these control points are tie points; those with a single ray are left out."""
+    role, sigma, xyz = np.array(block.points.role), block.points.sigma.copy(), block.points.xyz.copy()
+    role[points], sigma[points], xyz[points] = Role.TIE, np.nan, np.nan
+    rays = np.bincount(block.observations.point, minlength=len(block.points))
+    lone = points[rays[points] < 2]
+    loose = replace(block, points=replace(block.points, role=role, sigma=sigma, xyz=xyz))
+    if not len(lone):
+        return loose
+    distances = np.isin(block.distances.start, lone) | np.isin(block.distances.end, lone)
+    return loose if distances.any() else with_rows(loose, ~np.isin(block.observations.point, lone))
+
+
+def _by_misfit(block: Block, free: Adjustment) -> list[int]:
+    """Control points in order of their distance from where the photographs alone have them, the farthest first."""
+    index = {name: k for k, name in enumerate(block.points.ids)}
+    at = {index[name]: xyz for name, xyz in zip(free.adjusted.points.ids, free.adjusted.points.xyz, strict=True)}
+    whole = block.points.is_control.all(axis=1)
+    rows = np.array([k for k in np.flatnonzero(whole).tolist() if k in at and np.isfinite(at[k]).all()], int)
+    if len(rows) < 4:
+        return []
+    target = block.points.xyz[rows]
+    source = np.array([at[k] for k in rows])
+    extent = float(np.linalg.norm(np.ptp(target, axis=0)))
+    try:
+        onto, _ = robust_similarity(source, target, ROUGHLY * extent)
+    except InputError:
+        return []
+    gap = np.linalg.norm(onto.points(source) - target, axis=1)
+    return [int(k) for k in rows[np.argsort(-gap, kind="stable")]]

@@ -1,0 +1,131 @@
+"""Held control that is wrong is named: by the force that holds it, and where nothing fits, by leaving it out."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from raybundle import adjust
+from raybundle.adjustment.held_control import held_tests
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.block import Role
+from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+
+OPTIONS = AdjustmentOptions(threads=1)
+
+
+def observed(seed=1, *, sigma=(0.0, 0.0, 0.0), control=5, bars=0, estimate=()):
+    scene = field_scene(TargetField(stations=6, frontal=0, camera=brown_camera(estimate=estimate)))
+    survey = Survey(
+        seed=seed, orientation="exact", points="exact", interior="exact", control=control, control_sigma=sigma,
+        scale_bars=bars,
+    )  # fmt: skip
+    return simulate(scene, survey).observed
+
+
+def moved(block, name, by):
+    xyz = block.points.xyz.copy()
+    xyz[block.points.ids.index(name)] += by
+    return replace(block, points=replace(block.points, xyz=xyz))
+
+
+def let_go(block, name):
+    """The block in which the point's held coordinates are free."""
+    k = block.points.ids.index(name)
+    sigma = block.points.sigma.copy()
+    sigma[k] = np.where(sigma[k] == 0, np.nan, sigma[k])
+    role = block.points.role.copy()
+    role[k] = Role.TIE if np.isnan(sigma[k]).all() else Role.CONTROL
+    return replace(block, points=replace(block.points, sigma=sigma, role=role))
+
+
+def control_names(block):
+    return [name for name, c in zip(block.points.ids, block.points.is_control.any(axis=1), strict=True) if c]
+
+
+@pytest.mark.parametrize(
+    ("sigma", "bars", "estimate"),
+    [((0, 0, 0), 0, ()), ((0, 0, np.nan), 0, ()), ((0, 1e-4, 0), 2, ()), ((0, 0, 0), 2, ("c", "x0", "y0", "K1"))],
+)
+def test_the_force_says_what_letting_the_point_go_would_gain(sigma, bars, estimate):
+    block = observed(sigma=sigma, bars=bars, estimate=estimate)
+    name = control_names(block)[2]
+    block = moved(block, name, [2e-5, -3e-5, 1e-5])
+    result = adjust(block, OPTIONS)
+    free = adjust(let_go(block, name), OPTIONS)
+    k = block.points.ids.index(name)
+    test = next(t for t in held_tests(result) if t.point == k)
+    gained = result.weighted_square_sum - free.weighted_square_sum
+    assert test.directions == sum(s == 0 for s in sigma)
+    assert test.square == pytest.approx(gained, rel=1e-3)
+    held = np.array(sigma) == 0
+    assert test.shift[held] == pytest.approx(
+        (free.adjusted.points.xyz[k] - block.points.xyz[k])[held], rel=2e-3, abs=3e-7
+    )
+    assert (test.shift[~held] == 0).all()
+
+
+def test_the_test_keeps_its_probability():
+    """Right coordinates: the probabilities are uniform.  With sigma0 10 % off in F's denominator they were not."""
+    p = [t.probability for seed in range(30) for t in held_tests(adjust(observed(seed, control=4), OPTIONS))]
+    assert len(p) == 120
+    assert abs(np.mean(p) - 0.5) < 4 * np.sqrt(1 / 12 / 30)  # tests of one block are correlated
+    assert np.mean(np.array(p) < 0.05) < 0.15
+
+
+def test_a_held_point_that_is_wrong_is_named():
+    block = observed()
+    name = control_names(block)[1]
+    result = adjust(moved(block, name, [0.0, 4e-4, 0.0]), OPTIONS)
+    (notice,) = [n for n in result.notices if n.code == "control_suspect"]
+    assert notice.ids == (name,)
+    assert notice.severity == "fault"
+    assert "Check its coordinates and its number in the images" in notice.message
+    assert not [n for n in adjust(block, OPTIONS).notices if n.code == "control_suspect"]
+
+
+def without_orientation(block):
+    images = block.images
+    blank = replace(images, centre=np.full_like(images.centre, np.nan), rotation=np.full_like(images.rotation, np.nan))
+    return replace(block, images=blank)
+
+
+@pytest.mark.parametrize("sigma", [0.0, 1e-12, 1e-4])
+@pytest.mark.parametrize("begun", [True, False])
+def test_control_far_off_is_named_where_nothing_fits(sigma, begun):
+    """10 m off in a field of 2 m: the adjustment with it bends everything; without it the others fit."""
+    block = observed(sigma=(sigma,) * 3)
+    name = control_names(block)[2]
+    wrong = moved(block, name, [10.0, 0.0, 0.0])
+    result = adjust(wrong if begun else without_orientation(wrong), OPTIONS)
+    (notice,) = [n for n in result.notices if n.code == "control_contradicts"]
+    assert notice.ids == (name,)
+    assert notice.severity == "fault"
+    assert f"control point {name} contradicts the photographs" in notice.message
+    assert not [n for n in result.notices if n.code == "control_suspect"]
+
+
+def test_two_wrong_ones_are_both_named_and_all_where_none_explains_it():
+    block = observed(control=7)
+    names = control_names(block)
+    two = moved(moved(block, names[1], [3.0, 0.0, 0.0]), names[4], [0.0, -2.0, 1.0])
+    (notice,) = [n for n in adjust(two, OPTIONS).notices if n.code == "control_contradicts"]
+    assert set(notice.ids) == {names[1], names[4]}
+    xyz = block.points.xyz.copy()
+    rows = [block.points.ids.index(n) for n in names]
+    xyz[rows] = xyz[rows][:, [1, 0, 2]]  # exchanged axes: a mirrored object
+    mirrored = replace(block, points=replace(block.points, xyz=xyz))
+    (notice,) = [n for n in adjust(mirrored, OPTIONS).notices if n.code == "control_contradicts"]
+    assert notice.ids == tuple(names)
+    assert "fit one another without control" in notice.message
+    assert "exchanged names or axes" in notice.message
+
+
+def test_photographs_that_contradict_themselves_are_not_laid_on_control():
+    block = observed()
+    o = block.observations
+    rng = np.random.default_rng(3)
+    noisy = replace(block, observations=replace(o, xy_px=o.xy_px + rng.normal(0, 3.0, o.xy_px.shape)))
+    result = adjust(noisy, OPTIONS)
+    assert result.sigma0 > 3
+    assert not [n for n in result.notices if n.code.startswith("control_")]

@@ -1,0 +1,76 @@
+"""Control points with the coordinates of another one: a fault where photographs show two, else a caution."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from raybundle import adjust
+from raybundle.adjustment.identical_control import identical_control, identical_notices
+from raybundle.errors import NotSolvable
+from tests.adjustment.test_held_control import OPTIONS, control_names, observed
+
+
+def copied(block, names, *, onto, by=0.0):
+    xyz = block.points.xyz.copy()
+    for name in names:
+        xyz[block.points.ids.index(name)] = xyz[block.points.ids.index(onto)] + by
+    return replace(block, points=replace(block.points, xyz=xyz))
+
+
+@pytest.mark.parametrize("sigma", [0.0, 0.001])
+def test_a_copied_line_is_a_fault(sigma):
+    block = observed(sigma=(sigma,) * 3, control=6)
+    names = control_names(block)
+    result = adjust(copied(block, names[1:2], onto=names[0]), OPTIONS)
+    (notice,) = [n for n in result.notices if n.code == "control_identical"]
+    assert set(notice.ids) == set(names[:2])
+    assert notice.severity == "fault"
+    assert f"{names[0]} and {names[1]} (" in notice.message
+    assert "px apart in image" in notice.message
+    assert not identical_notices(block)
+
+
+@pytest.mark.parametrize("sigma", [0.0, 0.001])
+def test_four_alike_are_named_whether_or_not_there_is_a_result(sigma):
+    block = observed(sigma=(sigma,) * 3, control=4)
+    names = control_names(block)
+    block = copied(block, names[1:], onto=names[0])
+    try:
+        said = " ".join(n.message for n in adjust(block, OPTIONS).notices if n.code == "control_identical")
+    except NotSolvable as error:
+        said = str(error)
+    assert "control points with the same coordinates that are different points" in said
+    assert all(name in said for name in names)
+
+
+def test_two_names_of_one_point_are_a_caution_and_neighbours_nothing():
+    block = observed(sigma=(0.01,) * 3, control=4)
+    names = control_names(block)
+    a, b = (block.points.ids.index(n) for n in names[:2])
+    o = block.observations
+    rng = np.random.default_rng(1)
+    first = {int(i): o.xy_px[k] for k, i in enumerate(o.image) if o.point[k] == a}
+    xy = o.xy_px.copy()
+    for k in np.flatnonzero(o.point == b):
+        xy[k] = first[int(o.image[k])] + rng.normal(0, 0.1, 2)
+    same = copied(replace(block, observations=replace(o, xy_px=xy)), names[1:2], onto=names[0], by=0.004)
+    (notice,) = identical_notices(same)
+    assert notice.severity == "caution"
+    assert "give it one name" in notice.message
+    assert not identical_notices(copied(block, names[1:2], onto=names[0], by=0.02))
+
+
+def test_points_too_close_for_their_survey_are_no_fault():
+    """Two targets 3 mm apart whose coordinates have a standard deviation of 1 cm, in a photograph with others."""
+    block = observed(sigma=(0.01,) * 3, control=4)
+    names = control_names(block)
+    a, b = (block.points.ids.index(n) for n in names[:2])
+    o = block.observations
+    first = {int(i): o.xy_px[k] for k, i in enumerate(o.image) if o.point[k] == a}
+    xy = o.xy_px.copy()
+    for k in np.flatnonzero(o.point == b):
+        xy[k] = first[int(o.image[k])] + 6.0
+    close = copied(replace(block, observations=replace(o, xy_px=xy)), names[1:2], onto=names[0], by=0.003)
+    (pair,) = identical_control(close)
+    assert pair.apart_px == 0
