@@ -189,6 +189,34 @@ nb::tuple fit_masked_dots(Image image, Const start, Ints box, Longs offset, Byte
   return nb::make_tuple(values, covariance, residual, outcome, e, J);
 }
 
+// Pixels of dots on which something lies; limits (n, 4): pixel, edge, halo [px], strict.
+nb::object cover_dots(Const values, Const cov, Ints box, Longs offset, Bytes free, Const e, Const J, Const limits) {
+  const size_t n = values.size() / kDotUnknowns, m = free.size();
+  if (values.size() != n * kDotUnknowns || cov.size() != n * kDotUnknowns * kDotUnknowns || box.size() != 4 * n || offset.size() != n + 1 ||
+      limits.size() != 4 * n || e.size() != m || J.size() != m * kDotUnknowns)
+    throw std::invalid_argument("dots have the wrong size");
+  bool fine = offset.data()[0] == 0 && offset.data()[n] == int64_t(m);
+  std::vector<CoverLimits> each(n);
+  for (size_t i = 0; i < n && fine; ++i) {
+    const int32_t* b = box.data() + 4 * i;
+    const double *v = values.data() + kDotUnknowns * i, *l = limits.data() + 4 * i;
+    each[i] = {l[0], l[1], l[2], l[3] != 0};
+    fine = b[0] >= 0 && b[1] >= 0 && b[0] < b[2] && b[1] < b[3] && l[2] >= 0 && l[2] < 1e3 && v[2] > 1e-3 && v[4] > 1e-3 &&
+           std::all_of(v, v + 5, [](double a) { return std::abs(a) < 1e9; }) &&
+           offset.data()[i + 1] - offset.data()[i] == int64_t(b[2] - b[0]) * (b[3] - b[1]);
+  }
+  const auto number = [](double a) { return std::isfinite(a); };
+  fine = fine && std::all_of(e.data(), e.data() + e.size(), number) && std::all_of(J.data(), J.data() + J.size(), number);
+  if (!fine) throw std::invalid_argument("boxes of dots are not as large as their pixels, or dots have no size, or are no numbers");
+  auto covered = array<uint8_t>({m});
+  uint8_t* c = covered.data();
+  {
+    nb::gil_scoped_release release;
+    target_kernels().cover(int(n), values.data(), cov.data(), box.data(), offset.data(), free.data(), e.data(), J.data(), each.data(), c);
+  }
+  return nb::cast(covered);
+}
+
 nb::tuple fit_corners(Image image, Const xy, Const u, Const v, Const band, Const half, double least, int iterations) {
   const size_t n = half.size();
   if (xy.size() != 2 * n || u.size() != 2 * n || v.size() != 2 * n || band.size() != 2 * n)
@@ -259,6 +287,7 @@ NB_MODULE(_native, m) {
   m.def("match_windows", &match_windows);
   m.def("fit_dots", &fit_dots);
   m.def("fit_masked_dots", &fit_masked_dots);
+  m.def("cover_dots", &cover_dots);
   m.def("fit_corners", &fit_corners);
   m.def("instruction_set", [] { return std::string(kernels().name); });
   m.def("sensor_models", [] {

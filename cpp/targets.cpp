@@ -283,13 +283,15 @@ static double median(double* a, int n) {
   return n % 2 ? a[n / 2] : 0.5 * (*std::max_element(a, a + n / 2) + a[n / 2]);
 }
 
+#include "covered.inl"
+
 // Signs of something that lies on a dot, from the residuals of the last evaluation and the factor of the normal equations:
 // see centre.doubts_of.
 static void doubts_of(const double* v, const DotWork& w, const double N[kU][kU], const double* scale, std::vector<double>& differences,
                       double* doubt) {
-  constexpr double kTurn = 6.283185307179586, kNormal = 0.6744897501960817, kRounding = 1.0 / 12;
-  constexpr int kWidths[3] = {2, 4, 6};
-  double he[kSectors] = {}, hh[kSectors] = {}, ee[kSectors] = {}, count[kSectors] = {}, hJ[kSectors][kU] = {}, Q[kU][kU];
+  constexpr double kTurn = 6.283185307179586;
+  EdgeSums edge;
+  double ee[kSectors] = {}, count[kSectors] = {}, Q[kU][kU];
   for (int i = 0; i < kU; ++i) {
     std::fill(Q[i], Q[i] + kU, 0.0);
     Q[i][i] = 1;
@@ -308,8 +310,8 @@ static void doubts_of(const double* v, const DotWork& w, const double N[kU][kU],
       const double p = (x + 0.5 - v[X0]) / v[A], q = (y + 0.5 - v[Y0] - v[B] * p) / v[D];
       const double turn = std::atan2(q, p) / kTurn;
       const int k = std::clamp(int((turn < 0 ? turn + 1 : turn) * kSectors), 0, kSectors - 1);
-      he[k] += h * e, hh[k] += h * h, ee[k] += e * e, count[k] += 1;
-      for (int j = 0; j < kU; ++j) hJ[k][j] += h * J[j];
+      edge.add(k, h, e, J);
+      ee[k] += e * e, count[k] += 1;
       total += e * e;
       if (x + 1 < r) differences.push_back(std::abs(w.e[i + 1] - e));
       if (x >= below_l && x < below_r) differences.push_back(std::abs(w.e[i + width] - e));
@@ -321,7 +323,7 @@ static void doubts_of(const double* v, const DotWork& w, const double N[kU][kU],
     const int l = (k + 1) % kSectors;
     if (count[k] + count[l] > 0) sorted[n++] = (ee[k] + ee[l]) / (count[k] + count[l]);
   }
-  const double variance = n ? std::max(median(sorted, n), kRounding) : kRounding;
+  const double variance = n ? std::max(median(sorted, n), kRoundingVariance) : kRoundingVariance;
   n = 0;
   for (int k = 0; k < kSectors; ++k) {
     const int l = (k + 1) % kSectors;
@@ -331,28 +333,16 @@ static void doubts_of(const double* v, const DotWork& w, const double N[kU][kU],
   if (n) {
     most = *std::max_element(square, square + n);
     for (int k = 0; k < n; ++k) sorted[k] = std::abs(square[k]);
-    doubt[1] = most / std::max(1.0, median(sorted, n) / kNormal);
+    doubt[1] = most / std::max(1.0, median(sorted, n) / kNormalMedian);
   }
   // shifts of parts of the edge: see centre.edge_shifts
   most = 0;
-  for (int m : kWidths)
-    for (int k = 0; k < kSectors; ++k) {
-      double a = 0, b = 0, G[kU] = {};
-      for (int j = 0; j < m; ++j) {
-        const int l = (k + j) % kSectors;
-        a += he[l], b += hh[l];
-        for (int i = 0; i < kU; ++i) G[i] += hJ[l][i];
-      }
-      double left = b;
-      for (int i = 0; i < kU; ++i)
-        for (int j = 0; j < kU; ++j) left -= G[i] * Q[i][j] * G[j];
-      const double z = b > 0 && left > 0.1 * b ? std::abs(a) / std::sqrt(left * variance) : 0;
-      most = std::max(most, z);
-    }
-  double noise = std::sqrt(kRounding);
-  if (!differences.empty()) noise = std::max(noise, median(differences.data(), int(differences.size())) / (kNormal * std::sqrt(2.0)));
-  doubt[2] = std::sqrt(std::max(total / w.count, kRounding)) / noise;
-  doubt[0] = most / std::max(1.0, doubt[2]);
+  for (int m : kPartWidths)
+    for (int k = 0; k < kSectors; ++k) most = std::max(most, edge.deviate(Q[0], m, k, -1));
+  double noise = std::sqrt(kRoundingVariance);
+  if (!differences.empty()) noise = std::max(noise, median(differences.data(), int(differences.size())) / (kNormalMedian * std::sqrt(2.0)));
+  doubt[2] = std::sqrt(std::max(total / w.count, kRoundingVariance)) / noise;
+  doubt[0] = most / std::sqrt(variance) / std::max(1.0, doubt[2]);
 }
 
 static DotOutcome fit_dot(const Grey& g, const DotFit& fit, double window, double* v, double* covariance, double& residual, double* doubt,
@@ -443,7 +433,7 @@ static void fit_masked(const Grey& image, const DotFit& fit, int begin, int end,
 }
 
 extern const TargetKernels targets;
-const TargetKernels targets = {&fit_dots, &fit_masked};
+const TargetKernels targets = {&fit_dots, &fit_masked, &cover_dots};
 
 }  // namespace RB_ARCH
 }  // namespace raybundle

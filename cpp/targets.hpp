@@ -30,6 +30,13 @@ struct DotMasks {
   double *residuals, *derivatives;
 };
 
+// When something is said to lie on a dot: limits of normal deviates, how far around it nothing is trusted, whether roughness
+// of the whole is no excuse.  See covered.py.
+struct CoverLimits {
+  double pixel, edge, halo;  // halo in pixels
+  bool strict;
+};
+
 struct TargetKernels {
   // values (n, 10) begin with centre and shape (a, b, d); window (n) in radii; covariance (n, 3); residual (n) [grey]; doubts (n, 3).
   void (*fit_dots)(const Grey& image, const DotFit& fit, int begin, int end, const double* window, double* values, double* covariance,
@@ -37,6 +44,9 @@ struct TargetKernels {
   // values (n, 10) are all given; covariance (n, 10, 10).
   void (*fit_masked)(const Grey& image, const DotFit& fit, int begin, int end, const DotMasks& masks, double* values, double* covariance,
                      double* residual, int32_t* outcome);
+  // values (n, 10), covariances (n, 10, 10), residuals and derivatives of the pixels of the boxes; covered: 1 where something lies.
+  void (*cover)(int n, const double* values, const double* cov, const int32_t* box, const int64_t* offset, const uint8_t* free,
+                const double* residuals, const double* derivatives, const CoverLimits* limits, uint8_t* covered);
 };
 
 namespace baseline { extern const TargetKernels targets; }

@@ -221,6 +221,12 @@ SIZES = {
     "boxes of dots": lambda: masked(np.zeros((1, 10)), [[0, 0, 5, 500]], [0, 2500]),
     "boxes turned round": lambda: masked(np.zeros((1, 10)), [[5, 5, 0, 0]], [0, 25]),
     "pixels of dots": lambda: masked(np.zeros((1, 10)), [[0, 0, 5, 5]], [0, 24]),
+    "judged dots": lambda: judged(np.ones((1, 9)), [[0, 0, 5, 5]], [0, 25]),
+    "boxes of judged dots": lambda: judged(np.ones((1, 10)), [[0, 0, 5, 500]], [0, 25]),
+    "judged dots without a size": lambda: judged(np.zeros((1, 10)), [[0, 0, 5, 5]], [0, 25]),
+    "judged dots that are no numbers": lambda: judged(np.full((1, 10), np.nan), [[0, 0, 5, 5]], [0, 25]),
+    "pixels of judged dots": lambda: judged(np.ones((1, 10)), [[0, 0, 5, 5]], [0, 24]),
+    "residuals of judged dots": lambda: judged(np.ones((1, 10)), [[0, 0, 5, 5]], [0, 25], np.full(25, np.inf)),
     "descriptors": lambda: native.module().best_matches(np.zeros((2, 8), np.float32), np.zeros((2, 9), np.float32)),
     "bytes": lambda: native.module().best_matches_of_bytes(np.zeros((2, 8), np.uint8), np.zeros((2, 12), np.uint8)),
     "odd bytes": lambda: native.module().best_matches_of_bytes(*np.zeros((2, 3, 7), np.uint8)),
@@ -236,6 +242,15 @@ def masked(values, box, offset):
     return native.module().fit_masked_dots(
         grey(), values, np.array(box, np.int32), np.array(offset), free, 5, 0.01, 5.0, 0.5
     )
+
+
+def judged(values, box, offset, residuals=None):
+    n = offset[-1]
+    e = np.zeros(n) if residuals is None else residuals
+    return native.module().cover_dots(
+        values, np.zeros((len(values), 10, 10)), np.array(box, np.int32), np.array(offset), np.ones(n, np.uint8),
+        e, np.zeros((n, 10)), np.array([[3.0, 3.0, 1.5, 0.0]]),
+    )  # fmt: skip
 
 
 def windows(half=5, start=None, at=25.0):

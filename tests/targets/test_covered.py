@@ -7,9 +7,10 @@ from scipy.stats import binom, chi2
 from raybundle.numerics import native
 from raybundle.targets import centre
 from raybundle.targets.centre import DotOptions, DotOutcome, fit_dots, fit_masked, fit_masked_twin
-from raybundle.targets.covered import FALSE, measure_dots
+from raybundle.targets.covered import measure_dots
 from raybundle.targets.detect import DetectionOptions, detect_targets
 from raybundle.targets.families import families
+from raybundle.targets.judgement import FALSE, covered_of, covered_pixels
 from tests.targets.covered_dots import dots, measured
 from tests.targets.render import round_cover, shot, straight_cover
 
@@ -155,3 +156,29 @@ def test_masked_fit_against_its_twin(monkeypatch):
         theirs = measure_dots(image, *start)
         assert mine.outcome == theirs.outcome
         assert abs(mine.xy_px - theirs.xy_px).max() < 1e-3
+
+
+@pytest.mark.skipif(not native.available(), reason="kernels were not compiled")
+def test_judgement_against_its_twin():
+    """The same pixels but for one in a thousand: sums in another order tip what lies on a limit."""
+    apart = count = told = 0
+    for c in dots(24, 11):
+        image = c.shot.image.astype(np.uint16)
+        box = slice(4, image.shape[0] - 4), slice(3, image.shape[1] - 2)
+        y, x = np.mgrid[box] + 0.5
+        free = np.hypot(x - c.shot.centre[0], y - c.shot.centre[1]) < 1.8 * c.radius
+        free &= x + y < c.shot.centre.sum() + 0.9 * c.radius
+        start = fit_dots(image, c.shot.centre[None] + 0.2, c.shot.ellipse[None], np.array([2.0])).values
+        m = fit_masked(image, np.repeat(start, 2, axis=0), [box] * 2, [free] * 2)
+        if m.outcome[0] != DotOutcome.MEASURED:
+            continue
+        values = np.repeat(m.values[:1], 2, axis=0)
+        given = values, m.cov, [box] * 2, [free] * 2, m.residuals, m.derivatives
+        for strict, mine in zip((False, True), covered_of(*given, np.array([False, True])), strict=True):
+            theirs = covered_pixels(
+                values[0], m.cov[0], box, free, m.residuals[0], m.derivatives[0], strict=strict
+            )  # fmt: skip
+            apart, count, told = apart + int((mine != theirs).sum()), count + mine.size, told + int(theirs.sum())
+    assert count > 1e5
+    assert told > 0.05 * count
+    assert apart < 1e-3 * count

@@ -7,10 +7,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from raybundle.adjustment.calibration import calibration_difference
-from raybundle.adjustment.calibration_quality import CalibrationQuality, calibration_qualities
+from raybundle.adjustment.calibration import calibration_difference, projection_shifts
+from raybundle.adjustment.calibration_quality import SURE, CalibrationQuality, calibration_qualities
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.result import Adjustment
 from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 from raybundle.errors import RaybundleError
 
@@ -28,6 +29,19 @@ class Judged:
     truth: str
     worst_px: float
     quality: CalibrationQuality | None
+    chances: tuple[float, float, float] = (0.0, 0.0, 1.0)
+    """Probabilities of the true grades, by the covariance with the standard deviation that was drawn"""
+    place: float = np.nan
+    """Share of the largest errors, by that covariance, that are smaller than the true one"""
+
+    def oracle(self, sure: float = SURE) -> int:
+        """The best grade (0..2) by these probabilities: good where it is so with a probability of `sure`.
+
+        Being one class off costs 1; a good that is none costs sure / (1 - sure).  The expected cost of good is
+        (1 - P(good)) sure / (1 - sure), of another grade at least P(good): good is right from P(good) = sure on.
+        """
+        good, usable, weak = self.chances
+        return 0 if good >= max(sure, usable, weak) else 1 + int(weak > usable)
 
 
 def network(seed: int) -> tuple[TargetField, float]:
@@ -35,8 +49,8 @@ def network(seed: int) -> tuple[TargetField, float]:
 
     As the guide advises (targets, rolls, convergence); with something missing; from hand-held snapshots of natural
     points.  How often verdict and truth agree depends on how many networks lie near a limit: the largest error of one
-    network is a random number that scatters by a factor of two, whatever its covariance says.  Of networks drawn
-    evenly over all qualities (`evenly`), one that knew every probability would put 86 % into their class.
+    network is a random number that scatters by a factor of two, whatever its covariance says (`Judged.oracle`,
+    benchmarks/verdict_ceiling.py).
     """
     rng = np.random.default_rng(seed)
     kind = seed % 3
@@ -79,7 +93,19 @@ def judged(seed: int, draw: Callable[[int], tuple[TargetField, float]] = network
     worst = calibration_difference(seen.truth.cameras[0], result.adjusted.cameras[0]).largest
     truth = "good" if worst <= GOOD_PX else "usable" if worst <= USABLE_PX else "weak"
     verdict = quality.grade if quality.grade in GRADES else "weak"
-    return Judged(seed=seed, verdict=verdict, truth=truth, worst_px=worst, quality=quality)
+    drawn = _drawn(result)
+    good, weak = float(np.mean(drawn <= GOOD_PX)), float(np.mean(drawn > USABLE_PX))
+    return Judged(
+        seed=seed, verdict=verdict, truth=truth, worst_px=worst, quality=quality,
+        chances=(good, 1 - good - weak, weak), place=float(np.mean(drawn < worst)),
+    )  # fmt: skip
+
+
+def _drawn(result: Adjustment) -> np.ndarray:
+    """Largest errors of projection [px] by the covariance with sigma0 = 1, which is the truth here."""
+    (interior,) = result.interior
+    shifts = projection_shifts(result.adjusted.cameras[0], interior.free)
+    return shifts.worst_errors(result.precision.interior[interior.camera] / result.sigma0**2)
 
 
 def confusion(rows: list[Judged]) -> np.ndarray:

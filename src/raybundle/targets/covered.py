@@ -22,9 +22,7 @@ from raybundle.targets.centre import (
     CONTRAST,
     GROUND,
     GX,
-    NORMAL,
     SECTORS,
-    SOFTEST,
     UNKNOWNS,
     WIDTHS,
     X0,
@@ -37,30 +35,18 @@ from raybundle.targets.centre import (
     Dots,
     MaskedDots,
     S,
-    chi_deviate,
     difference_noise,
-    edge_shifts,
     fit_dots,
     fit_masked,
     radius_of,
     sector_of,
     triangle_from_ellipse,
 )
+from raybundle.targets.judgement import FALSE, covered_of
 from raybundle.targets.rings import outline_share
 
-FALSE = 0.01
-"""Share of dots on which nothing lies that are looked at again, and of those that lose an arc all the same.
-
-An arc of a sixteenth costs a tenth of the precision of a centre: a thousandth of all.
-"""
 ROUGH = 1.35
 """rms residual over the noise from which a dot is looked at again: that of 100 white grey values is known to 0.1."""
-HALO = 1.2
-"""Standard deviations of the blur by which what stands out is enlarged.
-
-The mean of 3 x 3 pixels stands out at 1.5 standard deviations of a grey value.  Beyond, a blurred edge that is 10 to
-100 of these high falls to a tenth of that within 1.1 to 0.8 standard deviations of the blur.
-"""
 ROUNDS = 12
 """Most judgements."""
 STILL = 0.05
@@ -210,8 +196,9 @@ def _measure_free(image: Array, xy: Array, ellipse: Array, window: Array, o: Dot
             break
         fitted = _fit(image, judged, o)
         following: dict[int, _Judged] = {}
+        covered = _covered(judged, fitted)
         for k, (i, j) in enumerate(judged.items()):
-            new = _judge(j, fitted, k)
+            new = _judge(j, fitted, k, covered[k])
             if new is None:
                 dots.values[i] = fitted.values[k]
                 dots.outcome[i] = -1 if j.strict else DotOutcome.COVERED
@@ -255,88 +242,27 @@ def _start(image: Array, xy: Array, ellipse: Array, window: float) -> _Judged | 
     return _Judged(box, v, covered, window) if abs(v[CONTRAST]) > 1 else None
 
 
-def _judge(j: _Judged, fitted: MaskedDots, k: int) -> _Judged | None:
+def _covered(judged: dict[int, _Judged], fitted: MaskedDots) -> list[Mask]:
+    """What seems to be covered of each dot that could be fitted; all of the others."""
+    of, rows = list(judged.values()), np.flatnonzero(fitted.outcome == DotOutcome.MEASURED).tolist()
+    found = covered_of(
+        fitted.values[rows], fitted.cov[rows], [of[k].box for k in rows], [of[k].free for k in rows],
+        [fitted.residuals[k] for k in rows], [fitted.derivatives[k] for k in rows],
+        np.array([of[k].strict for k in rows], bool),
+    )  # fmt: skip
+    by_row = dict(zip(rows, found, strict=True))
+    return [by_row.get(k, j.covered) for k, j in enumerate(of)]
+
+
+def _judge(j: _Judged, fitted: MaskedDots, k: int, covered: Mask) -> _Judged | None:
     """The dot as fitted, and what then seems to be covered; None where it cannot be fitted, or does not settle."""
     if fitted.outcome[k] != DotOutcome.MEASURED or j.fits > ROUNDS:
         return None
     v = fitted.values[k]
-    covered = covered_pixels(
-        v, fitted.cov[k], j.box, j.free, fitted.residuals[k], fitted.derivatives[k], strict=j.strict
-    )
     if j.fits >= ROUNDS // 2:  # what comes and goes is left out
-        covered |= j.covered
+        covered = covered | j.covered
     new = replace(j, values=v, covered=covered, fits=j.fits + 1)
     return new if free_edge(new).mean() > HOPELESS else None
-
-
-def covered_pixels(v: Array, cov: Array, box: Box, free: Mask, e: Array, J: Array, *, strict: bool = False) -> Mask:
-    """Pixels (h, w) of a box that something lies on, or near enough to be touched by its blurred edge.
-
-    v, cov  (10,), (10, 10) values and their covariance
-    free    (h, w) the pixels that the fit rests on: they tell the noise
-    e, J    (h, w), (h, w, 10) residuals and derivatives of the model
-
-    Means and squares of 3 x 3 pixels as normal deviates, in units of their own median, and shifts of parts of the edge
-    in units of the rms residual, where these are more than 1 (unless strict).  Far from the free arc a residual may be
-    what the ellipse is wrong by there, which its covariance tells.
-    """
-    from scipy.ndimage import binary_dilation, uniform_filter  # noqa: PLC0415
-    from scipy.special import ndtri  # noqa: PLC0415
-
-    h = J[..., A : D + 1] @ v[A : D + 1]
-    noise = _noise(e, free, radius_of(v, *box), h)
-    t, u = e / noise, J / noise[..., None]
-    loose = np.where(free, 0, np.einsum("hwi,ij,hwj->hw", u, cov, u))
-    smooth: Any = uniform_filter
-    mean_u = smooth(u, (3, 3, 0), mode="nearest")
-    mean, square = smooth(np.stack([t, t * t / (1 + 9 * loose)]), (0, 3, 3), mode="nearest")
-    mean = 3 * abs(mean) / np.sqrt(1 + 9 * np.where(free, 0, np.einsum("hwi,ij,hwj->hw", mean_u, cov, mean_u)))
-    limit = ndtri(1 - FALSE / (3 * max(t.size, 1)))
-    flagged = np.zeros(t.shape, bool)
-    for deviate in (mean, chi_deviate(9 * np.asarray(square), 9.0)):
-        flagged |= deviate > limit * (1.0 if strict else _roughness(deviate[free]))
-    flagged |= _moved_edge(v, cov, box, free & ~flagged, t, u, strict=strict)
-    reach = HALO * min(v[S], SOFTEST) + 0.5
-    k = int(reach)
-    y, x = np.mgrid[-k : k + 1, -k : k + 1]
-    return binary_dilation(flagged, np.hypot(x, y) <= reach)
-
-
-def _noise(e: Array, free: Mask, radius: Array, h: Array) -> Array:
-    """Standard deviation (h, w) of grey values: that of all, or that within the dot or around it where it is more."""
-    all_ = difference_noise(e, free)
-    flat = abs(h) < 0.01 * abs(h).max()
-    noise = np.full(e.shape, all_)
-    for side in (radius < 1, radius >= 1):
-        of = e[free & flat & side]
-        if len(of) > 2 * UNKNOWNS:
-            noise[side] = max(all_, float(np.median(abs(of))) / NORMAL)
-    return noise
-
-
-def _roughness(deviates: Array) -> float:
-    """By how much more than 1 the standard deviation of normal deviates is, by their median."""
-    return max(1.0, float(np.median(abs(deviates))) / NORMAL) if deviates.size else 1.0
-
-
-def _moved_edge(v: Array, cov: Array, box: Box, free: Mask, t: Array, u: Array, *, strict: bool) -> Mask:
-    """Pixels (h, w) at those parts of the edge that lie elsewhere than on the ellipse."""
-    from scipy.special import ndtri  # noqa: PLC0415
-
-    y, x = np.mgrid[box] + 0.5
-    k = sector_of(v, x, y)
-    deviates = edge_shifts(v, k[free], t[free], u[free], cov)
-    limit = ndtri(1 - FALSE / (2 * deviates.size)) * (1 if strict else max(1, float(np.sqrt(np.mean(t[free] ** 2)))))
-    off = np.zeros(deviates.shape, bool)
-    # what has moved bends the ellipse beside it: the worst part alone, and what is left out already and still is off
-    off.flat[deviates.argmax()] = deviates.max() > limit
-    off[0] |= edge_shifts(v, k[~free], t[~free], u[~free], cov, fitted=False)[0] > limit
-    parts = np.zeros(SECTORS, bool)
-    for m, of in zip(WIDTHS, off, strict=True):
-        for j in range(m):
-            parts |= np.roll(of, j)
-    h = abs(u[..., A : D + 1] @ v[A : D + 1])
-    return parts[k] & (h > 0.1 * h.max())
 
 
 def _settled(old: _Judged, new: _Judged, fitted: MaskedDots, k: int) -> bool:
