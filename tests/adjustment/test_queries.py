@@ -11,6 +11,7 @@ from raybundle.adjustment.queries import covariance_between, design_row, precisi
 from raybundle.block.select import with_rows
 from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.errors import InputError
+from raybundle.sensors.model import ProjectionDiverged, SensorModel
 from raybundle.workflows.adjust import adjust
 
 SCENE = field_scene(TargetField(rows=4, columns=6, stations=5, frontal=1))
@@ -181,3 +182,16 @@ def test_decisions_do_not_move_what_is_observed():
     assert snooped.sigma0 == pytest.approx(plain.sigma0, rel=1e-9)
     control = next(g for g in snooped.groups if g.kind == "control")
     np.testing.assert_array_equal(control.given, next(g for g in plain.groups if g.kind == "control").given)
+
+
+def test_a_suspect_where_the_lens_has_no_image_is_listed_all_the_same(monkeypatch):
+    observed = simulate(SCENE, Survey(points="exact", orientation="exact", gross_share=0.02, gross_px=30)).observed
+    expected = adjust_block(observed, AdjustmentOptions()).suspects
+
+    def diverged(*_):
+        raise ProjectionDiverged("no image point")
+
+    monkeypatch.setattr(SensorModel, "solve", diverged)
+    found = adjust_block(observed, AdjustmentOptions()).suspects
+    assert [s[:3] for s in found] == [s[:3] for s in expected]
+    assert np.allclose([s[3] for s in found], [s[3] for s in expected], atol=0.01)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
@@ -17,6 +18,7 @@ from raybundle.adjustment.work import Work
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
 from raybundle.platforms.station import sensor_from_object, station_partials
+from raybundle.sensors.model import ProjectionDiverged
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment, ObservationStatistics, Precision
@@ -198,7 +200,9 @@ def design_row(system: System, state: State, row: int, axis: int) -> tuple[Array
     P = sensor_from_object(R[None], state.centre[image][None], state.xyz[point][None])[:, 0]
     xy = system.xy_mm[row]
     if not system.corrected[block.images.camera[image]]:
-        xy = model.solve(P[:, None], values[:, None], xy[:, None].copy())[0][:, 0]
+        # a grossly wrong point may lie where the lens has no image: its row is then that of the place observed
+        with suppress(ProjectionDiverged):
+            xy = model.solve(P[:, None], values[:, None], xy[:, None].copy())[0][:, 0]
     _, J = model.condition_and_jacobian(*xy, *P, *values)
     B = np.eye(2) if system.corrected[block.images.camera[image]] else J[:, :2]
     D = -np.linalg.solve(B, J[:, 2:])
