@@ -12,6 +12,7 @@ from typing import Literal
 import numpy as np
 
 from raybundle.adjustment.result import Notice
+from raybundle.adjustment.severity import Severity
 from raybundle.block import Block, Camera
 from raybundle.errors import NoOrientation
 from raybundle.io.block_arrays import arrays_of_block, block_of_arrays
@@ -22,17 +23,18 @@ from raybundle.io.photos.photo import Photo
 from raybundle.io.project import Project, Stage, key_of
 from raybundle.matching.features import FeatureMethod
 from raybundle.matching.refine import pyramid, smoothed
-from raybundle.matching.tracks import tracks_of
+from raybundle.matching.tracks import Tracks
 from raybundle.matching.verify import VerifiedPair, trusted
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress
 from raybundle.workflows.parts import start_parts
 from raybundle.workflows.precise import PreciseBlock, Visible, Weights, refine
+from raybundle.workflows.repeated import sound_pairs
 from raybundle.workflows.static_background import FEWEST_PHOTOGRAPHS, RING_PX, static_background
 from raybundle.workflows.tie_block import TieBlock, block_of_tracks
 from raybundle.workflows.tie_points import FeatureStore, find_features, grey_of, match_pairs, pairs_of
 
-START, PRECISION = 8, 20
+START, PRECISION = 10, 20
 """Versions of the stages' results."""
 ALONE = "one photograph alone cannot be oriented; at least 2 are needed"
 
@@ -112,9 +114,10 @@ class PhotoRun:
         """Approximate values of every part."""
         assert self.store is not None
         if self.photos:
-            self.ties = _start(
+            self.ties, told = _start(
                 project, stage, name, self.photos, self.groups, self.pairs, self.store, method, self.jobs, self.progress
             )
+            self.notices += told
             self.lost = list(self.ties[0].not_oriented)
             self.blocks = [tie.block for tie in self.ties]
 
@@ -175,7 +178,7 @@ def _start(
     method: Literal["auto", "growing", "averaging"],
     jobs: int,
     progress: Progress,
-) -> tuple[TieBlock, ...]:
+) -> tuple[tuple[TieBlock, ...], tuple[Notice, ...]]:
     cameras, of_photo = _cameras(groups, len(photos))
     # names are part of the block
     stage.key = key_of(
@@ -184,23 +187,39 @@ def _start(
     )  # fmt: skip
     kept = project.load(stage.key)
     if kept is not None:
+        told = _notices_of_arrays(kept)
         ties = tuple(_tie_of_arrays(a) for a in _unpacked(kept))
     else:
         stage.from_cache = False
         features = [store.places(i) for i in range(len(photos))]
-        tracks = tracks_of(trusted(pairs, len(photos)), [f.xy_px for f in features])
-        raw = block_of_tracks(name, photos, cameras, of_photo, [f.xy_px for f in features], tracks)
-        scale, angle = np.empty(len(tracks.image)), np.empty(len(tracks.image))
-        for i, f in enumerate(features):
-            mine = tracks.image == i
-            scale[mine], angle[mine] = f.scale_px[tracks.feature[mine]], f.angle[tracks.feature[mine]]
-        ties = start_parts(raw, scale, angle, jobs, progress, method)
-        project.store(stage.key, _packed([_arrays_of_tie(t) for t in ties]))
+        places = [f.xy_px for f in features]
+
+        def oriented_by(tracks: Tracks) -> tuple[TieBlock, ...]:
+            raw = block_of_tracks(name, photos, cameras, of_photo, places, tracks)
+            scale, angle = np.empty(len(tracks.image)), np.empty(len(tracks.image))
+            for i, f in enumerate(features):
+                mine = tracks.image == i
+                scale[mine], angle[mine] = f.scale_px[tracks.feature[mine]], f.angle[tracks.feature[mine]]
+            return start_parts(raw, scale, angle, jobs, progress, method)
+
+        diagonals = np.array([float(np.hypot(p.width_px, p.height_px)) for p in photos])
+        sound = sound_pairs(trusted(pairs, len(photos)), places, [p.name for p in photos], diagonals, oriented_by)
+        ties, told = oriented_by(sound.tracks), sound.notices
+        project.store(stage.key, {**_packed([_arrays_of_tie(t) for t in ties]), **_arrays_of_notices(told)})
     oriented = sum(int(t.block.images.oriented.sum()) for t in ties)
     split = f" in {len(ties)} parts" if len(ties) > 1 else ""
     points = sum(len(t.block.points) for t in ties)
     stage.summary = f"{oriented} of {len(photos)} photographs{split}, {points} points"
-    return ties
+    return ties, told
+
+
+def _arrays_of_notices(notices: Sequence[Notice]) -> dict[str, Array]:
+    rows = [(n.code, n.message, str(n.severity.value)) for n in notices]
+    return {"notices": np.array(rows, dtype=np.str_).reshape(-1, 3)}
+
+
+def _notices_of_arrays(arrays: Mapping[str, Array]) -> tuple[Notice, ...]:
+    return tuple(Notice(code=c, message=m, measured=Severity(s)) for c, m, s in arrays["notices"].tolist())
 
 
 def _arrays_of_tie(tie: TieBlock) -> dict[str, Array]:
@@ -225,7 +244,9 @@ def _packed(parts: Sequence[dict[str, Array]]) -> dict[str, Array]:
 def _unpacked(arrays: Mapping[str, Array]) -> list[dict[str, Array]]:
     found: dict[int, dict[str, Array]] = {}
     for key, values in arrays.items():
-        k, name = key.split(":", 1)
+        k, _, name = key.partition(":")
+        if not name:
+            continue
         found.setdefault(int(k), {})[name] = values
     return [found[k] for k in sorted(found)]
 
@@ -311,10 +332,10 @@ def mask_notices(masks: Masks) -> list[Notice]:
         names = ", ".join(missing[:3]) + (" ..." if len(missing) > 3 else "")
         message += f"; {len(missing)} without a mask are used whole ({names})"
     told = [Notice(code="masks", message=message, ids=missing)]
-    if masks.refused:
-        more = f" and {len(masks.refused) - 1} more" if len(masks.refused) > 1 else ""
-        first = f"{masks.refused[0][0]}{more} used whole: {masks.refused[0][1]}"
-        told.append(Notice(code="mask_refused", message=first, ids=tuple(name for name, _ in masks.refused)))
+    more = f" and {len(masks.refused) - 1} more" if len(masks.refused) > 1 else ""
+    for name, why in masks.refused[:1]:
+        first = f"{name}{more} used whole: {why}"
+        told.append(Notice(code="mask_refused", message=first, ids=tuple(n for n, _ in masks.refused)))
     return told
 
 

@@ -92,11 +92,8 @@ def _pair(photos: Sequence[Photo], store: FeatureStore, method: FeatureMethod, i
         f, photo = store.of(k), photos[k]
         xy.append(f.xy_px)
         described.append(
-            Described(
-                xy_px=upright_from_stored(f.xy_px, photo), vectors=method.vectors(f.descriptors),
-                size_px=photo.upright_size,
-            )
-        )  # fmt: skip
+            Described(xy_px=upright_from_stored(f.xy_px, photo), descriptors=f.descriptors, size_px=photo.upright_size)
+        )
     matches = method.match(described[0], described[1])
     apart = np.linalg.norm(xy[0][matches[:, 0]] - xy[1][matches[:, 1]], axis=1)
     n, ring = int((apart < STILL_PX).sum()), int(((apart >= STILL_PX) & (apart < RING_PX)).sum())

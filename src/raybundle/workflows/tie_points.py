@@ -19,11 +19,11 @@ from raybundle.io.photos.photo import Photo, read_grey, stored_from_upright, upr
 from raybundle.io.project import Project, Stage, key_of
 from raybundle.matching.features import Described, FeatureMethod, Features
 from raybundle.matching.pairs import ALL, choose_pairs, codebook, signature
-from raybundle.matching.verify import VerifiedPair, verify
+from raybundle.matching.verify import VerifiedPair, beyond_chance, verify
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress
 
-VERIFICATION = 1
+VERIFICATION = 3
 """Raised with every change of what matching and verification give."""
 SAVE_EVERY_S = 2.0
 HELD = 400_000
@@ -196,7 +196,7 @@ def match_pairs(
             found[key] = pair
             facts = {
                 "candidates": pair.candidates, "geometry": pair.geometry, "planar_share": pair.planar_share,
-                "displacement_px": pair.displacement_px,
+                "displacement_px": pair.displacement_px, "log_chance": pair.log_chance,
             }  # fmt: skip
             waiting.append((key, facts, pair.matches))
             progress("matching", (n + 1) / len(todo))
@@ -212,6 +212,7 @@ def match_pairs(
         else:
             facts, matches = known[key]
             result.append(VerifiedPair(first=i, second=j, matches=matches, **facts))
+    result = beyond_chance(result)
     good = sum(1 for p in result if len(p.matches))
     stage.summary = f"{len(pairs)} pairs, {good} verified"
     if good and from_one_spot(result, photos, store):
