@@ -190,7 +190,7 @@ def _frames_of(path: Path, table: Table, cameras: tuple[Camera, ...], camera: In
             lambda k: f"image {quoted(ids[k])} has {given[k].sum()} of {', '.join(FRAME)}; give all three or none",
         ),
         problems_of(
-            given[:, 0] & ~np.isin(columns, TURNS)[:, 0],
+            np.asarray(given[:, 0] & ~np.isin(columns[:, 0], TURNS), bool),
             FRAME[0],
             lambda k: f"{columns[k, 0]:g} is none of {', '.join(map(str, TURNS))}",
         ),

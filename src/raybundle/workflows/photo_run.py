@@ -26,13 +26,14 @@ from raybundle.matching.tracks import tracks_of
 from raybundle.matching.verify import VerifiedPair, trusted
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress
+from raybundle.workflows.dropped import Dropped
 from raybundle.workflows.parts import start_parts
 from raybundle.workflows.precise import PreciseBlock, Visible, Weights, refine
 from raybundle.workflows.static_background import FEWEST_PHOTOGRAPHS, RING_PX, static_background
 from raybundle.workflows.tie_block import TieBlock, block_of_tracks
 from raybundle.workflows.tie_points import FeatureStore, find_features, grey_of, match_pairs, pairs_of
 
-START, PRECISION = 8, 20
+START, PRECISION = 9, 21
 """Versions of the stages' results."""
 ALONE = "one photograph alone cannot be oriented; at least 2 are needed"
 
@@ -58,6 +59,8 @@ class PhotoRun:
     notices: list[Notice] = field(default_factory=list[Notice])
     """the same with a code of its own"""
     masks: Masks | None = None
+    dropped: Dropped | None = None
+    """how many features came how far"""
 
     def masked(self, folder: Path | None) -> None:
         """The masks of the photographs, where a folder of them is given."""
@@ -112,7 +115,7 @@ class PhotoRun:
         """Approximate values of every part."""
         assert self.store is not None
         if self.photos:
-            self.ties = _start(
+            self.ties, self.dropped = _start(
                 project, stage, name, self.photos, self.groups, self.pairs, self.store, method, self.jobs, self.progress
             )
             self.lost = list(self.ties[0].not_oriented)
@@ -123,6 +126,11 @@ class PhotoRun:
         if self.photos:
             found = _precision(project, stage, self.ties, self.photos, memory_gb, self.jobs, self.progress, self.masks)
             self.blocks, self.weights = found.blocks, found.weights
+            if self.dropped is not None:
+                self.dropped = replace(
+                    self.dropped, measured=found.measured, added=found.added, features_kept=found.features_kept,
+                    adjusted=sum(len(b.observations) for b in self.blocks),
+                )  # fmt: skip
             self.lost += found.left_out
             if found.by_features:
                 self.told.append(_by_features_words(found.by_features))
@@ -175,7 +183,7 @@ def _start(
     method: Literal["auto", "growing", "averaging"],
     jobs: int,
     progress: Progress,
-) -> tuple[TieBlock, ...]:
+) -> tuple[tuple[TieBlock, ...], Dropped]:
     cameras, of_photo = _cameras(groups, len(photos))
     # names are part of the block
     stage.key = key_of(
@@ -184,7 +192,9 @@ def _start(
     )  # fmt: skip
     kept = project.load(stage.key)
     if kept is not None:
-        ties = tuple(_tie_of_arrays(a) for a in _unpacked(kept))
+        parts = _unpacked(kept)
+        ties = tuple(_tie_of_arrays(a) for a in parts)
+        counts = parts[0]["raw_counts"]
     else:
         stage.from_cache = False
         features = [store.places(i) for i in range(len(photos))]
@@ -195,12 +205,14 @@ def _start(
             mine = tracks.image == i
             scale[mine], angle[mine] = f.scale_px[tracks.feature[mine]], f.angle[tracks.feature[mine]]
         ties = start_parts(raw, scale, angle, jobs, progress, method)
-        project.store(stage.key, _packed([_arrays_of_tie(t) for t in ties]))
+        counts = np.array([sum(len(f) for f in features), len(tracks.image)])
+        project.store(stage.key, _packed([{**_arrays_of_tie(t), "raw_counts": counts} for t in ties]))
     oriented = sum(int(t.block.images.oriented.sum()) for t in ties)
     split = f" in {len(ties)} parts" if len(ties) > 1 else ""
     points = sum(len(t.block.points) for t in ties)
     stage.summary = f"{oriented} of {len(photos)} photographs{split}, {points} points"
-    return ties
+    started = sum(len(t.block.observations) for t in ties)
+    return ties, Dropped(features=int(counts[0]), matched=int(counts[1]), started=started, adjusted=started)
 
 
 def _arrays_of_tie(tie: TieBlock) -> dict[str, Array]:
@@ -234,6 +246,9 @@ def _unpacked(arrays: Mapping[str, Array]) -> list[dict[str, Array]]:
 class _Precise:
     blocks: list[Block]
     weights: list[Weights]
+    measured: int
+    added: int
+    features_kept: int
     by_features: list[str]
     left_out: list[tuple[str, str]]
 
@@ -263,7 +278,7 @@ def _precision(
                 {
                     **arrays_of_block(precise.block),
                     "weights": precise.weights.array(),
-                    "counts": np.array([precise.offered, precise.measured, precise.added]),
+                    "counts": np.array([precise.offered, precise.measured, precise.added, precise.features_kept]),
                     "by_features": np.array(precise.by_features, dtype=np.str_),
                     "left_out": np.array(precise.left_out, dtype=np.str_).reshape(-1, 2),
                 }
@@ -273,12 +288,15 @@ def _precision(
     parts = _unpacked(kept)
     blocks = [block_of_arrays(a) for a in parts]
     weights = [Weights.of(a["weights"]) for a in parts]
-    offered, measured, added = np.sum([a["counts"] for a in parts], axis=0).tolist()
+    offered, measured, added, features_kept = np.sum([a["counts"] for a in parts], axis=0).tolist()
     used = sum(len(b.observations) for b in blocks)
     stage.summary = f"{measured} of {offered} features measured again, {added} rays added, {used} used"
     return _Precise(
         blocks=blocks,
         weights=weights,
+        measured=measured,
+        added=added,
+        features_kept=features_kept,
         by_features=[n for a in parts for n in a["by_features"].tolist()],
         left_out=[(n, r) for a in parts for n, r in a["left_out"].tolist()],
     )
@@ -312,9 +330,10 @@ def mask_notices(masks: Masks) -> list[Notice]:
         message += f"; {len(missing)} without a mask are used whole ({names})"
     told = [Notice(code="masks", message=message, ids=missing)]
     if masks.refused:
-        more = f" and {len(masks.refused) - 1} more" if len(masks.refused) > 1 else ""
-        first = f"{masks.refused[0][0]}{more} used whole: {masks.refused[0][1]}"
-        told.append(Notice(code="mask_refused", message=first, ids=tuple(name for name, _ in masks.refused)))
+        names = tuple(name for name, _ in masks.refused)
+        more = f" and {len(names) - 1} more" if len(names) > 1 else ""
+        why = next(reason for _, reason in masks.refused)
+        told.append(Notice(code="mask_refused", message=f"{names[0]}{more} used whole: {why}", ids=names))
     return told
 
 
