@@ -35,7 +35,7 @@ _CODES = {
     ),
     Severity.REMARK: (
         "attitudes camera_joined dropped gps masks model not_significant parts_joined photographs rejected "
-        "scene_joins target_radius"
+        "relative_positions scene_joins target_radius"
     ),
 }
 

@@ -40,6 +40,7 @@ from raybundle.workflows.scene_images import FoundScenes, SceneImage, find_scene
 from raybundle.workflows.scene_run import SceneRun
 from raybundle.workflows.scene_ties import ScenePair
 from raybundle.workflows.tie_block import image_sigma_px
+from raybundle.workflows.told_positions import with_relative_precision
 from raybundle.workflows.upright import Upright
 
 STAGES = ("photographs", "features", "matching", "start", "precision", "adjustment", "report")
@@ -358,7 +359,7 @@ def _adjusted(
         groups = shared.grouped(groups)
         placed = replace(placed, block=shared.applied(placed.block))
         adjustment = final_adjustment(placed, groups, jobs, progress, remarks, noise, weights=weights)
-    adjustment = with_cause(adjustment, photos)
+    adjustment = with_relative_precision(with_cause(adjustment, photos))
     adjustment = replace(adjustment, notices=(*shared.notices, *adjustment.notices))
     stage.from_cache = False
     stage.summary = f"sigma0 {adjustment.sigma0:.3f}"

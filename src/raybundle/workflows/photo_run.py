@@ -331,9 +331,9 @@ def mask_notices(masks: Masks) -> list[Notice]:
     told = [Notice(code="masks", message=message, ids=missing)]
     if masks.refused:
         names = tuple(name for name, _ in masks.refused)
+        first, why = next(iter(masks.refused))
         more = f" and {len(names) - 1} more" if len(names) > 1 else ""
-        why = next(reason for _, reason in masks.refused)
-        told.append(Notice(code="mask_refused", message=f"{names[0]}{more} used whole: {why}", ids=names))
+        told.append(Notice(code="mask_refused", message=f"{first}{more} used whole: {why}", ids=names))
     return told
 
 

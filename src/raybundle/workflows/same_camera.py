@@ -256,9 +256,10 @@ def _half_turned_by(result: Adjustment, names: tuple[str, ...]) -> Shared | None
     if gain < DECISIVE:
         return None
     n = int(result.given.images.oriented.sum())
-    more = f" and {len(names) - 1} more" if len(names) > 1 else ""
+    first, *others = names
+    more = f" and {len(others)} more" if others else ""
     message = (
-        f"{names[0]}{more} are stored upside down beside the other {n - len(names)}: their gimbals say so, and with "
+        f"{first}{more} are stored upside down beside the other {n - len(names)}: their gimbals say so, and with "
         f"their pixels turned by 180 deg one camera explains all better (chi-square smaller by {gain:.0f}). They are "
         "taken so"
     )
