@@ -187,7 +187,7 @@ def _frames_of(path: Path, table: Table, cameras: tuple[Camera, ...], camera: In
     require(
         path,
         problems_of(
-            given.any(axis=1) & ~given.all(axis=1),
+            np.asarray(given.any(axis=1) & ~given.all(axis=1), bool),
             FRAME[0],
             lambda k: f"image {quoted(ids[k])} has {given[k].sum()} of {', '.join(FRAME)}; give all three or none",
         ),
