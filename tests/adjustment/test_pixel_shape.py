@@ -9,7 +9,15 @@ from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.pixel_shape import shape_limit, under_its_noise
 from raybundle.adjustment.severity import Severity
-from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+from raybundle.block.simulate import (
+    Ring,
+    Survey,
+    TargetField,
+    brown_camera,
+    field_scene,
+    ring_scene,
+    simulate,
+)
 
 EVERY = ("c", "x0", "y0", "K1", "K2", "K3", "P1", "P2", "A", "S")
 
@@ -80,3 +88,27 @@ def test_what_is_said_rests_on_the_noise_that_the_result_has(ratio, code):
     else:
         assert notice.severity is Severity.REMARK
         assert f"know it to {60 * white.std:.0e} only" in notice.message
+
+
+def turntable(seed):
+    """Photographs about one axis, all upright and square to it: an affinity and c can hardly be told apart."""
+    camera = brown_camera(
+        values={"c": 60.0, "x0": 0.1, "y0": -0.2, "K1": 0.0, "K2": 0.0, "K3": 0.0, "P1": 0.0, "P2": 0.0}
+    )
+    ring = Ring(
+        camera=replace(camera, estimate="auto"), rings=1, roll_deg=(0.0,), stations=20, height=1.0, distance=5.0
+    )
+    return simulate(
+        ring_scene(ring), Survey(seed=seed, image_sigma_px=0.5, points="approximate", interior="exact")
+    ).observed
+
+
+@pytest.mark.parametrize("seed", range(1, 5))
+def test_an_affinity_that_the_photographs_know_worse_than_a_sensor_is_held(seed):
+    result = decide(turntable(seed), AdjustmentOptions(threads=1, pixel_shape="sensor"))
+    (interior,) = result.interior
+    assert "A" not in interior.free
+    assert abs(interior.parameters["c"].value - 60.0) < 4 * interior.parameters["c"].std
+    wide = decide(turntable(seed), AdjustmentOptions(threads=1, pixel_shape="any"))
+    if "A" in wide.interior[0].free:  # what it would cost
+        assert wide.interior[0].parameters["c"].std > 3 * interior.parameters["c"].std

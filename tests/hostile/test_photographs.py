@@ -152,7 +152,7 @@ def test_two_cameras_are_two(orient, photos, tmp_path):
     assert len(cameras_of(tmp_path)) == 2
 
 
-def test_photographs_turned_by_a_program_are_oriented_and_told_of(orient, photos, tmp_path):
+def test_photographs_turned_by_a_program_are_oriented_and_told_of(orient, photos, tmp_path, capsys):
     for k in (2, 4):
         with Image.open(photos / f"{k}.jpg") as image:
             image.transpose(Image.Transpose.ROTATE_90).save(photos / f"{k}.jpg", quality=92, exif=image.info["exif"])
@@ -160,6 +160,36 @@ def test_photographs_turned_by_a_program_are_oriented_and_told_of(orient, photos
     assert told.status == 0, told.all
     assert " 5 of 5 photographs oriented" in told.out
     assert "2 of 5 photographs are stored turned" in told.out
+    assert len(cameras_of(tmp_path)) == 1
+    # other programs get the files as they are stored
+    out = tmp_path / "colmap"
+    assert (
+        main(["convert", str(tmp_path / "project/result"), "--to", "colmap", "--out", str(out), "--approximate"]) == 0
+    )
+    written = capsys.readouterr().out
+    assert "camera virtual-24-24mm is written" in written
+    assert "camera virtual-24-24mm-600x800-turned" in written
+
+
+def test_copies_at_half_the_size_share_the_camera_of_the_others(orient, photos, tmp_path):
+    for k in (2, 4):
+        with Image.open(photos / f"{k}.jpg") as image:
+            image.reduce(2).save(photos / f"{k}.jpg", quality=95, exif=image.info["exif"])
+    told = orient(photos)
+    assert told.status == 0, told.all
+    assert " 5 of 5 photographs oriented" in told.out
+    assert "2 of 5 photographs are at another size, reduced to" in told.out
+    assert len(cameras_of(tmp_path)) == 1
+
+
+def test_a_lens_that_one_photograph_leaves_out_makes_no_second_camera(orient, photos, tmp_path):
+    with Image.open(photos / "3.jpg") as image:
+        exif = image.getexif()
+        del exif.get_ifd(0x8769)[0xA434]
+        image.save(photos / "3.jpg", quality=92, exif=exif.tobytes())
+    told = orient(photos)
+    assert told.status == 0, told.all
+    assert "3.jpg does not state the lens 'Virtual 24 mm'" in told.out
     assert len(cameras_of(tmp_path)) == 1
 
 

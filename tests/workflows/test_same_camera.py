@@ -12,11 +12,11 @@ from raybundle.adjustment.predict import predicted_px
 from raybundle.adjustment.result import Notice
 from raybundle.block import PixelFrame
 from raybundle.block.frames import in_file_frames
-from raybundle.block.simulate import Ring, Survey, brown_camera, ring_scene, simulate
+from raybundle.block.simulate import AerialStrips, Ring, Survey, aerial_scene, brown_camera, ring_scene, simulate
 from raybundle.io.photos.cameras import camera_groups
 from raybundle.io.photos.metadata import Metadata
 from raybundle.io.photos.photo import Photo
-from raybundle.workflows.same_camera import shared_sensors
+from raybundle.workflows.same_camera import against_gimbal, shared_sensors
 
 BODY = Metadata(make="Canon", model="Canon EOS 5D Mark II", focal_mm=20.0, serial="1")
 OPTIONS = AdjustmentOptions(threads=1)
@@ -140,3 +140,52 @@ def test_photographs_stored_upside_down_are_found_where_nothing_is_stated():
     after = decide(shared.applied(block), OPTIONS)
     assert after.sigma0 < 1.05 < result.sigma0
     assert abs(abs(after.interior[0].parameters["x0"].value) - abs(truth.cameras[0].values["x0"])) < 0.01
+
+
+def flight(turned):
+    """Vertical photographs whose second strip is stored upside down, or is not; photographs with their gimbals."""
+    camera = brown_camera(values={"c": 20.0, "x0": 0.2, "y0": -0.1}, estimate=("c", "x0", "y0", "K1", "P1", "P2"))
+    plan = AerialStrips(camera=camera, height=80.0, relief=25.0, strips=2, images_per_strip=5, points_per_image=100)
+    simulated = simulate(aerial_scene(plan), Survey(image_sigma_px=0.3, points="approximate", interior="exact"))
+    block = simulated.observed
+    up = simulated.truth.images.rotation[:, 1]
+    heading = 90 - np.degrees(np.arctan2(up[:, 1], up[:, 0])) + np.linspace(-8, 8, 10)  # a compass
+    if turned:
+        frame = PixelFrame(turned=180, width_px=6000, height_px=4000)
+        images = replace(block.images, frames=dict.fromkeys(range(5, 10), frame))
+        block = in_file_frames(replace(block, images=images))
+        block = replace(block, cameras=block.cameras[:1], images=replace(block.images, camera=np.zeros(10, np.int32)))
+    photos = tuple(
+        replace(p, metadata=replace(BODY, gimbal=(float(h), -90.0, 0.0)))
+        for p, h in zip(photographs(block), heading, strict=True)
+    )
+    groups = camera_groups(photos)
+    cameras = (replace(block.cameras[0], id=groups[0].id, estimate=camera.estimate),)
+    return replace(block, cameras=cameras), photos, groups
+
+
+@pytest.mark.parametrize("turned", [True, False])
+def test_photographs_stored_upside_down_are_found_by_their_gimbals(turned):
+    block, photos, groups = flight(turned)
+    result = decide(block, OPTIONS)
+    shared = shared_sensors(result, groups, photos)
+    if not turned:
+        assert not shared
+        return
+    names = tuple(p.name for p in photos)
+    assert shared.half_turned in (names[:5], names[5:])
+    assert "their gimbals say so" in shared.notices[0].message
+    assert decide(shared.applied(block), OPTIONS).sigma0 < 1.05 < result.sigma0
+
+
+def test_gimbals_that_say_nothing_clear_name_nothing():
+    block, photos, _ = flight(True)
+    tilted = tuple(replace(p, metadata=replace(p.metadata, gimbal=(0.0, -45.0, 0.0))) for p in photos)
+    assert against_gimbal(block, tilted) == ()
+    random = np.random.default_rng(1).uniform(-180, 180, len(photos))
+    any_way = (
+        replace(p, metadata=replace(p.metadata, gimbal=(float(h), -90.0, 0.0)))
+        for p, h in zip(photos, random, strict=True)
+    )
+    assert against_gimbal(block, tuple(any_way)) == ()
+    assert against_gimbal(block, (*photos[:-1], replace(photos[-1], metadata=BODY))) == ()

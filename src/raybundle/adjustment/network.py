@@ -6,11 +6,25 @@ import numpy as np
 
 from raybundle.adjustment.assemble import State, System
 from raybundle.adjustment.result import NetworkFigures
+from raybundle.block import Block
+from raybundle.block.points import is_automatic
 from raybundle.numerics.arrays import Array, Index
 
 CLASSES = ((200_000, "photogrammetric camera"), (100_000, "professional"), (25_000, "amateur"))
 COMMON = 6
 """Common points from which on two images count as a pair."""
+
+
+def classed(block: Block) -> bool:
+    """Whether classes of relative precision compare: they are those of photographs of targets.
+
+    Tie points that a program found lie where a texture is, as many and as far as it happens; most of them tell nothing
+    of the object as targets do.
+    """
+    if any(c.is_scene for c in block.cameras):
+        return False
+    seen = np.unique(block.observations.point)
+    return 2 * sum(is_automatic(block.points.ids[k]) for k in seen.tolist()) < max(len(seen), 1)
 
 
 def precision_class(relative: float) -> str:

@@ -58,11 +58,19 @@ def _fit(result: Adjustment) -> list[Notice]:
             code="global_test",
             measured=grave if more else Severity.REMARK,
             message=f"sigma0 {result.sigma0:.3g} differs from 1 (weighted square sum {value:.5g}, 95 % limits "
-            f"{lower:.5g} .. {upper:.5g}): the observations are {'less' if more else 'more'} precise than stated"
-            f"{', or the model does not fit or blunders are left' if more else ''}. "
-            "Standard deviations carry the a-posteriori sigma0.",
+            f"{lower:.5g} .. {upper:.5g}): {_meaning(result, more=more)}. Standard deviations carry the a-posteriori "
+            "sigma0.",
         )
     ]
+
+
+def _meaning(result: Adjustment, *, more: bool) -> str:
+    """What a sigma0 other than 1 says of the observations."""
+    if more:
+        return "the observations are less precise than stated, or the model does not fit or blunders are left"
+    if result.options.weights == "residuals":
+        return "the residuals are smaller than when the weights were taken from them, no merit of the observations"
+    return "the observations are more precise than stated"
 
 
 def _interior(result: Adjustment) -> list[Notice]:

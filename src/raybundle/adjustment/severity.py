@@ -30,14 +30,13 @@ _CODES = {
         "check_unseen control_file control_not_observed control_sigma control_without_photograph coordinate_system "
         "correlation global_test gps_too_near held_not_determinable identical_images image_left_out levelled "
         "mark_rejected marked_lost marked_once mask_refused marks_reduced no_targets one_ray_control parallel_rays "
-        "parts_apart pixel_shape points_left_out rays_diverge relative_control repeated_structure residual_structure "
-        "scale_unchecked "
-        "scene_datum scene_prior small_angle static_background start_behind start_parallel systematic_residuals "
-        "two_cameras unstable_camera up_ambiguous up_uncertain"
+        "parts_apart pixel_shape points_left_out rays_diverge relative_control repeated_structure "
+        "residual_structure rolling_shutter scale_unchecked scene_datum scene_prior small_angle static_background "
+        "start_behind start_parallel systematic_residuals two_cameras unstable_camera up_ambiguous up_uncertain"
     ),
     Severity.REMARK: (
-        "attitudes camera_joined gps masks model not_significant parts_joined photographs rejected scene_joins "
-        "target_radius"
+        "attitudes camera_joined dropped gps masks model not_significant parts_joined photographs rejected "
+        "relative_positions scene_joins target_radius"
     ),
 }
 

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from raybundle.adjustment.fields import Noise
+from raybundle.adjustment.network import classed
 from raybundle.adjustment.result import Adjustment, Notice, gravest_first
 from raybundle.block import Block
 from raybundle.cli.common import counted, grouped, significant
@@ -74,10 +75,8 @@ def _precision(a: Adjustment) -> list[str]:
     if a.network is not None and math.isfinite(a.network.relative_precision):
         n = round(float(f"{a.network.relative_precision:.2g}"))
         meaning = "(mean standard deviation / largest extent)"
-        photographs = not any(c.is_scene for c in a.given.cameras)
-        lines.append(
-            f"relative precision 1 : {grouped(n)} {meaning}" + (f"; {a.network.precision_class}" if photographs else "")
-        )
+        of_class = f"; {a.network.precision_class}" if classed(a.given) else ""
+        lines.append(f"relative precision 1 : {grouped(n)} {meaning}{of_class}")
     return lines
 
 

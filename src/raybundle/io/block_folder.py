@@ -176,6 +176,8 @@ def _frames_of(path: Path, table: Table, cameras: tuple[Camera, ...], camera: In
     ids = table.text["image"]
     columns = np.stack([table.number.get(n, np.full(len(ids), np.nan)) for n in FRAME], axis=1)
     given = np.isfinite(columns)
+    turns = {float(t) for t in TURNS}
+    strange = np.array([bool(np.isfinite(t)) and t not in turns for t in columns[:, 0].tolist()], bool)
 
     def fits(k: int) -> bool:
         one, (turned, width, height) = cameras[camera[k]], columns[k]
@@ -185,12 +187,12 @@ def _frames_of(path: Path, table: Table, cameras: tuple[Camera, ...], camera: In
     require(
         path,
         problems_of(
-            np.asarray(given.any(axis=1) & ~given.all(axis=1)),
+            np.asarray(given.any(axis=1) & ~given.all(axis=1), bool),
             FRAME[0],
             lambda k: f"image {quoted(ids[k])} has {given[k].sum()} of {', '.join(FRAME)}; give all three or none",
         ),
         problems_of(
-            given[:, 0] & ~np.isin(columns, TURNS)[:, 0],
+            strange,
             FRAME[0],
             lambda k: f"{columns[k, 0]:g} is none of {', '.join(map(str, TURNS))}",
         ),

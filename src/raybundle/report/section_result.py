@@ -6,12 +6,13 @@ import math
 
 import numpy as np
 
+from raybundle.adjustment.network import classed
 from raybundle.adjustment.result import Adjustment, gravest_first
 from raybundle.adjustment.severity import Severity
 from raybundle.report.numbers import NONE, counted, fixed, grouped, listed, significant
 from raybundle.report.parts import Column, Fact, Facts, Heading, Paragraph, Part, Section, Statements, table, text
 from raybundle.report.view import View, rms
-from raybundle.report.words import Verdict, datum_words, free_std, not_told, open_datum, photographic
+from raybundle.report.words import Verdict, datum_words, free_std, not_told, open_datum
 
 
 def result_section(view: View, verdict: Verdict) -> Section:
@@ -42,7 +43,7 @@ def _key_figures(view: View) -> tuple[Fact, ...]:
             Fact(
                 label="relative precision",
                 value=f"1 : {n}",
-                remark=(f"{network.precision_class}; " if photographic(view) else "") + "of the largest extent",
+                remark=(f"{network.precision_class}; " if classed(view.given) else "") + "of the largest extent",
             )
         )
     std = free_std(view)

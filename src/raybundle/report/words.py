@@ -8,6 +8,7 @@ from typing import Literal
 
 import numpy as np
 
+from raybundle.adjustment.network import classed
 from raybundle.adjustment.reliability import UNCONTROLLED
 from raybundle.adjustment.result import ObservationGroup
 from raybundle.adjustment.severity import POOR_FIT, Severity
@@ -51,11 +52,6 @@ def printed(view: View, unit: str) -> tuple[float, str]:
     if unit in {"rad", "rad/s"}:
         return math.degrees(1), unit.replace("rad", "°")
     return 1.0, unit_text(unit)
-
-
-def photographic(view: View) -> bool:
-    """Whether all images are photographs, with which classes of relative precision compare."""
-    return not any(c.is_scene for c in view.given.cameras)
 
 
 def _grade(view: View) -> Grade:
@@ -128,10 +124,10 @@ def _fits(view: View) -> str:
             f"The observations fit {significant(a.sigma0, 2)} times worse than stated, which these figures take into "
             "account."
         )
-    if value < lower:
-        return f"The observations fit better than stated (σ₀ {significant(a.sigma0, 2)})."
     if a.options.weights == "residuals":
         return "That the observations fit is no test: their standard deviations were taken from these residuals."
+    if value < lower:
+        return f"The observations fit better than stated (σ₀ {significant(a.sigma0, 2)})."
     return "The observations fit each other and the model as stated."
 
 
@@ -208,7 +204,7 @@ def _precision(view: View) -> str:
     network = a.network
     if network is not None and math.isfinite(network.relative_precision):
         text += f" Relative precision{_relative(network.relative_precision)} of the largest extent"
-        text += f", class: {network.precision_class}." if photographic(view) else "."
+        text += f", class: {network.precision_class}." if classed(view.given) else "."
     return text
 
 
@@ -270,6 +266,11 @@ def _fit(view: View) -> str:
         return (
             f"{sigma0}: the residuals are as large as the stated precision of the observations says (global test at "
             "5 %)."
+        )
+    if value < lower and a.options.weights == "residuals":
+        return (
+            f"{sigma0}: the residuals are smaller than when the standard deviations of the image points were taken "
+            "from them, which says nothing of the observations. All standard deviations here carry the smaller value."
         )
     if value < lower:
         return (

@@ -21,6 +21,7 @@ from raybundle.numerics.progress import Progress
 from raybundle.workflows.georeference import Georeferenced, rejected_marks
 from raybundle.workflows.parts import Part
 from raybundle.workflows.tie_block import flat_points
+from raybundle.workflows.told_positions import camera_notices
 
 FINAL = 1e-4
 """Last step of the final adjustment, in standard deviations of the unknowns."""
@@ -44,10 +45,7 @@ def final_adjustment(
     weights  residuals: the standard deviations of the tie points were taken from theirs
     """
     notices = [Notice(code="photographs", message=r) for r in remarks]
-    notices += [Notice(code="camera", message=f"camera {g.id}: {r}", ids=(g.id,)) for g in groups for r in g.remarks]
-    notices += [
-        Notice(code="camera_joined", message=f"camera {g.id}: {r}", ids=(g.id,)) for g in groups for r in g.joined
-    ]
+    notices += camera_notices(groups)
     noise = noise_of_photographs(noise, int(placed.block.images.oriented.sum()))
     options = AdjustmentOptions(
         threads=jobs, reject="snooping", tolerance=FINAL, datum_over="good", noise=noise, weights=weights

@@ -26,6 +26,7 @@ from raybundle.matching.verify import VerifiedPair
 from raybundle.numerics.progress import Progress, silent
 from raybundle.scenes.bias import BiasKind
 from raybundle.workflows.attitudes import Convention, find_attitudes
+from raybundle.workflows.dropped import Dropped
 from raybundle.workflows.final import adjusted_part, final_adjustment, left_out, undetermined_part
 from raybundle.workflows.georeference import Georeferenced
 from raybundle.workflows.marks import Given
@@ -33,11 +34,13 @@ from raybundle.workflows.parts import Part, apart_notice, place_parts
 from raybundle.workflows.photo_run import PhotoRun
 from raybundle.workflows.positions import GPS_M, flight_lines, without_idle
 from raybundle.workflows.precise import Weights
+from raybundle.workflows.read_out import with_cause
 from raybundle.workflows.same_camera import shared_sensors
 from raybundle.workflows.scene_images import FoundScenes, SceneImage, find_scenes
 from raybundle.workflows.scene_run import SceneRun
 from raybundle.workflows.scene_ties import ScenePair
 from raybundle.workflows.tie_block import image_sigma_px
+from raybundle.workflows.told_positions import with_relative_precision
 from raybundle.workflows.upright import Upright
 
 STAGES = ("photographs", "features", "matching", "start", "precision", "adjustment", "report")
@@ -109,6 +112,8 @@ class Orientation:
     remarks: tuple[str, ...] = field(default=())
     upright: Upright | None = None
     """how the vertical was found, where neither control nor positions tell it"""
+    dropped: Dropped | None = None
+    """what became of the photographs' features before the adjustment"""
 
     @property
     def oriented(self) -> int:
@@ -144,6 +149,7 @@ class Orientation:
             "image_sigma_px": self.sigma_px,
             **({} if self.frame is None else {"frame": self.frame.as_mapping()}),
             **({} if self.upright is None else {"upright": self.upright.as_mapping()}),
+            **({} if self.dropped is None else {"measurements": self.dropped.as_mapping(self.adjustment)}),
             **accuracy(self.adjustment),
         }  # fmt: skip
 
@@ -205,7 +211,9 @@ def orient(
                 weights="residuals" if options.precise else "given",
             )  # fmt: skip
             photographs.groups = groups
-            adjustment = replace(adjustment, notices=(*photographs.notices, *adjustment.notices))
+            dropped = photographs.dropped
+            told = (*photographs.notices, *([] if dropped is None else [dropped.notice()]))
+            adjustment = replace(adjustment, notices=(*told, *adjustment.notices))
         return _orientation(project, photographs, scenes, adjustment, parts, placed, remarks)
     finally:
         project.close()
@@ -297,6 +305,7 @@ def _orientation(
         weights=next(iter((*photographs.weights, *of_scenes)), None),
         frame=placed.frame,
         upright=placed.upright,
+        dropped=photographs.dropped,
         parts=parts,
         scenes=() if scenes is None else scenes.images,
         scene_pairs=() if scenes is None else scenes.pairs,
@@ -350,6 +359,7 @@ def _adjusted(
         groups = shared.grouped(groups)
         placed = replace(placed, block=shared.applied(placed.block))
         adjustment = final_adjustment(placed, groups, jobs, progress, remarks, noise, weights=weights)
+    adjustment = with_relative_precision(with_cause(adjustment, photos))
     adjustment = replace(adjustment, notices=(*shared.notices, *adjustment.notices))
     stage.from_cache = False
     stage.summary = f"sigma0 {adjustment.sigma0:.3f}"

@@ -27,6 +27,7 @@ from raybundle.matching.tracks import Tracks
 from raybundle.matching.verify import VerifiedPair, trusted
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress
+from raybundle.workflows.dropped import Dropped
 from raybundle.workflows.parts import start_parts
 from raybundle.workflows.precise import PreciseBlock, Visible, Weights, refine
 from raybundle.workflows.repeated import sound_pairs
@@ -34,7 +35,7 @@ from raybundle.workflows.static_background import FEWEST_PHOTOGRAPHS, RING_PX, s
 from raybundle.workflows.tie_block import TieBlock, block_of_tracks
 from raybundle.workflows.tie_points import FeatureStore, find_features, grey_of, match_pairs, pairs_of
 
-START, PRECISION = 10, 20
+START, PRECISION = 11, 21
 """Versions of the stages' results."""
 ALONE = "one photograph alone cannot be oriented; at least 2 are needed"
 
@@ -60,6 +61,8 @@ class PhotoRun:
     notices: list[Notice] = field(default_factory=list[Notice])
     """the same with a code of its own"""
     masks: Masks | None = None
+    dropped: Dropped | None = None
+    """how many features came how far"""
 
     def masked(self, folder: Path | None) -> None:
         """The masks of the photographs, where a folder of them is given."""
@@ -114,7 +117,7 @@ class PhotoRun:
         """Approximate values of every part."""
         assert self.store is not None
         if self.photos:
-            self.ties, told = _start(
+            self.ties, self.dropped, told = _start(
                 project, stage, name, self.photos, self.groups, self.pairs, self.store, method, self.jobs, self.progress
             )
             self.notices += told
@@ -126,6 +129,11 @@ class PhotoRun:
         if self.photos:
             found = _precision(project, stage, self.ties, self.photos, memory_gb, self.jobs, self.progress, self.masks)
             self.blocks, self.weights = found.blocks, found.weights
+            if self.dropped is not None:
+                self.dropped = replace(
+                    self.dropped, measured=found.measured, added=found.added, features_kept=found.features_kept,
+                    adjusted=sum(len(b.observations) for b in self.blocks),
+                )  # fmt: skip
             self.lost += found.left_out
             if found.by_features:
                 self.told.append(_by_features_words(found.by_features))
@@ -178,7 +186,7 @@ def _start(
     method: Literal["auto", "growing", "averaging"],
     jobs: int,
     progress: Progress,
-) -> tuple[tuple[TieBlock, ...], tuple[Notice, ...]]:
+) -> tuple[tuple[TieBlock, ...], Dropped, tuple[Notice, ...]]:
     cameras, of_photo = _cameras(groups, len(photos))
     # names are part of the block
     stage.key = key_of(
@@ -188,7 +196,9 @@ def _start(
     kept = project.load(stage.key)
     if kept is not None:
         told = _notices_of_arrays(kept)
-        ties = tuple(_tie_of_arrays(a) for a in _unpacked(kept))
+        parts = _unpacked(kept)
+        ties = tuple(_tie_of_arrays(a) for a in parts)
+        counts = parts[0]["raw_counts"]
     else:
         stage.from_cache = False
         features = [store.places(i) for i in range(len(photos))]
@@ -205,12 +215,15 @@ def _start(
         diagonals = np.array([float(np.hypot(p.width_px, p.height_px)) for p in photos])
         sound = sound_pairs(trusted(pairs, len(photos)), places, [p.name for p in photos], diagonals, oriented_by)
         ties, told = oriented_by(sound.tracks), sound.notices
-        project.store(stage.key, {**_packed([_arrays_of_tie(t) for t in ties]), **_arrays_of_notices(told)})
+        counts = np.array([sum(len(f) for f in features), len(sound.tracks.image)])
+        packed = _packed([{**_arrays_of_tie(t), "raw_counts": counts} for t in ties])
+        project.store(stage.key, {**packed, **_arrays_of_notices(told)})
     oriented = sum(int(t.block.images.oriented.sum()) for t in ties)
     split = f" in {len(ties)} parts" if len(ties) > 1 else ""
     points = sum(len(t.block.points) for t in ties)
     stage.summary = f"{oriented} of {len(photos)} photographs{split}, {points} points"
-    return ties, told
+    started = sum(len(t.block.observations) for t in ties)
+    return ties, Dropped(features=int(counts[0]), matched=int(counts[1]), started=started, adjusted=started), told
 
 
 def _arrays_of_notices(notices: Sequence[Notice]) -> dict[str, Array]:
@@ -255,6 +268,9 @@ def _unpacked(arrays: Mapping[str, Array]) -> list[dict[str, Array]]:
 class _Precise:
     blocks: list[Block]
     weights: list[Weights]
+    measured: int
+    added: int
+    features_kept: int
     by_features: list[str]
     left_out: list[tuple[str, str]]
 
@@ -284,7 +300,7 @@ def _precision(
                 {
                     **arrays_of_block(precise.block),
                     "weights": precise.weights.array(),
-                    "counts": np.array([precise.offered, precise.measured, precise.added]),
+                    "counts": np.array([precise.offered, precise.measured, precise.added, precise.features_kept]),
                     "by_features": np.array(precise.by_features, dtype=np.str_),
                     "left_out": np.array(precise.left_out, dtype=np.str_).reshape(-1, 2),
                 }
@@ -294,12 +310,15 @@ def _precision(
     parts = _unpacked(kept)
     blocks = [block_of_arrays(a) for a in parts]
     weights = [Weights.of(a["weights"]) for a in parts]
-    offered, measured, added = np.sum([a["counts"] for a in parts], axis=0).tolist()
+    offered, measured, added, features_kept = np.sum([a["counts"] for a in parts], axis=0).tolist()
     used = sum(len(b.observations) for b in blocks)
     stage.summary = f"{measured} of {offered} features measured again, {added} rays added, {used} used"
     return _Precise(
         blocks=blocks,
         weights=weights,
+        measured=measured,
+        added=added,
+        features_kept=features_kept,
         by_features=[n for a in parts for n in a["by_features"].tolist()],
         left_out=[(n, r) for a in parts for n, r in a["left_out"].tolist()],
     )
@@ -332,10 +351,11 @@ def mask_notices(masks: Masks) -> list[Notice]:
         names = ", ".join(missing[:3]) + (" ..." if len(missing) > 3 else "")
         message += f"; {len(missing)} without a mask are used whole ({names})"
     told = [Notice(code="masks", message=message, ids=missing)]
-    more = f" and {len(masks.refused) - 1} more" if len(masks.refused) > 1 else ""
-    for name, why in masks.refused[:1]:
-        first = f"{name}{more} used whole: {why}"
-        told.append(Notice(code="mask_refused", message=first, ids=tuple(n for n, _ in masks.refused)))
+    if masks.refused:
+        names = tuple(name for name, _ in masks.refused)
+        first, why = next(iter(masks.refused))
+        more = f" and {len(names) - 1} more" if len(names) > 1 else ""
+        told.append(Notice(code="mask_refused", message=f"{first}{more} used whole: {why}", ids=names))
     return told
 
 

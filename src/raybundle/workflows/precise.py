@@ -71,6 +71,8 @@ class PreciseBlock:
     offered: int
     added: int
     """image points measured where no feature was found"""
+    features_kept: int = 0
+    """image points that keep the position of their feature"""
     by_features: tuple[str, ...] = ()
     """images that keep positions of features: matching measured too little in them"""
     left_out: tuple[tuple[str, str], ...] = ()
@@ -159,7 +161,8 @@ def refine(
         _settle(work, options, first=7.0)
         progress("weights", (k + 2) / 3)
     block = work.weighted()
-    kept = with_rows(block, _with_partners(block, ~work.rejected))
+    stay = _with_partners(block, ~work.rejected)
+    kept = with_rows(block, stay)
     ids = tie.block.images.ids
     return PreciseBlock(
         block=without_images(kept, np.isin(np.arange(len(ids)), list(work.left_out))),
@@ -167,6 +170,7 @@ def refine(
         measured=int(keep.sum()),
         offered=len(keep),
         added=added,
+        features_kept=int((work.feature & stay).sum()),
         by_features=tuple(ids[i] for i in sorted(work.fallen - work.left_out.keys())),
         left_out=tuple((ids[i], reason) for i, reason in sorted(work.left_out.items())),
     )

@@ -1,0 +1,81 @@
+"""What became of the features on their way to the adjustment: why some were dropped, and how many."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.adjustment.severity import Severity
+
+MOST = 0.5
+"""Share of the image points with a partner that may be dropped before the adjustment without being a caution."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Dropped:
+    """Numbers of image points of photographs, in the order in which they are dropped."""
+
+    features: int
+    """found in the photographs"""
+    matched: int
+    """of which a verified pair shows the same point in another photograph"""
+    started: int
+    """of these, what the approximate orientation agrees with"""
+    measured: int | None = None
+    """of these, measured by least-squares matching; None: that was left out"""
+    features_kept: int = 0
+    """that keep the position of their feature, of photographs in which matching measures too little"""
+    added: int = 0
+    """measured where no feature was found"""
+    adjusted: int = 0
+    """that the adjustment was given"""
+
+    @property
+    def reasons(self) -> dict[str, int]:
+        """Image points dropped before the adjustment, by the reason."""
+        left = self.started if self.measured is None else self.measured + self.features_kept + self.added
+        found = {
+            "without_partner": self.features - self.matched,
+            "contradict_orientation": self.matched - self.started,
+            "not_measured_precisely": 0 if self.measured is None else self.started - self.measured - self.features_kept,
+            "contradict_others": left - self.adjusted,
+        }
+        return {reason: max(count, 0) for reason, count in found.items()}
+
+    @property
+    def share(self) -> float:
+        """Of the image points with a partner, what was dropped before the adjustment."""
+        lost = sum(count for reason, count in self.reasons.items() if reason != "without_partner")
+        return lost / max(self.matched + self.added, 1)
+
+    def as_mapping(self, adjustment: Adjustment) -> dict[str, object]:
+        """What result.json says of it."""
+        rejected = sum(1 for r in adjustment.image_observations.rejected if r)
+        return {
+            "features": self.features, "matched": self.matched, "added": self.added,
+            "features_kept": self.features_kept, "dropped": self.reasons, "dropped_share": self.share,
+            "adjusted": self.adjusted, "rejected": rejected,
+        }  # fmt: skip
+
+    def notice(self) -> Notice:
+        """The same in words."""
+        words = {
+            "contradict_orientation": "contradict the approximate orientation or have no depth",
+            "not_measured_precisely": "not measured by least-squares matching",
+            "contradict_others": "contradict the other rays of their point, or measured twice",
+        }
+        why = [f"{grouped(n)} {words[r]}" for r, n in self.reasons.items() if n and r in words]
+        message = (
+            f"before the adjustment {self.share:.0%} of the image points were dropped: of {grouped(self.features)} "
+            f"features {grouped(self.matched)} have a partner in another photograph"
+            + (f", {grouped(self.added)} rays were added" if self.added else "")
+            + (f"; dropped are {', '.join(why)}" if why else "")
+            + f". The adjustment was given {grouped(self.adjusted)}; what it rejects comes on top"
+        )
+        grave = Severity.CAUTION if self.share > MOST else Severity.REMARK
+        return Notice(code="dropped", message=message, measured=grave)
+
+
+def grouped(number: int) -> str:
+    """With a space between thousands."""
+    return f"{number:,}".replace(",", " ")

@@ -1,0 +1,254 @@
+"""A rolling shutter told from a shear of the pixels: which of the two explains what the residuals ask for.
+
+A frame that is read row by row from a moving place shows a shear (motion along the rows) and an affinity (across them)
+that change with the velocity in the camera's axes and with the distance of the object; those of the pixels do not.
+Both are adjusted: affinity and shear, one value each for the camera, and one read-out time for the camera with the
+velocity that each image has by the projection centres around it (model `brown_rolling`; Vautherin et al. 2016).  By how
+much the weighted square sum falls is the likelihood ratio of each; the one with fewer parameters must explain as much.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from datetime import datetime
+
+import numpy as np
+
+from raybundle.adjustment.engine import adjust_block, as_start
+from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.adjustment.severity import Severity
+from raybundle.block import Block, Camera, Distances
+from raybundle.errors import NotSolvable
+from raybundle.io.photos.photo import Photo
+from raybundle.numerics.arrays import Array
+from raybundle.numerics.statistics import chi_square_tails
+
+VELOCITY = ("vx", "vy", "vz")
+SHAPE = ("A", "S")
+ALPHA = 1e-3
+DECISIVE = 2 * float(np.log(100))
+"""Difference of two square sums, in variances, from which one explanation is a hundred times likelier."""
+GAP = 2.0
+"""Interval between two photographs, in usual ones, beyond which no velocity is taken from them."""
+BEND = np.cos(np.radians(30))
+"""Cosine of the angle between the ways to and from a photograph below which its velocity is not known: a turn."""
+LONGEST_S = 0.2
+"""Read-out time beyond which no camera reads a frame: ten times what is usual."""
+HELD = 1e-6
+"""Standard deviation of a held distance by its length."""
+FEWEST = 4
+"""Photographs with a velocity."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ReadOut:
+    """What a camera's affinity and shear come from."""
+
+    camera: str
+    seconds: float
+    """Read-out time of the whole format; in intervals between photographs where no times are known"""
+    std: float
+    timed: bool
+    """Whether the photographs state times"""
+    by_read_out: float
+    """By how much chi-square falls with one read-out time"""
+    by_shape: float
+    """The same with the affinity and the shear of pixels"""
+
+    @property
+    def rolling(self) -> bool:
+        """Whether the read-out explains decisively more."""
+        return self.by_read_out - self.by_shape > DECISIVE
+
+    @property
+    def told(self) -> bool:
+        """Whether one of the two is decisively likelier."""
+        return abs(self.by_read_out - self.by_shape) > DECISIVE
+
+    def notice(self) -> Notice:
+        """What there is to say of it."""
+        time = (
+            f"{1000 * self.seconds:.0f} ± {1000 * self.std:.0f} ms"
+            if self.timed
+            else (f"{self.seconds:.1%} of the interval between two photographs")
+        )
+        figures = (
+            f"chi-square falls by {self.by_read_out:.0f} with one read-out time ({time}) and the velocities of the "
+            f"flight, by {self.by_shape:.0f} with affinity and shear of the pixels"
+        )
+        reason = (
+            f"affinity and shear are those of a rolling shutter: {figures}"
+            if self.rolling
+            else f"affinity and shear may be those of a rolling shutter: {figures}; these velocities in the camera's "
+            "axes are too alike to tell the two apart"
+        )
+        reason += (
+            ". It is not in the model here, and standard deviations are too small; adjust the block of the result with "
+            "the model brown_rolling, where the block format has it, fly more slowly, or stop for each photograph"
+        )
+        return Notice(
+            code="rolling_shutter", message=f"camera {self.camera}: {reason}", ids=(self.camera,), reason=reason
+        )
+
+
+def with_cause(result: Adjustment, photos: Sequence[Photo]) -> Adjustment:
+    """The result in which an affinity or shear that no sensor has names a rolling shutter, where that is the cause.
+
+    What it does not tell: the rotation of the camera during the read-out, which shows as a velocity does; and where
+    photographs state no time, how long the read-out takes.
+    """
+    strange = {n.ids[0] for n in result.notices if n.code == "pixel_shape"}
+    when = {p.name: p.metadata.taken for p in photos}
+    notices = list(result.notices)
+    for camera in sorted(strange):
+        found = read_out(result, camera, when)
+        if found is None or not (found.rolling or not found.told):
+            continue
+        at = next(k for k, n in enumerate(notices) if n.code == "pixel_shape" and n.ids[0] == camera)
+        mine = [n for n in notices if n.code == "pixel_shape" and n.ids[0] == camera]
+        grave = Severity.FAULT if any(n.severity is Severity.FAULT for n in mine) else Severity.CAUTION
+        notices[at] = replace(found.notice(), measured=grave)
+        if found.rolling:
+            notices = [n for n in notices if n.code != "pixel_shape" or n.ids[0] != camera]
+    return replace(result, notices=tuple(notices))
+
+
+def read_out(result: Adjustment, camera: str, when: Mapping[str, datetime | None]) -> ReadOut | None:
+    """What one read-out time explains, beside affinity and shear; None where it explains nothing, or cannot be tried.
+
+    when  the times of the images by their names
+    """
+    at = next((k for k, c in enumerate(result.given.cameras) if c.id == camera), -1)
+    if at < 0 or result.given.cameras[at].model != "brown":
+        return None
+    velocity, timed = velocities(result.adjusted, at, when)
+    known = np.isfinite(velocity).all(axis=1)
+    if known.sum() < FEWEST:
+        return None
+    free = {i.camera: i.free for i in result.interior if i.image is None}
+    plain = tuple(s for s in free.get(camera, ()) if s not in SHAPE)
+    start = _with(as_start(result.given, result.adjusted), at, dict.fromkeys(SHAPE, 0.0))
+    neither = _adjusted(result, start, {**free, camera: plain})
+    shape = _adjusted(result, start, {**free, camera: (*plain, *SHAPE)})
+    rolling = _with_scale(_rolling(start, at, velocity), result)
+    moving = _adjusted(result, rolling, {**free, camera: (*plain, "r")}, statistics=True)
+    if neither is None or shape is None or moving is None:
+        return None
+    scale = _variance(result)
+    by = [(neither.weighted_square_sum - a.weighted_square_sum) / scale for a in (moving, shape)]
+    height = float(result.given.cameras[at].size_mm[1])
+    r = next(i.parameters["r"] for i in moving.interior if i.camera == camera and i.image is None)
+    wider = np.sqrt(scale) / max(result.sigma0, 1e-12)
+    seconds = r.value * height
+    if chi_square_tails(by[0], 1)[1] > ALPHA or (timed and abs(seconds) > LONGEST_S):
+        return None
+    return ReadOut(
+        camera=camera, seconds=abs(seconds), std=(r.std or 0.0) * height * wider, timed=timed, by_read_out=by[0],
+        by_shape=by[1],
+    )  # fmt: skip
+
+
+def velocities(block: Block, camera: int, when: Mapping[str, datetime | None]) -> tuple[Array, bool]:
+    """(n, 3) of the images of a camera in their own axes [length / s], by the projection centres before and after.
+
+    NaN where the neighbours are far in time or the way bends.  Also whether times are known; without them images
+    follow one another by their names at one interval, which is the unit of time then.
+    """
+    images = block.images
+    mine = np.flatnonzero((images.camera == camera) & images.oriented)
+    stated = [when.get(images.ids[i]) for i in mine.tolist()]
+    timed = all(t is not None for t in stated) and len(set(stated)) > len(stated) // 2
+    seconds = np.array([t.timestamp() for t in stated if t is not None]) if timed else np.arange(len(mine), dtype=float)
+    order = np.argsort(seconds, kind="stable")
+    mine, seconds = mine[order], seconds[order]
+    found = np.full((len(images), 3), np.nan)
+    moved = _ways(images.centre[mine], seconds)
+    found[mine] = np.einsum("nij,nj->ni", images.rotation[mine], moved)
+    return found, timed
+
+
+def _ways(centre: Array, seconds: Array) -> Array:
+    """(n, 3) velocities in object space of places in the order of time; NaN where they are not known.
+
+    From the place before to the one after where the way is straight; at the end of a straight line from its own side.
+    """
+    n, step = len(centre), np.diff(seconds)
+    way = np.diff(centre, axis=0)
+    usual = float(np.median(step[step > 0])) if (step > 0).any() else 1.0
+    near = (step > 0) & (step <= GAP * usual)
+    found = np.full((n, 3), np.nan)
+    for k in range(1, n - 1):
+        if near[k - 1] and near[k] and _alike(way[k - 1], way[k]):
+            found[k] = (way[k - 1] + way[k]) / (step[k - 1] + step[k])
+    straight = found.copy()
+    for k in np.flatnonzero(np.isnan(found[:, 0])):
+        for side, other in ((k - 1, k - 1), (k, k + 1)):  # the way from the place before, and to the one after
+            if 0 <= side < n - 1 and near[side] and _alike(way[side], straight[other]):
+                found[k] = way[side] / step[side]
+    return found
+
+
+def _alike(one: Array, two: Array) -> bool:
+    lengths = float(np.linalg.norm(one) * np.linalg.norm(two))
+    return bool(lengths > 0 and one @ two > BEND * lengths)
+
+
+def _rolling(block: Block, at: int, velocity: Array) -> Block:
+    """The block with the model `brown_rolling` for a camera, the velocities of its images held; unknown ones are 0."""
+    camera = block.cameras[at]
+    moving: Camera = replace(
+        camera, model="brown_rolling", per_image=VELOCITY,
+        values={**camera.values, **dict.fromkeys((*VELOCITY, "wx", "wy", "wz"), 0.0), "r": 0.0},
+    )  # fmt: skip
+    mine = np.flatnonzero(block.images.camera == at)
+    own = {int(i): dict(zip(VELOCITY, np.nan_to_num(velocity[i]).tolist(), strict=True)) for i in mine}
+    cameras = tuple(moving if k == at else c for k, c in enumerate(block.cameras))
+    return replace(block, cameras=cameras, images=replace(block.images, interior={**block.images.interior, **own}))
+
+
+def _with_scale(block: Block, result: Adjustment) -> Block:
+    """The block with its scale held where nothing holds it: a velocity is a length, and the read-out time would scale.
+
+    One distance between far points, as it is; nothing pulls at it.
+    """
+    if "scale" not in result.datum_defect:
+        return block
+    used = result.image_observations.used
+    rays = np.bincount(block.observations.point[used], minlength=len(block.points))
+    some = np.flatnonzero(rays >= min(3, rays.max()))
+    xyz = block.points.xyz[some]
+    a = int(np.linalg.norm(xyz - xyz.mean(axis=0), axis=1).argmax())
+    away = np.linalg.norm(xyz - xyz[a], axis=1)
+    b, d = int(away.argmax()), block.distances
+    held = Distances(
+        start=np.append(d.start, some[a]).astype(np.int32), end=np.append(d.end, some[b]).astype(np.int32),
+        length=np.append(d.length, away[b]), sigma=np.append(d.sigma, HELD * away[b]),
+    )  # fmt: skip
+    return replace(block, distances=held)
+
+
+def _with(block: Block, at: int, values: Mapping[str, float]) -> Block:
+    cameras = tuple(replace(c, values={**c.values, **values}) if k == at else c for k, c in enumerate(block.cameras))
+    return replace(block, cameras=cameras)
+
+
+def _adjusted(
+    result: Adjustment, start: Block, free: dict[str, tuple[str, ...]], *, statistics: bool = False
+) -> Adjustment | None:
+    options = replace(
+        result.options, reject="none", robust_start=False, statistics=statistics, tolerance=1e-3, noise="white"
+    )
+    try:
+        return adjust_block(
+            start, options, free=free, rejected=result.image_observations.rejected, start="adjusted",
+            extent="decisions" if statistics else "tests",
+        )  # fmt: skip
+    except NotSolvable:
+        return None
+
+
+def _variance(result: Adjustment) -> float:
+    """By what a growth of the square sum counts: as in `same_camera`."""
+    ratio = result.noise.ratio_interior if result.noise.kind == "fields" else 1.0
+    return result.sigma0**2 * (max(ratio, 1.0) ** 2 if np.isfinite(ratio) else 1.0)

@@ -1,0 +1,30 @@
+"""No praise by a test that weights from the same residuals must pass."""
+
+from dataclasses import replace
+
+from raybundle.adjustment.engine import adjust_block
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.block.simulate import Ring, Survey, ring_scene, simulate
+from raybundle.report.view import view_of
+from raybundle.report.words import verdict
+
+
+def too_small(weights):
+    block = simulate(ring_scene(Ring(stations=6, points=80)), Survey(image_sigma_px=0.1, points="approximate")).observed
+    o = block.observations
+    wide = replace(block, observations=replace(o, cov_px2=4 * o.cov_px2))
+    result = adjust_block(wide, AdjustmentOptions(weights=weights))
+    assert result.global_test[1] < result.global_test[0]
+    return result
+
+
+def test_residuals_below_weights_that_were_taken_from_them_are_no_merit():
+    for weights, praised in (("given", True), ("residuals", False)):
+        result = too_small(weights)
+        (notice,) = (n for n in result.notices if n.code == "global_test")
+        assert ("more precise than stated" in notice.message) is praised
+        assert ("no merit" in notice.message) is not praised
+        told = verdict(view_of(result))
+        text = " ".join([told.headline, *(words for _, words in told.statements)])
+        assert ("more precise than stated" in text) is praised
+        assert "fit better" not in text or praised

@@ -1,0 +1,68 @@
+"""Positions that fit better than stated; what several cameras' metadata leave open."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from raybundle.adjustment.engine import adjust_block
+from raybundle.adjustment.network import classed
+from raybundle.block.simulate import AerialStrips, Survey, aerial_scene, simulate
+from raybundle.cli.summary import summary_lines
+from raybundle.io.photos.cameras import camera_groups
+from raybundle.io.photos.metadata import Metadata
+from raybundle.io.photos.photo import Photo
+from raybundle.workflows.told_positions import camera_notices, with_relative_precision
+
+
+def flight(real, stated, shift=0.0):
+    """Positions with errors of one size that state another, all shifted."""
+    scene = aerial_scene(AerialStrips(strips=3, images_per_strip=6))
+    survey = Survey(image_sigma_px=0.3, station_sigma=real, points="approximate")
+    block = simulate(scene, survey).observed
+    stations = replace(block.stations, xyz=block.stations.xyz + shift, sigma=np.full_like(block.stations.sigma, stated))
+    return replace(block, stations=stations)
+
+
+def told(block):
+    found = [n for n in with_relative_precision(adjust_block(block)).notices if n.code == "relative_positions"]
+    return found[0].message if found else ""
+
+
+def test_relative_precision_and_a_common_shift_are_told_apart():
+    message = told(flight(0.27, 5.0, shift=3.0))
+    plan = float(message.split(" m in plan")[0].split()[-1])
+    height = float(message.split(" m in height")[0].split()[-1])
+    assert plan == pytest.approx(0.27, rel=0.35)
+    assert height == pytest.approx(0.27, rel=0.5)
+    assert "where 5 m are stated" in message
+    assert "shift that all positions have in common" in message
+
+
+@pytest.mark.parametrize("sigma", [0.05, 1.0])
+def test_positions_as_precise_as_stated_say_nothing(sigma):
+    assert told(flight(sigma, sigma)) == ""
+    assert told(flight(2 * sigma, sigma)) == ""
+
+
+def test_remarks_of_several_cameras_are_one_notice():
+    copy = Metadata(model="X", exif_width=4608, exif_height=3456, focal_mm=5.0)
+    photos = [
+        Photo(path=p, name=p, width_px=2304, height_px=1728, sha256=p, metadata=replace(copy, serial=s))
+        for p, s in (("a.jpg", "1"), ("b.jpg", "1"), ("c.jpg", "2"))
+    ]
+    notices = camera_notices(camera_groups(photos))
+    copies = [n for n in notices if "a copy" in n.message]
+    assert len(copies) == 1
+    assert copies[0].message.startswith("3 photographs (cameras x-5mm, ")
+    assert len(copies[0].ids) == 2
+
+
+def test_classes_of_precision_are_those_of_targets():
+    block = flight(1.0, 1.0)
+    assert classed(block)
+    natural = replace(block, points=replace(block.points, ids=tuple(f"t{k + 1}" for k in range(len(block.points)))))
+    assert not classed(natural)
+    result = adjust_block(block)
+    assert result.network.precision_class in " ".join(summary_lines(result))
+    assert result.network.precision_class not in " ".join(summary_lines(adjust_block(natural)))
