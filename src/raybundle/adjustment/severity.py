@@ -30,11 +30,12 @@ _CODES = {
         "global_test gps_too_near held_not_determinable identical_images image_left_out levelled mark_rejected "
         "marked_lost marked_once marks_reduced no_targets one_ray_control parallel_rays parts_apart pixel_shape "
         "points_left_out rays_diverge relative_control residual_structure scale_unchecked scene_datum scene_prior "
-        "small_angle start_behind start_parallel systematic_residuals two_cameras unstable_camera "
-        "up_ambiguous up_uncertain"
+        "small_angle start_behind start_parallel systematic_residuals target_without_normal two_cameras "
+        "unstable_camera up_ambiguous up_uncertain"
     ),
     Severity.REMARK: (
-        "attitudes gps model not_significant parts_joined photographs rejected scene_joins target_radius"
+        "attitudes gps model not_significant parts_joined photographs rejected scene_joins target_eccentricity "
+        "target_radius up_by_edges up_without_edges"
     ),
 }
 
