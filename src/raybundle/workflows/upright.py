@@ -73,11 +73,11 @@ def upright(block: Block, photos: Sequence[Photo], way: str = "auto") -> Upright
 
 
 def doubts(found: Upright, way: str) -> tuple[Notice, ...]:
-    """What is to be told of a vertical that the habits do not tell for sure."""
-    if found.kind == "given" or way != "auto":
+    """What is to be told of a vertical: that the habits do not tell it for sure, or that edges tell it."""
+    if found.kind == "given":
         return ()
     degrees = np.degrees(found.sigma)
-    if found.probability < SURE:
+    if found.probability < SURE and way == "auto":
         told = (
             f"up is ambiguous: by how the photographs were held the set is {found.kind} with a probability of "
             f"{100 * found.probability:.0f} % only ({100 * SURE:.0f} % are asked for). It was taken for that; if the "
@@ -85,7 +85,7 @@ def doubts(found: Upright, way: str) -> tuple[Notice, ...]:
             "plumb above A"
         )
         return (Notice(code="up_ambiguous", message=told),)
-    if found.sigma > UNSURE:
+    if found.sigma > UNSURE and way == "auto":
         told = (
             f"up is known to ± {degrees:.0f} degrees only, from how the photographs were held; two measured points, B "
             "plumb above A, say it exactly: --up A,B"
