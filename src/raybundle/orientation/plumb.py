@@ -71,7 +71,7 @@ def plumb_vertical(normals: Array, sigma: Array, image: Array, prior: Array, pri
     if best is None or alarms > FALSE_ALARMS:
         return None
     s = np.hypot(sigma, LEAN)
-    at, scale = best, 1.0
+    at, scale, N = best, 1.0, np.eye(2) / prior_sigma**2
     for _ in range(ROUNDS):
         r = (across @ at - offset) / s
         held = np.abs(r) < TUKEY * max(scale, 1.0)

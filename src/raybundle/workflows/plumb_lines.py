@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
@@ -22,9 +23,14 @@ END_PX = 0.5
 """Standard deviation of the end of an edge across it, in the reduced picture [px]."""
 
 
+def with_pixels(photos: Sequence[object]) -> list[Photo]:
+    """Those that are photographs on disk: blocks from elsewhere have stand-ins without pixels."""
+    return [p for p in photos if isinstance(p, Photo)]
+
+
 def vertical_by_edges(block: Block, photos: Sequence[Photo], prior: Array, prior_sigma: float) -> PlumbEdges | None:
     """The vertical by the plumb edges in some photographs; None where there are none to speak of."""
-    by_name = {p.name: p for p in photos if isinstance(p, Photo)}
+    by_name = {p.name: p for p in with_pixels(photos)}
     seen = [
         (i, by_name[name])
         for i in np.flatnonzero(block.images.oriented).tolist()
@@ -71,7 +77,7 @@ def _edges(photo: Photo) -> Array:
     h, w = grey.shape
     factor = min(1.0, LONG_SIDE / max(h, w))
     small = cv2.resize(grey, (round(w * factor), round(h * factor)), interpolation=cv2.INTER_AREA)
-    lines = cv2.createLineSegmentDetector().detect(small)[0]
+    lines: Any = cv2.createLineSegmentDetector().detect(small)[0]
     if lines is None:
         return np.zeros((0, 2, 2))
     ends = (lines.reshape(-1, 2, 2).astype(float) + 0.5) * [w / small.shape[1], h / small.shape[0]]

@@ -15,7 +15,7 @@ from raybundle.io.photos.photo import Photo, upright_from_stored
 from raybundle.numerics.arrays import Array
 from raybundle.orientation.plumb import PlumbEdges
 from raybundle.orientation.upright import SURE, Habits, Kind, habits
-from raybundle.workflows.plumb_lines import vertical_by_edges
+from raybundle.workflows.plumb_lines import vertical_by_edges, with_pixels
 
 UNSURE = np.radians(5.0)
 """Standard deviation of the vertical from which on it is told."""
@@ -63,7 +63,7 @@ def upright(block: Block, photos: Sequence[Photo], way: str = "auto") -> Upright
     found: Habits = habits(right, upward, centre, _distance(block), known)
     probability = 0.5 if way == "auto" and len(right) < FEWEST else found.probability
     # buildings stand upright; what a flight sees of them is mostly roofs
-    sought = found.kind == "terrestrial" and probability >= SURE and any(isinstance(p, Photo) for p in photos)
+    sought = found.kind == "terrestrial" and probability >= SURE and bool(with_pixels(photos))
     edges = vertical_by_edges(block, photos, found.up, found.sigma) if sought else None
     up, sigma = (found.up, found.sigma) if edges is None else (edges.up, edges.sigma)
     return Upright(
