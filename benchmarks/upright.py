@@ -46,8 +46,11 @@ def oriented(name: str, folder: Path) -> tuple[Block, dict]:
     return read_block(folder / "result" / "block"), said["upright"]
 
 
-def edges_vertical(block: Block, edges: list[dict]) -> tuple[np.ndarray, float]:
-    """Direction (3,) upwards of plumb edges, and their rms distance from it [deg]."""
+def edges_vertical(block: Block, edges: list[dict]) -> tuple[np.ndarray, float, float]:
+    """Direction (3,) upwards of plumb edges, their rms distance from it, and its own standard deviation [deg].
+
+    The last is of the less determined component: a few edges seen to one side leave the other open.
+    """
     normals, upward = [], np.zeros(3)
     for e in edges:
         i = block.images.file.index(e["image"])
@@ -57,9 +60,11 @@ def edges_vertical(block: Block, edges: list[dict]) -> tuple[np.ndarray, float]:
         n = np.cross(low, high)
         normals.append(n / np.linalg.norm(n))
         upward += high - low
-    z = np.linalg.svd(np.array(normals))[2][2]
+    _, size, axes = np.linalg.svd(np.array(normals))
+    z = axes[2]
     away = np.degrees(np.arcsin(np.array(normals) @ z))
-    return z * np.sign(z @ upward), float(np.sqrt(np.mean(away**2)))
+    sigma = np.sqrt((away**2).sum() / max(len(edges) - 2, 1)) / size[1]
+    return z * np.sign(z @ upward), float(np.sqrt(np.mean(away**2))), float(sigma)
 
 
 def portal_vertical(block: Block) -> np.ndarray:
@@ -97,12 +102,13 @@ def main() -> int:
             if name == "portal":
                 row |= {"off_deg": angle(portal_vertical(block)), "limit_deg": 2.0}
             elif name in edges:
-                z, scatter = edges_vertical(block, edges[name]["edges"])
+                z, scatter, own = edges_vertical(block, edges[name]["edges"])
                 row |= {
                     "off_deg": angle(z),
                     "limit_deg": 3.0,
                     "edges": len(edges[name]["edges"]),
                     "scatter_deg": scatter,
+                    "sigma_of_these_deg": own,
                 }
             good = row["off_deg"] < row["limit_deg"] and said["kind"] == "terrestrial" if "off_deg" in row else (
                 said["kind"] == "aerial" and said["probability"] > 0.95

@@ -32,11 +32,12 @@ _CODES = {
         "mark_rejected marked_lost marked_once mask_refused marks_reduced no_targets one_ray_control parallel_rays "
         "parts_apart pixel_shape points_left_out rays_diverge relative_control repeated_structure "
         "residual_structure rolling_shutter scale_unchecked scene_datum scene_prior small_angle static_background "
-        "start_behind start_parallel systematic_residuals two_cameras unstable_camera up_ambiguous up_uncertain"
+        "start_behind start_parallel systematic_residuals target_without_normal two_cameras unstable_camera "
+        "up_ambiguous up_uncertain"
     ),
     Severity.REMARK: (
         "attitudes camera_joined dropped gps masks model not_significant parts_joined photographs rejected "
-        "relative_positions scene_joins target_radius"
+        "relative_positions scene_joins target_eccentricity target_radius up_by_edges up_without_edges"
     ),
 }
 

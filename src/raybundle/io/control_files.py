@@ -2,7 +2,8 @@
 
 gcp_list.txt    first line the coordinate system, then  X Y Z x_px y_px image [name]  a line, separated by tabs or
                 blanks; '#' begins a comment; pixels count from the outer corner of the first one
-CSV             point,X,Y,Z[,sX,sY,sZ][,role], and beside it or in a second file  image,point,x_px,y_px
+CSV             point,X,Y,Z[,sX,sY,sZ][,role][,radius][,nX,nY,nZ], and beside it or in a second file
+                image,point,x_px,y_px; radius [m] of a round target, n a vector square to it
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ from raybundle.io.tables import SHOWN, Column, Problem, fail, read_table
 from raybundle.numerics.arrays import Array, Index, Mask
 
 FILE_BYTES = 1 << 28
-XYZ, SIGMA = ("X", "Y", "Z"), ("sX", "sY", "sZ")
+XYZ, SIGMA, NORMAL = ("X", "Y", "Z"), ("sX", "sY", "sZ"), ("nX", "nY", "nZ")
 GCP_COLUMNS = ("X", "Y", "Z", "x_px", "y_px", "image")
 CHANCE = 0.01
 """Probability below which heights that agree to the last digit are not taken for measured."""
@@ -67,6 +68,10 @@ class ControlFile:
     measurements: Measurements
     remarks: tuple[str, ...] = ()
     """What was assumed."""
+    radius: Array | None = None
+    """(n,) of round targets, whose measured centres are those of ellipses [m]; NaN: no round target."""
+    normal: Array | None = None
+    """(n, 3) unit vectors square to round targets, in the axes of the coordinates; NaN: not known."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -280,6 +285,8 @@ def _read_csv(path: Path, measurements: Path | None, defaults: ControlDefaults) 
             *(Column(name=n, kind="number", empty=True) for n in XYZ),
             *(Column(name=n, kind="number", empty=True, optional=True, limit=">= 0") for n in SIGMA),
             Column(name="role", kind="text", optional=True, empty=True),
+            Column(name="radius", kind="number", empty=True, optional=True, limit="> 0"),
+            *(Column(name=n, kind="number", empty=True, optional=True) for n in NORMAL),
         ),
     )
     ids, xyz, sigma = table.text["point"], table.numbers(*XYZ), table.numbers(*SIGMA)
@@ -301,6 +308,12 @@ def _read_csv(path: Path, measurements: Path | None, defaults: ControlDefaults) 
         for k in empty
         if known.get(roles[k]) != Role.TIE
     ]
+    normal = table.numbers(*NORMAL)
+    length = np.linalg.norm(normal, axis=1)
+    problems += [
+        Problem(int(k) + 2, NORMAL[0], f"point {quoted(ids[k])}: nX, nY, nZ are one vector; give all three, not all 0")
+        for k in np.flatnonzero(np.isfinite(normal).any(axis=1) & ~(length > 0))
+    ]
     if problems:
         fail(path, problems[: SHOWN + 1])
     given = np.isfinite(sigma)
@@ -318,6 +331,8 @@ def _read_csv(path: Path, measurements: Path | None, defaults: ControlDefaults) 
         role=np.array([known[r] for r in roles], np.int32),
         measurements=_no_measurements() if file is None else read_measurements(file, ids, str(path)),
         remarks=remarks,
+        radius=table.numbers("radius")[:, 0],
+        normal=normal / np.where(length > 0, length, np.nan)[:, None],
     )
     return _with_unknown_heights(control, given[:, 2])
 

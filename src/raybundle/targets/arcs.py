@@ -13,7 +13,7 @@ import numpy as np
 
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.targets.centre import SECTORS
-from raybundle.targets.conics import centred, conics, matrix, sampson
+from raybundle.targets.conics import centred, conics, sampson
 from raybundle.targets.rings import circle, frame, sample
 
 RAYS = 48
@@ -26,6 +26,8 @@ Between two samples an edge is found to a tenth of a pixel; perspective and prin
 """
 LEAST = 0.5
 """Least share of the rays that agree."""
+TOGETHER = 32
+"""Dots that are looked at together."""
 FARTHEST = 1.9
 """Radii to which the edge is sought."""
 SIZES = (0.4, 2.5)
@@ -44,32 +46,45 @@ class Arc:
     """(32,) sectors of the ellipse, as `centre.sector_of` counts them, in which the edge lies on it"""
 
 
-def free_arc(image: Array, xy: Array, ellipse: Array) -> Arc | None:
-    """The ellipse (near `xy` (2,), `ellipse` (2, 2)) that the largest part of an edge lies on; None without."""
+def free_arcs(image: Array, xy: Array, ellipse: Array) -> list[Arc | None]:
+    """The ellipses (near `xy` (n, 2), `ellipse` (n, 2, 2)) that the largest parts of edges lie on; None without."""
+    found: list[Arc | None] = [None] * len(xy)
     L = frame(ellipse)
+    radius = np.sqrt(np.abs(np.linalg.det(L)))
     u = circle(np.arange(RAYS) * 2 * np.pi / RAYS)
-    radius = float(np.sqrt(abs(np.linalg.det(L))))
-    crossings = _crossings(image, xy, L, u, radius)
-    if crossings is None:
-        return None
-    points = u[:, None] * crossings[..., None]  # NaN where there is none
-    near = max(NEAR_PX / radius, NEAR)
-    best, agree = None, np.zeros(RAYS, bool)
-    a = _through_parts(points)
+    crossed = {i: c for i in range(len(xy)) if (c := _crossings(image, xy[i], L[i], u, float(radius[i]))) is not None}
+    for first in range(0, len(crossed), TOGETHER):
+        rows = list(crossed)[first : first + TOGETHER]
+        points = u[:, None] * _few([crossed[i] for i in rows])[..., None]  # NaN where there is none
+        near = np.maximum(NEAR_PX / radius[rows], NEAR)
+        best, good = _best_ellipses(points, near)
+        for k in np.flatnonzero(good).tolist():
+            i = rows[k]
+            found[i] = _as_arc(best[k], xy[i], L[i], points[k], float(near[k]))
+    return found
+
+
+def _best_ellipses(points: Array, near: Array) -> tuple[Array, Mask]:
+    """Conics (d, 5) that most rays agree with to `near` (d,), and which (d,) are good ellipses; points (d, rays, m, 2).
+
+    The best of those through parts of the edge, fitted again to all rays that agree, twice.
+    """
+    d, rays = len(points), np.arange(RAYS)
+    each = np.arange(d)
+    a, there = _through_parts(points)
+    best, agree, alive = np.zeros((d, 5)), np.zeros((d, RAYS), bool), np.ones(d, bool)
     for _ in range(3):
-        a = a[_is_ellipse(a)]
-        if not len(a):
-            return None
-        distance = _distance(a, points)
-        nearest = distance.min(axis=2)
-        count = (nearest < near).sum(axis=1)
-        k = int(np.argmax(count - np.minimum(nearest, near).sum(axis=1) / (near * RAYS)))
-        best, agree = a[k], nearest[k] < near
-        which = np.argmin(distance[k], axis=1)
-        a = conics(np.nan_to_num(points[np.arange(RAYS), which])[None], agree[None].astype(float))
-    if best is None or agree.mean() < LEAST:
-        return None
-    return _as_arc(best, xy, L, points, near)
+        there = there & _is_ellipse(a)
+        alive &= there.any(axis=1)
+        distance = np.where(there[..., None, None], _distance(a, points), np.inf)
+        nearest, limit = distance.min(axis=3), near[:, None, None]
+        count = (nearest < limit).sum(axis=2) - np.minimum(nearest, limit).sum(axis=2) / (near[:, None] * RAYS)
+        k = np.argmax(count, axis=1)
+        best, agree = a[each, k], nearest[each, k] < near[:, None]
+        which = np.argmin(distance[each, k], axis=2)
+        at = np.nan_to_num(points[each[:, None], rays, which])
+        a, there = conics(at, agree.astype(float))[:, None], np.ones((d, 1), bool)
+    return best, alive & (agree.mean(axis=1) >= LEAST)
 
 
 def _crossings(image: Array, xy: Array, L: Array, u: Array, radius: float) -> Array | None:
@@ -92,42 +107,57 @@ def _crossings(image: Array, xy: Array, L: Array, u: Array, radius: float) -> Ar
     return np.where(falls, rho[:-1] + before / np.where(falls, before - after, 1) * (rho[1] - rho[0]), np.nan)
 
 
-def _through_parts(points: Array) -> Array:
-    """Conics (n, 5) through parts of the edge: of the first and of the last crossings of their rays."""
+def _few(crossings: list[Array]) -> Array:
+    """The same crossings (d, rays, m), those of a ray one after the other, in as few columns as hold them."""
+    most = max(int((~np.isnan(c)).sum(axis=1).max(initial=1)) for c in crossings)
+    packed = np.full((len(crossings), RAYS, most), np.nan)
+    for k, c in enumerate(crossings):
+        ray, column = np.nonzero(~np.isnan(c))
+        starts = np.searchsorted(ray, np.arange(RAYS))
+        packed[k, ray, np.arange(len(ray)) - starts[ray]] = c[ray, column]
+    return packed
+
+
+def _through_parts(points: Array) -> tuple[Array, Mask]:
+    """Conics (d, k, 5) through parts of the edges: of the first and of the last crossings of their rays; which are."""
     some = ~np.isnan(points[..., 0])
-    rays = np.arange(RAYS)
-    first, last = np.argmax(some, axis=1), some.shape[1] - 1 - np.argmax(some[:, ::-1], axis=1)
-    found: Mask = np.asarray(some.any(axis=1))
-    all_ = []
+    each, rays = np.arange(len(points))[:, None], np.arange(RAYS)
+    first, last = np.argmax(some, axis=2), some.shape[2] - 1 - np.argmax(some[..., ::-1], axis=2)
+    found: Mask = np.asarray(some.any(axis=2))
+    conic, there = list[Array](), list[Mask]()
     for which in (first, last):
-        p = np.where(found[:, None], points[rays, which], 0)
+        p = np.where(found[..., None], points[each, rays, which], 0)[:, None]
         for part in PARTS:
             within = (rays - np.arange(0, RAYS, 2)[:, None]) % RAYS < part * RAYS
-            w = (within & found).astype(float)
-            w = w[w.sum(axis=1) > 0.7 * part * RAYS]
-            all_.append(conics(np.broadcast_to(p, (len(w), *p.shape)), w))
-    return np.concatenate(all_)
+            w = (within & found[:, None]).astype(float)
+            conic.append(conics(np.broadcast_to(p, (*w.shape, 2)), w))
+            there.append(w.sum(axis=2) > 0.7 * part * RAYS)
+    return np.concatenate(conic, axis=1), np.concatenate(there, axis=1)
 
 
 def _is_ellipse(a: Array) -> Mask:
-    """Which conics (n, 5) are ellipses of about the size and place of the unit circle."""
-    M, c, k = _centred(a)
-    size, _ = np.linalg.eigh(M)
-    fine = (size > 1e-6).all(axis=1) & (k > 0)
-    axes = np.sqrt(np.where(fine, k, 1)[:, None] / np.where(fine[:, None], size, 1))
-    return fine & (axes > SIZES[0]).all(axis=1) & (axes < SIZES[1]).all(axis=1) & (np.hypot(*c.T) < 1)
+    """Which conics (..., 5) are ellipses of about the size and place of the unit circle."""
+    M, c, k = _centred(a.reshape(-1, 5))
+    # semi-axes squared are k over the eigenvalues of M
+    half, det = (M[:, 0, 0] + M[:, 1, 1]) / 2, M[:, 0, 0] * M[:, 1, 1] - M[:, 0, 1] * M[:, 1, 0]
+    root = np.sqrt(np.maximum(half * half - det, 0))
+    small, large = half - root, half + root
+    fine = (small > 1e-6) & (k > 0) & (np.hypot(*c.T) < 1)
+    fine &= (k > SIZES[0] ** 2 * large) & (k < SIZES[1] ** 2 * small)
+    return fine.reshape(a.shape[:-1])
 
 
 def _centred(a: Array) -> tuple[Array, Array, Array]:
     """As `centred`; k is -1 where there is no centre."""
-    regular = abs(np.linalg.det(matrix(a))) > 1e-9
+    regular = abs(a[:, 0] * a[:, 2] - a[:, 1] ** 2 / 4) > 1e-9
     M, c, k = centred(a, regular)
     return M, c, np.where(regular, k, -1)
 
 
 def _distance(a: Array, points: Array) -> Array:
-    """Distances (n, rays, m) of points (rays, m, 2) from conics (n, 5); infinite where there is none."""
-    distance = sampson(a, points.reshape(-1, 2)).reshape(len(a), *points.shape[:2])
+    """Distances (d, k, rays, m) of points (d, rays, m, 2) from conics (d, k, 5); infinite where there is none."""
+    d, rays, m, _ = points.shape
+    distance = sampson(a, points.reshape(d, 1, rays * m, 2)).reshape(*a.shape[:2], rays, m)
     return np.where(np.isnan(distance), np.inf, distance)
 
 
@@ -135,7 +165,7 @@ def _as_arc(a: Array, xy: Array, L: Array, points: Array, near: float) -> Arc:
     """The ellipse in the image, and its sectors in which the edge was seen, less one at the ends of each part."""
     M, c, k = (m[0] for m in _centred(a[None]))
     ellipse = L @ (np.linalg.inv(M) * k) @ L.T
-    distance = _distance(a[None], points)[0]
+    distance = _distance(a[None, None], points[None])[0, 0]
     agree = (distance < near).any(axis=1)
     which = np.argmin(distance, axis=1)
     at = (points[np.arange(RAYS), which] - c) @ L.T

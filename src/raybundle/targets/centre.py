@@ -347,9 +347,9 @@ def _window(image: Array, v: Array, window: float) -> tuple[slice, slice, Mask] 
 
 def radius_of(v: Array, rows: slice, columns: slice) -> Array:
     """Distances (h, w) of pixels from the centre, in radii of the dot."""
-    y, x = np.mgrid[rows, columns] + 0.5
-    p = (x - v[X0]) / v[A]
-    return np.hypot(p, (y - v[Y0] - v[B] * p) / v[D])
+    p = (np.arange(columns.start, columns.stop) + (0.5 - v[X0])) / v[A]
+    q = (np.arange(rows.start, rows.stop) + (0.5 - v[Y0])) / v[D]
+    return np.hypot(p, q[:, None] - v[B] / v[D] * p)
 
 
 def _evaluate(image: Array, v: Array, place: tuple[slice, slice, Mask]) -> tuple[Array, Array, float]:

@@ -11,13 +11,14 @@ judgement starts from an ellipse through the largest part of the edge that lies 
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from raybundle.numerics.arrays import Array, Index, Mask
-from raybundle.targets.arcs import NEAR, free_arc
+from raybundle.targets.arcs import NEAR, Arc, free_arcs
 from raybundle.targets.centre import (
     CONTRAST,
     GROUND,
@@ -42,7 +43,7 @@ from raybundle.targets.centre import (
     sector_of,
     triangle_from_ellipse,
 )
-from raybundle.targets.judgement import FALSE, covered_of
+from raybundle.targets.judgement import FALSE, NORMAL_DEVIATE, covered_of
 from raybundle.targets.rings import outline_share
 
 ROUGH = 1.35
@@ -75,9 +76,17 @@ NO_DOT, NO_OUTLINE = 0.08, 0.65
 """rms residual of a fit to the whole, in units of the contrast, and share of the outline that lies on its ellipse:
 beyond these a spot in texture is no dot, and not worth a judgement; the second is refused."""
 ELLIPTIC = 0.9
-"""Share of the rays from which on an outline is an ellipse: what the eye takes for a dot is not refused."""
-SAME = 4.0
-"""Standard deviations up to which the centre by what is free is that of the whole."""
+"""Share of the rays from which on an outline is an ellipse: what the eye takes for a dot is not refused.
+
+Of 24 rays two may be off.  Noise takes one off with a probability of 6e-5 (four standard deviations, see EVEN_PX); a
+thing that hides a twentieth of the outline takes one ray and, by its blurred ends, one to each side."""
+SAME = -2 * math.log(FALSE)
+"""Largest squared distance of the centre by what is free from that of the whole, by the covariance of the former.
+
+Where nothing lies on a dot, one estimate rests on a part of the pixels of the other, and the covariance of their
+difference is that of the part less that of the whole (Hausman 1978), so that the square exceeds this limit, the
+quantile of chi-square with two degrees of freedom, in less than FALSE of all dots.  Covariances are by the noise that
+differences of neighbouring residuals tell: the residuals of a wrong fit would excuse themselves."""
 LOST = 3.0
 """rms residual over the noise from which a dot is refused of which no arc lies on an ellipse."""
 
@@ -124,7 +133,7 @@ def measure_dots(
     known, suspect = doubts_on(dots)
     # what only seems rough may be so: most prints and lenses are no ideal ones
     share, asked = np.zeros(len(window)), np.flatnonzero(dots.measured & (known | suspect))
-    share[asked] = _elliptic_share(image, dots, asked)
+    share[asked] = _elliptic_share(image, dots, window, asked)
     elliptic = share > ELLIPTIC
     if surely is not None:
         dots.outcome[~surely & dots.measured & (known | suspect) & (share < NO_OUTLINE)] = DotOutcome.COVERED
@@ -139,9 +148,9 @@ def measure_dots(
     # a dot on which nothing was found stays as it was fitted
     free.outcome[(free.outcome < 0) & dots.measured[rows] & (dots.doubts[rows, 2] > LOST)] = DotOutcome.COVERED
     refused = free.outcome == DotOutcome.COVERED
-    kept = elliptic[rows] | _is_the_same(dots, rows, free)
-    if surely is not None:  # prints and lenses make real dots rough: what is seen as a whole is not refused for that
-        kept |= ~surely[rows] & dots.measured[rows]
+    kept = elliptic[rows] | (~known[rows] & _is_the_same(dots, rows, free))  # of an edge that has moved nothing is kept
+    if surely is not None:  # rough all around, no part of the edge elsewhere than the rest: print, lens, compression
+        kept |= ~surely[rows] & dots.measured[rows] & ~known[rows]
     free.outcome[refused & kept] = -1
     taken = free.outcome >= 0
     for whole, part in (
@@ -159,9 +168,7 @@ def doubts_on(dots: Dots) -> tuple[Mask, Mask]:
     A part of the edge that has moved, and what stands out far, is something on the dot; squares and roughness may be
     the print's, the lens's or the noise's own.
     """
-    from scipy.special import ndtri  # noqa: PLC0415
-
-    limit = ndtri(1 - FALSE / ((2 * len(WIDTHS) + 1) * SECTORS))  # two sides of shifts, one of squares
+    limit = NORMAL_DEVIATE.inv_cdf(1 - FALSE / ((2 * len(WIDTHS) + 1) * SECTORS))  # two sides of shifts, one of squares
     shift, square, rough = dots.doubts.T
     known = (shift > limit) | (square > 2 * limit)
     lost = ~dots.measured & (dots.outcome != DotOutcome.FLAT)
@@ -170,17 +177,19 @@ def doubts_on(dots: Dots) -> tuple[Mask, Mask]:
 
 def _is_the_same(dots: Dots, rows: Index, free: Dots) -> Mask:
     """(k,) whether what was left out changed nothing: roughness of print and ground, then, not a thing on the dot."""
-    apart = np.hypot(*(dots.xy_px[rows] - free.xy_px).T)
+    apart = dots.xy_px[rows] - free.xy_px
+    known = np.linalg.det(free.cov_px2) > 0
+    inverse = np.linalg.inv(np.where(known[:, None, None], free.cov_px2, np.eye(2)))
     like = dots.measured[rows] & (dots.doubts[rows, 2] < LOST)
-    return like & (apart < SAME * np.sqrt(np.linalg.eigvalsh(dots.cov_px2[rows])[:, 1]))
+    return like & known & (np.einsum("ni,nij,nj->n", apart, inverse, apart) < SAME)
 
 
-def _elliptic_share(image: Array, dots: Dots, rows: Index) -> Array:
+def _elliptic_share(image: Array, dots: Dots, window: Array, rows: Index) -> Array:
     """(k,) how much of the outlines of these dots lies on their ellipses."""
     C = dots.ellipse[rows]
     near = np.maximum(EVEN_PX, NEAR * np.sqrt(np.sqrt(np.linalg.det(C))))
-    sign, blur = np.sign(dots.values[rows, CONTRAST]), dots.values[rows, S]
-    return outline_share(image, dots.xy_px[rows], C, sign, blur, near)
+    v = dots.values[rows]
+    return outline_share(image, dots.xy_px[rows], C, window[rows], v[:, CONTRAST], v[:, GX:], v[:, S], near, EVEN_PX)
 
 
 def _measure_free(image: Array, xy: Array, ellipse: Array, window: Array, o: DotOptions) -> Dots:
@@ -190,7 +199,10 @@ def _measure_free(image: Array, xy: Array, ellipse: Array, window: Array, o: Dot
         values=np.zeros((n, UNKNOWNS)), cov_px2=np.zeros((n, 2, 2)), residual=np.zeros(n), doubts=np.zeros((n, 3)),
         outcome=np.full(n, -1, np.int32), covered=np.zeros(n, bool),
     )  # fmt: skip
-    judged = {i: j for i in range(n) if (j := _start(image, xy[i], ellipse[i], window[i])) is not None}
+    arcs = free_arcs(image, xy, ellipse)
+    judged = {
+        i: j for i, arc in enumerate(arcs) if arc is not None and (j := _start(image, arc, window[i])) is not None
+    }  # fmt: skip
     for _ in range(2 * ROUNDS):
         if not judged:
             break
@@ -200,7 +212,7 @@ def _measure_free(image: Array, xy: Array, ellipse: Array, window: Array, o: Dot
         for k, (i, j) in enumerate(judged.items()):
             new = _judge(j, fitted, k, covered[k])
             if new is None:
-                dots.values[i] = fitted.values[k]
+                dots.values[i], dots.cov_px2[i] = fitted.values[k], _by_noise(fitted, j.free, k)
                 dots.outcome[i] = -1 if j.strict else DotOutcome.COVERED
             elif not _settled(j, new, fitted, k):
                 following[i] = new
@@ -215,11 +227,8 @@ def _fit(image: Array, judged: dict[int, _Judged], o: DotOptions) -> MaskedDots:
     return fit_masked(image, np.array([j.values for j in of]), [j.box for j in of], [j.free for j in of], o)
 
 
-def _start(image: Array, xy: Array, ellipse: Array, window: float) -> _Judged | None:
-    """A dot with the arc of its edge that lies on an ellipse; None where there is none."""
-    arc = free_arc(image, xy, ellipse)
-    if arc is None:
-        return None
+def _start(image: Array, arc: Arc, window: float) -> _Judged | None:
+    """A dot with the arc of its edge that lies on an ellipse; None where the image has nothing of it."""
     v = np.zeros(UNKNOWNS)
     v[:2], v[A : D + 1], v[S] = arc.xy_px, triangle_from_ellipse(arc.ellipse[None])[0], 0.8
     reach = 1.1 * window * np.sqrt(np.diag(arc.ellipse)) + 3
@@ -287,9 +296,18 @@ def _end(image: Array, dots: Dots, i: int, j: _Judged, fitted: MaskedDots, k: in
         return replace(j, strict=True, fits=1) if rough > ROUGH and not j.strict else None
     good = edge.mean() > LEAST_EDGE and rough < ROUGH and _is_one_thing(j) and _is_straight(image, j, fitted, k, o)
     if good or not j.strict:
-        dots.values[i], dots.residual[i], dots.cov_px2[i] = j.values, fitted.residual[k], fitted.cov[k][:2, :2]
+        dots.values[i], dots.residual[i] = j.values, fitted.residual[k]
+        dots.cov_px2[i] = fitted.cov[k][:2, :2] if good else _by_noise(fitted, j.free, k)
         dots.outcome[i] = DotOutcome.MEASURED if good else DotOutcome.COVERED
     return None
+
+
+def _by_noise(fitted: MaskedDots, free: Mask, k: int) -> Array:
+    """Covariance (2, 2) of the centre of a dot by the noise of its grey values, not by its residuals; 0: no fit."""
+    if fitted.outcome[k] != DotOutcome.MEASURED:
+        return np.zeros((2, 2))
+    rough = fitted.residual[k] / difference_noise(fitted.residuals[k], free)
+    return fitted.cov[k][:2, :2] / max(rough, 1.0) ** 2
 
 
 def _edge_pixels(j: _Judged) -> tuple[Array, Array, Mask]:

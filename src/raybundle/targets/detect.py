@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
-from raybundle.targets.centre import DotOptions, DotOutcome, Dots, fit_dots
+from raybundle.targets.centre import CONTRAST, DotOptions, DotOutcome, Dots, fit_dots
 from raybundle.targets.codes import RingFamily, rotations
 from raybundle.targets.covered import measure_dots
 from raybundle.targets.pattern import pattern_misfit, settled_misfit
@@ -313,10 +313,36 @@ def clean_ground(image: Array, edges: Edges, farthest: float = 4.2) -> Array:
 
 
 def _measure(image: Array, found: Found, family: RingFamily | None, o: DetectionOptions, scale: float) -> Detections:
-    """Fit the dots and keep those whose grey values are those of a dot."""
-    chosen = np.arange(len(found.id)) if o.uncoded == "dots" else np.flatnonzero(found.id >= 0)
+    """Fit the dots and keep those whose grey values are those of a dot; pieces of rings that were read are none."""
+    coded = _measured(image, found, np.flatnonzero(found.id >= 0), family, o, scale)
+    if o.uncoded == "none":
+        return coded
+    bare = np.flatnonzero(found.id < 0)
+    if family is not None:
+        bare = bare[~_within_targets(found.edges.xy_px[bare], coded, family.ring[1])]
+    dots = _measured(image, found, bare, None, o, scale)
+    arrays = {
+        f.name: np.concatenate([getattr(coded, f.name), getattr(dots, f.name)])
+        for f in fields(Detections)
+        if f.name != "family"
+    }
+    return Detections(family=coded.family, **arrays)
+
+
+def _within_targets(xy: Array, targets: Detections, radii: float) -> Mask:
+    """Which places (n,) lie within so many radii of the dot of a target: nothing but its ring is printed there."""
+    inside = np.zeros(len(xy), bool)
+    for centre, inverse in zip(targets.xy_px, np.linalg.inv(targets.ellipse), strict=True):
+        d = xy - centre
+        inside |= np.einsum("ni,ij,nj->n", d, inverse, d) < radii**2
+    return inside
+
+
+def _measured(
+    image: Array, found: Found, chosen: Index, family: RingFamily | None, o: DetectionOptions, scale: float
+) -> Detections:
+    """The dots `chosen` (k,) that are dots: of targets of a family, or without a ring."""
     e = found.edges.rows(chosen)
-    coded = found.id[chosen] >= 0
     minor = np.sqrt(np.linalg.eigvalsh(e.ellipse)[:, 0]) if len(e.ellipse) else np.zeros(0)
     window = np.minimum(0.94 * clean_ground(image, _scaled(e, scale)), 1 + GROUND_PX / np.maximum(minor, 1))
     # dots that are blurred are larger than they seem
@@ -324,22 +350,22 @@ def _measure(image: Array, found: Found, family: RingFamily | None, o: Detection
     window = np.minimum(window, (room / np.sqrt(e.ellipse[:, [0, 1], [0, 1]])).min(axis=1, initial=np.inf))
     window = np.clip(window, np.where(e.partly, PARTLY, 1.25), 4.0)
     if family is not None:
-        window[coded] = (1 + family.ring[0]) / 2
-    dots = measure_dots(image, e.xy_px, e.ellipse, window, o.dot, coded | e.partly)
-    retry = ~dots.measured & ~coded & (dots.outcome != DotOutcome.COVERED)
-    if retry.any():
+        window = np.full(len(chosen), (1 + family.ring[0]) / 2)
+    dots = measure_dots(image, e.xy_px, e.ellipse, window, o.dot, None if family is not None else e.partly)
+    retry = ~dots.measured & (dots.outcome != DotOutcome.COVERED)
+    if retry.any() and family is None:
         again = fit_dots(image, e.xy_px[retry], e.ellipse[retry], np.full(retry.sum(), 1.3), o.dot)
         _replace(dots, retry, again)
     # a dot with a whole edge in a ring that is read is one, however rough
-    retry = (dots.outcome == DotOutcome.COVERED) & coded & ~e.partly
-    if retry.any():
+    retry = (dots.outcome == DotOutcome.COVERED) & ~e.partly
+    if retry.any() and family is not None:
         _replace(dots, retry, fit_dots(image, e.xy_px[retry], e.ellipse[retry], window[retry], o.dot))
-    contrast = dots.values[:, 7]
+    contrast = dots.values[:, CONTRAST]
     residual = dots.residual / np.maximum(abs(contrast), 1e-9)
     good = dots.measured & (residual < o.residual) & (np.sign(contrast) == np.sign(e.contrast))
     if family is not None:
         small = _radius(e.ellipse) < o.small
-        for i in np.flatnonzero(good & coded):
+        for i in np.flatnonzero(good):
             ring = int(found.code[chosen[i]]), float(found.begin[chosen[i]])
             good[i] = _as_drawn(image, dots, int(i), ring, family, o.small_gates if small[i] else o.large_gates)
     begin = np.einsum(

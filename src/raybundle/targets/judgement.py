@@ -6,6 +6,7 @@ compiled kernel (cpp/covered.inl) and `covered_pixels` are the same.
 
 from __future__ import annotations
 
+from statistics import NormalDist
 from typing import Any
 
 import numpy as np
@@ -29,6 +30,7 @@ from raybundle.targets.centre import (
     sector_of,
 )
 
+NORMAL_DEVIATE = NormalDist()
 FALSE = 0.01
 """Share of dots on which nothing lies that are looked at again, and of those that lose an arc all the same.
 
@@ -53,13 +55,12 @@ def covered_of(
             covered_pixels(v, C, box, some, e, J, strict=bool(s))
             for v, C, box, some, e, J, s in zip(values, cov, boxes, free, residuals, derivatives, strict, strict=True)
         ]
-    from scipy.special import ndtri  # noqa: PLC0415
-
     size = np.array([m.size for m in free])
     offset = np.concatenate([[0], np.cumsum(size)])
+    edge = NORMAL_DEVIATE.inv_cdf(1 - FALSE / (2 * len(WIDTHS) * SECTORS))
     limits = np.stack(
         [
-            ndtri(1 - FALSE / (3 * size)), np.full(len(size), ndtri(1 - FALSE / (2 * len(WIDTHS) * SECTORS))),
+            [NORMAL_DEVIATE.inv_cdf(1 - FALSE / (3 * n)) for n in size], np.full(len(size), edge),
             _reach(values[:, S]), strict.astype(float),
         ],
         axis=1,
@@ -90,7 +91,6 @@ def covered_pixels(v: Array, cov: Array, box: Box, free: Mask, e: Array, J: Arra
     what the ellipse is wrong by there, which its covariance tells.
     """
     from scipy.ndimage import binary_dilation, uniform_filter  # noqa: PLC0415
-    from scipy.special import ndtri  # noqa: PLC0415
 
     h = J[..., A : D + 1] @ v[A : D + 1]
     noise = _noise(e, free, radius_of(v, *box), h)
@@ -100,7 +100,7 @@ def covered_pixels(v: Array, cov: Array, box: Box, free: Mask, e: Array, J: Arra
     mean_u = smooth(u, (3, 3, 0), mode="nearest")
     mean, square = smooth(np.stack([t, t * t / (1 + 9 * loose)]), (0, 3, 3), mode="nearest")
     mean = 3 * abs(mean) / np.sqrt(1 + 9 * np.where(free, 0, np.einsum("hwi,ij,hwj->hw", mean_u, cov, mean_u)))
-    limit = ndtri(1 - FALSE / (3 * max(t.size, 1)))
+    limit = NORMAL_DEVIATE.inv_cdf(1 - FALSE / (3 * max(t.size, 1)))
     flagged = np.zeros(t.shape, bool)
     for deviate in (mean, chi_deviate(9 * np.asarray(square), 9.0)):
         flagged |= deviate > limit * (1.0 if strict else _roughness(deviate[free]))
@@ -130,12 +130,12 @@ def _roughness(deviates: Array) -> float:
 
 def _moved_edge(v: Array, cov: Array, box: Box, free: Mask, t: Array, u: Array, *, strict: bool) -> Mask:
     """Pixels (h, w) at those parts of the edge that lie elsewhere than on the ellipse."""
-    from scipy.special import ndtri  # noqa: PLC0415
-
     y, x = np.mgrid[box] + 0.5
     k = sector_of(v, x, y)
     deviates = edge_shifts(v, k[free], t[free], u[free], cov)
-    limit = ndtri(1 - FALSE / (2 * deviates.size)) * (1 if strict else max(1, float(np.sqrt(np.mean(t[free] ** 2)))))
+    limit = NORMAL_DEVIATE.inv_cdf(1 - FALSE / (2 * deviates.size)) * (
+        1 if strict else max(1, float(np.sqrt(np.mean(t[free] ** 2))))
+    )
     off = np.zeros(deviates.shape, bool)
     # what has moved bends the ellipse beside it: the worst part alone, and what is left out already and still is off
     off.flat[deviates.argmax()] = deviates.max() > limit

@@ -150,25 +150,47 @@ def _profiles(image: Array, xy: Array, L: Array, sign: Array, u: Array) -> tuple
     zone = grey[:, :, 12:14].mean(axis=2)  # 1.5 and 1.6 radii
     ground = np.median(zone, axis=1)
     core = np.median(grey[:, :, :3].reshape(len(xy), 3 * rays), axis=1)
-    level = ((ground + core) / 2)[:, None]
+    r, found = _falls(grey, ((ground + core) / 2)[:, None])
+    return r, found, core, ground, zone
+
+
+def _falls(grey: Array, level: Array) -> tuple[Array, Mask]:
+    """Radii (n, rays) at which profiles (n, rays, 15) first fall below levels (n, rays), and whether they do."""
+    rho = np.linspace(0.3, 1.7, grey.shape[2])
     below = grey < level[..., None]
     k = np.argmax(below, axis=2)
     found = below.any(axis=2) & (k > 0)
     k = np.maximum(k, 1)
     a, b = (np.take_along_axis(grey, j[..., None], axis=2)[..., 0] for j in (k - 1, k))
-    r = rho[0] + (k - 1 + np.clip((a - level) / np.maximum(a - b, 1e-9), 0, 1)) * (rho[1] - rho[0])
-    return r, found, core, ground, zone
+    return rho[0] + (k - 1 + np.clip((a - level) / np.maximum(a - b, 1e-9), 0, 1)) * (rho[1] - rho[0]), found
 
 
-def outline_share(image: Array, xy: Array, ellipse: Array, sign: Array, blur: Array, near: Array) -> Array:
+def outline_share(
+    image: Array, xy: Array, ellipse: Array, window: Array, sign: Array, slope: Array, blur: Array, near: Array,
+    even: float,
+) -> Array:  # fmt: skip
     """Share (n,) of rays on which grey values are half way between dot and ground where a blurred ellipse has it so.
 
-    blur  (n,) standard deviation [px];  near  (n,) distance up to which it is so [px]
+    window  (n,) radii up to which the ground was looked at: what lies farther out, a ring or texture, does not matter
+    slope   (n, 2) of the light as fitted [1/px]
+    blur  (n,) standard deviation s [px];  near  (n,) distance up to which it is so [px]
+    Levels are those of the image, not of the fit, which may have bent them to what lies on the dot.  They follow the
+    fitted slope of the light as far as that moves an edge by no more than `even` [px]: light that is wrong by a share q
+    at the edge changes the level by q times itself, and moves a blurred edge by that over contrast / (s sqrt(2 pi)).
     Where an edge bends with a curvature k, the half way line of its image lies s^2 k / 2 within it.
     """
+    rho = np.linspace(0.3, 1.7, 15)
     u = circle((np.arange(RAYS) + 0.5) * 2 * np.pi / RAYS)
     L = frame(ellipse)
-    r, found, *_ = _profiles(image, xy, L, sign, u)
+    grey = sample(image, _places(xy, L, (u[:, None] * rho[:, None]).reshape(-1, 2)))
+    grey = grey.reshape(len(xy), RAYS, len(rho)) * np.sign(sign)[:, None, None].astype(np.float32)
+    core = np.median(grey[:, :, :3].reshape(len(xy), 3 * RAYS), axis=1)
+    outermost = np.clip(np.searchsorted(rho, window + 1e-9) - 1, 8, 13)
+    ground = np.median(np.take_along_axis(grey, outermost[:, None, None], axis=2)[..., 0], axis=1)
+    light, level = np.einsum("rk,nik,ni->nr", u, L, slope), (ground + core) / 2
+    moved = np.sqrt(2 * np.pi) * blur * abs(light).max(axis=1) * abs(level) / np.maximum(core - ground, 1e-9)
+    light *= np.minimum(1, even / np.maximum(moved, 1e-9))[:, None]
+    r, found = _falls(grey, level[:, None] * (1 + light))
     # distance along the normal L^-T u of that along the ray; curvature det L / |L u'|^3 with u' at right angles to u
     normal = np.linalg.solve(L.transpose(0, 2, 1), np.broadcast_to(u.T, (len(L), 2, len(u))))
     along = u[:, ::-1] * [-1, 1] @ L.transpose(0, 2, 1)

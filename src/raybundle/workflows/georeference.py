@@ -33,6 +33,7 @@ from raybundle.workflows.marks import (
 )
 from raybundle.workflows.positions import SCALE, Positions, mean_place, observe, positions_of, scale_sigma
 from raybundle.workflows.reduced_marks import take_at_their_size
+from raybundle.workflows.round_marks import take_eccentricity_off
 from raybundle.workflows.upright import Upright, doubts, upright
 
 LEVEL = 0.05
@@ -106,6 +107,8 @@ def georeference(
     if frame is not None and around is None:
         state.notices += [Notice(code="coordinate_system", message=r) for r in frame.remarks]
     state.notices += [Notice(code="control_file", message=r) for c in given.control for r in c.remarks]
+    if fixed or len(state.block.distances):  # in metres
+        take_eccentricity_off(state, given.control)
     drop_unseen_checks(state)
     marked = np.asarray(state.block.points.role) != Role.TIE
     return Georeferenced(

@@ -1,4 +1,4 @@
-"""Which way is up in a block that nothing places: the habits of photographers and aircraft, or what the user says."""
+"""Which way is up in a block that nothing places: habits of photographers, plumb edges, or what the user says."""
 
 from __future__ import annotations
 
@@ -13,7 +13,9 @@ from raybundle.block import Block
 from raybundle.errors import InputError
 from raybundle.io.photos.photo import Photo, upright_from_stored
 from raybundle.numerics.arrays import Array
+from raybundle.orientation.plumb import PlumbEdges
 from raybundle.orientation.upright import SURE, Habits, Kind, habits
+from raybundle.workflows.plumb_lines import vertical_by_edges, with_pixels
 
 UNSURE = np.radians(5.0)
 """Standard deviation of the vertical from which on it is told."""
@@ -32,11 +34,16 @@ class Upright:
     """Of the kind, by the habits; 1 where the user says it"""
     sigma: float
     """Standard deviation of the vertical [rad]; NaN where the user says it"""
+    edges: PlumbEdges | None = None
+    """Plumb edges that tell it more exactly"""
+    sought: bool = False
+    """Whether such edges were looked for"""
 
     def as_mapping(self) -> dict[str, object]:
         """What result.json says."""
         sigma = None if np.isnan(self.sigma) else float(np.degrees(self.sigma))
-        return {"kind": self.kind, "probability": round(self.probability, 4), "sigma_deg": sigma}
+        edges = {} if self.edges is None else {"plumb_edges": self.edges.edges}
+        return {"kind": self.kind, "probability": round(self.probability, 4), "sigma_deg": sigma, **edges}
 
 
 def upright(block: Block, photos: Sequence[Photo], way: str = "auto") -> Upright:
@@ -55,18 +62,22 @@ def upright(block: Block, photos: Sequence[Photo], way: str = "auto") -> Upright
         known = "terrestrial"
     found: Habits = habits(right, upward, centre, _distance(block), known)
     probability = 0.5 if way == "auto" and len(right) < FEWEST else found.probability
+    # buildings stand upright; what a flight sees of them is mostly roofs
+    sought = found.kind == "terrestrial" and probability >= SURE and bool(with_pixels(photos))
+    edges = vertical_by_edges(block, photos, found.up, found.sigma) if sought else None
+    up, sigma = (found.up, found.sigma) if edges is None else (edges.up, edges.sigma)
     return Upright(
-        rotation=_level(found.up, block, photos, aerial=found.kind == "aerial"), kind=found.kind,
-        probability=probability, sigma=found.sigma,
+        rotation=_level(up, block, photos, aerial=found.kind == "aerial"), kind=found.kind,
+        probability=probability, sigma=sigma, edges=edges, sought=sought,
     )  # fmt: skip
 
 
 def doubts(found: Upright, way: str) -> tuple[Notice, ...]:
-    """What is to be told of a vertical that the habits do not tell for sure."""
-    if found.kind == "given" or way != "auto":
+    """What is to be told of a vertical: that the habits do not tell it for sure, or that edges tell it."""
+    if found.kind == "given":
         return ()
     degrees = np.degrees(found.sigma)
-    if found.probability < SURE:
+    if found.probability < SURE and way == "auto":
         told = (
             f"up is ambiguous: by how the photographs were held the set is {found.kind} with a probability of "
             f"{100 * found.probability:.0f} % only ({100 * SURE:.0f} % are asked for). It was taken for that; if the "
@@ -74,12 +85,22 @@ def doubts(found: Upright, way: str) -> tuple[Notice, ...]:
             "plumb above A"
         )
         return (Notice(code="up_ambiguous", message=told),)
-    if found.sigma > UNSURE:
+    if found.sigma > UNSURE and way == "auto":
         told = (
             f"up is known to ± {degrees:.0f} degrees only, from how the photographs were held; two measured points, B "
             "plumb above A, say it exactly: --up A,B"
         )
         return (Notice(code="up_uncertain", message=told),)
+    if found.edges is not None:
+        e = found.edges
+        told = f"up is that of {e.edges} straight edges in {e.photographs} photographs, ± {degrees:.2g} degrees"
+        return (Notice(code="up_by_edges", message=told),)
+    if found.sought:
+        told = (
+            "no more straight edges of the photographs meet in one vertical than by chance: up is known from how the "
+            f"photographs were held, ± {degrees:.2g} degrees"
+        )
+        return (Notice(code="up_without_edges", message=told),)
     return ()
 
 
