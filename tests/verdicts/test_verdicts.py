@@ -28,6 +28,8 @@ EXPECTED = {
     "two images": (0, set()),
     "two images, automatic": (0, set()),
     "collinear points": (3, {"DatumDefect"}),
+    "control on a line": (0, set()),
+    "control on a line, from nothing": (0, set()),
     "one place": (3, {"RankDefect"}),
     "an image with two points": (2, {"InputError"}),
 }

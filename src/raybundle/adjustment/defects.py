@@ -11,6 +11,7 @@ from raybundle.adjustment.normals import Normals
 from raybundle.block import Block, Role
 from raybundle.errors import DatumDefect, InputError, NoConvergence, RankDefect, TooFewObservations, Undetermined
 from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.counting import counted
 
 SHARE = 1e-13
 """Share of an unknown's information that must be left after the unknowns eliminated before it.
@@ -116,7 +117,7 @@ def check_images(block: Block, rejected: Mask, free: dict[str, tuple[str, ...]])
         if camera.interior == "per_image":
             own += len(free.get(camera.id, ()))
         if counts[i] and 2 * counts[i] < own:
-            bad.append(f"{image_id} ({counts[i]} image points for {own} unknowns)")
+            bad.append(f"{image_id} ({counted(int(counts[i]), 'image point')} for {counted(own, 'unknown')})")
             lost.append(Undetermined(kind="image", name=image_id))
     if bad:
         raise RankDefect(
