@@ -89,6 +89,14 @@ def control_on_a_line() -> Block:
     return replace(block, points=points)
 
 
+def scattered() -> Block:
+    """Image points that lie anywhere within a fifth of the image about where they belong."""
+    block = simulate(field_scene(TargetField(stations=6, frontal=0, camera=brown_camera(estimate=()))), EXACT).observed
+    camera, o = block.cameras[0], block.observations
+    noise = 0.2 * np.hypot(camera.width_px, camera.height_px) * np.random.default_rng(4).normal(size=o.xy_px.shape)
+    return replace(block, observations=replace(o, xy_px=o.xy_px + noise))
+
+
 def two_images() -> Block:
     scene = field_scene(TargetField(stations=2, frontal=0, tilt_deg=15.0))
     return simulate(scene, EXACT).observed
@@ -150,6 +158,7 @@ CASES = {
     "control on a line": (control_on_a_line, GIVEN),
     "control on a line, from nothing": (lambda: _blank(control_on_a_line()), GIVEN),
     "one place": (one_place, GIVEN),
+    "scattered image points": (scattered, GIVEN),
     "an image with two points": (an_image_with_two_points, GIVEN),
 }
 

@@ -31,6 +31,7 @@ EXPECTED = {
     "control on a line": (0, set()),
     "control on a line, from nothing": (0, set()),
     "one place": (3, {"RankDefect"}),
+    "scattered image points": (3, {"NoConvergence"}),
     "an image with two points": (2, {"InputError"}),
 }
 QUICK = ("square views, three distances", "no rolls", "one panorama, little control", "one place", "collinear points")
