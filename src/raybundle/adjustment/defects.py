@@ -437,9 +437,9 @@ def check_scatter(system: System, whitened: Array) -> None:
     found = 1.4826 * float(np.median(share)) * np.sqrt(max(system.observations / redundancy, 1.0))
     if found > SCATTERED:
         raise NoConvergence(
-            f"the image points contradict each other: they lie {100 * found:.0f} % of the image's diagonal beside every "
-            f"solution that was found, by their median (limit {100 * SCATTERED:.0f} %). Look at point numbers, names of "
-            "images, the unit and the origin of image coordinates, the camera constant and the control."
+            f"the image points contradict each other: they lie {100 * found:.0f} % of the image's diagonal beside any "
+            f"solution that was found, by their median (limit {100 * SCATTERED:.0f} %). Look at point numbers, names "
+            "of images, the unit and the origin of image coordinates, the camera constant and the control."
         )
 
 
