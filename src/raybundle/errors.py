@@ -12,6 +12,16 @@
 
 Each message says what is wrong, in which object, the number against its limit, and what to do next.  What a program
 needs to know of a defect stands beside it as data (`undetermined`, `open_names`, `images`): nothing reads words.
+
+Exit status of the command line:
+
+    0    what was asked for is written.  Of an adjustment: there is a result, not that it is good; its faults are
+         printed and stand in result.json (`warnings`, severity "fault"), and `converged` there says whether the
+         iteration came to an end
+    1    an internal error, to be reported
+    2    bad input or usage (InputError); nothing is written
+    3    not solvable as given (NotSolvable); nothing is written, an older result stays
+    130  interrupted
 """
 
 from __future__ import annotations

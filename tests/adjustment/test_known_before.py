@@ -12,6 +12,7 @@ from raybundle.adjustment.severity import Severity
 from raybundle.block.calibration_networks import ROLLS, FlatField, flat_field_scene
 from raybundle.block.known import known_before, observed_as_known
 from raybundle.block.simulate import Survey, simulate
+from raybundle.errors import InputError
 from raybundle.io.block_folder import read_block, write_block
 from raybundle.io.block_toml import head_text
 
@@ -105,6 +106,24 @@ def test_a_logarithm_that_is_observed_reads_back(tmp_path):
     write_block(block, tmp_path / "b")
     back = read_block(tmp_path / "b").cameras[0]
     assert back.relations == block.cameras[0].relations
+    assert {r.origin for r in back.relations} == {"known before"}
     c = known_before(back)["c"]
     assert c.observed == pytest.approx(np.log(block.cameras[0].values["c"]))
     assert c.sigma == SIGMA["c"]
+
+
+def test_what_a_relation_is_says_a_field_and_not_its_name(tmp_path):
+    """Renamed it stays what it is; a file written before the field was there says it by its name."""
+    block = known(block_of(1, 25.0, ROLLS))
+    camera = block.cameras[0]
+    named = tuple(replace(r, name=f"anything {k}") for k, r in enumerate(camera.relations))
+    assert set(known_before(replace(camera, relations=named))) == set(known_before(camera))
+    plain = tuple(replace(r, origin="") for r in camera.relations)
+    assert not known_before(replace(camera, relations=plain))
+    write_block(block, tmp_path / "b")
+    head = tmp_path / "b/block.toml"
+    head.write_text(head.read_text().replace(', origin = "known before"', ""))
+    assert read_block(tmp_path / "b").cameras[0].relations == camera.relations
+    head.write_text(head.read_text().replace(", sigma = ", ', origin = "rumour", sigma = '))
+    with pytest.raises(InputError, match="origin 'rumour' is none of known before, calibration"):
+        read_block(tmp_path / "b")

@@ -51,6 +51,8 @@ def test_what_no_sensor_has_is_held_and_said(symbol, value):
     assert notice.ids[1] == symbol
     assert notice.severity is Severity.CAUTION
     assert f"{shape_limit(result.given.cameras[0], symbol):.0e}" in notice.message
+    assert "target" not in notice.message  # there are none
+    assert ("a shear" in notice.message) == (symbol == "S")
     assert result.interior[0].parameters[symbol].value == 0
     assert symbol not in result.interior[0].free
 

@@ -12,6 +12,8 @@ import pytest
 from PIL import Image
 
 from raybundle.cli.main import main
+from raybundle.io.photos.photo import find_photos
+from raybundle.workflows.orient import _beside
 
 PORTAL = Path(__file__).resolve().parents[2] / "demo_data/portal/photos"
 needs_portal = pytest.mark.skipif(
@@ -275,3 +277,17 @@ def test_status_of_a_run_that_failed_shows_what_is_done(orient, photos, tmp_path
     lines = {line.split()[0]: line for line in capsys.readouterr().out.splitlines()}
     assert "3 pairs, 0 verified" in lines["matching"]
     assert "not done" in lines["start"]
+
+
+def test_a_control_file_in_the_folder_is_no_other_file(tmp_path):
+    """Called by another name of the folder, too; what is used is not counted among what is not looked at."""
+    folder = tmp_path / "photos"
+    folder.mkdir()
+    for name in ("gcp.csv", "notes.txt"):
+        (folder / name).write_text("name\n")
+    save(folder / "a.jpg", texture(1))
+    (tmp_path / "link").symlink_to(folder)
+    used = _beside([folder], [tmp_path / "link" / "gcp.csv", tmp_path / "elsewhere.csv"])
+    assert used == [folder / "gcp.csv"]
+    (remark,) = [r for r in find_photos([folder], leave=used).remarks if "not looked at" in r]
+    assert "(.txt)" in remark

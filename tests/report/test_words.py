@@ -85,6 +85,14 @@ def test_a_fit_is_not_praised_where_the_weights_came_from_the_same_residuals(cas
     assert "as it must be" in words["Fit"]
 
 
+def test_a_factor_that_rounds_to_one_is_no_news(case):
+    a = case("rich")
+    lower, _, upper = a.global_test
+    worse = replace(a, global_test=(lower, 1.01 * upper, upper), notices=())
+    assert "as stated" in told(replace(worse, sigma0=1.04))[1]
+    assert "1.1 times worse than stated" in told(replace(worse, sigma0=1.06))[1]
+
+
 @pytest.mark.parametrize("code", ["systematic_residuals", "residual_structure"])
 def test_the_headline_follows_what_is_systematic(case, code):
     _, headline, _ = told(replace(passed(case("rich")), notices=(Notice(code=code, message="m"),)))

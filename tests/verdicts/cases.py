@@ -72,6 +72,31 @@ def square_views_from_nothing() -> Block:
     return _blank(replace(block, points=replace(block.points, role=role, sigma=sigma), observations=seen))
 
 
+def control_on_a_line() -> Block:
+    """Points in space, and control on one straight line through them: the rotation about it stays open."""
+    scene = field_scene(TargetField(stations=6, frontal=0, tilt_deg=20.0, camera=brown_camera(estimate=())))
+    line = np.linspace(-0.8, 0.8, 4)[:, None] * np.array([0.8, 0.5, 0.1])
+    block = simulate(replace(scene, xyz=np.vstack([scene.xyz, line])), EXACT).observed
+    known = np.arange(len(block.points)) >= len(block.points) - 4
+    rng = np.random.default_rng(2)
+    xyz = np.where(known[:, None], block.points.xyz + rng.normal(0, 0.001, block.points.xyz.shape), block.points.xyz)
+    points = replace(
+        block.points,
+        xyz=xyz,
+        role=np.where(known, Role.CONTROL, Role.TIE).astype(block.points.role.dtype),
+        sigma=np.where(known[:, None], 0.001, np.nan) * np.ones(3),
+    )
+    return replace(block, points=points)
+
+
+def scattered() -> Block:
+    """Image points that lie anywhere within a fifth of the image about where they belong."""
+    block = simulate(field_scene(TargetField(stations=6, frontal=0, camera=brown_camera(estimate=()))), EXACT).observed
+    camera, o = block.cameras[0], block.observations
+    noise = 0.2 * np.hypot(camera.width_px, camera.height_px) * np.random.default_rng(4).normal(size=o.xy_px.shape)
+    return replace(block, observations=replace(o, xy_px=o.xy_px + noise))
+
+
 def two_images() -> Block:
     scene = field_scene(TargetField(stations=2, frontal=0, tilt_deg=15.0))
     return simulate(scene, EXACT).observed
@@ -130,7 +155,10 @@ CASES = {
     "two images": (two_images, GIVEN),
     "two images, automatic": (two_images, SNOOPING),
     "collinear points": (collinear_points, GIVEN),
+    "control on a line": (control_on_a_line, GIVEN),
+    "control on a line, from nothing": (lambda: _blank(control_on_a_line()), GIVEN),
     "one place": (one_place, GIVEN),
+    "scattered image points": (scattered, GIVEN),
     "an image with two points": (an_image_with_two_points, GIVEN),
 }
 
@@ -166,6 +194,9 @@ def perturbed(block: Block, seed: int) -> Block:
     )  # fmt: skip
 
 
+SAID = {"not_determinable", "held_not_determinable", "control_leaves_open"}
+
+
 @dataclass(frozen=True)
 class Verdict:
     """What a user is told: exit status, held or lost parameters, and the sentence without its figures."""
@@ -186,8 +217,8 @@ def verdict(name: str, seed: int = 0) -> Verdict:
         result = adjust(perturbed(make(), seed), options)
     except RaybundleError as error:
         return Verdict(error.exit_status, (type(error).__name__,), _plain(str(error)))
-    said = sorted({n.code for n in result.notices if n.code in {"not_determinable", "held_not_determinable"}})
-    return Verdict(0, tuple(sorted(result.not_determinable)), " ".join(said))
+    said = sorted({n.code for n in result.notices if n.code in SAID})
+    return Verdict(0, tuple(sorted(result.not_determinable)), " ".join((*said, *result.datum_defect)))
 
 
 def main() -> None:

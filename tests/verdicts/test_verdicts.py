@@ -28,7 +28,10 @@ EXPECTED = {
     "two images": (0, set()),
     "two images, automatic": (0, set()),
     "collinear points": (3, {"DatumDefect"}),
+    "control on a line": (0, set()),
+    "control on a line, from nothing": (0, set()),
     "one place": (3, {"RankDefect"}),
+    "scattered image points": (3, {"NoConvergence"}),
     "an image with two points": (2, {"InputError"}),
 }
 QUICK = ("square views, three distances", "no rolls", "one panorama, little control", "one place", "collinear points")

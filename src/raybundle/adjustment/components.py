@@ -10,7 +10,6 @@ import numpy as np
 from raybundle.adjustment.assemble import System
 from raybundle.adjustment.result import ObservationGroup, ObservationStatistics, VarianceComponent
 from raybundle.block import Block, Camera
-from raybundle.block.known import is_known_before
 from raybundle.block.points import is_automatic
 from raybundle.errors import NotSolvable
 from raybundle.numerics.arrays import Array, Mask
@@ -173,9 +172,9 @@ def _is_kind(c: VarianceComponent, found: tuple[VarianceComponent, ...]) -> bool
 
 def without_known_before(group: ObservationGroup) -> ObservationGroup:
     """A group without what was known of cameras before: that is judged all together (`known_before`)."""
-    if group.kind != "relation":
+    if not group.origin:
         return group
-    keep = np.array([not is_known_before(name) for name in group.component], bool)
+    keep = np.array([origin != "known before" for origin in group.origin], bool)
     return group if keep.all() else group.rows(keep)
 
 
@@ -196,7 +195,7 @@ def _weighted(block: Block, factors: Mapping[tuple[str, str], float]) -> Block:
 
     def camera(c: Camera) -> Camera:
         relations = tuple(
-            r if is_known_before(r.name) else replace(r, sigma=r.sigma * of("relations")) for r in c.relations
+            r if r.origin == "known before" else replace(r, sigma=r.sigma * of("relations")) for r in c.relations
         )
         return replace(c, sigma={s: v * of("parameters") for s, v in c.sigma.items()}, relations=relations)
 

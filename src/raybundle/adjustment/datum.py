@@ -22,6 +22,9 @@ from raybundle.numerics.arrays import Array, Mask
 from raybundle.sensors.imu import IMU
 
 NAMES = ("position X", "position Y", "position Z", "rotation X", "rotation Y", "rotation Z", "scale")
+ABOUT_LINE = "rotation about a straight line"
+STRAIGHT = 1e-2
+"""Share of a radian by which a rotation may also shift along its axis or scale, as control is off a line by errors."""
 GOOD = 2.0
 """Times the median standard deviation up to which a point counts as well determined."""
 FEWEST_CARRIERS = 10
@@ -57,12 +60,25 @@ def open_names(basis: Array) -> tuple[str, ...]:
     if basis.shape[1] == 0:
         return ()
     projector = basis @ basis.T
-    names = [n for i, n in enumerate(NAMES) if projector[i, i] > 1 - 1e-6]
+    pure = np.diagonal(projector) > 1 - 1e-6
+    names = [n for i, n in enumerate(NAMES) if pure[i]]
     mixed = [n for i, n in enumerate(NAMES) if 1e-3 < projector[i, i] <= 1 - 1e-6]
     rest = basis.shape[1] - len(names)
-    if rest > 0:
+    if rest == 1 and _turns_about_a_line(np.linalg.svd(projector * ~pure * ~pure[:, None])[0][:, 0]):
+        names.append(ABOUT_LINE)
+    elif rest > 0:
         names.append(f"{rest} combination{'s' if rest > 1 else ''} of {', '.join(mixed)}")
     return tuple(names)
+
+
+def _turns_about_a_line(generator: Array) -> bool:
+    """Whether a generator (7,) is a pure rotation: no change of scale, and no shift along its own axis.
+
+    In a general frame its components change with the frame; what it is does not.
+    """
+    shift, turn, scale = generator[:3], generator[3:6], generator[6]
+    size = float(np.linalg.norm(turn))
+    return bool(size > STRAIGHT and abs(scale) < STRAIGHT * size and abs(shift @ turn) < STRAIGHT * size**2)
 
 
 def is_length(unit: str) -> bool:

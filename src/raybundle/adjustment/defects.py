@@ -11,6 +11,7 @@ from raybundle.adjustment.normals import Normals
 from raybundle.block import Block, Role
 from raybundle.errors import DatumDefect, InputError, NoConvergence, RankDefect, TooFewObservations, Undetermined
 from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.counting import counted
 
 SHARE = 1e-13
 """Share of an unknown's information that must be left after the unknowns eliminated before it.
@@ -116,7 +117,7 @@ def check_images(block: Block, rejected: Mask, free: dict[str, tuple[str, ...]])
         if camera.interior == "per_image":
             own += len(free.get(camera.id, ()))
         if counts[i] and 2 * counts[i] < own:
-            bad.append(f"{image_id} ({counts[i]} image points for {own} unknowns)")
+            bad.append(f"{image_id} ({counted(int(counts[i]), 'image point')} for {counted(own, 'unknown')})")
             lost.append(Undetermined(kind="image", name=image_id))
     if bad:
         raise RankDefect(
@@ -407,6 +408,39 @@ def check_base(system: System, state: State, share: float = NO_BASE) -> None:
         "the points went to infinity. Take images from different stations, or look at what is given.",
         undetermined=[Undetermined(kind="point", name=block.points.ids[p]) for p in np.flatnonzero(parallel)],
     )
+
+
+SCATTERED = 0.05
+"""Share of the image's diagonal by which image points may lie beside every solution, by their median deviation.
+
+Of a normal camera (c as long as the format's larger side) that is a ray off by 0.06 rad.  An error of two such standard
+deviations has a second-order part of 2 x 0.06 tan(40 degrees), a tenth of the first: standard deviations are then wrong
+by what a test of truth sees, and where the iteration ends is chance.
+"""
+
+
+def check_scatter(system: System, whitened: Array) -> None:
+    """Raise NoConvergence where image points lie so far beside the solution that they do not tell a block.
+
+    whitened  (m, 2) residuals of a solution, wherever the iteration has ended
+    Their size is that of the median, as a standard deviation under the redundancy that there is: a few gross
+    errors do not raise it.  Scenes have no diagonal in this sense, and are not asked.
+    """
+    block = system.block
+    camera = block.images.camera[block.observations.image[system.rows]]
+    if not len(whitened) or any(block.cameras[k].is_scene for k in np.unique(camera)):
+        return
+    diagonal = np.array([np.hypot(c.width_px, c.height_px) for c in block.cameras])[camera]
+    sigma = np.sqrt(block.observations.cov_px2[system.rows, :2].mean(axis=1))
+    share = np.abs(whitened) * (sigma / diagonal)[:, None]
+    redundancy = max(system.observations - system.unknowns, 1)
+    found = 1.4826 * float(np.median(share)) * np.sqrt(max(system.observations / redundancy, 1.0))
+    if found > SCATTERED:
+        raise NoConvergence(
+            f"the image points contradict each other: they lie {100 * found:.0f} % of the image's diagonal beside any "
+            f"solution that was found, by their median (limit {100 * SCATTERED:.0f} %). Look at point numbers, names "
+            "of images, the unit and the origin of image coordinates, the camera constant and the control."
+        )
 
 
 def no_convergence(normals: Normals, state: State, iterations: int, step: float) -> NoConvergence:

@@ -161,6 +161,7 @@ def carry_out(
     reasons, mask = reject_single_rays(block, reasons, mask)
     defects.check_images(block, mask, free)
     work = _estimate(block, options, free, mask, start, progress)
+    defects.check_scatter(work.system, work.normals.residuals(work.solution.state)[0])
     for _ in range(5):
         _, flags = work.normals.residuals(work.solution.state)
         rows = work.system.rows

@@ -10,6 +10,7 @@ from raybundle.adjustment.result import Notice
 from raybundle.adjustment.severity import Severity
 from raybundle.block import Block, Role
 from raybundle.numerics.arrays import Array
+from raybundle.numerics.counting import counted
 
 APART = 5.0
 """Standard deviations of a difference beyond which it is one: by chance one of a million."""
@@ -108,7 +109,7 @@ def _words(pairs: list[Twins], *, wrong: bool) -> str:
     names = ", ".join(
         f"{p.first} and {p.second}" + (f" ({p.apart_px:.0f} px apart in image {p.image})" if wrong else "")
         for p in pairs[:SHOWN]
-    ) + (f" and {len(pairs) - SHOWN} more pairs" if len(pairs) > SHOWN else "")
+    ) + (f" and {counted(len(pairs) - SHOWN, 'more pair')}" if len(pairs) > SHOWN else "")
     if wrong:
         return (
             f"control points with the same coordinates that are different points: {names}; was a line copied? Give "

@@ -14,7 +14,7 @@ from scipy.stats import chi2
 from raybundle.adjustment.result import Adjustment, InteriorResult, Notice
 from raybundle.adjustment.steady import CARRIED
 from raybundle.block import Camera, Relation
-from raybundle.block.known import is_known_before, known_before
+from raybundle.block.known import known_before
 
 LEVEL = 1e-3
 """Probability with which a camera that is as known before is called a contradiction, at most."""
@@ -74,8 +74,8 @@ def _contradiction(result: Adjustment, camera: Camera, interior: InteriorResult)
     squares = 0.0
     far = list[tuple[float, str]]()
     for g in result.groups:
-        for k, (name, component) in enumerate(zip(g.ids, g.component, strict=True)):
-            if g.kind == "relation" and name == _key(interior) and is_known_before(component):
+        for k, (name, component, origin) in enumerate(zip(g.ids, g.component, g.origin, strict=False)):
+            if name == _key(interior) and origin == "known before":
                 square = float((g.residual[k] / g.sigma[k]) ** 2)
                 squares += square
                 far.append((square, component))

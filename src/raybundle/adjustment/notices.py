@@ -6,6 +6,7 @@ import numpy as np
 
 from raybundle.adjustment.cell_means import systematic_notices
 from raybundle.adjustment.components import NAMES, differs, without_known_before
+from raybundle.adjustment.datum import ABOUT_LINE
 from raybundle.adjustment.held_control import held_notices
 from raybundle.adjustment.reliability import UNCONTROLLED, RedundancySum
 from raybundle.adjustment.result import Adjustment, Notice, ObservationGroup, VarianceComponent
@@ -13,6 +14,7 @@ from raybundle.adjustment.severity import POOR_FIT, Severity
 from raybundle.block import Role
 from raybundle.block.rejection import WORDS, RejectionKind, counts
 from raybundle.numerics.arrays import Array
+from raybundle.numerics.counting import counted, counted_are
 
 STRONG = 0.95
 LOW_REDUNDANCY = 0.1
@@ -35,7 +37,7 @@ def notices_of(result: Adjustment, redundancy_sum: RedundancySum | None) -> tupl
     found += (
         _fit(result) + _interior(result) + _rejected(result) + _points(result) + _control(result) + held_notices(result)
     )
-    found += _unchecked_scale(result) + systematic_notices(result)
+    found += _open_beside_control(result) + _unchecked_scale(result) + systematic_notices(result)
     return tuple(found)
 
 
@@ -159,7 +161,7 @@ def _rejected(result: Adjustment) -> list[Notice]:
         found.append(
             Notice(
                 code="blunder_not_located",
-                message=f"{len(names)} point{'s are' if len(names) > 1 else ' is'} left out: one of "
+                message=f"{counted_are(len(names), 'point')} left out: one of "
                 f"{'their' if len(names) > 1 else 'its'} rays is wrong, and which one cannot be told "
                 f"(fewer than three rays would be left, or two rays explain it alike): {', '.join(names[:10])}"
                 f"{' ...' if len(names) > 10 else ''}. More rays to such points would save them",
@@ -183,8 +185,9 @@ def _rejected(result: Adjustment) -> list[Notice]:
         found.append(
             Notice(
                 code="rays_diverge",
-                message=f"{len(names)} points are left out, their rays diverge: {', '.join(names[:10])}"
-                f"{' ...' if len(names) > 10 else ''}. They are wrongly matched, or too far away for these stations",
+                message=f"{counted_are(len(names), 'point')} left out, the rays diverge: {', '.join(names[:10])}"
+                f"{' ...' if len(names) > 10 else ''}. The match is wrong, or the object is too far away "
+                "for these stations",
                 ids=tuple(names[:100]),
             )
         )
@@ -221,8 +224,8 @@ def _points(result: Adjustment) -> list[Notice]:
             found.append(
                 Notice(
                     code="small_angle",
-                    message=f"{len(names)} object points are intersected at less than 1 degree: "
-                    f"{', '.join(names[:10])}{' ...' if len(names) > 10 else ''}; their depth is weak",
+                    message=f"{counted_are(len(names), 'object point')} intersected at less than 1 degree: "
+                    f"{', '.join(names[:10])}{' ...' if len(names) > 10 else ''}; the depth is weak",
                     ids=tuple(names[:100]),
                 )
             )
@@ -262,6 +265,26 @@ def _control(result: Adjustment) -> list[Notice]:
     return found
 
 
+def _open_beside_control(result: Adjustment) -> list[Notice]:
+    """Control that fixes a part of the datum only, which is not what it was measured for."""
+    points = result.given.points
+    rows = np.flatnonzero(points.is_control.any(axis=1))
+    if not len(rows) or not result.datum_defect:
+        return []
+    names = [points.ids[k] for k in rows]
+    line = ABOUT_LINE in result.datum_defect
+    why = "they lie on one straight line; measure one beside it" if line else "measure more"
+    return [
+        Notice(
+            code="control_leaves_open",
+            message=f"control leaves open: {', '.join(result.datum_defect)}; there the result stands arbitrarily, and "
+            f"coordinates in that direction mean nothing. Control points: {', '.join(names[:10])}"
+            f"{' ...' if len(names) > 10 else ''}: {why}",
+            ids=tuple(names[:100]),
+        )
+    ]
+
+
 def _unchecked_scale(result: Adjustment) -> list[Notice]:
     """Scale bars that no other observation controls: every length stands and falls with them."""
     bars = next((g for g in result.groups if g.kind == "distance"), None)
@@ -271,8 +294,8 @@ def _unchecked_scale(result: Adjustment) -> list[Notice]:
     return [
         Notice(
             code="scale_unchecked",
-            message=f"nothing controls the scale: it rests on {len(bars.ids)} scale bar"
-            f"{'s' * (len(bars.ids) > 1)} ({names}), and an error of its length goes into every length unseen. A "
+            message=f"nothing controls the scale: it rests on {counted(len(bars.ids), 'scale bar')} "
+            f"({names}), and an error of its length goes into every length unseen. A "
             "second bar, or a measured length between two points, would check it",
             ids=bars.ids[:5],
         )

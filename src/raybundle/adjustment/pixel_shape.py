@@ -116,7 +116,7 @@ def _restated(n: ShapeNotice, wider: float) -> Notice:
 
 
 def _is_shear(camera: Camera, symbol: str) -> bool:
-    return next(p.meaning for p in camera.sensor.parameters if p.symbol == symbol) == "shear"
+    return next(p.shear for p in camera.sensor.parameters if p.symbol == symbol)
 
 
 def _notice(camera: str, symbol: str, value: float, std: float, limit: float, *, shear: bool) -> ShapeNotice:
@@ -127,7 +127,7 @@ def _notice(camera: str, symbol: str, value: float, std: float, limit: float, *,
     reason = (
         f"the residuals ask for {'a shear' if shear else 'an affinity'} {symbol} of {value:.1e} ± {std:.0e}, which no "
         f"sensor has (limit {limit:.0e}); it is held. Something else is not in the model, as motion during the "
-        "read-out or uneven light on the targets, or the photographs say too little; standard deviations may be too "
+        "read-out or edges that uneven light moves, or the photographs say too little; standard deviations may be too "
         "small. Of a scan or an old camera it is believed where it is asked for by name"
     )
     return ShapeNotice(

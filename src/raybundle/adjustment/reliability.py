@@ -78,7 +78,7 @@ def image_statistics(
 
 def _group(
     kind: str, ids: list[str], component: list[str], given: Array, sigma: Array, adjusted: Array, cofactor: Array,
-    sigma0: float,
+    sigma0: float, origin: tuple[str, ...] = (),
 ) -> ObservationGroup:  # fmt: skip
     """Statistics of uncorrelated observations of single quantities with these cofactors."""
     weighted = sigma > 0
@@ -90,7 +90,8 @@ def _group(
     w = np.where(controlled, residual / (safe * root), np.nan)
     scale = sigma0 if np.isfinite(sigma0) else 1.0
     return ObservationGroup(
-        kind=kind, ids=tuple(ids), component=tuple(component), given=given, sigma=sigma, adjusted=adjusted,
+        kind=kind, ids=tuple(ids), component=tuple(component), origin=origin, given=given, sigma=sigma,
+        adjusted=adjusted,
         adjusted_std=scale * np.sqrt(np.maximum(cofactor, 0)), residual=residual, redundancy=redundancy,
         w=w, t=w / sigma0, mdb=np.where(controlled, DELTA0 * safe / root, np.nan),
     )  # fmt: skip
@@ -123,7 +124,7 @@ def observation_groups(
         i = np.flatnonzero(extra.kind == code)
         if not len(i):
             continue
-        offset = np.zeros(len(i))
+        offset, origin = np.zeros(len(i)), list[str]()
         if kind == "distance":
             ends = [(block.distances.start[d], block.distances.end[d]) for d in extra.item[i]]
             ids = [f"{block.points.ids[a]}-{block.points.ids[b]}" for a, b in ends]
@@ -139,7 +140,8 @@ def observation_groups(
             rows = [system.interior[r] for r in extra.item[i]]
             ids = [row.key(block) for row in rows]
             cameras = [block.cameras[row.camera] for row in rows]
-            component = [c.relations[k].name for c, k in zip(cameras, extra.component[i], strict=True)]
+            relations = [c.relations[k] for c, k in zip(cameras, extra.component[i], strict=True)]
+            component, origin = [r.name for r in relations], [r.origin for r in relations]
         else:
             rows = [system.interior[r] for r in extra.item[i]]
             component = [row.model.symbols[k] for row, k in zip(rows, extra.component[i], strict=True)]
@@ -147,7 +149,7 @@ def observation_groups(
         groups.append(
             _group(
                 kind, ids, component, extra.value[i] + offset, extra.sigma[i], adjusted[i] + offset,
-                hat[i] * extra.sigma[i] ** 2, sigma0,
+                hat[i] * extra.sigma[i] ** 2, sigma0, tuple(origin),
             )
         )  # fmt: skip
     return tuple(groups)

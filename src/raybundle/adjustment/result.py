@@ -87,6 +87,8 @@ class ObservationGroup:
     """(k,) point id, "from-to", image id, "camera:symbol"."""
     component: tuple[str, ...]
     """(k,) "X", "Y", "Z", "length", "omega", "phi", "kappa", the parameter's symbol or the relation's name."""
+    origin: tuple[str, ...] = ()
+    """(k,) of relations, where each comes from (`Relation.origin`); () of other kinds."""
     given: Array
     sigma: Array
     """(k,) a priori; 0 = held."""
@@ -105,6 +107,7 @@ class ObservationGroup:
         chosen = np.flatnonzero(keep)
         return ObservationGroup(
             kind=self.kind, ids=tuple(self.ids[k] for k in chosen), component=tuple(self.component[k] for k in chosen),
+            origin=tuple(self.origin[k] for k in chosen) if self.origin else (),
             given=self.given[chosen], sigma=self.sigma[chosen], adjusted=self.adjusted[chosen],
             adjusted_std=self.adjusted_std[chosen], residual=self.residual[chosen], redundancy=self.redundancy[chosen],
             w=self.w[chosen], t=self.t[chosen], mdb=self.mdb[chosen],

@@ -46,6 +46,8 @@ class Relation:
     """What the sum is."""
     logarithm: bool = False
     """Whether it is the sum's natural logarithm that is observed: of what is known by a factor, as a length."""
+    origin: Literal["", "known before", "calibration"] = ""
+    """Where it comes from: what was known of a camera before (`block.known`), a calibration (`block.stored`)."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

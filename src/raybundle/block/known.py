@@ -17,9 +17,6 @@ import numpy as np
 
 from raybundle.block.block import Camera, Relation
 
-KNOWN = "known before: "
-"""How the relations begin by which what was known of a camera is observed."""
-
 
 def observed_as_known(camera: Camera, sigma: Mapping[str, float]) -> Camera:
     """The camera with values observed as they are known beforehand.
@@ -29,7 +26,7 @@ def observed_as_known(camera: Camera, sigma: Mapping[str, float]) -> Camera:
     kinds = {p.symbol: p.kind for p in camera.sensor.parameters}
     added = tuple(
         Relation(
-            name=f"{KNOWN}{symbol}", terms={symbol: 1.0}, sigma=std,
+            name=f"known before: {symbol}", terms={symbol: 1.0}, sigma=std, origin="known before",
             observed=float(np.log(camera.values[symbol])) if kinds[symbol] == "scale" else camera.values[symbol],
             logarithm=kinds[symbol] == "scale",
         )
@@ -39,11 +36,6 @@ def observed_as_known(camera: Camera, sigma: Mapping[str, float]) -> Camera:
     return replace(camera, relations=(*camera.relations, *added), known=dict(camera.values))
 
 
-def is_known_before(name: str) -> bool:
-    """Whether a relation of this name is what was known of a camera before."""
-    return name.startswith(KNOWN)
-
-
 def known_before(camera: Camera) -> dict[str, Relation]:
     """By symbol, how what was known of a camera before is observed."""
-    return {r.name.removeprefix(KNOWN): r for r in camera.relations if is_known_before(r.name)}
+    return {next(iter(r.terms)): r for r in camera.relations if r.origin == "known before"}

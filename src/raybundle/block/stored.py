@@ -13,8 +13,6 @@ from raybundle.numerics.arrays import Array
 
 ROUNDED = 1e-6
 """Of a variance: what six digits of the correlations in a file may lose; a little more uncertainty, never less."""
-NAME = "calibration: "
-"""How the relations begin by which a calibration is observed."""
 
 
 def observed_jointly(camera: Camera, free: tuple[str, ...], covariance: Array) -> Camera:
@@ -35,7 +33,8 @@ def observed_jointly(camera: Camera, free: tuple[str, ...], covariance: Array) -
     values = np.array([camera.values[s] for s in free])
     relations = tuple(
         Relation(
-            name=f"{NAME}{symbol}",
+            name=f"calibration: {symbol}",
+            origin="calibration",
             terms={s: float(f) for s, f in zip(free[: k + 1], root[k], strict=False)},
             sigma=1.0,
             observed=float(root[k] @ values),
@@ -57,16 +56,16 @@ def _inverse_root(correlation: Array) -> Array:
 
 def is_observed_jointly(camera: Camera) -> bool:
     """Whether a calibration with its covariance was given for the camera."""
-    return any(r.name.startswith(NAME) for r in camera.relations)
+    return any(r.origin == "calibration" for r in camera.relations)
 
 
 def joint_covariance(camera: Camera) -> tuple[tuple[str, ...], Array | None]:
     """Symbols and covariance (u, u) of the calibration by which a camera is observed; (), None where there is none."""
-    mine = [r for r in camera.relations if r.name.startswith(NAME)]
-    free = tuple(r.name.removeprefix(NAME) for r in mine)
-    nested = all(set(a.terms) < set(b.terms) for a, b in pairwise(mine))
-    if not mine or not nested or set(mine[-1].terms) != set(free):
+    mine = [r for r in camera.relations if r.origin == "calibration"]
+    told = [set[str](), *(set(r.terms) for r in mine)]
+    if not mine or not all(a < b and len(b) == len(a) + 1 for a, b in pairwise(told)):
         return (), None
+    free = tuple((b - a).pop() for a, b in pairwise(told))
     root = np.array([[r.terms.get(s, 0.0) / r.sigma for s in free] for r in mine])
     inverse = np.linalg.inv(root)
     return free, inverse @ inverse.T

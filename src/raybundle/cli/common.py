@@ -8,6 +8,12 @@ from typing import Any, Literal, cast
 
 import click
 
+from raybundle.numerics.counting import counted, grouped
+
+__all__ = [
+    "APPROXIMATE", "COMMAND_SETTINGS", "FOLDER", "FREE_SCALE", "NEW_FILE", "NEW_FILE_OR_FOLDER", "NEW_FOLDER", "Output",
+    "common_options", "counted", "grouped", "noise_option", "significant",
+]  # fmt: skip
 COMMAND_SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
 FOLDER = click.Path(path_type=Path)
 
@@ -67,16 +73,6 @@ def noise_option(function: Callable[..., Any]) -> Callable[..., Any]:
         "differ from image to image, and a floor, both told by the residuals; auto: fields for five photographs or "
         "more that are measured here, white for a block that is given.",
     )(function)
-
-
-def grouped(number: int) -> str:
-    """A whole number in groups of three digits: 18 803."""
-    return f"{number:,}".replace(",", " ")
-
-
-def counted(number: int, noun: str) -> str:
-    """A number and its noun: "1 image", "18 803 images"."""
-    return f"{grouped(number)} {noun}{'' if number == 1 else 's'}"
 
 
 def significant(value: float, digits: int = 3) -> str:

@@ -25,8 +25,9 @@ from raybundle.sensors.imu import IMU
 CARRIED: tuple[tuple[str, str, SensorModel], ...] = (("antennas", "antenna", ANTENNA), ("imus", "IMU", IMU))
 """Tables of block.toml for what has no images, what one of them is, and its parameters."""
 SCALES = ("fixed", "free")
-RELATION = {"name", "terms", "observed", "sigma", "logarithm"}
+RELATION = {"name", "terms", "observed", "sigma", "logarithm", "origin"}
 """What a table of `relations` may hold."""
+ORIGINS: tuple[Literal["known before", "calibration"], ...] = ("known before", "calibration")
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
 
 
@@ -312,9 +313,21 @@ def _relations(section: Section, model: SensorModel) -> tuple[Relation, ...]:
                 observed=section.checked("relations", table.get("observed", 0.0)),
                 sigma=section.checked("relations", table["sigma"], above=0),
                 logarithm=_flag(section, table.get("logarithm", False)),
+                origin=_origin(section, table),
             )
         )
     return tuple(found)
+
+
+def _origin(section: Section, table: dict[str, Any]) -> Literal["", "known before", "calibration"]:
+    """Where a relation comes from; files written before this was a key say it at the beginning of its name."""
+    given = table.get("origin")
+    for origin in ORIGINS:
+        if given == origin or (given is None and str(table.get("name", "")).startswith(f"{origin}: ")):
+            return origin
+    if given is not None:
+        section.fail("relations", f"origin {quoted(given)} is none of {', '.join(ORIGINS)}")
+    return ""
 
 
 def _flag(section: Section, value: object) -> bool:
@@ -379,6 +392,7 @@ def _relation_text(relation: Relation) -> str:
     terms = ", ".join(f"{s} = {float(f)!r}" for s, f in relation.terms.items())
     tail = f"observed = {float(relation.observed)!r}, sigma = {float(relation.sigma)!r}"
     tail += ", logarithm = true" if relation.logarithm else ""
+    tail += f", origin = {_quoted(relation.origin)}" if relation.origin else ""
     return f"{{name = {_quoted(relation.name)}, terms = {{{terms}}}, {tail}}}"
 
 

@@ -20,6 +20,7 @@ from raybundle.block import Block, Role
 from raybundle.block.select import with_rows
 from raybundle.errors import NoOrientation
 from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Progress, silent
 from raybundle.orientation.absolute import onto_control, onto_points, onto_scale
 from raybundle.orientation.camera_constant import with_camera_constants
@@ -145,7 +146,7 @@ def _notices(block: Block, found: Completed) -> tuple[Notice, ...]:
         names = tuple(block.points.ids[i] for i in np.flatnonzero(mask))
         if names:
             more = " ..." if len(names) > 10 else ""
-            message = f"{len(names)} points with {text} at the start: {', '.join(names[:10])}{more}"
+            message = f"{counted(len(names), 'point')} with {text} at the start: {', '.join(names[:10])}{more}"
             notices.append(Notice(code=code, message=message, ids=names[:100]))
     return tuple(notices)
 
@@ -176,7 +177,9 @@ def _begin(growth: Growth, left: Mask, failures: _Failures) -> bool:
         return True
     for i in np.flatnonzero(left):
         known = growth.known_points(int(i))
-        reason = growth.remarks.get(int(i), f"{known} known points, no second image with enough common points")
+        reason = growth.remarks.get(
+            int(i), f"{counted(known, 'known point')}, no second image with enough common points"
+        )
         failures.reasons.setdefault(int(i), reason)
     return False
 
@@ -209,9 +212,9 @@ def _grow(growth: Growth, failures: _Failures, progress: Progress, total: int) -
                 known = growth.known_points(i)
                 refused[i] = known
                 failures.reasons[i] = (
-                    f"{known} points in common with the rest, {LEAST} needed"
+                    f"{counted(known, 'point')} in common with the rest, {LEAST} needed"
                     if known < LEAST
-                    else f"{known} points in common with the rest, but no pose that fits {share:.0%} of them"
+                    else f"{counted(known, 'point')} in common with the rest, but no pose that fits {share:.0%} of them"
                 )
                 continue
             growth.set_pose(i, pose)

@@ -119,7 +119,7 @@ def _fits(view: View) -> str:
     """How the observations fit, in one sentence."""
     a = view.adjustment
     lower, value, upper = a.global_test
-    if value > upper:
+    if value > upper and significant(a.sigma0, 2) != significant(1.0, 2):
         return (
             f"The observations fit {significant(a.sigma0, 2)} times worse than stated, which these figures take into "
             "account."

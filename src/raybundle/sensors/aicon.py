@@ -22,7 +22,7 @@ class Aicon(SensorModel):
         Parameter("P1", "mm^-1", "decentring distortion", typical=1e-5, kind="decentring"),
         Parameter("P2", "mm^-1", "decentring distortion", typical=-1e-5, kind="decentring"),
         Parameter("C1", "1", "affinity", typical=1e-4, kind="affinity"),
-        Parameter("C2", "1", "shear", typical=-5e-5, kind="affinity"),
+        Parameter("C2", "1", "shear", typical=-5e-5, kind="affinity", shear=True),
         Parameter("R0", "mm", "radius at which the radial terms vanish; a definition, not estimated", typical=8.0),
     )
 

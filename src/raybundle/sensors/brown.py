@@ -24,7 +24,7 @@ class Brown(SensorModel):
         Parameter("P1", "mm^-1", "decentring distortion", typical=1e-5, kind="decentring"),
         Parameter("P2", "mm^-1", "decentring distortion", typical=-1e-5, kind="decentring"),
         Parameter("A", "1", "affinity", typical=1e-4, kind="affinity"),
-        Parameter("S", "1", "shear", typical=-5e-5, kind="affinity"),
+        Parameter("S", "1", "shear", typical=-5e-5, kind="affinity", shear=True),
     )
 
     @staticmethod

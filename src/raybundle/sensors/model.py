@@ -35,6 +35,8 @@ class Parameter:
     """A magnitude as real sensors have it: the contract tests run there."""
     kind: Kind = "other"
     holdable: bool = True
+    shear: bool = False
+    """Of the kind affinity: rows and columns that are not at right angles, rather than of unequal scale."""
 
     @property
     def key(self) -> str:
@@ -97,6 +99,11 @@ class SensorModel:
     def symbols(self) -> tuple[str, ...]:
         """Symbols of the parameters in their order."""
         return tuple(p.symbol for p in self.parameters)
+
+    @cached_property
+    def scale_symbol(self) -> str:
+        """Symbol of the camera constant, or what else the scale is; "" for a sensor that has none."""
+        return next((p.symbol for p in self.parameters if p.kind == "scale"), "")
 
     @cached_property
     def defaults(self) -> Array:

@@ -18,6 +18,7 @@ from raybundle.adjustment.severity import POOR_FIT, Severity
 from raybundle.block import Block, Role
 from raybundle.errors import InputError, NoConvergence, NoOrientation, NotSolvable, RankDefect
 from raybundle.numerics.arrays import Mask
+from raybundle.numerics.counting import counted_are
 from raybundle.numerics.progress import Progress, silent
 from raybundle.orientation.given_points import intersected_where_better, without_given_ties
 from raybundle.workflows.control_doubts import doubted_control, notice, words
@@ -42,7 +43,7 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
         result = _adjust(block, options, progress)
     except NotSolvable as error:
         why = [_twin_words(twins)] if twins else [n.message for n in identical]
-        why = why or _control_words(block, options)
+        why = why or (_control_words(block, options) if isinstance(error, NoConvergence) else [])
         if why:
             raise error.worded("\n  ".join([str(error), *why])) from error
         raise
@@ -103,8 +104,8 @@ def _from_given(block: Block, observed: Mask, options: AdjustmentOptions, progre
     if len(given.gross):
         names = tuple(block.points.ids[k] for k in given.gross)
         message = (
-            f"{len(names)} tie points were given far from their rays ({', '.join(names[:5])}"
-            f"{' ...' if len(names) > 5 else ''}) and are intersected anew; check points.csv"
+            f"{counted_are(len(names), 'tie point')} given far from the rays ({', '.join(names[:5])}"
+            f"{' ...' if len(names) > 5 else ''}) and intersected anew; check points.csv"
         )
         notices.append(
             Notice(code="approximate_values_replaced", message=message, ids=names[:100], measured=Severity.REMARK)

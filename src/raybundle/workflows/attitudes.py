@@ -21,6 +21,7 @@ from raybundle.io.photos.photo import Photo
 from raybundle.io.trajectories import PhotoAttitudes, Trajectory, attitudes_of_file, attitudes_of_gimbals
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.attitude import rotation_from_gimbal, rotation_from_opk, rotation_from_pok, rotation_from_rpy
+from raybundle.numerics.counting import counted
 from raybundle.numerics.rotation import (
     angle_derivatives,
     angles_from_rotation,
@@ -230,8 +231,10 @@ def _observe(state: Placing, told: PhotoAttitudes, image: Index, used: list[_Mou
             image=image[rows], angles=angles, sigma=np.sqrt(variance), imu=imu.astype(np.int32) if imus else None
         ),
     )
-    message = f"the attitudes of {len(rows)} photographs are observed ({told.convention}, from {told.source})"
-    state.tell("attitudes", message + (f", with the misalignment of {len(imus)} camera" if imus else ""))
+    message = (
+        f"the attitudes of {counted(len(rows), 'photograph')} are observed ({told.convention}, from {told.source})"
+    )
+    state.tell("attitudes", message + (f", with the misalignment of {counted(len(imus), 'camera')}" if imus else ""))
 
 
 def _mounted(state: Placing, told: PhotoAttitudes, rows: Index, R: Array, imu: int) -> _Mounted:

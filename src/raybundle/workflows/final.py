@@ -17,6 +17,7 @@ from raybundle.block.select import with_rows, without_images
 from raybundle.errors import NoConvergence, NotSolvable
 from raybundle.io.photos.cameras import CameraGroup
 from raybundle.numerics.arrays import Mask
+from raybundle.numerics.counting import counted, counted_are
 from raybundle.numerics.progress import Progress
 from raybundle.workflows.georeference import Georeferenced, rejected_marks
 from raybundle.workflows.parts import Part
@@ -58,7 +59,7 @@ def final_adjustment(
         block = with_rows(block, ~flat[block.observations.point])
         if not len(block.observations):
             raise NotSolvable(NO_DEPTH)
-        message = f"{int(flat.sum())} tie points with parallel rays are left out: they have no depth"
+        message = f"{counted_are(int(flat.sum()), 'tie point')} left out: parallel rays have no depth"
         notices.append(Notice(code="parallel_rays", message=message))
         placed = _with_block(placed, block)
     placed, result = _held(placed, options, progress, notices)
@@ -158,7 +159,7 @@ def _without_points(placed: Georeferenced, error: NotSolvable) -> Relieved:
     rows = ~out[block.observations.point]
     if rows.all() or not rows.any():
         return None
-    message = f"{int(out.sum())} points are left out: their rays do not intersect"
+    message = f"{counted_are(int(out.sum()), 'point')} left out, where rays do not intersect"
     return _with_block(placed, with_rows(block, rows)), [Notice(code="points_left_out", message=message)]
 
 
@@ -208,7 +209,7 @@ def _tie_rows(block: Block) -> Mask:
 
 def _scale(camera: Camera) -> str:
     """The camera constant in words; the model for a sensor that has none."""
-    symbol = next((p.symbol for p in camera.sensor.parameters if p.kind == "scale"), "")
+    symbol = camera.sensor.scale_symbol
     if not symbol:
         return f"its {camera.model} values"
     return f"{symbol} {camera.values[symbol] / camera.pixel_mm[0]:.0f} px"
@@ -222,7 +223,7 @@ def _without_smallest(placed: Georeferenced) -> Relieved:
     if not len(oriented):
         return None
     k = int(oriented[rays[oriented].argmin()])
-    return _left_out(placed, [images.ids[k]], f"{UNHELD} ({rays[k]} points)")
+    return _left_out(placed, [images.ids[k]], f"{UNHELD} ({counted(int(rays[k]), 'point')})")
 
 
 def _with_block(placed: Georeferenced, block: Block) -> Georeferenced:

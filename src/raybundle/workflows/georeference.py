@@ -16,6 +16,7 @@ from raybundle.errors import InputError
 from raybundle.io.coordinate_systems import WGS84, LocalFrame, local_frame
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.counting import counted
 from raybundle.numerics.transform import similarity
 from raybundle.orientation.onto_rays import KnownRays, onto_rays
 from raybundle.orientation.rays import object_rays, rays_of
@@ -233,8 +234,8 @@ def _refuse_little_control(state: Placing, control: Index, given: Given, *, plac
     if placed or not state.block.points.is_control.any():
         return
     raise InputError(
-        f"{len(control)} control points with two or more rays; at least 2 are needed to place the block, or positions "
-        "of the photographs and a coordinate system of the control: measure more of them in the photographs",
+        f"{counted(len(control), 'control point')} with two or more rays; at least 2 are needed to place the block, or "
+        "positions of the photographs and a coordinate system of the control: measure more of them in the photographs",
         file=given.control[0].path if given.control else None,
     )
 

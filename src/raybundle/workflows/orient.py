@@ -23,6 +23,7 @@ from raybundle.io.project import Project, Stage, StageRecord, key_of
 from raybundle.io.trajectories import Trajectory, with_positions
 from raybundle.matching.features import FeatureMethod, feature_method
 from raybundle.matching.verify import VerifiedPair
+from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Progress, silent
 from raybundle.scenes.bias import BiasKind
 from raybundle.workflows.attitudes import Convention, find_attitudes
@@ -186,7 +187,7 @@ def orient(
     given = given or Given()
     project = Project.open(folder)
     try:
-        found, scenes_found, refused = _search(project, inputs, positions, options.crs, progress)
+        found, scenes_found, refused = _search(project, inputs, given, positions, options.crs, progress)
         given, told = _with_attitudes(found.photos, positions, given, options)
         _forget(project, options)
         photographs = PhotoRun(found.photos, jobs, progress, refused)
@@ -240,9 +241,8 @@ def _relative(placed: Georeferenced, photos: Sequence[Photo], kind: Literal["", 
     block = without_idle(relative_control(placed.block, line, drift=kind == "drift", shift_sigma=place))
     lines = len(np.unique(line[block.stations.image]))
     left = len(placed.block.stations) - len(block.stations)
-    told = (
-        f"relative aerial control: the positions of {len(block.stations)} photographs on {lines} flight lines are used "
-    )
+    used = f"{counted(len(block.stations), 'photograph')} on {counted(lines, 'flight line')}"
+    told = f"relative aerial control: the positions of {used} are used "
     told += "by their differences" + (", after a drift of each line" if kind == "drift" else "")
     told += f"; {left} on no line are left out" if left else ""
     if not known.all():
@@ -313,13 +313,21 @@ def _orientation(
     )
 
 
+def _beside(inputs: Sequence[Path], files: Sequence[Path]) -> list[Path]:
+    """Files as they are called in the folders that are looked into."""
+    folders = [p for p in inputs if p.is_dir()]
+    return [f / file.name for f in folders for file in files if file.resolve() == (f / file.name).resolve()]
+
+
 def _search(
-    project: Project, inputs: Sequence[Path], positions: Trajectory | None, crs: str | None, progress: Progress
-) -> tuple[Found, FoundScenes, list[tuple[str, str]]]:
+    project: Project, inputs: Sequence[Path], given: Given, positions: Trajectory | None, crs: str | None,
+    progress: Progress,
+) -> tuple[Found, FoundScenes, list[tuple[str, str]]]:  # fmt: skip
     """The photographs and scenes among the inputs, and photographs that are refused with the reason."""
     with project.stage("photographs") as stage:
         scenes = find_scenes(inputs)
-        found = find_photos(inputs, leave=scenes.files, progress=progress)
+        used = _beside(inputs, [*(c.path for c in given.control), *([] if positions is None else [positions.path])])
+        found = find_photos(inputs, leave=[*scenes.files, *used], progress=progress)
         if positions is not None:
             placed, told = with_positions(found.photos, positions, crs)
             found = replace(found, photos=placed, remarks=(*found.remarks, *told))
@@ -327,9 +335,9 @@ def _search(
         _check_number(inputs, found.photos, len(scenes.scenes), [*refused, *scenes.refused], found.remarks)
         stage.from_cache = False
         stage.key = key_of("photographs", [p.sha256 for p in found.photos], [s.sha256 for s in scenes.scenes])
-        stage.summary = f"{len(found.photos)} photographs, {len(refused)} refused"
+        stage.summary = f"{counted(len(found.photos), 'photograph')}, {len(refused)} refused"
         if scenes.scenes or scenes.refused:
-            stage.summary += f"; {len(scenes.scenes)} scenes, {len(scenes.refused)} refused"
+            stage.summary += f"; {counted(len(scenes.scenes), 'scene')}, {len(scenes.refused)} refused"
     return found, scenes, refused
 
 

@@ -16,6 +16,7 @@ from raybundle.block import Block, Camera, Stations
 from raybundle.io.coordinate_systems import LocalFrame
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.counting import counted
 from raybundle.sensors.antenna import ANTENNA
 from raybundle.workflows.marks import Given, Placing
 
@@ -163,7 +164,7 @@ def observe(state: Placing, positions: Positions, given: Given) -> None:
     shift = (*(("sx", "sy") if plan else ()), *(("sz",) if height else ())) if given.shift else ()
     arm = given.lever_arm
     stations = Stations(image=positions.image, xyz=positions.xyz, sigma=positions.sigma)
-    told = f"the positions of {len(positions)} photographs are observed"
+    told = f"the positions of {counted(len(positions), 'photograph')} are observed"
     if shift or arm is not None:
         count = positions.flights
         taken = {c.id for c in block.cameras}

@@ -23,6 +23,7 @@ from raybundle.io.project import Project, Stage, key_of
 from raybundle.matching.refine import LEVELS, halved
 from raybundle.matching.tracks import Tracks, tracks_of
 from raybundle.numerics.arrays import Array
+from raybundle.numerics.counting import counted
 from raybundle.numerics.places import Local
 from raybundle.numerics.progress import Progress
 from raybundle.orientation.cleaning import clean
@@ -194,7 +195,7 @@ def _why_alone(count: int, pairs: Sequence[ScenePair], i: int) -> str:
     mine = [p for p in pairs if i in (p.pair.first, p.pair.second)]
     if not mine:
         return "shows no ground that another scene shows, and is not marked"
-    return f"only {count} points in common with other scenes ({FEWEST_POINTS} are needed)"
+    return f"only {counted(count, 'point')} in common with other scenes ({FEWEST_POINTS} are needed)"
 
 
 def refine_scenes(
@@ -339,7 +340,9 @@ def refuse_nothing_common(
         return
     names = ", ".join(f"{s.name} at {_middle_words(s)}" for s in scenes.images[:6])
     several = len(scenes.images) > 1
-    compared = f"{len(pairs)} pairs show common ground" if pairs else "no two of them show common ground"
+    compared = (
+        f"common ground is seen by {counted(len(pairs), 'pair')}" if pairs else "no two of them show common ground"
+    )
     have = f"s {names} have no tie points: {compared}" if several else f" {names} is the only one that can be used"
     message = (
         f"the scene{have}, and no control is marked in {'them' if several else 'it'}.\n"

@@ -10,6 +10,7 @@ from raybundle.block import Block
 from raybundle.io.photos.photo import Photo
 from raybundle.io.project import Project, Stage, key_of
 from raybundle.matching.features import FeatureMethod
+from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Progress
 from raybundle.scenes.bias import BiasKind
 from raybundle.workflows.georeference import Georeferenced, Surroundings
@@ -74,7 +75,7 @@ class SceneRun:
         stage.key = key_of("features", stage.key, store.keys)
         self.refused += [(self.images[i].name, why) for i, why in failed.items()]
         self._keep([i for i in range(len(self.images)) if i not in failed], store)
-        stage.summary = _and(stage.summary, f"{len(self.images)} scenes")
+        stage.summary = _and(stage.summary, counted(len(self.images), "scene"))
 
     def _keep(self, rows: Sequence[int], store: FeatureStore) -> None:
         self.images = tuple(self.images[i] for i in rows)
@@ -95,7 +96,7 @@ class SceneRun:
             self._keep([i for i in range(len(self.images)) if i not in wrong], self.store)
         self.pairs = tuple(pairs) if self.images else ()
         good = sum(1 for p in self.pairs if len(p.pair.matches))
-        stage.summary = _and(stage.summary, f"{len(self.pairs)} pairs of scenes, {good} verified")
+        stage.summary = _and(stage.summary, f"{counted(len(self.pairs), 'pair')} of scenes, {good} verified")
 
     def start(
         self, project: Project, stage: Stage, name: str, given: Given, photographs: int, jobs: int, progress: Progress
@@ -111,7 +112,7 @@ class SceneRun:
         marked = {n.rsplit(".", 1)[0].lower() for c in inside.control for n in c.measurements.image}
         self.lost += [(n, w) for n, w in self.tie.not_oriented if n.rsplit(".", 1)[0].lower() not in marked]
         self.block = self.tie.block
-        stage.summary = _and(stage.summary, f"{len(self.tie.block.points)} points of scenes")
+        stage.summary = _and(stage.summary, f"{counted(len(self.tie.block.points), 'point')} of scenes")
 
     def precision(self, project: Project, stage: Stage, jobs: int, progress: Progress) -> None:
         """Least-squares matching of their tie points."""

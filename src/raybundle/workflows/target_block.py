@@ -17,6 +17,7 @@ from raybundle.errors import InputError
 from raybundle.io.photos.cameras import CameraGroup, camera_of
 from raybundle.io.photos.photo import Photo, read_grey
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.counting import counted_are
 from raybundle.numerics.progress import Progress, silent
 from raybundle.platforms.station import sensor_from_object
 from raybundle.targets.marks import Marks, Target, detect
@@ -89,7 +90,7 @@ def block_of_targets(
         count = sum(int(m.named.sum()) for m in sets)
         if count < FEWEST_TARGETS:
             why = "; ".join(r for m in sets for r in m.remarks)
-            what = f"{count} named targets are found, {FEWEST_TARGETS} are needed"
+            what = f"{counted_are(count, 'named target')} found, {FEWEST_TARGETS} are needed"
             lost.append((photos[i].name, f"{what}{f' ({why})' if why else ''}"))
             continue
         for m in sets:

@@ -21,6 +21,7 @@ from raybundle.matching.features import Described, FeatureMethod, Features
 from raybundle.matching.pairs import ALL, choose_pairs, codebook, signature
 from raybundle.matching.verify import VerifiedPair, beyond_chance, verify
 from raybundle.numerics.arrays import Array
+from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Progress
 
 VERIFICATION = 3
@@ -214,7 +215,7 @@ def match_pairs(
             result.append(VerifiedPair(first=i, second=j, matches=matches, **facts))
     result = beyond_chance(result)
     good = sum(1 for p in result if len(p.matches))
-    stage.summary = f"{len(pairs)} pairs, {good} verified"
+    stage.summary = f"{counted(len(pairs), 'pair')}, {good} verified"
     if good and from_one_spot(result, photos, store):
         raise NoOrientation(
             f"the {good} pairs of photographs that match differ by a turn of the camera only: they were taken from "

@@ -14,6 +14,7 @@ from raybundle.block import Block, Camera
 from raybundle.block.select import with_rows
 from raybundle.errors import NoOrientation
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Progress, silent
 from raybundle.orientation.assembly import approximate_values, possible_values
 from raybundle.orientation.averaging import average_start
@@ -91,7 +92,7 @@ def _narrow(block: Block) -> bool:
     """Whether a camera's view is narrow, so that its images' poses come in twos."""
     seen = np.unique(block.images.camera[block.images.oriented])
     cameras = [block.cameras[k] for k in seen.tolist()]
-    scales = [(c, next((p.symbol for p in c.sensor.parameters if p.kind == "scale"), "")) for c in cameras]
+    scales = [(c, c.sensor.scale_symbol) for c in cameras]
     return any(symbol and c.values[symbol] > NARROW * float(c.size_mm.max()) for c, symbol in scales)
 
 
@@ -228,7 +229,7 @@ def _connected(block: Block, failed: dict[str, str]) -> Mask:
         if not weak.any():
             break
         for i in np.flatnonzero(weak):
-            few = "no point" if not count[i] else f"only {count[i]} points"
+            few = "no point" if not count[i] else f"only {counted(int(count[i]), 'point')}"
             failed[block.images.ids[i]] = f"{few} in common with other photographs ({FEWEST_POINTS} are needed)"
         out |= weak
     a, b = o.image[keep], o.point[keep]

@@ -11,6 +11,7 @@ from raybundle.io.photos.metadata import Gps
 from raybundle.io.photos.photo import Photo
 from raybundle.io.trajectories.base import Trajectory, in_wgs84, matched
 from raybundle.numerics.arrays import Array
+from raybundle.numerics.counting import counted
 
 
 def with_positions(
@@ -26,7 +27,7 @@ def with_positions(
     gps = [None if row < 0 else _gps(trajectory, row) for row in rows]
     found = sum(g is not None for g in gps)
     if found == 0:
-        raise InputError(f"none of the {len(photos)} photographs has a position here", file=trajectory.path)
+        raise InputError(f"none of {counted(len(photos), 'photograph')} has a position here", file=trajectory.path)
     changed = [
         p if g is None else replace(p, metadata=replace(p.metadata, gps=g)) for p, g in zip(photos, gps, strict=True)
     ]

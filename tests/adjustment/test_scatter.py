@@ -1,0 +1,36 @@
+"""Image points that tell no block are refused, and by their median: neither great noise nor some gross errors are."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from raybundle import adjust
+from raybundle.adjustment.defects import SCATTERED
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+from raybundle.errors import NoConvergence
+
+
+def field(share, gross=0.0):
+    """A field whose image points have errors of this share of the diagonal, some of them of three times the limit."""
+    scene = field_scene(TargetField(stations=6, frontal=0, camera=brown_camera(estimate=())))
+    block = simulate(scene, Survey(orientation="exact", points="exact", interior="exact", control=8)).observed
+    camera, o = block.cameras[0], block.observations
+    diagonal = np.hypot(camera.width_px, camera.height_px)
+    rng = np.random.default_rng(2)
+    e = share * diagonal * rng.normal(size=o.xy_px.shape)
+    e[rng.random(len(e)) < gross] += 3 * SCATTERED * diagonal
+    return replace(block, observations=replace(o, xy_px=o.xy_px + e))
+
+
+@pytest.mark.parametrize(("share", "gross"), [(0.01, 0.0), (1e-5, 0.05)])
+def test_a_result_is_given(share, gross):
+    result = adjust(field(share, gross), AdjustmentOptions(threads=1))
+    assert "global_test" in {n.code for n in result.notices}
+    assert result.sigma0 > 3
+
+
+def test_what_tells_no_block_is_refused_with_its_figure_and_limit():
+    with pytest.raises(NoConvergence, match=r"lie 1\d % of the image's diagonal .* \(limit 5 %\)"):
+        adjust(field(3 * SCATTERED), AdjustmentOptions(threads=1))
