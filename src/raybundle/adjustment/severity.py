@@ -27,8 +27,8 @@ _CODES = {
     Severity.CAUTION: (
         "attitude_wrong attitudes_convergence attitudes_mount attitudes_nominal attitudes_steep "
         "approximate_values_replaced blunder_not_located board_alike camera camera_constant camera_kept_apart "
-        "check_unseen control_file control_leaves_open control_not_observed control_sigma control_without_photograph coordinate_system "
-        "correlation global_test gps_too_near held_not_determinable identical_images image_left_out levelled "
+        "check_unseen control_file control_leaves_open control_not_observed control_sigma "
+        "control_without_photograph coordinate_system correlation global_test gps_too_near held_not_determinable identical_images image_left_out levelled "
         "mark_rejected marked_lost marked_once mask_refused marks_reduced no_targets one_ray_control parallel_rays "
         "parts_apart pixel_shape points_left_out rays_diverge relative_control repeated_structure "
         "residual_structure rolling_shutter scale_unchecked scene_datum scene_prior small_angle static_background "
