@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from raybundle.matching.tracks import tracks_of
-from raybundle.matching.verify import FEWEST, VerifiedPair, trusted, verify
+from raybundle.matching.verify import FEWEST, VerifiedPair, beyond_chance, log_false_alarms, trusted, verify
 from tests.matching.scenes import SIZE, relief, view, with_wrong_matches
 
 FIRST, SECOND = ([-0.6, 0.1, 8.0], [2.0, -4.0, 1.0]), ([0.9, -0.2, 7.5], [-1.0, 7.0, 4.0])
@@ -199,3 +199,27 @@ def test_no_track_has_two_places_in_one_image_or_a_ray_alone(data):
     offered = {(p.first, a, p.second, b) for p in pairs for a, b in p.matches.tolist()}
     linked = {(i, a) for i, a, *_ in offered} | {(j, b) for *_, j, b in offered}
     assert set(zip(t.image.tolist(), t.feature.tolist(), strict=True)) <= linked
+
+
+def test_what_chance_explains_among_so_many_pairs_is_believed_no_more():
+    """Random matches: what a geometry explains of them is chance; of right ones it never is."""
+    rng = np.random.default_rng(5)
+    by_chance = []
+    for seed in range(12):
+        xy1, xy2 = rng.uniform(0, SIZE, (400, 2)), rng.uniform(0, SIZE, (400, 2))
+        by_chance.append(
+            verify(0, seed + 1, xy1, xy2, np.tile(np.arange(400)[:, None], 2).astype(np.int32), SIZE, SIZE)
+        )
+    assert sum(len(p.matches) > 0 for p in by_chance) > 6  # fifteen of four hundred are soon found
+    xyz = relief(60, 2)
+    right = verified(view(xyz, *FIRST), view(xyz, *SECOND), 100)[0]
+    plane = verified(*(view(relief(60, 4, plane=True), *v) for v in (FIRST, SECOND)), 100)[0]
+    kept = beyond_chance([*by_chance, right, plane])
+    assert [len(p.matches) > 0 for p in kept] == [False] * 12 + [True] * 2
+    assert {p.geometry for p in kept[:12]} == {"none"}
+
+
+def test_the_number_of_false_alarms_is_that_of_the_formula():
+    # 3 (20 - 7) C(20, 15) C(15, 7) 0.01^8
+    assert log_false_alarms(20, 15, 0.01, 7, 3) == pytest.approx(np.log(39 * 15504 * 6435 * 1e-16))
+    assert log_false_alarms(20, 7, 0.01, 7, 3) == np.inf

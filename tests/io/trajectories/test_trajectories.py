@@ -68,7 +68,7 @@ def test_positions_become_stations(mrk):
     assert s.image.tolist() == [0, 2]
     np.testing.assert_allclose(s.xyz, FRAME.local_from_crs(t.xyz[[1, 0]]))
     np.testing.assert_allclose(s.sigma[1], t.sigma[0])
-    with pytest.raises(InputError, match="none of the 1 photographs"):
+    with pytest.raises(InputError, match="none of 1 photograph has"):
         stations_of(t, ["x.jpg"], FRAME)
     with pytest.raises(InputError, match="no Cartesian coordinates"):
         stations_of(t, ["DJI_0002.JPG"], None)
@@ -85,7 +85,7 @@ def test_photographs_take_positions(mrk):
     assert gps[0].sigma_m == (0.003104, 0.002967, 0.007622)
     assert gps[2] == gps[3] == old  # no position, no row
     assert remarks[0] == "2 of 4 photographs get their position from flight_Timestamp.MRK"
-    with pytest.raises(InputError, match="none of the 1 photographs"):
+    with pytest.raises(InputError, match="none of 1 photograph has"):
         with_positions(photos[3:], t)
     with pytest.raises(InputError, match="longitude_deg"):
         with_positions(photos, replace(t, crs=None))
