@@ -73,8 +73,8 @@ def verify(
         "max_epipolar_error": limit,
         "max_reproj_error": limit,
         "max_iterations": 5000,
-        # the number that the share of inliers asks for decides; 1000 by default, where 20 often do
-        "min_iterations": 100,
+        # beyond that the share of inliers decides: 300 samples of seven find a pure one with 99.99 % where 61 % are right
+        "min_iterations": 300,
         "seed": 1,
     }
     F, info = poselib.estimate_fundamental(p - half1, q - half2, options, {})

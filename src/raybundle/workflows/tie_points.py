@@ -24,7 +24,7 @@ from raybundle.numerics.arrays import Array
 from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Progress
 
-VERIFICATION = 3
+VERIFICATION = 4
 """Raised with every change of what matching and verification give."""
 SAVE_EVERY_S = 2.0
 HELD = 400_000
