@@ -73,7 +73,7 @@ def verify(
         "max_epipolar_error": limit,
         "max_reproj_error": limit,
         "max_iterations": 5000,
-        # beyond that the share of inliers decides: 300 samples of seven find a pure one with 99.99 % where 61 % are right
+        # beyond that the share of inliers decides: 300 samples of seven find a pure one where 61 % are right
         "min_iterations": 300,
         "seed": 1,
     }
