@@ -138,49 +138,48 @@ static void best(const float* a, int n, const float* b, int m, int k, int32_t* f
 // each column, as the instructions want them: pairs of 16 bit, or four of 8 bit.
 constexpr int kPair = 2, kFour = 4;
 
-// sums (kRows, kWide) of products of kRows rows (pairs, k / 2 of them) and a panel (k / 2, kWide) of pairs.
-static inline void pair_products(const int16_t* a, int k, const int16_t* panel, int32_t* sums) {
+// Whole numbers of 32 bit in a vector: one in all lanes; sums that products of pairs are added to.
 #if defined(__AVX512BW__)
-  __m512i acc[kRows][2] = {};
-  for (int i = 0; i < k; i += kPair, panel += kPair * kWide) {
-    const __m512i b0 = _mm512_loadu_si512(panel), b1 = _mm512_loadu_si512(panel + kPair * kLanes);
-    for (int r = 0; r < kRows; ++r) {
-      int32_t two;
-      std::memcpy(&two, a + r * k + i, sizeof two);
-      const __m512i f = _mm512_set1_epi32(two);
-      acc[r][0] = _mm512_add_epi32(acc[r][0], _mm512_madd_epi16(f, b0));
-      acc[r][1] = _mm512_add_epi32(acc[r][1], _mm512_madd_epi16(f, b1));
-    }
-  }
-  std::memcpy(sums, acc, sizeof acc);
+#define RB_INTS
+typedef __m512i Ints;
+static inline Ints everywhere(int32_t x) { return _mm512_set1_epi32(x); }
+static inline Ints with_pairs(Ints sum, Ints a, Ints b) { return _mm512_add_epi32(sum, _mm512_madd_epi16(a, b)); }
 #elif defined(__AVX2__)
-  __m256i acc[kRows][2] = {};
-  for (int i = 0; i < k; i += kPair, panel += kPair * kWide) {
-    const __m256i b0 = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(panel));
-    const __m256i b1 = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(panel + kPair * kLanes));
-    for (int r = 0; r < kRows; ++r) {
-      int32_t two;
-      std::memcpy(&two, a + r * k + i, sizeof two);
-      const __m256i f = _mm256_set1_epi32(two);
-      acc[r][0] = _mm256_add_epi32(acc[r][0], _mm256_madd_epi16(f, b0));
-      acc[r][1] = _mm256_add_epi32(acc[r][1], _mm256_madd_epi16(f, b1));
-    }
-  }
-  std::memcpy(sums, acc, sizeof acc);
+#define RB_INTS
+typedef __m256i Ints;
+static inline Ints everywhere(int32_t x) { return _mm256_set1_epi32(x); }
+static inline Ints with_pairs(Ints sum, Ints a, Ints b) { return _mm256_add_epi32(sum, _mm256_madd_epi16(a, b)); }
 #elif defined(__SSE2__)
-  __m128i acc[kRows][2] = {};
-  for (int i = 0; i < k; i += kPair, panel += kPair * kWide) {
-    const __m128i b0 = _mm_loadu_si128(reinterpret_cast<const __m128i*>(panel));
-    const __m128i b1 = _mm_loadu_si128(reinterpret_cast<const __m128i*>(panel + kPair * kLanes));
+#define RB_INTS
+typedef __m128i Ints;
+static inline Ints everywhere(int32_t x) { return _mm_set1_epi32(x); }
+static inline Ints with_pairs(Ints sum, Ints a, Ints b) { return _mm_add_epi32(sum, _mm_madd_epi16(a, b)); }
+#endif
+
+#if defined(RB_INTS)
+// sums (kRows, kWide) of products of kRows rows (length k) and a panel, `Group` places at a time, added by `more`.
+template <int Group, class T, class P, class More>
+static inline void whole_products(const T* a, int k, const P* panel, int32_t* sums, const More& more) {
+  Ints acc[kRows][2] = {};
+  for (int i = 0; i < k; i += Group, panel += Group * kWide) {
+    Ints b0, b1;
+    std::memcpy(&b0, panel, sizeof b0);
+    std::memcpy(&b1, panel + Group * kLanes, sizeof b1);
     for (int r = 0; r < kRows; ++r) {
-      int32_t two;
-      std::memcpy(&two, a + r * k + i, sizeof two);
-      const __m128i f = _mm_set1_epi32(two);
-      acc[r][0] = _mm_add_epi32(acc[r][0], _mm_madd_epi16(f, b0));
-      acc[r][1] = _mm_add_epi32(acc[r][1], _mm_madd_epi16(f, b1));
+      int32_t together;
+      std::memcpy(&together, a + r * k + i, sizeof together);
+      const Ints f = everywhere(together);
+      acc[r][0] = more(acc[r][0], f, b0);
+      acc[r][1] = more(acc[r][1], f, b1);
     }
   }
   std::memcpy(sums, acc, sizeof acc);
+}
+#endif
+
+static inline void pair_products(const int16_t* a, int k, const int16_t* panel, int32_t* sums) {
+#if defined(RB_INTS)
+  whole_products<kPair>(a, k, panel, sums, with_pairs);
 #else
   std::fill_n(sums, kRows * kWide, 0);
   for (int i = 0; i < k; i += kPair, panel += kPair * kWide)

@@ -7,7 +7,7 @@ point and the camera constant.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from raybundle.adjustment.result import Adjustment, Notice
@@ -46,20 +46,11 @@ def shape_limit(camera: Camera, symbol: str) -> float:
 
 def beyond_sensor(result: Adjustment, cameras: Sequence[str]) -> ShapeNotice | None:
     """The affinity or shear of these cameras that is farthest beyond what a sensor has, significantly; else None."""
-    found: list[ShapeNotice] = []
-    for interior in result.interior:
-        if interior.camera not in cameras:
-            continue
-        camera = next(c for c in result.given.cameras if c.id == interior.camera)
-        for p in camera.sensor.parameters:
-            value = interior.parameters.get(p.symbol)
-            if p.kind != "affinity" or p.symbol not in interior.free or value is None or not value.std:
-                continue
-            limit = shape_limit(camera, p.symbol)
-            if abs(value.value) - limit > SIGNIFICANT * value.std:
-                found.append(
-                    _notice(camera.id, p.symbol, value.value, value.std, limit, shear=_is_shear(camera, p.symbol))
-                )
+    found = [
+        _notice(c.id, symbol, value, std, limit, shear=_is_shear(c, symbol))
+        for c, symbol, value, std, limit in _estimated(result, cameras)
+        if abs(value) - limit > SIGNIFICANT * std
+    ]
     return max(found, key=lambda n: abs(n.value) / n.limit, default=None)
 
 
@@ -70,19 +61,24 @@ def untold_shape(result: Adjustment, cameras: Sequence[str]) -> Notice | None:
     axis, an affinity stretches the camera and the object along that axis.  Not every such value is significant, and
     none of them is the sensor's.
     """
-    found: list[tuple[float, Notice]] = []
+    found = [
+        (std / limit, _untold(c.id, symbol, value, std, limit))
+        for c, symbol, value, std, limit in _estimated(result, cameras)
+        if std > limit
+    ]
+    return max(found, key=lambda f: f[0])[1] if found else None
+
+
+def _estimated(result: Adjustment, cameras: Sequence[str]) -> Iterator[tuple[Camera, str, float, float, float]]:
+    """Camera, symbol, value, standard deviation and limit of each affinity and shear that is free in these cameras."""
     for interior in result.interior:
         if interior.camera not in cameras:
             continue
         camera = next(c for c in result.given.cameras if c.id == interior.camera)
         for p in camera.sensor.parameters:
             value = interior.parameters.get(p.symbol)
-            if p.kind != "affinity" or p.symbol not in interior.free or value is None or not value.std:
-                continue
-            limit = shape_limit(camera, p.symbol)
-            if value.std > limit:
-                found.append((value.std / limit, _untold(camera.id, p.symbol, value.value, value.std, limit)))
-    return max(found, key=lambda f: f[0])[1] if found else None
+            if p.kind == "affinity" and p.symbol in interior.free and value is not None and value.std:
+                yield camera, p.symbol, value.value, value.std, shape_limit(camera, p.symbol)
 
 
 def _untold(camera: str, symbol: str, value: float, std: float, limit: float) -> Notice:
