@@ -16,6 +16,7 @@ from raybundle.io.folders import make_parent, new_files
 from raybundle.io.reading.files import guarded, opened
 from raybundle.io.reading.words import whole_of
 from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.counting import counted
 
 WGS84_HEIGHT = "EPSG:4979"
 """Longitude, latitude and height above the ellipsoid of WGS 84."""
@@ -178,7 +179,7 @@ def stations_of(
     images = images[np.isfinite(trajectory.xyz[rows[images], :2]).all(axis=1)]
     if len(images) == 0:
         raise InputError(
-            f"none of the {len(files)} photographs has a position here; one is called {files[0] if files else ''}, "
+            f"none of {counted(len(files), 'photograph')} has a position here; one is called {files[0] if files else ''}, "
             f"the file begins with {trajectory.names[0] if trajectory.names else 'nothing'}",
             file=trajectory.path,
         )
