@@ -179,8 +179,9 @@ def stations_of(
     images = images[np.isfinite(trajectory.xyz[rows[images], :2]).all(axis=1)]
     if len(images) == 0:
         raise InputError(
-            f"none of {counted(len(files), 'photograph')} has a position here; one is called {files[0] if files else ''}, "
-            f"the file begins with {trajectory.names[0] if trajectory.names else 'nothing'}",
+            f"none of {counted(len(files), 'photograph')} has a position here; one is called "
+            f"{files[0] if files else ''}, the file begins with "
+            f"{trajectory.names[0] if trajectory.names else 'nothing'}",
             file=trajectory.path,
         )
     if frame is None and trajectory.crs == WGS84_HEIGHT:
