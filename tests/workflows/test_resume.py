@@ -196,13 +196,16 @@ def test_a_damaged_database_says_what_to_do(done, photos, tmp_path, capsys):
 
 
 def test_an_interrupted_run_says_that_it_can_be_continued(photos, tmp_path):
-    out = tmp_path / "project"
-    with begun(photos, out, "--progress", "json", stdout=subprocess.PIPE, stderr=subprocess.PIPE) as running:
-        for line in running.stderr:
-            if json.loads(line)["stage"] == "features":
-                break
-        running.send_signal(signal.SIGINT)
-        said, told = running.communicate()
+    for attempt in range(6):
+        out = tmp_path / f"project{attempt}"
+        with begun(photos, out, "--progress", "json", stdout=subprocess.PIPE, stderr=subprocess.PIPE) as running:
+            for line in running.stderr:
+                if json.loads(line)["stage"] == "features":
+                    break
+            running.send_signal(signal.SIGINT)
+            said, told = running.communicate()
+        if running.returncode != 0:  # on a busy machine it may end before the signal comes
+            break
     assert running.returncode == 130
     assert said == ""
     last = told.splitlines()[-1]
