@@ -156,30 +156,23 @@ static inline Ints everywhere(int32_t x) { return _mm_set1_epi32(x); }
 static inline Ints with_pairs(Ints sum, Ints a, Ints b) { return _mm_add_epi32(sum, _mm_madd_epi16(a, b)); }
 #endif
 
+// sums (kRows, kWide) of products of kRows rows (length k) and a panel of pairs.
+static inline void pair_products(const int16_t* a, int k, const int16_t* panel, int32_t* sums) {
 #if defined(RB_INTS)
-// sums (kRows, kWide) of products of kRows rows (length k) and a panel, `Group` places at a time, added by `more`.
-template <int Group, class T, class P, class More>
-static inline void whole_products(const T* a, int k, const P* panel, int32_t* sums, const More& more) {
   Ints acc[kRows][2] = {};
-  for (int i = 0; i < k; i += Group, panel += Group * kWide) {
+  for (int i = 0; i < k; i += kPair, panel += kPair * kWide) {
     Ints b0, b1;
     std::memcpy(&b0, panel, sizeof b0);
-    std::memcpy(&b1, panel + Group * kLanes, sizeof b1);
+    std::memcpy(&b1, panel + kPair * kLanes, sizeof b1);
     for (int r = 0; r < kRows; ++r) {
-      int32_t together;
-      std::memcpy(&together, a + r * k + i, sizeof together);
-      const Ints f = everywhere(together);
-      acc[r][0] = more(acc[r][0], f, b0);
-      acc[r][1] = more(acc[r][1], f, b1);
+      int32_t two;
+      std::memcpy(&two, a + r * k + i, sizeof two);
+      const Ints f = everywhere(two);
+      acc[r][0] = with_pairs(acc[r][0], f, b0);
+      acc[r][1] = with_pairs(acc[r][1], f, b1);
     }
   }
   std::memcpy(sums, acc, sizeof acc);
-}
-#endif
-
-static inline void pair_products(const int16_t* a, int k, const int16_t* panel, int32_t* sums) {
-#if defined(RB_INTS)
-  whole_products<kPair>(a, k, panel, sums, with_pairs);
 #else
   std::fill_n(sums, kRows * kWide, 0);
   for (int i = 0; i < k; i += kPair, panel += kPair * kWide)
@@ -191,7 +184,8 @@ static inline void pair_products(const int16_t* a, int k, const int16_t* panel, 
 
 #if defined(__AVX512BW__)
 #define RB_FOURS
-// The same of bytes, four at a time; those of the panel are 128 less, for the instruction wants them signed.
+// The same of bytes, four at a time; those of the panel are 128 less, for the instruction wants them signed.  Written
+// out once more, since a function for other processors than its caller is not inlined.
 __attribute__((target("avx512vnni"))) static void four_products(const uint8_t* a, int k, const int8_t* panel, int32_t* sums) {
   __m512i acc[kRows][2] = {};
   for (int i = 0; i < k; i += kFour, panel += kFour * kWide) {

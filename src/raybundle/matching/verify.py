@@ -91,13 +91,13 @@ def verify(
         # a plane or a turn of the camera: the homography says more than an epipolar geometry it does not determine
         apart = np.linalg.norm((p - half1) - (q - half2), axis=1)[planar]
         off = _homography_distance(np.asarray(H), p - half1, q - half2)
-        shares = _homography_distance(np.asarray(H), *_at_random(xy1 - half1, xy2 - half2))
+        wrong = _homography_distance(np.asarray(H), *_at_random(xy1 - half1, xy2 - half2))
         # so few are brought together that they are counted in a circle ten times as wide, a hundred times as large
-        chance = _least(k, off, [(limit, _within(shares, 10 * limit) / 100)], 4, 1)
+        chance = _least(k, off, [(limit, _within(wrong, 10 * limit) / 100)], 4, 1)
         return result(planar | general, "planar" if np.median(apart) > 1 else "rotation", share, chance)
     off = _sampson(np.asarray(F), p - half1, q - half2)
-    shares = _sampson(np.asarray(F), *_at_random(xy1 - half1, xy2 - half2))
-    limits = [(limit / part, _within(shares, limit) / part) for part in (1, 2, 4)]
+    wrong = _sampson(np.asarray(F), *_at_random(xy1 - half1, xy2 - half2))
+    limits = [(limit / part, _within(wrong, limit) / part) for part in (1, 2, 4)]
     return result(general, "general", share, _least(k, off, limits, 7, 3))
 
 

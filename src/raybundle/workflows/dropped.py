@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.severity import Severity
+from raybundle.numerics.counting import grouped
 
 MOST = 0.5
 """Share of the image points with a partner that may be dropped before the adjustment without being a caution."""
@@ -74,8 +75,3 @@ class Dropped:
         )
         grave = Severity.CAUTION if self.share > MOST else Severity.REMARK
         return Notice(code="dropped", message=message, measured=grave)
-
-
-def grouped(number: int) -> str:
-    """With a space between thousands."""
-    return f"{number:,}".replace(",", " ")
