@@ -3,21 +3,12 @@
 import click
 import pytest
 from click.types import FloatParamType
+from tests.cli.walk import commands
 
-from raybundle.cli.main import COMMANDS, cli, main
+from raybundle.cli.main import COMMANDS, main
 from raybundle.cli.numbers import LARGEST, SMALLEST, Number
 
 PLAN = ["plan", "flight", "--lines", "2", "--photos", "3", "--points", "8"]
-
-
-def leaves(group, path=()):
-    context = click.Context(group)
-    for name in group.list_commands(context):
-        command = group.get_command(context, name)
-        if isinstance(command, click.Group):
-            yield from leaves(command, (*path, name))
-        else:
-            yield (*path, name), command
 
 
 def types_of(option):
@@ -25,7 +16,7 @@ def types_of(option):
     return list(whole) * (option.nargs if len(whole) == 1 else 1)
 
 
-LEAVES = list(leaves(cli))
+LEAVES = list(commands())
 NUMBERS = [
     pytest.param(path, option, k, id=f"{' '.join(path)} {option.opts[0]} {k}")
     for path, command in LEAVES

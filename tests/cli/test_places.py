@@ -5,21 +5,10 @@ from pathlib import Path
 
 import click
 import pytest
+from tests.cli.walk import commands
 
 from raybundle.cli.common import Output
-from raybundle.cli.main import COMMANDS, cli, main
-
-
-def commands(group=cli, words=()):
-    """All commands with their words."""
-    ctx = click.Context(group)
-    for name in group.list_commands(ctx):
-        command = group.get_command(ctx, name)
-        if isinstance(command, click.Group):
-            yield from commands(command, (*words, name))
-        else:
-            yield (*words, name), command
-
+from raybundle.cli.main import COMMANDS, main
 
 WRITING = {
     (words, option.opts[0]): option.type

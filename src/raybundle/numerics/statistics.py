@@ -18,6 +18,10 @@ DELTA0 = 4.132147965064809
 """Shift of the mean of w that is detected at ALPHA with POWER: root of the noncentrality 17.0746 (Baarda 1968)."""
 
 
+DECISIVE = 2 * float(np.log(100))
+"""Difference of two chi-squares from which one hypothesis is a hundred times likelier than the other."""
+
+
 def noncentrality(alpha: float, power: float) -> tuple[float, float]:
     """Critical value k and shift delta0 of a standard normal deviate tested two-sided at alpha with this power.
 

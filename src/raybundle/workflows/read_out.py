@@ -22,13 +22,11 @@ from raybundle.block import Block, Camera, Distances
 from raybundle.errors import NotSolvable
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array
-from raybundle.numerics.statistics import chi_square_tails
+from raybundle.numerics.statistics import DECISIVE, chi_square_tails
 
 VELOCITY = ("vx", "vy", "vz")
 SHAPE = ("A", "S")
 ALPHA = 1e-3
-DECISIVE = 2 * float(np.log(100))
-"""Difference of two square sums, in variances, from which one explanation is a hundred times likelier."""
 GAP = 2.0
 """Interval between two photographs, in usual ones, beyond which no velocity is taken from them."""
 BEND = np.cos(np.radians(30))

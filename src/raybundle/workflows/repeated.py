@@ -29,8 +29,8 @@ from raybundle.workflows.tie_block import TieBlock
 CONTRADICTED = 0.04
 """Share of matches that would give a track two places in one image, from which on pairs are doubted.
 
-Wrong matches that are left by the verification of right pairs make 0.006 to 0.015 on photographs of a tree, a fountain,
-a street, a flower pot and from a kite; equal windows and bays 0.08 to 0.38.
+Wrong matches that are left by the verification of right pairs make 0.008 to 0.014 on photographs of a fountain, a
+street, a flower pot and a rendered portal; equal windows and bays 0.09 to 0.24 (benchmarks/contradictions.py).
 """
 TREES = 2
 """Spanning trees of strongest pairs that orient the photographs first: each hangs on two others by two ways."""

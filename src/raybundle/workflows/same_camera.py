@@ -24,12 +24,10 @@ from raybundle.block.frames import joined, size_ratio, stored_turned
 from raybundle.errors import NotSolvable
 from raybundle.io.photos.cameras import CameraGroup, may_share_sensor
 from raybundle.io.photos.photo import Photo
-from raybundle.numerics.statistics import chi_square_tails
+from raybundle.numerics.statistics import DECISIVE, chi_square_tails
 
 ALPHA = 0.001
 """Probability by chance below which photographs are of two cameras, as of every blunder."""
-DECISIVE = 2 * float(np.log(100))
-"""By how much a chi-square must be larger for a hypothesis to count as out: it is a hundred times less likely then."""
 FEWEST_HALVES = 6
 """Photographs without metadata from which on some are looked at as upside down."""
 TILT_DEG = 30.0
