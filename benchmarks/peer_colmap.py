@@ -1,8 +1,9 @@
 """One orientation by pycolmap on the CPU, defaults but for the number of threads; prints one JSON line.
 
-    peer_colmap.py PHOTOS WORK [--threads 2] [--pinhole fx,fy,cx,cy]
+    peer_colmap.py PHOTOS WORK [--threads 2] [--pinhole fx,fy,cx,cy] [--cameras single|auto] [--both]
 
---pinhole gives the interior orientation and holds it; without it pycolmap takes EXIF or a default and estimates.
+--both runs the global mapper as well and takes the result with more photographs.  --pinhole gives the interior
+orientation and holds it; without it pycolmap takes EXIF or a default and estimates.
 Rotations are object to camera with y down and z forward, pixels have their origin at the outer corner of the first.
 """
 
@@ -11,6 +12,7 @@ from __future__ import annotations
 import argparse
 import json
 import shutil
+import time
 from pathlib import Path
 
 import pycolmap
@@ -22,6 +24,8 @@ def main() -> None:
     parser.add_argument("work", type=Path)
     parser.add_argument("--threads", type=int, default=2)
     parser.add_argument("--pinhole", default="")
+    parser.add_argument("--cameras", choices=["single", "auto"], default="single")
+    parser.add_argument("--both", action="store_true")
     options = parser.parse_args()
     shutil.rmtree(options.work, ignore_errors=True)
     options.work.mkdir(parents=True)
@@ -37,15 +41,29 @@ def main() -> None:
     mapping.num_threads = options.threads
     if options.pinhole:
         mapping.ba_refine_focal_length = mapping.ba_refine_extra_params = False
+    mode = pycolmap.CameraMode.SINGLE if options.cameras == "single" else pycolmap.CameraMode.AUTO
     pycolmap.extract_features(
-        database, options.photos, camera_mode=pycolmap.CameraMode.SINGLE, reader_options=reader,
+        database, options.photos, camera_mode=mode, reader_options=reader,
         extraction_options=extraction, device=pycolmap.Device.cpu,
     )  # fmt: skip
     pycolmap.match_exhaustive(database, matching_options=matching, device=pycolmap.Device.cpu)
     found = pycolmap.incremental_mapping(database, options.photos, options.work / "sparse", options=mapping)
-    best = max(found.values(), key=lambda r: r.num_reg_images(), default=None)
+    models = {"incremental": list(found.values())}
+    before_global = time.process_time()
+    if options.both:
+        every = pycolmap.GlobalPipelineOptions()
+        every.num_threads = options.threads
+        models["global"] = list(
+            pycolmap.global_mapping(database, options.photos, options.work / "global", options=every).values()
+        )
+    best = max((m for of in models.values() for m in of), key=lambda r: r.num_reg_images(), default=None)
+    told = {
+        "version": pycolmap.__version__,
+        "parts": {name: sorted((m.num_reg_images() for m in of), reverse=True) for name, of in models.items()},
+        "global_cpu_s": time.process_time() - before_global,
+    }
     if best is None:
-        print(json.dumps({"version": pycolmap.__version__, "oriented": 0, "images": {}}))
+        print(json.dumps({**told, "oriented": 0, "images": {}}))
         return
     images = {}
     for image in best.images.values():
@@ -56,7 +74,7 @@ def main() -> None:
     print(
         json.dumps(
             {
-                "version": pycolmap.__version__,
+                **told,
                 "oriented": len(images),
                 "images": images,
                 "mean_residual_px": best.compute_mean_reprojection_error(),

@@ -2,17 +2,26 @@
 
 from __future__ import annotations
 
+import math
 import os
+import signal
 import subprocess
 import tempfile
+import threading
 import time
 from pathlib import Path
 
 import numpy as np
 
 
-def measured(command: list[str], *, cpus: int = 2, environment: dict[str, str] | None = None) -> dict:
-    """Run a command on so many processors; its output and what it took.  Raises RuntimeError where it fails."""
+def measured(
+    command: list[str], *, cpus: int = 2, environment: dict[str, str] | None = None, may_fail: bool = False,
+    limit_s: float = math.inf,
+) -> dict:  # fmt: skip
+    """Run a command on so many processors; its output, exit status and what it took.
+
+    Raises RuntimeError where it fails and may not; after `limit_s` seconds it is interrupted, then killed.
+    """
     allowed = set(sorted(os.sched_getaffinity(0))[:cpus])
     threads = {name: str(cpus) for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")}
     with tempfile.TemporaryFile("w+") as out, tempfile.TemporaryFile("w+") as err:
@@ -21,15 +30,26 @@ def measured(command: list[str], *, cpus: int = 2, environment: dict[str, str] |
             command, stdout=out, stderr=err, env={**os.environ, **threads, **(environment or {})},
             preexec_fn=lambda: os.sched_setaffinity(0, allowed),  # noqa: PLW1509  (one thread here)
         )  # fmt: skip
+        stops = [
+            threading.Timer(limit_s + more, running.send_signal, [kind])
+            for more, kind in ((0, signal.SIGINT), (30, signal.SIGKILL))
+            if limit_s < math.inf
+        ]
+        for stop in stops:
+            stop.start()
         _, status, usage = os.wait4(running.pid, 0)
+        for stop in stops:
+            stop.cancel()
         wall = time.perf_counter() - began
         running.returncode = os.waitstatus_to_exitcode(status)
         out.seek(0)
         err.seek(0)
-        if running.returncode:
+        if running.returncode and not may_fail:
             raise RuntimeError(f"{' '.join(command)} ended with {running.returncode}\n{err.read()[-2000:]}")
         return {
             "output": out.read(),
+            "errors": err.read(),
+            "status": running.returncode,
             "wall_s": wall,
             "cpu_s": usage.ru_utime + usage.ru_stime,
             "memory_mb": usage.ru_maxrss / 1024,

@@ -150,7 +150,7 @@ def test_a_file_that_is_gone_is_named(small, server, tmp_path):
 def test_without_a_network_the_message_says_what_to_do(monkeypatch, capsys, tmp_path):
     with ThreadingHTTPServer(("127.0.0.1", 0), Handler) as closed:
         port = closed.server_port
-    monkeypatch.setattr(datasets, "known_datasets", lambda: {"small": dataset_at(port)})
+    monkeypatch.setattr(datasets, "known_datasets", lambda _listing: {"small": dataset_at(port)})
     assert main(["datasets", "get", "small", "--out", str(tmp_path / "s")]) == 2
     told = capsys.readouterr()
     assert "licence: CC0" in told.out
@@ -166,13 +166,53 @@ def test_a_folder_that_cannot_be_made_is_named(small, tmp_path):
 
 
 def test_the_command_fetches(small, monkeypatch, capsys, tmp_path):
-    monkeypatch.setattr(datasets, "known_datasets", lambda: {"small": small})
+    monkeypatch.setattr(datasets, "known_datasets", lambda _listing: {"small": small})
     monkeypatch.chdir(tmp_path)
     assert main(["datasets", "get", "small"]) == 0
     assert "3 files fetched and checked: small" in capsys.readouterr().out
     assert is_whole(tmp_path / "small")
     assert main(["datasets", "get", "large"]) == 2
     assert "known: small" in capsys.readouterr().err
+
+
+LISTING = """[one]
+about = "a"
+source = "https://example.org"
+base = "https://example.org/"
+licence = "CC0"
+files = [["images/a.jpg", 12, "{digest}"]]
+"""
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ("images/a.jpg", "../a.jpg", "does not stay below"),
+        ("images/a.jpg", "/a.jpg", "does not stay below"),
+        ("images/a.jpg", "C:\\\\..\\\\a.jpg", "does not stay below"),
+        ('["images/a.jpg", 12', '["b", 1, "{digest}"], ["b", 12', "stands twice"),
+        ("12", "0", "not a whole number from 1"),
+        ("12, ", "", "is listed as"),
+        ("{digest}", "{digest}0", "is no SHA-256"),
+        ("https://example.org/", "file:///etc/", "is no address of a folder"),
+        ("[one]", '["../one"]', "names a folder as well"),
+        ('licence = "CC0"', "", "'licence' is missing"),
+        ('about = "a"', "about = 3", "is not a text"),
+        ("[one]", "[one", "is not TOML"),
+    ],
+)
+def test_a_listing_of_ones_own_is_checked(tmp_path, capsys, old, new, words):
+    path = tmp_path / "l.toml"
+    path.write_text(LISTING.format(digest="0" * 64))
+    assert list(known_datasets(path)) == ["one"]
+    assert main(["datasets", "list", "--listing", str(path)]) == 0
+    assert "licence: CC0" in capsys.readouterr().out
+    path.write_text(LISTING.replace(old, new, 1).format(digest="0" * 64))
+    with pytest.raises(InputError, match=re.escape(words)) as caught:
+        known_datasets(path)
+    assert "l.toml" in str(caught.value)
+    assert main(["datasets", "get", "one", "--listing", str(path), "--out", str(tmp_path / "o")]) == 2
+    assert not (tmp_path / "o").exists()
 
 
 def test_the_table_of_sets_is_sound(capsys):

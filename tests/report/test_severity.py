@@ -10,7 +10,7 @@ import pytest
 import raybundle
 from raybundle.adjustment.components import NAMES
 from raybundle.adjustment.notices import notices_of
-from raybundle.adjustment.result import Notice, gravest_first
+from raybundle.adjustment.result import Notice, as_told, gravest_first
 from raybundle.adjustment.severity import SEVERITY, Severity
 from raybundle.cli.summary import SHOWN, summary_lines
 from raybundle.report.result_folder import result_json
@@ -51,6 +51,22 @@ def test_the_order_is_by_severity_and_keeps_the_order_within_one():
     second = replace(FAULT, message="another fault")
     assert gravest_first([REMARK, FAULT, CAUTION, second]) == [FAULT, second, CAUTION, REMARK]
     assert Notice(code="never seen", message="m").severity is Severity.CAUTION
+
+
+def test_many_notices_of_one_kind_are_read_as_one(case):
+    """On the command line and in the report; the file keeps them all."""
+    many = tuple(
+        Notice(code="not_determinable", message=f"camera 1: u{k:02} is open", ids=("1", f"u{k:02}")) for k in range(69)
+    )
+    three = tuple(Notice(code="small_angle", message=f"m{k}", ids=(f"i{k}",)) for k in range(3))
+    told = as_told((*three, *many, REMARK))
+    assert [n.code for n in told] == ["not_determinable", *["small_angle"] * 3, REMARK.code]
+    assert told[0].message.startswith("camera 1: u00 is open. The same of 68 more: 1: u01, 1: u02, ")
+    assert told[0].message.endswith("1: u10, ...")
+    assert len(told[0].ids) == 70
+    a = replace(case("rich"), notices=(*many, REMARK))
+    assert sum("u0" in line for line in summary_lines(a)) == 1
+    assert sum("u0" in w["message"] for w in result_json(a)["warnings"]) == 10
 
 
 def test_report_command_line_and_file_show_the_gravest_first(case):

@@ -1,17 +1,15 @@
 """Photographs that cannot calibrate a camera: what is missing is said, in the words of whoever took them."""
 
-from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
-from raybundle.adjustment.result import Notice
 from raybundle.block.calibration_networks import ROLLS, FlatField, flat_field_scene
 from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.errors import NotSolvable, RankDefect
 from raybundle.workflows.calibrate import CalibrateOptions, calibrate
-from raybundle.workflows.calibration_defects import bundled, check_spline, explained, flat_only
+from raybundle.workflows.calibration_defects import check_spline, explained, flat_only
 from tests.workflows.flat_views import patched
 
 
@@ -66,14 +64,3 @@ def test_a_spline_that_ends_worse_is_refused(c, residual, refused):
             check_spline(before, adjusted(c, residual))
     else:
         check_spline(before, adjusted(c, residual))
-
-
-def test_many_notices_of_one_camera_are_one():
-    one = Notice(code="not_determinable", message="camera 1: u07 is not determinable", ids=("1",))
-    many = tuple(replace(one, ids=("1", f"u{k:02}")) for k in range(69))
-    other = Notice(code="correlation", message="camera 1: x0 and P1", ids=("1",))
-    told = bundled((*many, other))
-    assert len(told) == 2
-    assert "68 more of camera 1" in told[0].message
-    assert len(told[0].ids) == 70
-    assert told[1] is other

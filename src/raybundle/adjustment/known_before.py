@@ -15,7 +15,10 @@ from raybundle.adjustment.result import Adjustment, InteriorResult, Notice
 from raybundle.adjustment.steady import CARRIED
 from raybundle.block import Camera, Relation
 from raybundle.block.known import known_before
+from raybundle.numerics.counting import counted
 
+NAMED_CAMERAS = 3
+"""Cameras that a notice names; the rest are counted."""
 LEVEL = 1e-3
 """Probability with which a camera that is as known before is called a contradiction, at most."""
 
@@ -25,6 +28,7 @@ def against_known(result: Adjustment) -> Adjustment:
     notices = list[Notice]()
     interiors = list[InteriorResult]()
     names = list[str]()
+    leaning = list[tuple[Camera, InteriorResult, dict[str, Relation]]]()
     for interior in result.interior:
         camera = next(c for c in result.given.cameras if c.id == interior.camera)
         known = {s: r for s, r in known_before(camera).items() if s in interior.free}
@@ -33,9 +37,11 @@ def against_known(result: Adjustment) -> Adjustment:
         interiors.append(replace(interior, parameters={**interior.parameters, **parameters}))
         names += [f"{s} (camera {camera.id})" for s in untold]
         contradiction = _contradiction(result, camera, interior)
-        notices += (
-            [_untold(camera, interior, s, known[s]) for s in untold] if contradiction is None else [contradiction]
-        )
+        if contradiction is not None:
+            notices.append(contradiction)
+        elif untold:
+            leaning.append((camera, interior, {s: known[s] for s in untold}))
+    notices += _untold(leaning)
     if not notices:
         return result
     return replace(
@@ -54,15 +60,26 @@ def _told(interior: InteriorResult, symbol: str, known: Relation, sigma0: float)
     return std / (sigma0 if np.isfinite(sigma0) and sigma0 > 0 else 1.0) <= CARRIED * known.sigma
 
 
-def _untold(camera: Camera, interior: InteriorResult, symbol: str, known: Relation) -> Notice:
-    p = interior.parameters[symbol]
-    return Notice(
-        code="held_not_determinable",
-        message=f"camera {camera.id}: {symbol} is not determinable and is held by little but what was known before, "
-        f"{_words(camera, known)}; found {_px(camera, p.value)} +- {_px(camera, p.std or 0.0)}. Orientations "
-        "and coordinates lean on it; a calibration says it",
-        ids=(camera.id, symbol),
+def _untold(leaning: list[tuple[Camera, InteriorResult, dict[str, Relation]]]) -> list[Notice]:
+    """One notice of all that photographs do not say of their cameras; internet photographs have a camera each."""
+    if not leaning:
+        return []
+    told = [f"camera {camera.id}: {', '.join(known)}" for camera, _, known in leaning[:NAMED_CAMERAS]]
+    more = len(leaning) - NAMED_CAMERAS
+    camera, interior, known = leaning[0]
+    values = [
+        f"{s} {_words(camera, r)}, found {_px(camera, interior.parameters[s].value)} +- "
+        f"{_px(camera, interior.parameters[s].std or 0.0)}"
+        for s, r in known.items()
+    ]
+    named = "; ".join(told) + (f"; and {counted(more, 'more camera')} (listed under cameras)" if more > 0 else "")
+    message = (
+        f"{named}: not determinable, held by little but what was known before ({'; '.join(values)}"
+        f"{f', of camera {camera.id}' if len(leaning) > 1 else ''}). Orientations and coordinates lean on it; a "
+        "calibration says it"
     )
+    ids = dict.fromkeys(i for camera, _, known in leaning for i in (camera.id, *known))
+    return [Notice(code="held_not_determinable", message=message, ids=tuple(ids))]
 
 
 def _contradiction(result: Adjustment, camera: Camera, interior: InteriorResult) -> Notice | None:

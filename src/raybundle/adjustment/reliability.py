@@ -31,10 +31,10 @@ def image_statistics(
     does not): the test is decided by P Qvv P alone.
     """
     count = len(system.block.observations)
-    W = np.zeros((len(whitened), 2, 2))
-    W[:, 0, 0], W[:, 1, 0], W[:, 1, 1] = system.whiten.T
-    L = np.linalg.inv(W)
-    residual = np.einsum("nij,nj->ni", L, whitened) / system.pixel_mm
+    # whitening W = [[a, 0], [b, c]], its products written out: of a million such matrices numpy is slow
+    a, b, c = system.whiten.T
+    first, second = whitened.T
+    residual = np.stack([first / a, (second - b / a * first) / c], axis=1) / system.pixel_mm
 
     def spread(values: Array) -> Array:
         full = np.full((count, 2), np.nan)
@@ -47,23 +47,22 @@ def image_statistics(
             residuals_px=spread(residual), redundancy=empty, w=empty, t=empty, mdb_px=empty, external=empty,
             least_control=empty[:, 0], rejected=rejected,
         )  # fmt: skip
-    H = np.zeros_like(W)
-    H[:, 0, 0], H[:, 1, 1] = found.hat[:, 0], found.hat[:, 1]
-    H[:, 0, 1] = H[:, 1, 0] = found.hat[:, 2]
-    R = np.eye(2) - H
+    r_x, r_y, r_xy = 1 - found.hat[:, 0], 1 - found.hat[:, 1], -found.hat[:, 2]
     least = np.full(count, np.nan)
-    least[system.rows] = (R[:, 0, 0] + R[:, 1, 1]) / 2 - np.hypot((R[:, 0, 0] - R[:, 1, 1]) / 2, R[:, 0, 1])
-    redundancy = np.diagonal(L @ R @ W, axis1=1, axis2=2).copy()
-    test = np.diagonal(np.swapaxes(W, 1, 2) @ R @ W, axis1=1, axis2=2)
-    weighted = np.einsum("nji,nj->ni", W, whitened)
+    least[system.rows] = (r_x + r_y) / 2 - np.hypot((r_x - r_y) / 2, r_xy)
+    redundancy = np.stack([r_x + r_xy * b / a, r_y - r_xy * b / a], axis=1)
+    test = np.stack([r_x * a**2 + 2 * r_xy * a * b + r_y * b**2, r_y * c**2], axis=1)
+    weighted = np.stack([a * first + b * second, c * second], axis=1)
     # the variance of P v over P is what the test rests on; where x and y are correlated a redundancy number may be
     # negative although both coordinates are controlled
-    weight = np.diagonal(np.swapaxes(W, 1, 2) @ W, axis1=1, axis2=2)
+    weight = np.stack([a**2 + b**2, c**2], axis=1)
     controlled = test > UNCONTROLLED * weight
     safe = np.sqrt(np.where(controlled, test, 1.0))
     w = np.where(controlled, weighted / safe, np.nan) * np.sign(system.pixel_mm)
     mdb_mm = np.where(controlled, DELTA0 / safe, np.nan)
-    effect = np.abs(np.einsum("nei,nij->nej", found.effect, W)).max(axis=1) * mdb_mm
+    by_x = np.abs(found.effect[:, :, 0] * a[:, None] + found.effect[:, :, 1] * b[:, None]).max(axis=1)
+    by_y = np.abs(found.effect[:, :, 1]).max(axis=1) * np.abs(c)
+    effect = np.stack([by_x, by_y], axis=1) * mdb_mm
     return ObservationStatistics(
         residuals_px=spread(residual),
         redundancy=spread(redundancy),

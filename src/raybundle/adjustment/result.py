@@ -8,7 +8,7 @@ tables of the block.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from raybundle.adjustment.fields import WHITE, Noise
@@ -43,6 +43,30 @@ def gravest_first(notices: Iterable[Notice]) -> list[Notice]:
     """The notices in order of their severity, those of one in the order in which they were made."""
     order = list(Severity)
     return sorted(notices, key=lambda n: order.index(n.severity))
+
+
+MANY = 3
+"""Notices of one kind that are told one by one."""
+NAMED = 10
+"""Objects that a notice names in the place of their notices."""
+
+
+def as_told(notices: Iterable[Notice]) -> list[Notice]:
+    """The notices as people read them, the gravest first: one in place of many that say the same of other objects."""
+    kinds: dict[tuple[str, Severity], list[Notice]] = {}
+    for n in gravest_first(notices):
+        kinds.setdefault((n.code, n.severity), []).append(n)
+    told: list[Notice] = []
+    for group in kinds.values():
+        if len(group) <= MANY or not all(n.ids for n in group):
+            told += group
+            continue
+        # a parameter stands behind its camera
+        names = [": ".join(n.ids) if len(n.ids) == 2 else n.ids[0] for n in group[1:]]
+        named = f"{', '.join(names[:NAMED])}{', ...' if len(names) > NAMED else ''}"
+        ids = tuple(dict.fromkeys(i for n in group for i in n.ids))
+        told.append(replace(group[0], message=f"{group[0].message}. The same of {len(names)} more: {named}", ids=ids))
+    return told
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

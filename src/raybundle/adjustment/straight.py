@@ -33,8 +33,11 @@ def check_turning(result: Adjustment) -> None:
     fixed |= np.array([c.is_scene for c in block.cameras])[block.images.camera]
     used, o = result.image_observations.used, block.observations
     lost: list[str] = []
+    rows = np.flatnonzero(used & ~fixed[o.image])
+    rows = rows[np.argsort(o.image[rows], kind="stable")]
+    first = np.searchsorted(o.image[rows], np.arange(len(block.images) + 1))
     for image in np.flatnonzero(~fixed):
-        points = np.unique(o.point[used & (o.image == image)])
+        points = np.unique(o.point[rows[first[image] : first[image + 1]]])
         if len(points) and _straight(block.points.xyz[points], result.precision.object_points[points]):
             lost.append(block.images.ids[image])
     if not lost:

@@ -6,7 +6,11 @@ from pathlib import Path
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, NEW_FOLDER, common_options, counted
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER, common_options, counted
+
+listing_option = click.option(
+    "--listing", type=FOLDER, metavar="FILE", help="Sets that a TOML file lists, in place of those known here."
+)
 
 
 @click.group("datasets", context_settings=COMMAND_SETTINGS)
@@ -22,14 +26,15 @@ def command() -> None:
 
 
 @command.command("list", context_settings=COMMAND_SETTINGS)
+@listing_option
 @click.option(
     "--traceback", is_flag=True, expose_value=False, help="After an error, show where in the program it arose."
 )
-def list_command() -> None:
+def list_command(listing: Path | None) -> None:
     """Show the sets: name, size, content, licence."""
     from raybundle.io.datasets import known_datasets  # noqa: PLC0415
 
-    for one in known_datasets().values():
+    for one in known_datasets(listing).values():
         click.echo(f" {one.name:14s} {one.size / 1e6:6.0f} MB  {one.about}")
         click.echo(f" {'':14s} {'':6s}     licence: {one.licence}")
 
@@ -37,19 +42,21 @@ def list_command() -> None:
 @command.command("get", context_settings=COMMAND_SETTINGS)
 @click.argument("name")
 @click.option("--out", type=NEW_FOLDER, metavar="FOLDER", help="Where to; by default a folder of the set's name.")
+@listing_option
 @common_options
-def get_command(name: str, out: Path | None, progress: str) -> None:
+def get_command(name: str, out: Path | None, listing: Path | None, progress: str) -> None:
     """Fetch a set from its source and check every file; a fetch that was stopped continues with the same command.
 
     \b
     Example:
       raybundle datasets get sceaux-castle
       raybundle datasets get copr-uav --out flight
+      raybundle datasets get reichstag --listing benchmarks/corpus.toml
     """  # noqa: D301
     from raybundle.cli.progress import reporting  # noqa: PLC0415
     from raybundle.io.datasets import dataset, fetch  # noqa: PLC0415
 
-    wanted = dataset(name)
+    wanted = dataset(name, listing)
     folder = Path(name) if out is None else out
     click.echo(f" {wanted.name}: {wanted.about}")
     click.echo(f" source: {wanted.source}")

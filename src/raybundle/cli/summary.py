@@ -9,7 +9,7 @@ import numpy as np
 
 from raybundle.adjustment.fields import Noise
 from raybundle.adjustment.network import classed
-from raybundle.adjustment.result import Adjustment, Notice, gravest_first
+from raybundle.adjustment.result import Adjustment, Notice, as_told
 from raybundle.block import Block
 from raybundle.cli.common import counted, grouped, significant
 from raybundle.numerics.arrays import Array
@@ -41,9 +41,10 @@ def summary_lines(adjustment: Adjustment) -> list[str]:
 
 def notice_lines(notices: Sequence[Notice]) -> list[str]:
     """Notices with their severity, the gravest first; how many are not shown."""
-    lines = [f"{n.severity.value}: {n.message}" for n in gravest_first(notices)[:SHOWN]]
-    if len(notices) > SHOWN:
-        lines.append(f"and {counted(len(notices) - SHOWN, 'more notice')}, see result.json")
+    told = as_told(notices)
+    lines = [f"{n.severity.value}: {n.message}" for n in told[:SHOWN]]
+    if len(told) > SHOWN:
+        lines.append(f"and {counted(len(told) - SHOWN, 'more notice')}, see result.json")
     return lines
 
 

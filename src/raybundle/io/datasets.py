@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import re
 import urllib.error
 import urllib.request
 from collections.abc import Mapping
@@ -14,11 +15,15 @@ from typing import Any
 from urllib.parse import quote, urlsplit
 
 from raybundle.errors import InputError
-from raybundle.io.reading.trees import toml_of
+from raybundle.io.reading.trees import Json, read_toml, toml_of
+from raybundle.io.reading.words import quoted
 from raybundle.numerics.progress import Progress, silent
 
 TIMEOUT_S = 30.0
 CHUNK_BYTES = 1 << 18
+LARGEST = 1 << 40
+"""Bytes of a file, beyond which a listing is wrong."""
+DIGEST = re.compile("[0-9a-f]{64}")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -61,22 +66,53 @@ class Fetched:
     fetched: int
 
 
-def known_datasets() -> Mapping[str, Dataset]:
-    """The sets by their names."""
-    text = (files("raybundle.io") / "datasets.toml").read_text(encoding="utf-8")
-    content = toml_of(text, Path("datasets.toml")).values
-    return {name: _dataset(name, entry) for name, entry in content.items()}
+def known_datasets(listing: Path | None = None) -> Mapping[str, Dataset]:
+    """The sets by their names: those of the package, or those that a file lists in the same manner.
+
+    raises  InputError for a listing that is none, with the place
+    """
+    if listing is None:
+        here = Path("datasets.toml")
+        content = toml_of((files("raybundle.io") / here).read_text(encoding="utf-8"), here)
+    else:
+        content = read_toml(listing)
+    return {name: _dataset(name, entry) for name, entry in content.tree().mapping().items()}
 
 
-def _dataset(name: str, entry: Mapping[str, Any]) -> Dataset:
-    listed = tuple(SetFile(path=path, size=size, sha256=digest) for path, size, digest in entry["files"])
-    texts = {key: str(entry[key]) for key in ("about", "source", "base", "licence", "cite")}
-    return Dataset(name=name, files=listed, **texts)
+def _dataset(name: str, entry: Json) -> Dataset:
+    folders = [part for part in _parts(name) if part in {"", ".", ".."}]
+    if folders or len(_parts(name)) > 1:
+        entry.fail("the name of a set names a folder as well: letters, digits and hyphens")
+    about, source, base, licence = (entry.get(key).text() for key in ("about", "source", "base", "licence"))
+    if urlsplit(base).scheme not in {"http", "https"} or not base.endswith("/"):
+        entry.get("base").fail(f"{quoted(base)} is no address of a folder: http... with / at its end")
+    listed = tuple(_file(item) for item in entry.get("files").items())
+    if len({f.path for f in listed}) < len(listed):
+        entry.get("files").fail("a path stands twice")
+    cite = entry.get("cite").text() if entry.has("cite") else ""
+    return Dataset(name=name, about=about, source=source, base=base, licence=licence, cite=cite, files=listed)
 
 
-def dataset(name: str) -> Dataset:
+def _file(item: Json) -> SetFile:
+    """[path, bytes, SHA-256]; what is fetched stays below the folder that it is fetched to."""
+    parts = item.items()
+    if len(parts) != 3:
+        item.fail("a file is listed as [path, bytes, SHA-256]")
+    path, digest = parts[0].text(), parts[2].text()
+    if any(part in {"", ".", ".."} for part in _parts(path)):
+        parts[0].fail(f"{quoted(path)} does not stay below the folder of its set; give a path without .. or / in front")
+    if not DIGEST.fullmatch(digest):
+        parts[2].fail(f"{quoted(digest)} is no SHA-256: 64 digits 0 .. f")
+    return SetFile(path=path, size=parts[1].whole(1, LARGEST), sha256=digest)
+
+
+def _parts(path: str) -> list[str]:
+    return re.split(r"[/\\:]", path)
+
+
+def dataset(name: str, listing: Path | None = None) -> Dataset:
     """A set by its name; raises InputError with the names that there are."""
-    known = known_datasets()
+    known = known_datasets(listing)
     if name not in known:
         raise InputError(f"there is no set {name!r}; known: {', '.join(known)}")
     return known[name]

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from raybundle.adjustment.network import classed
-from raybundle.adjustment.result import Adjustment, gravest_first
+from raybundle.adjustment.result import Adjustment, as_told
 from raybundle.adjustment.severity import Severity
 from raybundle.report.numbers import NONE, counted, fixed, grouped, listed, significant
 from raybundle.report.parts import Column, Fact, Facts, Heading, Paragraph, Part, Section, Statements, table, text
@@ -18,7 +18,7 @@ from raybundle.report.words import Verdict, datum_words, free_std, not_told, ope
 def result_section(view: View, verdict: Verdict) -> Section:
     """What a client reads."""
     parts: list[Part] = [Facts(facts=_key_figures(view)), Statements(statements=verdict.statements)]
-    notices = gravest_first(view.adjustment.notices)
+    notices = as_told(view.adjustment.notices)
     if notices:
         rows = [[n.severity.value for n in notices], [n.message for n in notices]]
         parts.append(Heading(text="Warnings and remedies"))

@@ -36,7 +36,7 @@ from raybundle.targets.kinds.rings import Rings
 from raybundle.targets.marks import Marks, Target, target
 from raybundle.targets.sidecar import PrintedSheet
 from raybundle.workflows.board_start import board_oriented
-from raybundle.workflows.calibration_defects import CANNOT, bundled, check_spline, explained, flat_only
+from raybundle.workflows.calibration_defects import CANNOT, check_spline, explained, flat_only
 from raybundle.workflows.camera_split import cameras_apart
 from raybundle.workflows.model_choice import choose_models, with_model
 from raybundle.workflows.recognise import Recognised, recognised
@@ -231,7 +231,6 @@ def _calibrated(m: _Measured, options: CalibrateOptions, clock: _Clock, progress
     result, largest, scale = _adjust(start, first, radius[rows], options, settings, notices, progress)
     if options.model == "spline":
         check_spline(first, result)
-        result = replace(result, notices=bundled(result.notices))
     if noise_of_photographs(options.noise, len(np.unique(result.given.observations.image))) == "fields":
         result = under_its_noise(under_noise(result))
     clock.stop("adjustment")

@@ -6,7 +6,7 @@ from itertools import combinations
 
 import numpy as np
 
-from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
 from raybundle.errors import InputError, NotSolvable
 from raybundle.numerics.arrays import Array
@@ -23,8 +23,6 @@ SQUARE = np.radians(15)
 WORSE = 1.1
 """Ratio of image residuals, spline over the model it started from, from which it fits worse: it holds every other one,
 and can only fit as well or better if it was found."""
-MANY = 3
-"""Notices of one kind about one camera that are told one by one."""
 
 
 def flat_only(block: Block) -> str:
@@ -110,23 +108,3 @@ def _rms(a: Adjustment) -> float:
     """Root mean square image residual, for a redundancy share of one [px]."""
     v = a.image_observations.residuals_px[a.image_observations.used]
     return float(np.sqrt((v**2).sum() / max(a.redundancy, 1)))
-
-
-def bundled(notices: tuple[Notice, ...]) -> tuple[Notice, ...]:
-    """One notice in place of many of one kind about one camera, as of the knots of a spline."""
-    groups: dict[tuple[str, tuple[str, ...]], list[Notice]] = {}
-    for n in notices:
-        groups.setdefault((n.code, n.ids[:1]), []).append(n)
-    told: list[Notice] = []
-    for (code, ids), group in groups.items():
-        if len(group) <= MANY or not ids:
-            told += group
-            continue
-        first = group[0].message
-        told.append(
-            Notice(
-                code=code, message=f"{first} ... and {len(group) - 1} more of camera {ids[0]} like this",
-                ids=tuple(dict.fromkeys(i for n in group for i in n.ids)),
-            )
-        )  # fmt: skip
-    return tuple(told)
