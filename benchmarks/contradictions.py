@@ -3,9 +3,9 @@
     python benchmarks/contradictions.py FOLDER ...
 
 Prints a line for each folder of photographs: pairs that are believed, their matches, and the share that would give a
-track two places in one photograph; the limit from which repeated structure is looked for.  Adds them to
-benchmarks/results/contradictions.json under the folders' names; the repeated things are those of
-`repeated_structure.py WORK`.
+track two places in one photograph, a twentieth of its diagonal apart or more; the limit from which repeated structure
+is looked for.  Adds them to benchmarks/results/contradictions.json under the folders' names; the repeated things are
+those of `repeated_structure.py WORK`.
 """
 
 from __future__ import annotations
@@ -30,8 +30,8 @@ def measured(folder: Path) -> dict[str, float]:
     """The share of a folder of photographs; nothing is oriented."""
     found: dict[str, float] = {}
 
-    def instead(pairs, features_xy, *_):
-        share = repeated.contradicted(pairs, tracks_of(pairs, features_xy))
+    def instead(pairs, features_xy, _names, diagonals, *_):
+        share = repeated.contradicted(pairs, tracks_of(pairs, features_xy), diagonals)
         found.update(pairs=len(pairs), matches=sum(len(p.matches) for p in pairs), share=round(share, 4))
         raise _Told
 

@@ -15,6 +15,7 @@ from raybundle.workflows.repeated import CONTRADICTED, contradicted, sound_pairs
 from raybundle.workflows.tie_block import block_of_tracks
 
 SIDES, PHOTOGRAPHS, C_PX, WIDTH, HEIGHT = 6, 18, 1100.0, 1200, 900
+DIAGONALS = np.full(PHOTOGRAPHS, np.hypot(WIDTH, HEIGHT))
 
 
 def tower(seed=1, wall=900, window=40):
@@ -96,14 +97,13 @@ def orient_with(places):
 def found(scene):
     places, pairs, _ = scene
     names = [f"p{k:02d}" for k in range(len(places))]
-    diagonals = np.full(len(places), np.hypot(WIDTH, HEIGHT))
-    return sound_pairs(pairs, places, names, diagonals, orient_with(places))
+    return sound_pairs(pairs, places, names, DIAGONALS, orient_with(places))
 
 
 def test_pairs_of_different_windows_are_left_out_by_name_and_the_others_stay(scene):
     places, pairs, right = scene
     assert (~right).sum() > 40
-    assert contradicted(pairs, tracks_of(pairs, places)) > CONTRADICTED
+    assert contradicted(pairs, tracks_of(pairs, places), DIAGONALS) > CONTRADICTED
     sound = found(scene)
     kept = {(p.first, p.second) for p in sound.pairs}
     assert kept == {(p.first, p.second) for p, r in zip(pairs, right, strict=True) if r}
@@ -113,7 +113,7 @@ def test_pairs_of_different_windows_are_left_out_by_name_and_the_others_stay(sce
     assert f"{(~right).sum()} pairs of photographs that show different parts which look alike" in notice.message
     wrong = next(p for p, r in zip(pairs, right, strict=True) if not r)
     assert f"p{wrong.first:02d} and p{wrong.second:02d}" in notice.message
-    assert contradicted(sound.pairs, sound.tracks) < CONTRADICTED
+    assert contradicted(sound.pairs, sound.tracks, DIAGONALS) < CONTRADICTED
 
 
 def test_the_tower_that_results_is_whole(scene):
@@ -134,6 +134,22 @@ def test_ordinary_matches_are_left_as_they_are(scene):
     sound = found((places, [p for p, r in zip(pairs, right, strict=True) if r], right[right]))
     assert not sound.notices
     assert len(sound.pairs) == right.sum()
+
+
+@pytest.mark.parametrize(("apart_px", "doubted"), [(5.0, False), (60.0, False), (90.0, True)])
+def test_a_detail_found_twice_close_by_contradicts_nothing(apart_px, doubted):
+    """Every second object point is found at two places of every photograph, and each pair matches either."""
+    rng = np.random.default_rng(1)
+    n, count = 300, 6
+    base = rng.uniform(100, 800, (n, 2))
+    places = [np.vstack([base, base + np.array([apart_px, 0.0])]) for _ in range(count)]
+    pairs = []
+    for i in range(count):
+        for j in range(i + 1, count):
+            second = np.arange(n) + n * (rng.random(n) < 0.3)
+            pairs.append(pair(i, j, np.column_stack([np.arange(n), second])))
+    share = contradicted(pairs, tracks_of(pairs, places), DIAGONALS)
+    assert (share > CONTRADICTED) is doubted
 
 
 def test_what_cannot_be_told_apart_is_a_fault(scene):

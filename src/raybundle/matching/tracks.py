@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -23,8 +24,11 @@ class Tracks:
     """(m,) position among the features of its image"""
     point: Index
     """(m,) 0 .. points - 1, sorted"""
-    conflicts: int
-    """matches left out because a track would have had two places in one image"""
+    conflicts: Index
+    """(c,) of each match left out because a track would have had two places in one image: the image where they lie
+    farthest apart"""
+    apart_px: Array
+    """(c,) how far"""
 
     @property
     def points(self) -> int:
@@ -47,7 +51,7 @@ def tracks_of(pairs: Sequence[VerifiedPair], features_xy: Sequence[Array]) -> Tr
     order = sorted((p for p in pairs if len(p.matches)), key=lambda p: (-len(p.matches), p.first, p.second))
     if not order:
         none = np.zeros(0, np.int32)
-        return Tracks(image=none, feature=none, point=none, conflicts=0)
+        return Tracks(image=none, feature=none, point=none, conflicts=none, apart_px=np.zeros(0))
     a = same[np.concatenate([offset[p.first] + p.matches[:, 0] for p in order])]
     b = same[np.concatenate([offset[p.second] + p.matches[:, 1] for p in order])]
     n = int(offset[-1])
@@ -60,10 +64,10 @@ def tracks_of(pairs: Sequence[VerifiedPair], features_xy: Sequence[Array]) -> Tr
     _, first, count = np.unique(key, return_index=True, return_counts=True)
     torn = np.zeros(int(label.max()) + 1, bool)
     torn[label[nodes[first[count > 1]]]] = True
-    conflicts = 0
+    conflicts: list[tuple[float, int]] = []
     if torn.any():
         doubtful = np.flatnonzero(torn[label[a]])
-        part, conflicts = _grow(a[doubtful], b[doubtful], image)
+        part, conflicts = _grow(a[doubtful], b[doubtful], image, np.vstack(list(features_xy)))
         label = label.astype(np.int64)
         own = torn[label]
         label[own] = label.max() + 1 + np.flatnonzero(own)
@@ -79,7 +83,8 @@ def tracks_of(pairs: Sequence[VerifiedPair], features_xy: Sequence[Array]) -> Tr
         image=image[nodes],
         feature=(nodes - offset[image[nodes]]).astype(np.int32),
         point=point.astype(np.int32),
-        conflicts=conflicts,
+        conflicts=np.array([i for _, i in conflicts], np.int32),
+        apart_px=np.array([d for d, _ in conflicts], float),
     )
 
 
@@ -95,28 +100,26 @@ def _same_place(features_xy: Sequence[Array], offset: Array) -> Index:
     return same
 
 
-def _grow(a: Array, b: Array, image: Index) -> tuple[dict[int, int], int]:
+def _grow(a: Array, b: Array, image: Index, xy: Array) -> tuple[dict[int, int], list[tuple[float, int]]]:
     """Union of nodes match by match, none that would put two nodes of one image together: {node: root}, left out."""
     root: dict[int, int] = {}
-    members: dict[int, list[int]] = {}
-    seen: dict[int, set[int]] = {}
-    conflicts = 0
+    seen: dict[int, dict[int, int]] = {}
+    conflicts: list[tuple[float, int]] = []
     for x, y in zip(a.tolist(), b.tolist(), strict=True):
         for node in (x, y):
             if node not in root:
                 root[node] = node
-                members[node] = [node]
-                seen[node] = {int(image[node])}
+                seen[node] = {int(image[node]): node}
         rx, ry = root[x], root[y]
         if rx == ry:
             continue
-        if seen[rx] & seen[ry]:
-            conflicts += 1
+        twice = seen[rx].keys() & seen[ry].keys()
+        if twice:
+            conflicts.append(max((math.dist(xy[seen[rx][i]], xy[seen[ry][i]]), i) for i in twice))
             continue
-        if len(members[rx]) < len(members[ry]):
+        if len(seen[rx]) < len(seen[ry]):
             rx, ry = ry, rx
-        for node in members[ry]:
+        for node in seen[ry].values():
             root[node] = rx
-        members[rx] += members.pop(ry)
         seen[rx] |= seen.pop(ry)
     return root, conflicts
