@@ -6,9 +6,11 @@ import numpy as np
 import pytest
 
 from raybundle.adjustment import dense, engine
+from raybundle.adjustment.assemble import assemble
 from raybundle.adjustment.calibration import projection_shifts, projection_uncertainty
 from raybundle.adjustment.defects import components, held_by_points
 from raybundle.adjustment.engine import adjust_block, expected_interior, free_parameters
+from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.precision import cofactors, precision
 from raybundle.adjustment.structure import _neighbours
@@ -145,6 +147,19 @@ def test_small_matrices_take_one_thread_and_the_number_comes_back():
         assert threads.read() == 2
     finally:
         threads.set(before)
+
+
+def test_sparse_matrices_count_by_what_their_unknowns_meet(block):
+    """Twelve images of one object are a full matrix; a chain of them is not."""
+    options = AdjustmentOptions()
+    free = {c.id: free_parameters(c) for c in block.cameras}
+    system = assemble(block, options, np.zeros(len(block.observations), bool), free)
+    full = Normals.of(system, 1)
+    assert 0.9 * len(full.right) <= full.meeting <= 1.1 * len(full.right) + 6
+    o = block.observations
+    far = np.array([(i - int(p)) % len(block.images) > 1 for i, p in zip(o.image, o.point, strict=True)])
+    chain = Normals.of(assemble(block, options, far, dict.fromkeys(free, ())), 1)
+    assert chain.meeting < 0.6 * len(chain.right)
 
 
 def test_free_networks_are_factored_once_where_they_will_stand(block, monkeypatch):

@@ -13,7 +13,8 @@ from typing import Any
 from raybundle.numerics import native
 
 SMALL = 1000
-"""Unknowns of nodes up to which one thread is the quicker, by a hundred times where processors are busy otherwise."""
+"""Unknowns of a full matrix up to which one thread is the quicker, by a hundred times where processors are busy
+otherwise."""
 PREFIXES = ("scipy_openblas", "openblas")
 """Of the names of OpenBLAS's functions, as in the wheels and as in the distributions."""
 
@@ -49,7 +50,10 @@ def set_dense_kernels() -> Threads | None:
 
 @contextmanager
 def as_many_threads_as_help(unknowns: int) -> Generator[None]:
-    """One thread of BLAS and LAPACK within, for matrices that are small; it holds for the whole process."""
+    """One thread of BLAS and LAPACK within, for matrices that are small; it holds for the whole process.
+
+    unknowns  of a full matrix, or that an unknown of a sparse one meets
+    """
     threads = set_dense_kernels() if unknowns <= SMALL and native.available() else None
     before = 1 if threads is None else int(threads.read())
     if threads is None or before == 1:
