@@ -13,6 +13,7 @@ WORK/corpus.md is a table of it, with all messages below.
 from __future__ import annotations
 
 import argparse
+import csv
 import hashlib
 import json
 import os
@@ -65,7 +66,8 @@ def ours(photos: Path, work: Path, control: str, limit_s: float) -> dict:
         **told,
         "given": images["given"], "oriented": images["oriented"], "not_oriented": images["not_oriented"],
         "parts": [
-            json.loads((f / "result.json").read_text())["images"]["oriented"] for f in sorted(project.glob("result*"))
+            sum(bool(row["X"]) for row in csv.DictReader((folder / "images.csv").read_text().splitlines()))
+            for folder in sorted(project.glob("result*"))
         ],
         "sigma0": result["sigma0"], "image_sigma_px": result["image_sigma_px"], "points": result["points_count"],
         "observations": result["image_points"], "measurements": result["measurements"],
