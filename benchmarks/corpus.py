@@ -158,25 +158,15 @@ def own(row: dict) -> int:
 
 def best_peer(row: dict) -> int:
     """Photographs that the peer registers, by the better of its mappers, in all its parts."""
-    return max((sum(parts) for parts in row.get("pycolmap", {}).get("parts", {}).values()), default=0)
+    return max(row.get("pycolmap", {}).get("registered", {}).values(), default=0)
 
 
 def table(rows: dict) -> str:
     """The rows as a table for people, and every message."""
-    head = [
-        "set",
-        "half",
-        "photographs",
-        "raybundle",
-        "pycolmap",
-        "sigma0",
-        "points",
-        "CPU s",
-        "its share",
-        "MB",
-        "apart",
-    ]
-    lines = [" | ".join([*head, "halves (median, largest)"]), "|".join(["---"] * (len(head) + 1))]
+    head = "set, half, photographs, raybundle, pycolmap, sigma0, points, CPU s, CPU ratio, MB, apart, halves".split(
+        ", "
+    )
+    lines = [" | ".join(head), "|".join(["---"] * len(head))]
     for name, r in rows.items():
         o, p, h = r["raybundle"], r.get("pycolmap", {}), r.get("halves", {})
         share = f"{o['cpu_s'] / p['cpu_s']:.2f}" if p.get("cpu_s") else ""

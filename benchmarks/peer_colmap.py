@@ -59,7 +59,10 @@ def main() -> None:
     best = max((m for of in models.values() for m in of), key=lambda r: r.num_reg_images(), default=None)
     told = {
         "version": pycolmap.__version__,
-        "parts": {name: sorted((m.num_reg_images() for m in of), reverse=True) for name, of in models.items()},
+        # models of the incremental mapper may share images
+        "registered": {
+            name: len({i.name for m in of for i in m.images.values() if i.has_pose}) for name, of in models.items()
+        },
         "global_cpu_s": time.process_time() - before_global,
     }
     if best is None:

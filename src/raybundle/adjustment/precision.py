@@ -120,8 +120,8 @@ def precision(normals: Normals, state: State, found: Cofactors, variance: float)
         rows: list[Array] = []
         for i in system.images_of(r)[system.exterior_free[system.images_of(r)]]:
             C = cross_cofactor(normals, found, mine, image_unknowns(system, int(i))) @ angle_form(state.rotation[i]).T
-            s = np.sqrt(np.outer(np.diagonal(Q), np.diagonal(images[i]) / variance if variance > 0 else np.ones(6)))
             with np.errstate(invalid="ignore", divide="ignore"):
+                s = np.sqrt(np.outer(np.diagonal(Q), np.diagonal(images[i]) / variance if variance > 0 else np.ones(6)))
                 rows.append(C / s)
         cross[key] = np.array(rows).reshape(-1, len(mine), 6)
     return Precision(
