@@ -163,9 +163,8 @@ def best_peer(row: dict) -> int:
 
 def table(rows: dict) -> str:
     """The rows as a table for people, and every message."""
-    head = "set, half, photographs, raybundle, pycolmap, sigma0, points, CPU s, CPU ratio, MB, apart, halves".split(
-        ", "
-    )
+    head = ["set", "half", "photographs", "raybundle", "pycolmap", "sigma0", "points"]
+    head += ["CPU s", "CPU ratio", "MB", "apart", "halves"]
     lines = [" | ".join(head), "|".join(["---"] * len(head))]
     for name, r in rows.items():
         o, p, h = r["raybundle"], r.get("pycolmap", {}), r.get("halves", {})
