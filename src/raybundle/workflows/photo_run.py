@@ -32,6 +32,7 @@ from raybundle.workflows.dropped import Dropped
 from raybundle.workflows.parts import start_parts
 from raybundle.workflows.precise import PreciseBlock, Visible, Weights, refine
 from raybundle.workflows.repeated import sound_pairs
+from raybundle.workflows.same_picture import same_picture_notice, same_pictures
 from raybundle.workflows.static_background import FEWEST_PHOTOGRAPHS, RING_PX, static_background
 from raybundle.workflows.tie_block import TieBlock, block_of_tracks
 from raybundle.workflows.tie_points import FeatureStore, find_features, grey_of, match_pairs, pairs_of
@@ -54,6 +55,8 @@ class PhotoRun:
     store: FeatureStore | None = None
     groups: tuple[CameraGroup, ...] = ()
     pairs: list[VerifiedPair] = field(default_factory=list[VerifiedPair])
+    repeats: dict[int, int] = field(default_factory=dict[int, int])
+    """Photographs that show the same picture as another"""
     ties: tuple[TieBlock, ...] = ()
     blocks: list[Block] = field(default_factory=list[Block])
     weights: list[Weights] = field(default_factory=list[Weights])
@@ -113,6 +116,18 @@ class PhotoRun:
             if _stands_still(self.pairs):
                 still = static_background(self.photos, self.store, method)
                 self.notices += [] if still is None else [still.notice(masked=self.masks is not None)]
+            self._without_repeats(method)
+
+    def _without_repeats(self, method: FeatureMethod) -> None:
+        """Leave what repeats another photograph without matches."""
+        assert self.store is not None
+        self.repeats = same_pictures(self.pairs, self.photos, self.store, method)
+        if self.repeats:
+            self.notices.append(same_picture_notice(self.repeats, self.photos))
+            self.pairs = [
+                replace(p, matches=p.matches[:0]) if {p.first, p.second} & self.repeats.keys() else p
+                for p in self.pairs
+            ]
 
     def start(self, project: Project, stage: Stage, name: str, method: Literal["auto", "growing", "averaging"]) -> None:
         """Approximate values of every part."""
@@ -122,7 +137,8 @@ class PhotoRun:
                 project, stage, name, self.photos, self.groups, self.pairs, self.store, method, self.jobs, self.progress
             )
             self.notices += told
-            self.lost = list(self.ties[0].not_oriented)
+            same = {self.photos[i].name: f"the same picture as {self.photos[k].name}" for i, k in self.repeats.items()}
+            self.lost = [(name, same.get(name, why)) for name, why in self.ties[0].not_oriented]
             self.blocks = [tie.block for tie in self.ties]
 
     def precision(self, project: Project, stage: Stage, memory_gb: float) -> None:
