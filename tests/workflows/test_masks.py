@@ -1,6 +1,7 @@
 """Masks: named as other programs name them, heeded from the features on; a background that stands still is said."""
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -95,7 +96,7 @@ def test_with_masks_it_is_right(scene, tmp_path, capsys):
     assert orient(scene, tmp_path / "project", "--masks", str(scene / "masks")) == 0
     told = capsys.readouterr().out
     assert "8 of 8 photographs oriented" in told
-    assert "8 of 8 photographs are measured in outside their masks only" in told
+    assert "8 of 8 photographs have a mask; features are taken only where it is not black" in told
     assert "same pixels" not in told
     assert turns(tmp_path / "project") == pytest.approx(np.arange(8) * STEP, abs=np.radians(0.5))
 
@@ -204,3 +205,122 @@ def test_windows_that_reach_into_the_mask_are_not_measured(photos, tmp_path):
     at = np.array([[161.0, 100.0], [175.0, 100.0], [100.0, 100.0]])
     assert masks.visible(photos[0], at, np.array([8.0, 8.0, 0.0])).tolist() == [False, True, False]
     assert masks.visible(photos[1], at, np.full(3, 8.0)).all()
+
+
+# ---- how masks lie, what masks, what does not
+
+
+def with_orientation(path, orientation):
+    """The picture as it is, with an EXIF orientation."""
+    with Image.open(path) as image:
+        exif = image.getexif()
+        exif[0x0112] = orientation
+        image.save(path, exif=exif.tobytes())
+
+
+def codes(masks):
+    return [n.code for n in mask_notices(masks)]
+
+
+@pytest.mark.parametrize("orientation", [2, 3, 4])
+def test_it_is_said_where_nothing_tells_how_a_mask_lies(photos, tmp_path, orientation):
+    with_orientation(tmp_path / "photos/b.jpg", orientation)
+    photos = find_photos([tmp_path / "photos"]).photos
+    for name in ("a.png", "b.png"):
+        mask(tmp_path / "masks" / name)
+    masks = find_masks(tmp_path / "masks", photos)
+    assert not masks.of(photos[1])[:, :160].any()  # as stored
+    told = mask_notices(masks)[1]
+    assert (told.code, told.ids) == ("mask_orientation", ("b.jpg",))
+    assert f"EXIF orientation {orientation}" in told.message
+
+
+@pytest.mark.parametrize(("of_photo", "of_mask", "hidden"), [
+    (3, 3, "left"), (3, 1, "right"), (1, 3, "right"), (2, 3, "left"), (1, 1, "left"),
+])  # fmt: skip
+def test_an_orientation_that_the_mask_itself_states_is_heeded(photos, tmp_path, of_photo, of_mask, hidden):
+    with_orientation(tmp_path / "photos/a.jpg", of_photo)
+    photo = find_photos([tmp_path / "photos"]).photos[0]
+    mask(tmp_path / "masks/a.png")
+    with_orientation(tmp_path / "masks/a.png", of_mask)
+    masks = find_masks(tmp_path / "masks", [photo])
+    free = masks.of(photo)
+    assert free[:, :160].any() == (hidden == "right")
+    assert free[:, 160:].any() == (hidden == "left")
+    assert "mask_orientation" not in codes(masks)
+
+
+def painted(mode):
+    """A picture that masks the left half in a way that programs write."""
+    free = np.zeros((240, 320), np.uint8)
+    free[:, 160:] = 1
+    if mode in {"LA", "RGBA"}:
+        white = [np.full_like(free, 255)] * (len(mode) - 1)
+        return Image.fromarray(np.dstack([*white, free * 255]), mode)
+    if mode == "P":
+        image = Image.fromarray(free, "P")
+        image.putpalette([0, 0, 0, 1, 0, 0])
+        return image
+    if mode == "I;16":
+        return Image.fromarray(free.astype(np.uint16))
+    return Image.fromarray(np.dstack([free * 0, free * 0, free]))
+
+
+@pytest.mark.parametrize("mode", ["LA", "RGBA", "P", "I;16", "RGB"])
+def test_alpha_masks_and_the_least_of_any_channel_counts_as_used(photos, tmp_path, mode):
+    (tmp_path / "masks").mkdir()
+    painted(mode).save(tmp_path / "masks/a.png")
+    free = find_masks(tmp_path / "masks", photos).of(photos[0])
+    assert free[:, 160:].all()
+    assert not free[:, :160].any()
+
+
+@pytest.mark.parametrize(("left", "word"), [(0, "hides nothing"), (320, "hides everything")])
+def test_a_mask_that_is_of_one_value_is_named(photos, tmp_path, left, word):
+    photos = (*photos, replace(photos[1], name="c.jpg"))
+    mask(tmp_path / "masks/a.png", left=left)
+    told = mask_notices(find_masks(tmp_path / "masks", photos))[-1]
+    assert (told.code, told.ids) == ("mask_uniform", ("a.jpg",))
+    assert word in told.message
+
+
+def test_masks_that_leave_nothing_are_refused_at_once(photos, tmp_path):
+    for name in ("a.png", "b.png"):
+        mask(tmp_path / "masks" / name, left=320)
+    with pytest.raises(InputError, match=r"hide the whole of 2 of 2 photographs \(a\.jpg, b\.jpg\)"):
+        find_masks(tmp_path / "masks", photos)
+
+
+@pytest.mark.parametrize("damage", ["truncated", "checksum"])
+def test_a_damaged_mask_costs_itself_alone(photos, tmp_path, damage):
+    rng = np.random.default_rng(2)
+    for name in ("a.png", "b.png"):
+        mask(tmp_path / "masks" / name)
+    path = tmp_path / "masks/a.png"
+    Image.fromarray(rng.integers(0, 2, (240, 320), np.uint8) * 255).save(path)
+    data = bytearray(path.read_bytes())
+    if damage == "truncated":
+        path.write_bytes(data[: len(data) // 2])
+    else:
+        data[len(data) // 2] ^= 0x55
+        path.write_bytes(data)
+    masks = find_masks(tmp_path / "masks", photos)
+    assert list(masks.files) == ["b.jpg"]
+    told, refused = mask_notices(masks)
+    assert told.message.startswith("1 of 2 photographs have a mask")
+    assert refused.code == "mask_refused"
+    assert "a.jpg used whole" in refused.message
+    assert len(detected(feature_method("rootsift"), photos[0], 300, masks)) > 50
+
+
+@pytest.mark.parametrize("name", ["a_MASK.PNG", "a_mask.jpg", "A.jpg.png"])
+def test_a_mask_of_nearly_the_right_name_is_seen(photos, tmp_path, name):
+    mask(tmp_path / "masks" / name)
+    if (tmp_path / "masks" / name.lower()).exists() and name != name.lower():
+        pytest.skip("the file system tells no capital letters")
+    with pytest.raises(InputError, match=f"{name} is there, but a mask is named a.jpg.png"):
+        find_masks(tmp_path / "masks", photos)
+    mask(tmp_path / "masks/b.png")
+    refused = mask_notices(find_masks(tmp_path / "masks", photos))[1]
+    assert (refused.code, refused.ids) == ("mask_refused", ("a.jpg",))
+    assert f"{name} is there" in refused.message

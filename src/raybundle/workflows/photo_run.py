@@ -26,11 +26,13 @@ from raybundle.matching.refine import pyramid, smoothed
 from raybundle.matching.tracks import Tracks
 from raybundle.matching.verify import VerifiedPair, trusted
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Progress
 from raybundle.workflows.dropped import Dropped
 from raybundle.workflows.parts import start_parts
 from raybundle.workflows.precise import PreciseBlock, Visible, Weights, refine
 from raybundle.workflows.repeated import sound_pairs
+from raybundle.workflows.same_picture import same_picture_notice, same_pictures
 from raybundle.workflows.static_background import FEWEST_PHOTOGRAPHS, RING_PX, static_background
 from raybundle.workflows.tie_block import TieBlock, block_of_tracks
 from raybundle.workflows.tie_points import FeatureStore, find_features, grey_of, match_pairs, pairs_of
@@ -53,6 +55,8 @@ class PhotoRun:
     store: FeatureStore | None = None
     groups: tuple[CameraGroup, ...] = ()
     pairs: list[VerifiedPair] = field(default_factory=list[VerifiedPair])
+    repeats: dict[int, int] = field(default_factory=dict[int, int])
+    """Photographs that show the same picture as another"""
     ties: tuple[TieBlock, ...] = ()
     blocks: list[Block] = field(default_factory=list[Block])
     weights: list[Weights] = field(default_factory=list[Weights])
@@ -112,6 +116,18 @@ class PhotoRun:
             if _stands_still(self.pairs):
                 still = static_background(self.photos, self.store, method)
                 self.notices += [] if still is None else [still.notice(masked=self.masks is not None)]
+            self._without_repeats(method)
+
+    def _without_repeats(self, method: FeatureMethod) -> None:
+        """Leave what repeats another photograph without matches."""
+        assert self.store is not None
+        self.repeats = same_pictures(self.pairs, self.photos, self.store, method)
+        if self.repeats:
+            self.notices.append(same_picture_notice(self.repeats, self.photos))
+            self.pairs = [
+                replace(p, matches=p.matches[:0]) if {p.first, p.second} & self.repeats.keys() else p
+                for p in self.pairs
+            ]
 
     def start(self, project: Project, stage: Stage, name: str, method: Literal["auto", "growing", "averaging"]) -> None:
         """Approximate values of every part."""
@@ -121,7 +137,8 @@ class PhotoRun:
                 project, stage, name, self.photos, self.groups, self.pairs, self.store, method, self.jobs, self.progress
             )
             self.notices += told
-            self.lost = list(self.ties[0].not_oriented)
+            same = {self.photos[i].name: f"the same picture as {self.photos[k].name}" for i, k in self.repeats.items()}
+            self.lost = [(name, same.get(name, why)) for name, why in self.ties[0].not_oriented]
             self.blocks = [tie.block for tie in self.ties]
 
     def precision(self, project: Project, stage: Stage, memory_gb: float) -> None:
@@ -346,17 +363,37 @@ def _visible(masks: Masks, photos: Sequence[Photo]) -> Visible:
 def mask_notices(masks: Masks) -> list[Notice]:
     """What there is to say of masks."""
     n, missing = len(masks.photos), masks.missing
-    message = f"{len(masks.files)} of {n} photographs are measured in outside their masks only"
+    message = f"{len(masks.files)} of {n} photographs have a mask; features are taken only where it is not black"
     if missing:
-        names = ", ".join(missing[:3]) + (" ..." if len(missing) > 3 else "")
-        message += f"; {len(missing)} without a mask are used whole ({names})"
+        message += f"; {len(missing)} without a mask are used whole ({_first_names(missing)})"
     told = [Notice(code="masks", message=message, ids=missing)]
     if masks.refused:
         names = tuple(name for name, _ in masks.refused)
         first, why = next(iter(masks.refused))
         more = f" and {len(names) - 1} more" if len(names) > 1 else ""
         told.append(Notice(code="mask_refused", message=f"{first}{more} used whole: {why}", ids=names))
+    if doubtful := masks.doubtful:
+        names = tuple(p.name for p in doubtful)
+        kinds = ", ".join(str(o) for o in sorted({p.orientation for p in doubtful}))
+        theirs = "its mask is" if len(names) == 1 else f"the masks of these {len(names)} are"
+        message = (
+            f"{_first_names(names)}: shown turned or mirrored (EXIF orientation {kinds}), and nothing tells whether "
+            f"{theirs} so, too. Masks are laid on the pixels as stored, as by COLMAP and Metashape. If they were drawn "
+            "over the upright picture they hide the wrong part: turn them back, or save them with EXIF orientation 1"
+        )
+        told.append(Notice(code="mask_orientation", message=message, ids=names))
+    for share, what in ((0.0, "everything: no feature is taken there"), (1.0, "nothing")):
+        if names := masks.with_free(share):
+            message = (
+                f"{_first_names(names)}: the mask of {counted(len(names), 'photograph')} hides {what}. Where every "
+                "channel is 0, or alpha that differs from place to place is, a photograph is masked out"
+            )
+            told.append(Notice(code="mask_uniform", message=message, ids=names))
     return told
+
+
+def _first_names(names: Sequence[str]) -> str:
+    return ", ".join(names[:3]) + (" ..." if len(names) > 3 else "")
 
 
 class _GreyCache:

@@ -64,7 +64,7 @@ def static_background(
     found = set[int]()
     still = total = 0
     for i, j in _neighbours(photos, some):
-        n, m, moving = _pair(photos, store, method, i, j)
+        n, m, moving = still_and_moving(photos, store, method, i, j)
         if n and moving:
             found |= {i, j}
             still, total = still + n, total + m
@@ -85,7 +85,9 @@ def _neighbours(photos: Sequence[Photo], some: int) -> list[tuple[int, int]]:
     return pairs if len(pairs) <= some else [pairs[k] for k in np.linspace(0, len(pairs) - 1, some).astype(int)]
 
 
-def _pair(photos: Sequence[Photo], store: FeatureStore, method: FeatureMethod, i: int, j: int) -> tuple[int, int, bool]:
+def still_and_moving(
+    photos: Sequence[Photo], store: FeatureStore, method: FeatureMethod, i: int, j: int
+) -> tuple[int, int, bool]:
     """Matches of a pair that stand still (0 where chance may put them there), all, and whether others move together."""
     xy, described = list[Array](), list[Described]()
     for k in (i, j):

@@ -313,6 +313,40 @@ def _decode(path: Path, kind: Kind, image: Any, mode: Literal["grey", "colour"])
     return np.ascontiguousarray(pixels, np.uint8)
 
 
+def decode_channels(path: Path, kind: Kind) -> tuple[Array, Array | None]:
+    """Colour (h, w, k) of 1 or 3 channels without any loss of depth, and alpha (h, w) where the file has it.
+
+    raises  InputError where the pixels cannot be read, also where a PNG's checksum contradicts
+    """
+    if kind in {"raw", "heic"}:
+        return decode(path, kind, "colour"), None
+    try:
+        image = _open(path, kind)
+        try:
+            return _channels(path, kind, image)
+        finally:
+            _close(image)
+    except Exception as error:  # noqa: BLE001  (decoders raise anything on a damaged file; it costs that file only)
+        raise InputError(f"the pixels cannot be decoded ({_first_line(error)}); copy it again", file=path) from None
+
+
+def _channels(path: Path, kind: Kind, image: Any) -> tuple[Array, Array | None]:
+    if image.mode == "P":
+        image = image.convert("RGBA" if "transparency" in image.info else "RGB")
+    elif image.mode not in {"L", "LA", "RGB", "RGBA"} and not image.mode.startswith("I"):
+        image = image.convert("L" if image.mode == "1" else "RGB")
+    pixels: Array = np.asarray(image)
+    if kind in {"png", "tiff"} and _bits(image, kind, path) == 16 and not image.mode.startswith("I"):
+        import cv2  # noqa: PLC0415  (slow to load, and seldom needed here)
+
+        found: Array | None = cv2.imdecode(np.frombuffer(path.read_bytes(), np.uint8), cv2.IMREAD_UNCHANGED)
+        if found is not None and found.shape[:2] == pixels.shape[:2]:
+            pixels = found  # Pillow keeps 8 bits
+    pixels = pixels.reshape(*pixels.shape[:2], -1)
+    k = pixels.shape[2]
+    return (pixels[..., :-1], pixels[..., -1]) if k in {2, 4} else (pixels, None)
+
+
 def _decode_16(path: Path, image: Any, mode: Literal["grey", "colour"]) -> Array:
     """Pillow keeps 16 bits of grey images only; OpenCV keeps them of colour images too."""
     if image.mode.startswith("I"):

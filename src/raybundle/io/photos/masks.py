@@ -3,13 +3,17 @@
 Named as the programs name them that make them: COLMAP takes `photo.jpg.png` in a folder that repeats those of the
 photographs, and no feature where it is 0 (colmap.github.io/faq.html, "Mask image regions"); Metashape writes
 `photo_mask.png` by its usual template {filename}_mask, or `photo.png`, black where the photograph is masked (Metashape
-manual, "Using masks").  So 0 is masked out and anything else is used.
+manual, "Using masks").  So 0 in every channel is masked out and anything else is used; where a mask has an alpha
+channel, what is wholly transparent is masked out, too.
+
+Both programs lay a mask on the pixels as stored and read no EXIF orientation.  A mask that was drawn over the picture
+shown upright tells so by its shape or by an EXIF orientation of its own; where neither tells, that is to be said.
 """
 
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from threading import Lock
@@ -17,8 +21,9 @@ from threading import Lock
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.io.photos.container import Unusable, decode, read_header
-from raybundle.io.photos.photo import LIMIT_PIXELS, Photo, shown, stored_from_turned
+from raybundle.io.photos.container import SUFFIXES, Header, Unusable, decode_channels, read_header
+from raybundle.io.photos.exif import read_tags
+from raybundle.io.photos.photo import LIMIT_PIXELS, Photo, shown, stored_from_turned, upright
 from raybundle.io.reading.files import guarded
 from raybundle.numerics.arrays import Array, Mask
 
@@ -26,12 +31,31 @@ DEPTH = 4
 """Folders of a photograph's path that a mask's path may repeat."""
 HELD = 4
 """Distances to masked pixels that are held: they are asked for photograph by photograph."""
+READING = 2
+"""Raised with every change of how the pixels of a mask are understood: features depend on it."""
+ORIENTATION = 274
+"""The EXIF tag."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Laid:
+    """How the pixels of a mask lie on its photograph."""
+
+    own: int = 1
+    """EXIF orientation by which the mask is shown"""
+    shown: bool = False
+    """whether the mask as shown is one of the photograph as shown, not of its pixels as stored"""
+    told: bool = True
+    """False: neither its shape nor an EXIF orientation tells, and the pixels as stored are taken"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _File:
     path: Path
     sha256: str
+    laid: Laid
+    free: float
+    """Share of the photograph that may be measured in"""
 
 
 @dataclass(slots=True)
@@ -49,7 +73,7 @@ class Masks:
     def key(self, photo: Photo) -> str:
         """What a product that heeds the mask of a photograph depends on; "" without a mask."""
         file = self.files.get(photo.name)
-        return "" if file is None else file.sha256
+        return "" if file is None else f"{file.sha256}:{READING}"
 
     @property
     def missing(self) -> tuple[str, ...]:
@@ -57,10 +81,19 @@ class Masks:
         lost = {n for n, _ in self.refused}
         return tuple(p.name for p in self.photos if p.name not in self.files and p.name not in lost)
 
+    @property
+    def doubtful(self) -> tuple[Photo, ...]:
+        """Photographs that are shown turned and whose mask does not tell whether it is turned, too."""
+        return tuple(p for p in self.photos if p.name in self.files and not self.files[p.name].laid.told)
+
+    def with_free(self, share: float) -> tuple[str, ...]:
+        """Photographs of which exactly this share is not masked: 0 where all is hidden, 1 where nothing is."""
+        return tuple(p.name for p in self.photos if p.name in self.files and self.files[p.name].free == share)
+
     def of(self, photo: Photo) -> Array | None:
         """(h, w) True where the photograph, as stored, may be measured in; None: everywhere."""
         file = self.files.get(photo.name)
-        return None if file is None else _read(file.path, photo)
+        return None if file is None else _read(file.path, photo, file.laid)
 
     def visible(self, photo: Photo, xy_px: Array, radius_px: Array) -> Mask:
         """(n,) whether no masked pixel lies within a radius (n,) of places (n, 2) of a photograph."""
@@ -80,7 +113,7 @@ class Masks:
         with self._lock:
             if at in self._held:
                 return self._held[at]
-        free = _read(self.files[photo.name].path, photo)
+        free = _read(self.files[photo.name].path, photo, self.files[photo.name].laid)
         found = cv2.distanceTransform(free.astype(np.uint8), cv2.DIST_L2, cv2.DIST_MASK_5)
         if free.all():  # there is no masked pixel to be near to
             found = np.full(free.shape, np.inf, np.float32)
@@ -92,33 +125,58 @@ class Masks:
 
 
 def find_masks(folder: Path, photos: Sequence[Photo]) -> Masks:
-    """The masks of photographs in a folder.
+    """The masks of photographs in a folder, each decoded once so that what is said of it is true.
 
-    raises  InputError where there is no such folder, or a mask for none of the photographs in it
+    raises  InputError where there is no such folder, a mask for none of the photographs in it, or masks that leave
+            fewer than two photographs to measure in
     A mask that cannot be used costs itself alone: its photograph is used whole, and it is listed with the reason.
     """
     if not folder.is_dir():
         raise InputError("there is no such folder of masks", file=folder)
     files: dict[str, _File] = {}
     refused: list[tuple[str, str]] = []
+    alike: list[tuple[str, str]] = []
+    own = {p.path.absolute() for p in photos}
     for photo in photos:
         path = _mask_of(folder, photo)
         if path is None:
+            other = _named_alike(folder, photo, own)
+            alike += [] if other is None else [(photo.name, _alike_words(other, photo))]
             continue
         try:
-            _check(path, photo)
-            with guarded(path), path.open("rb") as file:
-                files[photo.name] = _File(path=path, sha256=hashlib.file_digest(file, "sha256").hexdigest())
+            files[photo.name] = _examined(path, photo)
         except InputError as error:
             refused.append((photo.name, str(error)))
     if photos and not files and not refused:
-        first = photos[0]
+        first = f"; {alike[0][1]}" if alike else f"; a mask is named {_names(photos[0])}"
         raise InputError(
-            f"holds no mask of any of the {len(photos)} photographs; a mask is named {first.path.name}.png (COLMAP), "
-            f"{first.path.stem}_mask.png or {first.path.stem}.png (Metashape), 0 where the photograph is masked out",
+            f"holds no mask of any of the {len(photos)} photographs{first}, 0 where the photograph is masked out",
             file=folder,
         )
-    return Masks(photos=tuple(photos), files=files, refused=tuple(refused))
+    found = Masks(photos=tuple(photos), files=files, refused=(*refused, *alike))
+    _check_left(folder, found)
+    return found
+
+
+def _check_left(folder: Path, masks: Masks) -> None:
+    """Raise InputError where masks hide so much that no two photographs are left."""
+    hidden = masks.with_free(0.0)
+    n = len(masks.photos)
+    if hidden and n >= 2 > n - len(hidden):
+        raise InputError(
+            f"the masks hide the whole of {len(hidden)} of {n} photographs ({', '.join(hidden[:3])}"
+            f"{', ...' if len(hidden) > 3 else ''}): every pixel of theirs is 0 or transparent, and at least 2 "
+            "photographs are needed. 0 is masked out, any other value is used: look whether they are inverted or empty",
+            file=folder,
+        )
+
+
+def _names(photo: Photo) -> str:
+    return f"{photo.path.name}.png (COLMAP), {photo.path.stem}_mask.png or {photo.path.stem}.png (Metashape)"
+
+
+def _alike_words(other: Path, photo: Photo) -> str:
+    return f"{shown(other).name} is there, but a mask is named {_names(photo)}, in these letters"
 
 
 def _mask_of(folder: Path, photo: Photo) -> Path | None:
@@ -136,37 +194,81 @@ def _mask_of(folder: Path, photo: Photo) -> Path | None:
     return None
 
 
-def _check(path: Path, photo: Photo) -> tuple[int, int, bool]:
-    """Width and height of a mask, and whether it is that of the upright picture; InputError where it does not fit."""
+def _named_alike(folder: Path, photo: Photo, photos: Collection[Path]) -> Path | None:
+    """A picture that differs from the name of a mask by letters' case or by its kind alone."""
+    stems = {s.lower() for s in (photo.path.name, f"{photo.path.stem}_mask", photo.path.stem)}
+    for place in dict.fromkeys((folder / photo.path.parent.name, folder)):
+        if not place.is_dir() or place.absolute() == photo.path.parent.absolute():
+            continue
+        for path in sorted(place.iterdir()):
+            if path.suffix.lower() in SUFFIXES and path.stem.lower() in stems and path.absolute() not in photos:
+                return path
+    return None
+
+
+def _examined(path: Path, photo: Photo) -> _File:
+    """What is known of a mask; InputError where it cannot be used."""
     try:
         header = read_header(path, limit_pixels=LIMIT_PIXELS)
     except Unusable as error:
         raise InputError(f"cannot be used as a mask: {error}", file=shown(path)) from None
     except OSError as error:
         raise InputError(f"cannot be read: {error.strerror or error}", file=shown(path)) from None
+    laid = _laid(path, header, photo)
+    free = float(_read(path, photo, laid).mean())
+    with guarded(path), path.open("rb") as file:
+        return _File(path=path, sha256=hashlib.file_digest(file, "sha256").hexdigest(), laid=laid, free=free)
+
+
+def _laid(path: Path, header: Header, photo: Photo) -> Laid:
+    """How a mask lies on its photograph; InputError where it fits in no way."""
+    tags = () if header.exif is None else read_tags(header.exif).numbers(ORIENTATION)
+    own = int(tags[0]) if tags and 1 <= tags[0] <= 8 else None
     w, h = header.width_px, header.height_px
-    for size, upright in (((photo.width_px, photo.height_px), False), (photo.upright_size, True)):
-        if size[0] * h == size[1] * w and (w % size[0] == 0 or size[0] % w == 0):
-            return w, h, upright
+    stored, turned = (_fits((w, h), size) for size in ((photo.width_px, photo.height_px), photo.upright_size))
+    if own is not None and own != photo.orientation:
+        if _fits((h, w) if own >= 5 else (w, h), photo.upright_size):
+            return Laid(own=own, shown=True)
+    elif stored:
+        return Laid(told=photo.orientation == 1 or own is not None or not turned)
+    elif turned:
+        return Laid(shown=True)
+    by = "" if own in {None, photo.orientation} else f" and is shown by EXIF orientation {own}"
     raise InputError(
-        f"the mask has {w} x {h} px, the photograph {photo.name} {photo.width_px} x {photo.height_px}: not one and the "
-        "same picture at a whole multiple or part of its size; the photograph is used whole",
+        f"the mask has {w} x {h} px{by}, the photograph {photo.name} {photo.width_px} x {photo.height_px}: not one and "
+        "the same picture at a whole multiple or part of its size; the photograph is used whole",
         file=shown(path),
     )
 
 
-def _read(path: Path, photo: Photo) -> Mask:
+def _fits(one: tuple[int, int], two: tuple[int, int]) -> bool:
+    """Whether two sizes are one, or a whole multiple or part of each other."""
+    return two[0] * one[1] == two[1] * one[0] and (one[0] % two[0] == 0 or two[0] % one[0] == 0)
+
+
+def _read(path: Path, photo: Photo, laid: Laid) -> Mask:
     """(h, w) of the photograph as stored."""
     import cv2  # noqa: PLC0415
 
-    _, _, upright = _check(path, photo)
     try:
-        grey = decode(path, read_header(path, limit_pixels=LIMIT_PIXELS).kind, "grey")
+        free = _used(path).astype(np.uint8)
     except Unusable as error:
         raise InputError(f"cannot be used as a mask: {error}", file=shown(path)) from None
-    free = (grey != 0).astype(np.uint8)
-    if upright:
-        free = stored_from_turned(free, photo.orientation)
+    if laid.shown:
+        free = stored_from_turned(upright(free, laid.own), photo.orientation)
     if free.shape != (photo.height_px, photo.width_px):
         free = cv2.resize(free, (photo.width_px, photo.height_px), interpolation=cv2.INTER_NEAREST)
     return np.asarray(free > 0)
+
+
+def _used(path: Path) -> Mask:
+    """(h, w) where a mask is neither 0 in every channel nor, if it has alpha that masks, transparent.
+
+    Where one colour is everywhere, only alpha can be meant; alpha that is the same everywhere says nothing.
+    """
+    colour, alpha = decode_channels(path, read_header(path, limit_pixels=LIMIT_PIXELS).kind)
+    used = np.asarray((colour != 0).any(axis=2))
+    if alpha is None or (alpha == alpha[0, 0]).all():
+        return used
+    visible = np.asarray(alpha != 0)
+    return visible if (colour == colour[0, 0]).all() else used & visible

@@ -136,7 +136,10 @@ def _taken(metadata: Metadata, width: int, height: int, remarks: list[str]) -> _
     size = f"EXIF says {metadata.exif_width} x {metadata.exif_height} px, the file has {width} x {height}"
     by_long, by_short = long / file_long, short / file_short
     if abs(math.log(by_long / by_short)) < 0.015:
-        remarks.append(f"{size}: a copy, its size divided by {by_long:.4g}")
+        remarks.append(
+            f"{size}: taken as a copy, its size divided by {by_long:.4g}; a crop of the same shape looks alike in "
+            f"EXIF, and would have a camera constant {by_long:.4g} times as long in pixels"
+        )
         return _Taken(long=long, short=short, ratio=by_long)
     remarks.append(f"{size}: cropped; the principal point may be far from the centre")
     if min(by_long, by_short) < 1:

@@ -1,0 +1,52 @@
+"""Photographs that repeat another are found by their pixels, and the better file stays."""
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from raybundle.io.photos.photo import find_photos
+from raybundle.io.project import Project
+from raybundle.matching.features import Described, feature_method
+from raybundle.matching.verify import verify
+from raybundle.workflows.same_picture import same_picture_notice, same_pictures
+from raybundle.workflows.tie_points import find_features
+
+
+def picture(shift=0):
+    rng = np.random.default_rng(3)
+    total = np.zeros((300, 500))
+    for size in (4, 9, 25):
+        small = rng.integers(0, 256, (300 // size + 2, 500 // size + 2), dtype=np.uint8)
+        total += np.asarray(Image.fromarray(small).resize((500, 300), Image.Resampling.BICUBIC), float)
+    return Image.fromarray((total / 3).astype(np.uint8)[:, shift : shift + 400])
+
+
+@pytest.fixture
+def found(tmp_path):
+    """Repeats among three photographs: two of one picture, and one that the camera moved for."""
+    (tmp_path / "photos").mkdir()
+    picture().save(tmp_path / "photos/a_edited.jpg", quality=70)
+    picture().save(tmp_path / "photos/b.jpg", quality=95)
+    picture(30).save(tmp_path / "photos/c.jpg", quality=95)
+    picture(60).save(tmp_path / "photos/d.jpg", quality=95)
+    photos = find_photos([tmp_path / "photos"]).photos
+    method = feature_method("rootsift")
+    project = Project.open(tmp_path / "project")
+    with project.stage("features") as stage:
+        store, _ = find_features(project, stage, photos, method, 800, 1, lambda *_: None)
+    pairs = []
+    for i in range(4):
+        for j in range(i + 1, 4):
+            f, g = store.of(i), store.of(j)
+            one, two = (Described(xy_px=h.xy_px, descriptors=h.descriptors, size_px=(400, 300)) for h in (f, g))
+            pairs.append(verify(i, j, f.xy_px, g.xy_px, method.match(one, two), (400, 300), (400, 300)))
+    yield photos, same_pictures(pairs, photos, store, method)
+    project.close()
+
+
+def test_the_more_compressed_copy_repeats_the_other_and_is_named(found):
+    photos, repeats = found
+    assert repeats == {0: 1}
+    told = same_picture_notice(repeats, photos)
+    assert (told.code, told.ids) == ("identical_images", ("a_edited.jpg",))
+    assert "a_edited.jpg as b.jpg" in told.message
