@@ -8,7 +8,7 @@ import pytest
 from raybundle import adjust
 from raybundle.adjustment.held_control import held_tests
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.block import Role
+from raybundle.block import Role, Stations
 from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 
 OPTIONS = AdjustmentOptions(threads=1)
@@ -129,3 +129,21 @@ def test_photographs_that_contradict_themselves_are_not_laid_on_control():
     result = adjust(noisy, OPTIONS)
     assert result.sigma0 > 3
     assert not [n for n in result.notices if n.code.startswith("control_")]
+
+
+def test_projection_centres_in_another_datum_are_told_from_wrong_control():
+    """The photographs fit either; the search for a better start ends, although nothing fits both."""
+    block = observed(sigma=(1e-4, 1e-4, 1e-4))
+    n = len(block.images)
+    centre = block.images.centre
+    rng = np.random.default_rng(1)
+    stations = Stations(
+        image=np.arange(n, dtype=np.int32), xyz=centre + np.array([0.0, 0.0, 40.0]) + rng.normal(0, 1e-3, (n, 3)),
+        sigma=np.full((n, 3), 1e-3),
+    )  # fmt: skip
+    block = replace(block, stations=stations)
+    result = adjust(block, OPTIONS)
+    (told,) = [m for m in result.notices if m.code == "control_contradicts"]
+    assert told.severity.value == "fault"
+    assert "control and the observed projection centres contradict each other" in told.message
+    assert ", Z 40 (" in told.message

@@ -26,7 +26,7 @@ from raybundle.orientation.absolute import onto_control, onto_points, onto_scale
 from raybundle.orientation.camera_constant import with_camera_constants
 from raybundle.orientation.candidates import Pose, resect_all, resect_robust
 from raybundle.orientation.completion import Completed, complete
-from raybundle.orientation.growth import Growth
+from raybundle.orientation.growth import OFTEN, Growth
 from raybundle.orientation.rays import rays_of
 from raybundle.orientation.skeleton import skeleton
 from raybundle.orientation.start import favoured, start_from_control, start_from_pair
@@ -240,7 +240,7 @@ def _worth(growth: Growth, refused: dict[int, int]) -> list[int]:
 
     Not too many at once: what is added rests on what has been adjusted.
     """
-    waiting = [int(i) for i in np.flatnonzero(growth.waiting())]
+    waiting = [int(i) for i in np.flatnonzero(growth.waiting() & (growth.lost < OFTEN))]
     scores = {i: growth.score(i) for i in waiting}
     fresh = [i for i in waiting if scores[i] > 0 and growth.known_points(i) > AGAIN * refused.get(i, 0)]
     good = [i for i in fresh if scores[i] >= 0.6 * max(scores.values())] or fresh

@@ -25,6 +25,11 @@ SMALL_ANGLE = 2.0e-4
 """Eigenvalue ratio of an intersection (about sin^2 of half the angle, 1.6 degrees) from which a point is known."""
 
 
+OFTEN = 3
+"""Times that adjustments take back the orientation of an image, from which on the part goes on without it: what
+contradicts the photographs from outside, as positions in another datum, would take it back for ever."""
+
+
 @dataclass(slots=True)
 class Growth:
     """State of the assembly."""
@@ -54,6 +59,8 @@ class Growth:
     """Largest relative change of a camera constant in the last adjustment"""
     given_up: Mask = field(default_factory=lambda: np.zeros(0, bool))
     """(n,) images that are not tried again"""
+    lost: Array = field(default_factory=lambda: np.zeros(0, np.int64))
+    """(n,) how often adjustments of the current part took the orientation of an image back"""
     remarks: dict[int, str] = field(default_factory=dict[int, str])
     """Why an image could not serve at the start"""
 
@@ -71,7 +78,7 @@ class Growth:
             given=coordinates.copy(), control=control,
             given_xyz=block.points.xyz.copy(), given_control=block.points.is_control,
             active=block.images.oriented.copy(),
-            bad_rows=np.zeros(m, bool), given_up=np.zeros(n, bool),
+            bad_rows=np.zeros(m, bool), given_up=np.zeros(n, bool), lost=np.zeros(n, np.int64),
             by_image=[order[first[i] : first[i + 1]] for i in range(n)],
         )  # fmt: skip
 
@@ -83,7 +90,7 @@ class Growth:
     def begin_part(self) -> Mask:
         """A new part: none of its images is oriented yet, control is known."""
         before = self.oriented.copy()
-        self.active = np.zeros_like(self.oriented)
+        self.active, self.lost = np.zeros_like(self.oriented), np.zeros_like(self.lost)
         self.local = False
         self.known = self.given & (self.block.points.role != Role.CHECK)
         return before
@@ -261,6 +268,7 @@ class Growth:
         self.block = replace(self.block, images=replace(self.block.images, centre=centre, rotation=rotation))
         self.oriented &= ~lost
         self.active &= ~lost
+        self.lost += lost
 
 
 def _first_parameters(free: tuple[str, ...]) -> tuple[str, ...]:

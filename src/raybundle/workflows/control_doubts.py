@@ -10,10 +10,10 @@ import numpy as np
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.severity import POOR_FIT, Severity
-from raybundle.block import Block, Role
+from raybundle.block import Block, Role, no_stations
 from raybundle.block.select import with_rows
 from raybundle.errors import InputError, NotSolvable
-from raybundle.numerics.arrays import Index
+from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.statistics import fisher_tail
 from raybundle.numerics.transform import robust_similarity
 
@@ -37,6 +37,9 @@ class Doubt:
     """sigma0 without these"""
     names: tuple[str, ...]
     """All control points"""
+    apart: tuple[Array, Array] | None = None
+    """Where the observed projection centres are what control contradicts: mean and standard deviation (3,) of the
+    centres as observed minus as the photographs have them with control alone"""
 
 
 def doubted_control(
@@ -58,6 +61,12 @@ def doubted_control(
     if free is None or free.sigma0 > POOR_FIT:
         return None
     names = tuple(block.points.ids[k] for k in control)
+    if len(block.stations.image):
+        by_control = _tried(replace(block, stations=no_stations()), brief, adjust)
+        if by_control is not None and by_control.sigma0 <= POOR_FIT:
+            gap = block.stations.xyz - by_control.adjusted.images.centre[block.stations.image]
+            apart = np.nanmean(gap, axis=0), np.nanstd(gap, axis=0)
+            return Doubt(alone=free.sigma0, wrong=(), left=by_control.sigma0, names=names, apart=apart)
     out: list[int] = []
     before = failed
     for k in _by_misfit(block, free)[: min(ROUNDS, max(1, (len(control) - 1) // 3))]:
@@ -86,6 +95,15 @@ def words(doubt: Doubt, sigma0: float) -> str:
             f"control {points} contradict{'s' * (len(doubt.wrong) == 1)} the photographs and the other control: "
             f"{with_all}, {doubt.left:.3g} without (limit {POOR_FIT:g}). Check the coordinates and the numbers in the "
             "images, or leave out what is wrong"
+        )
+    if doubt.apart is not None:
+        mean, std = doubt.apart
+        by = ", ".join(f"{axis} {m:.3g} (± {s:.2g})" for axis, m, s in zip("XYZ", mean, std, strict=True))
+        return (
+            "control and the observed projection centres contradict each other: the photographs fit with the centres "
+            f"(sigma0 {doubt.alone:.3g}) or with control (sigma0 {doubt.left:.3g}), and not with both ({with_all}; "
+            f"limit {POOR_FIT:g}). The centres lie by {by} from where control puts them: look for another height "
+            "datum or coordinate system, the offset of the antenna, or exchanged axes, and mend one or leave it out"
         )
     some = ", ".join(doubt.names[:10]) + (" ..." if len(doubt.names) > 10 else "")
     return (
