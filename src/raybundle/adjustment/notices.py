@@ -11,7 +11,9 @@ from raybundle.adjustment.held_control import held_notices
 from raybundle.adjustment.reliability import UNCONTROLLED, RedundancySum
 from raybundle.adjustment.result import Adjustment, Notice, ObservationGroup, VarianceComponent
 from raybundle.adjustment.severity import POOR_FIT, Severity
+from raybundle.adjustment.wrong_images import wrong_image_notices
 from raybundle.block import Role
+from raybundle.block.frames import stored_ways
 from raybundle.block.rejection import WORDS, RejectionKind, counts
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.counting import counted, counted_are
@@ -34,10 +36,11 @@ def notices_of(result: Adjustment, redundancy_sum: RedundancySum | None) -> tupl
                 "please report this block",
             )
         )
-    found += (
-        _fit(result) + _interior(result) + _rejected(result) + _points(result) + _control(result) + held_notices(result)
-    )
-    found += _open_beside_control(result) + _unchecked_scale(result) + systematic_notices(result)
+    control = _control(result) + held_notices(result)
+    found += _fit(result) + _interior(result) + _rejected(result) + _points(result) + control
+    if not any(n.severity is Severity.FAULT for n in control):  # wrong control bends the images that show it
+        found += wrong_image_notices(result)
+    found += _stored_ways(result) + _open_beside_control(result) + _unchecked_scale(result) + systematic_notices(result)
     return tuple(found)
 
 
@@ -263,6 +266,21 @@ def _control(result: Adjustment) -> list[Notice]:
             for k in np.flatnonzero(np.abs(np.nan_to_num(g.w)) > limit * own)
         ]
     return found
+
+
+def _stored_ways(result: Adjustment) -> list[Notice]:
+    """Files whose pixels are not those in which image points are told."""
+    return [
+        Notice(
+            code="stored_turned",
+            message=f"image points of {counted(len(way.images), 'photograph')} stored {way.words} "
+            f"({', '.join(way.images[:5])}{' ...' if len(way.images) > 5 else ''}) are told in the pixels of camera "
+            f"{result.given.cameras[way.camera].id}, not of the file: do not copy marks from observations.csv, measure "
+            "them in the file",
+            ids=way.images[:100],
+        )
+        for way in stored_ways(result.given)
+    ]
 
 
 def _open_beside_control(result: Adjustment) -> list[Notice]:

@@ -21,6 +21,7 @@ _CODES = {
     Severity.FAULT: (
         "attitude_suspect attitudes_contradict behind_camera camera_contradicts control_contradicts "
         "control_identical control_left_out control_rejected control_suspect distance_suspect group_less_precise "
+        "image_contradicts "
         "no_redundancy not_determinable parameter_suspect redundancy_sum relation_suspect snooping_unfinished "
         "station_suspect weak_convergence"
     ),
@@ -37,7 +38,8 @@ _CODES = {
     ),
     Severity.REMARK: (
         "attitudes camera_joined dropped gps masks model not_significant parts_joined photographs rejected "
-        "relative_positions scene_joins target_eccentricity target_radius up_by_edges up_without_edges"
+        "relative_positions scene_joins stored_turned target_eccentricity target_radius up_by_edges "
+        "up_without_edges"
     ),
 }
 
