@@ -34,7 +34,7 @@ _CODES = {
         "one_ray_control parallel_rays parts_apart pixel_shape points_left_out rays_diverge relative_control "
         "repeated_structure residual_structure rolling_shutter scale_unchecked scene_datum scene_prior small_angle "
         "start_behind start_parallel static_background systematic_residuals target_without_normal two_cameras "
-        "unstable_camera up_ambiguous up_uncertain"
+        "little_redundancy unstable_camera up_ambiguous up_uncertain weak_photographs"
     ),
     Severity.REMARK: (
         "attitudes camera_joined dropped gps masks model not_significant parts_joined photographs rejected "
