@@ -8,6 +8,7 @@ import pytest
 from PIL import Image
 
 from raybundle import adjust
+from raybundle.block.frames import stored_turned
 from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 from raybundle.cli.calibration import command
 from raybundle.cli.main import main
@@ -109,6 +110,29 @@ def test_compare_prints_the_map(ours, tmp_path, capsys):
     (tmp_path / "crop.toml").write_text(TEXT.replace("400", "300"))
     with pytest.raises(InputError, match="cropped"):
         run("compare", ours, tmp_path / "crop.toml")
+
+
+def test_photographs_stored_upside_down_get_a_camera_of_their_own(tmp_path, capsys):
+    camera = brown_camera(size_px=(600, 400), pixel_mm=0.04)
+    scene = field_scene(TargetField(camera=camera, stations=4, frontal=1, rows=4, columns=5))
+    block = simulate(scene, Survey()).observed
+    block = stored_turned(block, np.array([1, 2]), 180)
+    write_result(adjust(block), tmp_path / "result")
+    run("convert", tmp_path / "result", "--to", "opencv", "--out", tmp_path / "c.yaml", "--approximate")
+    printed = capsys.readouterr().out
+    assert f"2 photographs stored turned by 180 deg ({block.images.ids[1]}, {block.images.ids[2]})" in printed
+    (other,) = tmp_path.glob("c-*turned180.yaml")
+
+    def principal_point(path):
+        found = re.search(r"data: \[\s*[^,]+,[^,]+,([^,]+),[^,]+,[^,]+,([^,]+),", path.read_text())
+        return np.array([float(found[1]), float(found[2])])
+
+    # a turn by 180 degrees takes x to the width less x; OpenCV counts from the centre of the first pixel
+    both = principal_point(tmp_path / "c.yaml") + principal_point(other)
+    assert both == pytest.approx(np.array([599.0, 399.0]), abs=0.5)
+    assert principal_point(other) != pytest.approx(np.array([299.5, 199.5]), abs=1e-3)
+    run("convert", tmp_path / "result", "--to", "colmap", "--out", tmp_path / "cameras.txt", "--approximate")
+    assert len([x for x in (tmp_path / "cameras.txt").read_text().splitlines() if not x.startswith("#")]) == 2
 
 
 def test_a_result_is_kept_with_its_covariance_and_found(tmp_path, capsys):

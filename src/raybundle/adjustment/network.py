@@ -14,6 +14,20 @@ CLASSES = ((200_000, "photogrammetric camera"), (100_000, "professional"), (25_0
 COMMON = 6
 """Common points from which on two images count as a pair."""
 
+FEW = 30
+"""Common points below which a connection of two photographs is weak."""
+
+
+def weak_images(figures: NetworkFigures, images: int) -> Index:
+    """Positions of images with points and fewer than two neighbours of FEW common points; none of two images.
+
+    What it does not tell: whether the points of the one connection lie well; see the standard deviations.
+    """
+    firm = figures.pair_images[figures.pair_points >= FEW]
+    partners = np.bincount(firm.ravel(), minlength=images)
+    seen = np.isfinite(figures.distance)
+    return np.flatnonzero(seen & (partners < 2)) if seen.sum() > 2 else np.zeros(0, int)
+
 
 def classed(block: Block) -> bool:
     """Whether classes of relative precision compare: they are those of photographs of targets.

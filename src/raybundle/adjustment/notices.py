@@ -8,13 +8,19 @@ from raybundle.adjustment.cell_means import systematic_notices
 from raybundle.adjustment.components import NAMES, differs, without_known_before
 from raybundle.adjustment.datum import ABOUT_LINE
 from raybundle.adjustment.held_control import held_notices
+from raybundle.adjustment.network import FEW as FIRM
+from raybundle.adjustment.network import weak_images
 from raybundle.adjustment.reliability import UNCONTROLLED, RedundancySum
 from raybundle.adjustment.result import Adjustment, Notice, ObservationGroup, VarianceComponent
 from raybundle.adjustment.severity import POOR_FIT, Severity
+from raybundle.adjustment.wrong_images import wrong_image_notices
 from raybundle.block import Role
+from raybundle.block.frames import stored_ways
+from raybundle.block.points import is_automatic
 from raybundle.block.rejection import WORDS, RejectionKind, counts
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.counting import counted, counted_are
+from raybundle.numerics.statistics import global_test
 
 STRONG = 0.95
 LOW_REDUNDANCY = 0.1
@@ -34,10 +40,17 @@ def notices_of(result: Adjustment, redundancy_sum: RedundancySum | None) -> tupl
                 "please report this block",
             )
         )
+    control = _control(result) + held_notices(result)
+    found += _fit(result) + _interior(result) + _rejected(result) + _points(result) + control
+    if not any(n.severity is Severity.FAULT for n in control):  # wrong control bends the images that show it
+        found += wrong_image_notices(result)
     found += (
-        _fit(result) + _interior(result) + _rejected(result) + _points(result) + _control(result) + held_notices(result)
+        _photographs(result)
+        + _stored_ways(result)
+        + _open_beside_control(result)
+        + _unchecked_scale(result)
+        + systematic_notices(result)
     )
-    found += _open_beside_control(result) + _unchecked_scale(result) + systematic_notices(result)
     return tuple(found)
 
 
@@ -263,6 +276,63 @@ def _control(result: Adjustment) -> list[Notice]:
             for k in np.flatnonzero(np.abs(np.nan_to_num(g.w)) > limit * own)
         ]
     return found
+
+
+KNOWN_BY = 2.0
+"""Ratio of the 95 % limits of sigma0 from which on it tells nothing: a-priori values are a guess of that factor."""
+
+
+def _photographs(result: Adjustment) -> list[Notice]:
+    """Photographs joined by tie points that hang on one connection, or whose residuals tell next to nothing.
+
+    Of measured points nothing is said: who measures them knows how few they are.
+    """
+    block, network = result.given, result.network
+    if network is None or not block.observations.point.size:
+        return []
+    seen = np.unique(block.observations.point)
+    if 2 * sum(is_automatic(block.points.ids[k]) for k in seen.tolist()) < len(seen):
+        return []
+    found: list[Notice] = []
+    weak = [block.images.ids[k] for k in weak_images(network, len(block.images))]
+    if weak:
+        found.append(
+            Notice(
+                code="weak_photographs",
+                message=f"{counted(len(weak), 'photograph')} with fewer than 2 neighbours of {FIRM} common points: "
+                f"{', '.join(weak[:10])}{' ...' if len(weak) > 10 else ''}. Their orientation hangs on one connection "
+                "or few points; add photographs from positions between theirs and the next",
+                ids=tuple(weak[:100]),
+            )
+        )
+    r = result.redundancy
+    if r > 0:
+        low, _, high = global_test(0.0, r)
+        if high > KNOWN_BY**2 * low:
+            found.append(
+                Notice(
+                    code="little_redundancy",
+                    message=f"redundancy {r}: sigma0, and with it every standard deviation, is known to a factor of "
+                    f"{np.sqrt(high / low):.2g} only (95 % limits; {KNOWN_BY:g} is the least that tells anything), and "
+                    "a wrong orientation may fit as well. Add photographs with more overlap, or mark points",
+                )
+            )
+    return found
+
+
+def _stored_ways(result: Adjustment) -> list[Notice]:
+    """Files whose pixels are not those in which image points are told."""
+    return [
+        Notice(
+            code="stored_turned",
+            message=f"image points of {counted(len(way.images), 'photograph')} stored {way.words} "
+            f"({', '.join(way.images[:5])}{' ...' if len(way.images) > 5 else ''}) are told in the pixels of camera "
+            f"{result.given.cameras[way.camera].id}, not of the file: do not copy marks from observations.csv, measure "
+            "them in the file",
+            ids=way.images[:100],
+        )
+        for way in stored_ways(result.given)
+    ]
 
 
 def _open_beside_control(result: Adjustment) -> list[Notice]:

@@ -180,6 +180,34 @@ def in_file_frames(block: Block) -> Block:
     return replace(moved, cameras=tuple(cameras), images=replace(images, camera=of_image, frames={}))
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StoredWay:
+    """Images of one camera whose files are stored alike, in another way than the camera has its pixels."""
+
+    camera: int
+    """Its position."""
+    frame: PixelFrame
+    images: tuple[str, ...]
+
+    @property
+    def words(self) -> str:
+        """How their files are stored: "turned by 180 deg", "at another size, 600 x 400 px"."""
+        size = f"{self.frame.width_px} x {self.frame.height_px} px"
+        return f"turned by {self.frame.turned} deg" if self.frame.turned else f"at another size, {size}"
+
+    def camera_of_files(self, block: Block) -> Camera:
+        """The same interior orientation in the axes and pixels of the files; raises as `in_file_frames`."""
+        return _in_frame(block.cameras[self.camera], self.frame)
+
+
+def stored_ways(block: Block) -> tuple[StoredWay, ...]:
+    """The ways in which files of a block are stored other than its cameras have their pixels."""
+    found: dict[tuple[int, PixelFrame], list[str]] = {}
+    for i, frame in sorted(block.images.frames.items()):
+        found.setdefault((int(block.images.camera[i]), frame), []).append(block.images.ids[i])
+    return tuple(StoredWay(camera=c, frame=f, images=tuple(names)) for (c, f), names in found.items())
+
+
 def _without_affine_turn(images: Images, which: Mapping[int, tuple[Camera, PixelFrame]]) -> Images:
     """Rotations with the small turn about the axis that a turned shear takes with it."""
     R = images.rotation.copy()

@@ -77,6 +77,9 @@ def convert(
 ) -> None:
     """Convert a calibration; INPUT is a file of any format, or a result folder.
 
+    Photographs of a result that are stored turned or reduced have a camera of their own, in their pixels; a format of
+    one camera a file gets a second file beside the first, with the camera's name.
+
     In the same direction the conversion is exact where the other model has all terms. Otherwise the simplest model
     within 0.01 px is taken, or else the best; --model chooses one. What is off by more than 0.1 px is not written
     without --approximate.
@@ -86,16 +89,20 @@ def convert(
       raybundle calibration convert camera.yaml --to metashape --out camera.xml
       raybundle calibration convert result --to opencv --model 8 --out camera.yaml
     """  # noqa: D301
+    from raybundle.cli.stored_calibrations import calibrations_of_files, with_names  # noqa: PLC0415
     from raybundle.io.calibrations import convert_calibration, write_calibrations  # noqa: PLC0415
+    from raybundle.io.calibrations.base import format_named  # noqa: PLC0415
 
-    conversions = [
-        convert_calibration(c, target, variant=model, pixel_mm=pixel_mm)
-        for c in _chosen(_calibrations(source, given, size), camera, source)
-    ]
+    found = _calibrations(source, given, size)
+    turned = calibrations_of_files(source) if given is None and (source / "result.json").is_file() else ()
+    chosen = _chosen((*found, *turned), camera, source)
+    conversions = [convert_calibration(c, target, variant=model, pixel_mm=pixel_mm) for c in chosen]
     for conversion in conversions:
         _tell(conversion)
-    write_calibrations(target, conversions, out, approximate=approximate)
-    click.echo(f" {target}: {out}")
+    files = with_names(conversions, {c.id for c in turned}, out, several=format_named(target).several)
+    for path, held in files:
+        write_calibrations(target, held, path, approximate=approximate)
+        click.echo(f" {target}: {path}")
 
 
 def _tell(conversion: Conversion) -> None:

@@ -267,7 +267,7 @@ def command(
             discard_empty(out)
         raise
     if done.photos or not done.scenes:
-        click.echo(f" {done.oriented} of {counted(len(done.photos), 'photograph')} oriented")
+        click.echo(f" {_oriented(done)}")
     if done.scenes:
         click.echo(f" {done.oriented_scenes} of {counted(len(done.scenes), 'scene')} in the block")
     for name, reason in (*done.refused, *done.not_oriented):
@@ -283,6 +283,16 @@ def command(
         + ("" if no_report else f", report: {result / 'report.html'}, in 3D: {result / 'network.html'}")
     )
     return 0
+
+
+def _oriented(done: Orientation) -> str:
+    """How many photographs are oriented, and where, in words."""
+    whole = counted(len(done.photos), "photograph")
+    apart = sum(len(set(part.photographs) - {n for n, _ in done.not_oriented}) for part in done.parts)
+    if not apart:
+        return f"{done.oriented} of {whole} oriented"
+    others = f"{len(done.parts)} others" if len(done.parts) > 1 else "another"
+    return f"{done.oriented - apart} of {whole} oriented in this result, {apart} in {others}"
 
 
 def _keep_settings(out: Path) -> None:

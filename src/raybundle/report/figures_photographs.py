@@ -8,6 +8,7 @@ from html import escape
 
 import numpy as np
 
+from raybundle.adjustment.network import FEW
 from raybundle.numerics.arrays import Array, Index
 from raybundle.report.numbers import grouped
 from raybundle.report.svg import (
@@ -28,8 +29,8 @@ from raybundle.report.view import View
 
 MOST_DOTS, MOST_EDGES, MOST_CELLS, MOST_NAMES = 6000, 1500, 60, 40
 """Points and edges drawn, cells of the matrix along each side, images with their names."""
-STRONG, FEW = 100, 30
-"""Common points of a firm connection, and below which one is weak."""
+STRONG = 100
+"""Common points of a firm connection."""
 CLASSES = ((2, 2, "2 rays"), (3, 3, "3"), (4, 5, "4 to 5"), (6, 9, "6 to 9"), (10, 10**9, "10 and more"))
 """Ray counts that are told apart."""
 OVERLAP_COLOUR = (31, 90, 138)

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from raybundle.adjustment.network import FEW
 from raybundle.adjustment.result import InteriorResult
 from raybundle.numerics.arrays import Array, Index
 from raybundle.report.figures_photographs import (
-    FEW,
     STRONG,
     Plan,
     common_points,

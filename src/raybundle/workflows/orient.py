@@ -357,9 +357,6 @@ def _adjusted(
             kept.append(part)
         except NotSolvable as error:
             lost += undetermined_part(part, error)
-    if kept:
-        told = apart_notice(placed.block, kept, [part_folder(k) for k in range(len(kept))])
-        placed = replace(placed, notices=(told, *placed.notices))
     placed = replace(placed, notices=(*lost, *placed.notices))
     adjustment = final_adjustment(placed, groups, jobs, progress, remarks, noise, weights=weights)
     shared = shared_sensors(adjustment, groups, photos)
@@ -368,7 +365,11 @@ def _adjusted(
         placed = replace(placed, block=shared.applied(placed.block))
         adjustment = final_adjustment(placed, groups, jobs, progress, remarks, noise, weights=weights)
     adjustment = with_relative_precision(with_cause(adjustment, photos))
-    adjustment = replace(adjustment, notices=(*shared.notices, *adjustment.notices))
+    told = shared.notices
+    if kept:  # of what is left in the end: the adjustments leave photographs out
+        left = [replace(k, block=p.adjustment.given) for k, p in zip(kept, parts, strict=True)]
+        told = (apart_notice(adjustment.given, left, [part_folder(k) for k in range(len(kept))]), *told)
+    adjustment = replace(adjustment, notices=(*told, *adjustment.notices))
     stage.from_cache = False
     stage.summary = f"sigma0 {adjustment.sigma0:.3f}"
     return adjustment, tuple(parts), groups

@@ -23,6 +23,10 @@ from raybundle.io.photos.start import (
 )
 from raybundle.sensors import sensor_models
 
+SEVERAL_LENSES = ("dual camera", "dual wide camera", "triple camera")
+"""Words in EXIF LensModel of phones with several lenses of fixed focal length, as "back dual camera 6mm": the range of
+focal lengths that they state is from one lens to the other, and none zooms."""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CameraGroup:
@@ -303,7 +307,9 @@ def _with_remarks(group: CameraGroup, groups: Sequence[CameraGroup], photos: Seq
     unknown = {i for i in group.photos if not photos[i].metadata.model}
     if unknown and len(groups) > 1 and any(photos[g.photos[0]].metadata.model for g in groups):
         remarks.append("no metadata, the other photographs have some: perhaps from another source")
-    if m.focal_range_mm is not None and m.focal_range_mm[1] > m.focal_range_mm[0] * 1.01 and len(group.photos) > 1:
+    several_lenses = any(word in m.lens.lower() for word in SEVERAL_LENSES)
+    zooms = m.focal_range_mm is not None and m.focal_range_mm[1] > m.focal_range_mm[0] * 1.01
+    if zooms and m.focal_range_mm is not None and not several_lenses and len(group.photos) > 1:
         low, high = m.focal_range_mm
         remarks.append(
             f"zoom lens {low:g} to {high:g} mm: photographs with the same entry {m.focal_mm or 0:g} mm may have been "

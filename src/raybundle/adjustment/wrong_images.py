@@ -1,0 +1,124 @@
+"""Images that do not belong to their block as they are given: of another camera, mirrored, exchanged.
+
+One wrong image spreads over the residuals of all, and single observations that are tested one by one do not tell it.
+Here the observations of an image are tested together, against those of the other images of its camera.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.adjustment.severity import POOR_FIT
+from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.statistics import ALPHA, fisher_tail
+
+SMOOTH = 3
+"""Degrees of freedom that an image's residuals have at the least.
+
+Errors of real photographs are smooth over the format and differ from image to image: the residuals of an image are then
+not as many chances as points, but a few coefficients.  Its orientation takes up shifts, turn and scale; what is left of
+the lowest smooth fields (two tilts, a radial one) are three.  The F test takes an image for no more than that.
+"""
+LEAST_IMAGES = 3
+"""Of a camera, from which on one can be told from the others."""
+LEAST_REDUNDANCY = 10
+"""Of an image: some two times what its exterior orientation takes; below, its residuals tell of it too little."""
+SPREAD = 0.25
+"""Share of an image's points that bear its square sum: (sum q)^2 / (k sum q^2) of k points, q = v'Pv.
+
+It is 1 where all bear alike, 0.5 where q is chi-square with two degrees of freedom, and the share itself where a few
+points bear it all, which are then blunders.  An image that is wrong as a whole has residuals that grow from nothing
+(middle, axis) to the edge of the format besides: q even over 0 .. max has 3/4, with the former 3/8.
+"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class WrongImage:
+    """An image that contradicts the others of its camera."""
+
+    image: int
+    ratio: float
+    """its sqrt(v'Pv / sum r) by that of the others"""
+    probability: float
+    """of a larger ratio by chance"""
+
+
+def wrong_images(result: Adjustment) -> tuple[WrongImage, ...]:
+    """Images whose residuals are far larger than those of the other images of their camera.
+
+    result  with redundancy numbers; without: ()
+
+    With T_i = sum v'Pv and r_i = sum of redundancy numbers over the observations of image i (Baarda 1968: the test of a
+    group of observations), F = (T_i / r_i) / (T / r of the others) is held against F(SMOOTH, SMOOTH per other image)
+    at ALPHA by the number of images of the camera.  Besides, the ratio of the standard deviations is more than
+    POOR_FIT, as sigma0 has to be for a fault, and the share of its points that bear it more than SPREAD.  Of several
+    the largest number is taken, up to a third of the images, of which each stands against those that are left (Rosner
+    1983), so that two wrong ones do not hide each other.
+
+    What it does not tell: which of two images is wrong; wrong images whose errors the unknowns take up, or so many that
+    the others fit no better.
+    """
+    r = np.nansum(result.image_observations.redundancy, axis=1)
+    rows = np.flatnonzero(
+        result.image_observations.used & np.isfinite(result.image_observations.redundancy).all(axis=1)
+    )
+    if not len(rows):
+        return ()
+    squares = _squares(result, rows)
+    image = result.given.observations.image[rows]
+    n = len(result.given.images)
+    T, left, number = np.bincount(image, squares, n), np.bincount(image, r[rows], n), np.bincount(image, minlength=n)
+    spread = T**2 / np.maximum(number * np.bincount(image, squares**2, n), 1e-300)
+    found: list[WrongImage] = []
+    for camera in range(len(result.given.cameras)):
+        mine = np.flatnonzero((result.given.images.camera == camera) & (left > 0))
+        found += _of_camera(mine, T, left, spread)
+    return tuple(found)
+
+
+def _squares(result: Adjustment, rows: Index) -> Array:
+    """(k,) v'Pv of image observations, a-priori covariance."""
+    v = result.image_observations.residuals_px[rows]
+    sxx, syy, sxy = result.given.observations.cov_px2[rows].T
+    return (syy * v[:, 0] ** 2 - 2 * sxy * v[:, 0] * v[:, 1] + sxx * v[:, 1] ** 2) / (sxx * syy - sxy**2)
+
+
+def _of_camera(images: Index, T: Array, left: Array, spread: Array) -> list[WrongImage]:
+    """Those of one camera."""
+    if len(images) < LEAST_IMAGES:
+        return []
+    told = images[(left[images] >= LEAST_REDUNDANCY) & (T[images] > left[images])]
+    order = told[np.argsort(-T[told] / left[told], kind="stable")]
+    for count in range(min(len(order), max(1, (len(images) - 1) // 3)), 0, -1):
+        others = np.setdiff1d(images, order[:count])
+        variance = float(T[others].sum() / left[others].sum())
+        found: list[WrongImage] = []
+        for i in order[:count].tolist():
+            F = float(T[i] / left[i]) / max(variance, 1e-300)
+            p = fisher_tail(F, SMOOTH, SMOOTH * len(others))
+            if F > POOR_FIT**2 and spread[i] > SPREAD and p < ALPHA / len(images):
+                found.append(WrongImage(image=i, ratio=float(np.sqrt(F)), probability=p))
+        if len(found) == count:
+            return found
+    return []
+
+
+def wrong_image_notices(result: Adjustment) -> list[Notice]:
+    """A fault for each, with what may be the cause."""
+    images, n = result.given.images, len(result.given.images)
+    camera = [result.given.cameras[k].id for k in images.camera.tolist()]
+    return [
+        Notice(
+            code="image_contradicts",
+            message=f"image {images.ids[w.image]} contradicts the others: its residuals are {w.ratio:.3g} times those "
+            f"of the other images of camera {camera[w.image]} (limit {POOR_FIT:g}; by chance "
+            f"with probability {w.probability:.1g}, limit {ALPHA / n:.1g}), and spread over its points. It "
+            "may be of another camera, focus or zoom, be mirrored, turned or cropped, or its image points may be "
+            "exchanged. Give it a camera of its own, mend its image points, or leave the image out",
+            ids=(images.ids[w.image],),
+        )
+        for w in wrong_images(result)
+    ]
