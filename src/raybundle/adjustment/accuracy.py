@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
+from raybundle.adjustment.check_points import check_differences
 from raybundle.adjustment.result import Adjustment
-from raybundle.block import Role
 from raybundle.numerics.arrays import Array
 
 ENOUGH = 30
@@ -27,9 +27,7 @@ def accuracy(result: Adjustment) -> dict[str, Any]:
     taken no part, v / r (to first order, one coordinate at a time).
     """
     found: dict[str, Any] = {}
-    check = np.flatnonzero(np.asarray(result.given.points.role) == Role.CHECK)
-    d = result.adjusted.points.xyz[check] - result.given.points.xyz[check]
-    d = np.where(result.given.points.is_check[check], d, np.nan)
+    check, d = check_differences(result)
     s = result.given.points.sigma[check]
     plan = np.isfinite(d[:, :2]).all(axis=1)
     high = np.isfinite(d[:, 2])

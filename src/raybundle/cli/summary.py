@@ -7,13 +7,13 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from raybundle.adjustment.check_points import check_differences
 from raybundle.adjustment.fields import Noise
 from raybundle.adjustment.network import classed
 from raybundle.adjustment.result import Adjustment, Notice, as_told
 from raybundle.block import Block
 from raybundle.cli.common import counted, grouped, significant
 from raybundle.numerics.arrays import Array
-from raybundle.report.result_folder import check_differences
 from raybundle.report.view import printed_lengths
 
 SHOWN = 15

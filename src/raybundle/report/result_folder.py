@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, Literal, cast
 import numpy as np
 
 from raybundle.adjustment.accuracy import levelled
+from raybundle.adjustment.check_points import check_differences, used_rays
 from raybundle.adjustment.result import Adjustment, InteriorResult, ObservationGroup, gravest_first
 from raybundle.block import Block, Camera, Role
 from raybundle.block.rejection import counts, words
@@ -33,7 +34,7 @@ from raybundle.io.folders import check_place, new_folder
 from raybundle.io.reading.trees import read_json
 from raybundle.io.reading.words import quoted
 from raybundle.io.tables import Column, Table, read_table, write_table
-from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress, silent
 
 if TYPE_CHECKING:
@@ -349,23 +350,6 @@ def _images(a: Adjustment) -> Columns:
 
 def _point_std(a: Adjustment) -> Array:
     return np.full((len(a.given.points), 3), np.nan) if a.precision is None else a.precision.object_point_std
-
-
-def used_rays(a: Adjustment) -> Array:
-    """Image observations of each object point (p,) that took part."""
-    used = a.image_observations.used
-    return np.bincount(a.given.observations.point[used], minlength=len(a.given.points)).astype(float)
-
-
-def check_differences(a: Adjustment) -> tuple[Index, Array]:
-    """Positions (k,) of the check points, and adjusted minus given (k, 3); NaN where no ray or no coordinate is.
-
-    What was filled in to begin with, as a height that nobody measured, is not compared.
-    """
-    rows = np.flatnonzero(np.asarray(a.given.points.role) == Role.CHECK).astype(np.int32)
-    difference = a.adjusted.points.xyz[rows] - a.given.points.xyz[rows]
-    known = a.given.points.is_check[rows] & (used_rays(a)[rows, None] > 0)
-    return rows, np.where(known, difference, np.nan)
 
 
 def _points(a: Adjustment) -> Columns:

@@ -236,9 +236,9 @@ def _accuracy(view: View) -> str:
     expected = expected_check_std(view)
     ratio = rms(difference / expected)
     if math.isfinite(ratio):
-        meaning = (
-            "as expected" if ratio < 1.5 else "more than the standard deviations promise: look for systematic errors"
-        )
+        apart = any(n.code == "check_points_apart" for n in view.adjustment.notices)
+        few = f"within chance of {counted(int(np.isfinite(difference).sum()), 'value')}"
+        meaning = "more than the standard deviations promise: see the warnings" if apart else few
         text += f" That is {significant(ratio, 2)} times what the standard deviations predict ({meaning})."
     if view.free_frame:
         text += " The datum is not that of the check points, so the differences hold its shift as well."

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from raybundle.adjustment import defects
+from raybundle.adjustment.check_points import with_check_notice
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.entry import check_entry
 from raybundle.adjustment.identical_control import identical_notices
@@ -62,7 +63,7 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
         # a large error has bent all others to it: what tests of single values say then is no measure
         others = [n for n in result.notices if n.code != "control_suspect" or result.sigma0 <= POOR_FIT]
         result = replace(result, notices=(*plain, *others))
-    return replace(result, given=block, seconds=time.perf_counter() - began)
+    return with_check_notice(replace(result, given=block, seconds=time.perf_counter() - began))
 
 
 def _plainly(block: Block, options: AdjustmentOptions) -> Adjustment:

@@ -8,6 +8,7 @@ from typing import Literal
 
 import numpy as np
 
+from raybundle.adjustment.check_points import with_check_notice
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions, NoiseModel, noise_of_photographs
 from raybundle.adjustment.result import Adjustment, Notice
@@ -69,7 +70,7 @@ def final_adjustment(
     ]
     structure = structure_notice(result)  # where standard deviations do not allow for it
     first += [structure] if structure is not None else []
-    return replace(result, notices=(*first, *result.notices)) if first else result
+    return with_check_notice(replace(result, notices=(*first, *result.notices)))
 
 
 def _lost_marks(asked: Georeferenced, result: Adjustment) -> list[Notice]:

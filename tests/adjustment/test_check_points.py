@@ -1,0 +1,68 @@
+"""Differences at check points are held against what the result says of itself."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from raybundle import adjust
+from raybundle.adjustment.check_points import check_differences
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.block import Role
+from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+from raybundle.report.view import view_of
+from raybundle.report.words import verdict
+
+OPTIONS = AdjustmentOptions(threads=1)
+SIGMA = 1e-4
+
+
+def block_with_checks(seed=1, shift=(0.0, 0.0, 0.0), count=6):
+    """Five control points and some check points, whose given coordinates are off by this and by their sigma."""
+    scene = field_scene(TargetField(stations=6, frontal=0, camera=brown_camera(estimate=())))
+    survey = Survey(
+        seed=seed, orientation="exact", points="exact", interior="exact", control=5, control_sigma=(SIGMA,) * 3
+    )
+    done = simulate(scene, survey)
+    block, truth = done.observed, done.truth
+    tie = np.flatnonzero(~block.points.is_control.any(axis=1))[5 : 5 + count]
+    role, xyz, sigma = block.points.role.copy(), block.points.xyz.copy(), block.points.sigma.copy()
+    role[tie] = Role.CHECK
+    xyz[tie] = truth.points.xyz[tie] + shift + np.random.default_rng(seed).normal(0, SIGMA, (count, 3))
+    sigma[tie] = SIGMA
+    return replace(block, points=replace(block.points, role=role, xyz=xyz, sigma=sigma))
+
+
+def told(result):
+    return [n for n in result.notices if n.code == "check_points_apart"]
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_differences_as_stated_say_nothing(seed):
+    result = adjust(block_with_checks(seed), OPTIONS)
+    assert np.isfinite(check_differences(result)[1]).sum() == 18
+    assert not told(result)
+
+
+def test_gross_differences_are_a_fault_that_the_headline_hears():
+    result = adjust(block_with_checks(shift=(0.0, 0.02, 0.0)), OPTIONS)
+    (notice,) = told(result)
+    assert notice.severity.value == "fault"
+    assert "Y " in notice.message
+    assert "X " not in notice.message
+    assert "to settle before it is used" in verdict(view_of(result)).headline
+
+
+def test_differences_that_only_uncorrelated_errors_would_not_make_are_a_caution():
+    result = adjust(block_with_checks(shift=(0.0, 0.0, 3.2 * SIGMA), count=12), OPTIONS)
+    (notice,) = told(result)
+    assert notice.severity.value == "caution"
+
+
+def test_where_the_datum_is_arbitrary_nothing_is_compared():
+    block = block_with_checks(shift=(0.0, 0.02, 0.0))
+    role, sigma = block.points.role.copy(), block.points.sigma.copy()
+    control = role == Role.CONTROL
+    role[control], sigma[control] = Role.TIE, np.nan
+    free = replace(block, points=replace(block.points, role=role, sigma=sigma))
+    assert not told(adjust(free, OPTIONS))
