@@ -76,7 +76,7 @@ def test_photographs_with_a_camera_each_are_told_in_one_notice():
     assert "camera k0: " in told[0].message
     assert "camera k2: " in told[0].message
     assert "camera k3: " not in told[0].message
-    assert f"and {n - 3} more camera" in told[0].message
+    assert f"and of {n - 3} more camera" in told[0].message
     assert {f"k{i}" for i in range(n)} <= set(told[0].ids)
 
 

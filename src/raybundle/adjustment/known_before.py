@@ -64,17 +64,18 @@ def _untold(leaning: list[tuple[Camera, InteriorResult, dict[str, Relation]]]) -
     """One notice of all that photographs do not say of their cameras; internet photographs have a camera each."""
     if not leaning:
         return []
-    told = [f"camera {camera.id}: {', '.join(known)}" for camera, _, known in leaning[:NAMED_CAMERAS]]
-    more = len(leaning) - NAMED_CAMERAS
     camera, interior, known = leaning[0]
     values = [
         f"{s} {_words(camera, r)}, found {_px(camera, interior.parameters[s].value)} +- "
         f"{_px(camera, interior.parameters[s].std or 0.0)}"
         for s, r in known.items()
     ]
-    named = "; ".join(told) + (f"; and {counted(more, 'more camera')} (listed under cameras)" if more > 0 else "")
+    told = [f"camera {camera.id}: {', '.join(known)}" for camera, _, known in leaning[:NAMED_CAMERAS]]
+    more = len(leaning) - NAMED_CAMERAS
+    named = "; ".join(told) + (f"; and of {counted(more, 'more camera')} (listed under cameras)" if more > 0 else "")
+    verb = "is" if len(leaning) == len(known) == 1 else "are"
     message = (
-        f"{named}: not determinable, held by little but what was known before ({'; '.join(values)}"
+        f"{named} {verb} not determinable and {verb} held by little but what was known before ({'; '.join(values)}"
         f"{f', of camera {camera.id}' if len(leaning) > 1 else ''}). Orientations and coordinates lean on it; a "
         "calibration says it"
     )
