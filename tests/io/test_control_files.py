@@ -9,6 +9,7 @@ from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.errors import InputError
 from raybundle.io.block_folder import write_block
 from raybundle.io.control_files import ControlDefaults, read_control
+from raybundle.workflows.marks import Given
 
 COPR = DATA / "photos" / "copr-uav" / "gcp_list.txt"
 GCP = """\
@@ -206,3 +207,17 @@ def test_equal_heights_are_no_measurement(tmp_path, heights, sigma, believed, ki
     assert np.isfinite(control.sigma[:, 2]).all() == believed
     assert np.isfinite(control.xyz[:, :2]).all()
     assert any("taken as unknown" in r for r in control.remarks) != believed
+
+
+def test_control_and_check_points_without_names_have_names_of_their_own(tmp_path):
+    """And one name in two files is refused before anything is computed."""
+    lines = "EPSG:32633\n500000 5000000 10 5 6 a.jpg\n500010 5000000 11 5 6 a.jpg\n"
+    first, second = write(tmp_path, lines, "control.txt"), write(tmp_path, lines, "check.txt")
+    control, check = read_control(first), read_control(second, defaults=ControlDefaults(role="check"))
+    assert control.ids == ("gcp00", "gcp01")
+    assert check.ids == ("check00", "check01")
+    assert "check00" in check.remarks[0]
+    assert Given(control=(control, check)).control == (control, check)
+    with pytest.raises(InputError, match=r"gcp00 is given twice, here and in control\.txt") as caught:
+        Given(control=(control, read_control(second)))
+    assert caught.value.file == str(second)

@@ -219,10 +219,11 @@ def _grouped(path: Path, crs: str, rows: Sequence[_Row], defaults: ControlDefaul
     if problems:
         fail(path, problems)
     xyz = np.array([r.xyz for r in first])
+    stem = "check" if defaults.role == "check" else "gcp"  # files of both may come without names
     return ControlFile(
         path=path,
         crs=crs,
-        ids=tuple(r.name or f"gcp{k:02d}" for k, r in enumerate(first)),
+        ids=tuple(r.name or f"{stem}{k:02d}" for k, r in enumerate(first)),
         xyz=xyz,
         sigma=_default_sigma(xyz, defaults),
         role=np.full(len(first), ROLES[defaults.role], np.int32),
@@ -234,7 +235,7 @@ def _grouped(path: Path, crs: str, rows: Sequence[_Row], defaults: ControlDefaul
         ),
         remarks=()
         if any(named)
-        else ("the file has no names; lines with the same X Y Z are one point: gcp00, gcp01 ...",),
+        else (f"the file has no names; lines with the same X Y Z are one point: {stem}00, {stem}01 ...",),
     )
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
+from scipy.stats import chi2
 
 from raybundle.adjustment.network import classed
 from raybundle.adjustment.reliability import UNCONTROLLED
@@ -237,8 +238,12 @@ def _accuracy(view: View) -> str:
     ratio = rms(difference / expected)
     if math.isfinite(ratio):
         apart = any(n.code == "check_points_apart" for n in view.adjustment.notices)
-        few = f"within chance of {counted(int(np.isfinite(difference).sum()), 'value')}"
-        meaning = "more than the standard deviations promise: see the warnings" if apart else few
+        count = int(np.isfinite(difference).sum())
+        meaning = f"within chance of {counted(count, 'value')}"
+        if apart:
+            meaning = "more than the standard deviations promise: see the warnings"
+        elif count * ratio**2 < chi2.ppf(0.001, count):
+            meaning = f"less than {counted(count, 'value')} differ by chance, unless they have errors in common"
         text += f" That is {significant(ratio, 2)} times what the standard deviations predict ({meaning})."
     if view.free_frame:
         text += " The datum is not that of the check points, so the differences hold its shift as well."

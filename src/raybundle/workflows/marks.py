@@ -73,6 +73,19 @@ class Given:
     up: str = "auto"
     """which way is up where control and positions do not tell it: auto, terrestrial, aerial, oblique, or "A,B" """
 
+    def __post_init__(self) -> None:
+        """Raise InputError where two files give a point of one name, before anything is computed."""
+        given: dict[str, Path] = {}
+        for file in self.control:
+            for name in file.ids:
+                if name in given:
+                    raise InputError(
+                        f"point {name} is given twice, here and in {given[name].name}; a point is control or check, "
+                        "once: give the other another name, or delete it",
+                        file=file.path,
+                    )
+                given[name] = file.path
+
 
 @dataclass(slots=True)
 class Placing:
@@ -101,8 +114,6 @@ def add_points(state: Placing, photos: Sequence[Photo], given: Given, frame: Loc
     for c in given.control:
         local = c.xyz if frame is None or not c.crs else frame.local_from_crs(c.xyz)
         for k, name in enumerate(c.ids):
-            if name in ids:
-                raise InputError(f"point {name} is given twice", file=c.path)
             tie = int(c.role[k]) == Role.TIE
             place = np.full(3, np.nan) if tie else local[k]
             ids.append(name)
