@@ -21,9 +21,8 @@ _CODES = {
     Severity.FAULT: (
         "attitude_suspect attitudes_contradict behind_camera camera_contradicts control_contradicts "
         "control_identical control_left_out control_rejected control_suspect distance_suspect group_less_precise "
-        "image_contradicts "
-        "no_redundancy not_determinable parameter_suspect redundancy_sum relation_suspect snooping_unfinished "
-        "station_suspect weak_convergence"
+        "image_contradicts no_redundancy not_determinable parameter_suspect redundancy_sum relation_suspect "
+        "snooping_unfinished station_suspect weak_convergence"
     ),
     Severity.CAUTION: (
         "approximate_values_replaced attitude_wrong attitudes_convergence attitudes_mount attitudes_nominal "

@@ -44,6 +44,8 @@ class WrongImage:
     """its sqrt(v'Pv / sum r) by that of the others"""
     probability: float
     """of a larger ratio by chance"""
+    limit: float
+    """of that probability: ALPHA by the number of images of the camera"""
 
 
 def wrong_images(result: Adjustment) -> tuple[WrongImage, ...]:
@@ -56,7 +58,7 @@ def wrong_images(result: Adjustment) -> tuple[WrongImage, ...]:
     at ALPHA by the number of images of the camera.  Besides, the ratio of the standard deviations is more than
     POOR_FIT, as sigma0 has to be for a fault, and the share of its points that bear it more than SPREAD.  Of several
     the largest number is taken, up to a third of the images, of which each stands against those that are left (Rosner
-    1983), so that two wrong ones do not hide each other.
+    1983), so that two wrong ones hide each other less; among few images they still do.
 
     What it does not tell: which of two images is wrong; wrong images whose errors the unknowns take up, or so many that
     the others fit no better.
@@ -99,8 +101,9 @@ def _of_camera(images: Index, T: Array, left: Array, spread: Array) -> list[Wron
         for i in order[:count].tolist():
             F = float(T[i] / left[i]) / max(variance, 1e-300)
             p = fisher_tail(F, SMOOTH, SMOOTH * len(others))
-            if F > POOR_FIT**2 and spread[i] > SPREAD and p < ALPHA / len(images):
-                found.append(WrongImage(image=i, ratio=float(np.sqrt(F)), probability=p))
+            limit = ALPHA / len(images)
+            if F > POOR_FIT**2 and spread[i] > SPREAD and p < limit:
+                found.append(WrongImage(image=i, ratio=float(np.sqrt(F)), probability=p, limit=limit))
         if len(found) == count:
             return found
     return []
@@ -108,14 +111,14 @@ def _of_camera(images: Index, T: Array, left: Array, spread: Array) -> list[Wron
 
 def wrong_image_notices(result: Adjustment) -> list[Notice]:
     """A fault for each, with what may be the cause."""
-    images, n = result.given.images, len(result.given.images)
+    images = result.given.images
     camera = [result.given.cameras[k].id for k in images.camera.tolist()]
     return [
         Notice(
             code="image_contradicts",
             message=f"image {images.ids[w.image]} contradicts the others: its residuals are {w.ratio:.3g} times those "
             f"of the other images of camera {camera[w.image]} (limit {POOR_FIT:g}; by chance "
-            f"with probability {w.probability:.1g}, limit {ALPHA / n:.1g}), and spread over its points. It "
+            f"with probability {w.probability:.1g}, limit {w.limit:.1g}), and spread over its points. It "
             "may be of another camera, focus or zoom, be mirrored, turned or cropped, or its image points may be "
             "exchanged. Give it a camera of its own, mend its image points, or leave the image out",
             ids=(images.ids[w.image],),

@@ -30,7 +30,7 @@ CONTRADICTED = 0.04
 """Share of matches that would give a track two places in one image, from which on pairs are doubted.
 
 Wrong matches that are left by the verification of right pairs make 0 to 0.01 on fifteen ordinary sets, 0.023 before a
-patterned wallpaper and 0.026 along a street; equal windows and bays 0.11 to 0.28 (benchmarks/contradictions.py).
+patterned wallpaper and 0.026 along a street; equal windows and bays 0.09 to 0.28 (benchmarks/contradictions.py).
 """
 TREES = 2
 """Spanning trees of strongest pairs that orient the photographs first: each hangs on two others by two ways."""
