@@ -261,8 +261,8 @@ class Normals:
         """Unknowns that an unknown of the nodes meets in the normal matrix, on average: how large its dense parts are.
 
         The factor of a sparse matrix is made in small parts, where threads wait for each other: of 18 000 unknowns that
-        meet 400 each, two took as long as one and half as much processor time again, and ten times as much where
-        processors were busy otherwise; full matrices of 1500 and more take 0.6 of the time.
+        meet 400 each, two take 0.76 of the time for 1.5 times the processor time, and much longer where processors are
+        busy otherwise; full matrices of 2000 and more take 0.6 to 0.7 (benchmarks/factor_threads.py).
         """
         return 2 * len(self.values) // max(len(self.right), 1)
 

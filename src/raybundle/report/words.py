@@ -7,13 +7,13 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from scipy.stats import chi2
 
 from raybundle.adjustment.network import classed
 from raybundle.adjustment.reliability import UNCONTROLLED
 from raybundle.adjustment.result import ObservationGroup
 from raybundle.adjustment.severity import POOR_FIT, Severity
 from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.statistics import chi_square_tails
 from raybundle.report.numbers import counted, grouped, listed, significant, unit_text
 from raybundle.report.view import View, rms
 
@@ -242,7 +242,7 @@ def _accuracy(view: View) -> str:
         meaning = f"within chance of {counted(count, 'value')}"
         if apart:
             meaning = "more than the standard deviations promise: see the warnings"
-        elif count * ratio**2 < chi2.ppf(0.001, count):
+        elif chi_square_tails(count * ratio**2, count)[0] < 0.001:
             meaning = f"less than {counted(count, 'value')} differ by chance, unless they have errors in common"
         text += f" That is {significant(ratio, 2)} times what the standard deviations predict ({meaning})."
     if view.free_frame:

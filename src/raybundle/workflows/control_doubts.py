@@ -39,7 +39,7 @@ class Doubt:
     """All control points"""
     apart: tuple[Array, Array] | None = None
     """Where the observed projection centres are what control contradicts: mean and standard deviation (3,) of the
-    centres as observed minus as the photographs have them with control alone"""
+    centres as observed minus as the photographs have them with control alone; NaN for an axis that was not observed"""
 
 
 def doubted_control(
@@ -65,7 +65,9 @@ def doubted_control(
         by_control = _tried(replace(block, stations=no_stations()), brief, adjust)
         if by_control is not None and by_control.sigma0 <= POOR_FIT:
             gap = block.stations.xyz - by_control.adjusted.images.centre[block.stations.image]
-            apart = np.nanmean(gap, axis=0), np.nanstd(gap, axis=0)
+            known = np.isfinite(gap).any(axis=0)
+            apart = np.full(3, np.nan), np.full(3, np.nan)
+            apart[0][known], apart[1][known] = np.nanmean(gap[:, known], axis=0), np.nanstd(gap[:, known], axis=0)
             return Doubt(alone=free.sigma0, wrong=(), left=by_control.sigma0, names=names, apart=apart)
     out: list[int] = []
     before = failed
@@ -98,7 +100,8 @@ def words(doubt: Doubt, sigma0: float) -> str:
         )
     if doubt.apart is not None:
         mean, std = doubt.apart
-        by = ", ".join(f"{axis} {m:.3g} (± {s:.2g})" for axis, m, s in zip("XYZ", mean, std, strict=True))
+        each = zip("XYZ", mean, std, strict=True)
+        by = ", ".join(f"{axis} {m:.3g} (± {s:.2g})" for axis, m, s in each if np.isfinite(m))
         return (
             "control and the observed projection centres contradict each other: the photographs fit with the centres "
             f"(sigma0 {doubt.alone:.3g}) or with control (sigma0 {doubt.left:.3g}), and not with both ({with_all}; "
