@@ -6,7 +6,7 @@ import math
 from dataclasses import replace
 
 import numpy as np
-from scipy.stats import chi2
+from scipy.special import chdtri
 
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.severity import Severity
@@ -66,10 +66,10 @@ def check_notice(a: Adjustment) -> Notice | None:
         if not len(known):
             continue
         square = float(np.mean(known**2))
-        apart = float(chi2.ppf(1 - level, len(known))) / len(known)
+        apart = float(chdtri(len(known), level)) / len(known)
         if square <= apart:
             continue
-        certain = square > float(chi2.ppf(1 - level, 1))
+        certain = square > float(chdtri(1, level))
         severity = Severity.FAULT if certain else Severity.CAUTION if severity is Severity.REMARK else severity
         told.append(f"{axis} {math.sqrt(square):.2g} times (limit {math.sqrt(apart):.2g})")
     if not told:

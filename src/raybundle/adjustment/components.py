@@ -10,7 +10,7 @@ import numpy as np
 from raybundle.adjustment.assemble import System
 from raybundle.adjustment.result import ObservationGroup, ObservationStatistics, VarianceComponent
 from raybundle.block import Block, Camera
-from raybundle.block.points import is_automatic
+from raybundle.block.points import automatic
 from raybundle.errors import NotSolvable
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.statistics import fisher_tail
@@ -123,7 +123,7 @@ CLASSES = ("tie points", "targets", "control points", "check points")
 def _classes(block: Block) -> Array:
     """(p,) class of each point; tie points with names of their own beside found ones are targets or marked by hand."""
     role = np.asarray(block.points.role)
-    found = np.array([is_automatic(name) for name in block.points.ids], bool)
+    found = automatic(block.points.ids)
     tie = np.where(found | (not found.any()), "tie points", "targets")
     return np.where(role == 0, tie, np.where(role == 1, "control points", "check points"))
 
@@ -142,7 +142,8 @@ def settled_components(
     that tell too little keep their weight beside the image observations.  Components of single images and of classes
     of points stay those of one step.
     """
-    kinds = [c for c in found if _is_kind(c, found)]
+    images = "camera" if any(c.kind == "camera" for c in found) else "image observations"
+    kinds = [c for c in found if _is_kind(c, images)]
     if len(kinds) < 2 or not any(c.significant for c in kinds) or len(block.observations) > LARGE:
         return found
     factors = {(c.kind, c.group): 1.0 for c in kinds}
@@ -163,10 +164,8 @@ def settled_components(
     return tuple(replace(c, ratio=factors[c.kind, c.group]) if (c.kind, c.group) in told else c for c in found)
 
 
-def _is_kind(c: VarianceComponent, found: tuple[VarianceComponent, ...]) -> bool:
-    """Whether a component is of the partition into kinds: the image points of each camera, and everything outside."""
-    cameras = any(x.kind == "camera" for x in found)
-    images = "camera" if cameras else "image observations"
+def _is_kind(c: VarianceComponent, images: str) -> bool:
+    """Whether a component is of the partition into kinds: those of the image points, and everything outside."""
     return (c.kind == images or c.kind in NAMES.values()) and np.isfinite(c.ratio) and c.ratio > 0
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from scipy.stats import chi2
+from scipy.special import chdtri
 
 from raybundle.adjustment.result import Adjustment, InteriorResult, Notice
 from raybundle.adjustment.steady import CARRIED
@@ -97,7 +97,7 @@ def _contradiction(result: Adjustment, camera: Camera, interior: InteriorResult)
                 square = float((g.residual[k] / g.sigma[k]) ** 2)
                 squares += square
                 far.append((square, component))
-    limit = float(chi2.ppf(1 - LEVEL, len(far))) if far else np.inf
+    limit = float(chdtri(len(far), LEVEL)) if far else np.inf
     if not squares > limit:
         return None
     known = {r.name: (s, r) for s, r in known_before(camera).items()}

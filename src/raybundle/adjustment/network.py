@@ -7,7 +7,7 @@ import numpy as np
 from raybundle.adjustment.assemble import State, System
 from raybundle.adjustment.result import NetworkFigures
 from raybundle.block import Block
-from raybundle.block.points import is_automatic
+from raybundle.block.points import automatic
 from raybundle.numerics.arrays import Array, Index
 
 CLASSES = ((200_000, "photogrammetric camera"), (100_000, "professional"), (25_000, "amateur"))
@@ -38,7 +38,7 @@ def classed(block: Block) -> bool:
     if any(c.is_scene for c in block.cameras):
         return False
     seen = np.unique(block.observations.point)
-    return 2 * sum(is_automatic(block.points.ids[k]) for k in seen.tolist()) < max(len(seen), 1)
+    return bool(2 * automatic(block.points.ids[k] for k in seen.tolist()).sum() < max(len(seen), 1))
 
 
 def precision_class(relative: float) -> str:

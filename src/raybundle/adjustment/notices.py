@@ -16,7 +16,7 @@ from raybundle.adjustment.severity import POOR_FIT, Severity
 from raybundle.adjustment.wrong_images import wrong_image_notices
 from raybundle.block import Role
 from raybundle.block.frames import stored_ways
-from raybundle.block.points import is_automatic
+from raybundle.block.points import automatic
 from raybundle.block.rejection import WORDS, RejectionKind, counts
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.counting import counted, counted_are
@@ -291,7 +291,7 @@ def _photographs(result: Adjustment) -> list[Notice]:
     if network is None or not block.observations.point.size:
         return []
     seen = np.unique(block.observations.point)
-    if 2 * sum(is_automatic(block.points.ids[k]) for k in seen.tolist()) < len(seen):
+    if 2 * automatic(block.points.ids[k] for k in seen.tolist()).sum() < len(seen):
         return []
     found: list[Notice] = []
     weak = [block.images.ids[k] for k in weak_images(network, len(block.images))]

@@ -3,6 +3,11 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
+
+import numpy as np
+
+from raybundle.numerics.arrays import Mask
 
 _AUTOMATIC = re.compile(r"t[0-9]+")
 
@@ -15,3 +20,9 @@ def automatic_name(k: int) -> str:
 def is_automatic(name: str) -> bool:
     """Whether a point has a name that a program gave it, and nobody else."""
     return _AUTOMATIC.fullmatch(name) is not None
+
+
+def automatic(names: Iterable[str]) -> Mask:
+    """Which of these points (n,) have a name that a program gave them."""
+    matches = _AUTOMATIC.fullmatch
+    return np.array([matches(name) is not None for name in names], bool)

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import chain
 from pathlib import Path
-from typing import Literal, NoReturn
+from typing import Any, Literal, NoReturn
 
 import msgspec
 import numpy as np
@@ -391,6 +391,9 @@ WRITTEN_ROWS = 1 << 13
 """Rows whose cells are made at a time: some 10 MB of text in a table of twenty columns."""
 
 
+WHOLE = 1e15
+"""Below this, whole numbers are written alike with and without a fraction."""
+
 SPECIAL = frozenset(',"\\[]') | {chr(k) for k in range(32)} | {chr(127)}
 """What a text must not hold for its row to be had from JSON."""
 
@@ -398,18 +401,29 @@ SPECIAL = frozenset(',"\\[]') | {chr(k) for k in range(32)} | {chr(127)}
 def _plain_rows(parts: Sequence[Sequence[str] | Array]) -> str:
     """Rows of texts without special characters, by way of JSON; empty where a text has one.
 
-    In `["a",1.5,null,2.0]` brackets and quotes are marks, and `null` or `.0` stand between marks or commas only.
+    In `["a",1.5,2.0]` brackets and quotes are marks, and `.0` stands between marks or commas only.
     """
     texts = [p for p in parts if not isinstance(p, np.ndarray)]
     if any(not SPECIAL.isdisjoint("".join(text)) for text in texts):
         return ""
-    cells = [np.asarray(p, float).tolist() if isinstance(p, np.ndarray) else p for p in parts]
+    cells = [_plain_cells(np.asarray(p, float)) if isinstance(p, np.ndarray) else p for p in parts]
     lines = msgspec.json.encode(list(zip(*cells, strict=True)))
-    for mark, cell in (
-        (b".0,", b","), (b".0]", b"]"), (b",null", b","), (b"[null", b"["), (b"],[", b"\n"), (b'"', b""),
-    ):  # fmt: skip
+    for mark, cell in ((b".0,", b","), (b".0]", b"]"), (b"],[", b"\n")):
         lines = lines.replace(mark, cell)
-    return lines[2:-2].decode() + "\n"
+    return lines[2:-2].translate(None, b'"').decode() + "\n"
+
+
+def _plain_cells(values: Array) -> list[Any]:
+    """Numbers; where all are whole, as such; an empty text for what is not finite, as JSON has no number for it."""
+    finite = np.isfinite(values)
+    known = values[finite]
+    if np.array_equal(known, np.rint(known)) and (abs(known) < WHOLE).all() and not np.signbit(known).any():
+        cells: list[Any] = np.where(finite, values, 0).astype(np.int64).tolist()
+    else:
+        cells = values.tolist()
+    for k in np.flatnonzero(~finite).tolist():
+        cells[k] = ""
+    return cells
 
 
 def _quoted_rows(parts: Sequence[Sequence[str] | Array]) -> str:
