@@ -4,6 +4,7 @@
     python benchmarks/target_centres.py codes [shots]      recall; wrong codes with a tenth of the ring hidden
     python benchmarks/target_centres.py covered [dots]     dots on which something lies, as a whole and by what is free
     python benchmarks/target_centres.py photographs        ../shared/data: panel of targets, photographs without, speed
+    python benchmarks/target_centres.py constants [dots]   what each constant of the judgement of covered dots decides
 
 Each writes its part of benchmarks/results/target_centres.json.
 
@@ -25,7 +26,7 @@ from scipy.stats import chi2, kstest
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
-from tests.targets import render  # noqa: E402
+from tests.targets import covered_dots, render  # noqa: E402
 from tests.targets.covered_dots import measured  # noqa: E402
 from tests.targets.render import shot  # noqa: E402
 
@@ -234,6 +235,59 @@ def photographs():
     return result
 
 
+CONSTANTS = {"NO_OUTLINE": (0.0, 0.4, 0.8, 0.95), "LOST": (1.5, 2.0, 4.5, 6.0, 1e9)}
+"""Values tried of each constant of `targets.covered`, one at a time, beside its own."""
+
+
+def constants(count=400):
+    """What becomes of rendered dots, as targets and as spots, and of spots in photographs, for each value.
+
+    chi2_per_degree  of those measured; far beyond 4 standard deviations; spots  dots left in photographs of no targets
+    """
+    from raybundle.targets import covered as module
+
+    rng = np.random.default_rng(90)
+    drawn = list(covered_dots.dots(count, 91))
+    starts = [(c.shot.centre + rng.normal(0, 0.15, 2), c.shot.ellipse * (1 + rng.normal(0, 0.05))) for c in drawn]
+    part = np.array([c.part for c in drawn])
+    folder = ROOT.parent / "shared" / "data" / "photos"
+    empty = [grey(f) for n in ("castle-p19", "sceaux-castle", "fountain-p11", "herzjesu-p8")
+             for f in sorted((folder / n / "images").iterdir())[:2]]  # fmt: skip
+    panel = [grey(f) for f in sorted((folder / "cern-targets" / "images").glob("*.tif"))[:2]]
+
+    def tried():
+        row = {}
+        for name, surely in (("targets", None), ("spots", np.zeros(1, bool))):
+            square, fine = np.full(count, np.nan), np.zeros(count, bool)
+            for k, (c, (xy, C)) in enumerate(zip(drawn, starts, strict=True)):
+                d = measure_dots(c.shot.image, xy[None], C[None], np.array([2.0]), surely=surely)
+                fine[k] = d.outcome[0] == 0
+                if fine[k]:
+                    e = d.xy_px[0] - c.shot.centre
+                    square[k] = e @ np.linalg.solve(d.cov_px2[0], e)
+            for label, some in (("whole", part == 0), ("covered", part > 0)):
+                ok = some & fine
+                row[f"{name}_{label}"] = {
+                    "dots": int(some.sum()), "measured": int(ok.sum()),
+                    "chi2_per_degree": round(float(square[ok].mean() / 2), 3), "far": int((square[ok] > 16).sum()),
+                }  # fmt: skip
+        row["spots_in_photographs"] = sum(len(detect_targets(i, None)) for i in empty)
+        row["dots_on_panel"] = sum(len(detect_targets(i, None)) for i in panel)
+        return row
+
+    result = {"dots": count, "as_they_are": tried()}
+    print("as they are", result["as_they_are"], flush=True)
+    for name, values in CONSTANTS.items():
+        own = getattr(module, name)
+        result[name] = {"own": own}
+        for value in values:
+            setattr(module, name, value)
+            result[name][str(value)] = tried()
+            print(name, value, result[name][str(value)], flush=True)
+        setattr(module, name, own)
+    return result
+
+
 def grey(path):
     with Image.open(path) as image:
         return np.array(image.convert("L"))
@@ -242,10 +296,18 @@ def grey(path):
 def main():
     part = sys.argv[1] if len(sys.argv) > 1 else "centres"
     number = [int(n) for n in sys.argv[2:3]]
-    result = {"centres": centres, "codes": codes, "covered": covered, "photographs": photographs}[part](*number)
+    result = {
+        "centres": centres,
+        "codes": codes,
+        "covered": covered,
+        "photographs": photographs,
+        "constants": constants,
+    }[part](*number)
     out = ROOT / "benchmarks" / "results" / "target_centres.json"
     whole = json.loads(out.read_text()) if out.is_file() else {}
-    whole = {k: whole[k] for k in ("centres", "codes", "covered", "photographs") if k in whole} | {part: result}
+    whole = {k: whole[k] for k in ("centres", "codes", "covered", "photographs", "constants") if k in whole} | {
+        part: result
+    }
     out.write_text(json.dumps(whole, indent=1) + "\n")
 
 
