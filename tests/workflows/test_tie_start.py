@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from raybundle.block.known import observed_as_known
 from raybundle.block.select import with_rows
 from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.workflows import tie_start
@@ -15,19 +16,13 @@ def block():
     return simulate(field_scene(TargetField()), Survey(orientation="exact", points="exact", interior="exact")).observed
 
 
-def wide_or_narrow(block, sides):
-    camera = block.cameras[0]
-    values = {**camera.values, "c": sides * float(camera.size_mm.max())}
-    return replace(block, cameras=(replace(camera, values=values),))
-
-
 @pytest.mark.parametrize(
-    ("sides", "better", "taken"), [(0.9, True, "growing"), (5.0, True, "averaging"), (5.0, False, "growing")]
+    ("narrow", "better", "taken"), [(False, True, "growing"), (True, True, "averaging"), (True, False, "growing")]
 )
 def test_a_narrow_view_is_started_in_both_ways_and_the_one_that_keeps_more_rays_is_taken(
-    block, monkeypatch, sides, better, taken
+    block, monkeypatch, narrow, better, taken
 ):
-    block = wide_or_narrow(block, sides)
+    monkeypatch.setattr(tie_start, "_narrow", lambda _: narrow)
     some = np.arange(len(block.observations)) % 10 > 0
     results = {"growing": some if better else some | True, "averaging": some | True if better else some}
 
@@ -44,3 +39,61 @@ def test_a_narrow_view_is_started_in_both_ways_and_the_one_that_keeps_more_rays_
     m = len(block.observations)
     found = tie_start.start(block, np.ones(m), np.zeros(m), 1)
     assert found.block.about == taken
+
+
+def test_a_start_that_keeps_fewer_rays_far_nearer_is_likelier(block):
+    o = block.observations
+    rows = np.arange(len(o))
+
+    def started(keep, noise_px):
+        some = with_rows(block, keep)
+        off = np.random.default_rng(1).normal(0, noise_px, (len(some.observations), 2))
+        return (
+            replace(some, observations=replace(some.observations, xy_px=some.observations.xy_px + off)),
+            np.flatnonzero(keep), {},
+        )  # fmt: skip
+
+    near, far = started(rows % 10 < 6, 0.2), started(rows % 10 < 7, 2.5)
+    assert tie_start._likelihood(near) > tie_start._likelihood(far)
+    assert tie_start._likelihood(far) > tie_start._likelihood(started(rows % 10 < 6, 2.5))
+
+
+def test_constants_that_nothing_tells_are_tried_one_standard_deviation_off(block):
+    def with_sigma(sigma, images):
+        camera = observed_as_known(block.cameras[0], {"c": sigma})
+        few = block.observations.image < images
+        return with_rows(replace(block, cameras=(camera, *block.cameras[1:])), few)
+
+    names = frozenset({block.cameras[0].id})
+    assert tie_start._untold_constants(with_sigma(0.5, 3)) == names
+    assert tie_start._untold_constants(with_sigma(0.05, 3)) == frozenset()
+    assert tie_start._untold_constants(with_sigma(0.5, 4)) == frozenset()  # six pairs of one camera tell it
+    c = block.cameras[0].values["c"]
+    assert tie_start._scaled(block, names, -1).cameras[0].values["c"] == pytest.approx(c * np.exp(-0.5))
+
+
+def test_starts_that_leave_many_rays_are_begun_in_every_way(block, monkeypatch):
+    begun = []
+
+    def way(name):
+        def found(b, _):
+            begun.append((name, b.cameras[0].values["c"]))
+            return b, np.arange(len(b.observations)), {}
+
+        return found
+
+    def cleaned(_raw, found, _threads, _progress):
+        keep = np.arange(len(found[0].observations)) % 2 == 0
+        return with_rows(found[0], keep), np.flatnonzero(keep), {}
+
+    monkeypatch.setattr(tie_start, "_by_growing", way("growing"))
+    monkeypatch.setattr(tie_start, "_by_averaging", way("averaging"))
+    monkeypatch.setattr(tie_start, "_cleaned", cleaned)
+    monkeypatch.setattr(tie_start, "_narrow", lambda _: False)
+    few = with_rows(block, block.observations.image < 3)
+    few = replace(few, cameras=(observed_as_known(few.cameras[0], {"c": 0.5}), *few.cameras[1:]))
+    m = len(few.observations)
+    tie_start.start(few, np.ones(m), np.zeros(m), 1)
+    c = block.cameras[0].values["c"]
+    assert [name for name, _ in begun] == ["growing", "averaging", "growing", "growing"]
+    assert [value / c for _, value in begun] == pytest.approx([1, 1, np.exp(-0.5), np.exp(0.5)])

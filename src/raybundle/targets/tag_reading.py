@@ -11,7 +11,7 @@ from typing import Any
 
 import cv2
 import numpy as np
-from scipy.stats import binom
+from scipy.special import bdtr
 
 from raybundle.numerics.arrays import Array, Index
 
@@ -34,7 +34,7 @@ def least_correlation(modules: int, patterns: int) -> float:
     modules leave a correlation of about 1 - 2 d / n.  36h11: d = 3, which OpenCV allows, too; above 1 where the
     patterns are so short that nothing could be read.
     """
-    allowed = np.flatnonzero(patterns * binom.cdf(np.arange(modules), modules, 0.5) < FALSE)
+    allowed = np.flatnonzero(patterns * bdtr(np.arange(modules), modules, 0.5) < FALSE)
     return 1 - (2 * len(allowed) - 1) / modules
 
 

@@ -37,7 +37,7 @@ from raybundle.workflows.static_background import FEWEST_PHOTOGRAPHS, RING_PX, s
 from raybundle.workflows.tie_block import TieBlock, block_of_tracks
 from raybundle.workflows.tie_points import FeatureStore, find_features, grey_of, match_pairs, pairs_of
 
-START, PRECISION = 12, 21
+START, PRECISION = 13, 21
 """Versions of the stages' results."""
 ALONE = "one photograph alone cannot be oriented; at least 2 are needed"
 

@@ -34,7 +34,14 @@ SCALES = np.linspace(-1.0, 1.0, 33)
 MOST_MASKED = 8.0
 """Times as many features as are wanted that are looked for where most of a photograph is masked."""
 PIXELS_EACH = 400
-"""Pixels of a photograph for each feature."""
+"""Pixels of a photograph for each feature: a third to a half of them is measured, by windows of 11 to 17 px."""
+ENOUGH, CLOSEST = 4000, 100
+"""Features below which photographs have closer ones, down to these pixels for each: windows then begin to overlap.
+
+Photographs that see the same from afar share a tenth of their features or less, however small they are, and a pair is
+believed from 15 to 40 of them."""
+LEAST = 500
+"""Features of the smallest pictures."""
 
 
 def feature_key(photo: Photo, method: FeatureMethod, count: int, mask: str = "") -> str:
@@ -43,11 +50,12 @@ def feature_key(photo: Photo, method: FeatureMethod, count: int, mask: str = "")
 
 
 def feature_count(photo: Photo, most: int) -> int:
-    """Features of a photograph: so many that the windows by which they are measured hardly overlap.
+    """Features of a photograph: so many that the windows of those that are measured hardly overlap.
 
     Measurements from the same pixels are not independent, and their number would promise too much precision.
     """
-    return min(most, max(500, int(photo.width_px * photo.height_px / PIXELS_EACH)))
+    area = photo.width_px * photo.height_px
+    return min(most, max(area // PIXELS_EACH, min(ENOUGH, area // CLOSEST), LEAST))
 
 
 def grey_of(photo: Photo) -> Array:

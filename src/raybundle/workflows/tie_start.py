@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from itertools import combinations
 from typing import Literal
@@ -10,15 +10,18 @@ from typing import Literal
 import numpy as np
 
 from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.predict import residuals_px
 from raybundle.block import Block, Camera
+from raybundle.block.known import known_before
 from raybundle.block.select import with_rows
 from raybundle.errors import NoOrientation
+from raybundle.io.photos.start import BY_FACTOR
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Progress, silent
 from raybundle.orientation.assembly import approximate_values, possible_values
 from raybundle.orientation.averaging import average_start
-from raybundle.orientation.camera_constant import checked_by_pairs
+from raybundle.orientation.camera_constant import LEAST_PAIRS, checked_by_pairs
 from raybundle.orientation.cleaning import clean
 from raybundle.workflows.tie_block import FEWEST_POINTS, TieBlock, flat_points, free_at_start
 
@@ -27,7 +30,13 @@ FEWEST_TRIPLE = 4
 MOST_RAYS = 8
 """Rays of a point that are looked at for that."""
 LEFT = 0.1
-"""Share of the images left by the first kind of start from which on the second is tried."""
+"""Share of the images left by a start from which on another kind is tried."""
+KEPT = 0.75
+"""Share of the rays that a start keeps, below which another kind is tried."""
+RAYLEIGH = 1.1774
+"""Median distance of normally distributed points of the plane, in standard deviations of a coordinate."""
+FINDING_PX = 0.1
+"""Standard deviation below which features are not found: less is chance."""
 NARROW = 2.0
 """Camera constant in longer sides of the format from which on both kinds are tried: the view is within 28 degrees.
 
@@ -47,25 +56,33 @@ def start(
 ) -> TieBlock:
     """Approximate values of a block of tracks; wrong rays and images that cannot be oriented leave.
 
-    method  growing: image by image; averaging: all pairs at once; auto: growing, and averaging where images are left
-            or the view is narrow; the one that leaves fewer images is taken, of two alike that which keeps more rays
+    method  growing: image by image; averaging: all pairs at once; auto: growing, and others where images or many
+            rays are left or the view is narrow: averaging, then growing with the camera constants that nothing tells
+            one standard deviation shorter or longer; the likeliest is taken (see `_likelihood`)
     """
     block = replace(raw, cameras=tuple(replace(c, estimate=free_at_start(c)) for c in raw.cameras))
-    ways = {"growing": (_by_growing,), "averaging": (_by_averaging,), "auto": (_by_growing, _by_averaging)}[method]
+    ways: list[Callable[[], tuple[Block, Index, dict[str, str]]]] = []
+    if method in ("growing", "auto"):
+        ways.append(lambda: _by_growing(block, progress))
+    if method in ("averaging", "auto"):
+        ways.append(lambda: _by_averaging(block, progress))
+    if method == "auto" and (untold := _untold_constants(raw)):
+        ways += [lambda sign=sign: _by_growing(_scaled(block, untold, sign), progress) for sign in (-1, 1)]
     loose: dict[str, str] = {}
     _connected(block, loose)
     best: tuple[Block, Index, dict[str, str]] | None = None
     problem: NoOrientation | None = None
     for way in ways:
         try:
-            found = _cleaned(raw, way(block, progress), threads, progress)
+            found = _cleaned(raw, way(), threads, progress)
         except NoOrientation as error:
             problem = problem or error
             continue
-        if best is None or _worth(found) > _worth(best):
+        if best is None or _likelihood(found) > _likelihood(best):
             best = found
         # no kind of start orients what has too little in common with the others
-        if len(best[2].keys() - loose.keys()) <= LEFT * len(raw.images) and not _narrow(found[0]):
+        complete = len(best[2].keys() - loose.keys()) <= LEFT * len(raw.images)
+        if complete and len(best[1]) >= KEPT * len(raw.observations) and not _narrow(found[0]):
             break
     if best is None:
         assert problem is not None
@@ -83,9 +100,40 @@ def start(
     )
 
 
-def _worth(found: tuple[Block, Index, dict[str, str]]) -> tuple[int, int]:
-    """By what one of two starts is taken: the fewest images left, then the most rays kept."""
-    return -len(found[2]), len(found[1])
+def _likelihood(found: tuple[Block, Index, dict[str, str]]) -> float:
+    """Logarithm of the likelihood of all rays, but for what is the same for every start of a block.
+
+    Rays that are kept are normally distributed about where they should be, with the standard deviation that their
+    median tells; the others lie anywhere in the format (Torr and Zisserman 2000, section 4).  A start that keeps a few
+    rays less, each far nearer, is the better one: the limit up to which rays are kept follows from their residuals.
+    """
+    block = found[0]
+    o = block.observations
+    off = np.linalg.norm(residuals_px(block, np.arange(len(o))), axis=1)
+    sigma = max(float(np.median(off)) / RAYLEIGH, FINDING_PX)
+    seen = block.images.camera[o.image]
+    area = np.array([c.width_px * c.height_px for c in block.cameras], float)[seen]
+    return float(np.log(area / (2 * np.pi * np.e * sigma**2)).sum())
+
+
+def _untold_constants(raw: Block) -> frozenset[str]:
+    """Cameras of which nothing tells the constant: nothing is stated, and pairs of their own images are too few."""
+    seen = np.bincount(raw.images.camera[np.unique(raw.observations.image)], minlength=len(raw.cameras))
+    return frozenset(
+        c.id
+        for c, n in zip(raw.cameras, seen.tolist(), strict=True)
+        if n * (n - 1) // 2 < LEAST_PAIRS and (r := known_before(c).get(c.sensor.symbols[0])) and r.sigma >= BY_FACTOR
+    )
+
+
+def _scaled(block: Block, names: frozenset[str], sign: int) -> Block:
+    """The block with these cameras' constants one standard deviation off."""
+    factor = float(np.exp(sign * BY_FACTOR))
+    cameras = tuple(
+        replace(c, values={**c.values, (s := c.sensor.symbols[0]): c.values[s] * factor}) if c.id in names else c
+        for c in block.cameras
+    )
+    return replace(block, cameras=cameras)
 
 
 def _narrow(block: Block) -> bool:
