@@ -168,8 +168,8 @@ def basis_words(count: int, what: str) -> str:
     if r >= SMALL_BASIS:
         return words
     unsure = f"The rms of the differences is uncertain by {fixed(100 / math.sqrt(2 * r), 0)} % and"
-    taken = f"{fixed(100 * PARAMETERS / (3 * count), 0)} % of their square sum went into the similarity."
-    return f"{words} Caution: that is little. {unsure} {taken} Differences of such a comparison prove nothing."
+    taken = f"{fixed(100 * PARAMETERS / (3 * count), 0)} % of their square sum is expected to go into the similarity"
+    return f"{words} Caution: that is little. {unsure} {taken}: small differences prove little here."
 
 
 def _name(result: ResultFolder) -> str:
