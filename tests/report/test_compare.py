@@ -8,7 +8,7 @@ import pytest
 from raybundle.errors import InputError
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.report.common_points import common_points, common_rows
-from raybundle.report.compare import point_differences, write_comparison
+from raybundle.report.compare import basis_words, point_differences, write_comparison
 from raybundle.report.result_folder import read_result, write_result
 from tests.report.test_document import parsed
 
@@ -165,3 +165,25 @@ def test_lengths_of_free_scale_are_units(folder, tmp_path):
     text = compared(free, plain, tmp_path)
     assert "units rms after a similarity" in text
     assert " mm" not in text.split("points in common")[1]
+
+
+@pytest.mark.parametrize(("count", "little"), [(4, True), (9, True), (10, False), (29, False)])
+def test_the_basis_of_a_similarity_is_told_and_little_is_a_caution(count, little):
+    words = basis_words(count, "common point")
+    assert f"redundancy {3 * count - 7}." in words
+    assert ("Caution" in words) == little
+
+
+def test_points_and_projection_centres_are_both_a_basis(folder, tmp_path):
+    text = compared(folder("rich"), folder("free"), tmp_path)
+    assert "The similarity rests on 29 common points: 87 coordinates, redundancy 80." in text
+    assert "After a similarity of their own instead of the points'" in text
+    assert "common projection centres:" in text
+
+
+def test_the_headline_says_how_few_points_are_behind_it(folder, tmp_path):
+    first, second = folder("rich"), folder("free")
+    few = set(first.points.text["point"][:5])
+    text = compared(first, renamed(second, lambda n: n if n in few else f"other {n}"), tmp_path)
+    assert "That rests on a redundancy of 8 only." in text
+    assert "Caution: that is little." in text

@@ -19,8 +19,8 @@ from raybundle.workflows.adjust import adjust
 from tests.report.conftest import HOSTILE
 
 SECTIONS = (
-    "result", "summary", "precision", "control", "interior", "residuals", "reliability", "network", "tables",
-    "provenance",
+    "result", "summary", "accuracy", "precision", "control", "interior", "residuals", "reliability", "network",
+    "tables", "provenance",
 )  # fmt: skip
 VOID = {"meta", "br", "rect", "path", "circle", "ellipse", "hr", "input", "link", "img"}
 
@@ -88,7 +88,7 @@ def test_links_of_the_contents_lead_somewhere(case, tmp_path):
     page = parsed(report(case("rich"), tmp_path))
     targets = [v[1:] for tag, k, v in page.attributes if (tag, k) == ("a", "href")]
     # its projection centres are observed
-    assert targets == [*SECTIONS[:4], "trajectories", *SECTIONS[4:]]
+    assert targets == [*SECTIONS[:5], "trajectories", *SECTIONS[5:]]
 
 
 def test_ids_are_unique(case, tmp_path):

@@ -214,13 +214,13 @@ def test_scenes_are_not_compared_with_photographs():
     for result in (scenes(), flown()):
         view = view_of(result)
         facts = next(p for p in result_section(view, verdict(view)).parts if p.kind == "facts").facts
-        assert facts[0].remark == "of the largest extent"
+        assert facts[0].remark.startswith("mean standard deviation")
         assert "class" not in dict(verdict(view).statements)["Precision"]
         assert " um" not in " ".join(summary_lines(result))
         assert result.network.precision_class not in " ".join(summary_lines(result))
     view = view_of(free())
     facts = next(p for p in result_section(view, verdict(view)).parts if p.kind == "facts").facts
-    assert facts[0].remark != "of the largest extent"
+    assert facts[0].remark.startswith(view.adjustment.network.precision_class)
     assert "class" in dict(verdict(view).statements)["Precision"]
     assert " um = " in " ".join(summary_lines(free()))
 

@@ -14,6 +14,9 @@ CLASSES = ((200_000, "photogrammetric camera"), (100_000, "professional"), (25_0
 COMMON = 6
 """Common points from which on two images count as a pair."""
 
+MANY = 200
+"""Points beyond which the extent leaves the outermost 0.25 % at either end of an axis out: a far point is no size."""
+
 FEW = 30
 """Common points below which a connection of two photographs is weak."""
 
@@ -69,21 +72,26 @@ def network_figures(system: System, state: State, std: Array | None, parts: int,
     c = np.array([_camera_constant(system, state, i) for i in range(n)])
     scale = median * unit_mm / np.maximum(c, 1e-300)
     used = rays > 0
-    q = q_stations = relative = np.nan
-    if std is not None and used.any():
-        sigma = float(np.nanmean(std[used])) * unit_mm
+    q = q_stations = mean = np.nan
+    extent = _extent(state.xyz[used]) if used.any() else np.nan
+    free = None if std is None else std[used & (std > 0).any(axis=1)]
+    if free is not None and len(free):
+        # a held coordinate has no standard deviation: as a zero it would make the mean too small
+        mean = float(np.mean(free[free > 0]))
+        sigma = mean * unit_mm
         cov = block.observations.cov_px2[system.rows]
         sigma_xy = float(np.sqrt(np.mean(cov[:, :2])) * np.mean(np.abs(system.pixel_mm)))
         if sigma > 0 and sigma_xy > 0:
             unit = float(np.nanmean(scale)) * sigma_xy
             q = sigma * np.sqrt(float(rays[used].mean())) / unit
             q_stations = sigma * np.sqrt(float(stations[used].mean())) / unit
-            relative = _extent(state.xyz[used]) * unit_mm / sigma
+    relative = extent / mean if mean > 0 else np.nan
     return NetworkFigures(
         rays=rays, stations_per_point=stations, intersection_angle=angle, base_to_depth=ratio, pair_images=pairs,
         pair_points=common, coverage=_coverage(system, image, n), roll=_rolls(system, state), distance=median,
         image_scale=scale, q=float(q), q_stations=float(q_stations), bound=float(np.sqrt(1.5)),
-        relative_precision=float(relative), precision_class=precision_class(relative) if relative > 0 else "",
+        relative_precision=float(relative), extent=float(extent), mean_std=float(mean),
+        precision_class=precision_class(relative) if relative > 0 else "",
         components=parts,
     )  # fmt: skip
 
@@ -94,12 +102,12 @@ def _camera_constant(system: System, state: State, image: int) -> float:
 
 
 def _extent(xyz: Array) -> float:
-    """Largest extent: diagonal of the box along the principal axes, far outliers (0.5 %) left out."""
+    """Largest extent: diagonal of the box along the principal axes; of more than `MANY` points 0.5 % are left out."""
     centred = xyz - np.median(xyz, axis=0)
     axes = np.linalg.svd(centred[:: max(1, len(centred) // 5000)], full_matrices=False)[2]
     along = centred @ axes.T
     span = np.ptp(along, axis=0)
-    if len(along) > 200:
+    if len(along) > MANY:
         span = np.quantile(along, 0.9975, axis=0) - np.quantile(along, 0.0025, axis=0)
     return float(np.linalg.norm(span))
 

@@ -129,5 +129,6 @@ def _network(network: NetworkFigures | None, white: Precision, widened: Precisio
     if network is None or not np.isfinite(network.relative_precision):
         return network
     wider = float(np.nanmean(widened.object_point_std) / np.nanmean(white.object_point_std))
-    relative = network.relative_precision / wider
-    return replace(network, relative_precision=relative, precision_class=precision_class(relative))
+    mean = network.mean_std * wider
+    relative = network.extent / mean
+    return replace(network, relative_precision=relative, mean_std=mean, precision_class=precision_class(relative))

@@ -14,7 +14,7 @@ from raybundle.adjustment.result import Adjustment, Notice, as_told
 from raybundle.block import Block
 from raybundle.cli.common import counted, grouped, significant
 from raybundle.numerics.arrays import Array
-from raybundle.report.view import printed_lengths
+from raybundle.report.view import length_unit, printed_lengths
 
 SHOWN = 15
 """Notices that are printed."""
@@ -75,7 +75,8 @@ def _precision(a: Adjustment) -> list[str]:
     lines = [f"standard deviation of object points (rms): {each} {unit}{scale}"]
     if a.network is not None and math.isfinite(a.network.relative_precision):
         n = round(float(f"{a.network.relative_precision:.2g}"))
-        meaning = "(mean standard deviation / largest extent)"
+        meaning = f"(mean standard deviation {significant(a.network.mean_std * factor)} {unit} / largest extent "
+        meaning += f"{significant(a.network.extent)} {length_unit(a)})"
         of_class = f"; {a.network.precision_class}" if classed(a.given) else ""
         lines.append(f"relative precision 1 : {grouped(n)} {meaning}{of_class}")
     return lines

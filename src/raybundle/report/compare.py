@@ -37,6 +37,13 @@ from raybundle.report.view import rms
 LIMIT = 3.29
 """Differences beyond so many combined standard deviations stand out."""
 LARGEST = 25
+SMALL_BASIS = 22
+"""Redundancy of a similarity below which its figures are uncertain by more than 15 %.
+
+The relative standard deviation of an rms from r redundant differences is 1 / sqrt(2 r); 1 / (2 x 0.15^2) = 22.2.  Ten
+points have 23, nine 20."""
+PARAMETERS = 7
+"""Of a similarity."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -50,6 +57,11 @@ class PointDifferences:
     """(n, 3) combined standard deviation, the two results taken as independent; NaN where one has none"""
     fit: Similarity | None
     """The similarity; None where the two were compared as they stand"""
+
+    @property
+    def redundancy(self) -> int:
+        """Differences less the parameters that were fitted to them."""
+        return self.difference.size - (0 if self.fit is None else PARAMETERS)
 
 
 def write_comparison(first: ResultFolder, second: ResultFolder, path: str | Path) -> None:
@@ -143,6 +155,23 @@ def _compared(first: ResultFolder, second: ResultFolder, common: Common, *, fitt
         return None
 
 
+def basis_words(count: int, what: str) -> str:
+    """What a similarity rests on, with a caution where that is little.
+
+    count  points, or projection centres, with three coordinates each
+    what   their name, singular
+    """
+    r = 3 * count - PARAMETERS
+    words = (
+        f"The similarity rests on {counted(count, what)}: {grouped(3 * count)} coordinates, redundancy {grouped(r)}."
+    )
+    if r >= SMALL_BASIS:
+        return words
+    unsure = f"The rms of the differences is uncertain by {fixed(100 / math.sqrt(2 * r), 0)} % and"
+    taken = f"{fixed(100 * PARAMETERS / (3 * count), 0)} % of their square sum is expected to go into the similarity"
+    return f"{words} Caution: that is little. {unsure} {taken}: small differences prove little here."
+
+
 def _name(result: ResultFolder) -> str:
     return str(result.result.get("name") or result.path.name)
 
@@ -168,6 +197,8 @@ def _headline(
             f"{counted(len(d.ids), 'common point')} differ by {significant(rms(d.difference) * factor, 2)} {unit} "
             f"rms {how}."
         )
+        if d.fit is not None and d.redundancy < SMALL_BASIS:
+            words.append(f"That rests on a redundancy of {d.redundancy} only.")
     elif common.namesakes:
         words.append("No object point is known to be the same in both.")
     return " ".join(words)
@@ -315,6 +346,7 @@ def _point_parts(first: ResultFolder, d: PointDifferences) -> list[Part]:
     title = "As they stand" if d.fit is None else "After a similarity of the second onto the first"
     parts: list[Part] = [Heading(text=title)]
     if d.fit is not None:
+        parts.append(Paragraph(text=basis_words(len(d.ids), "common point")))
         turn = math.degrees(math.acos(min(1.0, max(-1.0, (float(np.trace(d.fit.rotation)) - 1) / 2))))
         length = "units" if first.block.free_scale else first.block.length_unit
         shift = ", ".join(significant(float(t), 5) for t in d.fit.translation)
@@ -388,8 +420,13 @@ def _images(first: ResultFolder, second: ResultFolder, differences: Sequence[Poi
     by_points = fit is not None
     if fit is None and not differences:
         fit = _by_centres(centre, other)
+    own = _by_centres(centre, other)
+    good = int((np.isfinite(centre) & np.isfinite(other)).all(axis=1).sum())
+    both = _second_opinion(first, own, centre, other, good) if by_points and own is not None else ""
     if fit is not None:
         other, S = fit.points(other), fit.rotations(S)
+        if not by_points:
+            parts.append(Paragraph(text=basis_words(good, "common projection centre")))
     factor, unit = _small(first)
     shift = np.linalg.norm(other - centre, axis=1) * factor
     turn = np.degrees(2 * np.arcsin(np.clip(np.linalg.norm(S - R, axis=(1, 2)) / math.sqrt(8), 0, 1)))
@@ -409,7 +446,18 @@ def _images(first: ResultFolder, second: ResultFolder, differences: Sequence[Poi
         ),
         rest="images.csv",
     )
-    return (*parts, Paragraph(text=summary), Folded(summary="All images, the largest difference first", parts=(body,)))
+    told = [Paragraph(text=words) for words in (summary, both) if words]
+    return (*parts, *told, Folded(summary="All images, the largest difference first", parts=(body,)))
+
+
+def _second_opinion(first: ResultFolder, fit: Similarity, centre: Array, other: Array, good: int) -> str:
+    """What projection centres differ by after a similarity of their own: a basis apart from the points'."""
+    factor, unit = _small(first)
+    left = np.linalg.norm(fit.points(other) - centre, axis=1) * factor
+    return (
+        f"After a similarity of their own instead of the points' they differ by {significant(rms(left))} {unit} rms. "
+        f"{basis_words(good, 'common projection centre')}"
+    )
 
 
 def _by_centres(centre: Array, other: Array) -> Similarity | None:

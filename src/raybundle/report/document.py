@@ -15,6 +15,7 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.io.folders import new_files
 from raybundle.numerics.progress import Progress, silent
 from raybundle.report.parts import Section
+from raybundle.report.section_accuracy import accuracy_section
 from raybundle.report.section_calibration import calibration_section, graver, headline, worst
 from raybundle.report.section_control import control_section
 from raybundle.report.section_interior import interior_section
@@ -78,6 +79,7 @@ def write_report(
     steps: tuple[tuple[str, Callable[[], Section | None]], ...] = (
         ("result", lambda: result_section(view, told)),
         ("summary", lambda: summary_section(view)),
+        ("accuracy", lambda: accuracy_section(view)),
         ("precision", lambda: precision_section(view)),
         ("noise", lambda: noise_section(view)),
         ("control", lambda: control_section(view)),

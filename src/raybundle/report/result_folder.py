@@ -245,6 +245,8 @@ def result_json(adjustment: Adjustment) -> dict[str, Any]:
         "rejected": sum(1 for r in a.image_observations.rejected if r),
         "rejections": counts(a.image_observations.rejected),
         "relative_precision": math.nan if a.network is None else a.network.relative_precision,
+        "extent": math.nan if a.network is None else a.network.extent,
+        "mean_std": math.nan if a.network is None else a.network.mean_std,
         "critical_w": a.critical_w,
         "critical_tau": a.critical_tau,
         "not_determinable": list(a.not_determinable),

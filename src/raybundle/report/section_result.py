@@ -12,7 +12,7 @@ from raybundle.adjustment.severity import Severity
 from raybundle.report.numbers import NONE, counted, fixed, grouped, listed, significant
 from raybundle.report.parts import Column, Fact, Facts, Heading, Paragraph, Part, Section, Statements, table, text
 from raybundle.report.view import View, rms
-from raybundle.report.words import Verdict, datum_words, free_std, not_told, open_datum
+from raybundle.report.words import Verdict, datum_words, free_std, not_told, open_datum, relative_words
 
 
 def result_section(view: View, verdict: Verdict) -> Section:
@@ -43,7 +43,7 @@ def _key_figures(view: View) -> tuple[Fact, ...]:
             Fact(
                 label="relative precision",
                 value=f"1 : {n}",
-                remark=(f"{network.precision_class}; " if classed(view.given) else "") + "of the largest extent",
+                remark=(f"{network.precision_class}; " if classed(view.given) else "") + relative_words(view),
             )
         )
     std = free_std(view)

@@ -87,7 +87,7 @@ def view_of(adjustment: Adjustment) -> View:
         scale=adjustment.sigma0 if math.isfinite(adjustment.sigma0) and adjustment.sigma0 > 0 else 1.0,
         factor=factor,
         unit=unit,
-        length_unit=_length_unit(adjustment),
+        length_unit=length_unit(adjustment),
         std=None if std is None else std * factor,
         rays=used_rays(adjustment),
         check_rows=rows,
@@ -97,7 +97,7 @@ def view_of(adjustment: Adjustment) -> View:
 
 def printed_lengths(adjustment: Adjustment) -> tuple[float, str]:
     """Factor from the block's length unit to that of small lengths in print, and its name."""
-    unit = _length_unit(adjustment)
+    unit = length_unit(adjustment)
     std = _object_point_std(adjustment)
     sizes = np.zeros(0) if std is None else std[np.isfinite(std)]
     if unit == "m" and (not len(sizes) or float(np.median(sizes)) < 1):
@@ -105,7 +105,8 @@ def printed_lengths(adjustment: Adjustment) -> tuple[float, str]:
     return 1.0, unit
 
 
-def _length_unit(adjustment: Adjustment) -> str:
+def length_unit(adjustment: Adjustment) -> str:
+    """Unit of coordinates: the block's, or none where nothing fixes the scale."""
     return FREE_UNIT if "scale" in adjustment.datum_defect else adjustment.given.length_unit
 
 

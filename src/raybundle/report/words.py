@@ -80,19 +80,27 @@ def _gained(view: View) -> str:
     n = (
         ""
         if network is None or not math.isfinite(network.relative_precision)
-        else _relative(network.relative_precision)
+        else f" ({_relative(network.relative_precision)} in the mean)"
     )
-    if view.arbitrary_scale and n:
-        return (
-            f"{counted(len(std), 'object point')} with a relative precision of {n.strip(' ()')}; no length is absolute."
-        )
+    if view.arbitrary_scale and network is not None and n:
+        relative = _relative(network.relative_precision)
+        return f"{counted(len(std), 'object point')} with a relative precision of {relative}; no length is absolute."
     if np.isfinite(view.check_difference).any():
         n += f", {significant(rms(view.check_difference) * view.factor, 2)} {view.unit} rms at the check points"
-    return f"{counted(len(std), 'object point')} with a standard deviation of {each} {view.unit} a coordinate{n}."
+    return f"{counted(len(std), 'object point')} with a standard deviation of {each} {view.unit} rms a coordinate{n}."
+
+
+def relative_words(view: View) -> str:
+    """The quotient behind 1 : N in numbers that a reader can divide; empty where there is none."""
+    network = view.adjustment.network
+    if network is None or not math.isfinite(network.relative_precision):
+        return ""
+    mean, extent = significant(network.mean_std * view.factor), significant(network.extent)
+    return f"mean standard deviation {mean} {view.unit} of an extent of {extent} {view.length_unit}"
 
 
 def _relative(relative: float) -> str:
-    return f" (1\u00a0:\u00a0{grouped(float(f'{relative:.2g}'))})"
+    return f"1\u00a0:\u00a0{grouped(float(f'{relative:.2g}'))}"
 
 
 def _state(view: View, grade: Grade) -> str:
@@ -204,8 +212,8 @@ def _precision(view: View) -> str:
     )
     network = a.network
     if network is not None and math.isfinite(network.relative_precision):
-        text += f" Relative precision{_relative(network.relative_precision)} of the largest extent"
-        text += f", class: {network.precision_class}." if classed(view.given) else "."
+        text += f" Relative precision {_relative(network.relative_precision)}: {relative_words(view)}"
+        text += f"; class: {network.precision_class}." if classed(view.given) else "."
     return text
 
 

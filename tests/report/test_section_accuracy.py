@@ -1,0 +1,69 @@
+"""One table says of every figure of precision what it is taken over; a reader can repeat the quotients."""
+
+import re
+
+import numpy as np
+import pytest
+
+from raybundle.report.numbers import grouped, significant
+from raybundle.report.section_accuracy import accuracy_section
+from raybundle.report.section_result import result_section
+from raybundle.report.view import rms, view_of
+from raybundle.report.words import free_std, relative_words, verdict
+
+MM = {"mm": 1.0, "m": 1000.0, "units": 1.0}
+
+
+def rows_of(view):
+    return {r[0]: r for p in accuracy_section(view).parts if p.kind == "table" for r in p.rows}
+
+
+def plain(words):
+    return float(words.replace("\u202f", "").replace("\u2212", "-"))
+
+
+@pytest.mark.parametrize("name", ["rich", "one_scale_bar"])
+def test_a_calculator_gets_the_relative_precision_from_what_is_printed(case, name):
+    view = view_of(case(name))
+    mean, a, extent, b = re.search(r"deviation (\S+) (\w+) of an extent of (\S+) (\w+)", relative_words(view)).groups()
+    told = view.adjustment.network.relative_precision
+    # both are printed with three digits: half a unit of the last is 0.5 % at most, of the quotient 1 %
+    assert plain(extent) * MM[b] / (plain(mean) * MM[a]) == pytest.approx(told, rel=0.01)
+    facts = next(p for p in result_section(view, verdict(view)).parts if p.kind == "facts").facts
+    assert relative_words(view) in facts[0].remark
+    assert relative_words(view) in dict(verdict(view).statements)["Precision"]
+
+
+def test_held_coordinates_do_not_make_the_mean_smaller(case):
+    a = case("rich")
+    std = a.precision.object_point_std
+    assert (std == 0).any()
+    assert a.network.mean_std == pytest.approx(std[std > 0].mean())
+
+
+def test_the_same_object_points_stand_behind_all_their_figures(case):
+    view = view_of(case("rich"))
+    rows = rows_of(view)
+    std = free_std(view)
+    over = {r[2] for name, r in rows.items() if name.startswith(("standard deviation,", "relative"))}
+    assert len(over) == 1
+    assert f"{grouped(len(std))} object points" in over.pop()
+    assert significant(rms(std)) in rows["standard deviation, rms"][1]
+    assert significant(float(std[np.isfinite(std)].mean())) in rows["standard deviation, mean"][1]
+    assert "3 check points, 9 coordinates" in rows["difference at check points, rms"][2]
+    assert rows["what is expected of it"][2] == rows["difference at check points, rms"][2]
+    assert "RMSE_H (ASPRS 2023)" in rows
+
+
+def test_precisions_in_the_image_are_related_by_sigma0(case):
+    a = case("rich")
+    rows = rows_of(view_of(a))
+    stated, scaled = plain(rows["stated"][1].split()[0]), plain(rows["stated times σ₀"][1].split()[0])
+    assert scaled == pytest.approx(a.sigma0 * stated, rel=0.01)
+    assert "residual, rms" in rows
+
+
+def test_without_statistics_the_images_remain(case):
+    rows = rows_of(view_of(case("without_statistics")))
+    assert "standard deviation, rms" not in rows
+    assert "residual, rms" in rows
