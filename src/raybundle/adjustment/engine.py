@@ -219,6 +219,14 @@ def estimate_only(
     return as_start(block, _adjusted_block(system, state)), bad
 
 
+def open_datum(
+    block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]], reasons: Rejections
+) -> tuple[str, ...]:
+    """Names of what control, distances and projection centres leave open of the datum, at the values of the block."""
+    system = assemble(block, options, np.array([bool(r) for r in reasons], bool), free)
+    return open_names(analyse(system, system.initial_state(), replace(options, datum="auto")).basis)
+
+
 def expected_interior(
     block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]], reasons: Rejections, camera: str
 ) -> Array:
