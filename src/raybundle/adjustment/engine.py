@@ -250,9 +250,7 @@ def expected_interior(
 
 
 def reject_single_rays(block: Block, reasons: Rejections, mask: Mask) -> tuple[Rejections, Mask]:
-    """Reject the last ray of tie points whose others were rejected."""
-    if not mask.any():
-        return reasons, mask
+    """Reject the last ray of tie points whose others were rejected, and that of check points."""
     left = np.bincount(block.observations.point[~mask], minlength=len(block.points))
     control = np.any(block.points.is_control, axis=1)
     lone = ~mask & (left[block.observations.point] == 1) & ~control[block.observations.point]

@@ -228,6 +228,16 @@ def _points(result: Adjustment) -> list[Notice]:
                 ids=tuple(unseen),
             )
         )
+    lost = [points.ids[i] for i in np.flatnonzero((points.role == Role.CHECK) & (rays < 2))]
+    if lost:
+        found.append(
+            Notice(
+                code="check_unseen",
+                message=f"check points with fewer than two rays: {', '.join(lost[:10])}{' ...' * (len(lost) > 10)}; "
+                "they take no part and nothing is compared there",
+                ids=tuple(lost[:100]), measured=Severity.REMARK,
+            )
+        )  # fmt: skip
     network = result.network
     if network is not None:
         flat = np.flatnonzero((network.rays > 1) & (network.intersection_angle < np.radians(1)))
