@@ -17,6 +17,8 @@ from raybundle.numerics.counting import counted
 
 LEVEL = 1e-3
 """Probability with which differences that are as stated are told, at most."""
+STILL = 0.1
+"""Standard deviations that a coordinate may move with an open rotation: half a turn moves it by twice as much."""
 
 
 def used_rays(a: Adjustment) -> Array:
@@ -38,14 +40,14 @@ def check_differences(a: Adjustment) -> tuple[Index, Array]:
 
 
 def _determined(a: Adjustment) -> Mask:
-    """(p, 3) coordinates that no open part of the datum moves: by less than their standard deviation in a radian."""
+    """(p, 3) coordinates that no open part of the datum moves beyond STILL of their standard deviation in a radian."""
     if not a.datum_defect:
         return np.ones((len(a.given.points), 3), bool)
     if a.work is None or a.precision is None:
         return np.zeros((len(a.given.points), 3), bool)
     datum = a.work.datum
     moves = np.linalg.norm(point_generators(a.work.state.xyz, datum.centre, datum.extent) @ datum.basis, axis=2)
-    return np.isfinite(moves) & (moves <= np.nan_to_num(a.precision.object_point_std))
+    return np.isfinite(moves) & (moves <= STILL * np.nan_to_num(a.precision.object_point_std))
 
 
 def with_check_notice(a: Adjustment) -> Adjustment:
