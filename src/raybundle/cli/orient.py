@@ -217,7 +217,7 @@ def command(
     from raybundle.errors import InputError  # noqa: PLC0415
     from raybundle.io.block_toml import read_cameras  # noqa: PLC0415
     from raybundle.io.camera_library import library_folder  # noqa: PLC0415
-    from raybundle.io.control_files import DEFAULTS, ControlDefaults, read_control  # noqa: PLC0415
+    from raybundle.io.control_files import DEFAULTS, ControlDefaults, named_apart, read_control  # noqa: PLC0415
     from raybundle.io.photos.photo import shown  # noqa: PLC0415
     from raybundle.io.project import discard_empty  # noqa: PLC0415
     from raybundle.io.trajectories import read_trajectory  # noqa: PLC0415
@@ -236,10 +236,10 @@ def command(
     plan, height = control_sigma or (DEFAULTS.plan, DEFAULTS.height)
     usual = ControlDefaults(plan=plan, height=height)
     given = Given(
-        control=(
+        control=named_apart((
             *(read_control(f, defaults=usual) for f in control),
             *(read_control(f, defaults=replace(usual, role="check")) for f in check),
-        ),
+        )),
         scale_bars=tuple(ScaleBar(start=a, end=b, length=d, sigma=e) for a, b, d, e in scale_bar),
         gps=not no_gps, shift=not no_shift, misalignment=not no_misalignment,
         lever_arm=None if lever_arm is None else (lever_arm[:3], lever_arm[3]),
