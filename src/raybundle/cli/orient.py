@@ -222,6 +222,7 @@ def command(
     from raybundle.io.project import discard_empty  # noqa: PLC0415
     from raybundle.io.trajectories import read_trajectory  # noqa: PLC0415
     from raybundle.report.result_folder import check_target  # noqa: PLC0415
+    from raybundle.workflows.earlier_result import less_fixed  # noqa: PLC0415
     from raybundle.workflows.marks import Given, ScaleBar  # noqa: PLC0415
     from raybundle.workflows.orient import OrientOptions, orient, part_folder  # noqa: PLC0415
 
@@ -257,6 +258,11 @@ def command(
                 photos, out, options, calibration=cameras, given=given, progress=tell,
                 positions=None if positions is None else read_trajectory(positions),
             )  # fmt: skip
+            lost = less_fixed(result, done.adjustment)
+            if lost is not None:
+                done = replace(
+                    done, adjustment=replace(done.adjustment, notices=(lost, *done.adjustment.notices))
+                )  # fmt: skip
             with report_stage(out, done.stages):
                 write_orientation(done, result, report="none" if no_report else "html", progress=tell)
     except KeyboardInterrupt:
