@@ -59,10 +59,47 @@ def test_differences_that_only_uncorrelated_errors_would_not_make_are_a_caution(
     assert notice.severity.value == "caution"
 
 
-def test_where_the_datum_is_arbitrary_nothing_is_compared():
-    block = block_with_checks(shift=(0.0, 0.02, 0.0))
-    role, sigma = block.points.role.copy(), block.points.sigma.copy()
+def loosened(block, sigma=np.nan):
+    """The block whose control is given with these standard deviations alone, NaN for what is not."""
+    role, sigmas = block.points.role.copy(), block.points.sigma.copy()
     control = role == Role.CONTROL
-    role[control], sigma[control] = Role.TIE, np.nan
-    free = replace(block, points=replace(block.points, role=role, sigma=sigma))
-    assert not told(adjust(free, OPTIONS))
+    sigmas[control] = sigma
+    if np.isnan(sigmas[control]).all():
+        role[control] = Role.TIE
+    return replace(block, points=replace(block.points, role=role, sigma=sigmas))
+
+
+def test_where_the_datum_is_arbitrary_nothing_is_compared_and_that_is_said():
+    result = adjust(loosened(block_with_checks(shift=(0.0, 0.02, 0.0))), OPTIONS)
+    assert not told(result)
+    assert not np.isfinite(check_differences(result)[1]).any()
+    (said,) = [n for n in result.notices if n.code == "check_points_open"]
+    assert "not compared in X, Y, Z" in said.message
+    assert "scale" in said.message
+
+
+def test_what_is_determined_is_compared_beside_what_is_open():
+    """Control in plan alone leaves the height open, and X and Y of check points are as good as ever."""
+    block = loosened(block_with_checks(shift=(0.02, 0.0, 5.0)), (SIGMA, SIGMA, np.nan))
+    result = adjust(block, OPTIONS)
+    assert result.datum_defect == ("position Z",)
+    (notice,) = told(result)
+    assert "X " in notice.message
+    assert "Z " not in notice.message
+    (said,) = [n for n in result.notices if n.code == "check_points_open"]
+    assert "not compared in Z" in said.message
+
+
+@pytest.mark.parametrize("left", [0, 1])
+def test_a_check_point_with_too_few_rays_takes_no_part_by_name(left):
+    block = block_with_checks()
+    o = block.observations
+    k = int(np.flatnonzero(block.points.role == Role.CHECK)[0])
+    keep = np.ones(len(o), bool)
+    keep[np.flatnonzero(o.point == k)[left:]] = False
+    o = replace(o, image=o.image[keep], point=o.point[keep], xy_px=o.xy_px[keep], cov_px2=o.cov_px2[keep])
+    result = adjust(replace(block, observations=o), OPTIONS)
+    (said,) = [n for n in result.notices if n.code == "check_unseen"]
+    assert said.ids == (block.points.ids[k],)
+    assert not np.isfinite(check_differences(result)[1][0]).any()
+    assert np.isfinite(check_differences(result)[1][1:]).all()

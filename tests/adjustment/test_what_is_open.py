@@ -59,6 +59,18 @@ def test_a_shift_is_determined_however_badly():
     assert open_directions(np.zeros((0, 7)), np.zeros(0)).shape[1] == 7
 
 
+@pytest.mark.parametrize(("bend", "told"), [(0.0, True), (0.5, False)])
+def test_what_projection_centres_leave_open_is_a_caution_as_for_control(bend, told):
+    result = adjust(straight_flight(bend), AdjustmentOptions(threads=1))
+    said = [n for n in result.notices if n.code == "control_leaves_open"]
+    assert bool(said) == told
+    for notice in said:
+        assert notice.severity.value == "caution"
+        assert "observed projection centres leave open: rotation about a straight line" in notice.message
+        assert "they lie on one straight line; measure control beside it" in notice.message
+        assert notice.ids == tuple(result.given.images.ids)
+
+
 @pytest.mark.parametrize(("bend", "open_"), [(0.0, 1), (0.5, 0)])
 def test_an_adjusted_block_is_adjusted_to_the_same(bend, open_):
     first = adjust(straight_flight(bend), AdjustmentOptions(threads=1))

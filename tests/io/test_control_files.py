@@ -2,14 +2,16 @@
 
 import numpy as np
 import pytest
+from PIL import Image
 from tests.conftest import DATA
 
 from raybundle.block import Role
 from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.errors import InputError
 from raybundle.io.block_folder import write_block
-from raybundle.io.control_files import ControlDefaults, read_control
-from raybundle.workflows.marks import Given
+from raybundle.io.control_files import ControlDefaults, named_apart, read_control
+from raybundle.workflows import orient as workflow
+from raybundle.workflows.marks import Given, ScaleBar
 
 COPR = DATA / "photos" / "copr-uav" / "gcp_list.txt"
 GCP = """\
@@ -221,3 +223,33 @@ def test_control_and_check_points_without_names_have_names_of_their_own(tmp_path
     with pytest.raises(InputError, match=r"gcp00 is given twice, here and in control\.txt") as caught:
         Given(control=(control, read_control(second)))
     assert caught.value.file == str(second)
+
+
+def test_two_lists_without_names_of_one_role_count_on(tmp_path):
+    """Made names leave out those that another file gives."""
+    lines = "EPSG:32633\n500000 5000000 10 5 6 a.jpg\n500010 5000000 11 5 6 a.jpg\n"
+    files = [read_control(write(tmp_path, lines, n)) for n in ("first.txt", "second.txt")]
+    own = read_control(write(tmp_path, "EPSG:32633\n500020 5000000 12 5 6 a.jpg gcp02\n", "own.txt"))
+    apart = named_apart((*files, own))
+    assert [f.ids for f in apart] == [("gcp00", "gcp01"), ("gcp03", "gcp04"), ("gcp02",)]
+    assert "gcp03, gcp04" in apart[1].remarks[0]
+    assert Given(control=apart).control == apart
+
+
+@pytest.mark.parametrize("wrong", ["mark", "bar"])
+def test_an_error_of_a_control_file_comes_before_anything_is_computed(tmp_path, monkeypatch, wrong):
+    photos = tmp_path / "photos"
+    photos.mkdir()
+    pixels = np.random.default_rng(1).integers(0, 255, (2, 60, 80, 3), dtype=np.uint8)
+    for name, p in zip("ab", pixels, strict=True):
+        Image.fromarray(p).save(photos / f"{name}.jpg")
+    place = "900 6" if wrong == "mark" else "5 6"
+    control = read_control(write(tmp_path, f"EPSG:32633\n500000 5000000 10 {place} a.jpg one\n"))
+    bars = (ScaleBar(start="one", end="two", length=1.0, sigma=0.001),) if wrong == "bar" else ()
+
+    def computed(*_args):
+        pytest.fail("features were looked for before the files of control were judged")
+
+    monkeypatch.setattr(workflow, "_features", computed)
+    with pytest.raises(InputError, match=r"900, 6 lies outside photograph a\.jpg|point two is not measured"):
+        workflow.orient([photos], tmp_path / "project", given=Given(control=(control,), scale_bars=bars))

@@ -8,14 +8,17 @@ from dataclasses import replace
 import numpy as np
 from scipy.special import chdtri
 
+from raybundle.adjustment.datum import point_generators
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.severity import Severity
 from raybundle.block import Role
-from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.counting import counted
 
 LEVEL = 1e-3
 """Probability with which differences that are as stated are told, at most."""
+STILL = 0.1
+"""Standard deviations that a coordinate may move with an open rotation: half a turn moves it by twice as much."""
 
 
 def used_rays(a: Adjustment) -> Array:
@@ -27,18 +30,46 @@ def used_rays(a: Adjustment) -> Array:
 def check_differences(a: Adjustment) -> tuple[Index, Array]:
     """Positions (k,) of the check points, and adjusted minus given (k, 3); NaN where no ray or no coordinate is.
 
-    What was filled in to begin with, as a height that nobody measured, is not compared.
+    Not compared, and NaN: what was filled in to begin with, as a height that nobody measured, and coordinates that the
+    observations leave open, which are arbitrary.
     """
     rows = np.flatnonzero(np.asarray(a.given.points.role) == Role.CHECK).astype(np.int32)
     difference = a.adjusted.points.xyz[rows] - a.given.points.xyz[rows]
-    known = a.given.points.is_check[rows] & (used_rays(a)[rows, None] > 0)
+    known = a.given.points.is_check[rows] & (used_rays(a)[rows, None] > 0) & _determined(a)[rows]
     return rows, np.where(known, difference, np.nan)
+
+
+def _determined(a: Adjustment) -> Mask:
+    """(p, 3) coordinates that no open part of the datum moves beyond STILL of their standard deviation in a radian."""
+    if not a.datum_defect:
+        return np.ones((len(a.given.points), 3), bool)
+    if a.work is None or a.precision is None:
+        return np.zeros((len(a.given.points), 3), bool)
+    datum = a.work.datum
+    moves = np.linalg.norm(point_generators(a.work.state.xyz, datum.centre, datum.extent) @ datum.basis, axis=2)
+    return np.isfinite(moves) & (moves <= STILL * np.nan_to_num(a.precision.object_point_std))
 
 
 def with_check_notice(a: Adjustment) -> Adjustment:
     """The result as it was given, with what its check points say."""
-    told = check_notice(a)
-    return a if told is None else replace(a, notices=(told, *a.notices))
+    told = tuple(n for n in (check_notice(a), open_notice(a)) if n is not None)
+    return replace(a, notices=(*told, *a.notices)) if told else a
+
+
+def open_notice(a: Adjustment) -> Notice | None:
+    """Which coordinates of check points are not compared, as the datum leaves them open; None where all are."""
+    rows = np.flatnonzero(np.asarray(a.given.points.role) == Role.CHECK)
+    seen = a.given.points.is_check[rows] & (used_rays(a)[rows, None] > 0)
+    lost = (seen & ~_determined(a)[rows]).sum(axis=0)
+    if not lost.any():
+        return None
+    axes = [axis for axis, gone in zip("XYZ", lost, strict=True) if gone]
+    return Notice(
+        code="check_points_open",
+        message=f"check points are not compared in {', '.join(axes)}: nothing fixes {', '.join(a.datum_defect)}, and "
+        "coordinates that it moves are arbitrary",
+        ids=tuple(a.given.points.ids[k] for k in rows[:100]),
+    )
 
 
 def check_notice(a: Adjustment) -> Notice | None:
@@ -48,9 +79,9 @@ def check_notice(a: Adjustment) -> Notice | None:
     the given coordinates).  Differences of one block are correlated, by its datum above all.  A caution where the mean
     square is beyond chi-square of as many degrees of freedom as there are values, over their number, which holds for
     uncorrelated ones; a fault where it is beyond chi-square of a single one, as if all were one and the same error:
-    no correlation explains more.  Where part of the datum is arbitrary nothing is compared.
+    no correlation explains more.  What an open part of the datum moves is not compared.
     """
-    if a.precision is None or a.datum_defect:
+    if a.precision is None:
         return None
     rows, difference = check_differences(a)
     if not np.isfinite(difference).any():

@@ -16,10 +16,18 @@ from raybundle.adjustment.engine import Extent, Start, adjust_block, as_start, f
 from raybundle.adjustment.known_before import against_known
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.pixel_shape import beyond_sensor, shape_limit, under_its_noise, untold_shape
-from raybundle.adjustment.reliability import UNCONTROLLED
 from raybundle.adjustment.result import Adjustment, InteriorResult, Notice
 from raybundle.adjustment.separability import unlocatable
-from raybundle.block import Block, Camera, Role
+from raybundle.adjustment.wrong_control import (
+    WrongControl,
+    contradicted,
+    judged,
+    kept_notice,
+    left_out,
+    rejected_notice,
+    worst_control,
+)
+from raybundle.block import Block, Camera
 from raybundle.block.rejection import Rejection, RejectionKind, Rejections
 from raybundle.block.stored import is_observed_jointly
 from raybundle.errors import NoConvergence, NotSolvable, RankDefect
@@ -116,24 +124,19 @@ def _snoop(
         start = "adjusted"
         block = as_start(block, result.adjusted)
         choices.reasons = result.image_observations.rejected
-        control = _worst_control(result)
         size = np.nan_to_num(np.abs(result.image_observations.t).max(axis=1))
         suspects = np.flatnonzero(size > result.critical_tau)
-        wrong = _contradicted(block, choices.reasons)
-        if wrong is not None:
-            block = _without_control(block, wrong, choices)
-            choices.reasons = tuple(
-                None if is_blunder(r) and block.points.ids[block.observations.point[i]] == wrong[0] else r
-                for i, r in enumerate(choices.reasons)
-            )
-            continue
-        if control is not None and control[1] > max(result.critical_tau, float(size.max(initial=0.0))):
-            block = _without_control(block, control, choices)
+        wrong = _wrong_control(result, choices, float(size.max(initial=0.0)))
+        if wrong is not None and wrong.may_go:
+            block, choices.reasons = left_out(block, wrong.name, _without_its_blunders(block, wrong, choices.reasons))
+            choices.notices.append(rejected_notice(wrong))
             continue
         chosen = _apart(block, size, suspects)
         if not chosen:
             back = [i for i in _innocent(result) if i not in returned]
             if not back:
+                choices.notices = [n for n in choices.notices if n.code != "control_not_located"]
+                choices.notices += [] if wrong is None else [kept_notice(wrong)]
                 return block
             returned.update(back)
             reasons = list(choices.reasons)
@@ -146,6 +149,24 @@ def _snoop(
         Notice(code="snooping_unfinished", message=f"data snooping stopped after {ROUNDS} rounds; suspects are left")
     )
     return block
+
+
+def _wrong_control(result: Adjustment, choices: Decisions, largest: float) -> WrongControl | None:
+    """The control point that contradicts the others more than any image observation does, and what is known of it."""
+    found = contradicted(result.given, choices.reasons)
+    held = None if found is None else judged(result, found, choices.free, choices.reasons)
+    worst = worst_control(result)
+    if (held is not None and held.may_go) or worst is None or worst[1] <= max(result.critical_tau, largest):
+        return held
+    return judged(result, worst, choices.free, choices.reasons)
+
+
+def _without_its_blunders(block: Block, wrong: WrongControl, reasons: Rejections) -> Rejections:
+    """The reasons without those of a held point's image observations: it was the point."""
+    if not np.isnan(wrong.tau):
+        return reasons
+    mine = [block.points.ids[p] == wrong.name for p in block.observations.point.tolist()]
+    return tuple(None if m and is_blunder(r) else r for m, r in zip(mine, reasons, strict=True))
 
 
 def _with_rejected(result: Adjustment, reasons: Rejections, chosen: Array, size: Array) -> Rejections:
@@ -199,52 +220,6 @@ def _innocent(result: Adjustment) -> list[int]:
     sigma = np.sqrt(block.observations.cov_px2[rows, :2])
     size = np.abs(v / sigma).max(axis=1) / (result.sigma0 or 1.0)
     return [int(i) for i, s in zip(rows, size, strict=True) if s < result.critical_tau]
-
-
-def _worst_control(result: Adjustment) -> tuple[str, float] | None:
-    worst: tuple[str, float] | None = None
-    for g in result.groups:
-        if g.kind != "control":
-            continue
-        t = np.where(g.redundancy > UNCONTROLLED, np.nan_to_num(np.abs(g.t)), 0.0)
-        if len(t) and t.max() > (worst[1] if worst else 0.0):
-            k = int(t.argmax())
-            worst = (g.ids[k], float(t[k]))
-    return worst
-
-
-def _contradicted(block: Block, reasons: Rejections) -> tuple[str, float] | None:
-    """A held control point whose image observations are rejected one after the other: the point is wrong, not they."""
-    rejected = np.array([is_blunder(r) for r in reasons])
-    p = len(block.points)
-    lost = np.bincount(block.observations.point[rejected], minlength=p)
-    rays = np.bincount(block.observations.point, minlength=p)
-    held = block.points.is_control.any(axis=1) & (np.nan_to_num(block.points.sigma, nan=1.0) == 0).any(axis=1)
-    share = np.where(held & (lost >= 3), lost / np.maximum(rays, 1), 0.0)
-    k = int(share.argmax()) if p else 0
-    return (block.points.ids[k], float("nan")) if p and share[k] > 0.25 else None
-
-
-def _without_control(block: Block, control: tuple[str, float], choices: Decisions) -> Block:
-    """The block with a control point turned into a check point."""
-    name, size = control
-    how = "its image observations contradict it" if np.isnan(size) else f"tau {size:.1f}"
-    k = block.points.ids.index(name)
-    role = block.points.role.copy()
-    role[k] = Role.CHECK
-    rays = np.flatnonzero(block.observations.point == k)
-    if len(rays) == 1:  # it held the point's image, now it tells nothing
-        lone = Rejection(kind=RejectionKind.SINGLE_RAY)
-        choices.reasons = tuple(r or lone if i == rays[0] else r for i, r in enumerate(choices.reasons))
-    choices.notices.append(
-        Notice(
-            code="control_rejected",
-            message=f"control point {name} contradicts the rest ({how}) and takes no part any more; "
-            "look at its coordinates and at its number in the images",
-            ids=(name,),
-        )
-    )
-    return replace(block, points=replace(block.points, role=role))
 
 
 def _choose(

@@ -66,13 +66,16 @@ def check_observed(block: Block, rejected: Mask) -> None:
 
 
 def check_rays(block: Block, rejected: Mask) -> None:
-    """Raise InputError for tie and check points with fewer than two rays, and points nobody observed.
+    """Raise InputError for tie points with fewer than two rays.
 
-    A point of which rays were rejected is left to the caller, who rejects the rest.
+    A point of which rays were rejected is left to the caller, who rejects the rest; check points with fewer than two
+    take no part, other than ends of distances.
     """
     given = np.bincount(block.observations.point, minlength=len(block.points))
     left = np.bincount(block.observations.point[~rejected], minlength=len(block.points))
-    tie = block.points.role != Role.CONTROL
+    tie = np.asarray(block.points.role) == Role.TIE
+    measured = np.concatenate([block.distances.start, block.distances.end])
+    tie[measured] = np.asarray(block.points.role)[measured] != Role.CONTROL
     none = [block.points.ids[i] for i in np.flatnonzero(tie & (given == 0))]
     one = [block.points.ids[i] for i in np.flatnonzero(tie & (given == 1) & (left == 1))]
     parts: list[str] = []

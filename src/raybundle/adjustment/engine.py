@@ -219,6 +219,14 @@ def estimate_only(
     return as_start(block, _adjusted_block(system, state)), bad
 
 
+def open_datum(
+    block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]], reasons: Rejections
+) -> tuple[str, ...]:
+    """Names of what control, distances and projection centres leave open of the datum, at the values of the block."""
+    system = assemble(block, options, np.array([bool(r) for r in reasons], bool), free)
+    return open_names(analyse(system, system.initial_state(), replace(options, datum="auto")).basis)
+
+
 def expected_interior(
     block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]], reasons: Rejections, camera: str
 ) -> Array:
@@ -242,9 +250,7 @@ def expected_interior(
 
 
 def reject_single_rays(block: Block, reasons: Rejections, mask: Mask) -> tuple[Rejections, Mask]:
-    """Reject the last ray of tie points whose others were rejected."""
-    if not mask.any():
-        return reasons, mask
+    """Reject the last ray of tie points whose others were rejected, and that of check points."""
     left = np.bincount(block.observations.point[~mask], minlength=len(block.points))
     control = np.any(block.points.is_control, axis=1)
     lone = ~mask & (left[block.observations.point] == 1) & ~control[block.observations.point]

@@ -47,7 +47,7 @@ def notices_of(result: Adjustment, redundancy_sum: RedundancySum | None) -> tupl
     found += (
         _photographs(result)
         + _stored_ways(result)
-        + _open_beside_control(result)
+        + _open_beside_given(result)
         + _unchecked_scale(result)
         + systematic_notices(result)
     )
@@ -228,6 +228,16 @@ def _points(result: Adjustment) -> list[Notice]:
                 ids=tuple(unseen),
             )
         )
+    lost = [points.ids[i] for i in np.flatnonzero((points.role == Role.CHECK) & (rays < 2))]
+    if lost:
+        found.append(
+            Notice(
+                code="check_unseen",
+                message=f"check points with fewer than two rays: {', '.join(lost[:10])}{' ...' * (len(lost) > 10)}; "
+                "they take no part and nothing is compared there",
+                ids=tuple(lost[:100]), measured=Severity.REMARK,
+            )
+        )  # fmt: skip
     network = result.network
     if network is not None:
         flat = np.flatnonzero((network.rays > 1) & (network.intersection_angle < np.radians(1)))
@@ -335,21 +345,29 @@ def _stored_ways(result: Adjustment) -> list[Notice]:
     ]
 
 
-def _open_beside_control(result: Adjustment) -> list[Notice]:
-    """Control that fixes a part of the datum only, which is not what it was measured for."""
-    points = result.given.points
-    rows = np.flatnonzero(points.is_control.any(axis=1))
-    if not len(rows) or not result.datum_defect:
+def _open_beside_given(result: Adjustment) -> list[Notice]:
+    """Control or projection centres that fix a part of the datum only, which is not what they were measured for."""
+    points, images = result.given.points, result.given.images
+    control = [points.ids[k] for k in np.flatnonzero(points.is_control.any(axis=1))]
+    centres = [images.ids[k] for k in dict.fromkeys(result.given.stations.image.tolist())]
+    if not (control or centres) or not result.datum_defect:
         return []
-    names = [points.ids[k] for k in rows]
+    names = control + centres
+    kinds = [("control", control), ("observed projection centres", centres)]
+    given = " and ".join(kind for kind, of in kinds if of)
+    listed = "; ".join(
+        f"{kind}: {', '.join(of[:10])}{' ...' if len(of) > 10 else ''}"
+        for kind, of in [("Control points", control), ("Projection centres", centres)]
+        if of
+    )
     line = ABOUT_LINE in result.datum_defect
-    why = "they lie on one straight line; measure one beside it" if line else "measure more"
+    beside = "measure control beside it" if centres else "measure one beside it"
+    why = f"they lie on one straight line; {beside}" if line else "measure more"
     return [
         Notice(
             code="control_leaves_open",
-            message=f"control leaves open: {', '.join(result.datum_defect)}; there the result stands arbitrarily, and "
-            f"coordinates in that direction mean nothing. Control points: {', '.join(names[:10])}"
-            f"{' ...' if len(names) > 10 else ''}: {why}",
+            message=f"{given} leave{'s' * (not centres)} open: {', '.join(result.datum_defect)}; there the result "
+            f"stands arbitrarily, and coordinates in that direction mean nothing. {listed}: {why}",
             ids=tuple(names[:100]),
         )
     ]

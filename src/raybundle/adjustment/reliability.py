@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 
@@ -75,14 +77,26 @@ def image_statistics(
     )
 
 
+ASKED = 0.01
+"""Redundancy numbers below which it is asked what rounding makes of them.
+
+Rounding makes so much only where N_kk Q_kk sums to some 1e12, about what `defects.SHARE` lets pass.
+"""
+
+
 def _group(
     kind: str, ids: list[str], component: list[str], given: Array, sigma: Array, adjusted: Array, cofactor: Array,
-    sigma0: float, origin: tuple[str, ...] = (),
+    sigma0: float, least: Callable[[], float], origin: tuple[str, ...] = (),
 ) -> ObservationGroup:  # fmt: skip
-    """Statistics of uncorrelated observations of single quantities with these cofactors."""
+    """Statistics of uncorrelated observations of single quantities with these cofactors.
+
+    least  what a redundancy number may be by rounding alone; one within that is 0, its observation uncontrolled
+    """
     weighted = sigma > 0
     safe = np.where(weighted, sigma, 1.0)
     redundancy = np.where(weighted, 1 - cofactor / safe**2, 0.0)
+    if (redundancy[weighted] < ASKED).any():
+        redundancy = np.where(np.abs(redundancy) < least(), 0.0, redundancy)
     residual = adjusted - given
     controlled = redundancy > UNCONTROLLED
     root = np.sqrt(np.where(controlled, redundancy, 1.0))
@@ -99,8 +113,16 @@ def _group(
 def observation_groups(
     normals: Normals, state: State, found: Cofactors | None, sigma0: float
 ) -> tuple[ObservationGroup, ...]:
-    """Control coordinates, distances, projection centres and observed parameters."""
+    """Control coordinates, distances, projection centres and observed parameters.
+
+    Redundancy numbers that are `rounding` are 0: their residual, rounding too, by their root would be any test value.
+    """
     system, block = normals.system, normals.system.block
+
+    @cache
+    def least() -> float:
+        return 0.0 if found is None else rounding(normals, state, found)
+
     groups: list[ObservationGroup] = []
     shift = system.shift
     control = system.control_held | system.prior
@@ -112,7 +134,7 @@ def observation_groups(
             _group(
                 "control", [block.points.ids[p] for p in point], ["XYZ"[a] for a in axis],
                 block.points.xyz[point, axis], sigma, state.xyz[point, axis] + shift[axis],
-                np.where(sigma == 0, 0.0, cofactor), sigma0,
+                np.where(sigma == 0, 0.0, cofactor), sigma0, least,
             )
         )  # fmt: skip
     extra = system.extra
@@ -148,7 +170,7 @@ def observation_groups(
         groups.append(
             _group(
                 kind, ids, component, extra.value[i] + offset, extra.sigma[i], adjusted[i] + offset,
-                hat[i] * extra.sigma[i] ** 2, sigma0, tuple(origin),
+                hat[i] * extra.sigma[i] ** 2, sigma0, least, tuple(origin),
             )
         )  # fmt: skip
     return tuple(groups)
@@ -195,19 +217,29 @@ def redundancy_sum(
     total = float(np.nansum(statistics.redundancy)) + sum(float(np.nansum(g.redundancy)) for g in groups)
     limit = 1e-6 * max(redundancy, 1)
     if abs(total - redundancy) > limit:  # what rounding explains is looked for only where it is needed
-        limit += ROUNDINGS * np.finfo(float).eps * _information_shares(work, state, found)
+        limit += ROUNDINGS * EPSILON * _information_shares(work.normals, state, found)
     return RedundancySum(sum=total, limit=limit)
 
 
 ROUNDINGS = 20
-"""Units of rounding that a sum of redundancy numbers may be off."""
+"""Units of rounding that a redundancy number, or the sum of all, may be off."""
+EPSILON = float(np.finfo(float).eps)
 
 
-def _information_shares(work: Work, state: State, found: Cofactors) -> float:
+def rounding(normals: Normals, state: State, found: Cofactors) -> float:
+    """What the redundancy number of a single quantity may be by rounding alone.
+
+    r = 1 - Q_ii / s^2 is a difference.  As in `redundancy_sum`, forming N rounds N_kk by some e of it, and Q_ii changes
+    by the sum of Q_ik^2 e N_kk, as Q_ik^2 <= Q_ii Q_kk by no more than e Q_ii sum N_kk Q_kk: r by e times that sum.
+    """
+    return ROUNDINGS * EPSILON * _information_shares(normals, state, found)
+
+
+def _information_shares(normals: Normals, state: State, found: Cofactors) -> float:
     """Sum of N_ii Q_ii over all unknowns: of the nodes, and of the object points that are eliminated."""
     from raybundle.adjustment.twin import image_residuals  # noqa: PLC0415  (reads this layer's normals)
 
-    system, normals = work.system, work.normals
+    system = normals.system
     nodes = 0.0
     for k, (a, b) in enumerate(itertools.pairwise(system.offsets.tolist())):
         nodes += float(np.diagonal(normals.node_block(found.inverse, k, k)) @ normals.diagonal[a:b])

@@ -217,11 +217,12 @@ def command(
     from raybundle.errors import InputError  # noqa: PLC0415
     from raybundle.io.block_toml import read_cameras  # noqa: PLC0415
     from raybundle.io.camera_library import library_folder  # noqa: PLC0415
-    from raybundle.io.control_files import DEFAULTS, ControlDefaults, read_control  # noqa: PLC0415
+    from raybundle.io.control_files import DEFAULTS, ControlDefaults, named_apart, read_control  # noqa: PLC0415
     from raybundle.io.photos.photo import shown  # noqa: PLC0415
     from raybundle.io.project import discard_empty  # noqa: PLC0415
     from raybundle.io.trajectories import read_trajectory  # noqa: PLC0415
     from raybundle.report.result_folder import check_target  # noqa: PLC0415
+    from raybundle.workflows.earlier_result import less_fixed  # noqa: PLC0415
     from raybundle.workflows.marks import Given, ScaleBar  # noqa: PLC0415
     from raybundle.workflows.orient import OrientOptions, orient, part_folder  # noqa: PLC0415
 
@@ -236,10 +237,10 @@ def command(
     plan, height = control_sigma or (DEFAULTS.plan, DEFAULTS.height)
     usual = ControlDefaults(plan=plan, height=height)
     given = Given(
-        control=(
+        control=named_apart((
             *(read_control(f, defaults=usual) for f in control),
             *(read_control(f, defaults=replace(usual, role="check")) for f in check),
-        ),
+        )),
         scale_bars=tuple(ScaleBar(start=a, end=b, length=d, sigma=e) for a, b, d, e in scale_bar),
         gps=not no_gps, shift=not no_shift, misalignment=not no_misalignment,
         lever_arm=None if lever_arm is None else (lever_arm[:3], lever_arm[3]),
@@ -257,6 +258,11 @@ def command(
                 photos, out, options, calibration=cameras, given=given, progress=tell,
                 positions=None if positions is None else read_trajectory(positions),
             )  # fmt: skip
+            lost = less_fixed(result, done.adjustment)
+            if lost is not None:
+                done = replace(
+                    done, adjustment=replace(done.adjustment, notices=(lost, *done.adjustment.notices))
+                )  # fmt: skip
             with report_stage(out, done.stages):
                 write_orientation(done, result, report="none" if no_report else "html", progress=tell)
     except KeyboardInterrupt:

@@ -72,6 +72,8 @@ class ControlFile:
     """(n,) of round targets, whose measured centres are those of ellipses [m]; NaN: no round target."""
     normal: Array | None = None
     """(n, 3) unit vectors square to round targets, in the axes of the coordinates; NaN: not known."""
+    stem: str = ""
+    """What names that were made for points without any begin with; empty where they are the file's"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -233,10 +235,31 @@ def _grouped(path: Path, crs: str, rows: Sequence[_Row], defaults: ControlDefaul
             xy_px=np.array([r.xy for r in rows]),
             line=np.array([r.line for r in rows], np.int32),
         ),
-        remarks=()
-        if any(named)
-        else (f"the file has no names; lines with the same X Y Z are one point: {stem}00, {stem}01 ...",),
+        remarks=() if any(named) else (_nameless(stem, 0),),
+        stem="" if any(named) else stem,
     )
+
+
+def _nameless(stem: str, first: int) -> str:
+    return (
+        f"the file has no names; lines with the same X Y Z are one point: {stem}{first:02d}, {stem}{first + 1:02d} ..."
+    )
+
+
+def named_apart(files: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
+    """The files, of which those without names have names that no other file has: made ones count on."""
+    taken = {name for f in files if not f.stem for name in f.ids}
+    found: list[ControlFile] = []
+    for f in files:
+        first = 0
+        while f.stem and taken & {f"{f.stem}{first + k:02d}" for k in range(len(f.ids))}:
+            first += 1
+        if first:
+            remarks = tuple(_nameless(f.stem, first) if r == _nameless(f.stem, 0) else r for r in f.remarks)
+            f = replace(f, ids=tuple(f"{f.stem}{first + k:02d}" for k in range(len(f.ids))), remarks=remarks)  # noqa: PLW2901
+        taken.update(f.ids)
+        found.append(f)
+    return tuple(found)
 
 
 def _default_sigma(xyz: Array, defaults: ControlDefaults) -> Array:

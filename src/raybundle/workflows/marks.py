@@ -101,12 +101,41 @@ class Placing:
         self.notices.append(Notice(code=code, message=message, ids=ids))
 
 
+def check_marks(photos: Sequence[Photo], given: Given) -> None:
+    """Raise InputError for marks outside their photograph, and ends of scale bars that nobody marked.
+
+    It needs the photographs' sizes alone, so that it is asked before anything is computed.
+    """
+    images = {p.name: i for i, p in enumerate(photos)}
+    for c in given.control:
+        for name, at, line in zip(c.measurements.image, c.measurements.xy_px, c.measurements.line, strict=True):
+            i = _photo(images, name)
+            if i is None:
+                continue
+            size = photos[i].width_px, photos[i].height_px
+            if not (0 <= at[0] <= size[0] and 0 <= at[1] <= size[1]):
+                raise InputError(
+                    f"{at[0]:g}, {at[1]:g} lies outside photograph {name} ({size[0]} x {size[1]} px); "
+                    "measure in the photograph at its full size",
+                    file=c.path, line=int(line),
+                )  # fmt: skip
+    known = {name for c in given.control for name in c.ids}
+    for bar in given.scale_bars:
+        for name in (bar.start, bar.end):
+            if name not in known:
+                raise InputError(
+                    f"scale bar {bar.start} - {bar.end}: point {name} is not measured in any photograph; "
+                    "give its image measurements with --control"
+                )
+
+
 def add_points(state: Placing, photos: Sequence[Photo], given: Given, frame: LocalFrame | None) -> None:
     """Control, check and merely measured points with their image measurements.
 
     A measured point of which nothing is asked to be used (role tie) is control without a given coordinate until the
     block is placed: so every step knows that it was marked, by its role; `without_empty_control` ends that.
     """
+    check_marks(photos, given)
     images = {p.name: i for i, p in enumerate(photos)}
     block = state.block
     ids, xyz, sigma, role = list[str](), list[Array](), list[Array](), list[int]()
@@ -121,20 +150,11 @@ def add_points(state: Placing, photos: Sequence[Photo], given: Given, frame: Loc
             sigma.append(np.where(np.isfinite(place), c.sigma[k], np.nan))
             role.append(int(Role.CONTROL if tie else c.role[k]))
         unknown: dict[str, int] = {}
-        for name, k, at, line in zip(
-            c.measurements.image, c.measurements.point, c.measurements.xy_px, c.measurements.line, strict=True
-        ):
+        for name, k, at in zip(c.measurements.image, c.measurements.point, c.measurements.xy_px, strict=True):
             i = _photo(images, name)
             if i is None:
                 unknown[name] = unknown.get(name, 0) + 1
                 continue
-            size = photos[i].width_px, photos[i].height_px
-            if not (0 <= at[0] <= size[0] and 0 <= at[1] <= size[1]):
-                raise InputError(
-                    f"{at[0]:g}, {at[1]:g} lies outside photograph {name} ({size[0]} x {size[1]} px); "
-                    "measure in the photograph at its full size",
-                    file=c.path, line=int(line),
-                )  # fmt: skip
             if not block.images.oriented[i]:
                 continue
             image.append(i)
@@ -277,13 +297,6 @@ def add_bars(state: Placing, given: Given) -> None:
     if not given.scale_bars:
         return
     index = {name: k for k, name in enumerate(state.block.points.ids)}
-    for bar in given.scale_bars:
-        for name in (bar.start, bar.end):
-            if name not in index:
-                raise InputError(
-                    f"scale bar {bar.start} - {bar.end}: point {name} is not measured in any photograph; "
-                    "give its image measurements with --control"
-                )
     bars = given.scale_bars
     state.block = replace(
         state.block,

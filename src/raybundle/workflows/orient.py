@@ -29,8 +29,8 @@ from raybundle.scenes.bias import BiasKind
 from raybundle.workflows.attitudes import Convention, find_attitudes
 from raybundle.workflows.dropped import Dropped
 from raybundle.workflows.final import adjusted_part, final_adjustment, left_out, undetermined_part
-from raybundle.workflows.georeference import Georeferenced
-from raybundle.workflows.marks import Given
+from raybundle.workflows.georeference import Georeferenced, frame_of
+from raybundle.workflows.marks import Given, check_marks
 from raybundle.workflows.parts import Part, apart_notice, place_parts
 from raybundle.workflows.photo_run import PhotoRun
 from raybundle.workflows.positions import GPS_M, flight_lines, without_idle
@@ -188,6 +188,9 @@ def orient(
     project = Project.open(folder)
     try:
         found, scenes_found, refused = _search(project, inputs, given, positions, options.crs, progress)
+        check_marks(found.photos, given)
+        if not scenes_found.scenes:  # which have a frame of their own
+            frame_of(found.photos, given)
         given, told = _with_attitudes(found.photos, positions, given, options)
         _forget(project, options)
         photographs = PhotoRun(found.photos, jobs, progress, refused)

@@ -1,0 +1,32 @@
+"""What the result that a run is about to replace had, and the new one has not."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+from raybundle.adjustment.result import Adjustment, Notice
+
+
+def less_fixed(folder: Path, adjustment: Adjustment) -> Notice | None:
+    """The caution that a result replaces one whose scale or place was known; None where nothing is lost.
+
+    folder  of the earlier result; without one that can be read nothing is said
+    """
+    try:
+        earlier: Any = json.loads((folder / "result.json").read_text("utf-8"))
+    except (OSError, ValueError):
+        return None
+    before: object = earlier.get("datum_defect") if isinstance(earlier, dict) else None
+    if not isinstance(before, list):
+        return None
+    lost = [name for name in adjustment.datum_defect if name not in before]
+    if len(adjustment.datum_defect) <= len(before) or not lost:
+        return None
+    return Notice(
+        code="datum_lost",
+        message=f"the result that this one replaces had what it has not: {', '.join(lost)}. The last run was given "
+        "control, positions or scale bars that this one was not, or that take no part; give them again "
+        "(--control, --scale-bar), or another --out",
+    )

@@ -1,0 +1,101 @@
+"""A control point is left out where an adjustment with it rejects it, it is located, and the datum stays."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from raybundle.adjustment.decide import decide
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.result import ObservationGroup
+from raybundle.adjustment.wrong_control import WrongControl, kept_notice, worst_control
+from raybundle.block import Role
+from raybundle.block.simulate import AerialStrips, Survey, aerial_scene, simulate
+
+OPTIONS = AdjustmentOptions(threads=1, reject="snooping")
+CORNERS = ((-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0))
+
+
+def network(places, sigma=0.02, wrong=None, seed=1, strips=2):
+    """An aerial block with control near these shares of its half extents, and the names; `wrong` {number: shift}."""
+    survey = Survey(seed=seed, orientation="approximate", points="exact", interior="exact")
+    simulated = simulate(aerial_scene(AerialStrips(strips=strips)), survey)
+    block, truth = simulated.observed, simulated.truth.points.xyz
+    rays = np.bincount(block.observations.point, minlength=len(block.points))
+    good = np.flatnonzero(rays >= 4)
+    middle, half = (np.max(truth[good], axis=0) + np.min(truth[good], axis=0)) / 2, np.ptp(truth[good], axis=0) / 2
+    chosen = [good[np.linalg.norm((truth[good] - middle)[:, :2] / half[:2] - p, axis=1).argmin()] for p in places]
+    role, xyz, sigmas = block.points.role.copy(), block.points.xyz.copy(), block.points.sigma.copy()
+    role[chosen], sigmas[chosen] = Role.CONTROL, sigma
+    xyz[chosen] = truth[chosen] + np.random.default_rng(seed).normal(0, sigma, (len(chosen), 3))
+    for k, shift in (wrong or {}).items():
+        xyz[chosen[k]] += shift
+    points = replace(block.points, role=role, xyz=xyz, sigma=sigmas)
+    return replace(block, points=points), [block.points.ids[k] for k in chosen]
+
+
+def told(result, code):
+    return [n for n in result.notices if n.code == code]
+
+
+def test_a_wrong_one_of_many_is_left_out_by_name():
+    block, names = network((*CORNERS, (0.0, 0.0), (0.0, 1.0)), wrong={2: [2.0, 0.0, 0.0]})
+    result = decide(block, OPTIONS)
+    assert [n.ids for n in told(result, "control_rejected")] == [(names[2],)]
+    assert not told(result, "control_not_located")
+
+
+def test_what_two_or_three_points_say_of_one_another_locates_none():
+    """Of three points that disagree in their distances, none is known to be the wrong one."""
+    block, names = network(CORNERS[:3], wrong={1: [3.0, 0.0, 0.0]})
+    result = decide(block, OPTIONS)
+    assert not told(result, "control_rejected")
+    assert result.datum_defect == ()
+    (kept,) = told(result, "control_not_located")
+    assert set(kept.ids) == set(names)
+    assert kept.severity == "caution"
+    assert "which of them is wrong cannot be told" in kept.message
+
+
+def test_a_point_without_which_the_datum_is_open_stays():
+    """Points that lie on a line, as far as they were measured, and one beside it that alone tells the rotation."""
+    line = [(x, 0.0) for x in (-1.0, -0.5, 0.0, 0.5, 1.0)]
+    block, names = network((*line, (0.0, 1.0)), sigma=25.0, wrong={5: [900.0, 0.0, 0.0]}, strips=5)
+    result = decide(block, OPTIONS)
+    assert not told(result, "control_rejected")
+    assert result.datum_defect == ()
+    (kept,) = told(result, "control_not_located")
+    assert kept.ids == (names[5],)
+    assert "without it nothing determines rotation about a straight line" in kept.message
+
+
+def test_right_control_is_kept_and_nothing_said():
+    for seed in range(3):
+        result = decide(network(CORNERS[:3], sigma=1.0, seed=seed)[0], OPTIONS)
+        assert result.datum_defect == ()
+        assert not told(result, "control_rejected")
+        assert not told(result, "control_not_located")
+
+
+def test_a_redundancy_number_that_is_rounding_tests_nothing():
+    """Three points tell heights and tilts exactly; what rounding leaves of redundancy made a test value of any size."""
+    block, _ = network(((-1.0, -0.05), (-1.0, 0.05), (1.0, 0.05)), sigma=1.0)
+    result = decide(block, OPTIONS)
+    control: ObservationGroup = next(g for g in result.groups if g.kind == "control")
+    height = np.array(control.component) == "Z"
+    assert (control.redundancy[height] == 0).all()
+    assert np.isnan(control.t[height]).all()
+    assert (worst_control(result) or ("", 0.0))[1] < result.critical_tau
+
+
+@pytest.mark.parametrize(
+    ("wrong", "words"),
+    [
+        (WrongControl(name="a", tau=9.0, open=("scale",)), "without it nothing determines scale"),
+        (WrongControl(name="a", tau=9.0, settled=False), "did not end"),
+        (WrongControl(name="a", tau=9.0, others=("b",)), "a, b"),
+    ],
+)
+def test_why_it_takes_part_is_said(wrong, words):
+    assert not wrong.may_go
+    assert words in kept_notice(wrong).message
