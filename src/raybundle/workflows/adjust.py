@@ -61,7 +61,9 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
     plain = (*identical, *([] if doubt is None else [notice(doubt, result.sigma0)]))
     if plain:
         # a large error has bent all others to it: what tests of single values say then is no measure
-        others = [n for n in result.notices if n.code != "control_suspect" or result.sigma0 <= POOR_FIT]
+        bent = {"control_suspect"} if result.sigma0 > POOR_FIT else set[str]()
+        bent |= set() if doubt is None else {"image_contradicts"}  # it is the control that contradicts them
+        others = [n for n in result.notices if n.code not in bent]
         result = replace(result, notices=(*plain, *others))
     return with_check_notice(replace(result, given=block, seconds=time.perf_counter() - began))
 
