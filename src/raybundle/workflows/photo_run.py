@@ -29,6 +29,7 @@ from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Progress
 from raybundle.workflows.dropped import Dropped
+from raybundle.workflows.missing import missing_notices
 from raybundle.workflows.parts import start_parts
 from raybundle.workflows.precise import PreciseBlock, Visible, Weights, refine
 from raybundle.workflows.repeated import sound_pairs
@@ -235,6 +236,7 @@ def _start(
         counts = np.array([sum(len(f) for f in features), len(sound.tracks.image)])
         packed = _packed([{**_arrays_of_tie(t), "raw_counts": counts} for t in ties])
         project.store(stage.key, {**packed, **_arrays_of_notices(told)})
+    told = (*told, *(n for t in ties for n in missing_notices(t.block)))
     oriented = sum(int(t.block.images.oriented.sum()) for t in ties)
     split = f" in {len(ties)} parts" if len(ties) > 1 else ""
     points = sum(len(t.block.points) for t in ties)

@@ -1,0 +1,166 @@
+"""Missing correspondences: photographs joined by points around which nothing else that both should show is common.
+
+Two equal panels far apart, which no photograph shows together, are taken for one: all that the photographs of both
+have in common agrees, and nothing contradicts it.  What tells is beside the panel: where the block predicts the points
+of one photograph onto the very surface of which the other has points of its own, none of them is the same (after Zach,
+Irschara and Bischof 2008; Jiang, Tan and Cheong 2012).  Occlusion does not look so: the surfaces lie at other depths.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from raybundle.adjustment.predict import predicted_px
+from raybundle.adjustment.result import Notice
+from raybundle.adjustment.severity import Severity
+from raybundle.block import Block
+from raybundle.matching.verify import FEWEST
+from raybundle.numerics.arrays import Array, Index, Mask
+
+GRID = 8
+"""Cells of the format each way in which two photographs are compared."""
+IN_CELL = 3
+"""Points that each of two photographs must have of its own in a cell, so that one in common is to be expected."""
+STEEPEST = np.cos(np.radians(30.0))
+"""Cosine of the angle between the rays to a point up to which features are expected to be found again."""
+LARGEST = 1.6
+"""Ratio of the image scales up to which they are."""
+BARREN = 0.1
+"""Share of barren cells up to which a pair is sound.
+
+All photographs of the ordinary sets hang together by pairs of 0.02 at most, those of two panels taken for
+one by 0.36 at least (benchmarks/missing.py); this is near the geometric middle.
+"""
+CELLS = 10
+"""Barren cells between two groups that are enough to tell them apart."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Seen:
+    """What each photograph of a block shows."""
+
+    points: tuple[Index, ...]
+    """of each image, sorted"""
+
+
+def seen_of(block: Block) -> Seen:
+    """The object points of each image."""
+    o = block.observations
+    order = np.lexsort((o.point, o.image))
+    ends = np.searchsorted(o.image[order], np.arange(len(block.images) + 1))
+    points = o.point[order]
+    return Seen(points=tuple(np.unique(points[a:b]) for a, b in pairwise(ends.tolist())))
+
+
+def cells(block: Block, seen: Seen, i: int, j: int) -> tuple[int, int]:
+    """Cells in which both images show points of one surface: those without and those with a point in common.
+
+    i, j  oriented images
+    """
+    common, in_i, in_j = np.intersect1d(seen.points[i], seen.points[j], assume_unique=True, return_indices=True)
+    points = np.concatenate([np.delete(seen.points[i], in_i), np.delete(seen.points[j], in_j), common])
+    of = np.repeat([0, 1, 2], [len(seen.points[i]) - len(common), len(seen.points[j]) - len(common), len(common)])
+    xyz = block.points.xyz[points]
+    to = [xyz - block.images.centre[k] for k in (i, j)]
+    far = [np.linalg.norm(d, axis=1) for d in to]
+    depth = [-(d @ block.images.rotation[k][2]) for d, k in zip(to, (i, j), strict=True)]
+    with np.errstate(all="ignore"):
+        alike = (to[0] * to[1]).sum(axis=1) > STEEPEST * far[0] * far[1]
+        alike &= (far[0] < LARGEST * far[1]) & (far[1] < LARGEST * far[0]) & (depth[0] > 0) & (depth[1] > 0)
+    barren = mixed = 0
+    for k, image in enumerate((i, j)):
+        number, inside = _cell(block, image, xyz)
+        rows = np.flatnonzero(inside & alike)
+        a, b = _counted(of[rows], number[rows], np.log(depth[k][rows]))
+        barren, mixed = barren + a, mixed + b
+    return barren, mixed
+
+
+def _cell(block: Block, image: int, xyz: Array) -> tuple[Index, Mask]:
+    """The cell of an image that each point (n, 3) falls into, and whether it is inside the format."""
+    camera = block.cameras[int(block.images.camera[image])]
+    share = predicted_px(block, image, xyz) / (camera.width_px, camera.height_px)
+    with np.errstate(invalid="ignore"):
+        inside = np.asarray(((share > 0.02) & (share < 0.98)).all(axis=1), bool)
+    column, row = np.where(inside[:, None], share * GRID, 0).astype(int).T
+    return row * GRID + column, inside
+
+
+def _counted(of: Index, number: Index, log_depth: Array) -> tuple[int, int]:
+    """Barren and mixed cells; of: 0 points of the one image, 1 of the other, 2 of both."""
+    counts = np.stack([np.bincount(number[of == k], minlength=GRID * GRID) for k in range(3)])
+    barren = mixed = 0
+    for k in np.flatnonzero((counts[:2] >= IN_CELL).all(axis=0)):
+        a, b = (log_depth[(number == k) & (of == side)] for side in (0, 1))
+        spread = max(*(float(np.median(np.abs(d - np.median(d)))) for d in (a, b)), 0.01)
+        if abs(float(np.median(a) - np.median(b))) < 2 * spread + 0.02:
+            barren, mixed = barren + (counts[2, k] == 0), mixed + (counts[2, k] > 0)
+    return int(barren), int(mixed)
+
+
+def candidate_pairs(block: Block) -> Iterator[tuple[int, int]]:
+    """Pairs of oriented images with enough points in common, those with most first."""
+    from scipy.sparse import coo_matrix, triu  # noqa: PLC0415
+
+    o = block.observations
+    keep = block.images.oriented[o.image]
+    A = coo_matrix(
+        (np.ones(int(keep.sum()), np.int32), (o.image[keep], o.point[keep])),
+        shape=(len(block.images), len(block.points)),
+    ).tocsr()
+    common = coo_matrix(triu(A @ A.T, 1))
+    count = np.asarray(common.data, int)
+    rows = np.lexsort((common.col, common.row, -count))
+    for r in rows[count[rows] >= FEWEST]:
+        yield int(common.row[r]), int(common.col[r])
+
+
+def groups(block: Block) -> tuple[tuple[Index, ...], int, int]:
+    """Groups of images that no sound pair joins, the largest first, and the barren and mixed cells between them.
+
+    Pairs are looked at only where no sound pair has joined their images yet.  Of one group where too little is told.
+    What it does not tell: wrong photographs that a chain of right pairs joins to the others as well.
+    """
+    seen, n = seen_of(block), len(block.images)
+    group = np.arange(n)
+    doubted: list[tuple[int, int, int, int]] = []
+    for i, j in candidate_pairs(block):
+        if group[i] == group[j]:
+            continue
+        barren, mixed = cells(block, seen, i, j)
+        if barren > BARREN * (barren + mixed):
+            doubted.append((i, j, barren, mixed))
+        else:
+            group[group == group[j]] = group[i]
+    between = [d for d in doubted if group[d[0]] != group[d[1]]]
+    # what too few cells tell apart is no group of its own; nor is what nothing was looked at between
+    told: dict[tuple[int, int], int] = {}
+    for i, j, barren, _ in between:
+        key = (int(min(group[i], group[j])), int(max(group[i], group[j])))
+        told[key] = told.get(key, 0) + barren
+    apart = {k for key, barren in told.items() if barren >= CELLS for k in key}
+    found = sorted((np.flatnonzero(group == k) for k in apart), key=lambda g: (-len(g), int(g[0])))
+    cut = [d for d in between if {int(group[d[0]]), int(group[d[1]])} <= apart]
+    return tuple(found), sum(d[2] for d in cut), sum(d[3] for d in cut)
+
+
+def missing_notices(block: Block) -> tuple[Notice, ...]:
+    """What there is to say of photographs of a start's block that only a part that looks alike may join."""
+    found, barren, mixed = groups(block)
+    if len(found) < 2:
+        return ()
+    named = [[block.images.ids[i] for i in g] for g in found]
+    shown = "; ".join(", ".join(n[:3]) + (f" and {len(n) - 3} more" if len(n) > 3 else "") for n in named[:4])
+    message = (
+        f"repeated structure: {len(found)} groups of photographs ({shown}) agree in some points, but in "
+        f"{barren / (barren + mixed):.0%} of the places around these where both show the same surface no point is "
+        f"common (limit {BARREN:.0%}): they may show different parts which look alike, one put upon the other. "
+        "Compare their positions with where they were taken; take photographs that show the way from one part to the "
+        "other, or put up coded targets"
+    )
+    ids = tuple(n for names in named[1:] for n in names)
+    return (Notice(code="repeated_structure", message=message, ids=ids, measured=Severity.FAULT),)
