@@ -9,6 +9,7 @@ from raybundle.io.project import Project
 from raybundle.matching.features import Described, feature_method
 from raybundle.matching.verify import verify
 from raybundle.workflows.same_picture import same_picture_notice, same_pictures
+from raybundle.workflows.static_background import still_and_moving
 from raybundle.workflows.tie_points import find_features
 
 
@@ -50,3 +51,25 @@ def test_the_more_compressed_copy_repeats_the_other_and_is_named(found):
     told = same_picture_notice(repeats, photos)
     assert (told.code, told.ids) == ("identical_images", ("a_edited.jpg",))
     assert "a_edited.jpg as b.jpg" in told.message
+
+
+def test_an_equal_part_at_the_same_pixels_is_no_copy(tmp_path):
+    (tmp_path / "photos").mkdir()
+    other = np.asarray(picture(90)).copy()
+    other[80:230, 60:330] = np.asarray(picture())[80:230, 60:330]  # a third of the format
+    picture().save(tmp_path / "photos/a.jpg", quality=95)
+    Image.fromarray(other).save(tmp_path / "photos/b.jpg", quality=95)
+    picture(30).save(tmp_path / "photos/c.jpg", quality=95)
+    photos = find_photos([tmp_path / "photos"]).photos
+    method = feature_method("rootsift")
+    with Project.open(tmp_path / "project") as project:
+        with project.stage("features") as stage:
+            store, _ = find_features(project, stage, photos, method, 800, 1, lambda *_: None)
+        f, g = store.of(0), store.of(1)
+        one, two = (Described(xy_px=h.xy_px, descriptors=h.descriptors, size_px=(400, 300)) for h in (f, g))
+        pair = verify(0, 1, f.xy_px, g.xy_px, method.match(one, two), (400, 300), (400, 300))
+        still = still_and_moving(photos, store, method, 0, 1)
+        assert pair.displacement_px < 0.5
+        assert still.still > 0
+        assert still.covered < 0.6
+        assert same_pictures([pair], photos, store, method) == {}

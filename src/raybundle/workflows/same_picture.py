@@ -21,6 +21,11 @@ of a block.  Pixels that a program saves anew stay where they are; a camera in t
 SHARE = 0.6
 """Of all matches that stand still, as of the points of identical images; and no others have a geometry of their own."""
 
+COVERED = 0.8
+"""Of the cells of the format in which both have features, with some that stand still: a copy has them in nearly all.
+
+Two photographs of equal things at the same pixels have them there alone."""
+
 
 def same_pictures(
     pairs: Sequence[VerifiedPair], photos: Sequence[Photo], store: FeatureStore, method: FeatureMethod
@@ -36,8 +41,8 @@ def same_pictures(
         a, b = photos[p.first], photos[p.second]
         if p.displacement_px >= APART_PX or (a.width_px, a.height_px) != (b.width_px, b.height_px):
             continue
-        still, total, moving = still_and_moving(photos, store, method, p.first, p.second)
-        if still > SHARE * total and not moving:
+        pair = still_and_moving(photos, store, method, p.first, p.second)
+        if pair.still > SHARE * pair.matches and not pair.moving and pair.covered > COVERED:
             twins.setdefault(p.first, set()).add(p.second)
             twins.setdefault(p.second, set()).add(p.first)
     repeats: dict[int, int] = {}

@@ -31,6 +31,9 @@ CHANCE = 1e-6
 PAIRS = 12
 """Pairs that are looked at, spread over the photographs."""
 FEWEST_PHOTOGRAPHS = 3
+GRID, IN_CELL = 6, 8
+"""Cells of the format each way, and features that each photograph must have in one, so that one in common is to be
+expected: where three of ten are found again, none of eight is in 6 % of the cells."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -64,10 +67,10 @@ def static_background(
     found = set[int]()
     still = total = 0
     for i, j in _neighbours(photos, some):
-        n, m, moving = still_and_moving(photos, store, method, i, j)
-        if n and moving:
+        pair = still_and_moving(photos, store, method, i, j)
+        if pair.still and pair.moving:
             found |= {i, j}
-            still, total = still + n, total + m
+            still, total = still + pair.still, total + pair.matches
     if len(found) < FEWEST_PHOTOGRAPHS:
         return None
     return StaticBackground(photographs=tuple(photos[i].name for i in sorted(found)), share=still / total)
@@ -85,10 +88,21 @@ def _neighbours(photos: Sequence[Photo], some: int) -> list[tuple[int, int]]:
     return pairs if len(pairs) <= some else [pairs[k] for k in np.linspace(0, len(pairs) - 1, some).astype(int)]
 
 
-def still_and_moving(
-    photos: Sequence[Photo], store: FeatureStore, method: FeatureMethod, i: int, j: int
-) -> tuple[int, int, bool]:
-    """Matches of a pair that stand still (0 where chance may put them there), all, and whether others move together."""
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StillPair:
+    """What stands still between two photographs."""
+
+    matches: int
+    still: int = 0
+    """of the matches, at the same pixels; 0 where chance may put them there"""
+    moving: bool = False
+    """whether others move together"""
+    covered: float = 0.0
+    """of the cells of the format in which both photographs have features, those with a match that stands still"""
+
+
+def still_and_moving(photos: Sequence[Photo], store: FeatureStore, method: FeatureMethod, i: int, j: int) -> StillPair:
+    """Matches of a pair that stand still, and whether others move together."""
     xy, described = list[Array](), list[Described]()
     for k in (i, j):
         f, photo = store.of(k), photos[k]
@@ -100,10 +114,22 @@ def still_and_moving(
     apart = np.linalg.norm(xy[0][matches[:, 0]] - xy[1][matches[:, 1]], axis=1)
     n, ring = int((apart < STILL_PX).sum()), int(((apart >= STILL_PX) & (apart < RING_PX)).sum())
     if n < FEWEST or not _beyond_chance(n, ring):
-        return 0, len(matches), False
+        return StillPair(matches=len(matches))
     size = [(photos[k].width_px, photos[k].height_px) for k in (i, j)]
     rest = verify(i, j, xy[0], xy[1], matches[apart >= RING_PX], size[0], size[1])
-    return n, len(matches), len(rest.matches) >= FEWEST
+    covered = _covered(xy[0], xy[1], xy[0][matches[apart < STILL_PX, 0]], size[0])
+    return StillPair(matches=len(matches), still=n, moving=len(rest.matches) >= FEWEST, covered=covered)
+
+
+def _covered(first: Array, second: Array, still: Array, size: tuple[int, int]) -> float:
+    """Share of the cells with features of both photographs in which one stands still; 0 where there are no such."""
+
+    def count(xy: Array) -> Array:
+        column, row = np.clip(xy / size * GRID, 0, GRID - 1).astype(int).T
+        return np.bincount(row * GRID + column, minlength=GRID * GRID)
+
+    both = (count(first) >= IN_CELL) & (count(second) >= IN_CELL)
+    return float((count(still)[both] > 0).mean()) if both.any() else 0.0
 
 
 def _beyond_chance(still: int, ring: int) -> bool:
