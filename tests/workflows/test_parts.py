@@ -15,7 +15,15 @@ from raybundle.block.simulate import AerialStrips, Survey, aerial_scene, simulat
 from raybundle.io.control_files import ControlFile, Measurements
 from raybundle.numerics.rotation import rotation_from_angles
 from raybundle.workflows.marks import Given
-from raybundle.workflows.parts import FEWEST_IMAGES, apart_notice, kinds, merged, place_parts, start_parts
+from raybundle.workflows.parts import (
+    FEWEST_IMAGES,
+    apart_notice,
+    joined_notice,
+    kinds,
+    merged,
+    place_parts,
+    start_parts,
+)
 
 
 @pytest.fixture(scope="module")
@@ -92,7 +100,15 @@ def test_control_in_both_parts_joins_them(flight):
     placed, apart = place_parts(flight.parts, flight.photos, given)
     assert not apart
     assert placed.block.images.oriented.all()
-    assert {"parts_joined"} <= {n.code for n in placed.notices}
+    (told,) = joined_notice(placed.joined, placed.block)
+    assert told.code == "parts_joined"
+    assert told.message.startswith("the photographs fall into 2 parts (")
+    # of photographs that the adjustment leaves out nothing is said
+    images, (first, second) = placed.block.images, placed.joined
+    kept = np.array([n in first for n in images.ids])
+    left = replace(images, centre=np.where(kept[:, None], images.centre, np.nan))
+    assert len(first) + len(second) == images.oriented.sum()
+    assert joined_notice(placed.joined, replace(placed.block, images=left)) == ()
     assert np.linalg.norm(placed.block.images.centre - flight.truth.images.centre, axis=1).max() < 2.0
     assert placed.marked.sum() == len(given.control[0].ids)
     assert len(set(placed.block.points.ids)) == len(placed.block.points)

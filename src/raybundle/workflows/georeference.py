@@ -57,6 +57,8 @@ class Georeferenced:
     """placed in the object system by control or positions"""
     upright: Upright | None = None
     """how the vertical was found, where neither control nor positions tell it"""
+    joined: tuple[tuple[str, ...], ...] = ()
+    """photographs of each part, where the block is of several without common points"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -31,7 +31,7 @@ from raybundle.workflows.dropped import Dropped
 from raybundle.workflows.final import adjusted_part, final_adjustment, left_out, undetermined_part
 from raybundle.workflows.georeference import Georeferenced, frame_of
 from raybundle.workflows.marks import Given, check_marks
-from raybundle.workflows.parts import Part, apart_notice, place_parts
+from raybundle.workflows.parts import Part, apart_notice, joined_notice, place_parts
 from raybundle.workflows.photo_run import PhotoRun
 from raybundle.workflows.positions import GPS_M, flight_lines, without_idle
 from raybundle.workflows.precise import Weights
@@ -368,7 +368,7 @@ def _adjusted(
         placed = replace(placed, block=shared.applied(placed.block))
         adjustment = final_adjustment(placed, groups, jobs, progress, remarks, noise, weights=weights)
     adjustment = with_relative_precision(with_cause(adjustment, photos))
-    told = shared.notices
+    told = (*joined_notice(placed.joined, adjustment.given), *shared.notices)
     if kept:  # of what is left in the end: the adjustments leave photographs out
         left = [replace(k, block=p.adjustment.given) for k, p in zip(kept, parts, strict=True)]
         told = (apart_notice(adjustment.given, left, [part_folder(k) for k in range(len(kept))]), *told)

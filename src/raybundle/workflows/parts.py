@@ -100,17 +100,28 @@ def place_parts(
     if len(joined) == 1:
         return replace(first, block=without_idle(first.block)), tuple(apart)
     notices = {n.message: n for p in joined for n in p.notices}
-    count = ", ".join(str(int(p.block.images.oriented.sum())) for p in joined)
-    told = Notice(
-        code="parts_joined",
-        message=f"the photographs fall into {len(joined)} parts ({count} photographs) without common points; "
-        "control or positions join them. Photographs that show two parts at once would make the joint firmer",
-    )
     block = without_idle(merged([p.block for p in joined]))
     marked = np.asarray(block.points.role) != Role.TIE
     names = {n for p in joined for n, m in zip(p.block.points.ids, p.marked, strict=True) if m}
     marked |= np.array([n in names for n in block.points.ids])
-    return replace(first, block=block, marked=marked, notices=(told, *notices.values())), tuple(apart)
+    whole = replace(
+        first, block=block, marked=marked, notices=tuple(notices.values()),
+        joined=tuple(_names(p.block) for p in joined),
+    )  # fmt: skip
+    return whole, tuple(apart)
+
+
+def joined_notice(joined: Sequence[Sequence[str]], main: Block) -> tuple[Notice, ...]:
+    """What the result says of parts that control or positions join: of those of which photographs are left in it."""
+    there = set(_names(main))
+    counts = [n for part in joined if (n := len(there.intersection(part)))]
+    if len(counts) < 2:
+        return ()
+    message = (
+        f"the photographs fall into {len(counts)} parts ({', '.join(map(str, counts))} photographs) without common "
+        "points; control or positions join them. Photographs that show two parts at once would make the joint firmer"
+    )
+    return (Notice(code="parts_joined", message=message),)
 
 
 def merged(blocks: Sequence[Block]) -> Block:
@@ -193,7 +204,7 @@ def _distances(block: Block, position: dict[str, int]) -> Distances:
 
 def apart_notice(main: Block, apart: Sequence[Georeferenced], folders: Sequence[str]) -> Notice:
     """What the result of the main part says of the others."""
-    names = [tuple(n for n, o in zip(p.block.images.ids, p.block.images.oriented, strict=True) if o) for p in apart]
+    names = [_names(p.block) for p in apart]
     told = "; ".join(
         f"{kinds(p.block)} in {f} ({', '.join(n[:3])}{' ...' if len(n) > 3 else ''})"
         for p, n, f in zip(apart, names, folders, strict=True)
@@ -217,6 +228,11 @@ def kinds(block: Block) -> str:
     """What the oriented images of a block are, with their numbers: "2 scenes and 1 photograph"."""
     words = [f"{n} {kind}{'' if n == 1 else 's'}" for kind, n in _count(block).items()]
     return " and ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
+
+
+def _names(block: Block) -> tuple[str, ...]:
+    """The oriented images."""
+    return tuple(n for n, o in zip(block.images.ids, block.images.oriented, strict=True) if o)
 
 
 def _oriented(block: Block) -> list[int]:
