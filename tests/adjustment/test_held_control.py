@@ -113,12 +113,40 @@ def test_two_wrong_ones_are_both_named_and_all_where_none_explains_it():
     assert set(notice.ids) == {names[1], names[4]}
     xyz = block.points.xyz.copy()
     rows = [block.points.ids.index(n) for n in names]
-    xyz[rows] = xyz[rows][:, [1, 0, 2]]  # exchanged axes: a mirrored object
-    mirrored = replace(block, points=replace(block.points, xyz=xyz))
-    (notice,) = [n for n in adjust(mirrored, OPTIONS).notices if n.code == "control_contradicts"]
+    xyz[rows] = xyz[rows] + np.random.default_rng(1).normal(0, 2.0, (len(rows), 3))
+    (notice,) = [
+        n
+        for n in adjust(replace(block, points=replace(block.points, xyz=xyz)), OPTIONS).notices
+        if n.code == "control_contradicts"
+    ]
     assert notice.ids == tuple(names)
     assert "fit one another without control" in notice.message
     assert "exchanged names or axes" in notice.message
+
+
+@pytest.mark.parametrize("control", [4, 7])
+def test_what_is_exchanged_in_the_control_is_named(control):
+    block = observed(control=control)
+    names = control_names(block)
+    i, j = (block.points.ids.index(names[k]) for k in (0, 2))
+    xyz = block.points.xyz.copy()
+    xyz[[i, j]] = xyz[[j, i]]
+    (notice,) = [
+        n
+        for n in adjust(replace(block, points=replace(block.points, xyz=xyz)), OPTIONS).notices
+        if n.code == "control_contradicts"
+    ]
+    assert notice.ids == (names[0], names[2])
+    assert notice.message.startswith(f"control points {names[0]} and {names[2]} seem to be exchanged")
+    xyz = block.points.xyz.copy()
+    rows = [block.points.ids.index(n) for n in names]
+    xyz[rows] = xyz[rows][:, [1, 0, 2]]  # as in a list by northing and easting: a mirrored object
+    (notice,) = [
+        n
+        for n in adjust(replace(block, points=replace(block.points, xyz=xyz)), OPTIONS).notices
+        if n.code == "control_contradicts"
+    ]
+    assert notice.message.startswith("the axes X and Y seem to be exchanged")
 
 
 def test_photographs_that_contradict_themselves_are_not_laid_on_control():

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.stats import chi2
+from scipy.special import chdtri
 
 from raybundle.adjustment.engine import open_datum
 from raybundle.adjustment.queries import cofactors_with
@@ -116,7 +116,7 @@ def alternatives(result: Adjustment, name: str) -> tuple[str, ...]:
         alone, own = _let_go(np.eye(len(his)) - Q, v[his], within)
         T, rank = _let_go(np.eye(len(both)) - both, np.concatenate([v[mine], v[his]]), within)
         more = rank - own
-        if more <= 0 or T - alone < chi2.ppf(REFUTED, more):
+        if more <= 0 or T - alone < float(chdtri(more, 1 - REFUTED)):
             found.append(result.given.points.ids[j])
     return tuple(found)
 

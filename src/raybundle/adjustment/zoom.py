@@ -209,7 +209,7 @@ def _check(settings: Sequence[ZoomSetting]) -> None:
 
 def _selected(problem: _Problem, terms: Sequence[_Term], highest: int, significance: float) -> list[_Term]:
     """Variables and orders chosen by significance: up by the terms that lower the square sum, then down again."""
-    from scipy.stats import chi2  # noqa: PLC0415
+    from scipy.stats import chi2
 
     chosen: list[_Term] = [(v, min(o, highest)) for v, o in terms]
     level = significance / len(chosen)

@@ -113,7 +113,7 @@ def normalised(error: Array, covariance: Array) -> tuple[float, float, float]:
     The band is that of independent errors; those of one network are correlated, so that it is rather too narrow.
     """
     import numpy as np  # noqa: PLC0415
-    from scipy.stats import chi2  # noqa: PLC0415
+    from scipy.stats import chi2
 
     squares = np.einsum("ni,nij,nj->n", error, np.linalg.inv(covariance), error)
     low, high = chi2.ppf([0.0005, 0.9995], error.size) / error.size

@@ -70,7 +70,7 @@ def running(
 
 def _by_chance(mean: Array, std: Array) -> float:
     """Probability of the sum of squares of the normalised means."""
-    from scipy.stats import chi2  # noqa: PLC0415  (only where a report is written)
+    from scipy.stats import chi2
 
     good = np.isfinite(mean) & (std > 0)
     if good.sum() < 3:

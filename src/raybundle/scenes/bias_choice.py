@@ -161,7 +161,7 @@ def _fit(kind: BiasKind, uv: Array, difference: Array, covariance: Array) -> Bia
 
 
 def _advised(fits: tuple[BiasFit, ...], sigma_px: float) -> tuple[BiasFit, str]:
-    from scipy.stats import chi2, f  # noqa: PLC0415  (SciPy only where it is asked for)
+    from scipy.stats import chi2, f
 
     chosen, reason = fits[0], ""
     for larger in fits[1:]:

@@ -183,7 +183,7 @@ def _least_squares(model: EmpiricalModel, X: Array, uv: Array, free: Index) -> t
 def _adequate(
     model: EmpiricalModel, residuals: Array, square_sum: float, redundancy: int, sigma_px: float
 ) -> tuple[bool, str]:
-    from scipy.stats import chi2  # noqa: PLC0415  (SciPy only where it is asked for)
+    from scipy.stats import chi2
 
     if redundancy == 0:
         return True, f"{model.name}: no redundancy; nothing can be said about how well the model fits"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from itertools import combinations
 
 import numpy as np
 
@@ -15,10 +16,14 @@ from raybundle.block.select import with_rows
 from raybundle.errors import InputError, NotSolvable
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.statistics import fisher_tail
-from raybundle.numerics.transform import robust_similarity
+from raybundle.numerics.transform import robust_similarity, similarity
 
 ROUNDS = 3
 """Points that are left out, one after the other; fewer than a third, or what is left explains as little."""
+EXCHANGED = 10
+"""Points, those that agree least with the others, of which each two are tried in each other's place."""
+DECIDEDLY = 2.0
+"""Ratio of the misfits of two exchanges from which the better one is worth an adjustment."""
 ROUGHLY = 0.01
 """Share of the extent of the control up to which points agree, to begin with those that do not."""
 
@@ -37,6 +42,8 @@ class Doubt:
     """sigma0 without these"""
     names: tuple[str, ...]
     """All control points"""
+    exchange: str = ""
+    """What is exchanged in the control, where all fits with it the other way round: two points, or X and Y"""
     apart: tuple[Array, Array] | None = None
     """Where the observed projection centres are what control contradicts: mean and standard deviation (3,) of the
     centres as observed minus as the photographs have them with control alone; NaN for an axis that was not observed"""
@@ -69,6 +76,9 @@ def doubted_control(
             apart = np.full(3, np.nan), np.full(3, np.nan)
             apart[0][known], apart[1][known] = np.nanmean(gap[:, known], axis=0), np.nanstd(gap[:, known], axis=0)
             return Doubt(alone=free.sigma0, wrong=(), left=by_control.sigma0, names=names, apart=apart)
+    if (found := _exchanged(block, free, brief, adjust)) is not None:
+        what, points, left = found
+        return Doubt(alone=free.sigma0, wrong=points, left=left, names=names, exchange=what)
     out: list[int] = []
     before = failed
     for k in _by_misfit(block, free)[: min(ROUNDS, max(1, (len(control) - 1) // 3))]:
@@ -91,6 +101,11 @@ def doubted_control(
 def words(doubt: Doubt, sigma0: float) -> str:
     """What is wrong, the number against its limit, and what to do; sigma0 NaN where the adjustment failed."""
     with_all = f"sigma0 {sigma0:.3g} with all control" if np.isfinite(sigma0) else "nothing can be adjusted with it"
+    if doubt.exchange:
+        return (
+            f"{doubt.exchange} seem to be exchanged in the control: {with_all}, {doubt.left:.3g} the other way round "
+            f"(limit {POOR_FIT:g}). Exchange them where they were entered, or in the images"
+        )
     if doubt.wrong:
         points = f"point{'s' * (len(doubt.wrong) > 1)} {', '.join(doubt.wrong)}"
         return (
@@ -152,20 +167,70 @@ def _without(block: Block, points: Index) -> Block:
     return loose if distances.any() else with_rows(loose, ~np.isin(block.observations.point, lone))
 
 
-def _by_misfit(block: Block, free: Adjustment) -> list[int]:
-    """Control points in order of their distance from where the photographs alone have them, the farthest first."""
+def _exchanged(
+    block: Block, free: Adjustment, options: AdjustmentOptions, adjust: Adjust
+) -> tuple[str, tuple[str, ...], float] | None:
+    """Two control points, or the axes X and Y, with which in each other's place all fits; the points, and sigma0 then.
+
+    None where no exchange does, or two do nearly alike.
+    """
+    rows, source, target = _known_control(block, free)
+    if len(rows) < 3:
+        return None
+    extent = float(np.linalg.norm(np.ptp(target, axis=0)))
+
+    def misfit(xyz: Array) -> float:
+        try:
+            return float(np.linalg.norm(similarity(source, xyz).points(source) - xyz))
+        except InputError:
+            return np.inf
+
+    worst = _farthest(source, target, ROUGHLY * extent)[:EXCHANGED]
+    tries: list[tuple[float, tuple[int, ...]]] = [(misfit(target[:, [1, 0, 2]]), ())]
+    for i, j in combinations(worst, 2):
+        other = target.copy()
+        other[[i, j]] = target[[j, i]]
+        tries.append((misfit(other), (i, j)))
+    tries.sort()
+    if DECIDEDLY * tries[0][0] > min(misfit(target), *(m for m, _ in tries[1:2])):
+        return None
+    points, pair = block.points, [int(rows[k]) for k in tries[0][1]]
+    xyz, sigma = points.xyz.copy(), points.sigma.copy()
+    if pair:
+        xyz[pair], sigma[pair] = xyz[pair[::-1]], sigma[pair[::-1]]
+    else:
+        control = points.is_control.any(axis=1)
+        xyz[control], sigma[control] = xyz[control][:, [1, 0, 2]], sigma[control][:, [1, 0, 2]]
+    tried = _tried(replace(block, points=replace(points, xyz=xyz, sigma=sigma)), options, adjust)
+    if tried is None or tried.sigma0 > POOR_FIT:
+        return None
+    names = tuple(points.ids[k] for k in pair)
+    return (f"control points {names[0]} and {names[1]}" if pair else "the axes X and Y"), names, tried.sigma0
+
+
+def _known_control(block: Block, free: Adjustment) -> tuple[Index, Array, Array]:
+    """Control points (k,) with three coordinates: where the photographs alone have them, and where they were given."""
     index = {name: k for k, name in enumerate(block.points.ids)}
     at = {index[name]: xyz for name, xyz in zip(free.adjusted.points.ids, free.adjusted.points.xyz, strict=True)}
     whole = block.points.is_control.all(axis=1)
     rows = np.array([k for k in np.flatnonzero(whole).tolist() if k in at and np.isfinite(at[k]).all()], int)
+    return rows, np.array([at[k] for k in rows.tolist()]).reshape(-1, 3), block.points.xyz[rows]
+
+
+def _by_misfit(block: Block, free: Adjustment) -> list[int]:
+    """Control points in order of their distance from where the photographs alone have them, the farthest first."""
+    rows, source, target = _known_control(block, free)
     if len(rows) < 4:
         return []
-    target = block.points.xyz[rows]
-    source = np.array([at[k] for k in rows])
     extent = float(np.linalg.norm(np.ptp(target, axis=0)))
+    return [int(rows[k]) for k in _farthest(source, target, ROUGHLY * extent)]
+
+
+def _farthest(source: Array, target: Array, tolerance: float) -> list[int]:
+    """Points (n, 3) in order of their distance from those (n, 3) that most of them agree with, the farthest first."""
     try:
-        onto, _ = robust_similarity(source, target, ROUGHLY * extent)
+        onto, _ = robust_similarity(source, target, tolerance)
     except InputError:
-        return []
+        return list(range(len(source)))
     gap = np.linalg.norm(onto.points(source) - target, axis=1)
-    return [int(k) for k in rows[np.argsort(-gap, kind="stable")]]
+    return np.argsort(-gap, kind="stable").tolist()
