@@ -137,8 +137,9 @@ class Growth:
         return pixels * float(np.mean(self.rays.px[rows]))
 
     def limits(self, images: Mask) -> Array:
-        """(n,) the same of several images; 0 of the others."""
-        return np.array([self.limit(i) if wanted else 0.0 for i, wanted in enumerate(images)])
+        """(n,) the same of several images; 0 of the others, and of those without observations."""
+        asked = zip(images.tolist(), self.by_image, strict=True)
+        return np.array([self.limit(i) if wanted and len(rows) else 0.0 for i, (wanted, rows) in enumerate(asked)])
 
     def set_pose(self, image: int, pose: Pose) -> None:
         """Give an image an orientation."""

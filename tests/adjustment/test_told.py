@@ -1,0 +1,58 @@
+"""Remarks and cautions that stand by themselves: each is said where it is due, and not where it is not."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from raybundle import adjust
+from raybundle.adjustment import decide
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.block.select import with_rows
+from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+
+OPTIONS = AdjustmentOptions(threads=1)
+
+
+def observed(*, estimate=("c", "x0", "y0"), **survey):
+    field = TargetField(stations=4, frontal=0, camera=brown_camera(estimate=estimate))
+    return simulate(field_scene(field), Survey(seed=2, **survey)).observed
+
+
+def told(result, code):
+    return [n for n in result.notices if n.code == code]
+
+
+def test_control_that_no_image_shows_is_named():
+    block = observed(control=5, control_sigma=(1e-4, 1e-4, 1e-4))
+    name = next(n for n, c in zip(block.points.ids, block.points.is_control.any(axis=1), strict=True) if c)
+    blind = with_rows(block, block.observations.point != block.points.ids.index(name))
+    assert not told(adjust(block, OPTIONS), "control_not_observed")
+    (notice,) = told(adjust(blind, OPTIONS), "control_not_observed")
+    assert notice.ids == (name,)
+    assert f"no image shows: {name}" in notice.message
+
+
+def test_snooping_that_runs_out_of_rounds_says_that_suspects_are_left(monkeypatch):
+    block = observed(gross_share=0.02, gross_px=30)
+    snooping = replace(OPTIONS, reject="snooping")
+    assert not told(adjust(block, snooping), "snooping_unfinished")
+    monkeypatch.setattr(decide, "ROUNDS", 1)
+    (notice,) = told(adjust(block, snooping), "snooping_unfinished")
+    assert "suspects are left" in notice.message
+    assert "1 rounds" in notice.message
+
+
+def test_photographs_with_next_to_no_redundancy_say_to_what_factor_sigma0_is_known():
+    block = observed(estimate=())
+    names = tuple(f"t{k + 1}" for k in range(len(block.points)))
+    ties = replace(block, points=replace(block.points, ids=names))
+    two = ties.observations.image < 2
+    both = np.bincount(ties.observations.point[two], minlength=len(names)) == 2
+    few = np.flatnonzero(both)[:8]
+    pair = with_rows(ties, two & np.isin(ties.observations.point, few))
+    assert not told(adjust(ties, OPTIONS), "little_redundancy")
+    result = adjust(pair, OPTIONS)
+    assert result.redundancy < 6
+    (notice,) = told(result, "little_redundancy")
+    assert f"redundancy {result.redundancy}: " in notice.message
+    assert notice.severity == "caution"
