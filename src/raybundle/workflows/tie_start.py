@@ -110,7 +110,7 @@ def _likelihood(found: tuple[Block, Index, dict[str, str]]) -> float:
     block = found[0]
     o = block.observations
     off = np.linalg.norm(residuals_px(block, np.arange(len(o))), axis=1)
-    sigma = max(float(np.median(off)) / RAYLEIGH, FINDING_PX)
+    sigma = max(FINDING_PX, float(np.median(off[np.isfinite(off)])) / RAYLEIGH)
     seen = block.images.camera[o.image]
     area = np.array([c.width_px * c.height_px for c in block.cameras], float)[seen]
     return float(np.log(area / (2 * np.pi * np.e * sigma**2)).sum())
