@@ -292,7 +292,7 @@ def _hold(choices: Decisions, camera: Camera, symbol: str, value: float, reason:
     choices.notices.append(
         Notice(
             code="held_not_determinable",
-            message=f"camera {camera.id}: {symbol} is not determinable and is held at {at}, as known before: {reason.rstrip(".")}. "
+            message=f"camera {camera.id}: {symbol} is not determinable and is held at {at}, as known before: {reason.rstrip('.')}. "
             "All that is stated holds for that value",
             ids=(camera.id, symbol),
         )
