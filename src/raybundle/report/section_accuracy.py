@@ -129,7 +129,7 @@ def _image_rows(view: View) -> list[Row]:
     std = np.sqrt(view.given.observations.cov_px2[view.used, :2])
     if not len(std):
         return [("image coordinate", "none", "no image point", NO_NOISE, "nothing was measured in images")]
-    over = f"{counted(len(std), 'image point')} that took part, {grouped(std.size)} coordinates"
+    over = f"{counted(len(std), 'image observation')} that took part, {grouped(std.size)} coordinates"
     uniform = float(np.ptp(std)) < 1e-3 * float(np.median(std))
     rows: list[Row] = [
         (f"stated{'' if uniform else ', median'}", _px(float(np.median(std))), over, WHITE,

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from raybundle.adjustment.counts import counts
 from raybundle.adjustment.network import classed
 from raybundle.adjustment.result import Adjustment, as_told
 from raybundle.adjustment.severity import Severity
@@ -92,15 +93,15 @@ def summary_section(view: View) -> Section:
 
 def _counts(view: View) -> list[tuple[str, str]]:
     a, block = view.adjustment, view.given
-    images = len({int(i) for i in block.observations.image[view.used]})
+    n = counts(a)
+    rejected = f", {grouped(n.rejected)} rejected" if n.rejected else ""
+    observed = f"{grouped(n.image_observations_used)} took part; {grouped(n.image_observations_given)} given{rejected}"
     rows = [
         ("block", block.name),
-        (
-            "cameras, images",
-            f"{grouped(len(block.cameras))}, {grouped(len(block.images))} ({grouped(images)} took part)",
-        ),
-        ("object points", f"{grouped(len(block.points))} ({grouped(int((view.rays > 0).sum()))} took part)"),
-        ("image points", f"{grouped(len(block.observations))} ({grouped(len(view.rejected))} rejected)"),
+        ("cameras", grouped(len(block.cameras))),
+        ("images", f"{grouped(n.images_used)} took part; {grouped(n.images_given)} given"),
+        ("object points", f"{grouped(n.points_used)} took part; {grouped(n.points_given)} given"),
+        ("image observations", observed),
     ]
     for g in a.groups:
         weighted, held = int((g.sigma > 0).sum()), int((g.sigma == 0).sum())
