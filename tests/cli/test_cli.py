@@ -282,7 +282,7 @@ def test_every_scene_simulates(scene, tmp_path):
 def test_compare_reads_two_results_and_hands_them_on(field, tmp_path, capsys, monkeypatch):
     handed = []
     fake = type(sys)("raybundle.report.compare")
-    fake.write_comparison = lambda a, b, path: handed.append((a, b, path))
+    fake.write_comparison = lambda a, b, path: handed.append((a, b, path)) or ("it rests on little",)
     monkeypatch.setitem(sys.modules, "raybundle.report.compare", fake)
     for name, datum in (("one", "control"), ("two", "inner")):
         assert run("adjust", field, "--out", tmp_path / name, "--no-report", "--datum", datum) == 0
@@ -291,7 +291,9 @@ def test_compare_reads_two_results_and_hands_them_on(field, tmp_path, capsys, mo
     assert run("compare", tmp_path / "one", tmp_path / "two", "--out", out) == 0
     assert [handed[0][0].path, handed[0][1].path, handed[0][2]] == [tmp_path / "one", tmp_path / "two", out]
     assert handed[0][0].result["datum"] != handed[0][1].result["datum"]
-    assert "redundancy" in capsys.readouterr().out
+    told = capsys.readouterr().out
+    assert "redundancy" in told
+    assert " caution: it rests on little\n" in told
 
 
 @pytest.mark.parametrize("out", ["folder", "image.png", "nowhere/c.html"])

@@ -184,6 +184,22 @@ def test_points_and_projection_centres_are_both_a_basis(folder, tmp_path):
 def test_the_headline_says_how_few_points_are_behind_it(folder, tmp_path):
     first, second = folder("rich"), folder("free")
     few = set(first.points.text["point"][:5])
-    text = compared(first, renamed(second, lambda n: n if n in few else f"other {n}"), tmp_path)
+    other = renamed(second, lambda n: n if n in few else f"other {n}")
+    text = compared(first, other, tmp_path)
+    (caution,) = write_comparison(first, other, tmp_path / "again.html")
+    assert caution == basis_words(5, "common point")
+    assert caution in text
+    assert write_comparison(first, second, tmp_path / "again.html") == ()
     assert "That rests on a redundancy of 8 only." in text
     assert "Caution: that is little." in text
+
+
+def test_few_projection_centres_alone_are_a_caution_too(folder, tmp_path, monkeypatch):
+    monkeypatch.setattr("raybundle.report.compare.SMALL_BASIS", 1000)
+    first = folder("free")
+    ids = list(first.block.points.ids)
+    second = renamed(first, lambda n: f"other {ids.index(n)}")
+    (caution,) = write_comparison(first, second, tmp_path / "c.html")
+    assert caution == basis_words(len(first.images.text["image"]), "common projection centre")
+    assert "Caution: that is little." in caution
+    assert caution in compared(first, second, tmp_path)

@@ -15,6 +15,7 @@ from raybundle.report.numbers import (
     per_cent,
     probability,
     significant,
+    unbroken,
     unit_text,
     with_sigma,
 )
@@ -68,3 +69,10 @@ def test_words():
     assert (probability(2e-9), probability(0.25)) == ("< 0.001", "0.250")
     assert (per_cent(0.001), per_cent(0.8), per_cent(math.nan)) == ("0.1 %", "80 %", "–")
     assert listed("abcd", 2) == "a, b and 2 more"
+
+
+def test_numbers_in_sentences_are_not_broken():
+    told = unbroken("of 67 200 features 18 673 rays in 8 photographs, ± 0.4 degrees, 48452 of 1 234 567")
+    assert told == (
+        "of 67\u202f200 features 18\u202f673 rays in 8 photographs, ±\u00a00.4 degrees, 48452 of 1\u202f234\u202f567"
+    )

@@ -5,6 +5,7 @@ import re
 import numpy as np
 import pytest
 
+from raybundle.report.document import write_report
 from raybundle.report.numbers import grouped, significant
 from raybundle.report.section_accuracy import accuracy_section
 from raybundle.report.section_result import result_section
@@ -67,3 +68,13 @@ def test_without_statistics_the_images_remain(case):
     rows = rows_of(view_of(case("without_statistics")))
     assert "standard deviation, rms" not in rows
     assert "residual, rms" in rows
+
+
+def test_a_value_stays_with_its_unit(case, tmp_path):
+    write_report(case("rich"), tmp_path / "report.html")
+    html = (tmp_path / "report.html").read_text()
+    section = html.split('id="accuracy"')[1].split("<h2")[1]
+    cells = re.findall(r'<td class="l whole">([^<]*)</td>', section)
+    assert len(cells) > 5
+    assert all(re.search(r"(mm|px)$|^1 : ", c) for c in cells)
+    assert "td.whole { white-space: nowrap; }" in html

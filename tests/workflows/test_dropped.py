@@ -22,9 +22,16 @@ def test_the_reasons_add_up():
     }  # fmt: skip
     assert d.matched + d.added - sum(d.reasons.values()) + d.reasons["without_partner"] == d.adjusted
     assert d.share == pytest.approx(11_744 / 17_044)
-    told = d.notice()
+    told = d.notice(5_300)
     assert told.severity is Severity.CAUTION
-    for words in ("69 % of the image points", "16 744 have a partner", "10 900 not measured", "given 5 300"):
+    assert "Left are" not in told.message
+    assert "Left are 5 300, which marks" in d.notice(5_410).message
+    for words in (
+        "69 % of the image points",
+        "16 744 have a partner",
+        "10 900 not measured",
+        "given 5 300 image observations",
+    ):
         assert words.replace(" %", "%") in told.message
 
 
@@ -32,7 +39,7 @@ def test_without_least_squares_matching_only_what_contradicts_is_dropped():
     d = Dropped(features=900, matched=500, started=450, adjusted=450)
     assert d.reasons["not_measured_precisely"] == 0
     assert d.share == pytest.approx(0.1)
-    assert d.notice().severity is Severity.REMARK
+    assert d.notice(450).severity is Severity.REMARK
 
 
 @pytest.mark.skipif(not PORTAL.is_dir(), reason="demo_data/portal is part of the repository, not of the package")

@@ -43,9 +43,11 @@ def command(first: Path, second: Path, out: Path, progress: str) -> None:
         tell("reading results", 0.0)
         a, b = read_result(first), read_result(second)
         tell("comparing", 0.0)
-        write_comparison(a, b, out)
+        cautions = write_comparison(a, b, out)
     for label, result in (("first", a), ("second", b)):
         sigma0 = result.result["sigma0"]
         text = "none" if sigma0 is None else f"{sigma0:.6g}"
         click.echo(f" {label}: {result.path}, sigma0 {text}, redundancy {result.result['redundancy']}")
+    for caution in cautions:
+        click.echo(f" caution: {caution}")
     click.echo(f" comparison: {out}")

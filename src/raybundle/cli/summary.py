@@ -8,6 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from raybundle.adjustment.check_points import check_differences
+from raybundle.adjustment.counts import counts
 from raybundle.adjustment.fields import Noise
 from raybundle.adjustment.network import classed
 from raybundle.adjustment.result import Adjustment, Notice, as_told
@@ -23,13 +24,15 @@ SHOWN = 15
 def summary_lines(adjustment: Adjustment) -> list[str]:
     """Counts, sigma0, relative precision, check points and warnings, a line each."""
     a = adjustment
-    rejected = sum(1 for r in a.image_observations.rejected if r)
-    tail = f"; {grouped(rejected)} rejected (listed in observations.csv)" if rejected else ""
+    n = counts(a)
+    tail = f"; {grouped(n.rejected)} rejected (listed in observations.csv)" if n.rejected else ""
+    took_part = (
+        (n.images_used, n.images_given, "image"),
+        (n.points_used, n.points_given, "object point"),
+        (n.image_observations_used, n.image_observations_given, "image observation"),
+    )
     lines = [
-        (
-            f"{counted(len(a.given.images), 'image')}, {counted(len(a.given.points), 'object point')}, "
-            f"{counted(len(a.given.observations), 'image observation')}{tail}"
-        ),
+        ", ".join(counted(u, noun) + (f" (of {grouped(g)})" if g != u else "") for u, g, noun in took_part) + tail,
         f"sigma0 {_sigma0(a)} (a priori {a_priori(a.given)}), redundancy {grouped(a.redundancy)}",
         f"datum: {a.datum}",
     ]

@@ -64,11 +64,12 @@ class PointDifferences:
         return self.difference.size - (0 if self.fit is None else PARAMETERS)
 
 
-def write_comparison(first: ResultFolder, second: ResultFolder, path: str | Path) -> None:
+def write_comparison(first: ResultFolder, second: ResultFolder, path: str | Path) -> tuple[str, ...]:
     """Write one self-contained HTML file that puts two results side by side.
 
     first, second  what `read_result` returns
     path           the file; its folder exists
+    returns        cautions that stand on the page, for who reads the command line alone
     raises         InputError where something else than an older comparison stands there
 
     Points that nobody named are common where their image points agree (`common_points`).  Where no points are common,
@@ -100,6 +101,31 @@ def write_comparison(first: ResultFolder, second: ResultFolder, path: str | Path
     )
     with new_files(Path(path)) as (file,):
         file.write_text(html, encoding="utf-8")
+    return _cautions(first, second, differences)
+
+
+def _cautions(first: ResultFolder, second: ResultFolder, differences: Sequence[PointDifferences]) -> tuple[str, ...]:
+    """What the page says of the similarity that its differences come after, where it rests on little."""
+    fitted = next((d for d in differences if d.fit is not None), None)
+    if fitted is not None:
+        count, what = len(fitted.ids), "common point"
+    elif not differences and _by_centres(*(centres := _common_centres(first, second))) is not None:
+        count, what = _known_in_both(*centres), "common projection centre"
+    else:
+        return ()
+    return (basis_words(count, what),) if 3 * count - PARAMETERS < SMALL_BASIS else ()
+
+
+def _common_centres(first: ResultFolder, second: ResultFolder) -> tuple[Array, Array]:
+    """Projection centres (n, 3) of the images that both have, in the first's unit."""
+    common = common_rows(first.images.text["image"], second.images.text["image"])
+    of_first = _columns(first.images, "XYZ", common.first)
+    return of_first, _to_first(first, second) * _columns(second.images, "XYZ", common.second)
+
+
+def _known_in_both(centre: Array, other: Array) -> int:
+    """Rows of which both have all three coordinates."""
+    return int((np.isfinite(centre) & np.isfinite(other)).all(axis=1).sum())
 
 
 MARK = "Comparison of two adjustments."
@@ -217,10 +243,10 @@ SUMMARY = (
     ("observations", "observations"),
     ("unknowns", "unknowns"),
     ("constraints", "datum constraints"),
-    ("image_points", "image points"),
-    ("rejected", "image points rejected"),
-    ("images_count", "images"),
-    ("points_count", "object points"),
+    ("image_points", "image observations given"),
+    ("rejected", "image observations rejected"),
+    ("images_count", "images given"),
+    ("points_count", "object points given"),
     ("relative_precision", "relative precision 1 : N"),
     ("iterations", "iterations"),
     ("seconds", "seconds"),
@@ -413,15 +439,14 @@ def _images(first: ResultFolder, second: ResultFolder, differences: Sequence[Poi
         return tuple(parts)
     fit = differences[0].fit if differences else None
     angles = ("omega_deg", "phi_deg", "kappa_deg")
-    centre = _columns(first.images, "XYZ", common.first)
-    other = _to_first(first, second) * _columns(second.images, "XYZ", common.second)
+    centre, other = _common_centres(first, second)
     R = rotation_from_angles(np.radians(_columns(first.images, angles, common.first)))
     S = rotation_from_angles(np.radians(_columns(second.images, angles, common.second)))
     by_points = fit is not None
     if fit is None and not differences:
         fit = _by_centres(centre, other)
     own = _by_centres(centre, other)
-    good = int((np.isfinite(centre) & np.isfinite(other)).all(axis=1).sum())
+    good = _known_in_both(centre, other)
     both = _second_opinion(first, own, centre, other, good) if by_points and own is not None else ""
     if fit is not None:
         other, S = fit.points(other), fit.rotations(S)

@@ -219,7 +219,7 @@ def profile_figure(profile: Profile, what: str) -> Drawing:
 
 
 def caption_of(row: ImageRow, name: str) -> str:
-    """Image, number of points and rms residual, below its vectors."""
-    lost = f", {grouped(row.rejected)} rejected" if row.rejected else ""
+    """Image, rms residual of the points that took part, and how many were rejected, below its vectors."""
+    lost = f"; {grouped(row.rejected)} rejected" if row.rejected else ""
     size = math.hypot(*row.rms_px) / math.sqrt(2)
-    return f"{name}, {grouped(row.count)} points{lost}: {fixed(size, 3)} px"
+    return f"{name}, {fixed(size, 3)} px rms of {grouped(row.count)} points{lost}"

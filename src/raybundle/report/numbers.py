@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterable
 
 from raybundle.numerics.arrays import Array
@@ -18,6 +19,11 @@ _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 def grouped(number: float) -> str:
     """A whole number in groups of three digits: 18 803."""
     return f"{round(number):,}".replace(",", NARROW).replace("-", MINUS) if math.isfinite(number) else NONE
+
+
+def unbroken(words: str) -> str:
+    """A sentence whose numbers stay on one line: no break between groups of digits and after the sign of a sigma."""
+    return re.sub(r"(?<=\d) (?=\d{3}(?!\d))", NARROW, words).replace("± ", "±\u00a0")
 
 
 def counted(number: int, noun: str) -> str:

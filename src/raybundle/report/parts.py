@@ -21,6 +21,8 @@ class Column:
     unit: str = ""
     text: bool = False
     """Words, set flush left; numbers are set flush right."""
+    whole: bool = False
+    """Words that are never broken into lines: names, dates, a value with its unit."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -119,6 +121,11 @@ class Section:
 def text(label: str) -> Column:
     """Heading of a column of words."""
     return Column(label=label, text=True)
+
+
+def whole(label: str) -> Column:
+    """Heading of a column of short words that stay on one line."""
+    return Column(label=label, text=True, whole=True)
 
 
 def number(label: str, unit: str = "") -> Column:

@@ -13,9 +13,11 @@ import numpy as np
 
 from raybundle.adjustment.accuracy import levelled
 from raybundle.adjustment.check_points import check_differences, used_rays
+from raybundle.adjustment.counts import counts
 from raybundle.adjustment.result import Adjustment, InteriorResult, ObservationGroup, gravest_first
 from raybundle.block import Block, Camera, Role
-from raybundle.block.rejection import counts, words
+from raybundle.block.rejection import counts as rejections
+from raybundle.block.rejection import words
 from raybundle.block.stored import observed_jointly
 from raybundle.errors import InputError
 from raybundle.io.block_folder import (
@@ -221,6 +223,7 @@ def result_json(adjustment: Adjustment) -> dict[str, Any]:
     """The contents of result.json; NaN stands for a number that there is not."""
     a = adjustment
     lower, statistic, upper = a.global_test
+    n = counts(a)
     return {
         "name": a.given.name,
         "raybundle": _version(),
@@ -239,11 +242,14 @@ def result_json(adjustment: Adjustment) -> dict[str, Any]:
         "iterations": a.iterations,
         "seconds": a.seconds,
         "global_test": {"lower": lower, "statistic": statistic, "upper": upper},
-        "images_count": len(a.given.images),
-        "points_count": len(a.given.points),
-        "image_points": len(a.given.observations),
-        "rejected": sum(1 for r in a.image_observations.rejected if r),
-        "rejections": counts(a.image_observations.rejected),
+        "images_count": n.images_given,
+        "images_used": n.images_used,
+        "points_count": n.points_given,
+        "points_used": n.points_used,
+        "image_points": n.image_observations_given,
+        "image_points_used": n.image_observations_used,
+        "rejected": n.rejected,
+        "rejections": rejections(a.image_observations.rejected),
         "relative_precision": math.nan if a.network is None else a.network.relative_precision,
         "extent": math.nan if a.network is None else a.network.extent,
         "mean_std": math.nan if a.network is None else a.network.mean_std,

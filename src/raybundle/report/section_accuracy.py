@@ -10,12 +10,12 @@ from raybundle.adjustment.accuracy import accuracy
 from raybundle.adjustment.network import MANY
 from raybundle.numerics.arrays import Array
 from raybundle.report.numbers import counted, grouped, significant
-from raybundle.report.parts import Column, Heading, Part, Section, Table, table, text
+from raybundle.report.parts import Heading, Part, Section, Table, table, text, whole
 from raybundle.report.view import View, rms
 from raybundle.report.words import expected_check_std, free_std
 
 WHITE, FIELDS, NO_NOISE = "independent errors", "independent and smooth errors", "none: differences"
-COLUMNS = (text("figure"), Column(label="value", text=True), text("over"), text("noise"), text("what it means"))
+COLUMNS = (text("figure"), whole("value"), text("over"), text("noise"), text("what it means"))
 
 Row = tuple[str, str, str, str, str]
 """Figure, value, what it is taken over, noise that it supposes, meaning."""
@@ -34,7 +34,7 @@ def accuracy_section(view: View) -> Section:
         parts += [Heading(text="In object space"), _told(object_rows, note)]
     note = (
         "Stated times σ₀ is the precision of a measurement; its residual is smaller, as the adjustment takes up the "
-        "share 1 − r of each error (r: mean redundancy number)."
+        "share 1\u00a0−\u00a0r of each error (r: mean redundancy number)."
     )
     parts += [Heading(text="In the images"), _told(_image_rows(view), note)]
     return Section(anchor="accuracy", title="Accuracy: what each figure rests on", parts=tuple(parts))
@@ -129,7 +129,7 @@ def _image_rows(view: View) -> list[Row]:
     std = np.sqrt(view.given.observations.cov_px2[view.used, :2])
     if not len(std):
         return [("image coordinate", "none", "no image point", NO_NOISE, "nothing was measured in images")]
-    over = f"{counted(len(std), 'image point')} that took part, {grouped(std.size)} coordinates"
+    over = f"{counted(len(std), 'image observation')} that took part, {grouped(std.size)} coordinates"
     uniform = float(np.ptp(std)) < 1e-3 * float(np.median(std))
     rows: list[Row] = [
         (f"stated{'' if uniform else ', median'}", _px(float(np.median(std))), over, WHITE,

@@ -38,6 +38,7 @@ from raybundle.report.parts import (
     number,
     table,
     text,
+    whole,
 )
 from raybundle.report.section_tie_points import tie_point_section
 from raybundle.report.view import View
@@ -201,7 +202,7 @@ def _photo_table(view: View, facts: PhotographFacts, images: Index, common: Arra
         numbers = [grouped(float(count[i])), per_cent(many[i] / max(count[i], 1)), grouped(partners)]
         rows.append([*about, *numbers, fixed(float(residual[i]), 2), per_cent(share)])
     columns = (
-        text("photograph"), text("camera"), text("size [px]"), text("taken"), text("position"),
+        text("photograph"), text("camera"), whole("size [px]"), whole("taken"), text("position"),
         number("image points"), number("in 3 images or more"), number("neighbours"), number("rms residual", "px"),
         number("format covered"),
     )  # fmt: skip

@@ -6,10 +6,11 @@ import math
 
 import numpy as np
 
+from raybundle.adjustment.counts import counts
 from raybundle.adjustment.network import classed
 from raybundle.adjustment.result import Adjustment, as_told
 from raybundle.adjustment.severity import Severity
-from raybundle.report.numbers import NONE, counted, fixed, grouped, listed, significant
+from raybundle.report.numbers import NONE, counted, fixed, grouped, listed, significant, unbroken
 from raybundle.report.parts import Column, Fact, Facts, Heading, Paragraph, Part, Section, Statements, table, text
 from raybundle.report.view import View, rms
 from raybundle.report.words import Verdict, datum_words, free_std, not_told, open_datum, relative_words
@@ -20,7 +21,7 @@ def result_section(view: View, verdict: Verdict) -> Section:
     parts: list[Part] = [Facts(facts=_key_figures(view)), Statements(statements=verdict.statements)]
     notices = as_told(view.adjustment.notices)
     if notices:
-        rows = [[n.severity.value for n in notices], [n.message for n in notices]]
+        rows = [[n.severity.value for n in notices], [unbroken(n.message) for n in notices]]
         parts.append(Heading(text="Warnings and remedies"))
         marked = [k for k, n in enumerate(notices) if n.severity is Severity.FAULT]
         columns = (text(""), text("what, how much, and what to do"))
@@ -48,7 +49,7 @@ def _key_figures(view: View) -> tuple[Fact, ...]:
         )
     std = free_std(view)
     if len(std):
-        each = ", ".join(f"{axis} {significant(rms(std[:, k]), 2)}" for k, axis in enumerate("XYZ"))
+        each = ", ".join(f"{axis}\u00a0{significant(rms(std[:, k]), 2)}" for k, axis in enumerate("XYZ"))
         facts.append(
             Fact(
                 label="standard deviation of object points",
@@ -92,15 +93,15 @@ def summary_section(view: View) -> Section:
 
 def _counts(view: View) -> list[tuple[str, str]]:
     a, block = view.adjustment, view.given
-    images = len({int(i) for i in block.observations.image[view.used]})
+    n = counts(a)
+    rejected = f", {grouped(n.rejected)} rejected" if n.rejected else ""
+    observed = f"{grouped(n.image_observations_used)} took part; {grouped(n.image_observations_given)} given{rejected}"
     rows = [
         ("block", block.name),
-        (
-            "cameras, images",
-            f"{grouped(len(block.cameras))}, {grouped(len(block.images))} ({grouped(images)} took part)",
-        ),
-        ("object points", f"{grouped(len(block.points))} ({grouped(int((view.rays > 0).sum()))} took part)"),
-        ("image points", f"{grouped(len(block.observations))} ({grouped(len(view.rejected))} rejected)"),
+        ("cameras", grouped(len(block.cameras))),
+        ("images", f"{grouped(n.images_used)} took part; {grouped(n.images_given)} given"),
+        ("object points", f"{grouped(n.points_used)} took part; {grouped(n.points_given)} given"),
+        ("image observations", observed),
     ]
     for g in a.groups:
         weighted, held = int((g.sigma > 0).sum()), int((g.sigma == 0).sum())

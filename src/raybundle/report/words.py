@@ -8,6 +8,7 @@ from typing import Literal
 
 import numpy as np
 
+from raybundle.adjustment.counts import counts
 from raybundle.adjustment.network import classed
 from raybundle.adjustment.reliability import UNCONTROLLED
 from raybundle.adjustment.result import ObservationGroup
@@ -148,11 +149,11 @@ def unsettled(view: View) -> str:
 
 def _adjusted(view: View) -> str:
     a, block = view.adjustment, view.given
-    images = len({int(i) for i in block.observations.image[view.used]})
+    n = counts(a)
     parts = [
-        f"{counted(images, 'image')} of {counted(len(view.cameras()), 'camera')}",
-        counted(int((view.rays > 0).sum()), "object point"),
-        counted(int(view.used.sum()), "image observation"),
+        f"{counted(n.images_used, 'image')} of {counted(len(view.cameras()), 'camera')}",
+        counted(n.points_used, "object point"),
+        counted(n.image_observations_used, "image observation"),
     ]
     for count, noun in (
         (len({i for g in a.groups if g.kind == "control" for i in g.ids}), "control point"),

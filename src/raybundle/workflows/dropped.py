@@ -29,7 +29,7 @@ class Dropped:
     added: int = 0
     """measured where no feature was found"""
     adjusted: int = 0
-    """that the adjustment was given"""
+    """that are left to the adjustment, before marks and scenes join them and points without depth leave"""
 
     @property
     def reasons(self) -> dict[str, int]:
@@ -55,11 +55,14 @@ class Dropped:
         return {
             "features": self.features, "matched": self.matched, "added": self.added,
             "features_kept": self.features_kept, "dropped": self.reasons, "dropped_share": self.share,
-            "adjusted": self.adjusted, "rejected": rejected,
+            "adjusted": self.adjusted, "given": len(adjustment.given.observations), "rejected": rejected,
         }  # fmt: skip
 
-    def notice(self) -> Notice:
-        """The same in words."""
+    def notice(self, given: int) -> Notice:
+        """The same in words.
+
+        given  image observations of the adjustment, marks and scenes among them
+        """
         words = {
             "contradict_orientation": "contradict the approximate orientation or have no depth",
             "not_measured_precisely": "not measured by least-squares matching",
@@ -71,7 +74,9 @@ class Dropped:
             f"features {grouped(self.matched)} have a partner in another photograph"
             + (f", {grouped(self.added)} rays were added" if self.added else "")
             + (f"; dropped are {', '.join(why)}" if why else "")
-            + f". The adjustment was given {grouped(self.adjusted)}; what it rejects comes on top"
+            + (f". Left are {grouped(self.adjusted)}" if given != self.adjusted else "")
+            + (", which marks and scenes join and points without depth leave" if given != self.adjusted else "")
+            + f". The adjustment was given {grouped(given)} image observations; what it rejects comes on top"
         )
         grave = Severity.CAUTION if self.share > MOST else Severity.REMARK
         return Notice(code="dropped", message=message, measured=grave)

@@ -216,7 +216,8 @@ def orient(
             )  # fmt: skip
             photographs.groups = groups
             dropped = photographs.dropped
-            told = (*photographs.notices, *([] if dropped is None else [dropped.notice()]))
+            given_rows = sum(len(a.given.observations) for a in (adjustment, *(p.adjustment for p in parts)))
+            told = (*photographs.notices, *([] if dropped is None else [dropped.notice(given_rows)]))
             adjustment = replace(adjustment, notices=(*told, *adjustment.notices))
         return _orientation(project, photographs, scenes, adjustment, parts, placed, remarks)
     finally:

@@ -1,0 +1,49 @@
+"""What was given and what took part: the same numbers on the command line, in the report and in result.json."""
+
+import csv
+import json
+
+import pytest
+
+from raybundle.adjustment.counts import counts
+from raybundle.cli.summary import summary_lines
+from raybundle.numerics.counting import counted
+from raybundle.report.numbers import grouped
+from raybundle.report.result_folder import write_result
+
+
+@pytest.mark.parametrize("name", ["rich", "rejected", "unused_rows"])
+def test_counts_agree_on_the_command_line_in_the_report_and_in_the_result(case, name, tmp_path):
+    a = case(name)
+    n = counts(a)
+    write_result(a, tmp_path / "r")
+    with (tmp_path / "r/observations.csv").open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    left = [r for r in rows if not r["rejected"]]
+    with (tmp_path / "r/points.csv").open(newline="") as file:
+        points = list(csv.DictReader(file))
+    assert (n.image_observations_given, n.image_observations_used) == (len(rows), len(left))
+    assert (n.points_given, n.points_used) == (len(points), len({r["point"] for r in left}))
+    assert n.images_used == len({r["image"] for r in left})
+    assert n.rejected == len(rows) - len(left)
+
+    told = json.loads((tmp_path / "r/result.json").read_text())
+    assert [told[k] for k in ("points_count", "points_used", "image_points", "image_points_used", "rejected")] == [
+        n.points_given, n.points_used, n.image_observations_given, n.image_observations_used, n.rejected,
+    ]  # fmt: skip
+
+    pairs = (
+        (n.images_given, n.images_used, "image"), (n.points_given, n.points_used, "object point"),
+        (n.image_observations_given, n.image_observations_used, "image observation"),
+    )  # fmt: skip
+    html = (tmp_path / "r/report.html").read_text()
+    for given, used, noun in pairs:
+        of = "" if used == given else f" (of {given:,})".replace(",", " ")
+        assert f"{counted(used, noun)}{of}" in summary_lines(a)[0]
+        assert f'<td class="l">{noun}s</td><td class="l">{grouped(used)} took part; {grouped(given)} given' in html
+
+
+def test_the_cases_have_something_to_count(case):
+    assert counts(case("rejected")).rejected > 0
+    n = counts(case("unused_rows"))
+    assert n.points_used < n.points_given
