@@ -6,6 +6,7 @@ import numpy as np
 
 from raybundle import adjust
 from raybundle.adjustment import decide
+from raybundle.adjustment.notices import _behind
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block.select import with_rows
 from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
@@ -56,3 +57,19 @@ def test_photographs_with_next_to_no_redundancy_say_to_what_factor_sigma0_is_kno
     (notice,) = told(result, "little_redundancy")
     assert f"redundancy {result.redundancy}: " in notice.message
     assert notice.severity == "caution"
+
+
+def test_what_lies_behind_the_camera_is_a_fault_of_names_a_wrong_match_or_a_turned_image():
+    named = adjust(observed(), OPTIONS)
+    ids = tuple(f"t{k + 1}" for k in range(len(named.given.points)))
+    found = replace(named, given=replace(named.given, points=replace(named.given.points, ids=ids)))
+    of_first = np.flatnonzero(named.given.observations.image == 0).tolist()
+    one, many = of_first[:1], of_first[: len(of_first) // 4]
+    fault, match, turned = _behind(named, one), _behind(found, one), _behind(found, many)
+    assert fault.severity == "fault"
+    assert fault.message.endswith("check the point numbers")
+    assert match.severity == "remark"
+    assert "wrong matches" in match.message
+    assert turned.severity == "fault"
+    assert turned.ids == (named.given.images.ids[0],)
+    assert "wrong side" in turned.message

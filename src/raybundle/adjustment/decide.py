@@ -292,8 +292,8 @@ def _hold(choices: Decisions, camera: Camera, symbol: str, value: float, reason:
     choices.notices.append(
         Notice(
             code="held_not_determinable",
-            message=f"camera {camera.id}: {symbol} is not determinable and is held at {at}, as known before: {reason.rstrip('.')}. "
-            "All that is stated holds for that value",
+            message=f"camera {camera.id}: {symbol} is not determinable and is held at {at}, as known before: "
+            f"{reason.rstrip('.')}. All that is stated holds for that value",
             ids=(camera.id, symbol),
         )
     )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from raybundle.adjustment.cell_means import systematic_notices
@@ -26,6 +28,9 @@ STRONG = 0.95
 LOW_REDUNDANCY = 0.1
 FEW = 5.0
 """Redundancy of a group below which single values are suspects rather than all of them."""
+
+TURNED = 0.1
+"""Share of an image's tie points behind it from which its orientation is doubted; seen of right ones: below 0.01."""
 
 
 def notices_of(result: Adjustment, redundancy_sum: RedundancySum | None) -> tuple[Notice, ...]:
@@ -145,6 +150,27 @@ def _correlations(result: Adjustment, who: str, camera: str, free: tuple[str, ..
     return found
 
 
+def _behind(result: Adjustment, rows: Sequence[int]) -> Notice:
+    """Points behind a camera: wrong numbers where somebody named them, else wrong matches, unless they are many."""
+    o = result.given.observations
+    pairs = _pairs(result, list(rows))
+    shown = ", ".join(f"point {p} in image {i}" for i, p in pairs[:5]) + (" ..." if len(pairs) > 5 else "")
+    ids = tuple(p for _, p in pairs)
+    if not automatic(ids).all():
+        return Notice(code="behind_camera", message=f"behind the camera: {shown}; check the point numbers", ids=ids)
+    n = len(result.given.images)
+    share = np.bincount(o.image[list(rows)], minlength=n) / np.maximum(np.bincount(o.image, minlength=n), 1)
+    turned = [result.given.images.ids[k] for k in np.flatnonzero(share > TURNED)]
+    if turned:
+        message = (
+            f"more than {TURNED:.0%} of the tie points of {', '.join(turned[:5])}{' ...' * (len(turned) > 5)} lie behind "
+            "the camera: photographs may be oriented on the wrong side. Compare their positions with where they were taken"
+        )
+        return Notice(code="behind_camera", message=message, ids=tuple(turned))
+    message = f"{counted_are(len(pairs), 'image point')} left out, wrong matches behind the camera: {shown}"
+    return Notice(code="behind_camera", message=message, ids=ids, measured=Severity.REMARK)
+
+
 def _pairs(result: Adjustment, rows: list[int]) -> list[tuple[str, str]]:
     """Image and point of observations, sorted."""
     o, images, points = result.given.observations, result.given.images.ids, result.given.points.ids
@@ -183,15 +209,7 @@ def _rejected(result: Adjustment) -> list[Notice]:
         )
     behind = rows(RejectionKind.BEHIND_CAMERA)
     if behind:
-        pairs = _pairs(result, behind)
-        shown = ", ".join(f"point {p} in image {i}" for i, p in pairs[:5])
-        found.append(
-            Notice(
-                code="behind_camera",
-                message=f"behind the camera: {shown}{' ...' if len(pairs) > 5 else ''}; check the point numbers",
-                ids=tuple(p for _, p in pairs),
-            )
-        )
+        found.append(_behind(result, behind))
     diverging = rows(RejectionKind.RAYS_DIVERGE)
     if diverging:
         names = sorted({p for _, p in _pairs(result, diverging)})
