@@ -162,9 +162,10 @@ def _behind(result: Adjustment, rows: Sequence[int]) -> Notice:
     share = np.bincount(o.image[list(rows)], minlength=n) / np.maximum(np.bincount(o.image, minlength=n), 1)
     turned = [result.given.images.ids[k] for k in np.flatnonzero(share > TURNED)]
     if turned:
+        some = ", ".join(turned[:5]) + " ..." * (len(turned) > 5)
         message = (
-            f"more than {TURNED:.0%} of the tie points of {', '.join(turned[:5])}{' ...' * (len(turned) > 5)} lie behind "
-            "the camera: photographs may be oriented on the wrong side. Compare their positions with where they were taken"
+            f"more than {TURNED:.0%} of the tie points of {some} lie behind the camera: photographs may be oriented on "
+            "the wrong side. Compare their positions with where they were taken"
         )
         return Notice(code="behind_camera", message=message, ids=tuple(turned))
     message = f"{counted_are(len(pairs), 'image point')} left out, wrong matches behind the camera: {shown}"
