@@ -33,9 +33,9 @@ def test_a_narrow_view_is_started_in_both_ways_and_the_one_that_keeps_more_rays_
         keep = results[found[0].about]
         return with_rows(found[0], keep), np.flatnonzero(keep), {}
 
-    monkeypatch.setattr(tie_start, "_by_growing", way("growing"))
-    monkeypatch.setattr(tie_start, "_by_averaging", way("averaging"))
-    monkeypatch.setattr(tie_start, "_cleaned", cleaned)
+    monkeypatch.setattr(tie_start, "by_growing", way("growing"))
+    monkeypatch.setattr(tie_start, "by_averaging", way("averaging"))
+    monkeypatch.setattr(tie_start, "cleaned", cleaned)
     m = len(block.observations)
     found = tie_start.start(block, np.ones(m), np.zeros(m), 1)
     assert found.block.about == taken
@@ -54,8 +54,8 @@ def test_a_start_that_keeps_fewer_rays_far_nearer_is_likelier(block):
         )  # fmt: skip
 
     near, far = started(rows % 10 < 6, 0.2), started(rows % 10 < 7, 2.5)
-    assert tie_start._likelihood(near) > tie_start._likelihood(far)
-    assert tie_start._likelihood(far) > tie_start._likelihood(started(rows % 10 < 6, 2.5))
+    assert tie_start.likelihood(near) > tie_start.likelihood(far)
+    assert tie_start.likelihood(far) > tie_start.likelihood(started(rows % 10 < 6, 2.5))
 
 
 def test_constants_that_nothing_tells_are_tried_one_standard_deviation_off(block):
@@ -65,9 +65,9 @@ def test_constants_that_nothing_tells_are_tried_one_standard_deviation_off(block
         return with_rows(replace(block, cameras=(camera, *block.cameras[1:])), few)
 
     names = frozenset({block.cameras[0].id})
-    assert tie_start._untold_constants(with_sigma(0.5, 3)) == names
-    assert tie_start._untold_constants(with_sigma(0.05, 3)) == frozenset()
-    assert tie_start._untold_constants(with_sigma(0.5, 4)) == frozenset()  # six pairs of one camera tell it
+    assert tie_start.untold_constants(with_sigma(0.5, 3)) == names
+    assert tie_start.untold_constants(with_sigma(0.05, 3)) == frozenset()
+    assert tie_start.untold_constants(with_sigma(0.5, 4)) == frozenset()  # six pairs of one camera tell it
     c = block.cameras[0].values["c"]
     assert tie_start._scaled(block, names, -1).cameras[0].values["c"] == pytest.approx(c * np.exp(-0.5))
 
@@ -86,9 +86,9 @@ def test_starts_that_leave_many_rays_are_begun_in_every_way(block, monkeypatch):
         keep = np.arange(len(found[0].observations)) % 2 == 0
         return with_rows(found[0], keep), np.flatnonzero(keep), {}
 
-    monkeypatch.setattr(tie_start, "_by_growing", way("growing"))
-    monkeypatch.setattr(tie_start, "_by_averaging", way("averaging"))
-    monkeypatch.setattr(tie_start, "_cleaned", cleaned)
+    monkeypatch.setattr(tie_start, "by_growing", way("growing"))
+    monkeypatch.setattr(tie_start, "by_averaging", way("averaging"))
+    monkeypatch.setattr(tie_start, "cleaned", cleaned)
     monkeypatch.setattr(tie_start, "_narrow", lambda _: False)
     few = with_rows(block, block.observations.image < 3)
     few = replace(few, cameras=(observed_as_known(few.cameras[0], {"c": 0.5}), *few.cameras[1:]))

@@ -58,27 +58,27 @@ def start(
 
     method  growing: image by image; averaging: all pairs at once; auto: growing, and others where images or many
             rays are left or the view is narrow: averaging, then growing with the camera constants that nothing tells
-            one standard deviation shorter or longer; the likeliest is taken (see `_likelihood`)
+            one standard deviation shorter or longer; the likeliest is taken (see `likelihood`)
     """
     block = replace(raw, cameras=tuple(replace(c, estimate=free_at_start(c)) for c in raw.cameras))
     ways: list[Callable[[], tuple[Block, Index, dict[str, str]]]] = []
     if method in ("growing", "auto"):
-        ways.append(lambda: _by_growing(block, progress))
+        ways.append(lambda: by_growing(block, progress))
     if method in ("averaging", "auto"):
-        ways.append(lambda: _by_averaging(block, progress))
-    if method == "auto" and (untold := _untold_constants(raw)):
-        ways += [lambda sign=sign: _by_growing(_scaled(block, untold, sign), progress) for sign in (-1, 1)]
+        ways.append(lambda: by_averaging(block, progress))
+    if method == "auto" and (untold := untold_constants(raw)):
+        ways += [lambda sign=sign: by_growing(_scaled(block, untold, sign), progress) for sign in (-1, 1)]
     loose: dict[str, str] = {}
     _connected(block, loose)
     best: tuple[Block, Index, dict[str, str]] | None = None
     problem: NoOrientation | None = None
     for way in ways:
         try:
-            found = _cleaned(raw, way(), threads, progress)
+            found = cleaned(raw, way(), threads, progress)
         except NoOrientation as error:
             problem = problem or error
             continue
-        if best is None or _likelihood(found) > _likelihood(best):
+        if best is None or likelihood(found) > likelihood(best):
             best = found
         # no kind of start orients what has too little in common with the others
         complete = len(best[2].keys() - loose.keys()) <= LEFT * len(raw.images)
@@ -100,7 +100,7 @@ def start(
     )
 
 
-def _likelihood(found: tuple[Block, Index, dict[str, str]]) -> float:
+def likelihood(found: tuple[Block, Index, dict[str, str]]) -> float:
     """Logarithm of the likelihood of all rays, but for what is the same for every start of a block.
 
     Rays that are kept are normally distributed about where they should be, with the standard deviation that their
@@ -116,7 +116,7 @@ def _likelihood(found: tuple[Block, Index, dict[str, str]]) -> float:
     return float(np.log(area / (2 * np.pi * np.e * sigma**2)).sum())
 
 
-def _untold_constants(raw: Block) -> frozenset[str]:
+def untold_constants(raw: Block) -> frozenset[str]:
     """Cameras of which nothing tells the constant: nothing is stated, and pairs of their own images are too few."""
     seen = np.bincount(raw.images.camera[np.unique(raw.observations.image)], minlength=len(raw.cameras))
     return frozenset(
@@ -144,7 +144,7 @@ def _narrow(block: Block) -> bool:
     return any(symbol and c.values[symbol] > NARROW * float(c.size_mm.max()) for c, symbol in scales)
 
 
-def _by_growing(block: Block, progress: Progress) -> tuple[Block, Index, dict[str, str]]:
+def by_growing(block: Block, progress: Progress) -> tuple[Block, Index, dict[str, str]]:
     """Orientations image by image; the block, its rows, and the images that are left with the reasons."""
     rows = np.arange(len(block.observations))
     failed: dict[str, str] = {}
@@ -159,8 +159,8 @@ def _by_growing(block: Block, progress: Progress) -> tuple[Block, Index, dict[st
             failed.update(new)
 
 
-def _by_averaging(block: Block, progress: Progress) -> tuple[Block, Index, dict[str, str]]:
-    """Orientations of all images at once; as `_by_growing`."""
+def by_averaging(block: Block, progress: Progress) -> tuple[Block, Index, dict[str, str]]:
+    """Orientations of all images at once; as `by_growing`."""
     rows = np.arange(len(block.observations))
     failed: dict[str, str] = {}
     block, rows = _kept(block, rows, failed)
@@ -185,16 +185,16 @@ def _kept(block: Block, rows: Index, failed: dict[str, str]) -> tuple[Block, Ind
     return block, rows
 
 
-def _cleaned(
+def cleaned(
     raw: Block, found: tuple[Block, Index, dict[str, str]], threads: int, progress: Progress
 ) -> tuple[Block, Index, dict[str, str]]:
     """The block without wrong rays, points without depth, and images that lose all of theirs."""
     block, rows, failed = found
     options = AdjustmentOptions(threads=threads, statistics=False)
     free = {c.id: free_at_start(c) for c in raw.cameras}
-    cleaned = clean(block, options, free, progress=progress)
-    keep = ~cleaned.rejected & ~flat_points(cleaned.block)[cleaned.block.observations.point]
-    block, rows = with_rows(cleaned.block, keep), rows[keep]
+    left = clean(block, options, free, progress=progress)
+    keep = ~left.rejected & ~flat_points(left.block)[left.block.observations.point]
+    block, rows = with_rows(left.block, keep), rows[keep]
     # what wrong rays joined has fallen apart
     for part in (_connected, rigid_part):
         keep = part(block, failed)
