@@ -6,10 +6,16 @@ import numpy as np
 import pytest
 
 from raybundle import adjust
+from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.severity import Severity
+from raybundle.block import Role
 from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.numerics.progress import silent
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.orientation.given_points import intersected_where_better
+from raybundle.workflows.final import _decided
+
+SNOOPING = AdjustmentOptions(threads=1, reject="snooping")
 
 
 def network(seed, share=0.0, metres=0.0, orientation=(0.02, 0.02)):
@@ -73,3 +79,19 @@ def test_arbitrary_coordinates_without_orientations_are_not_used_and_that_is_sai
     without = adjust(replace(block, images=images, points=replace(block.points, xyz=np.full_like(arbitrary, np.nan))))
     assert result.sigma0 == pytest.approx(without.sigma0, rel=1e-6)
     assert "approximate_values_replaced" in {n.code for n in result.notices}
+
+
+@pytest.mark.parametrize("shift", [(0.0, 0.0, 0.0), (100.0, 200.0, 10.0), (5e5, 5e6, 100.0)])
+def test_check_points_in_another_system_than_a_free_block_cost_nothing(shift):
+    """Their coordinates are there to be compared; where they begin, their rays say."""
+    block, _ = network(1, orientation=(0.0, 0.0))
+    role, xyz = np.array(block.points.role), block.points.xyz.copy()
+    role[:5] = Role.CHECK
+    xyz[:5] += shift
+    checked = replace(block, points=replace(block.points, role=role, xyz=xyz))
+    plain = adjust(block, SNOOPING)
+    for result in (adjust(checked, SNOOPING), _decided(checked, SNOOPING, silent, ())):
+        assert all(r is None for r in result.image_observations.rejected)
+        assert result.sigma0 == pytest.approx(plain.sigma0, rel=1e-6)
+        assert np.array_equal(result.given.points.xyz[:5], xyz[:5])  # what was given stays to be compared
+        assert not [n for n in result.notices if n.code == "approximate_values_replaced"]

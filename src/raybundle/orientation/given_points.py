@@ -1,4 +1,4 @@
-"""Coordinates of tie points that were given: approximate by definition, and taken where their rays do no better.
+"""Coordinates of tie and check points that were given: approximate, and taken where their rays do no better.
 
 A tie point metres beside its rays, or behind a camera, leads the iteration astray, and others with it.  Where the
 images that see it are oriented, its rays tell where it lies.
@@ -6,6 +6,7 @@ images that see it are oriented, its rays tell where it lies.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -39,16 +40,17 @@ class GivenPoints:
     """Those of them that were given more than `GROSS` beside their rays"""
 
 
-def intersected_where_better(block: Block) -> GivenPoints:
-    """Intersect the given tie points anew that lie far beside their rays, as far as the images are oriented.
+def intersected_where_better(block: Block, roles: Sequence[Role] = (Role.TIE, Role.CHECK)) -> GivenPoints:
+    """Intersect the given points anew that lie far beside their rays, as far as the images are oriented.
 
-    A point is judged by the median over its rays, so that a wrong ray makes no given point wrong.  Satellite scenes and
-    what is control in any coordinate are left alone.
+    Coordinates of check points are there to be compared, and may be in another system than a block of free datum: as
+    approximate values they are no better than those of tie points.  A point is judged by the median over its rays, so
+    that a wrong ray makes no given point wrong.  Satellite scenes and what is control in any coordinate are left alone.
     """
     nothing = GivenPoints(block=block, replaced=np.zeros(0, np.int64), gross=np.zeros(0, np.int64))
     o, points = block.observations, block.points
     ours = np.array([not c.is_scene and c.values.get(c.sensor.symbols[0], 0.0) != 0 for c in block.cameras], bool)
-    given = np.isfinite(points.xyz).all(axis=1) & (np.asarray(points.role) == Role.TIE)
+    given = np.isfinite(points.xyz).all(axis=1) & np.isin(points.role, roles)
     given &= ~np.asarray(points.is_control).any(axis=1)
     rows = np.flatnonzero(block.images.oriented[o.image] & ours[block.images.camera[o.image]] & given[o.point])
     if not len(rows):
@@ -72,7 +74,7 @@ def intersected_where_better(block: Block) -> GivenPoints:
     return GivenPoints(
         block=replace(block, points=replace(points, xyz=new)),
         replaced=number[worse],
-        gross=number[worse & (before > GROSS)],
+        gross=number[worse & (before > GROSS) & (np.asarray(points.role)[number] == Role.TIE)],
     )
 
 

@@ -20,6 +20,7 @@ from raybundle.io.photos.cameras import CameraGroup
 from raybundle.numerics.arrays import Mask
 from raybundle.numerics.counting import counted, counted_are
 from raybundle.numerics.progress import Progress
+from raybundle.orientation.given_points import intersected_where_better
 from raybundle.workflows.georeference import Georeferenced, rejected_marks
 from raybundle.workflows.parts import Part
 from raybundle.workflows.tie_block import flat_points
@@ -120,11 +121,16 @@ def _held(
 
 
 def _decided(block: Block, options: AdjustmentOptions, progress: Progress, notices: tuple[Notice, ...]) -> Adjustment:
+    start = intersected_where_better(block, (Role.CHECK,)).block
     try:
-        return decide(block, options, progress, notices=notices)
+        result = decide(start, options, progress, notices=notices)
     except NoConvergence:
         # two photographs, or a weak interior orientation: steps of a few thousandths of a sigma that do not end
-        return decide(block, replace(options, tolerance=COARSE), progress, notices=notices)
+        result = decide(start, replace(options, tolerance=COARSE), progress, notices=notices)
+    check = (np.asarray(block.points.role) == Role.CHECK)[:, None]
+    points = result.given.points  # the coordinates to compare with are those that were given
+    points = replace(points, xyz=np.where(check, block.points.xyz, points.xyz))
+    return replace(result, given=replace(result.given, points=points))
 
 
 Relieved = tuple[Georeferenced, list[Notice]] | None
