@@ -38,8 +38,8 @@ _CODES = {
     ),
     Severity.REMARK: (
         "attitudes camera_joined check_points_open dropped gps masks model not_significant parts_joined photographs "
-        "rejected relative_positions scene_joins stored_turned target_eccentricity target_radius up_by_edges "
-        "up_without_edges"
+        "reduced_features rejected relative_positions scene_joins stored_turned target_eccentricity target_radius "
+        "up_by_edges up_without_edges"
     ),
 }
 

@@ -19,6 +19,15 @@ from raybundle.matching.descriptors import mutual_matches
 from raybundle.numerics.arrays import Array, Index
 
 BUILT_IN = ("rootsift", "xfeat", "disk")
+PIXELS_EACH = 400
+"""Pixels of a photograph for each feature: a third to a half of them is measured, by windows of 11 to 17 px."""
+ENOUGH, CLOSEST = 4000, 100
+"""Features below which photographs have closer ones, down to these pixels for each: windows then begin to overlap.
+
+Photographs that see the same from afar share a tenth of their features or less, however small they are, and a pair is
+believed from 15 to 40 of them."""
+LEAST = 500
+"""Features of the smallest pictures."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -59,13 +68,22 @@ class Described:
     """width and height of the upright picture"""
 
 
+def feature_number(width_px: int, height_px: int, most: int) -> int:
+    """Features of a photograph: so many that the windows of those that are measured hardly overlap.
+
+    Measurements from the same pixels are not independent, and their number would promise too much precision.
+    """
+    area = width_px * height_px
+    return min(most, max(area // PIXELS_EACH, min(ENOUGH, area // CLOSEST), LEAST))
+
+
 class FeatureMethod(ABC):
     """How features are found, described and matched."""
 
-    name: ClassVar[str]
-    version: ClassVar[int] = 1
+    name: str
+    version: int = 1
     """Raised with every change of the result; part of the key under which features are kept."""
-    upright: ClassVar[bool] = False
+    upright: bool = False
     """Whether what is found changes when the picture is turned; photographs are then searched the right way up."""
     needs: ClassVar[tuple[str, ...]] = ()
     """Packages beyond those that raybundle brings."""

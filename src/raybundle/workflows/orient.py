@@ -15,7 +15,7 @@ from raybundle.adjustment.options import NoiseModel
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Camera
 from raybundle.block.relative import relative_control
-from raybundle.errors import InputError, NotSolvable
+from raybundle.errors import InputError, NoOrientation, NotSolvable
 from raybundle.io.coordinate_systems import LocalFrame
 from raybundle.io.photos.cameras import CameraGroup
 from raybundle.io.photos.photo import Found, Photo, find_photos
@@ -200,7 +200,7 @@ def orient(
         refused += scenes_found.refused if scenes is None else scenes.refused
         _check_number(inputs, photographs.photos, 0 if scenes is None else len(scenes.images), refused)
         photographs.cameras(calibration, options.separate, options.library)
-        _ties(project, photographs, scenes, given, options, method)
+        photographs = _ties(project, photographs, scenes, given, options, method)
         remarks = (*found.remarks, *told, *scenes_found.remarks, *photographs.told)
         with project.stage("adjustment") as stage:
             blocks, photos = photographs.blocks, photographs.photos
@@ -271,23 +271,40 @@ def _features(
 def _ties(
     project: Project, photographs: PhotoRun, scenes: SceneRun | None, given: Given, options: OrientOptions,
     method: FeatureMethod,
-) -> None:  # fmt: skip
+) -> PhotoRun:  # fmt: skip
     """Tie points with approximate values, and measured precisely where that is asked for."""
     jobs, progress = photographs.jobs, photographs.progress
-    with project.stage("matching") as stage:
-        photographs.matching(project, stage, method)
-        if scenes is not None:
-            scenes.matching(project, stage, method, jobs, progress)
     name = project.folder.name
-    with project.stage("start") as stage:
-        photographs.start(project, stage, name, options.start)
-        if scenes is not None:
-            scenes.start(project, stage, name, given, len(photographs.photos), jobs, progress)
+    try:
+        with project.stage("matching") as stage:
+            photographs.matching(project, stage, method)
+            if scenes is not None:
+                scenes.matching(project, stage, method, jobs, progress)
+        with project.stage("start") as stage:
+            photographs.start(project, stage, name, options.start)
+            if scenes is not None:
+                scenes.start(project, stage, name, given, len(photographs.photos), jobs, progress)
+    except NoOrientation:
+        photographs, first = _searched_again(project, photographs, scenes, options, method), photographs
+        if photographs is first:
+            raise
+    else:
+        photographs = _searched_again(project, photographs, scenes, options, method)
     if options.precise:
         with project.stage("precision") as stage:
             photographs.precision(project, stage, options.memory_gb)
             if scenes is not None:
                 scenes.precision(project, stage, jobs, progress)
+    return photographs
+
+
+def _searched_again(
+    project: Project, photographs: PhotoRun, scenes: SceneRun | None, options: OrientOptions, method: FeatureMethod
+) -> PhotoRun:
+    """The run with features of reduced photographs, where these orient more of them; with scenes the run as it is."""
+    if scenes is not None:
+        return photographs
+    return photographs.searched_again(project, project.folder.name, options.start, method, options.feature_count)
 
 
 def _orientation(

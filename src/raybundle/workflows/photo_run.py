@@ -22,6 +22,7 @@ from raybundle.io.photos.masks import Masks, find_masks
 from raybundle.io.photos.photo import Photo
 from raybundle.io.project import Project, Stage, key_of
 from raybundle.matching.features import FeatureMethod
+from raybundle.matching.reduced import LONGEST_PX, WORTH, Reduced, reduction
 from raybundle.matching.refine import pyramid, smoothed
 from raybundle.matching.tracks import Tracks
 from raybundle.matching.verify import VerifiedPair, trusted
@@ -37,6 +38,7 @@ from raybundle.workflows.same_picture import same_picture_notice, same_pictures
 from raybundle.workflows.static_background import FEWEST_PHOTOGRAPHS, RING_PX, static_background
 from raybundle.workflows.tie_block import TieBlock, block_of_tracks
 from raybundle.workflows.tie_points import FeatureStore, find_features, grey_of, match_pairs, pairs_of
+from raybundle.workflows.tie_start import LEFT
 
 START, PRECISION = 13, 21
 """Versions of the stages' results."""
@@ -65,6 +67,8 @@ class PhotoRun:
     """what the result is to say of the photographs"""
     notices: list[Notice] = field(default_factory=list[Notice])
     """the same with a code of its own"""
+    given_notices: tuple[Notice, ...] = ()
+    """those of what was given, before anything was matched"""
     masks: Masks | None = None
     dropped: Dropped | None = None
     """how many features came how far"""
@@ -100,6 +104,7 @@ class PhotoRun:
     def matching(self, project: Project, stage: Stage, method: FeatureMethod) -> None:
         """Pairs of photographs."""
         assert self.store is not None
+        self.given_notices = tuple(self.notices)
         if self.photos:
             chosen = pairs_of(self.photos, self.store, method, _positions(self.photos), self.progress)
             try:
@@ -141,6 +146,44 @@ class PhotoRun:
             same = {self.photos[i].name: f"the same picture as {self.photos[k].name}" for i, k in self.repeats.items()}
             self.lost = [(name, same.get(name, why)) for name, why in self.ties[0].not_oriented]
             self.blocks = [tie.block for tie in self.ties]
+
+    def searched_again(
+        self, project: Project, name: str, start: Literal["auto", "growing", "averaging"], method: FeatureMethod,
+        most: int,
+    ) -> PhotoRun:  # fmt: skip
+        """This run, or one with features of reduced copies, where this start leaves photographs and that leaves fewer.
+
+        Photographs that are soft, noisy or heavily compressed tell nothing at the size of their pixels.
+        """
+        oriented = self._oriented()
+        large = [reduction(p.width_px, p.height_px) >= WORTH for p in self.photos]
+        if isinstance(method, Reduced) or oriented >= (1 - LEFT) * len(self.photos) or not all(large):
+            return self
+        coarse, other = Reduced(method), replace(self, refused=list(self.refused), notices=list(self.given_notices))
+        try:
+            with project.stage("features") as stage:
+                other.features(project, stage, coarse, most)
+            if len(other.photos) < len(self.photos):
+                return self
+            with project.stage("matching") as stage:
+                other.matching(project, stage, coarse)
+            with project.stage("start") as stage:
+                other.start(project, stage, name, start)
+        except NoOrientation:
+            return self
+        if other._oriented() <= oriented:  # noqa: SLF001  (the same class)
+            return self
+        message = (
+            f"features are those of copies of {LONGEST_PX} px: {other._oriented()} of {len(self.photos)} photographs "  # noqa: SLF001
+            f"hang together by them, {oriented} by features of the whole size. These photographs tell little at the "
+            "size of their pixels (soft, noisy or heavily compressed)"
+        )
+        other.notices.append(Notice(code="reduced_features", message=message))
+        return other
+
+    def _oriented(self) -> int:
+        """Photographs of the largest part."""
+        return int(self.ties[0].block.images.oriented.sum()) if self.ties else 0
 
     def precision(self, project: Project, stage: Stage, memory_gb: float) -> None:
         """Least-squares matching of their tie points."""

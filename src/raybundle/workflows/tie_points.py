@@ -17,7 +17,7 @@ from raybundle.io.photos.cameras import camera_groups
 from raybundle.io.photos.masks import Masks
 from raybundle.io.photos.photo import Photo, read_grey, stored_from_upright, upright, upright_from_stored
 from raybundle.io.project import Project, Stage, key_of
-from raybundle.matching.features import Described, FeatureMethod, Features
+from raybundle.matching.features import Described, FeatureMethod, Features, feature_number
 from raybundle.matching.pairs import ALL, choose_pairs, codebook, signature
 from raybundle.matching.verify import VerifiedPair, beyond_chance, verify
 from raybundle.numerics.arrays import Array
@@ -33,15 +33,6 @@ SCALES = np.linspace(-1.0, 1.0, 33)
 """Camera constants tried, in standard deviations about the one that the photographs state."""
 MOST_MASKED = 8.0
 """Times as many features as are wanted that are looked for where most of a photograph is masked."""
-PIXELS_EACH = 400
-"""Pixels of a photograph for each feature: a third to a half of them is measured, by windows of 11 to 17 px."""
-ENOUGH, CLOSEST = 4000, 100
-"""Features below which photographs have closer ones, down to these pixels for each: windows then begin to overlap.
-
-Photographs that see the same from afar share a tenth of their features or less, however small they are, and a pair is
-believed from 15 to 40 of them."""
-LEAST = 500
-"""Features of the smallest pictures."""
 
 
 def feature_key(photo: Photo, method: FeatureMethod, count: int, mask: str = "") -> str:
@@ -50,12 +41,8 @@ def feature_key(photo: Photo, method: FeatureMethod, count: int, mask: str = "")
 
 
 def feature_count(photo: Photo, most: int) -> int:
-    """Features of a photograph: so many that the windows of those that are measured hardly overlap.
-
-    Measurements from the same pixels are not independent, and their number would promise too much precision.
-    """
-    area = photo.width_px * photo.height_px
-    return min(most, max(area // PIXELS_EACH, min(ENOUGH, area // CLOSEST), LEAST))
+    """Features of a photograph."""
+    return feature_number(photo.width_px, photo.height_px, most)
 
 
 def grey_of(photo: Photo) -> Array:
