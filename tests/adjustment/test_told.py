@@ -73,3 +73,14 @@ def test_what_lies_behind_the_camera_is_a_fault_of_names_a_wrong_match_or_a_turn
     assert turned.severity == "fault"
     assert turned.ids == (named.given.images.ids[0],)
     assert "wrong side" in turned.message
+
+
+def test_control_that_nothing_checks_is_named_with_the_least_error_that_would_be_found():
+    loose, precise = ((sigma,) * 3 for sigma in (1e-2, 1e-6))
+    assert not told(adjust(observed(control=8, control_sigma=loose), OPTIONS), "control_unchecked")
+    result = adjust(observed(control=8, control_sigma=precise), OPTIONS)
+    (notice,) = told(result, "control_unchecked")
+    assert notice.severity == "remark"
+    assert "hardly check: X of " in notice.message
+    group = next(g for g in result.groups if g.kind == "control")
+    assert set(notice.ids) == {n for n, r in zip(group.ids, group.redundancy, strict=True) if r < 0.01}

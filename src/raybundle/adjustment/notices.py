@@ -25,7 +25,9 @@ from raybundle.numerics.counting import counted, counted_are
 from raybundle.numerics.statistics import global_test
 
 STRONG = 0.95
-LOW_REDUNDANCY = 0.1
+UNCHECKED = 0.01
+"""Redundancy number below which an observation is not checked by the others (Förstner 1987): an error of forty
+standard deviations may pass."""
 FEW = 5.0
 """Redundancy of a group below which single values are suspects rather than all of them."""
 
@@ -299,12 +301,38 @@ def _control(result: Adjustment) -> list[Notice]:
             Notice(
                 code=f"{g.kind}_suspect",
                 message=f"{g.kind} {g.ids[k]}, {g.component[k]}: adjusted minus given {g.residual[k]:.4g} at a sigma "
-                f"of {g.sigma[k]:.3g}, |w| {abs(g.w[k]):.1f} against {limit * own:.1f}. Check this value.",
+                f"of {g.sigma[k]:.3g}, |w| {abs(g.w[k]):.1f} against {limit * own:.1f}. Check this value",
                 ids=(g.ids[k],),
             )
             for k in np.flatnonzero(np.abs(np.nan_to_num(g.w)) > limit * own)
         ]
-    return found
+    return found + _unchecked(result)
+
+
+def _unchecked(result: Adjustment) -> list[Notice]:
+    """Control of which nothing but its own standard deviation says that it is right: coordinates, and how far."""
+    unchecked: dict[str, list[tuple[str, float]]] = {}
+    for g in result.groups:
+        if g.kind == "control":
+            for k in np.flatnonzero((g.sigma > 0) & (g.redundancy < UNCHECKED)).tolist():
+                unchecked.setdefault(g.component[k], []).append((g.ids[k], float(g.mdb[k])))
+    if not unchecked:
+        return []
+    told: list[str] = []
+    for axis, points in sorted(unchecked.items()):
+        seen = [(mdb, name) for name, mdb in points if np.isfinite(mdb)]
+        least = f" ({min(seen)[0]:.2g} would just be found at {min(seen)[1]})" if seen else ""
+        names = ", ".join(name for name, _ in points[:5]) + " ..." * (len(points) > 5)
+        told.append(f"{axis} of {names}{least}")
+    return [
+        Notice(
+            code="control_unchecked",
+            message=f"control that the other observations hardly check: {'; '.join(told)}. They know it ten times "
+            "worse than stated or more, and smaller errors pass into the result unseen. More control, or check points, would "
+            "tell",
+            ids=tuple(dict.fromkeys(name for points in unchecked.values() for name, _ in points))[:100],
+        )
+    ]
 
 
 KNOWN_BY = 2.0

@@ -155,10 +155,11 @@ class Precision:
 
     @property
     def object_point_std(self) -> Array:
-        """(p, 3) standard deviations of the object coordinates."""
+        """(p, 3) standard deviations of the object coordinates; NaN where rounding leaves no variance."""
         import numpy as np  # noqa: PLC0415
 
-        return np.sqrt(np.diagonal(self.object_points, axis1=1, axis2=2))
+        variance = np.diagonal(self.object_points, axis1=1, axis2=2)
+        return np.sqrt(np.where(variance >= 0, variance, np.nan))
 
     @property
     def image_std(self) -> Array:

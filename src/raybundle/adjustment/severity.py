@@ -37,9 +37,9 @@ _CODES = {
         "target_without_normal two_cameras unstable_camera up_ambiguous up_uncertain weak_photographs"
     ),
     Severity.REMARK: (
-        "attitudes camera_joined check_points_open dropped gps masks model not_significant parts_joined photographs "
-        "reduced_features rejected relative_positions scene_joins stored_turned target_eccentricity target_radius "
-        "up_by_edges up_without_edges"
+        "attitudes camera_joined check_points_open control_unchecked dropped gps masks model not_significant "
+        "parts_joined photographs reduced_features rejected relative_positions scene_joins stored_turned "
+        "target_eccentricity target_radius up_by_edges up_without_edges"
     ),
 }
 

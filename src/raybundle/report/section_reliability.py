@@ -212,7 +212,7 @@ def _largest(view: View) -> Table:
     def pair(values: Array, places: int) -> list[list[str]]:
         return [cells(values[rows, k].tolist(), places) for k in (0, 1)]
 
-    beyond = [k for k, row in enumerate(rows) if np.nanmax(np.abs(s.t[row])) > a.critical_tau]
+    beyond = [k for k, row in enumerate(rows) if np.nan_to_num(np.abs(s.t[row])).max() > a.critical_tau]
     return table(
         (
             text("image"), text("point"), number("x", "px"), number("y", "px"), number("v x", "px"),
