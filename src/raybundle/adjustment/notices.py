@@ -328,8 +328,8 @@ def _unchecked(result: Adjustment) -> list[Notice]:
         Notice(
             code="control_unchecked",
             message=f"control that the other observations hardly check: {'; '.join(told)}. They know it ten times "
-            "worse than stated or more, and smaller errors pass into the result unseen. More control, or check points, would "
-            "tell",
+            "worse than stated or more, and smaller errors pass into the result unseen. More control, or check "
+            "points, would tell",
             ids=tuple(dict.fromkeys(name for points in unchecked.values() for name, _ in points))[:100],
         )
     ]
