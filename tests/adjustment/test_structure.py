@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from raybundle import adjust
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
@@ -115,3 +116,18 @@ def test_residuals_of_the_right_model_do_not_repeat():
     start, told = choose_models(seen, first, AdjustmentOptions(threads=1))
     assert start.cameras[0].model == "brown"
     assert not told
+
+
+@pytest.mark.parametrize(("name", "noise", "told"), [("t", "auto", True), ("p", "auto", False), ("t", "white", False)])
+def test_a_block_of_found_points_adjusted_with_white_noise_is_told_of_smooth_errors(block, name, noise, told):
+    o, camera = block.observations, block.cameras[0]
+    half = np.array([camera.width_px, camera.height_px]) / 2
+    x = (o.xy_px - half) / half[0]
+    wrong = np.isin(o.image, [2, 5, 7])
+    xy = o.xy_px + np.where(wrong[:, None], 3 * x * (x**2).sum(axis=1, keepdims=True), 0.0)
+    ids = tuple(f"{name}{k + 1}" for k in range(len(block.points)))
+    found = replace(block, observations=replace(o, xy_px=xy), points=replace(block.points, ids=ids))
+    result = adjust(found, AdjustmentOptions(threads=1, tolerance=1e-3, noise=noise))
+    notices = [n.message for n in result.notices if n.code == "residual_structure"]
+    assert bool(notices) is told
+    assert not told or "--noise fields" in notices[0]

@@ -16,7 +16,9 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.scene_start import refuse_unoriented, with_scene_points
 from raybundle.adjustment.severity import POOR_FIT, Severity
+from raybundle.adjustment.structure import structure_notice
 from raybundle.block import Block, Role
+from raybundle.block.points import automatic
 from raybundle.errors import InputError, NoConvergence, NoOrientation, NotSolvable, RankDefect
 from raybundle.numerics.arrays import Mask
 from raybundle.numerics.counting import counted_are
@@ -24,6 +26,8 @@ from raybundle.numerics.progress import Progress, silent
 from raybundle.orientation.given_points import intersected_where_better, without_given_ties
 from raybundle.workflows.control_doubts import doubted_control, notice, words
 
+LOOKED_AT = 500_000
+"""Image observations up to which residuals are looked at for structure without being asked: three seconds."""
 DOUBTED = 10.0
 """sigma0 from which on the approximate values are doubted."""
 
@@ -65,7 +69,22 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
         bent |= set() if doubt is None else {"image_contradicts"}  # it is the control that contradicts them
         others = [n for n in result.notices if n.code not in bent]
         result = replace(result, notices=(*plain, *others))
+    result = replace(result, notices=(*result.notices, *_structure(result, options)))
     return with_check_notice(replace(result, given=block, seconds=time.perf_counter() - began))
+
+
+def _structure(result: Adjustment, options: AdjustmentOptions) -> tuple[Notice, ...]:
+    """Of a block of points that a program found, as `orient` leaves it: whether errors are smooth, not white noise.
+
+    What was published stays comparable, so that blocks that are given are adjusted with white noise unless asked.
+    """
+    points = result.given.points.ids
+    if options.noise != "auto" or len(result.given.observations) > LOOKED_AT:
+        return ()
+    if 2 * automatic(points).sum() < len(points) or (found := structure_notice(result)) is None:
+        return ()
+    more = "Adjusted with noise fields (--noise fields), as by `orient`, standard deviations contain it"
+    return (replace(found, message=f"{found.message}. {more}"),)
 
 
 def _plainly(block: Block, options: AdjustmentOptions) -> Adjustment:
