@@ -14,6 +14,7 @@ from raybundle.block.stored import joint_covariance, observed_jointly
 from raybundle.errors import InputError
 from raybundle.io.block_toml import read_cameras
 from raybundle.io.calibrations.ours import cameras_text
+from raybundle.io.photos.cameras import CameraGroup, with_calibration
 
 FREE = ("c", "x0", "y0", "K1", "K2", "P1", "P2")
 
@@ -79,3 +80,14 @@ def test_correlations_that_were_rounded_are_taken(calibrated):
     free, back = joint_covariance(known)
     assert free == ("K1", "K2")
     assert np.diag(back) == pytest.approx(1e-18, rel=1e-5)
+
+
+def test_a_group_of_photographs_knows_the_standard_deviation_of_its_calibration(calibrated):
+    camera, C = calibrated
+    group = CameraGroup(
+        id=camera.id, name=camera.id, photos=(0,), width_px=camera.width_px, height_px=camera.height_px, pixel_mm=camera.pixel_mm,
+        c_mm=camera.values["c"], sigma_c_mm=1.0, source="35 mm equivalent", remarks=(),
+    )  # fmt: skip
+    known = observed_jointly(camera, FREE, C)
+    assert with_calibration(group, known).sigma_c_mm == pytest.approx(np.sqrt(C[0, 0]))
+    assert with_calibration(group, replace(known, estimate=())).sigma_c_mm == 0

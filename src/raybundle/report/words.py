@@ -235,6 +235,11 @@ def _resection(view: View) -> str:
 def _accuracy(view: View) -> str:
     difference = view.check_difference * view.factor
     if not np.isfinite(difference).any():
+        if len(difference):
+            return (
+                "Check points are not compared: the datum fixes none of their coordinates, so that the accuracy is not "
+                "tested by anything that the adjustment did not use."
+            )
         return "There are no check points: the accuracy is not tested by anything that the adjustment did not use."
     known = int(np.isfinite(difference).any(axis=1).sum())
     each = ", ".join(

@@ -6,9 +6,11 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fnmatch import fnmatchcase
+from math import sqrt
 
 from raybundle.block import Camera
 from raybundle.block.known import observed_as_known
+from raybundle.block.stored import joint_covariance
 from raybundle.errors import InputError
 from raybundle.io.photos.metadata import Metadata
 from raybundle.io.photos.photo import Photo
@@ -286,6 +288,15 @@ def _with_stored(groups: Sequence[CameraGroup], stored: Sequence[Camera]) -> lis
     return list(result.values())
 
 
+def _calibrated_sigma(camera: Camera, symbol: str) -> float:
+    """Standard deviation of a parameter by its calibration; 0 where that holds it."""
+    symbols, covariance = joint_covariance(camera) if camera.estimate else ((), None)
+    if covariance is None or symbol not in symbols:
+        return camera.sigma.get(symbol, 0.0)
+    k = symbols.index(symbol)
+    return sqrt(float(covariance[k, k]))
+
+
 def with_calibration(group: CameraGroup, camera: Camera) -> CameraGroup:
     """The group with a stored calibration in place of its starting values."""
     c = next(p.symbol for p in sensor_models[camera.model].parameters if p.kind == "scale")
@@ -295,7 +306,7 @@ def with_calibration(group: CameraGroup, camera: Camera) -> CameraGroup:
         says = f"the stored calibration says c = {c_px:.0f} px, {group.source} {own:.0f} px"
         remarks = (f"{says}; the calibration is taken",)
     return replace(
-        group, pixel_mm=camera.pixel_mm, c_mm=camera.values[c], sigma_c_mm=camera.sigma.get(c, 0.0),
+        group, pixel_mm=camera.pixel_mm, c_mm=camera.values[c], sigma_c_mm=_calibrated_sigma(camera, c),
         source=f"stored calibration {camera.id}", remarks=remarks, stored=camera,
     )  # fmt: skip
 
