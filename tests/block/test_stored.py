@@ -85,7 +85,8 @@ def test_correlations_that_were_rounded_are_taken(calibrated):
 def test_a_group_of_photographs_knows_the_standard_deviation_of_its_calibration(calibrated):
     camera, C = calibrated
     group = CameraGroup(
-        id=camera.id, name=camera.id, photos=(0,), width_px=camera.width_px, height_px=camera.height_px, pixel_mm=camera.pixel_mm,
+        id=camera.id, name=camera.id, photos=(0,), width_px=camera.width_px, height_px=camera.height_px,
+        pixel_mm=camera.pixel_mm,
         c_mm=camera.values["c"], sigma_c_mm=1.0, source="35 mm equivalent", remarks=(),
     )  # fmt: skip
     known = observed_jointly(camera, FREE, C)
