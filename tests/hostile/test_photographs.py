@@ -51,8 +51,8 @@ class Told:
 
 @pytest.fixture
 def orient(capsys, tmp_path):
-    def call(*inputs, out="project"):
-        status = main(["orient", *map(str, inputs), "--out", str(tmp_path / out), *QUICK])
+    def call(*inputs, out="project", options=QUICK):
+        status = main(["orient", *map(str, inputs), "--out", str(tmp_path / out), *options])
         told = capsys.readouterr()
         return Told(status, told.out, told.err)
 
@@ -175,7 +175,8 @@ def test_copies_at_half_the_size_share_the_camera_of_the_others(orient, photos, 
     for k in (2, 4):
         with Image.open(photos / f"{k}.jpg") as image:
             image.reduce(2).save(photos / f"{k}.jpg", quality=95, exif=image.info["exif"])
-    told = orient(photos)
+    # by few quick points of 120 000 pixels the interior orientation is not told well enough to decide
+    told = orient(photos, options=["--no-report", "--jobs", "2"])
     assert told.status == 0, told.all
     assert " 5 of 5 photographs oriented" in told.out
     assert "2 of 5 photographs are at another size, reduced to" in told.out

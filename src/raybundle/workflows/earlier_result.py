@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 from typing import Any
 
 from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.errors import InputError
+from raybundle.io.reading.trees import read_json
 
 
 def less_fixed(folder: Path, adjustment: Adjustment) -> Notice | None:
@@ -15,8 +16,8 @@ def less_fixed(folder: Path, adjustment: Adjustment) -> Notice | None:
     folder  of the earlier result; without one that can be read nothing is said
     """
     try:
-        earlier: Any = json.loads((folder / "result.json").read_text("utf-8"))
-    except (OSError, ValueError):
+        earlier: Any = read_json(folder / "result.json").value
+    except InputError:
         return None
     before: object = earlier.get("datum_defect") if isinstance(earlier, dict) else None
     if not isinstance(before, list):

@@ -76,7 +76,7 @@ def test_no_reader_converts_words_itself():
         for p in modules()
         if p.relative_to(SOURCE).parts[0] in READERS
     }
-    assert {p: what for p, what in found.items() if what} == {"report/numbers.py": ["line 33: float(text)"]}
+    assert {p: what for p, what in found.items() if what} == {"report/numbers.py": ["line 39: float(text)"]}
 
 
 def test_what_the_program_wrote_itself_is_read_in_one_module():
