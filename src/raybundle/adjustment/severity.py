@@ -26,15 +26,16 @@ _CODES = {
     ),
     Severity.CAUTION: (
         "approximate_values_replaced attitude_wrong attitudes_convergence attitudes_mount attitudes_nominal "
-        "attitudes_steep blunder_not_located board_alike camera camera_constant camera_kept_apart "
-        "check_points_apart check_unseen control_file control_leaves_open control_not_located "
-        "control_not_observed control_sigma control_without_photograph coordinate_system correlation datum_lost "
-        "global_test gps_too_near held_not_determinable identical_images image_left_out levelled "
-        "little_redundancy mark_rejected marked_lost marked_once marks_reduced mask_orientation mask_refused "
-        "mask_uniform no_targets one_ray_control parallel_rays parts_apart pixel_shape points_left_out "
-        "rays_diverge relative_control repeated_structure residual_structure rolling_shutter scale_unchecked "
-        "scene_datum scene_prior small_angle start_behind start_parallel static_background systematic_residuals "
-        "target_without_normal two_cameras unstable_camera up_ambiguous up_uncertain weak_photographs"
+        "attitudes_steep blunder_not_located board_alike calibration_contradicted calibration_outweighed camera "
+        "camera_constant camera_kept_apart check_points_apart check_unseen control_file control_leaves_open "
+        "control_not_located control_not_observed control_sigma control_without_photograph coordinate_system "
+        "correlation datum_lost global_test gps_too_near held_not_determinable identical_images image_left_out "
+        "levelled little_redundancy mark_rejected marked_lost marked_once marks_reduced mask_orientation "
+        "mask_refused mask_uniform no_targets one_ray_control parallel_rays parts_apart pixel_shape "
+        "points_left_out rays_diverge relative_control repeated_structure residual_structure rolling_shutter "
+        "scale_unchecked scene_datum scene_prior small_angle start_behind start_parallel static_background "
+        "systematic_residuals target_without_normal two_cameras unstable_camera up_ambiguous up_uncertain "
+        "weak_photographs"
     ),
     Severity.REMARK: (
         "attitudes camera_joined check_points_open control_unchecked dropped gps masks model not_significant "

@@ -11,6 +11,7 @@ from raybundle.adjustment import defects
 from raybundle.adjustment.check_points import with_check_notice
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.entry import check_entry
+from raybundle.adjustment.given_calibration import calibration_notices
 from raybundle.adjustment.identical_control import identical_notices
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment, Notice
@@ -69,7 +70,7 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
         bent |= set() if doubt is None else {"image_contradicts"}  # it is the control that contradicts them
         others = [n for n in result.notices if n.code not in bent]
         result = replace(result, notices=(*plain, *others))
-    result = replace(result, notices=(*result.notices, *_structure(result, options)))
+    result = replace(result, notices=(*calibration_notices(result), *result.notices, *_structure(result, options)))
     return with_check_notice(replace(result, given=block, seconds=time.perf_counter() - began))
 
 
