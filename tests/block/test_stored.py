@@ -11,6 +11,7 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block.calibration_networks import ROLLS, FlatField, flat_field_scene
 from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.block.stored import joint_covariance, observed_jointly
+from raybundle.cli.photograph_facts import _camera
 from raybundle.errors import InputError
 from raybundle.io.block_toml import read_cameras
 from raybundle.io.calibrations.ours import cameras_text
@@ -91,4 +92,8 @@ def test_a_group_of_photographs_knows_the_standard_deviation_of_its_calibration(
     )  # fmt: skip
     known = observed_jointly(camera, FREE, C)
     assert with_calibration(group, known).sigma_c_mm == pytest.approx(np.sqrt(C[0, 0]))
-    assert with_calibration(group, replace(known, estimate=())).sigma_c_mm == 0
+    held = replace(known, estimate=(), sigma={"c": 0.01})
+    assert with_calibration(group, held).sigma_c_mm == 0
+    # and so does what the report prints, where 0 reads "held"
+    assert _camera(with_calibration(group, known)).sigma_c_px == pytest.approx(np.sqrt(C[0, 0]) / camera.pixel_mm[0])
+    assert _camera(with_calibration(group, held)).sigma_c_px == 0

@@ -72,6 +72,6 @@ def _camera(group: CameraGroup) -> CameraFact:
         photographs=len(group.photos),
         source=group.source,
         c_px=group.c_mm / pixel,
-        sigma_c_px=group.sigma_c_mm / pixel if group.stored is None else 0.0,
+        sigma_c_px=group.sigma_c_mm / pixel,
         remarks=group.remarks,
     )

@@ -290,7 +290,9 @@ def _with_stored(groups: Sequence[CameraGroup], stored: Sequence[Camera]) -> lis
 
 def _calibrated_sigma(camera: Camera, symbol: str) -> float:
     """Standard deviation of a parameter by its calibration; 0 where that holds it."""
-    symbols, covariance = joint_covariance(camera) if camera.estimate else ((), None)
+    if not camera.estimate:
+        return 0.0
+    symbols, covariance = joint_covariance(camera)
     if covariance is None or symbol not in symbols:
         return camera.sigma.get(symbol, 0.0)
     k = symbols.index(symbol)
