@@ -36,7 +36,7 @@ def rows_of(xyz):
     return point_generators(xyz, np.zeros(3), 1.0).reshape(-1, 7)
 
 
-@pytest.mark.parametrize("off", [0.0, 0.5, 0.8 * LEVER])
+@pytest.mark.parametrize("off", [0.0, 0.5, 1.2])
 def test_a_line_does_not_tell_its_rotation_whatever_its_errors(off):
     x = np.linspace(-1, 1, 20)
     xyz = np.stack([x, 0.01 * off * (-1.0) ** np.arange(20), np.full(20, 0.3)], axis=1)
@@ -50,6 +50,14 @@ def test_what_stands_beside_the_line_tells_it():
     rows = rows_of(xyz)
     assert open_directions(rows, np.full(len(rows), 0.01)).shape[1] == 0
     assert open_directions(rows, np.zeros(len(rows))).shape[1] == 0
+
+
+@pytest.mark.parametrize(("stations", "left"), [(4, 1), (18, 0)])
+def test_many_stations_tell_a_rotation_together_that_none_tells_alone(stations, left):
+    x = np.linspace(-1, 1, stations)
+    xyz = np.stack([x, 0.01 * 0.6 * LEVER * (-1.0) ** np.arange(stations), np.full(stations, 0.3)], axis=1)
+    rows = rows_of(xyz)
+    assert open_directions(rows, np.full(len(rows), 0.01)).shape[1] == left
 
 
 def test_a_shift_is_determined_however_badly():

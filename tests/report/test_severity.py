@@ -100,6 +100,7 @@ def test_residuals_three_times_too_large_are_a_fault_and_too_small_ones_a_remark
     a = case("rich")
     lower, _, upper = a.global_test
     for value, sigma0, severity in (
+        (1.05 * upper, 1.05, Severity.REMARK),
         (2 * upper, 1.4, Severity.CAUTION), (20 * upper, 4.5, Severity.FAULT), (0.5 * lower, 0.7, Severity.REMARK),
     ):  # fmt: skip
         changed = replace(a, global_test=(lower, value, upper), sigma0=sigma0)

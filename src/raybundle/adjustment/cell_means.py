@@ -7,10 +7,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from raybundle.adjustment.options import FEWEST_IMAGES
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Camera
-from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.arrays import Array, Index, Mask
 
+SYSTEMATIC = "systematic_residuals"
+"""Code of the notice."""
 FAMILY = 0.05
 """Family-wise significance level of the tests of all cells of a camera."""
 SPREAD = 0.1
@@ -33,7 +36,7 @@ class CellMeans:
     redundancy: Array
     """(cells,) mean redundancy number; NaN without statistics"""
     test: Array
-    """(cells,) chi-square with 2 degrees of freedom of the mean"""
+    """(cells,) chi-square with 2 degrees of freedom of the mean, or what is as improbable; 0 where nothing tests it"""
     limit: float
     """Its family-wise critical value (Bonferroni)"""
 
@@ -94,8 +97,10 @@ def cell_means(result: Adjustment, camera: Camera, mask: Mask, tests: Array) -> 
     mask   (m,) observations of the camera
     tests  (m, 2) normalised residuals
 
-    The test takes residuals as uncorrelated; a common unmodelled effect of a few images looks like a
-    systematic one of the camera.
+    Where the standard deviations contain smooth errors of single images (`noise.kind` other than white), what an
+    image's points of a cell have in common is one observation, and the images tell how far it scatters: Hotelling's
+    T^2 over the images.  With white noise the test takes residuals as uncorrelated; a common unmodelled effect of a
+    few images then looks like a systematic one of the camera.
     """
     columns = 12 if mask.sum() >= 2400 else 8 if mask.sum() >= 400 else 5
     rows = int(min(max(2, round(columns * camera.height_px / camera.width_px)), 24))
@@ -116,15 +121,45 @@ def cell_means(result: Adjustment, camera: Camera, mask: Mask, tests: Array) -> 
         r = s.redundancy[mask]
         redundancy = total(r.sum(axis=1)) / (2 * total(np.isfinite(r).all(axis=1).astype(float)))
     filled = int((count > 0).sum())
+    test = np.sum(t**2, axis=1)
+    if result.noise.kind != "white":
+        test = between_images(cell, result.given.observations.image[mask], tests[mask], columns * rows)
     return CellMeans(
         columns=columns,
         rows=rows,
         count=count,
         mean_px=mean,
         redundancy=redundancy,
-        test=np.sum(t**2, axis=1),
+        test=test,
         limit=-2 * math.log(FAMILY / max(filled, 1)),
     )
+
+
+def between_images(cell: Index, image: Index, tests: Array, cells: int) -> Array:
+    """Of each cell, the chi-square with 2 degrees of freedom that is as improbable as T^2 of the means of its images.
+
+    T^2 = n m' S^-1 m of n images, m and S mean and covariance of the roots-of-n-weighted sums of normalised residuals
+    (k, 2); its tail is (1 + T^2 / (n - 1)) ^ (-(n - 2) / 2) (Hotelling 1931).  0 where fewer than `FEWEST_IMAGES` show
+    the cell.
+    """
+    good = np.isfinite(tests).all(axis=1)
+    width = int(image.max(initial=0)) + 1
+    key = cell[good].astype(np.int64) * width + image[good]
+    seen, group, count = np.unique(key, return_inverse=True, return_counts=True)
+    z = np.stack([np.bincount(group, tests[good, k], len(seen)) for k in (0, 1)], axis=1) / np.sqrt(count)[:, None]
+    of = seen // width
+    n = np.bincount(of, minlength=cells).astype(float)
+
+    def total(values: Array) -> Array:
+        return np.bincount(of, values, minlength=cells)
+
+    with np.errstate(invalid="ignore", divide="ignore"):
+        m = np.stack([total(z[:, k]) / n for k in (0, 1)], axis=1)
+        e = z - m[of]
+        xx, yy, xy = (total(e[:, i] * e[:, j]) / (n - 1) for i, j in ((0, 0), (1, 1), (0, 1)))
+        square = n * (yy * m[:, 0] ** 2 - 2 * xy * m[:, 0] * m[:, 1] + xx * m[:, 1] ** 2) / (xx * yy - xy**2)
+        test = (n - 2) * np.log1p(square / (n - 1))
+    return np.where((n >= FEWEST_IMAGES) & np.isfinite(test), test, 0.0)
 
 
 def systematic_notices(result: Adjustment) -> list[Notice]:
@@ -147,13 +182,15 @@ def systematic_notices(result: Adjustment) -> list[Notice]:
         )
     if not told:
         return []
+    white = result.noise.kind == "white"
+    contains = "standard deviations of independent errors do not contain (in few photographs smooth errors of single "
+    contains = f"{contains}ones look alike)" if white else "standard deviations do not contain: it is in all images"
     return [
         Notice(
             code="systematic_residuals",
             message="mean residuals over the format differ from zero: " + "; ".join(told) + ". The camera model "
-            "leaves a systematic part, which standard deviations of independent errors do not contain (in few "
-            "photographs smooth errors of single ones look alike); a calibration, or photographs that are rolled and "
-            "converge, would tell the lens better",
+            f"leaves a systematic part, which {contains}; a calibration, or photographs that are rolled and converge, "
+            "would tell the lens better",
             ids=tuple(ids),
         )
     ]

@@ -19,6 +19,7 @@ from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.errors import DatumDefect, InputError, NotSolvable
 from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.statistics import chi_square_tails
 from raybundle.sensors.imu import IMU
 
 NAMES = ("position X", "position Y", "position Z", "rotation X", "rotation Y", "rotation Z", "scale")
@@ -182,9 +183,10 @@ def open_directions(rows: Array, sigma: Array) -> Array:
     sigma  (k,) its standard deviation in the same unit, 0 = held
 
     Open is what moves no observation, and a rotation or change of scale of which a whole radian, or a factor of e,
-    moves none of them by LEVER of its standard deviations once the best shift is taken out: stations on a straight
-    line do not tell the rotation about it, however far errors of measurement put them off the line.  So the answer is
-    the same at approximate and at adjusted values.  A shift has no lever, and is determined as well as it is observed.
+    moves none of them by LEVER of its standard deviations once the best shift is taken out, nor all of them together
+    by more than errors of measurement would (MISTAKEN): stations on a straight line do not tell the rotation about it,
+    however far errors of measurement put them off the line.  So the answer is the same at approximate and at adjusted
+    values.  A shift has no lever, and is determined as well as it is observed.
     """
     if not len(rows):
         return np.eye(7)
@@ -194,7 +196,10 @@ def open_directions(rows: Array, sigma: Array) -> Array:
     taken = np.linalg.lstsq(weighted[:, :3], weighted[:, 3:], rcond=1e-7)[0]
     levers = weighted[:, 3:] - weighted[:, :3] @ taken
     turns = np.linalg.svd(_folded(levers), full_matrices=True)[2]
-    weak = np.abs(levers @ turns.T).max(axis=0) < LEVER
+    moved = (levers @ turns.T) ** 2
+    across = max(1, 2 * len(levers) // 3)
+    chance = np.array([chi_square_tails(float(total), across)[1] for total in moved.sum(axis=0)])
+    weak = (moved.max(axis=0) < LEVER**2) & (chance > MISTAKEN)
     found = np.vstack([-taken @ turns[weak].T, turns[weak].T])
     whole = np.linalg.svd(np.hstack([vt[rank:].T, found]), full_matrices=False)
     return _plain(whole[0][:, whole[1] > 1e-6 * max(whole[1].max(initial=0.0), 1e-300)])
@@ -205,6 +210,9 @@ LEVER = 5.0
 
 Errors alone put one of a million stations on a line so far off it.
 """
+MISTAKEN = 6e-7
+"""That probability.  Many observations tell a rotation together, none of them by itself: the sum of squares of their
+levers must be larger than that of errors of stations on a line, two coordinates of each across it."""
 HELD = 1e-9
 """Standard deviation, in extents, that stands for that of a held value."""
 

@@ -14,7 +14,7 @@ from raybundle.adjustment.network import FEW as FIRM
 from raybundle.adjustment.network import weak_images
 from raybundle.adjustment.reliability import UNCONTROLLED, RedundancySum
 from raybundle.adjustment.result import Adjustment, Notice, ObservationGroup, VarianceComponent
-from raybundle.adjustment.severity import POOR_FIT, Severity
+from raybundle.adjustment.severity import NEARLY, POOR_FIT, Severity
 from raybundle.adjustment.wrong_images import wrong_image_notices
 from raybundle.block import Role
 from raybundle.block.frames import stored_ways
@@ -75,6 +75,7 @@ def _fit(result: Adjustment) -> list[Notice]:
         return []
     more = value > upper
     grave = Severity.FAULT if result.sigma0 > POOR_FIT else Severity.CAUTION
+    grave = Severity.REMARK if result.sigma0 < NEARLY else grave
     return [
         Notice(
             code="global_test",
@@ -88,6 +89,8 @@ def _fit(result: Adjustment) -> list[Notice]:
 
 def _meaning(result: Adjustment, *, more: bool) -> str:
     """What a sigma0 other than 1 says of the observations."""
+    if more and result.sigma0 < NEARLY:
+        return f"less than {100 * (NEARLY - 1):.0f} %, which so many observations tell and which harms nothing"
     if more:
         return "the observations are less precise than stated, or the model does not fit or blunders are left"
     if result.options.weights == "residuals":
@@ -203,6 +206,7 @@ def _rejected(result: Adjustment) -> list[Notice]:
         found.append(
             Notice(
                 code="blunder_not_located",
+                measured=Severity.REMARK if automatic(names).all() else Severity.CAUTION,
                 message=f"{counted_are(len(names), 'point')} left out: one of "
                 f"{'their' if len(names) > 1 else 'its'} rays is wrong, and which one cannot be told "
                 f"(fewer than three rays would be left, or two rays explain it alike): {', '.join(names[:10])}"
@@ -413,8 +417,9 @@ def _open_beside_given(result: Adjustment) -> list[Notice]:
     return [
         Notice(
             code="control_leaves_open",
-            message=f"{given} leave{'s' * (not centres)} open: {', '.join(result.datum_defect)}; there the result "
-            f"stands arbitrarily, and coordinates in that direction mean nothing. {listed}: {why}",
+            message=f"{given} leave{'s' * (not centres)} open: {', '.join(result.datum_defect)}; that they do "
+            f"not tell, or no better than errors of their stated size would: there the result stands arbitrarily, and "
+            f"coordinates in that direction mean nothing. {listed}: {why}",
             ids=tuple(names[:100]),
         )
     ]

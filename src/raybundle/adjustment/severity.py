@@ -26,21 +26,21 @@ _CODES = {
     ),
     Severity.CAUTION: (
         "approximate_values_replaced attitude_wrong attitudes_convergence attitudes_mount attitudes_nominal "
-        "attitudes_steep blunder_not_located board_alike calibration_contradicted calibration_outweighed camera "
-        "camera_constant camera_kept_apart check_points_apart check_unseen control_file control_leaves_open "
-        "control_not_located control_not_observed control_sigma control_without_photograph coordinate_system "
-        "correlation datum_lost global_test gps_too_near held_not_determinable identical_images image_left_out "
-        "levelled little_redundancy mark_rejected marked_lost marked_once marks_reduced mask_orientation "
-        "mask_refused mask_uniform no_targets one_ray_control parallel_rays parts_apart pixel_shape "
-        "points_left_out rays_diverge relative_control repeated_structure residual_structure rolling_shutter "
-        "scale_unchecked scene_datum scene_prior small_angle start_behind start_parallel static_background "
-        "systematic_residuals target_without_normal two_cameras unstable_camera up_ambiguous up_uncertain "
-        "weak_photographs"
+        "attitudes_steep blunder_not_located board_alike calibration_contradicted calibration_outweighed "
+        "camera camera_constant camera_kept_apart check_points_apart check_unseen control_file "
+        "control_leaves_open control_not_located control_not_observed control_sigma "
+        "control_without_photograph coordinate_system correlation datum_lost global_test gps_too_near "
+        "held_not_determinable identical_images image_left_out levelled little_redundancy mark_rejected "
+        "marked_lost marked_once marks_reduced mask_orientation mask_refused mask_uniform no_targets "
+        "one_ray_control parts_apart pixel_shape points_left_out rays_diverge relative_control "
+        "repeated_structure residual_structure rolling_shutter scale_unchecked scene_datum scene_prior "
+        "small_angle start_behind start_parallel static_background systematic_residuals target_without_normal "
+        "two_cameras unstable_camera up_ambiguous up_uncertain weak_photographs"
     ),
     Severity.REMARK: (
         "attitudes camera_joined check_points_open control_unchecked dropped gps masks model not_significant "
-        "parts_joined photographs reduced_features rejected relative_positions scene_joins stored_turned "
-        "target_eccentricity target_radius up_by_edges up_without_edges"
+        "parallel_rays parts_joined photographs reduced_features rejected relative_positions scene_joins "
+        "stored_turned target_eccentricity target_radius up_by_edges up_without_edges"
     ),
 }
 
@@ -51,3 +51,8 @@ POOR_FIT = 3.0
 """sigma0 beyond which the a-priori standard deviations alone do not explain the residuals: a fault.
 
 They are guesses of a factor of two, as a rule; what is three times as large says that something else is wrong."""
+NEARLY = 1.1
+"""sigma0 up to which residuals of many observations are as stated for every use, whatever a test of their sum says.
+
+A standard deviation from 50 redundant observations is uncertain by 10 % itself (GUM, table E.1), and two digits of it
+suffice (7.2.6)."""

@@ -103,6 +103,8 @@ def _distribution(view: View, tests: Array) -> list[Part]:
 def _systematic(view: View, index: int, mask: Mask, tests: Array) -> list[Part]:
     camera = view.given.cameras[index]
     means = cell_means(view.adjustment, camera, mask, tests)
+    white = view.adjustment.noise.kind == "white"
+    taken = "residuals taken as uncorrelated" if white else "by how far single photographs scatter"
     results = [i for i in view.adjustment.interior if i.camera == camera.id]
     centre = adjusted_interior(view, results[0]).principal_point if results else np.zeros(2)
     profile = radial_profile(view, camera, mask, centre)
@@ -114,8 +116,7 @@ def _systematic(view: View, index: int, mask: Mask, tests: Array) -> list[Part]:
                 Figure(
                     drawing=mean_field(means, camera, f"mean residuals of camera {camera.id}"),
                     caption="Residuals averaged over cells of the format, with the number of points. Shaded cells: "
-                    f"the mean differs from zero ({fixed(100 * FAMILY, 0)} % for all cells together; residuals taken "
-                    "as uncorrelated).",
+                    f"the mean differs from zero ({fixed(100 * FAMILY, 0)} % for all cells together; {taken}).",
                 ),
                 Figure(
                     drawing=profile_figure(profile, f"mean residuals of camera {camera.id} against the radius"),

@@ -23,6 +23,7 @@ from raybundle.orientation.assembly import approximate_values, possible_values
 from raybundle.orientation.averaging import average_start
 from raybundle.orientation.camera_constant import LEAST_PAIRS, checked_by_pairs
 from raybundle.orientation.cleaning import clean
+from raybundle.workflows.far_apart import not_too_far
 from raybundle.workflows.tie_block import FEWEST_POINTS, TieBlock, flat_points, free_at_start
 
 FEWEST_TRIPLE = 4
@@ -196,7 +197,7 @@ def cleaned(
     keep = ~left.rejected & ~flat_points(left.block)[left.block.observations.point]
     block, rows = with_rows(left.block, keep), rows[keep]
     # what wrong rays joined has fallen apart
-    for part in (_connected, rigid_part):
+    for part in (not_too_far, _connected, rigid_part):
         keep = part(block, failed)
         block, rows = with_rows(block, keep), rows[keep]
     names = {block.images.ids[i] for i in np.unique(block.observations.image)}
