@@ -146,15 +146,19 @@ def without_datum(xyz):
 
 
 def compared(one, other):
-    """Chi-square per parameter of the difference of two statements: interior orientation, points; white, fields."""
+    """Chi-square per parameter of the difference of two statements: interior orientation, points; white, fields.
+
+    Nothing of the interior orientation where both hold it.
+    """
     basis = without_datum((one.xyz + other.xyz) / 2) if len(one.xyz) > 3 else None
     row = {}
     for what in ("white", "fields"):
         shared = [i for i, n in enumerate(one.names) if n in other.names]
         there = [other.names.index(one.names[i]) for i in shared]
-        d = one.interior[shared] - other.interior[there]
-        C = getattr(one, what)[np.ix_(shared, shared)] + getattr(other, what)[np.ix_(there, there)]
-        row[f"interior_{what}"] = per_parameter(d, C)
+        if shared:
+            d = one.interior[shared] - other.interior[there]
+            C = getattr(one, what)[np.ix_(shared, shared)] + getattr(other, what)[np.ix_(there, there)]
+            row[f"interior_{what}"] = per_parameter(d, C)
         if basis is not None:
             C = getattr(one, f"points_{what}") + getattr(other, f"points_{what}")
             row[f"points_{what}"] = per_parameter(basis.T @ (one.xyz - other.xyz).ravel(), basis.T @ C @ basis)
