@@ -1,5 +1,7 @@
 """Photographs that repeat another are found by their pixels, and the better file stays."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from PIL import Image
@@ -73,4 +75,56 @@ def test_an_equal_part_at_the_same_pixels_is_no_copy(tmp_path):
     assert still.still > 0
     assert still.covered < 0.6
     assert same_pictures([pair], photos, store, method) == {}
+    project.close()
+
+
+class Given:
+    """Features at given places, and their matches: those of the same number."""
+
+    def __init__(self, *xy_px):
+        self.xy_px = xy_px
+
+    def of(self, k):
+        return SimpleNamespace(xy_px=self.xy_px[k], descriptors=np.zeros((len(self.xy_px[k]), 1)))
+
+    def match(self, one, two):
+        return np.stack([np.arange(len(one.xy_px)), np.arange(len(two.xy_px))], axis=1)
+
+
+@pytest.mark.parametrize(("region", "moving"), [((400, 300), False), ((120, 90), True)])
+def test_what_moves_where_more_stands_still_is_no_motion(tmp_path, region, moving):
+    """Matches of things that look alike lie among those that stand still; an object that turns has its own place."""
+    for name, quality in (("a.jpg", 90), ("b.jpg", 80)):
+        picture().save(tmp_path / name, quality=quality)
+    photos = find_photos([tmp_path]).photos
+    rng = np.random.default_rng(2)
+    still, moved = rng.uniform(0, 1, (600, 2)) * (400, 300), 10 + rng.uniform(0, 1, (40, 2)) * np.array(region) * 0.9
+    still = still[(still > 10 + np.array(region)).any(axis=1)] if moving else still
+    store = Given(np.vstack([still, moved]), np.vstack([still, moved + [20.0, 1.0] + 0.01 * moved]))
+    pair = still_and_moving(photos, store, store, 0, 1)
+    assert pair.still == len(still)
+    assert pair.moving == moving
+
+
+def test_a_reduced_copy_repeats_its_original_and_another_shape_does_not(tmp_path):
+    (tmp_path / "photos").mkdir()
+    picture().save(tmp_path / "photos/a.jpg", quality=95)
+    picture().resize((200, 150), Image.Resampling.LANCZOS).save(tmp_path / "photos/b_small.jpg", quality=90)
+    picture(30).save(tmp_path / "photos/c.jpg", quality=95)
+    picture().crop((0, 0, 400, 250)).save(tmp_path / "photos/d_cut.jpg", quality=95)
+    photos = find_photos([tmp_path / "photos"]).photos
+    method = feature_method("rootsift")
+    project = Project.open(tmp_path / "project")
+    with project.stage("features") as stage:
+        store, _ = find_features(project, stage, photos, method, 800, 1, lambda *_: None)
+    sizes = [p.upright_size for p in photos]
+    pairs = []
+    for i, j in ((0, 1), (0, 3), (1, 2)):
+        one, two = (
+            Described(xy_px=(f := store.of(k)).xy_px, descriptors=f.descriptors, size_px=sizes[k]) for k in (i, j)
+        )
+        pairs.append(verify(i, j, one.xy_px, two.xy_px, method.match(one, two), sizes[i], sizes[j]))
+    assert len(pairs[0].matches)
+    assert len(pairs[1].matches)
+    assert same_pictures(pairs, photos, store, method) == {1: 0}
     project.close()

@@ -40,6 +40,11 @@ class VerifiedPair:
     """natural logarithm of the number of such pairs, as good as this one, that chance makes of one pair of images"""
 
 
+def limit_px(size: tuple[int, int]) -> float:
+    """Distance [px] from a geometry up to which a match in an image of this width and height fits it."""
+    return max(4.0, float(np.hypot(*size)) / 600)
+
+
 def verify(
     first: int, second: int, xy1: Array, xy2: Array, matches: Index, size1: tuple[int, int], size2: tuple[int, int]
 ) -> VerifiedPair:
@@ -68,7 +73,7 @@ def verify(
     if k < FEWEST:
         return result(none, "none", 0.0)
     half1, half2 = np.array(size1) / 2, np.array(size2) / 2
-    limit = max(4.0, float(np.hypot(*size1)) / 600)
+    limit = limit_px(size1)
     options: dict[str, Any] = {
         "max_epipolar_error": limit,
         "max_reproj_error": limit,

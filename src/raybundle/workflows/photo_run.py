@@ -251,8 +251,8 @@ def _start(
     cameras, of_photo = _cameras(groups, len(photos))
     # names are part of the block
     stage.key = key_of(
-        "start", START, method, store.keys, [(p.first, p.second) for p in pairs], [p.name for p in photos],
-        [asdict(c) for c in cameras], of_photo,
+        "start", START, method, store.keys, [(p.first, p.second, len(p.matches)) for p in pairs],
+        [p.name for p in photos], [asdict(c) for c in cameras], of_photo,
     )  # fmt: skip
     kept = project.load(stage.key)
     if kept is not None:

@@ -1,7 +1,8 @@
-"""Photographs that show the same picture at the same pixels: re-saved copies, or exposures without any base.
+"""Photographs that show the same picture at the same places of the format: copies, or exposures without any base.
 
-A copy repeats the noise of its original: counted as a further photograph it promises standard deviations that are too
-good, by up to the square root of two.  Its points coincide with those of the original, as `adjust` looks for in blocks.
+A copy, saved anew or reduced, repeats the noise of its original: counted as a further photograph it promises standard
+deviations that are too good, by up to the square root of two.  Its points coincide with those of the original, as
+`adjust` looks for in blocks.
 """
 
 from __future__ import annotations
@@ -32,25 +33,33 @@ def same_pictures(
 ) -> dict[int, int]:
     """Photographs that repeat another, by their index, and the index of the one that is to stay.
 
-    Of each group stays what has most bytes, the least compressed.  Empty where fewer than two photographs would stay.
+    Of each group stays what tells its camera and, of those, what has most bytes, the least compressed.  Empty where
+    fewer than two photographs would stay.
 
-    What it does not tell: a copy from a second exposure by a camera that stood still; and copies at another size.
+    What it does not tell: a copy from a second exposure by a camera that stood still.
     """
     twins: dict[int, set[int]] = {}
     for p in pairs:
         a, b = photos[p.first], photos[p.second]
-        if p.displacement_px >= APART_PX or (a.width_px, a.height_px) != (b.width_px, b.height_px):
+        same_size = (a.width_px, a.height_px) == (b.width_px, b.height_px)
+        if p.displacement_px >= APART_PX if same_size else not (len(p.matches) and _same_shape(a, b)):
             continue
         pair = still_and_moving(photos, store, method, p.first, p.second)
         if pair.still > SHARE * pair.matches and not pair.moving and pair.covered > COVERED:
             twins.setdefault(p.first, set()).add(p.second)
             twins.setdefault(p.second, set()).add(p.first)
     repeats: dict[int, int] = {}
-    for i in sorted(twins, key=lambda k: (-photos[k].path.stat().st_size, k)):
+    for i in sorted(twins, key=lambda k: (not photos[k].metadata.model, -photos[k].path.stat().st_size, k)):
         kept = sorted(k for k in twins[i] if k not in repeats)
         if i not in repeats:
             repeats.update(dict.fromkeys(kept, i))
     return repeats if len(photos) - len(repeats) >= 2 else {}
+
+
+def _same_shape(a: Photo, b: Photo) -> bool:
+    """Whether one may be the other at another size: sides in one proportion, but for rounding to whole pixels."""
+    small, large = sorted((a, b), key=lambda p: p.width_px)
+    return abs(large.height_px * small.width_px / large.width_px - small.height_px) <= 1
 
 
 def same_picture_notice(repeats: dict[int, int], photos: Sequence[Photo]) -> Notice:
@@ -58,7 +67,7 @@ def same_picture_notice(repeats: dict[int, int], photos: Sequence[Photo]) -> Not
     named = [f"{photos[i].name} as {photos[k].name}" for i, k in sorted(repeats.items())]
     shown = ", ".join(named[:3]) + (f" and {len(named) - 3} more" if len(named) > 3 else "")
     message = (
-        f"{shown}: the same picture at the same pixels, a copy or an exposure without any base. A copy repeats the "
-        "noise of its original and would make standard deviations too good: it is left out"
+        f"{shown}: the same picture at the same places of the format, a copy or an exposure without any base. A copy "
+        "repeats the noise of its original and would make standard deviations too good: it is left out"
     )
     return Notice(code="identical_images", message=message, ids=tuple(photos[i].name for i in sorted(repeats)))

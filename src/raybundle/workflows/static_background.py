@@ -15,7 +15,7 @@ import numpy as np
 from raybundle.adjustment.result import Notice
 from raybundle.io.photos.photo import Photo, upright_from_stored
 from raybundle.matching.features import Described, FeatureMethod
-from raybundle.matching.verify import verify
+from raybundle.matching.verify import limit_px, verify
 from raybundle.numerics.arrays import Array
 from raybundle.workflows.tie_points import FeatureStore
 
@@ -102,11 +102,15 @@ class StillPair:
 
 
 def still_and_moving(photos: Sequence[Photo], store: FeatureStore, method: FeatureMethod, i: int, j: int) -> StillPair:
-    """Matches of a pair that stand still, and whether others move together."""
-    xy, described = list[Array](), list[Described]()
+    """Matches of a pair that stand still, and whether others move together; in pixels of the smaller photograph."""
+    xy, described, size = (
+        list[Array](),
+        list[Described](),
+        min((photos[k].width_px, photos[k].height_px) for k in (i, j)),
+    )
     for k in (i, j):
         f, photo = store.of(k), photos[k]
-        xy.append(f.xy_px)
+        xy.append(f.xy_px * (np.array(size) / (photo.width_px, photo.height_px)))
         described.append(
             Described(xy_px=upright_from_stored(f.xy_px, photo), descriptors=f.descriptors, size_px=photo.upright_size)
         )
@@ -115,21 +119,28 @@ def still_and_moving(photos: Sequence[Photo], store: FeatureStore, method: Featu
     n, ring = int((apart < STILL_PX).sum()), int(((apart >= STILL_PX) & (apart < RING_PX)).sum())
     if n < FEWEST or not _beyond_chance(n, ring):
         return StillPair(matches=len(matches))
-    size = [(photos[k].width_px, photos[k].height_px) for k in (i, j)]
-    rest = verify(i, j, xy[0], xy[1], matches[apart >= RING_PX], size[0], size[1])
-    covered = _covered(xy[0], xy[1], xy[0][matches[apart < STILL_PX, 0]], size[0])
-    return StillPair(matches=len(matches), still=n, moving=len(rest.matches) >= FEWEST, covered=covered)
+    # what the identity explains does not move: features of a copy that was compressed anew lie some pixels off
+    far = apart >= max(RING_PX, 2 * limit_px(size))
+    rest = verify(i, j, xy[0], xy[1], matches[far], size, size)
+    still, moved = (_in_cells(xy[0][rows], size) for rows in (matches[apart < STILL_PX, 0], rest.matches[:, 0]))
+    # where more stands still, what lies elsewhere are matches of things that look alike
+    moving = int(moved[moved > still].sum()) >= FEWEST
+    return StillPair(matches=len(matches), still=n, moving=moving, covered=_covered(xy[0], xy[1], still, size))
+
+
+def _in_cells(xy: Array, size: tuple[int, int]) -> Array:
+    """(cells,) features in each cell of the format."""
+    column, row = np.clip(xy / size * GRID, 0, GRID - 1).astype(int).T
+    return np.bincount(row * GRID + column, minlength=GRID * GRID)
 
 
 def _covered(first: Array, second: Array, still: Array, size: tuple[int, int]) -> float:
-    """Share of the cells with features of both photographs in which one stands still; 0 where there are no such."""
+    """Share of the cells with features of both photographs in which one stands still; 0 where there are no such.
 
-    def count(xy: Array) -> Array:
-        column, row = np.clip(xy / size * GRID, 0, GRID - 1).astype(int).T
-        return np.bincount(row * GRID + column, minlength=GRID * GRID)
-
-    both = (count(first) >= IN_CELL) & (count(second) >= IN_CELL)
-    return float((count(still)[both] > 0).mean()) if both.any() else 0.0
+    still  (cells,) matches that stand still
+    """
+    both = (_in_cells(first, size) >= IN_CELL) & (_in_cells(second, size) >= IN_CELL)
+    return float((still[both] > 0).mean()) if both.any() else 0.0
 
 
 def _beyond_chance(still: int, ring: int) -> bool:
