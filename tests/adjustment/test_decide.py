@@ -7,6 +7,7 @@ import pytest
 
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.severity import Severity
 from raybundle.block.calibration_networks import ROLLS, FlatField, flat_field_scene
 from raybundle.block.simulate import Survey, simulate
 
@@ -60,6 +61,17 @@ def test_what_is_not_significant_is_zero():
     assert set(left) >= {"A", "S"}
     assert all(p.value == 0 for p in left.values())
     assert f"A (camera {result.interior[0].camera})" in result.not_significant
+
+
+def test_what_lenses_seldom_have_is_held_with_a_remark_and_the_rest_with_a_caution():
+    result, _ = decided(0, 5.0, (0.0,))
+    graded = {n.ids[1]: n.severity for n in result.notices if n.code == "held_not_determinable" and len(n.ids) == 2}
+    assert graded
+    for symbol, severity in graded.items():
+        none = GIVEN.get(symbol, 0.0) == 0 and symbol in ("K2", "K3", "P1", "P2", "A", "S")
+        assert severity is (Severity.REMARK if none else Severity.CAUTION), symbol
+    assert Severity.REMARK in graded.values()
+    assert Severity.CAUTION in graded.values()
 
 
 def test_a_ratio_has_no_unit_in_print():

@@ -18,6 +18,7 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.pixel_shape import beyond_sensor, shape_limit, under_its_noise, untold_shape
 from raybundle.adjustment.result import Adjustment, InteriorResult, Notice
 from raybundle.adjustment.separability import unlocatable
+from raybundle.adjustment.severity import Severity
 from raybundle.adjustment.wrong_control import (
     WrongControl,
     contradicted,
@@ -287,16 +288,24 @@ def _hold(choices: Decisions, camera: Camera, symbol: str, value: float, reason:
     """Hold a parameter at a value, and say so."""
     choices.free[camera.id] = tuple(s for s in choices.free[camera.id] if s != symbol)
     choices.not_determinable.append((camera.id, symbol))
-    unit = next(p.unit for p in camera.sensor.parameters if p.symbol == symbol)
-    at = _in_unit(value, unit, 4) if value else "0"
+    parameter = next(p for p in camera.sensor.parameters if p.symbol == symbol)
+    at = _in_unit(value, parameter.unit, 4) if value else "0"
     choices.notices.append(
         Notice(
             code="held_not_determinable",
+            measured=Severity.REMARK if not value and _is_refinement(camera, symbol) else Severity.CAUTION,
             message=f"camera {camera.id}: {symbol} is not determinable and is held at {at}, as known before: "
             f"{reason.rstrip('.')}. All that is stated holds for that value",
             ids=(camera.id, symbol),
         )
     )
+
+
+def _is_refinement(camera: Camera, symbol: str) -> bool:
+    """Whether a lens is seldom far from having none of it: all but the scale, principal point, first radial term."""
+    kinds = {p.symbol: p.kind for p in camera.sensor.parameters}
+    first = next((s for s, kind in kinds.items() if kind == "radial"), "")
+    return symbol != first and kinds[symbol] in ("radial", "decentring", "affinity")
 
 
 def _in_unit(value: float, unit: str, digits: int = 2) -> str:

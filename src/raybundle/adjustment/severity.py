@@ -27,7 +27,7 @@ _CODES = {
     Severity.CAUTION: (
         "approximate_values_replaced attitude_wrong attitudes_convergence attitudes_mount attitudes_nominal "
         "attitudes_steep blunder_not_located board_alike calibration_contradicted calibration_outweighed "
-        "camera camera_constant camera_kept_apart check_points_apart check_unseen control_file "
+        "camera_constant camera_kept_apart camera_projection check_points_apart check_unseen control_file "
         "control_leaves_open control_not_located control_not_observed control_sigma "
         "control_without_photograph coordinate_system correlation datum_lost global_test gps_too_near "
         "held_not_determinable identical_images image_left_out levelled little_redundancy mark_rejected "
@@ -38,7 +38,7 @@ _CODES = {
         "two_cameras unstable_camera up_ambiguous up_uncertain weak_photographs"
     ),
     Severity.REMARK: (
-        "attitudes camera_joined check_points_open control_unchecked dropped gps masks model not_significant "
+        "attitudes camera camera_joined check_points_open control_unchecked dropped gps masks model not_significant "
         "parallel_rays parts_joined photographs reduced_features rejected relative_positions scene_joins "
         "stored_turned target_eccentricity target_radius up_by_edges up_without_edges"
     ),

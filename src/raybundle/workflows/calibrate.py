@@ -55,6 +55,7 @@ from raybundle.workflows.target_block import (
     with_dots,
     with_values,
 )
+from raybundle.workflows.told_positions import camera_notices
 
 SETTLED_PX = 0.003
 """Change of a circle centre's correction below which it is not repeated."""
@@ -429,10 +430,7 @@ def _too_few(photos: Sequence[Photo], marks: Sequence[Sequence[Marks]], targets:
 
 
 def _remarks(found: Found, groups: Sequence[CameraGroup]) -> list[Notice]:
-    notices = [Notice(code="photographs", message=r) for r in found.remarks]
-    return notices + [
-        Notice(code="camera", message=f"camera {g.id}: {r}", ids=(g.id,)) for g in groups for r in g.remarks
-    ]
+    return [*(Notice(code="photographs", message=r) for r in found.remarks), *camera_notices(groups)]
 
 
 def _adjust(

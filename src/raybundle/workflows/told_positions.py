@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -48,15 +48,21 @@ def with_relative_precision(result: Adjustment) -> Adjustment:
 
 def camera_notices(groups: Sequence[CameraGroup]) -> list[Notice]:
     """What metadata leave open of the cameras, and what was joined; one notice where several say the same."""
-    told: dict[tuple[str, str], list[CameraGroup]] = {}
-    for g in groups:
-        for code, remarks in (("camera", g.remarks), ("camera_joined", g.joined)):
-            for remark in remarks:
-                told.setdefault((code, remark), []).append(g)
-    found: list[Notice] = []
-    for (code, remark), same in told.items():
+    apart = [(g, g.projection) for g in groups if g.projection and g.stored is None]
+    remarks = [(g, r) for g in groups for r in g.remarks]
+    joined = [(g, j) for g in groups for j in g.joined]
+    return [
+        *(Notice(code="camera_projection", message=m, ids=ids) for m, ids in _once(apart)),
+        *(Notice(code="camera", message=m, ids=ids) for m, ids in _once(remarks)),
+        *(Notice(code="camera_joined", message=m, ids=ids) for m, ids in _once(joined)),
+    ]
+
+
+def _once(said: Sequence[tuple[CameraGroup, str]]) -> Iterator[tuple[str, tuple[str, ...]]]:
+    """Each sentence once, with the cameras of which it is said."""
+    for sentence in dict.fromkeys(sentence for _, sentence in said):
+        same = [g for g, other in said if other == sentence]
         ids = tuple(g.id for g in same)
         n = sum(len(g.photos) for g in same)
         who = f"camera {ids[0]}" if len(ids) == 1 else f"{n} photographs (cameras {', '.join(ids)})"
-        found.append(Notice(code=code, message=f"{who}: {remark}", ids=ids))
-    return found
+        yield f"{who}: {sentence}", ids

@@ -13,7 +13,7 @@ from raybundle.errors import InputError
 from raybundle.io.photos.cameras import camera_groups, camera_of, may_share_sensor, with_what_is_known
 from raybundle.io.photos.metadata import Metadata
 from raybundle.io.photos.photo import Photo, find_photos
-from raybundle.io.photos.start import starting_value
+from raybundle.io.photos.start import starting_value, stated_projection
 from raybundle.sensors import sensor_models
 
 BODY = Metadata(make="Canon", model="Canon EOS 5D Mark II", focal_mm=24.0)
@@ -251,8 +251,10 @@ def test_xmp_that_cannot_be_read_is_remarked(entry, told):
 
 
 def test_a_panorama_is_remarked():
-    _, start = px(Metadata(xmp={"GPano:ProjectionType": "equirectangular"}), 8000, 4000)
-    assert "equirectangular panorama: no central projection" in start.remarks[0]
+    assert "equirectangular panorama: no central projection" in stated_projection(
+        Metadata(xmp={"GPano:ProjectionType": "equirectangular"})
+    )
+    assert stated_projection(Metadata()) == ""
 
 
 @pytest.mark.parametrize(("folder", "count", "truth_px"), [("sceaux-castle", 11, 2905.88), ("copr-uav", 41, 2843.0)])

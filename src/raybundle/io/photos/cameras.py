@@ -22,6 +22,7 @@ from raybundle.io.photos.start import (
     Start,
     centre_sigma,
     starting_value,
+    stated_projection,
 )
 from raybundle.sensors import sensor_models
 
@@ -51,6 +52,8 @@ class CameraGroup:
     sigma_centre: float = 0.0
     """Standard deviation of the principal point about the middle, by the longer side of the format"""
     remarks: tuple[str, ...] = ()
+    projection: str = ""
+    """What its photographs state of a projection that is not central, in words"""
     stored: Camera | None = None
     """The calibration that was given for this camera."""
     joined: tuple[str, ...] = ()
@@ -233,6 +236,7 @@ def _group(id_: str, photos: Sequence[Photo], members: Sequence[int]) -> CameraG
         source=start.source,
         sigma_centre=max(centre_sigma(photos[k].metadata, photo.width_px, photo.height_px) for k in members),
         remarks=start.remarks,
+        projection=stated_projection(photo.metadata),
     )
 
 

@@ -72,9 +72,6 @@ def starting_value(metadata: Metadata, width_px: int, height_px: int) -> Start:
     What it does not tell: the effect of the focus; close up c is longer than the focal length by f / distance.
     """
     remarks: list[str] = []
-    if metadata.xmp.get("GPano:ProjectionType"):
-        kind = metadata.xmp["GPano:ProjectionType"]
-        remarks.append(f"XMP says {kind} panorama: no central projection; give a stored calibration of another model")
     taken = _taken(metadata, width_px, height_px, remarks)
     density, doubt = _densities(metadata, taken, remarks)
     best = next(iter(density), "")
@@ -101,6 +98,14 @@ def starting_value(metadata: Metadata, width_px: int, height_px: int) -> Start:
     if focal is not None:
         remarks.append(f"a focal length of {focal:g} mm without a sensor size says nothing about the camera constant")
     return _start(1.2 * max(width_px, height_px), NOMINAL_PIXEL_MM, SIGMA["default"], DEFAULT_SOURCE, remarks)
+
+
+def stated_projection(metadata: Metadata) -> str:
+    """What is stated of a projection that is not central, in words; empty for a photograph."""
+    kind = metadata.xmp.get("GPano:ProjectionType")
+    return (
+        f"XMP says {kind} panorama: no central projection; give a stored calibration of another model" if kind else ""
+    )
 
 
 def centre_sigma(metadata: Metadata, width_px: int, height_px: int) -> float:
