@@ -90,14 +90,14 @@ def noise_lines(noise: Noise) -> list[str]:
     if noise.kind == "white":
         return [f"noise taken as white: {noise.reason}"] if noise.reason else []
     ratios = (
-        ("interior orientation", noise.ratio_interior), ("projection centres", noise.ratio_images),
+        ("the interior orientation", noise.ratio_interior), ("projection centres", noise.ratio_images),
         ("object points", noise.ratio_points),
     )  # fmt: skip
-    wider = ", ".join(f"{what} {ratio:.2g}" for what, ratio in ratios if math.isfinite(ratio))
+    wider = ", ".join(f"{ratio:.2g} for {what}" for what, ratio in ratios if math.isfinite(ratio))
     focus = f", a focus that wanders by {noise.focus_px:.2g} px" if noise.focus_px > 0 else ""
-    fields = f"fields of {noise.tau_px:.2g} px that differ from image to image{focus}"
-    line = f"noise: floor {noise.phi:.2g}, {fields}; standard "
-    return [f"{line}deviations beside those of white noise: {wider}"]
+    fields = f"smooth errors that differ from image to image ({noise.tau_px:.2g} px{focus})"
+    within = f"errors that neighbouring points share (variance times {noise.phi:.2g})"
+    return [f"standard deviations contain {fields} and {within}; times those of white noise (medians): {wider}"]
 
 
 def _check_points(a: Adjustment) -> list[str]:

@@ -94,7 +94,7 @@ def write_comparison(first: ResultFolder, second: ResultFolder, path: str | Path
     )
     html = page(
         title=f"{_name(first)} and {_name(second)}",
-        subtitle=f"{MARK} First: {first.path.name}; second: {second.path.name}.",
+        subtitle=f"{MARK} First: {_folder(first)}; second: {_folder(second)}.",
         headline=_headline(first, second, points, differences),
         grade="remarks",
         sections=sections,
@@ -200,6 +200,11 @@ def basis_words(count: int, what: str) -> str:
 
 def _name(result: ResultFolder) -> str:
     return str(result.result.get("name") or result.path.name)
+
+
+def _folder(result: ResultFolder) -> str:
+    """The folder with the one above it, which tells results of projects apart."""
+    return "/".join(result.path.resolve().parts[-2:])
 
 
 def _float(value: Any) -> float:
