@@ -94,10 +94,13 @@ def noise_lines(noise: Noise) -> list[str]:
         ("object points", noise.ratio_points),
     )  # fmt: skip
     wider = ", ".join(f"{ratio:.2g} for {what}" for what, ratio in ratios if math.isfinite(ratio))
-    focus = f", a focus that wanders by {noise.focus_px:.2g} px" if noise.focus_px > 0 else ""
-    fields = f"smooth errors that differ from image to image ({noise.tau_px:.2g} px{focus})"
-    within = f"errors that neighbouring points share (variance times {noise.phi:.2g})"
-    return [f"standard deviations contain {fields} and {within}; times those of white noise (medians): {wider}"]
+    parts: list[str] = []
+    if noise.tau_px > 0:
+        parts.append(f"smooth errors of {noise.tau_px:.2g} px that differ from image to image")
+    if noise.focus_px > 0:
+        parts.append(f"a focus that wanders by {noise.focus_px:.2g} px")
+    parts.append(f"errors that neighbouring points share (variance times {noise.phi:.2g})")
+    return [f"standard deviations contain {', '.join(parts)}; times those of white noise (medians): {wider}"]
 
 
 def _check_points(a: Adjustment) -> list[str]:

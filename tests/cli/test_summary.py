@@ -1,0 +1,25 @@
+"""What the terminal says of a result in single lines."""
+
+import pytest
+
+from raybundle.adjustment.result import WHITE, Noise
+from raybundle.cli.summary import noise_lines
+
+
+@pytest.mark.parametrize(
+    ("tau", "focus", "told"),
+    [
+        (0.09, 0.0, "contain smooth errors of 0.09 px that differ from image to image, errors that"),
+        (0.0, 0.42, "contain a focus that wanders by 0.42 px, errors that"),
+        (0.0, 0.0, "contain errors that neighbouring points share (variance times 2.4); times those of white noise"),
+    ],
+)
+def test_the_noise_is_told_by_what_standard_deviations_contain(tau, focus, told):
+    noise = Noise(
+        kind="fields", phi=2.4, tau_px=tau, focus_px=focus, share=0.5, images=12, directions=3, reason="",
+        ratio_interior=1.6, ratio_images=float("nan"), ratio_points=1.0,
+    )  # fmt: skip
+    (line,) = noise_lines(noise)
+    assert told in line
+    assert line.endswith("(medians): 1.6 for the interior orientation, 1 for object points")
+    assert noise_lines(WHITE) == []
