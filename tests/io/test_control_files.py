@@ -236,7 +236,7 @@ def test_two_lists_without_names_of_one_role_count_on(tmp_path):
     assert Given(control=apart).control == apart
 
 
-@pytest.mark.parametrize("wrong", ["mark", "bar"])
+@pytest.mark.parametrize("wrong", ["mark", "bar", "set"])
 def test_an_error_of_a_control_file_comes_before_anything_is_computed(tmp_path, monkeypatch, wrong):
     photos = tmp_path / "photos"
     photos.mkdir()
@@ -244,12 +244,17 @@ def test_an_error_of_a_control_file_comes_before_anything_is_computed(tmp_path, 
     for name, p in zip("ab", pixels, strict=True):
         Image.fromarray(p).save(photos / f"{name}.jpg")
     place = "900 6" if wrong == "mark" else "5 6"
-    control = read_control(write(tmp_path, f"EPSG:32633\n500000 5000000 10 {place} a.jpg one\n"))
+    photo = "IMG_1.JPG" if wrong == "set" else "a.jpg"
+    control = read_control(write(tmp_path, f"EPSG:32633\n500000 5000000 10 {place} {photo} one\n"))
     bars = (ScaleBar(start="one", end="two", length=1.0, sigma=0.001),) if wrong == "bar" else ()
 
     def computed(*_args):
         pytest.fail("features were looked for before the files of control were judged")
 
     monkeypatch.setattr(workflow, "_features", computed)
-    with pytest.raises(InputError, match=r"900, 6 lies outside photograph a\.jpg|point two is not measured"):
+    told = {
+        "mark": r"900, 6 lies outside photograph a\.jpg", "bar": "point two is not measured",
+        "set": r"measures points in IMG_1\.JPG, and none of these is among the photographs \(a\.jpg, b\.jpg\)",
+    }  # fmt: skip
+    with pytest.raises(InputError, match=told[wrong]):
         workflow.orient([photos], tmp_path / "project", given=Given(control=(control,), scale_bars=bars))

@@ -35,6 +35,17 @@ def test_a_damaged_product_is_made_again(project, size):
     assert not project.has(key)
 
 
+def test_a_product_under_the_name_of_another_is_made_again(project):
+    """As a restored or synchronised folder may have it."""
+    one, two = key_of("start", 1), key_of("start", 2)
+    project.store(one, {"a": np.arange(3.0)})
+    project.store(two, {"a": np.arange(4.0)})
+    files = {k: next((project.folder / "cache").glob(f"*/{k}.npz")) for k in (one, two)}
+    files[two].write_bytes(files[one].read_bytes())
+    assert project.load(two) is None
+    assert project.load(one)["a"].tolist() == [0, 1, 2]
+
+
 def test_a_write_that_fails_leaves_nothing(project, monkeypatch):
     def full(*_, **__):
         raise OSError(28, "No space left on device")

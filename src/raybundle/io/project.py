@@ -45,6 +45,8 @@ _PRODUCT = re.compile(
     r"[A-Za-z0-9_ -]+-[0-9a-f]{40}\.npz|\.[A-Za-z0-9_ -]+-[0-9a-f]{40}\.[0-9a-f]{8}|\.pixels-[a-z0-9_]{8}"
 )
 """Names of products, and of those that a killed run had begun."""
+KEY = "__key__"
+"""Array of a product that holds the key under which it was kept."""
 DAMAGED = (
     OSError, ValueError, EOFError, zipfile.BadZipFile, zlib.error, struct.error, KeyError, MemoryError, OverflowError,
     RuntimeError, SyntaxError, TypeError,
@@ -186,7 +188,9 @@ class Project:
         path = self._path(key)
         try:
             with path.open("rb") as opened, np.load(opened, allow_pickle=False) as file:
-                return {name: file[name] for name in names or file.files}
+                if str(file[KEY]) != key:
+                    raise ValueError(path.name)  # another product under this name
+                return {name: file[name] for name in names or file.files if name != KEY}
         except FileNotFoundError:
             return None
         except DAMAGED:
@@ -202,7 +206,7 @@ class Project:
             temporary = path.with_name(f".{key}.{uuid.uuid4().hex[:8]}")
             try:
                 with temporary.open("wb") as file:
-                    _write_arrays(file, product)
+                    _write_arrays(file, {**product, KEY: np.array(key)})
                 temporary.replace(path)
             finally:
                 temporary.unlink(missing_ok=True)

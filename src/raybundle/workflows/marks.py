@@ -129,6 +129,20 @@ def check_marks(photos: Sequence[Photo], given: Given) -> None:
                 )
 
 
+def check_names(photos: Sequence[Photo], given: Given) -> None:
+    """Raise InputError for a file that measures points in none of these photographs: it is of another set."""
+    images = {p.name: i for i, p in enumerate(photos)}
+    for c in given.control:
+        measured = list(dict.fromkeys(c.measurements.image))
+        if measured and all(_photo(images, name) is None for name in measured):
+            raise InputError(
+                f"it measures points in {', '.join(measured[:3])}{' ...' if len(measured) > 3 else ''}, and none of "
+                f"these is among the photographs ({', '.join([*images][:3])}{' ...' if len(images) > 3 else ''}): look "
+                "whether the file belongs to this set, and at the names",
+                file=c.path,
+            )
+
+
 def add_points(state: Placing, photos: Sequence[Photo], given: Given, frame: LocalFrame | None) -> None:
     """Control, check and merely measured points with their image measurements.
 

@@ -30,7 +30,7 @@ from raybundle.workflows.attitudes import Convention, find_attitudes
 from raybundle.workflows.dropped import Dropped
 from raybundle.workflows.final import adjusted_part, final_adjustment, left_out, undetermined_part
 from raybundle.workflows.georeference import Georeferenced, frame_of
-from raybundle.workflows.marks import Given, check_marks
+from raybundle.workflows.marks import Given, check_marks, check_names
 from raybundle.workflows.parts import Part, apart_notice, joined_notice, place_parts
 from raybundle.workflows.photo_run import PhotoRun
 from raybundle.workflows.positions import GPS_M, flight_lines, without_idle
@@ -189,7 +189,8 @@ def orient(
     try:
         found, scenes_found, refused = _search(project, inputs, given, positions, options.crs, progress)
         check_marks(found.photos, given)
-        if not scenes_found.scenes:  # which have a frame of their own
+        if not scenes_found.scenes:  # which have names and a frame of their own
+            check_names(found.photos, given)
             frame_of(found.photos, given)
         given, told = _with_attitudes(found.photos, positions, given, options)
         _forget(project, options)
@@ -418,6 +419,7 @@ def _too_few(
     if len(refused) > 20:
         lines.append(f"  and {len(refused) - 20} more")
     lines += [f"  {r}" for r in remarks]  # as of sub-folders, which are not looked into
+    lines += [] if photos or refused or remarks else ["  give a folder of photographs, or their files"]
     return InputError("\n".join(lines), file=", ".join(str(p) for p in inputs))
 
 
