@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.adjustment.severity import Severity
 from raybundle.io.photos.cameras import CameraGroup
 from raybundle.numerics.statistics import chi_square_tails
 
@@ -49,11 +50,14 @@ def with_relative_precision(result: Adjustment) -> Adjustment:
 def camera_notices(groups: Sequence[CameraGroup]) -> list[Notice]:
     """What metadata leave open of the cameras, and what was joined; one notice where several say the same."""
     apart = [(g, g.projection) for g in groups if g.projection and g.stored is None]
-    remarks = [(g, r) for g in groups for r in g.remarks]
+    remarks = [(g, r) for g in groups for r in g.remarks if g.stored is None]
+    # beside a calibration that is taken, what speaks against it
+    doubts = [(g, r) for g in groups for r in g.remarks if g.stored is not None]
     joined = [(g, j) for g in groups for j in g.joined]
     return [
         *(Notice(code="camera_projection", message=m, ids=ids) for m, ids in _once(apart)),
         *(Notice(code="camera", message=m, ids=ids) for m, ids in _once(remarks)),
+        *(Notice(code="camera", message=m, ids=ids, measured=Severity.CAUTION) for m, ids in _once(doubts)),
         *(Notice(code="camera_joined", message=m, ids=ids) for m, ids in _once(joined)),
     ]
 

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 from tests.conftest import DATA
 
+from raybundle.adjustment.severity import Severity
 from raybundle.block import Camera
 from raybundle.block.known import known_before
 from raybundle.errors import InputError
@@ -15,6 +16,7 @@ from raybundle.io.photos.metadata import Metadata
 from raybundle.io.photos.photo import Photo, find_photos
 from raybundle.io.photos.start import starting_value, stated_projection
 from raybundle.sensors import sensor_models
+from raybundle.workflows.told_positions import camera_notices
 
 BODY = Metadata(make="Canon", model="Canon EOS 5D Mark II", focal_mm=24.0)
 
@@ -150,6 +152,11 @@ def test_a_stored_calibration_that_fits_nothing_is_an_error():
 def test_a_stored_calibration_far_from_the_metadata_is_remarked():
     (group,) = camera_groups([photo()], [stored("mine", c=50.0)])
     assert "the calibration is taken" in group.remarks[0]
+    (notice,) = camera_notices([group])
+    assert "the calibration is taken" in notice.message
+    assert notice.severity is Severity.CAUTION
+    plain = replace(group, stored=None)
+    assert [n.severity for n in camera_notices([plain])] == [Severity.REMARK]
 
 
 # ---- starting values
