@@ -257,6 +257,15 @@ def test_xmp_that_cannot_be_read_is_remarked(entry, told):
     assert any(told in r and "not taken" in r for r in start.remarks), start.remarks
 
 
+@pytest.mark.parametrize("focal", [None, 1e9])
+@pytest.mark.parametrize("equivalent", [1.0, 5000.0, 65535.0])
+def test_an_equivalent_that_no_lens_has_is_not_taken(focal, equivalent):
+    c, start = px(Metadata(focal_mm=focal, focal35_mm=equivalent), 640, 480)
+    plain, _ = px(Metadata(focal_mm=focal), 640, 480)
+    assert c == plain == pytest.approx(1.2 * 640)
+    assert f"35 mm equivalent of {equivalent:g} mm is none that a lens has" in start.remarks[0]
+
+
 def test_a_panorama_is_remarked():
     assert "equirectangular panorama: no central projection" in stated_projection(
         Metadata(xmp={"GPano:ProjectionType": "equirectangular"})

@@ -8,7 +8,7 @@ other are compared by the sensor width that they imply, in which the entry for t
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from raybundle.io.photos.metadata import Metadata
 from raybundle.io.photos.sensor_sizes import sensor_size
@@ -22,6 +22,8 @@ SIGMA = {"xmp": 0.01, "focal plane": 0.02, "table": 0.02, "35 mm": 0.05, "defaul
 """Relative standard deviations: the nominal focal length alone is good to one or two per cent."""
 SHOWN = {"focal plane": "focal plane resolution", "table": "sensor size table", "35 mm": "35 mm equivalent"}
 SENSOR_WIDTH_MM = (2.0, 75.0)
+EQUIVALENT_MM = (4.0, 4000.0)
+"""35 mm equivalents that lenses have: fisheyes from 6 mm, bridge cameras to 3000 mm (Nikon P1000)."""
 SAME_SENSOR = 0.015
 """Relative difference of two sensor widths up to which they are the same."""
 SAME_EQUIVALENT = 0.12
@@ -72,6 +74,12 @@ def starting_value(metadata: Metadata, width_px: int, height_px: int) -> Start:
     What it does not tell: the effect of the focus; close up c is longer than the focal length by f / distance.
     """
     remarks: list[str] = []
+    if metadata.focal35_mm is not None and not EQUIVALENT_MM[0] <= metadata.focal35_mm <= EQUIVALENT_MM[1]:
+        remarks.append(
+            f"EXIF's 35 mm equivalent of {metadata.focal35_mm:g} mm is none that a lens has ({EQUIVALENT_MM[0]:g} to "
+            f"{EQUIVALENT_MM[1]:g} mm); it is not taken"
+        )
+        metadata = replace(metadata, focal35_mm=None)
     taken = _taken(metadata, width_px, height_px, remarks)
     density, doubt = _densities(metadata, taken, remarks)
     best = next(iter(density), "")
