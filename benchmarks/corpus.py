@@ -1,13 +1,13 @@
 """Public photographs of all kinds: does each set end as a result, as complete as a peer's, with true sigmas?
 
     RAYBUNDLE_PEER_PYTHON=peer/bin/python python benchmarks/corpus.py [--half A|B] [--sets NAME ...]
-        [--photos FOLDER] [--work FOLDER] [--no-peer] [--splits 20] [--again] [--limit-s 1800]
+        [--photos FOLDER] [--work FOLDER] [--no-peer] [--splits 20] [--again] [--results FILE] [--limit-s 1800]
 
 `corpus.toml` lists the sets; FOLDER/NAME holds the photographs of one, and what is not there is fetched as
 `raybundle datasets get` does.  The half of a set follows from the hash of its name: methods and thresholds are fixed
 on A, B is run to judge them.  A set that was run is not run again unless --again says so (its project is kept, and
-stages that are unchanged are reused: CPU seconds are those of the stages as they were computed).  Prints JSON;
-WORK/corpus.md is a table of it, with all messages below.
+stages that are unchanged are reused: such a run says nothing of CPU seconds, and takes no part in their ratio).  Prints
+JSON; WORK/corpus.md is a table of it, with all messages below; --results FILE keeps the figures without the messages.
 """
 
 from __future__ import annotations
@@ -76,7 +76,7 @@ def ours(photos: Path, work: Path, control: str, limit_s: float) -> dict:
             k: {s: [p["value"], p["std"]] for s, p in parameters.items() if p["std"]}
             for k, parameters in result["cameras"].items()
         },
-        "cpu_s": sum(stages.values()) if reused else run["cpu_s"], "stages_cpu_s": stages, "reused": reused,
+        "cpu_s": run["cpu_s"], "stages_cpu_s": stages, "reused": reused,
     }  # fmt: skip
 
 
@@ -136,7 +136,7 @@ def summary(rows: dict) -> dict:
     both = {n: r for n, r in rows.items() if r.get("pycolmap")}
     joined = {n: (own(r), best_peer(r)) for n, r in both.items()}
     halves = [h["interior_fields"] for r in rows.values() if (h := r.get("halves", {})).get("interior_fields")]
-    ratios = [r["raybundle"]["cpu_s"] / r["pycolmap"]["cpu_s"] for r in both.values() if r["pycolmap"]["cpu_s"]]
+    ratios = [q for r in both.values() if (q := cpu_ratio(r)) is not None]
     return {
         "sets": len(rows),
         "beside_a_peer": len(joined),
@@ -148,6 +148,24 @@ def summary(rows: dict) -> dict:
         "halves_median": statistics.median(h["median"] for h in halves) if halves else None,
         "halves_medians_above_2": sum(h["median"] > 2 for h in halves),
         "halves_splits_above_8": sum(h["max"] > 8 for h in halves),
+    }
+
+
+def cpu_ratio(row: dict) -> float | None:
+    """CPU seconds by the peer's; None where either was not measured as a whole."""
+    o, p = row["raybundle"], row.get("pycolmap", {})
+    return o["cpu_s"] / p["cpu_s"] if p.get("cpu_s") and not o.get("reused") else None
+
+
+def figures(row: dict) -> dict:
+    """A row without its messages."""
+    o, p, h = row["raybundle"], row.get("pycolmap", {}), row.get("halves", {})
+    names = ("given", "oriented", "parts", "sigma0", "points", "observations", "cpu_s", "reused", "memory_mb")
+    return {
+        **{k: o[k] for k in names if k in o},
+        "pycolmap": {k: p[k] for k in ("registered", "cpu_s", "memory_mb") if k in p},
+        "apart": row.get("apart", {}),
+        "halves": {k: v for k, v in h.items() if k in ("splits", "not_solvable") or isinstance(v, dict)},
     }
 
 
@@ -167,8 +185,8 @@ def table(rows: dict) -> str:
     head += ["CPU s", "CPU ratio", "MB", "apart", "halves"]
     lines = [" | ".join(head), "|".join(["---"] * len(head))]
     for name, r in rows.items():
-        o, p, h = r["raybundle"], r.get("pycolmap", {}), r.get("halves", {})
-        share = f"{o['cpu_s'] / p['cpu_s']:.2f}" if p.get("cpu_s") else ""
+        o, h = r["raybundle"], r.get("halves", {})
+        share = "" if (ratio := cpu_ratio(r)) is None else f"{ratio:.2f}"
         apart = f"{r['apart']['centres_share']:.4f}, {r['apart']['angles_deg']:.2f}°" if r.get("apart") else ""
         half = (
             f"{h['interior_fields']['median']:.2f}, {h['interior_fields']['max']:.1f}" if "interior_fields" in h else ""
@@ -197,6 +215,7 @@ def main() -> int:
     parser.add_argument("--no-peer", action="store_true")
     parser.add_argument("--splits", type=int, default=20)
     parser.add_argument("--again", action="store_true")
+    parser.add_argument("--results", type=Path)
     parser.add_argument("--limit-s", type=float, default=1800.0)
     asked = parser.parse_args()
     asked.no_peer |= "RAYBUNDLE_PEER_PYTHON" not in os.environ
@@ -216,6 +235,9 @@ def main() -> int:
         told = rows[name]["raybundle"]
         print(f"{name}: {told['oriented']} oriented, status {told['status']}", file=sys.stderr, flush=True)
         (asked.work / "corpus.md").write_text(table(rows))
+    if asked.results is not None:
+        kept = {"half": asked.half, "summary": summary(rows), "sets": {n: figures(r) for n, r in rows.items()}}
+        asked.results.write_text(json.dumps(kept, indent=1) + "\n")
     print(json.dumps({"summary": summary(rows), "sets": rows}, indent=1))
     return 0
 

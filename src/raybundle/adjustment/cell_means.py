@@ -12,8 +12,6 @@ from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Camera
 from raybundle.numerics.arrays import Array, Index, Mask
 
-SYSTEMATIC = "systematic_residuals"
-"""Code of the notice."""
 FAMILY = 0.05
 """Family-wise significance level of the tests of all cells of a camera."""
 SPREAD = 0.1

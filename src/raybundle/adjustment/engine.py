@@ -14,7 +14,7 @@ import numpy as np
 
 from raybundle.adjustment import defects
 from raybundle.adjustment.assemble import State, System, assemble
-from raybundle.adjustment.cell_means import SYSTEMATIC, systematic_notices
+from raybundle.adjustment.cell_means import systematic_notices
 from raybundle.adjustment.components import Found, settled_components, variance_components
 from raybundle.adjustment.datum import Datum, analyse, fit_to_given, hold_minimal, open_names
 from raybundle.adjustment.interior import interior_results
@@ -112,14 +112,11 @@ def adjust_block(
 
 def _finished(result: Adjustment, extent: Extent) -> Adjustment:
     """The result under the noise that is asked for; RankDefect where images turn about a line."""
-    if extent == "report":
-        check_turning(result)
-    if result.options.noise != "fields" or extent != "report":
+    if extent != "report":
         return result
-    result = under_noise(result)
-    # what is systematic is so beyond the smooth errors of single images
-    others = tuple(n for n in result.notices if n.code != SYSTEMATIC)
-    return replace(result, notices=(*others, *systematic_notices(result)))
+    check_turning(result)
+    result = under_noise(result) if result.options.noise == "fields" else result
+    return replace(result, notices=(*result.notices, *systematic_notices(result)))
 
 
 def _with_settled_components(

@@ -6,7 +6,6 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from raybundle.adjustment.cell_means import systematic_notices
 from raybundle.adjustment.components import NAMES, differs, without_known_before
 from raybundle.adjustment.datum import ABOUT_LINE
 from raybundle.adjustment.held_control import held_notices
@@ -36,7 +35,7 @@ TURNED = 0.1
 
 
 def notices_of(result: Adjustment, redundancy_sum: RedundancySum | None) -> tuple[Notice, ...]:
-    """All notices of an adjustment."""
+    """All notices of an adjustment but those that hang on the noise model (`cell_means.systematic_notices`)."""
     found: list[Notice] = []
     if redundancy_sum is not None and not abs(redundancy_sum.sum - result.redundancy) <= redundancy_sum.limit:
         found.append(
@@ -51,13 +50,7 @@ def notices_of(result: Adjustment, redundancy_sum: RedundancySum | None) -> tupl
     found += _fit(result) + _interior(result) + _rejected(result) + _points(result) + control
     if not any(n.severity is Severity.FAULT for n in control):  # wrong control bends the images that show it
         found += wrong_image_notices(result)
-    found += (
-        _photographs(result)
-        + _stored_ways(result)
-        + _open_beside_given(result)
-        + _unchecked_scale(result)
-        + systematic_notices(result)
-    )
+    found += _photographs(result) + _stored_ways(result) + _open_beside_given(result) + _unchecked_scale(result)
     return tuple(found)
 
 

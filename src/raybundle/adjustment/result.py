@@ -196,8 +196,11 @@ class ParameterResult:
     @property
     def std_words(self) -> str:
         """The standard deviation with its unit, as "0.16 mm"; a ratio (unit "1") has none in print."""
-        std = "unknown" if self.std is None else f"{self.std:.2g}"
-        return std if self.unit == "1" else f"{std} {self.unit}"
+        return self.in_unit("unknown" if self.std is None else f"{self.std:.2g}")
+
+    def in_unit(self, words: str) -> str:
+        """Words of its value or standard deviation, with the unit."""
+        return words if self.unit == "1" else f"{words} {self.unit}"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

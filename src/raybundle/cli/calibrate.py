@@ -222,17 +222,13 @@ def lines(done: Calibration) -> list[str]:
         # beside what could not be determined the others' standard deviations are conditional
         sure = q.grade != "not determinable"
         told.append(f"  model {camera.model}: " + ", ".join(
-            _with_unit(f"{p.symbol} {p.value:.6g}" + (f" ± {p.std:.2g}" if p.std and sure else ""), p.unit)
+            p.in_unit(f"{p.symbol} {p.value:.6g}" + (f" ± {p.std:.2g}" if p.std and sure else ""))
             for p in list(interior.parameters.values())[:MOST_PARAMETERS] if p.std or p.value
         ))  # fmt: skip
         told.append(f"  in pixels: {in_pixels(camera, interior, sure=sure)}")
     reasons = {reason for q in done.quality for reason in q.reasons}
     others = [n for n in done.adjustment.notices if n.reason not in reasons]  # those stand with their camera
     return told + noise_lines(done.adjustment.noise) + notice_lines(others)
-
-
-def _with_unit(words: str, unit: str) -> str:
-    return words if unit == "1" else f"{words} {unit}"
 
 
 def in_pixels(camera: Camera, interior: InteriorResult, *, sure: bool) -> str:

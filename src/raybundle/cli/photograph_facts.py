@@ -73,5 +73,5 @@ def _camera(group: CameraGroup) -> CameraFact:
         source=group.source,
         c_px=group.c_mm / pixel,
         sigma_c_px=group.sigma_c_mm / pixel,
-        remarks=group.remarks,
+        remarks=group.said,
     )

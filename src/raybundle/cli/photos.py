@@ -54,7 +54,7 @@ def report(found: Found, groups: Sequence[CameraGroup]) -> dict[str, Any]:
             {
                 "id": g.id, "name": g.name, "photos": len(g.photos), "width_px": g.width_px, "height_px": g.height_px,
                 "pixel_mm": list(g.pixel_mm), "c_mm": g.c_mm, "sigma_c_mm": g.sigma_c_mm, "c_px": g.c_px,
-                "sigma_c_px": g.sigma_c_px, "source": g.source, "remarks": list(g.remarks),
+                "sigma_c_px": g.sigma_c_px, "source": g.source, "remarks": list(g.said),
             }
             for g in groups
         ],
@@ -92,7 +92,7 @@ def lines(found: Found, groups: Sequence[CameraGroup]) -> list[str]:
             f" camera {g.id}: {g.name}, {counted(len(g.photos), 'photograph')} of {g.width_px} x {g.height_px} px",
             f"   c = {g.c_px:.1f} +- {g.sigma_c_px:.1f} px = {g.c_mm:.4g} mm ({g.source})",
         ]
-        text += [f"   remark: {r}" for r in g.remarks]
+        text += [f"   remark: {r}" for r in g.said]
     text += _table(found, groups)
     text += [f" remark: {r}" for r in found.remarks]
     text += [f" left out: {path.name}: {reason}" for path, reason in found.refused]

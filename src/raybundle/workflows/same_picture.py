@@ -9,6 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from raybundle.adjustment.result import Notice
 from raybundle.io.photos.photo import Photo
 from raybundle.matching.features import FeatureMethod
@@ -40,9 +42,7 @@ def same_pictures(
     """
     twins: dict[int, set[int]] = {}
     for p in pairs:
-        a, b = photos[p.first], photos[p.second]
-        same_size = (a.width_px, a.height_px) == (b.width_px, b.height_px)
-        if p.displacement_px >= APART_PX if same_size else not (len(p.matches) and _same_shape(a, b)):
+        if not _apart_px(p, photos, store) < APART_PX:
             continue
         pair = still_and_moving(photos, store, method, p.first, p.second)
         if pair.still > SHARE * pair.matches and not pair.moving and pair.covered > COVERED:
@@ -56,10 +56,20 @@ def same_pictures(
     return repeats if len(photos) - len(repeats) >= 2 else {}
 
 
-def _same_shape(a: Photo, b: Photo) -> bool:
-    """Whether one may be the other at another size: sides in one proportion, but for rounding to whole pixels."""
-    small, large = sorted((a, b), key=lambda p: p.width_px)
-    return abs(large.height_px * small.width_px / large.width_px - small.height_px) <= 1
+def _apart_px(pair: VerifiedPair, photos: Sequence[Photo], store: FeatureStore) -> float:
+    """Median length between the places of a match, in pixels of the smaller photograph; infinite for other shapes."""
+    small, large = sorted((pair.first, pair.second), key=lambda k: photos[k].width_px)
+    size, full = ((photos[k].width_px, photos[k].height_px) for k in (small, large))
+    if size == full:
+        return pair.displacement_px
+    rounded = abs(full[1] * size[0] / full[0] - size[1]) <= 1  # one proportion, but for whole pixels
+    if not rounded or not len(pair.matches):
+        return np.inf
+    one, other = (
+        store.places(k).xy_px[pair.matches[:, c]] / (photos[k].width_px, photos[k].height_px)
+        for c, k in enumerate((pair.first, pair.second))
+    )
+    return float(np.median(np.linalg.norm((one - other) * size, axis=1)))
 
 
 def same_picture_notice(repeats: dict[int, int], photos: Sequence[Photo]) -> Notice:

@@ -103,11 +103,8 @@ class StillPair:
 
 def still_and_moving(photos: Sequence[Photo], store: FeatureStore, method: FeatureMethod, i: int, j: int) -> StillPair:
     """Matches of a pair that stand still, and whether others move together; in pixels of the smaller photograph."""
-    xy, described, size = (
-        list[Array](),
-        list[Described](),
-        min((photos[k].width_px, photos[k].height_px) for k in (i, j)),
-    )
+    xy, described = list[Array](), list[Described]()
+    size = min((photos[k].width_px, photos[k].height_px) for k in (i, j))
     for k in (i, j):
         f, photo = store.of(k), photos[k]
         xy.append(f.xy_px * (np.array(size) / (photo.width_px, photo.height_px)))

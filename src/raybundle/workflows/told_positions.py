@@ -49,7 +49,7 @@ def with_relative_precision(result: Adjustment) -> Adjustment:
 
 def camera_notices(groups: Sequence[CameraGroup]) -> list[Notice]:
     """What metadata leave open of the cameras, and what was joined; one notice where several say the same."""
-    apart = [(g, g.projection) for g in groups if g.projection and g.stored is None]
+    apart = [(g, g.projection) for g in groups if g.projection]
     remarks = [(g, r) for g in groups for r in g.remarks if g.stored is None]
     # beside a calibration that is taken, what speaks against it
     doubts = [(g, r) for g in groups for r in g.remarks if g.stored is not None]

@@ -11,7 +11,7 @@ from raybundle.adjustment.severity import Severity
 from raybundle.block import Camera
 from raybundle.block.known import known_before
 from raybundle.errors import InputError
-from raybundle.io.photos.cameras import camera_groups, camera_of, may_share_sensor, with_what_is_known
+from raybundle.io.photos.cameras import camera_groups, camera_of, may_share_sensor, with_calibration, with_what_is_known
 from raybundle.io.photos.metadata import Metadata
 from raybundle.io.photos.photo import Photo, find_photos
 from raybundle.io.photos.start import starting_value, stated_projection
@@ -271,6 +271,10 @@ def test_a_panorama_is_remarked():
         Metadata(xmp={"GPano:ProjectionType": "equirectangular"})
     )
     assert stated_projection(Metadata()) == ""
+    (group,) = camera_groups([photo(metadata=replace(BODY, xmp={"GPano:ProjectionType": "equirectangular"}))])
+    assert group.said[0] == group.projection  # as `photos` and the report print it
+    assert next(n.code for n in camera_notices([group])) == "camera_projection"
+    assert with_calibration(group, stored("mine")).said == ()
 
 
 @pytest.mark.parametrize(("folder", "count", "truth_px"), [("sceaux-castle", 11, 2905.88), ("copr-uav", 41, 2843.0)])

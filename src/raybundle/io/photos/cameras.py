@@ -53,13 +53,18 @@ class CameraGroup:
     """Standard deviation of the principal point about the middle, by the longer side of the format"""
     remarks: tuple[str, ...] = ()
     projection: str = ""
-    """What its photographs state of a projection that is not central, in words"""
+    """What its photographs state of a projection that is not central, in words; empty beside a calibration"""
     stored: Camera | None = None
     """The calibration that was given for this camera."""
     joined: tuple[str, ...] = ()
     """What photographs of it state differently and why they are of one camera all the same, in words."""
     pattern: str = ""
     """That set its photographs apart."""
+
+    @property
+    def said(self) -> tuple[str, ...]:
+        """All that there is to say of it."""
+        return (self.projection, *self.remarks) if self.projection else self.remarks
 
     @property
     def c_px(self) -> float:
@@ -313,7 +318,7 @@ def with_calibration(group: CameraGroup, camera: Camera) -> CameraGroup:
         remarks = (f"{says}; the calibration is taken",)
     return replace(
         group, pixel_mm=camera.pixel_mm, c_mm=camera.values[c], sigma_c_mm=_calibrated_sigma(camera, c),
-        source=f"stored calibration {camera.id}", remarks=remarks, stored=camera,
+        source=f"stored calibration {camera.id}", remarks=remarks, projection="", stored=camera,
     )  # fmt: skip
 
 
