@@ -65,6 +65,10 @@ def test_no_redundancy_is_said_first(case):
 def test_the_global_test_is_put_in_words(case):
     a = case("rich")
     lower, value, upper = a.global_test
+    for sigma0, doubts in ((1.05, False), (1.4, True)):  # as the notice of the same test
+        fit = told(replace(a, global_test=(lower, 2 * upper, upper), sigma0=sigma0))[2]["Fit"]
+        assert ("blunders are left" in fit) == doubts
+        assert ("harms nothing" in fit) != doubts
     assert "larger than stated" in told(replace(a, global_test=(lower, 2 * upper, upper)))[2]["Fit"]
     assert "more precise than stated" in told(replace(a, global_test=(lower, lower / 2, upper)))[2]["Fit"]
     assert "as large as" in told(replace(a, global_test=(lower, value, upper)))[2]["Fit"]

@@ -12,7 +12,7 @@ from raybundle.adjustment.counts import counts
 from raybundle.adjustment.network import classed
 from raybundle.adjustment.reliability import UNCONTROLLED
 from raybundle.adjustment.result import ObservationGroup
-from raybundle.adjustment.severity import POOR_FIT, Severity
+from raybundle.adjustment.severity import NEARLY, POOR_FIT, Severity
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.statistics import chi_square_tails
 from raybundle.report.numbers import counted, grouped, listed, significant, unit_text
@@ -295,6 +295,12 @@ def _fit(view: View) -> str:
         return (
             f"{sigma0}: the observations are more precise than stated (global test at 5 %). All standard deviations "
             "here carry the smaller value."
+        )
+    if a.sigma0 < NEARLY:
+        return (
+            f"{sigma0}: the residuals are larger than stated (global test at 5 %), by less than "
+            f"{100 * (NEARLY - 1):.0f} %, which so many observations tell and which harms nothing. All standard "
+            "deviations here carry the larger value."
         )
     return (
         f"{sigma0}: the residuals are larger than stated (global test at 5 %). Either the observations are less "
