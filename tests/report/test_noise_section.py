@@ -49,9 +49,11 @@ def test_white_noise_has_no_section_and_one_standard_deviation(result, tmp_path)
 
 
 def test_the_summary_says_how_much_wider_standard_deviations_are(result):
-    line = next(line for line in summary_lines(result) if "noise" in line)
-    assert "differ from image to image" in line
-    assert "projection centres" in line
+    lines = summary_lines(result)
+    k = next(k for k, line in enumerate(lines) if "noise" in line)
+    assert "differ from image to image" in lines[k]
+    assert "medians: interior orientation " in lines[k + 1]
+    assert "projection centres" in lines[k + 1]
 
 
 def test_a_reason_is_told_where_noise_stays_white(result, tmp_path):

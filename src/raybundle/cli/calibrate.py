@@ -223,6 +223,7 @@ def lines(done: Calibration) -> list[str]:
         sure = q.grade != "not determinable"
         told.append(f"  model {camera.model}: " + ", ".join(
             f"{p.symbol} {p.value:.6g}" + (f" ± {p.std:.2g}" if p.std and sure else "")
+            + (f" {p.unit}" if p.unit != "1" else "")
             for p in list(interior.parameters.values())[:MOST_PARAMETERS] if p.std or p.value
         ))  # fmt: skip
         told.append(f"  in pixels: {in_pixels(camera, interior, sure=sure)}")

@@ -95,9 +95,11 @@ def noise_lines(noise: Noise) -> list[str]:
     )  # fmt: skip
     wider = ", ".join(f"{what} {ratio:.2g}" for what, ratio in ratios if math.isfinite(ratio))
     focus = f", a focus that wanders by {noise.focus_px:.2g} px" if noise.focus_px > 0 else ""
-    fields = f"fields of {noise.tau_px:.2g} px that differ from image to image{focus}"
-    line = f"noise: floor {noise.phi:.2g}, {fields}; standard "
-    return [f"{line}deviations beside those of white noise: {wider}"]
+    found = (
+        f"noise: smooth errors of {noise.tau_px:.2g} px that differ from image to image (fields){focus}; sums of all "
+        f"other errors over many points vary {noise.phi:.2g} times as much as independent errors would (floor)"
+    )
+    return [found, *([f"standard deviations over those of independent errors, medians: {wider}"] if wider else [])]
 
 
 def _check_points(a: Adjustment) -> list[str]:
