@@ -1,5 +1,6 @@
 """A calibration that is given with its covariance: contradicted by the photographs, or outweighed by them."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -10,6 +11,7 @@ from raybundle.adjustment.given_calibration import calibration_notices
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 from raybundle.block.stored import observed_jointly
+from tests.adjustment.test_noise import with_fields
 
 FREE = ("c", "x0", "y0")
 
@@ -41,6 +43,9 @@ def test_a_calibration_of_another_focus_is_contradicted(block):
     assert codes(result) == ["calibration_contradicted"]
     (notice,) = calibration_notices(result)
     assert "chi-square" in notice.message
+    assert notice.ids == ("1", "c")
+    assert re.search(r"c given 20\.5, found 20\.40\d+ mm, \|w\| \d+\.\d \(limit 3\.6\)", notice.message)
+    assert "x0" not in notice.message
     assert notice.severity == "caution"
 
 
@@ -52,3 +57,37 @@ def test_a_parameter_less_precise_than_it_was_given_is_told_with_both(block):
     assert notice.code == "calibration_outweighed"
     assert "x0 0.0005 before, 0.002 now" in notice.message
     assert "c 0" not in notice.message
+
+
+def test_smooth_errors_do_not_contradict_a_calibration_once_they_are_known():
+    """A calibration that is right within its 1 um: white weights take fields of 0.5 px for another camera."""
+    contradicted = {"white": 0, "fields": 0}
+    for seed in range(5):
+        survey = Survey(orientation="exact", points="exact", interior="exact", seed=seed)
+        plain = simulate(field_scene(TargetField(camera=brown_camera(estimate=FREE))), survey).observed
+        smooth = given(with_fields(plain, 0.5, seed), 0.001, off=np.random.default_rng(seed).normal(0, 0.001))
+        for noise in contradicted:
+            told = codes(adjust(smooth, AdjustmentOptions(threads=1, noise=noise)))
+            contradicted[noise] += "calibration_contradicted" in told
+            assert ("calibration_outweighed" in told) == (noise == "fields")
+    assert contradicted["white"] >= 2
+    assert contradicted["fields"] == 0
+
+
+@pytest.mark.parametrize("noise", ["white", "fields"])
+def test_another_focus_is_found_under_either_noise(block, noise):
+    smooth = given(with_fields(block, 0.3), 0.005, off=0.1)
+    result = adjust(smooth, AdjustmentOptions(threads=1, noise=noise))
+    (notice,) = [n for n in result.notices if n.code == "calibration_contradicted"]
+    assert notice.ids == ("1", "c")
+
+
+def test_what_few_residuals_make_of_a_standard_deviation_is_no_loss(block):
+    """Of a mean square of 20 residuals the root is up to 1.5 times its truth, in all but one of a thousand."""
+    result = adjust(given(block, 0.0005), AdjustmentOptions(threads=1))
+    std = result.interior[0].parameters["c"].std
+    wide = {s: replace(p, std=0.0007) if s == "x0" else p for s, p in result.interior[0].parameters.items()}
+    wider = replace(result, interior=(replace(result.interior[0], parameters=wide), *result.interior[1:]))
+    assert std < 0.0005
+    assert [n.code for n in calibration_notices(wider)] == ["calibration_outweighed"]
+    assert not calibration_notices(replace(wider, redundancy=20))

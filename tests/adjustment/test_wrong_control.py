@@ -5,10 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from raybundle import adjust
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import ObservationGroup
-from raybundle.adjustment.wrong_control import WrongControl, kept_notice, worst_control
+from raybundle.adjustment.wrong_control import WrongControl, kept_notice, suspected
 from raybundle.block import Role
 from raybundle.block.simulate import AerialStrips, Survey, aerial_scene, simulate
 
@@ -53,8 +54,8 @@ def test_what_two_or_three_points_say_of_one_another_locates_none():
     assert result.datum_defect == ()
     (kept,) = told(result, "control_not_located")
     assert set(kept.ids) == set(names)
-    assert kept.severity == "caution"
-    assert "which of them is wrong cannot be told" in kept.message
+    assert kept.severity == "fault"
+    assert "which one cannot be told" in kept.message
 
 
 def test_a_point_without_which_the_datum_is_open_stays():
@@ -85,17 +86,91 @@ def test_a_redundancy_number_that_is_rounding_tests_nothing():
     height = np.array(control.component) == "Z"
     assert (control.redundancy[height] == 0).all()
     assert np.isnan(control.t[height]).all()
-    assert (worst_control(result) or ("", 0.0))[1] < result.critical_tau
+    assert suspected(result) is None
 
 
 @pytest.mark.parametrize(
     ("wrong", "words"),
     [
-        (WrongControl(name="a", tau=9.0, open=("scale",)), "without it nothing determines scale"),
-        (WrongControl(name="a", tau=9.0, settled=False), "did not end"),
-        (WrongControl(name="a", tau=9.0, others=("b",)), "a, b"),
+        (WrongControl(name="a", w=9.0, open=("scale",)), "without it nothing determines scale"),
+        (WrongControl(name="a", w=9.0, settled=False), "did not end"),
+        (WrongControl(name="a", w=9.0, others=("b",)), "a, b"),
     ],
 )
 def test_why_it_takes_part_is_said(wrong, words):
     assert not wrong.may_go
     assert words in kept_notice(wrong).message
+
+
+SIX = (*CORNERS, (0.0, 0.0), (0.0, 1.0))
+TEN = (*SIX, (0.0, -1.0), (1.0, 0.0), (-1.0, 0.0), (0.5, 0.5))
+
+
+def accused(result):
+    """All control points that a fault names."""
+    return {i for n in result.notices if n.severity == "fault" and n.code.startswith("control_") for i in n.ids}
+
+
+def precision_of(block, name):
+    """Standard deviation (3,) with which the others know a point."""
+    k = block.points.ids.index(name)
+    role, sigma = block.points.role.copy(), block.points.sigma.copy()
+    role[k], sigma[k] = Role.TIE, np.nan
+    free = adjust(replace(block, points=replace(block.points, role=role, sigma=sigma)), AdjustmentOptions(threads=1))
+    return free.precision.object_point_std[k]
+
+
+def six_held(seed, by, strips):
+    """A block with six held points of which one is wrong by so many of its standard deviations, and its name."""
+    block, names = network(SIX, sigma=0.0, seed=seed, strips=strips)
+    sign = np.random.default_rng(seed).choice([-1.0, 1.0], 3)
+    shift = by * sign * precision_of(block, names[seed]) / np.sqrt(3)
+    return network(SIX, sigma=0.0, seed=seed, wrong={seed: shift}, strips=strips)[0], names[seed]
+
+
+@pytest.mark.parametrize("reject", ["none", "snooping"])
+@pytest.mark.parametrize("by", [10.0, 50.0])
+@pytest.mark.parametrize("seed", range(5))
+def test_held_control_that_is_wrong_is_named_and_no_right_one(seed, by, reject):
+    """Wrong by 10 and 50 standard deviations of what the others know of it: large errors bend the block to them."""
+    wrong, name = six_held(seed, by, strips=3)
+    assert accused(adjust(wrong, replace(OPTIONS, reject=reject))) == {name}
+
+
+def test_two_held_points_that_cannot_be_told_apart_are_both_named():
+    """Corners at one end of two strips: of 10 standard deviations of one, 5 % remain for the other to explain."""
+    wrong, name = six_held(0, 10.0, strips=2)
+    (notice,) = told(adjust(wrong, replace(OPTIONS, reject="none")), "control_not_located")
+    assert name in notice.ids
+    assert len(notice.ids) == 2
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_three_wrong_ones_of_ten_are_named_the_worst_first(seed):
+    sigma = 0.02
+    rng = np.random.default_rng(seed)
+    chosen = rng.choice(10, 3, replace=False)
+    d = rng.normal(size=(3, 3))
+    d *= np.array([[20], [35], [50]]) * sigma / np.linalg.norm(d, axis=1, keepdims=True)
+    shifts = dict(zip(chosen.tolist(), d, strict=True))
+    block, names = network(TEN, sigma=sigma, seed=seed, wrong=shifts, strips=3)
+    result = adjust(block, AdjustmentOptions(threads=1))
+    assert accused(result) == {names[k] for k in chosen}
+    assert not told(result, "group_less_precise")
+    (notice,) = told(result, "control_suspect")
+    w = [float(part.split()[0]) for part in notice.message.split("(|w| ")[1:]]
+    assert len(w) == 3
+    assert w == sorted(w, reverse=True)
+
+
+@pytest.mark.parametrize("sigma", [0.0, 0.02])
+@pytest.mark.parametrize("shift", [0.3, 3.0])
+@pytest.mark.parametrize("reject", ["none", "snooping"])
+def test_that_one_of_three_is_wrong_is_said_once(sigma, shift, reject):
+    block, names = network(CORNERS[:3], sigma=sigma, wrong={1: [shift, 0.0, 0.0]})
+    result = adjust(block, replace(OPTIONS, reject=reject))
+    faults = [n for n in result.notices if n.severity == "fault" and n.code.startswith("control_")]
+    assert [set(n.ids) for n in faults] == [set(names)]
+    assert "which one cannot be told" in faults[0].message
+    assert "one of" in faults[0].message
+    assert all(r is None for r in result.image_observations.rejected)

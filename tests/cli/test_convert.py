@@ -5,6 +5,7 @@ import re
 import sys
 from dataclasses import replace
 
+import click
 import numpy as np
 import pytest
 
@@ -307,3 +308,9 @@ def test_a_scale_is_one_of_two_words(free_and_fixed, tmp_path):
     path.write_text(f'scale = "unknown"\n{path.read_text()}')
     with pytest.raises(InputError, match="'unknown' is not one of fixed, free"):
         read_block(tmp_path / "b")
+
+
+def test_a_table_is_no_format_and_where_it_is_is_said(tmp_path):
+    (tmp_path / "block").mkdir()
+    with pytest.raises(click.BadParameter, match="consist of CSV tables already .*points.csv"):
+        convert(tmp_path / "block", "--to", "csv", "--out", tmp_path / "out")

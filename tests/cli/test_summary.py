@@ -1,8 +1,14 @@
 """What the terminal says of a result in single lines."""
 
+import re
+from types import SimpleNamespace
+
 import pytest
 
+from raybundle import adjust
 from raybundle.adjustment.result import WHITE, Noise
+from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.cli.calibrate import lines
 from raybundle.cli.summary import noise_lines
 
 
@@ -23,3 +29,16 @@ def test_the_noise_is_told_by_what_standard_deviations_contain(tau, focus, told)
     assert told in line
     assert line.endswith("(medians): 1.6 for the interior orientation, 1 for object points")
     assert noise_lines(WHITE) == []
+
+
+def test_what_calibrate_prints_of_a_model_has_units():
+    survey = Survey(points="exact", orientation="exact", interior="exact")
+    result = adjust(simulate(field_scene(TargetField()), survey).observed)
+    quality = SimpleNamespace(camera="1", headline="", reasons=(), advice=(), grade="good")
+    done = SimpleNamespace(
+        marks=(), completed=0, dots=0, targets=(), adjustment=result, photos=(), refused=(), not_used=(), used=0,
+        quality=(quality,),
+    )  # fmt: skip
+    (model,) = [line for line in lines(done) if line.startswith("  model brown")]
+    assert re.search(r": c 20\.\d+ ± \S+ mm, ", model)
+    assert re.search(r"K1 \S+ ± \S+ mm\^-2", model)

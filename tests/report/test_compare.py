@@ -203,3 +203,24 @@ def test_few_projection_centres_alone_are_a_caution_too(folder, tmp_path, monkey
     assert caution == basis_words(len(first.images.text["image"]), "common projection centre")
     assert "Caution: that is little." in caution
     assert caution in compared(first, second, tmp_path)
+
+
+def test_folders_of_one_name_are_told_apart(case, tmp_path):
+    for project in ("north", "south"):
+        (tmp_path / project).mkdir()
+        write_result(case("rich"), tmp_path / project / "result", report="none")
+    first, second = (read_result(tmp_path / p / "result") for p in ("north", "south"))
+    assert "First: north/result; second: south/result." in compared(first, second, tmp_path)
+
+
+def test_notices_stand_with_their_severity_the_gravest_first(folder, tmp_path):
+    first, second = folder("rich"), folder("free")
+    first.result["warnings"] = [
+        {"code": "rejected", "severity": "remark", "message": "the remark", "ids": []},
+        {"code": "control_suspect", "message": "the fault of an older file", "ids": []},
+    ]
+    second.result["warnings"] = [{"code": "small_angle", "severity": "caution", "message": "the caution", "ids": []}]
+    text = compared(first, second, tmp_path)
+    told = [text.index(w) for w in ("the fault of an older file", "the caution", "the remark")]
+    assert told == sorted(told)
+    assert "first fault control_suspect " in " ".join(text[: told[0]].split()[-3:]) + " "

@@ -248,3 +248,18 @@ def test_observed_parameters_have_the_units_of_the_report():
     assert any("°" in cell for r in imu[0].rows for cell in r)
     assert not any(cell in {"rad", "length"} for p in flat(interior_section(view).parts) if p.kind == "table"
                    for r in p.rows for cell in r)  # fmt: skip
+
+
+def test_the_logarithm_of_a_camera_constant_is_called_so():
+    """ln 20.5 = 3.02 stood there as c, without a word."""
+    before = pytest.importorskip("tests.adjustment.test_known_before")
+    block = before.known(before.block_of(1, 25.0, before.ROLLS))
+    view = view_of(before.adjusted(block))
+    body = next(
+        p for p in flat(control_section(view).parts) if p.kind == "table" and "ln c" in " ".join(map(str, p.rows))
+    )
+    rows = {r[1]: r for r in body.rows}
+    assert float(rows["known before: ln c"][3]) == pytest.approx(np.log(block.cameras[0].values["c"]), rel=1e-4)
+    assert rows["known before: ln c"][2] != "mm"
+    assert rows["known before: x0"][2] == "mm"
+    assert "the natural logarithm of its value in mm is observed" in body.note

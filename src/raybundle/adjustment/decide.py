@@ -21,12 +21,11 @@ from raybundle.adjustment.separability import unlocatable
 from raybundle.adjustment.severity import Severity
 from raybundle.adjustment.wrong_control import (
     WrongControl,
-    contradicted,
     judged,
     kept_notice,
     left_out,
     rejected_notice,
-    worst_control,
+    suspected,
 )
 from raybundle.block import Block, Camera
 from raybundle.block.rejection import Rejection, RejectionKind, Rejections
@@ -129,9 +128,12 @@ def _snoop(
         suspects = np.flatnonzero(size > result.critical_tau)
         wrong = _wrong_control(result, choices, float(size.max(initial=0.0)))
         if wrong is not None and wrong.may_go:
-            block, choices.reasons = left_out(block, wrong.name, _without_its_blunders(block, wrong, choices.reasons))
+            block, choices.reasons = left_out(block, wrong.name, choices.reasons)
             choices.notices.append(rejected_notice(wrong))
             continue
+        if wrong is not None:  # it is the points that are wrong, not their image observations
+            taken = [block.points.ids.index(name) for name in (wrong.name, *wrong.others)]
+            suspects = suspects[~np.isin(block.observations.point[suspects], taken)]
         chosen = _apart(block, size, suspects)
         if not chosen:
             back = [i for i in _innocent(result) if i not in returned]
@@ -153,21 +155,14 @@ def _snoop(
 
 
 def _wrong_control(result: Adjustment, choices: Decisions, largest: float) -> WrongControl | None:
-    """The control point that contradicts the others more than any image observation does, and what is known of it."""
-    found = contradicted(result.given, choices.reasons)
-    held = None if found is None else judged(result, found, choices.free, choices.reasons)
-    worst = worst_control(result)
-    if (held is not None and held.may_go) or worst is None or worst[1] <= max(result.critical_tau, largest):
-        return held
+    """The control point that contradicts the others more than any image observation does, and what is known of it.
+
+    More: letting it go takes more from the square sum than leaving out the image coordinate with the largest tau.
+    """
+    worst = suspected(result)
+    if worst is None or worst.square <= (largest * result.sigma0) ** 2:
+        return None
     return judged(result, worst, choices.free, choices.reasons)
-
-
-def _without_its_blunders(block: Block, wrong: WrongControl, reasons: Rejections) -> Rejections:
-    """The reasons without those of a held point's image observations: it was the point."""
-    if not np.isnan(wrong.tau):
-        return reasons
-    mine = [block.points.ids[p] == wrong.name for p in block.observations.point.tolist()]
-    return tuple(None if m and is_blunder(r) else r for m, r in zip(mine, reasons, strict=True))
 
 
 def _with_rejected(result: Adjustment, reasons: Rejections, chosen: Array, size: Array) -> Rejections:

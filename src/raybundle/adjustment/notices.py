@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from raybundle.adjustment.components import NAMES, differs, without_known_before
+from raybundle.adjustment.control_notices import control_notices
+from raybundle.adjustment.control_tests import Contradiction, ControlTests
 from raybundle.adjustment.datum import ABOUT_LINE
-from raybundle.adjustment.held_control import held_notices
 from raybundle.adjustment.network import FEW as FIRM
 from raybundle.adjustment.network import weak_images
 from raybundle.adjustment.reliability import UNCONTROLLED, RedundancySum
@@ -46,7 +48,7 @@ def notices_of(result: Adjustment, redundancy_sum: RedundancySum | None) -> tupl
                 "please report this block",
             )
         )
-    control = _control(result) + held_notices(result)
+    control = _control(result)
     found += _fit(result) + _interior(result) + _rejected(result) + _points(result) + control
     if not any(n.severity is Severity.FAULT for n in control):  # wrong control bends the images that show it
         found += wrong_image_notices(result)
@@ -274,12 +276,13 @@ def _points(result: Adjustment) -> list[Notice]:
 
 
 def _control(result: Adjustment) -> list[Notice]:
-    """Suspects among control, distances and stations, with the family-wise critical value.
+    """Suspects among control, distances and stations, the latter with the family-wise critical value.
 
     Where a whole group is less precise than stated, one notice says so; single values are suspects beside the others
-    of their group.
+    of their group.  Of control, the coordinates of a point are judged together (`control_tests`).
     """
     found: list[Notice] = []
+    against = ControlTests(result).contradiction
     limit = result.critical_w
     scale = max(result.sigma0, 1.0) if np.isfinite(result.sigma0) else 1.0
     wrong = {c.kind: c for c in result.variance_components if c.significant and c.kind in NAMES.values()}
@@ -290,10 +293,14 @@ def _control(result: Adjustment) -> list[Notice]:
             component is not None
             and component.ratio > scale
             and component.redundancy > FEW
-            and _without_worst(result, g)
+            and (not against.wrong if g.kind == "control" else _without_worst(result, g))
         ):
             own = component.ratio
             found.append(_group_notice(component, result.sigma0))
+            against = Contradiction() if g.kind == "control" else against
+        if g.kind == "control":
+            found += control_notices(result, against)
+            continue
         found += [
             Notice(
                 code=f"{g.kind}_suspect",
@@ -458,5 +465,6 @@ def _group_notice(component: VarianceComponent, sigma0: float) -> Notice:
 
 def with_group_notices(result: Adjustment) -> tuple[Notice, ...]:
     """The notices of a result whose variance components have changed since."""
-    codes = {f"{kind}_suspect" for kind in NAMES} | {"group_less_precise"}
-    return (*(n for n in result.notices if n.code not in codes), *_control(result), *held_notices(result))
+    codes = {f"{kind}_suspect" for kind in NAMES} | {"group_less_precise", "control_unchecked"}
+    others = tuple(n for n in result.notices if n.code not in codes)
+    return (*others, *_control(replace(result, notices=others)))

@@ -61,30 +61,6 @@ def covariance_between(result: Adjustment, first: str, second: str) -> Array:
     return _variance(result) * Da @ C @ Db.T
 
 
-def cofactors_with(result: Adjustment, point: Array, axis: Array, others: Array, other_axis: Array) -> Array:
-    """Cofactors (n, k) of k coordinates of object points with n others, in the minimal datum of the factor.
-
-    point, axis, others, other_axis  positions of points that take part, and their axes
-    """
-    work, state = _work(result)
-    system = work.system
-    nodes = np.zeros((int(system.offsets[-1]), len(point)))
-    points = np.zeros((*state.xyz.shape, len(point)))
-    of_node = system.point_node
-    for k, (p, a) in enumerate(zip(point.tolist(), axis.tolist(), strict=True)):
-        if of_node[p] >= 0:
-            nodes[system.offsets[of_node[p]] + a, k] = 1
-        else:
-            points[p, a, k] = 1
-    nodes, points = work.normals.solve(state, nodes, points)
-    return np.array(
-        [
-            nodes[system.offsets[of_node[p]] + a] if of_node[p] >= 0 else points[p, a]
-            for p, a in zip(others.tolist(), other_axis.tolist(), strict=True)
-        ]
-    ).reshape(len(others), len(point))
-
-
 def precision_in_datum(result: Adjustment, datum_points: tuple[str, ...]) -> Precision:
     """Covariances of points, images and cameras under inner constraints over these points (S-transformation).
 

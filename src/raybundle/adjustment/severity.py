@@ -20,7 +20,8 @@ class Severity(StrEnum):
 _CODES = {
     Severity.FAULT: (
         "attitude_suspect attitudes_contradict behind_camera camera_contradicts control_contradicts "
-        "control_identical control_left_out control_rejected control_suspect distance_suspect group_less_precise "
+        "control_identical control_left_out control_not_located control_rejected control_suspect distance_suspect "
+        "group_less_precise "
         "image_contradicts no_redundancy not_determinable parameter_suspect redundancy_sum relation_suspect "
         "snooping_unfinished station_suspect weak_convergence"
     ),
@@ -28,7 +29,7 @@ _CODES = {
         "approximate_values_replaced attitude_wrong attitudes_convergence attitudes_mount attitudes_nominal "
         "attitudes_steep blunder_not_located board_alike calibration_contradicted calibration_outweighed "
         "camera_constant camera_kept_apart camera_projection check_points_apart check_unseen control_file "
-        "control_leaves_open control_not_located control_not_observed control_sigma "
+        "control_leaves_open control_not_observed control_sigma "
         "control_without_photograph coordinate_system correlation datum_lost global_test gps_too_near "
         "held_not_determinable identical_images image_left_out levelled little_redundancy mark_rejected "
         "marked_lost marked_once marks_reduced mask_orientation mask_refused mask_uniform no_targets "

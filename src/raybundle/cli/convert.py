@@ -63,10 +63,25 @@ Example:
 """
 
 
+class _Target(click.Choice[str]):
+    """The formats to write, and where to look for what is none of them."""
+
+    def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> str:
+        """As a choice; tables are none."""
+        if value.lower() == "csv":
+            self.fail(
+                "there is no format 'csv': a block folder (--to block) and a result folder consist of CSV tables "
+                "already (images.csv, points.csv, observations.csv ...); copy the one you need",
+                param,
+                ctx,
+            )
+        return super().convert(value, param, ctx)
+
+
 @click.command("convert", context_settings=COMMAND_SETTINGS, help=HELP)
 @click.argument("source", type=FOLDER, metavar="INPUT")
 @click.option("--from", "given", type=click.Choice(READABLE), help="Format of INPUT.  [default: recognised]")
-@click.option("--to", "target", type=click.Choice(WRITABLE), required=True, help="Format to write.")
+@click.option("--to", "target", type=_Target(WRITABLE), required=True, help="Format to write.")
 @click.option(
     "--out", type=NEW_FILE_OR_FOLDER, required=True, metavar="PATH", help="New file or folder; nothing is overwritten."
 )

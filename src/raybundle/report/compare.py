@@ -10,6 +10,7 @@ from typing import Any, cast
 
 import numpy as np
 
+from raybundle.adjustment.severity import SEVERITY, Severity
 from raybundle.errors import InputError
 from raybundle.io.folders import new_files
 from raybundle.io.reading.files import read_text
@@ -92,9 +93,10 @@ def write_comparison(first: ResultFolder, second: ResultFolder, path: str | Path
         Section(anchor="images", title="Images", parts=_images(first, second, differences)),
         Section(anchor="warnings", title="Warnings", parts=_warnings(first, second)),
     )
+    told = _apart(first.path, second.path)
     html = page(
         title=f"{_name(first)} and {_name(second)}",
-        subtitle=f"{MARK} First: {_folder(first)}; second: {_folder(second)}.",
+        subtitle=f"{MARK} First: {told[0]}; second: {told[1]}.",
         headline=_headline(first, second, points, differences),
         grade="remarks",
         sections=sections,
@@ -202,9 +204,13 @@ def _name(result: ResultFolder) -> str:
     return str(result.result.get("name") or result.path.name)
 
 
-def _folder(result: ResultFolder) -> str:
-    """The folder with the one above it, which tells results of projects apart."""
-    return "/".join(result.path.resolve().parts[-2:])
+def _apart(first: Path, second: Path) -> tuple[str, str]:
+    """The last folders of two paths, as many as tell them apart: "a/result" and "b/result"."""
+    a, b = first.resolve().parts, second.resolve().parts
+    for n in range(1, max(len(a), len(b)) + 1):
+        if a[-n:] != b[-n:]:
+            return "/".join(a[-n:]), "/".join(b[-n:])
+    return first.name, second.name
 
 
 def _float(value: Any) -> float:
@@ -500,10 +506,28 @@ def _by_centres(centre: Array, other: Array) -> Similarity | None:
 
 
 def _warnings(first: ResultFolder, second: ResultFolder) -> tuple[Part, ...]:
-    a, b = ([(str(w["code"]), str(w["message"])) for w in r.result.get("warnings") or []] for r in (first, second))
+    """Notices of both, the gravest first; results of older versions do not say how grave theirs are: by the code."""
+    a, b = (
+        [
+            (
+                str(w.get("severity") or SEVERITY.get(str(w["code"]), Severity.CAUTION)),
+                str(w["code"]),
+                str(w["message"]),
+            )
+            for w in r.result.get("warnings") or []
+        ]
+        for r in (first, second)
+    )
     rows = [("both" if w in b else "first", *w) for w in a] + [("second", *w) for w in b if w not in a]
+    order = [s.value for s in Severity]
+    rows.sort(key=lambda row: order.index(row[1]) if row[1] in order else len(order))
     if not rows:
         return (Paragraph(text="Neither result has a warning."),)
     return (
-        table((text("result"), text("code"), text("message")), zip(*rows, strict=True), most=300, rest="result.json"),
+        table(
+            (text("result"), text("severity"), text("code"), text("message")),
+            zip(*rows, strict=True),
+            most=300,
+            rest="result.json",
+        ),
     )

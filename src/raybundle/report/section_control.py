@@ -11,6 +11,7 @@ import numpy as np
 from raybundle.adjustment.accuracy import ENOUGH, accuracy, levelled
 from raybundle.adjustment.result import ObservationGroup
 from raybundle.block import Role
+from raybundle.block.known import known_before
 from raybundle.numerics.arrays import Array
 from raybundle.report.figures_control import marked_images, marks_figure
 from raybundle.report.numbers import NONE, cells, column_decimals, counted, fixed, grouped, significant
@@ -176,8 +177,25 @@ def _unit(view: View, g: ObservationGroup) -> tuple[float, str]:
 def _row_units(view: View, g: ObservationGroup) -> list[tuple[float, str]]:
     """Factor and unit in print of each row of a group that holds parameters."""
     units = {(c.id, p.symbol): p.unit for c in view.given.cameras for p in c.sensor.parameters}
+    for c in view.given.cameras:
+        units |= {(c.id, r.name): units[c.id, s] for s, r in known_before(c).items() if not r.logarithm}
     pairs = zip(g.ids, g.component, strict=True)
     return [printed(view, units.get((i.partition("/")[0], s), "1")) for i, s in pairs]
+
+
+def _quantities(view: View, g: ObservationGroup) -> tuple[list[str], str]:
+    """What is observed in each row, and what is to be said of logarithms."""
+    logarithms = {(c.id, r.name): s for c in view.given.cameras for s, r in known_before(c).items() if r.logarithm}
+    if g.kind != "relation" or not logarithms:
+        return list(g.component), ""
+    symbols = [logarithms.get((i.partition("/")[0], name)) for i, name in zip(g.ids, g.component, strict=True)]
+    shown = [name if s is None else f"known before: ln {s}" for s, name in zip(symbols, g.component, strict=True)]
+    told = ", ".join(dict.fromkeys(s for s in symbols if s is not None))
+    note = (
+        f" Of {told} a factor was known before: the natural logarithm of its value in mm is observed, and sigma and "
+        "residual are shares of it, 0.01 about 1 %."
+    )
+    return shown, note if told else ""
 
 
 def _rows_of(g: ObservationGroup, rows: Array) -> ObservationGroup:
@@ -204,6 +222,7 @@ def _held_table(view: View, g: ObservationGroup) -> Table:
 
 def _group_table(view: View, g: ObservationGroup, what: str, rest: str, factor: float, unit: str) -> Table:
     own = None if g.kind in {*LENGTHS, "attitude"} else _row_units(view, g)
+    component, of_logarithms = _quantities(view, g)
     if g.kind not in LENGTHS:
         by = np.full(len(g.ids), factor) if own is None else np.array([f for f, _ in own])
         given, adjusted = ([significant(float(v), 6) for v in column * by] for column in (g.given, g.adjusted))
@@ -228,7 +247,7 @@ def _group_table(view: View, g: ObservationGroup, what: str, rest: str, factor: 
             number("τ"), number("mdb", unit),
         ),
         (
-            g.ids, g.component, *unit_cells, given,
+            g.ids, component, *unit_cells, given,
             ["held" if s == 0 else t for s, t in zip(g.sigma, sigma, strict=True)], adjusted,
             [NONE if s == 0 else t for s, t in zip(g.sigma, std, strict=True)],
             [NONE if s == 0 else t for s, t in zip(g.sigma, v, strict=True)],
@@ -236,7 +255,7 @@ def _group_table(view: View, g: ObservationGroup, what: str, rest: str, factor: 
             cells(g.w.tolist(), 2), cells(g.t.tolist(), 2), mdb,
         ),
         note="Residual: adjusted minus given; mdb: smallest detectable blunder." + (" Marked: |w| beyond its "
-        "family-wise critical value." if beyond else ""),
+        "family-wise critical value." if beyond else "") + of_logarithms,
         rest=rest,
         marked=beyond,
     )  # fmt: skip

@@ -67,7 +67,8 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
     if plain:
         # a large error has bent all others to it: what tests of single values say then is no measure
         bent = {"control_suspect"} if result.sigma0 > POOR_FIT else set[str]()
-        bent |= set() if doubt is None else {"image_contradicts"}  # it is the control that contradicts them
+        # it is the control that contradicts them, and that is said
+        bent |= set() if doubt is None else {"image_contradicts", "control_not_located"}
         others = [n for n in result.notices if n.code not in bent]
         result = replace(result, notices=(*plain, *others))
     result = replace(result, notices=(*calibration_notices(result), *result.notices, *_structure(result, options)))

@@ -8,6 +8,7 @@ from itertools import combinations
 
 import numpy as np
 
+from raybundle.adjustment.control_tests import ControlTests
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.severity import POOR_FIT, Severity
@@ -24,6 +25,8 @@ EXCHANGED = 10
 """Points, those that agree least with the others, of which each two are tried in each other's place."""
 DECIDEDLY = 2.0
 """Ratio of the misfits of two exchanges from which the better one is worth an adjustment."""
+FEWEST = 3
+"""Points that tell a contradiction, and not where it is."""
 ROUGHLY = 0.01
 """Share of the extent of the control up to which points agree, to begin with those that do not."""
 
@@ -59,7 +62,7 @@ def doubted_control(
 
     Likelihood ratio: leaving out a point of k coordinates, the square sum W falls to W', and with right coordinates
     F = ((W - W') / k) / (W' / r') is distributed as F(k, r') (k directions less where the point had part in the datum).
-    Unlike the force on the held point (`adjustment.held_control`) it does not rest on a solution that a large error
+    Unlike the force on the held point (`adjustment.control_tests`) it does not rest on a solution that a large error
     has bent; it costs an adjustment a point, which is why the point goes first that agrees least with the others.
     """
     control = np.flatnonzero(block.points.is_control.any(axis=1))
@@ -92,9 +95,9 @@ def doubted_control(
             continue
         before = tried
         if tried.sigma0 <= POOR_FIT:
-            return Doubt(
-                alone=free.sigma0, wrong=tuple(block.points.ids[p] for p in out), left=tried.sigma0, names=names
-            )
+            out, tried = _refined(block, out, tried, brief, adjust)
+            wrong = tuple(block.points.ids[p] for p in out)
+            return Doubt(alone=free.sigma0, wrong=wrong, left=tried.sigma0, names=names)
     return Doubt(alone=free.sigma0, wrong=(), left=float("nan"), names=names)
 
 
@@ -122,6 +125,12 @@ def words(doubt: Doubt, sigma0: float) -> str:
             f"(sigma0 {doubt.alone:.3g}) or with control (sigma0 {doubt.left:.3g}), and not with both ({with_all}; "
             f"limit {POOR_FIT:g}). The centres lie by {by} from where control puts them: look for another height "
             "datum or coordinate system, the offset of the antenna, or exchanged axes, and mend one or leave it out"
+        )
+    if len(doubt.names) == FEWEST:
+        return (
+            f"one of the control points {', '.join(doubt.names)} is wrong, and which one cannot be told: the "
+            f"photographs fit one another without control (sigma0 {doubt.alone:.3g}), and not with it ({with_all}; "
+            f"limit {POOR_FIT:g}). Look at coordinates, names and axes; more control would tell which one it is"
         )
     some = ", ".join(doubt.names[:10]) + (" ..." if len(doubt.names) > 10 else "")
     return (
@@ -165,6 +174,33 @@ def _without(block: Block, points: Index) -> Block:
         return loose
     distances = np.isin(block.distances.start, lone) | np.isin(block.distances.end, lone)
     return loose if distances.any() else with_rows(loose, ~np.isin(block.observations.point, lone))
+
+
+def _refined(
+    block: Block, out: list[int], tried: Adjustment, options: AdjustmentOptions, adjust: Adjust
+) -> tuple[list[int], Adjustment]:
+    """The points that are left out so that control fits roughly: with those that still contradict, less the right ones.
+
+    What fits roughly is near enough to the truth for tests of single points (`control_tests`); a point that without
+    much contradiction can return beside those was left out for their sake.
+    """
+    found = list(out)
+    for _ in range(ROUNDS):
+        tested = _tried(_without(block, np.array(found)), replace(options, statistics=True), adjust)
+        wrong = [] if tested is None else [p for p in ControlTests(tested).contradiction.wrong if not p.others]
+        tried = tested or tried
+        if not wrong:
+            break
+        found += [k for p in wrong if (k := block.points.ids.index(p.name)) not in found]
+    else:
+        tried = _tried(_without(block, np.array(found)), options, adjust) or tried
+    level = options.significance / max(int(block.points.is_control.any(axis=1).sum()), 1)
+    for k in out:
+        rest = [p for p in found if p != k]
+        again = _tried(_without(block, np.array(rest)), options, adjust) if rest else None
+        if again is not None and not _significant(again, tried, int(block.points.is_control[k].sum()), level):
+            found, tried = rest, again
+    return found, tried
 
 
 def _exchanged(

@@ -1,0 +1,82 @@
+"""What is to be said of control that contradicts the rest: which points are wrong, and which of several may be."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from raybundle.adjustment.control_tests import Contradiction, WrongPoint
+from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.numerics.counting import counted, counted_are
+
+SHOWN = 10
+
+
+def control_notices(result: Adjustment, found: Contradiction) -> list[Notice]:
+    """The faults of a result whose control contradicts it, the points that are wrong before those that may be.
+
+    Points of which a notice of the result already says why they take part are not named again.
+    """
+    told = {i for n in result.notices if n.code == "control_not_located" for i in n.ids}
+    wrong = [p for p in found.wrong if p.name not in told]
+    located = [p for p in wrong if not p.others]
+    notices = [_located(result, located, found.swayed)] if located else []
+    for p in wrong:
+        group = (p.name, *p.others)
+        if p.others and not told & set(group):
+            notices.append(not_located(group, _w(p)))
+            told |= set(group)
+    if found.unexplained:
+        notices.append(_unexplained(found.unexplained))
+    return notices
+
+
+def not_located(group: Sequence[str], how: str) -> Notice:
+    """The fault of several points of which one is wrong."""
+    return Notice(
+        code="control_not_located",
+        message=f"{counted_are(len(group), 'control point')} in contradiction: {_names(group)} ({how} at {group[0]}); "
+        "one of them is wrong, and which one cannot be told, so all take part. Look at their coordinates and marks; "
+        "more control would tell which one it is",
+        ids=tuple(group[:100]),
+    )
+
+
+def _located(result: Adjustment, wrong: Sequence[WrongPoint], swayed: Sequence[str]) -> Notice:
+    unit = result.given.length_unit
+    each = "; ".join(f"{p.name} ({_w(p)}), by {_moved(p)} {unit}" for p in wrong[:SHOWN])
+    more = f"; and {counted(len(wrong) - SHOWN, 'more')}" if len(wrong) > SHOWN else ""
+    cause = "it" if len(wrong) == 1 else "them"
+    beside = f". {_names(swayed)} fail{'s' * (len(swayed) == 1)} the test only beside {cause}" if swayed else ""
+    if len(wrong) == 1:
+        message = (
+            f"control point {wrong[0].name} contradicts the other observations ({_w(wrong[0])}): they would have it "
+            f"elsewhere by {_moved(wrong[0])} {unit}{beside}. Check its coordinates and its number in the images"
+        )
+    else:
+        message = (
+            f"{counted(len(wrong), 'control point')} contradict the other observations, which would have them "
+            f"elsewhere, the worst first: {each}{more}{beside}. Check their coordinates and their numbers in the images"
+        )
+    return Notice(code="control_suspect", message=message, ids=tuple(p.name for p in wrong[:100]))
+
+
+def _unexplained(names: Sequence[str]) -> Notice:
+    return Notice(
+        code="control_suspect",
+        message=f"control and the other observations contradict each other, most of all at {_names(names)}, and that "
+        "a few points are wrong does not explain it. Look for what they have in common, as names, axes, the unit or "
+        "the coordinate system, or give control a larger standard deviation",
+        ids=tuple(names[:100]),
+    )
+
+
+def _w(p: WrongPoint) -> str:
+    return f"|w| {p.w:.1f} of its coordinates together, limit {p.limit:.1f}"
+
+
+def _moved(p: WrongPoint) -> str:
+    return ", ".join(f"{axis} {d:+.3g}" for axis, d in zip("XYZ", p.shift, strict=True) if d)
+
+
+def _names(names: Sequence[str]) -> str:
+    return ", ".join(names[:SHOWN]) + (" ..." if len(names) > SHOWN else "")
