@@ -1,4 +1,4 @@
-"""An image that does not belong is named as a whole; ordinary blocks, and blocks of wrong control, accuse none."""
+"""An image that does not belong is named as a whole, by the size of its residuals or by their pattern; others are not."""
 
 from dataclasses import replace
 
@@ -6,6 +6,9 @@ import numpy as np
 import pytest
 
 from raybundle import adjust
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.own_fields import own_field_notices, own_fields
+from raybundle.block.select import with_rows
 from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 from tests.truth.real_noise import with_smooth_errors
 
@@ -74,3 +77,46 @@ def test_an_image_is_not_accused_where_control_is_wrong():
     result = adjust(replace(block, points=replace(block.points, xyz=xyz)))
     assert any(n.code.startswith("control") for n in result.notices)
     assert not accused(result)
+
+
+def fitting_best(block, image, change, keep):
+    """As `wrong`, with those of its image points only that fit best beside the right ones: as a start selects them."""
+    bad = wrong(block, image, change)
+    v = np.hypot(*adjust(bad).image_observations.residuals_px.T)
+    mine = np.flatnonzero(bad.observations.image == image)
+    out = mine[np.argsort(v[mine])[keep:]]
+    return with_rows(bad, np.delete(np.arange(len(bad.observations)), out))
+
+
+@pytest.mark.parametrize("change", [lambda xy: 1.1 * xy, lambda xy: xy * [1.0, 1.08]], ids=["enlarged", "stretched"])
+def test_what_is_left_of_a_wrong_image_tells_by_its_pattern(block, change):
+    bad = fitting_best(with_smooth_errors(block, np.random.default_rng(1), 2, 1.0), 3, change, 20)
+    result = adjust(bad, AdjustmentOptions(noise="fields"))
+    assert result.noise.kind == "fields"
+    (told,) = own_field_notices(replace(result, notices=()))
+    assert told.ids == (block.images.ids[3],)
+    assert "interior orientation of its own" in told.message
+    assert accused(result) == [block.images.ids[3]], "named once, whichever test tells"
+
+
+def test_fields_of_the_size_that_lenses_make_accuse_no_image(block):
+    for seed in range(5):
+        rng = np.random.default_rng(seed)
+        smooth = with_smooth_errors(block, rng, 2, 0.5, focus=1e-3)
+        odd = wrong(smooth, 3, lambda xy: 1.003 * xy)  # one that focused nearer than the others
+        result = adjust(odd, AdjustmentOptions(noise="fields"))
+        assert result.noise.kind == "fields"
+        assert not own_field_notices(replace(result, notices=()))
+
+
+def test_scores_of_one_image_are_those_of_its_columns_alone():
+    rng = np.random.default_rng(7)
+    A = rng.normal(size=(200, 20))
+    v = rng.normal(size=200) * 2.0
+    M, s = A.T @ A, A.T @ v
+    first, second = own_fields(np.array([4, 9]), M, s, 4.0)
+    for told, at in ((first, slice(0, 10)), (second, slice(10, 20))):
+        fit = A[:, at] @ np.linalg.lstsq(A[:, at], v, rcond=None)[0]
+        assert told.directions == 10
+        assert told.square == pytest.approx(float(fit @ fit) / 4.0, rel=1e-9)
+    assert (first.image, second.image) == (4, 9)

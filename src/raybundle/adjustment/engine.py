@@ -22,6 +22,7 @@ from raybundle.adjustment.network import network_figures
 from raybundle.adjustment.normals import Normals, held_bits
 from raybundle.adjustment.notices import notices_of, with_group_notices
 from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.own_fields import own_field_notices
 from raybundle.adjustment.precision import (
     Cofactors,
     cofactors,
@@ -116,7 +117,7 @@ def _finished(result: Adjustment, extent: Extent) -> Adjustment:
         return result
     check_turning(result)
     result = under_noise(result) if result.options.noise == "fields" else result
-    return replace(result, notices=(*result.notices, *systematic_notices(result)))
+    return replace(result, notices=(*result.notices, *own_field_notices(result), *systematic_notices(result)))
 
 
 def _with_settled_components(

@@ -39,6 +39,7 @@ from raybundle.adjustment.fields import (
     variance_components,
 )
 from raybundle.adjustment.normals import Normals, held_bits
+from raybundle.adjustment.own_fields import OwnField, own_fields
 from raybundle.adjustment.precision import Cofactors
 from raybundle.numerics.arrays import Array, Index
 
@@ -99,6 +100,8 @@ class Spread:
     """The covariance of the nodes in the layout of the normal matrix, in units of s0^2, no datum taken"""
     points: Array
     """(p, 3, 3) of the points"""
+    own_fields: tuple[OwnField, ...] = ()
+    """What the residuals of single images tell of a field of their own, of the images that were asked"""
 
     def solve(self, nodes: Array, points: Array) -> tuple[Array, Array]:
         """The covariance applied to right sides for nodes (N, k) and points (p, 3, k), k <= 16; as `Normals.solve`.
@@ -173,21 +176,22 @@ def noise_of(
     fields = field_system(normals, state)
     if not all(np.isfinite(part).all() for part in (fields.scores, fields.H.data, fields.own.data)):
         return replace(WHITE, reason="some image points tell nothing of their object points by themselves"), found, None
-    told, sampled = components(fields, variance)
+    told, of_images = components(fields, variance)
     noise = Noise(
         kind="fields", phi=told.phi, tau_px=float(np.sqrt(told.tau_square)),
         focus_px=float(np.sqrt(told.focus_square)), directions=told.directions, chi_square=told.chi_square,
-        images=len(fields.images), sampled=sampled,
+        images=len(fields.images), sampled=len(of_images),
     )  # fmt: skip
     if told.directions < FEWEST_DIRECTIONS:
         words = f"the residuals tell of {told.directions} directions of fields only, {FEWEST_DIRECTIONS} are needed"
         return replace(WHITE, reason=words), found, None
     spread = spread_of(fields, found, told.phi, told.root(variance))
+    spread.own_fields = of_images
     return noise, spread_in_datum(spread, found, datum), spread
 
 
-def components(fields: FieldSystem, variance: float) -> tuple[Components, int]:
-    """Floor and fields from the residuals, and the number of images that they are taken from.
+def components(fields: FieldSystem, variance: float) -> tuple[Components, tuple[OwnField, ...]]:
+    """Floor and fields from the residuals, and what those of each image that they are taken from tell by themselves.
 
     Of more than WHOLE images samples of neighbouring ones are taken: their scores, with all that the fields of the
     others do to them.
@@ -195,14 +199,15 @@ def components(fields: FieldSystem, variance: float) -> tuple[Components, int]:
     n = len(fields.images)
     if n <= WHOLE:
         M = fields.left(np.arange(len(fields.columns)))
-        return variance_components([independent_scores(M, fields.scores, variance)]), n
-    samples, taken = list[Scores](), set[int]()
+        of_images = own_fields(fields.images, M, fields.scores, variance)
+        return variance_components([independent_scores(M, fields.scores, variance)]), tuple(of_images)
+    samples, of_images = list[Scores](), list[OwnField]()
     for images in _samples(fields):
         chosen = (COLUMNS * images[:, None] + np.arange(COLUMNS)).ravel()
         across = fields.left(chosen).T
         samples.append(independent_scores(across[:, chosen], fields.scores[chosen], variance, across))
-        taken.update(images.tolist())
-    return variance_components(samples), len(taken)
+        of_images += own_fields(fields.images[images], across[:, chosen], fields.scores[chosen], variance)
+    return variance_components(samples), tuple(of_images)
 
 
 def _samples(fields: FieldSystem) -> list[Array]:

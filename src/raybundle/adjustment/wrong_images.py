@@ -12,7 +12,7 @@ import numpy as np
 
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.severity import POOR_FIT
-from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.statistics import ALPHA, fisher_tail
 
 SMOOTH = 3
@@ -77,7 +77,7 @@ def wrong_images(result: Adjustment) -> tuple[WrongImage, ...]:
     found: list[WrongImage] = []
     for camera in range(len(result.given.cameras)):
         mine = np.flatnonzero((result.given.images.camera == camera) & (left > 0))
-        found += _of_camera(mine, T, left, spread)
+        found += outlying(mine, T, left, (left >= LEAST_REDUNDANCY) & (spread > SPREAD))
     return tuple(found)
 
 
@@ -88,11 +88,14 @@ def _squares(result: Adjustment, rows: Index) -> Array:
     return (syy * v[:, 0] ** 2 - 2 * sxy * v[:, 0] * v[:, 1] + sxx * v[:, 1] ** 2) / (sxx * syy - sxy**2)
 
 
-def _of_camera(images: Index, T: Array, left: Array, spread: Array) -> list[WrongImage]:
-    """Those of one camera."""
+def outlying(images: Index, T: Array, left: Array, may: Mask) -> list[WrongImage]:
+    """Those of one camera's images that stand out by F = (T_i / r_i) / (T / r of the others), see `wrong_images`.
+
+    T, left, may  (n,) of all images: square sums, their degrees of freedom, and which images may be named at all
+    """
     if len(images) < LEAST_IMAGES:
         return []
-    told = images[(left[images] >= LEAST_REDUNDANCY) & (T[images] > left[images])]
+    told = images[may[images] & (T[images] > left[images])]
     order = told[np.argsort(-T[told] / left[told], kind="stable")]
     for count in range(min(len(order), max(1, (len(images) - 1) // 3)), 0, -1):
         others = np.setdiff1d(images, order[:count])
@@ -102,7 +105,7 @@ def _of_camera(images: Index, T: Array, left: Array, spread: Array) -> list[Wron
             F = float(T[i] / left[i]) / max(variance, 1e-300)
             p = fisher_tail(F, SMOOTH, SMOOTH * len(others))
             limit = ALPHA / len(images)
-            if F > POOR_FIT**2 and spread[i] > SPREAD and p < limit:
+            if F > POOR_FIT**2 and p < limit:
                 found.append(WrongImage(image=i, ratio=float(np.sqrt(F)), probability=p, limit=limit))
         if len(found) == count:
             return found

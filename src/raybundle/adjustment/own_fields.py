@@ -1,0 +1,102 @@
+"""Images whose residuals want an interior orientation of their own: cropped, zoomed, stretched, of another camera.
+
+Where measurements that contradict the approximate orientation are dropped before the adjustment, those that are left of
+such an image fit nearly as well as the others', and the size of its residuals tells nothing; their pattern does.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from raybundle.adjustment.fields import COLUMNS, NEGLIGIBLE, TERMS
+from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.adjustment.severity import POOR_FIT, Severity
+from raybundle.adjustment.wrong_images import SMOOTH, outlying
+from raybundle.numerics.arrays import Array
+
+LARGE = 0.01
+"""Displacement, as a share of half the longer side of the format, from which on a field is none of one lens.
+
+Stabilisers and focus move c and the principal point by 0.3 to 7 px from image to image, below 0.3 % of half a format;
+focusing at a hundred times c lengthens it by one in a hundred.
+"""
+DEGREE = np.repeat([a + b for a, b in TERMS], 2)
+"""Of the product of each coefficient, by which it is divided (`fields.field_shapes`)."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class OwnField:
+    """What the residuals of one image tell of a field of its own."""
+
+    image: int
+    square: float
+    """T = s' M^+ s / s0^2: sum of the squares of its independent scores"""
+    directions: int
+    """k, their number"""
+    rms_px: float
+    """of the displacement over the format, by one step from none, in directions that are told"""
+
+
+def own_fields(images: Array, M: Array, scores: Array, variance: float) -> list[OwnField]:
+    """The score test (Rao 1948) of each image's field alone, all others none.
+
+    images    (f,) whose fields these are
+    M         (10 f, 10 f) what is left of their normal matrix; scores (10 f,), see `fields.independent_scores`
+    variance  sigma0^2
+    """
+    found: list[OwnField] = []
+    for k, image in enumerate(images.tolist()):
+        at = slice(COLUMNS * k, COLUMNS * (k + 1))
+        values, vectors = np.linalg.eigh((M[at, at] + M[at, at].T) / 2)
+        kept = values > max(NEGLIGIBLE * values[-1], 0.0)
+        values, vectors = values[kept], vectors[:, kept]
+        y = vectors.T @ scores[at] / np.sqrt(values * variance)
+        told = y**2 > POOR_FIT**2
+        b = vectors[:, told] @ (y[told] * np.sqrt(variance / values[told]))
+        rms = float(np.sqrt(np.sum((b / DEGREE) ** 2)))
+        found.append(OwnField(image=image, square=float(y @ y), directions=len(y), rms_px=rms))
+    return found
+
+
+def own_field_notices(result: Adjustment) -> list[Notice]:
+    """A fault for each image whose field stands out and is larger than one camera's fields are.
+
+    T / k of an image over that of the other images of its camera is held against F as for the size of residuals
+    (`wrong_images`), has to be more than POOR_FIT^2, and the field LARGE.  In samples of large blocks only the images
+    in them are tested.
+
+    What it does not tell: an image that differs where all do, an image so weakly connected that its orientation and
+    points absorb the difference, and whether the image or what it is compared with is wrong.
+    """
+    if any(n.severity is Severity.FAULT and n.code.startswith("control") for n in result.notices):
+        return []  # wrong control bends the images that show it
+    work = result.work
+    tested = work.spread.own_fields if work is not None and work.spread is not None else ()
+    T, left, n = np.zeros(len(result.given.images)), np.zeros(len(result.given.images)), len(result.given.images)
+    rms = np.zeros(n)
+    for f in tested:
+        T[f.image], left[f.image], rms[f.image] = f.square, f.directions, f.rms_px
+    named = {i for notice in result.notices if notice.code == "image_contradicts" for i in notice.ids}
+    found: list[Notice] = []
+    for k, camera in enumerate(result.given.cameras):
+        mine = np.flatnonzero((result.given.images.camera == k) & (left >= SMOOTH))
+        half = max(camera.width_px, camera.height_px) / 2
+        for w in outlying(mine, T, left, rms > LARGE * half):
+            name = result.given.images.ids[w.image]
+            if name not in named:
+                found.append(_notice(name, camera.id, w.ratio, float(rms[w.image]), LARGE * half))
+    return found
+
+
+def _notice(name: str, camera: str, ratio: float, rms_px: float, limit_px: float) -> Notice:
+    return Notice(
+        code="image_contradicts",
+        message=f"image {name} contradicts the others: its residuals show an interior orientation of its own, "
+        f"{ratio:.3g} times as clearly as those of the other images of camera {camera} do (limit {POOR_FIT:g}), which "
+        f"displaces image points by {rms_px:.2g} px or more (rms; limit {limit_px:.2g}); measurements that showed more "
+        "may have been dropped before. It may be cropped, enlarged, stretched, zoomed, or of another camera. Give it "
+        "a camera of its own, or leave it out",
+        ids=(name,),
+    )
