@@ -1,4 +1,4 @@
-"""An image that does not belong is named as a whole, by the size of its residuals or by their pattern; others are not."""
+"""An image that does not belong is named as a whole, by the size of its residuals or their pattern; others are not."""
 
 from dataclasses import replace
 
