@@ -20,14 +20,16 @@ def measured(
 ) -> dict:  # fmt: skip
     """Run a command on so many processors; its output, exit status and what it took.
 
-    Raises RuntimeError where it fails and may not; after `limit_s` seconds it is interrupted, then killed.
+    Raises RuntimeError where it fails and may not; after `limit_s` seconds it is interrupted, then killed.  Modules may be
+    kept compiled, as where somebody installed them: otherwise each run of either side would compile its own again.
     """
+    here = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
     allowed = set(sorted(os.sched_getaffinity(0))[:cpus])
     threads = {name: str(cpus) for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")}
     with tempfile.TemporaryFile("w+") as out, tempfile.TemporaryFile("w+") as err:
         began = time.perf_counter()
         running = subprocess.Popen(
-            command, stdout=out, stderr=err, env={**os.environ, **threads, **(environment or {})},
+            command, stdout=out, stderr=err, env={**here, **threads, **(environment or {})},
             preexec_fn=lambda: os.sched_setaffinity(0, allowed),  # noqa: PLW1509  (one thread here)
         )  # fmt: skip
         stops = [
