@@ -20,8 +20,8 @@ def measured(
 ) -> dict:  # fmt: skip
     """Run a command on so many processors; its output, exit status and what it took.
 
-    Raises RuntimeError where it fails and may not; after `limit_s` seconds it is interrupted, then killed.  Modules may be
-    kept compiled, as where somebody installed them: otherwise each run of either side would compile its own again.
+    Raises RuntimeError where it fails and may not; after `limit_s` seconds it is interrupted, then killed.  Modules may
+    be kept compiled, as where somebody installed them: else each run of either side would compile its own again.
     """
     here = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
     allowed = set(sorted(os.sched_getaffinity(0))[:cpus])
