@@ -99,6 +99,19 @@ def test_a_wrong_control_point_does_not_bend_the_start(flight):
     assert error(flight, placed) < 0.5
 
 
+def test_only_standard_deviations_that_are_assumed_follow_the_fit(flight):
+    xyz = flight.xyz + np.random.default_rng(3).normal(0, 0.5, (6, 3))
+    assumed = control(flight, xyz)
+    placed = georeference(flight.free, flight.photos, Given(control=(assumed,)))
+    assert "control_sigma" in codes(placed)
+    assert placed.block.points.sigma[-6:, :2].min() > 0.1
+    # the same figures, but they stand in the file, though they are those of the program as well
+    stated = replace(assumed, stated=np.ones(6, bool))
+    placed = georeference(flight.free, flight.photos, Given(control=(stated,)))
+    assert "control_sigma" not in codes(placed)
+    np.testing.assert_array_equal(placed.block.points.sigma[-6:, :2], 0.01)
+
+
 def test_a_wrong_mark_is_named_with_the_point_that_stands_there(flight):
     marks = flight.marks
     mine = np.flatnonzero(np.array(marks.image) == marks.image[int(np.flatnonzero(marks.point == 4)[0])])

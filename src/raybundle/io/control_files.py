@@ -72,6 +72,8 @@ class ControlFile:
     """(n,) of round targets, whose measured centres are those of ellipses [m]; NaN: no round target."""
     normal: Array | None = None
     """(n, 3) unit vectors square to round targets, in the axes of the coordinates; NaN: not known."""
+    stated: Mask | None = None
+    """(n,) whose standard deviations in plan stand in the file; None: of no point"""
     stem: str = ""
     """What names that were made for points without any begin with; empty where they are the file's"""
 
@@ -357,6 +359,7 @@ def _read_csv(path: Path, measurements: Path | None, defaults: ControlDefaults) 
         remarks=remarks,
         radius=table.numbers("radius")[:, 0],
         normal=normal / np.where(length > 0, length, np.nan)[:, None],
+        stated=np.asarray(given[:, :2].any(axis=1), bool),
     )
     return _with_unknown_heights(control, given[:, 2])
 
@@ -419,4 +422,5 @@ def _read_block_points(folder: Path, defaults: ControlDefaults) -> ControlFile:
             xy_px=o.xy_px[rows],
             line=rows.astype(np.int32) + 2,
         ),
+        stated=np.ones(len(named), bool),
     )

@@ -266,7 +266,9 @@ def _weigh_control(state: Placing, given: Given, residual: Array) -> None:
     if given.sigma_given or not len(residual):
         return
     scatter = float(np.median(np.linalg.norm(residual[:, :2], axis=1)) / 1.1774)  # median of a Rayleigh variable
-    default = (block.points.sigma[:, :2] == d.plan).all(axis=1) & (np.asarray(block.points.role) == Role.CONTROL)
+    assumed = {i for c in given.control for k, i in enumerate(c.ids) if c.stated is None or not c.stated[k]}
+    default = np.array([i in assumed for i in block.points.ids], bool) & (np.asarray(block.points.role) == Role.CONTROL)
+    default &= (block.points.sigma[:, :2] == d.plan).all(axis=1)
     if not default.any() or scatter <= 3 * d.plan or len(residual) < 4:
         return
     sigma = block.points.sigma.copy()
