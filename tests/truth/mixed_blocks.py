@@ -79,9 +79,9 @@ class MonteCarlo:
         """Adjusted state in the frame of the truth."""
         free = {c.id: free_parameters(c) for c in block.cameras}
         system = assemble(block, OPTIONS, np.zeros(len(block.observations), bool), free)
-        system.extra.value[system.extra.kind == 0] += _axis(system.shift - self.work.system.shift, system.extra)
-        stations = system.extra.kind == 2
-        system.extra.value[stations] += (system.shift - self.work.system.shift)[system.extra.component[stations]]
+        for part in system.extra.parts:
+            if part.kind.name in {"control", "station"}:
+                part.rows.value[:] += (system.shift - self.work.system.shift)[part.rows.component]
         system.shift = self.work.system.shift
         normals = Normals.of(system, 1)
         truth = self.work.system.initial_state()
@@ -132,10 +132,6 @@ class MonteCarlo:
                 e = (state.interior[k] - truth.interior[k])[list(row.free)]
                 add(name, e, interior_Q[k])
         return {k: (np.array(v), degrees[k]) for k, v in result.items()}
-
-
-def _axis(shift, extra):
-    return shift[extra.component[extra.kind == 0]]
 
 
 def block_of(

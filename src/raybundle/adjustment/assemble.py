@@ -1,9 +1,9 @@
 """From a block to unknowns and observations: what is free, what is held, where it stands.
 
 The unknowns are the free columns of *nodes* (exterior orientation of an image with its own interior
-orientation; a shared interior orientation; an object point that a distance touches) and the object
+orientation; a shared interior orientation; an object point that other observations touch) and the object
 points, which are eliminated.  An image observation touches one point and a list of nodes; all other
-observations (control, distances, stations, observed parameters) touch single unknowns.
+observations (`raybundle.observations`) touch single unknowns of nodes.
 """
 
 from __future__ import annotations
@@ -13,13 +13,13 @@ from typing import Any
 
 import numpy as np
 
-from raybundle.adjustment.carried import antennas_and_imus, check_carried
 from raybundle.adjustment.far_points import diverging, retracted, turned_about
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Block, Camera
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rotation import rotation_from_vector
+from raybundle.observations import Interior, ObservationKind, Partials, Rows, Scope, in_order
 from raybundle.sensors import SensorModel
 
 
@@ -66,21 +66,37 @@ class InteriorRow:
         return camera if self.image < 0 else f"{camera}/{block.images.ids[self.image]}"
 
 
+@dataclass(frozen=True, slots=True)
+class Part:
+    """The rows of one kind of observation outside the images."""
+
+    kind: ObservationKind
+    table: Any
+    rows: Rows
+    start: int
+    """Position of the first among all of them"""
+
+    @property
+    def positions(self) -> Array:
+        """Their positions (k,) among all of them."""
+        return np.arange(self.start, self.start + len(self.rows))
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Extra:
-    """Observations that touch no image point: control of retained points, distances, stations, parameters ..."""
+    """Observations that touch no image point, kind by kind."""
 
-    kind: Array
-    """(k,) 0 control, 1 distance, 2 station, 3 parameter, 4 relation of parameters, 5 attitude"""
-    item: Index
-    """(k,) point, distance, row of the stations or attitudes, interior row"""
-    component: Index
-    """(k,) coordinate axis, parameter, relation or angle"""
-    value: Array
+    scope: Scope
+    parts: tuple[Part, ...]
     sigma: Array
+    """(k,) of all rows"""
 
     def __len__(self) -> int:
-        return len(self.value)
+        return len(self.sigma)
+
+    def of(self, name: str) -> Part | None:
+        """The part of a kind, if it has rows."""
+        return next((p for p in self.parts if p.kind.name == name), None)
 
 
 @dataclass(slots=True)
@@ -124,6 +140,8 @@ class System:
     """(p,) the first image that sees each point"""
     parents: Index = field(default_factory=lambda: np.zeros(0, np.int32))
     """(interior rows,) `InteriorRow.parent`"""
+    interior_columns: Array = field(default_factory=lambda: np.zeros((0, 0), np.int64))
+    """(interior rows, stride) unknown of each parameter, -1 where it is held or there is none"""
     far_candidates: Array = field(default_factory=lambda: np.zeros(0, np.int64))
     """Eliminated points without any given or held coordinate"""
 
@@ -185,6 +203,19 @@ class System:
                 carried = list(self.interior[row.parent].carries)
                 state.interior[i, carried] = state.interior[row.parent, carried]
 
+    def columns(self, partials: Partials) -> Array:
+        """(e,) unknowns of partial derivatives, -1 where what they are by is given and held."""
+        item, component = partials.item, partials.component
+        if partials.of == "interior":
+            return self.interior_columns[item, component]
+        if partials.of == "point":
+            node, free = self.point_node[item], ~self.control_held[item, component]
+        else:
+            node, free = self.image_node[item], self.exterior_free[item]
+            component = component + 3 * (partials.of == "rotation")
+        free = free & (node >= 0)
+        return np.where(free, self.offsets[np.maximum(node, 0)] + component, -1)
+
     def images_of(self, r: int) -> Index:
         """The images that use an interior row, themselves or as the one that they share."""
         of_image = self.interior_of_image
@@ -227,7 +258,6 @@ def assemble(block: Block, options: AdjustmentOptions, rejected: Mask, free: dic
     points_used = np.zeros(p, bool)
     points_used[observations.point[rows]] = True
     _check_values(block, images_used, points_used)
-    check_carried(block, free)
 
     ignore_control = options.datum in {"inner", "minimal"} and _free_by_choice(options)
     control = block.points.is_control & points_used[:, None]
@@ -266,17 +296,31 @@ def assemble(block: Block, options: AdjustmentOptions, rejected: Mask, free: dic
             sizes.append(size)
         if own:
             alone[row] = int(i)
-    distances = block.distances
+    scope = Scope(
+        point_ids=block.points.ids,
+        image_ids=block.images.ids,
+        points=points_used,
+        images=images_used & exterior_free,
+        xyz=block.points.xyz,
+        sigma=block.points.sigma,
+        coordinates=np.zeros_like(prior),
+        shift=np.zeros(3),
+        interior=tuple(_interior_of(block, row, row.free) for row in interior),
+        datum_is_chosen=_free_by_choice(options),
+    )
+    kinds = in_order()
+    tables = {kind.name: kind.table_of(block) for kind in kinds}
+    for kind in kinds:
+        kind.check(tables[kind.name], scope)
     touched = np.zeros(p, bool)
-    distance_used = points_used[distances.start] & points_used[distances.end]
-    for ends in (distances.start, distances.end):
-        touched[ends[distance_used]] = True
+    for kind in kinds:
+        touched[kind.points(tables[kind.name], scope)] = True
     touched &= ~control_held.all(axis=1)
     point_node = np.full(p, -1, np.int32)
     point_node[touched] = len(sizes) + np.arange(int(touched.sum()))
     sizes += [3] * int(touched.sum())
     placed: list[InteriorRow] = []
-    carried = antennas_and_imus(block, images_used & exterior_free)
+    carried: set[int] = set().union(*(kind.cameras(tables[kind.name], scope) for kind in kinds))
     for r, row in enumerate(interior):
         node, start = -1, 0
         if row.free and r in alone:
@@ -313,7 +357,13 @@ def assemble(block: Block, options: AdjustmentOptions, rejected: Mask, free: dic
         control_held=control_held,
         prior=prior,
         extra=_extra(
-            block, options, prior & touched[:, None], distance_used, images_used & exterior_free, placed, shift
+            replace(
+                scope,
+                coordinates=prior & touched[:, None],
+                shift=shift,
+                interior=tuple(_interior_of(block, row, row.free if row.node >= 0 else ()) for row in placed),
+            ),
+            tables,
         ),
         xy_mm=xy,
         whiten=whiten,
@@ -321,6 +371,11 @@ def assemble(block: Block, options: AdjustmentOptions, rejected: Mask, free: dic
     )
     system.offsets = np.concatenate([[0], np.cumsum(system.sizes)]).astype(np.int64)
     system.parents = np.array([row.parent for row in interior], np.int32)
+    system.interior_columns = np.full((len(placed), stride), -1, np.int64)
+    for r, row in enumerate(placed):
+        if row.node >= 0:
+            at = system.offsets[row.node] + row.start + np.arange(len(row.free))
+            system.interior_columns[r, list(row.free)] = at
     system.first_image = np.zeros(p, np.int32)
     system.first_image[observations.point[rows[::-1]]] = observations.image[rows[::-1]]
     system.far_candidates = np.flatnonzero(points_used & (point_node < 0) & ~(control_held | prior).any(axis=1))
@@ -445,58 +500,31 @@ def _image_observations(block: Block, rows: Array) -> tuple[Array, Array, Array]
     return np.ascontiguousarray(xy), np.ascontiguousarray(whiten), pixel[camera]
 
 
-def _extra(
-    block: Block,
-    options: AdjustmentOptions,
-    control: Mask,
-    distance_used: Mask,
-    stations_used: Mask,
-    interior: list[InteriorRow],
-    shift: Array,
-) -> Extra:
-    parts: list[tuple[Any, ...]] = []
-    for point, axis in np.argwhere(control):
-        parts.append((0, point, axis, block.points.xyz[point, axis] - shift[axis], block.points.sigma[point, axis]))
-    for d in np.flatnonzero(distance_used):
-        if block.distances.sigma[d] > 0:
-            parts.append((1, d, 0, block.distances.length[d], block.distances.sigma[d]))
-        else:
-            raise InputError(f"distance {d + 1}: sigma {block.distances.sigma[d]:g} must be positive")
-    if not _free_by_choice(options):
-        stations = block.stations
-        for k, image in enumerate(stations.image):
-            parts += [
-                (2, k, axis, stations.xyz[k, axis] - shift[axis], stations.sigma[k, axis])
-                for axis in range(3)
-                if stations_used[image] and np.isfinite(stations.xyz[k, axis]) and stations.sigma[k, axis] > 0
-            ]
-        attitudes = block.attitudes
-        for k, image in enumerate(attitudes.image):
-            parts += [
-                (5, k, axis, attitudes.angles[k, axis], attitudes.sigma[k, axis])
-                for axis in range(3)
-                if stations_used[image] and np.isfinite(attitudes.angles[k]).all() and attitudes.sigma[k, axis] > 0
-            ]
-    for r, row in enumerate(interior):
-        camera = block.cameras[row.camera]
-        if row.node < 0:
+def _extra(scope: Scope, tables: dict[str, Any]) -> Extra:
+    parts, start = list[Part](), 0
+    for kind in in_order():
+        if kind.carries_datum and scope.datum_is_chosen and kind.name != "control":
             continue
-        for position in row.free:
-            symbol = row.model.symbols[position]
-            if camera.sigma.get(symbol, 0) > 0:
-                given = block.images.interior.get(row.image, {}).get(symbol, camera.values[symbol])
-                parts.append((3, r, position, given, camera.sigma[symbol]))
-        free = {row.model.symbols[k] for k in row.free}
-        parts += [
-            (4, r, k, relation.observed, relation.sigma)
-            for k, relation in enumerate(camera.relations)
-            if free & {*relation.terms}
-        ]
-    table = np.array(parts, float).reshape(-1, 5)
+        rows = kind.rows(tables[kind.name], scope)
+        if len(rows):
+            parts.append(Part(kind, tables[kind.name], rows, start))
+            start += len(rows)
     return Extra(
-        kind=table[:, 0].astype(np.int32),
-        item=table[:, 1].astype(np.int32),
-        component=table[:, 2].astype(np.int32),
-        value=table[:, 3],
-        sigma=table[:, 4],
+        scope=scope,
+        parts=tuple(parts),
+        sigma=np.concatenate([np.zeros(0), *(p.rows.sigma for p in parts)]),
+    )
+
+
+def _interior_of(block: Block, row: InteriorRow, free: tuple[int, ...]) -> Interior:
+    camera = block.cameras[row.camera]
+    return Interior(
+        key=row.key(block),
+        camera=row.camera,
+        symbols=row.model.symbols,
+        free=free,
+        given={**camera.values, **block.images.interior.get(row.image, {})},
+        sigma=camera.sigma,
+        relations=camera.relations,
+        has_images=row.model.has_images,
     )

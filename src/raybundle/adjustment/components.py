@@ -9,11 +9,12 @@ import numpy as np
 
 from raybundle.adjustment.assemble import System
 from raybundle.adjustment.result import ObservationGroup, ObservationStatistics, VarianceComponent
-from raybundle.block import Block, Camera
+from raybundle.block import Block
 from raybundle.block.points import automatic
 from raybundle.errors import NotSolvable
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.statistics import fisher_tail
+from raybundle.observations import in_order
 
 LEVEL = 0.01
 """Two-sided level of significance of one group."""
@@ -26,10 +27,7 @@ FARTHEST = 1e3
 """Ratio beyond which a group is not wrongly weighted but something else."""
 LARGE = 400_000
 """Image observations above which components are those of one step: each step is an adjustment with statistics."""
-NAMES = {
-    "control": "control", "distance": "distances", "station": "stations", "attitude": "attitudes",
-    "relation": "relations", "parameter": "parameters",
-}  # fmt: skip
+NAMES = {kind.name: kind.group for kind in in_order()}
 
 Found = tuple[System, Array, ObservationStatistics, tuple[ObservationGroup, ...]]
 """A system, its whitened residuals of the image points, and their statistics and those of the other groups."""
@@ -189,21 +187,10 @@ def _weighted(block: Block, factors: Mapping[tuple[str, str], float]) -> Block:
         return factors.get((kind, "all"), 1.0)
 
     image = np.array([factors.get(("camera", c.id), of("image observations")) for c in block.cameras])
-    o, p = block.observations, block.points
+    o = block.observations
     rows = image[block.images.camera[o.image]]
 
-    def camera(c: Camera) -> Camera:
-        relations = tuple(
-            r if r.origin == "known before" else replace(r, sigma=r.sigma * of("relations")) for r in c.relations
-        )
-        return replace(c, sigma={s: v * of("parameters") for s, v in c.sigma.items()}, relations=relations)
-
-    return replace(
-        block,
-        cameras=tuple(camera(c) for c in block.cameras),
-        observations=replace(o, cov_px2=o.cov_px2 * (rows**2)[:, None]),
-        points=replace(p, sigma=np.where(p.is_control, p.sigma * of("control"), p.sigma)),
-        distances=replace(block.distances, sigma=block.distances.sigma * of("distances")),
-        stations=replace(block.stations, sigma=block.stations.sigma * of("stations")),
-        attitudes=replace(block.attitudes, sigma=block.attitudes.sigma * of("attitudes")),
-    )
+    weighted = replace(block, observations=replace(o, cov_px2=o.cov_px2 * (rows**2)[:, None]))
+    for kind in in_order():
+        weighted = kind.weighted(weighted, of(kind.group))
+    return weighted

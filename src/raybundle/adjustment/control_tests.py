@@ -390,13 +390,12 @@ def _shared(first: _Seen, second: _Seen) -> Array:
 
 def _distances(system: System, state: State, point: int) -> list[tuple[int, Array]]:
     """Rows of the extra observations that are distances from a point, and their whitened partials (3,) by it."""
-    found: list[tuple[int, Array]] = []
-    d = system.block.distances
-    for r in np.flatnonzero(system.extra.kind == 1):
-        k = int(system.extra.item[r])
-        start, end = int(d.start[k]), int(d.end[k])
-        if point in {start, end}:
-            unit = state.xyz[end] - state.xyz[start]
-            unit = unit / np.linalg.norm(unit) * (1 if point == end else -1)
-            found.append((int(r), unit / system.extra.sigma[r]))
-    return found
+    part = system.extra.of("distance")
+    if part is None:
+        return []
+    found: dict[int, Array] = {}
+    for by in part.kind.observed(part.table, part.rows, system.extra.scope, state).partials:
+        for k in np.flatnonzero(by.item == point):
+            row = found.setdefault(int(by.row[k]), np.zeros(3))
+            row[by.component[k]] += by.value[k] / part.rows.sigma[by.row[k]]
+    return [(part.start + r, row) for r, row in found.items()]

@@ -14,13 +14,11 @@ from typing import Any
 import numpy as np
 
 from raybundle.adjustment.assemble import State, System
-from raybundle.adjustment.carried import antenna_rows, attitude_rows
 from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.errors import DatumDefect, InputError, NotSolvable
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.statistics import chi_square_tails
-from raybundle.sensors.imu import IMU
 
 NAMES = ("position X", "position Y", "position Z", "rotation X", "rotation Y", "rotation Z", "scale")
 ABOUT_LINE = "rotation about a straight line"
@@ -134,20 +132,9 @@ def analyse(system: System, state: State, options: AdjustmentOptions) -> Datum:
     kind = {"auto": "inner", "control": "control", "minimal": "minimal", "inner": "inner"}[options.datum]
     if basis.shape[1] == 0:
         kind = "control"
-    elif _imus_are_open(system) and np.abs(basis[3:6]).max() > 1e-6:
+    elif left_open := _left_open(system, basis):
         names = open_names(basis)
-        raise DatumDefect(
-            f"{', '.join(names)} {'is' if len(names) == 1 else 'are'} left open: the misalignment of an IMU is "
-            "unknown, and the images' headings are too alike to tell it from a rotation of all.\n"
-            "  Give control points or observed projection centres, hold bz, or give the misalignment a sigma."
-        )
-    elif antenna_rows(system, state):
-        names = open_names(basis)
-        raise DatumDefect(
-            f"{', '.join(names)} {'is' if len(names) == 1 else 'are'} left open: shifts, drifts or lever arms of the "
-            "observed projection centres are unknown for every flight line.\n"
-            "  Give control points, hold the shift of one antenna, or give the shifts a sigma."
-        )
+        raise DatumDefect(f"{', '.join(names)} {'is' if len(names) == 1 else 'are'} left open: {left_open}")
     elif options.datum == "control":
         names = open_names(basis)
         raise DatumDefect(
@@ -222,14 +209,17 @@ def _folded(rows: Array) -> Array:
     return np.linalg.qr(rows)[1] if len(rows) > rows.shape[1] else rows
 
 
-def _imus_are_open(system: System) -> bool:
-    """Whether an IMU has a misalignment that is neither held nor observed."""
-    cameras = system.block.cameras
-    return any(
-        row.model is IMU and row.node >= 0 and any(s not in cameras[row.camera].sigma for s in free)
-        for row in system.interior
-        for free in [[row.model.symbols[k] for k in row.free]]
-    )
+def _left_open(system: System, basis: Array) -> str:
+    """Why observations that carry a datum leave these directions (7, d) of it open: unknowns of their own; or ""."""
+    unknown = set(_open_without_images(system).tolist())
+    for part in reversed(system.extra.parts):
+        cameras = part.kind.cameras(part.table, system.extra.scope)
+        own = {
+            int(c) for r, row in enumerate(system.interior) if row.camera in cameras for c in system.interior_columns[r]
+        }
+        if part.kind.left_open and own & unknown and np.abs(basis[list(part.kind.hides)]).max() > 1e-6:
+            return part.kind.left_open
+    return ""
 
 
 def _well_determined(system: System, state: State) -> Mask:
@@ -283,23 +273,11 @@ def _fixing_rows(system: System, state: State, centre: Array, extent: float) -> 
         turn[:, :, 3:6] = state.rotation[images]
         rows.append(turn.reshape(-1, 7))
         sigma.append(np.zeros(6 * len(images)))
-    carried: list[Array] = []
-    stations = system.extra.item[system.extra.kind == 2]
-    if len(stations):
-        axis = system.extra.component[system.extra.kind == 2]
-        image = system.block.stations.image[stations]
-        carried.append((point_generators(state.centre[image], centre, extent) / extent)[np.arange(len(axis)), axis])
-        sigma.append(system.extra.sigma[system.extra.kind == 2] / extent)
-    turned = np.flatnonzero(system.extra.kind == 5)
-    if len(turned):
-        image = system.block.attitudes.image[system.extra.item[turned]]
-        fixing = np.zeros((len(turned), 7))
-        fixing[:, 3:6] = np.einsum("ki,kij->kj", attitude_rows(system, state).by_rotation, state.rotation[image])
-        carried.append(fixing)
-        sigma.append(system.extra.sigma[turned])
-    if carried:
-        rows.append(_without_unknowns(system, state, np.concatenate(carried)))
-    scaled = bool((system.extra.kind == 1).any())
+    observed, std = _observed_rows(system, state, centre, extent)
+    if len(observed):
+        rows.append(observed)
+        sigma.append(std)
+    scaled = any(part.kind.fixes_scale for part in system.extra.parts)
     for r, row in enumerate(system.interior):
         for position in row.carries if row.model.has_images else ():  # a lever arm alone measures nothing
             held = position not in row.free
@@ -311,40 +289,52 @@ def _fixing_rows(system: System, state: State, centre: Array, extent: float) -> 
     return (np.vstack(rows), np.concatenate(sigma)) if rows else (np.zeros((0, 7)), np.zeros(0))
 
 
-def _without_unknowns(system: System, state: State, fixing: Array) -> Array:
-    """What observed projection centres and attitudes still fix where lever arms, shifts, misalignments are unknown.
+def _observed_rows(system: System, state: State, centre: Array, extent: float) -> tuple[Array, Array]:
+    """What observations outside the images fix (k, 7), and their sigma (k,), lengths in units of the extent.
 
-    fixing  (k, 7) first of the stations, then of the attitudes
+    Lever arms, shifts and misalignments that are not observed themselves are eliminated.
     """
-    entries = [(k, columns, values) for k, columns, values, _ in antenna_rows(system, state)]
-    seen = attitude_rows(system, state)
-    first = int((system.extra.kind == 2).sum())
-    for k, r in enumerate(seen.row):
-        row = system.interior[r]
-        if r >= 0 and row.node >= 0:
-            columns = system.offsets[row.node] + row.start + np.arange(len(row.free))
-            entries.append((first + k, columns, seen.by_boresight[k, list(row.free)]))
-    if not entries:
-        return fixing
-    observed = {
-        (row.camera, row.model.symbols[k])
-        for row in system.interior
-        for k in row.free
-        if system.block.cameras[row.camera].sigma.get(row.model.symbols[k], 0) > 0
-    }
-    open_ = [
-        int(system.offsets[row.node]) + row.start + j
-        for row in system.interior
+    fixing, sigma, entries = list[Array](), list[Array](), list[tuple[int, int, float]]()
+    start, unknown = 0, _open_without_images(system)
+    for part in system.extra.parts:
+        if not part.kind.carries_datum or part.kind.name == "control":  # control stands in the fixed coordinates
+            continue
+        row, scale = np.zeros((len(part.rows), 7)), extent if part.kind.unit == "length" else 1.0
+        for by in part.kind.observed(part.table, part.rows, system.extra.scope, state).partials:
+            if by.of == "interior":
+                columns = system.columns(by)
+                mine = np.flatnonzero(np.isin(columns, unknown))
+                at = np.searchsorted(unknown, columns[mine])
+                entries += zip((by.row[mine] + start).tolist(), at.tolist(), by.value[mine] / scale, strict=True)
+            elif by.of == "rotation":
+                # R_new = R exp(-[w]x) = exp(-[R w]x) R
+                turned = -state.rotation[by.item, by.component] * (by.value / scale)[:, None]
+                np.add.at(row[:, 3:6], by.row, turned)
+            else:
+                at = (state.xyz if by.of == "point" else state.centre)[by.item]
+                moved = point_generators(at, centre, extent)[np.arange(len(at)), by.component]
+                np.add.at(row, by.row, moved * (by.value / scale)[:, None])
+        fixing.append(row)
+        sigma.append(part.rows.sigma / scale)
+        start += len(row)
+    if not fixing:
+        return np.zeros((0, 7)), np.zeros(0)
+    F, N = np.concatenate(fixing), np.zeros((start, len(unknown)))
+    for k, at, value in entries:
+        N[k, at] = value
+    return F - N @ np.linalg.lstsq(N, F, rcond=1e-9)[0] if len(unknown) else F, np.concatenate(sigma)
+
+
+def _open_without_images(system: System) -> Array:
+    """Unknowns of antennas and IMUs that are not observed themselves, in their order."""
+    found = [
+        system.interior_columns[r, k]
+        for r, row in enumerate(system.interior)
         if not row.model.has_images and row.node >= 0
-        for j, k in enumerate(row.free)
-        if (row.camera, row.model.symbols[k]) not in observed
+        for k in row.free
+        if not system.block.cameras[row.camera].sigma.get(row.model.symbols[k], 0) > 0
     ]
-    N = np.zeros((len(fixing), len(open_)))
-    for k, columns, values in entries:
-        for c, v in zip(columns.tolist(), values.tolist(), strict=True):
-            if c in open_:
-                N[k, open_.index(c)] = v
-    return fixing - N @ np.linalg.lstsq(N, fixing, rcond=1e-9)[0] if open_ else fixing
+    return np.sort(np.array(found, np.int64))
 
 
 def hold_minimal(system: System, state: State, datum: Datum) -> Mask:

@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 
 from raybundle.adjustment.assemble import State, System
-from raybundle.adjustment.carried import antenna_rows, attitude_rows
 from raybundle.adjustment.dense import as_many_threads_as_help, set_dense_kernels
 from raybundle.numerics import native
 from raybundle.numerics.arrays import Array, Index, Mask
@@ -17,10 +16,6 @@ from raybundle.numerics.arrays import Array, Index, Mask
 _NONE = np.zeros(0)
 LEAST_OBSERVATIONS = 2000
 """Image observations for each thread, below which it takes longer to start it than to work alone."""
-
-
-SMALLEST = 1e-3
-"""Share of its observed value that a sum has at least whose logarithm is observed: a step may overshoot to below 0."""
 
 
 @dataclass(slots=True)
@@ -66,36 +61,31 @@ class Normals:
             set_dense_kernels()
             solver = module.Solver()
         external = _fill(solver, system, frozenset() if module is None else native.sensor_models())
-        touched = _nodes_of_extra(system)
-        solver.set_nodes(system.sizes, touched)
         normals = cls(
             system=system,
             solver=solver,
             threads=max(1, min(count, len(system.rows) // LEAST_OBSERVATIONS)),
-            values=np.zeros(solver.values_size),
-            right=np.zeros(solver.unknowns),
-            diagonal=np.zeros(solver.unknowns),
+            values=_NONE,
+            right=_NONE,
+            diagonal=_NONE,
             external=external,
         )
-        normals._place_extra()
-        return normals
-
-    def _place_extra(self) -> None:
-        """Where the products of the extra observations' rows stand in the flat normal matrix."""
-        entries = self.extra(self.system.initial_state())
-        first, second, row = [], [], []
-        for r in range(len(self.system.extra)):
-            mine = np.flatnonzero(entries.row == r)
-            a, b = np.meshgrid(mine, mine, indexing="ij")
-            first.append(a.ravel())
-            second.append(b.ravel())
-            row.append(np.full(a.size, r))
-        if not first:
-            return
-        a, b = np.concatenate(first), np.concatenate(second)
-        node_a, node_b = self._node(entries.unknown[a]), self._node(entries.unknown[b])
+        entries = normals.extra(system.initial_state())
+        a, b = _pairs_of_rows(entries.row)
+        node_a, node_b = normals._node(entries.unknown[a]), normals._node(entries.unknown[b])
         keep = node_a <= node_b
         a, b, node_a, node_b = a[keep], b[keep], node_a[keep], node_b[keep]
+        alone = {(n, n) for n in range(len(system.sizes))}
+        solver.set_nodes(system.sizes, sorted(alone | set(zip(node_a.tolist(), node_b.tolist(), strict=True))))
+        normals.values = np.zeros(solver.values_size)
+        normals.right, normals.diagonal = np.zeros(solver.unknowns), np.zeros(solver.unknowns)
+        normals._place_extra(entries, a, b, node_a, node_b)
+        return normals
+
+    def _place_extra(self, entries: Linearised, a: Array, b: Array, node_a: Array, node_b: Array) -> None:
+        """Where the products of the extra observations' rows stand in the flat normal matrix."""
+        if not len(a):
+            return
         local_a = entries.unknown[a] - self.system.offsets[node_a]
         local_b = entries.unknown[b] - self.system.offsets[node_b]
         start = np.array(
@@ -114,85 +104,25 @@ class Normals:
         if not len(extra):
             return _NOTHING
         residual = np.zeros(len(extra))
-        rows: list[Array] = []
-        unknowns: list[Array] = []
-        values: list[Array] = []
-
-        def add(index: Array, unknown: Array, value: Array) -> None:
-            rows.append(index)
-            unknowns.append(unknown)
-            values.append(value)
-
-        weight = 1 / extra.sigma
-        i = np.flatnonzero(extra.kind == 0)
-        if len(i):
-            point, axis = extra.item[i], extra.component[i]
-            residual[i] = state.xyz[point, axis] - extra.value[i]
-            add(i, system.offsets[system.point_node[point]] + axis, weight[i])
-        i = np.flatnonzero(extra.kind == 1)
-        if len(i):
-            start, end = system.block.distances.start[extra.item[i]], system.block.distances.end[extra.item[i]]
-            d = state.xyz[end] - state.xyz[start]
-            length = np.linalg.norm(d, axis=1)
-            residual[i] = length - extra.value[i]
-            unit = d / length[:, None]
-            for point, sign in ((start, -1.0), (end, 1.0)):
-                for axis in range(3):
-                    free = (system.point_node[point] >= 0) & ~system.held[point, axis]
-                    j = np.flatnonzero(free)
-                    add(
-                        i[j],
-                        system.offsets[system.point_node[point[j]]] + axis,
-                        sign * unit[j, axis] * weight[i[j]],
-                    )
-        i = np.flatnonzero(extra.kind == 2)
-        if len(i):
-            image, axis = system.block.stations.image[extra.item[i]], extra.component[i]
-            residual[i] = state.centre[image, axis] - extra.value[i]
-            add(i, system.offsets[system.image_node[image]] + axis, weight[i])
-            for k, columns, values_k, moved in antenna_rows(system, state):
-                residual[i[k]] += moved
-                add(np.full(len(columns), i[k]), columns, values_k * weight[i[k]])
-        i = np.flatnonzero(extra.kind == 5)
-        if len(i):
-            seen = attitude_rows(system, state)
-            residual[i] = seen.residual
-            image = system.block.attitudes.image[extra.item[i]]
-            for axis in range(3):
-                add(i, system.offsets[system.image_node[image]] + 3 + axis, seen.by_rotation[:, axis] * weight[i])
-            for r in np.unique(seen.row[seen.row >= 0]):
-                row, mine = system.interior[r], np.flatnonzero(seen.row == r)
-                for k, position in enumerate(row.free if row.node >= 0 else ()):
-                    column = np.full(len(mine), system.offsets[row.node] + row.start + k)
-                    add(i[mine], column, seen.by_boresight[mine, position] * weight[i[mine]])
-        i = np.flatnonzero(extra.kind == 3)
-        if len(i):
-            residual[i] = state.interior[extra.item[i], extra.component[i]] - extra.value[i]
-            where = [
-                system.offsets[system.interior[r].node]
-                + system.interior[r].start
-                + system.interior[r].free.index(int(c))
-                for r, c in zip(extra.item[i], extra.component[i], strict=True)
-            ]
-            add(i, np.array(where, np.int64), weight[i])
-        for k in np.flatnonzero(extra.kind == 4):
-            row = system.interior[extra.item[k]]
-            relation = system.block.cameras[row.camera].relations[extra.component[k]]
-            places = [row.model.symbols.index(s) for s in relation.terms]
-            factors = np.array([*relation.terms.values()])
-            seen = float(factors @ state.interior[extra.item[k], places])
-            if relation.logarithm:
-                seen = max(seen, SMALLEST * float(np.exp(extra.value[k])))
-                factors, seen = factors / seen, float(np.log(seen))
-            residual[k] = seen - extra.value[k]
-            free = [(row.free.index(p), f) for p, f in zip(places, factors, strict=True) if p in row.free]
-            where = system.offsets[row.node] + row.start + np.array([w for w, _ in free], np.int64)
-            add(np.full(len(free), k), where, np.array([f for _, f in free]) * weight[k])
+        rows, unknowns, values = [np.zeros(0, np.int64)], [np.zeros(0, np.int64)], [np.zeros(0)]
+        for part in extra.parts:
+            at = part.kind.observed(part.table, part.rows, extra.scope, state)
+            residual[part.positions] = at.residual
+            for partials in at.partials:
+                columns = system.columns(partials)
+                free = columns >= 0
+                value = partials.value
+                if partials.of == "point":  # of what the datum holds the structure stays
+                    value = value * ~system.held[partials.item, partials.component]
+                rows.append(partials.row[free] + part.start)
+                unknowns.append(columns[free])
+                values.append(value[free])
+        row = np.concatenate(rows)
         return Linearised(
-            residual * weight,
-            np.concatenate(rows).astype(np.int32) if rows else np.zeros(0, np.int32),
-            np.concatenate(unknowns).astype(np.int64) if unknowns else np.zeros(0, np.int64),
-            np.concatenate(values) if values else np.zeros(0),
+            residual / extra.sigma,
+            row.astype(np.int32),
+            np.concatenate(unknowns).astype(np.int64),
+            np.concatenate(values) / extra.sigma[row],
         )
 
     def refresh_external(self, state: State) -> None:
@@ -351,24 +281,14 @@ class Normals:
         return block if a <= b else block.T
 
 
-def _nodes_of_extra(system: System) -> list[tuple[int, int]]:
-    """Pairs of nodes that a distance couples; every node once with itself."""
-    pairs = {(int(a), int(a)) for a in range(len(system.sizes))}
-    distances = system.block.distances
-    for d in system.extra.item[system.extra.kind == 1]:
-        a, b = int(system.point_node[distances.start[d]]), int(system.point_node[distances.end[d]])
-        if a >= 0 and b >= 0:
-            pairs.add((min(a, b), max(a, b)))
-    stations, attitudes = system.block.stations, system.block.attitudes
-    nodes = {row.camera: row.node for row in system.interior if not row.model.has_images}
-    for kind, image, of_row in ((2, stations.image, stations.antenna), (5, attitudes.image, attitudes.imu)):
-        if of_row is None:
-            continue
-        for s in system.extra.item[system.extra.kind == kind]:
-            a, b = int(system.image_node[image[s]]), nodes.get(int(of_row[s]), -1)
-            if b >= 0:
-                pairs.add((min(a, b), max(a, b)))
-    return sorted(pairs)
+def _pairs_of_rows(row: Index) -> tuple[Array, Array]:
+    """Positions of all pairs of entries that stand in one row, each with itself and both ways."""
+    order = np.argsort(row, kind="stable")
+    count = np.bincount(row)[row[order]] if len(row) else np.zeros(0, np.int64)
+    first = np.searchsorted(row[order], row[order])
+    a = np.repeat(np.arange(len(row)), count)
+    within = np.arange(len(a)) - np.repeat(np.cumsum(count) - count, count)
+    return order[a], order[first[a] + within]
 
 
 def _fill(solver: Any, system: System, compiled: frozenset[str]) -> Mask:

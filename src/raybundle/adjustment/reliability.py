@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
 
@@ -85,8 +85,8 @@ Rounding makes so much only where N_kk Q_kk sums to some 1e12, about what `defec
 
 
 def _group(
-    kind: str, ids: list[str], component: list[str], given: Array, sigma: Array, adjusted: Array, cofactor: Array,
-    sigma0: float, least: Callable[[], float], origin: tuple[str, ...] = (),
+    kind: str, ids: Sequence[str], component: Sequence[str], given: Array, sigma: Array, adjusted: Array,
+    cofactor: Array, sigma0: float, least: Callable[[], float], origin: tuple[str, ...] = (),
 ) -> ObservationGroup:  # fmt: skip
     """Statistics of uncorrelated observations of single quantities with these cofactors.
 
@@ -140,37 +140,16 @@ def observation_groups(
     extra = system.extra
     entries = normals.extra(state)
     hat = np.full(len(extra), np.nan) if found is None else _extra_hat(normals, found, entries)
-    adjusted = entries.residual * extra.sigma + extra.value
-    for code, kind in ((1, "distance"), (2, "station"), (5, "attitude"), (3, "parameter"), (4, "relation")):
-        i = np.flatnonzero(extra.kind == code)
-        if not len(i):
-            continue
-        offset, origin = np.zeros(len(i)), list[str]()
-        if kind == "distance":
-            ends = [(block.distances.start[d], block.distances.end[d]) for d in extra.item[i]]
-            ids = [f"{block.points.ids[a]}-{block.points.ids[b]}" for a, b in ends]
-            component = ["length"] * len(i)
-        elif kind == "station":
-            ids = [block.images.ids[block.stations.image[k]] for k in extra.item[i]]
-            component = ["XYZ"[a] for a in extra.component[i]]
-            offset = shift[extra.component[i]]
-        elif kind == "attitude":
-            ids = [block.images.ids[block.attitudes.image[k]] for k in extra.item[i]]
-            component = [("omega", "phi", "kappa")[a] for a in extra.component[i]]
-        elif kind == "relation":
-            rows = [system.interior[r] for r in extra.item[i]]
-            ids = [row.key(block) for row in rows]
-            cameras = [block.cameras[row.camera] for row in rows]
-            relations = [c.relations[k] for c, k in zip(cameras, extra.component[i], strict=True)]
-            component, origin = [r.name for r in relations], [r.origin for r in relations]
-        else:
-            rows = [system.interior[r] for r in extra.item[i]]
-            component = [row.model.symbols[k] for row, k in zip(rows, extra.component[i], strict=True)]
-            ids = [row.key(block) for row in rows]
+    residual = entries.residual * extra.sigma
+    for part in extra.parts:
+        if part.kind.name == "control":
+            continue  # above, with the coordinates of eliminated points and the held ones
+        i, rows = part.positions, part.rows
+        named = part.kind.named(part.table, rows, extra.scope)
         groups.append(
             _group(
-                kind, ids, component, extra.value[i] + offset, extra.sigma[i], adjusted[i] + offset,
-                hat[i] * extra.sigma[i] ** 2, sigma0, least, tuple(origin),
+                part.kind.name, named.ids, named.component, rows.value + rows.offset, rows.sigma,
+                residual[i] + rows.value + rows.offset, hat[i] * rows.sigma**2, sigma0, least, named.origin,
             )
         )  # fmt: skip
     return tuple(groups)

@@ -17,6 +17,10 @@ import numpy as np
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.places import Place
 from raybundle.numerics.rotation import angles_from_rotation
+from raybundle.observations.attitude import Attitudes, no_attitudes
+from raybundle.observations.distance import Distances, no_distances
+from raybundle.observations.relation import Relation
+from raybundle.observations.station import Stations, no_stations
 from raybundle.sensors import SensorModel, sensor_models
 
 Residuals = Literal["measured", "corrected"]
@@ -31,23 +35,6 @@ class Role(IntEnum):
     TIE = 0
     CONTROL = 1
     CHECK = 2
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Relation:
-    """A sum of parameters of one camera that is observed."""
-
-    name: str
-    """For statistics and messages."""
-    terms: Mapping[str, float]
-    """Symbol -> factor."""
-    sigma: float
-    observed: float = 0.0
-    """What the sum is."""
-    logarithm: bool = False
-    """Whether it is the sum's natural logarithm that is observed: of what is known by a factor, as a length."""
-    origin: Literal["", "known before", "calibration"] = ""
-    """Where it comes from: what was known of a camera before (`block.known`), a calibration (`block.stored`)."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -212,95 +199,6 @@ class Points:
         known = np.isfinite(self.sigma)
         given = np.isfinite(self.xyz) & (known | ~known.any(axis=1, keepdims=True))
         return given & (np.asarray(self.role) == Role.CHECK)[:, None]
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Distances:
-    """Scale bars: observed distances between two object points."""
-
-    start: Index
-    end: Index
-    length: Array
-    sigma: Array
-
-    def __len__(self) -> int:
-        return len(self.start)
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Stations:
-    """Observed projection centres (GNSS)."""
-
-    image: Index
-    xyz: Array
-    """(k, 3); NaN where a coordinate was not observed."""
-    sigma: Array
-    """(k, 3)"""
-    antenna: Index | None = None
-    """(k,) position in `Block.cameras` of the antenna that was observed, -1 or None: the projection centre itself."""
-    time: Array | None = None
-    """(k,) [s] for an antenna's drift; None: zero."""
-    velocity: Array | None = None
-    """(k, 3) of the image [length unit / s], for an antenna's time offset; None or NaN: by the positions around it."""
-
-    def __len__(self) -> int:
-        return len(self.image)
-
-    @property
-    def velocities(self) -> Array:
-        """(k, 3) as given, else by the positions of the same antenna before and after; NaN where there is neither.
-
-        A neighbour further in time than twice the usual interval belongs to another flight line and is left out.
-        """
-        found = np.full((len(self), 3), np.nan) if self.velocity is None else np.array(self.velocity, float)
-        if self.time is None or self.antenna is None:
-            return found
-        for a in np.unique(self.antenna[self.antenna >= 0]):
-            mine = np.flatnonzero(self.antenna == a)
-            mine = mine[np.argsort(self.time[mine], kind="stable")]
-            step = np.diff(self.time[mine])
-            if not (step > 0).any():
-                continue
-            near = (step > 0) & (step <= 2 * np.median(step[step > 0]))
-            for k, row in enumerate(mine):
-                if np.isfinite(found[row]).all():
-                    continue
-                low, high = k - int(k > 0 and near[k - 1]), k + int(k < len(near) and near[k])
-                if high > low:
-                    seconds = self.time[mine[high]] - self.time[mine[low]]
-                    found[row] = (self.xyz[mine[high]] - self.xyz[mine[low]]) / seconds
-        return found
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Attitudes:
-    """Observed rotations of images (INS)."""
-
-    image: Index
-    angles: Array
-    """(k, 3) omega, phi, kappa [rad] as the IMU tells them."""
-    sigma: Array
-    """(k, 3) [rad]; NaN where an angle was not observed."""
-    imu: Index | None = None
-    """(k,) position in `Block.cameras` of the IMU with its misalignment, -1 or None: the image's own rotation."""
-
-    def __len__(self) -> int:
-        return len(self.image)
-
-
-def no_distances() -> Distances:
-    """A table without rows."""
-    return Distances(start=np.zeros(0, np.int32), end=np.zeros(0, np.int32), length=np.zeros(0), sigma=np.zeros(0))
-
-
-def no_stations() -> Stations:
-    """A table without rows."""
-    return Stations(image=np.zeros(0, np.int32), xyz=np.zeros((0, 3)), sigma=np.zeros((0, 3)))
-
-
-def no_attitudes() -> Attitudes:
-    """A table without rows."""
-    return Attitudes(image=np.zeros(0, np.int32), angles=np.zeros((0, 3)), sigma=np.zeros((0, 3)))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

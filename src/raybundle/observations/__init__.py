@@ -1,0 +1,24 @@
+"""Kinds of observations outside the images; every module in this folder registers its kind on import."""
+
+from importlib import import_module
+from pkgutil import iter_modules
+
+from raybundle.observations.kind import Interior, ObservationKind, Observed, Partials, Rows, Scope, Values, in_order
+
+for _module in iter_modules(__path__):
+    if _module.name != "kind":
+        import_module(f"{__name__}.{_module.name}")
+
+observation_kinds = ObservationKind.registry
+
+__all__ = [
+    "Interior",
+    "ObservationKind",
+    "Observed",
+    "Partials",
+    "Rows",
+    "Scope",
+    "Values",
+    "in_order",
+    "observation_kinds",
+]

@@ -1,0 +1,97 @@
+"""Observed rotations of images: inertial measurement units with their misalignment."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.rotation import angle_derivatives, angles_from_rotation
+from raybundle.observations.kind import Named, ObservationKind, Observed, Rows, Scope, Values, partials
+from raybundle.sensors.imu import told
+
+STEEP = 0.01
+"""Cosine of phi below which omega and kappa cannot be observed one by one."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Attitudes:
+    """Observed rotations of images (INS)."""
+
+    image: Index
+    angles: Array
+    """(k, 3) omega, phi, kappa [rad] as the IMU tells them."""
+    sigma: Array
+    """(k, 3) [rad]; NaN where an angle was not observed."""
+    imu: Index | None = None
+    """(k,) position in `Block.cameras` of the IMU with its misalignment, -1 or None: the image's own rotation."""
+
+    def __len__(self) -> int:
+        return len(self.image)
+
+
+def no_attitudes() -> Attitudes:
+    """A table without rows."""
+    return Attitudes(image=np.zeros(0, np.int32), angles=np.zeros((0, 3)), sigma=np.zeros((0, 3)))
+
+
+class Attitude(ObservationKind):
+    """v = omega, phi, kappa of exp(-[b]x) R - those observed, see `raybundle.sensors.imu`; of R without an IMU."""
+
+    name = "attitude"
+    group = "attitudes"
+    order = 3
+    unit = "angle"
+    carries_datum = True
+    left_open = (
+        "the misalignment of an IMU is unknown, and the images' headings are too alike to tell it from a rotation of "
+        "all.\n  Give control points or observed projection centres, hold bz, or give the misalignment a sigma."
+    )
+    hides = (3, 4, 5)
+
+    def table_of(self, block: Any) -> Attitudes:
+        return block.attitudes
+
+    def check(self, table: Attitudes, scope: Scope) -> None:
+        for k in np.flatnonzero(np.cos(table.angles[:, 1]) < STEEP)[:1]:
+            raise InputError(
+                f"attitude of image {scope.image_ids[table.image[k]]}: phi {np.degrees(table.angles[k, 1]):.2f} "
+                "deg is within 0.6 deg of a right angle, where omega and kappa turn about the same axis; leave it out"
+            )
+
+    def cameras(self, table: Attitudes, scope: Scope) -> set[int]:
+        return set() if table.imu is None else {a for a in table.imu[scope.images[table.image]].tolist() if a >= 0}
+
+    def rows(self, table: Attitudes, scope: Scope) -> Rows:
+        whole = scope.images[table.image] & np.isfinite(table.angles).all(axis=1)
+        item, axis = np.nonzero(whole[:, None] & (table.sigma > 0))
+        return Rows.of(item, axis, table.angles[item, axis], table.sigma[item, axis])
+
+    def observed(self, table: Attitudes, rows: Rows, scope: Scope, values: Values) -> Observed:
+        item, axis = rows.item, rows.component
+        image = table.image[item]
+        at = np.full(len(rows), -1, np.int32) if table.imu is None else scope.parameters_of(table.imu[item])
+        residual, found = np.zeros(len(rows)), []
+        for r in np.unique(at):
+            k = np.flatnonzero(at == r)
+            seen, turn, by = told(values.rotation[image[k]], np.zeros(3) if r < 0 else values.interior[r, :3])
+            D = angle_derivatives(seen)[np.arange(len(k)), axis[k]]
+            difference = angles_from_rotation(seen)[np.arange(len(k)), axis[k]] - rows.value[k]
+            residual[k] = np.arctan2(np.sin(difference), np.cos(difference))
+            by_rotation, by_misalignment = D @ turn, D @ by
+            found += [partials("rotation", k, image[k], j, by_rotation[:, j]) for j in range(3)]
+            if r >= 0:
+                found += [partials("interior", k, np.full(len(k), r), j, by_misalignment[:, j]) for j in range(3)]
+        return Observed(residual, tuple(found))
+
+    def named(self, table: Attitudes, rows: Rows, scope: Scope) -> Named:
+        return Named(
+            tuple(scope.image_ids[i] for i in table.image[rows.item].tolist()),
+            tuple(("omega", "phi", "kappa")[a] for a in rows.component.tolist()),
+        )
+
+    def weighted(self, block: Any, factor: float) -> Any:
+        return replace(block, attitudes=replace(block.attitudes, sigma=factor * block.attitudes.sigma))

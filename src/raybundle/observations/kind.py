@@ -1,0 +1,226 @@
+"""What a kind of observation is: its table, what takes part, what it would be at given values, and its words.
+
+An adjustment asks each kind for its rows and, at the values of an iteration, for residuals and partial derivatives by
+*parameter blocks*: coordinates of an object point, centre and rotation of an image, parameters of an interior
+orientation.  Which unknowns these are, or whether they are held, is the adjustment's affair.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, ClassVar, Literal, Protocol
+
+import numpy as np
+
+from raybundle.numerics.arrays import Array, Index, Mask
+
+Of = Literal["point", "centre", "rotation", "interior"]
+"""Parameter blocks: coordinates of object points, centres, small rotations and interior orientations of images.
+
+A small rotation d of an image is about its own axes: R_new = exp([d]x) R.
+"""
+
+
+class Values(Protocol):
+    """The values of an iteration, lengths in the frame shifted by `Scope.shift`."""
+
+    rotation: Array
+    """(n, 3, 3) object axes to image axes"""
+    centre: Array
+    """(n, 3)"""
+    interior: Array
+    """(q, k) parameters of each interior orientation, in the order of its model"""
+    xyz: Array
+    """(p, 3)"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Interior:
+    """An interior orientation, or what else has parameters of that kind (antennas, IMUs), as observations see it."""
+
+    key: str
+    """Camera id, or camera id / image id."""
+    camera: int
+    """Position in the block's cameras."""
+    symbols: tuple[str, ...]
+    free: tuple[int, ...]
+    """Positions of the free parameters; () where nothing is adjusted."""
+    given: Mapping[str, float] = field(default_factory=dict[str, float])
+    """Values that were given."""
+    sigma: Mapping[str, float] = field(default_factory=dict[str, float])
+    """Symbols whose given values are observed."""
+    relations: tuple[Any, ...] = ()
+    """`raybundle.observations.relation.Relation`s"""
+    has_images: bool = True
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Scope:
+    """What of a block takes part in an adjustment, as far as observations outside the images ask."""
+
+    point_ids: tuple[str, ...]
+    image_ids: tuple[str, ...]
+    points: Mask
+    """(p,) that take part"""
+    images: Mask
+    """(n,) that take part and whose exterior orientation is free"""
+    xyz: Array
+    """(p, 3) given coordinates"""
+    sigma: Array
+    """(p, 3) of the given coordinates"""
+    coordinates: Mask
+    """(p, 3) given coordinates that are observed here; those of eliminated points go with the points"""
+    shift: Array
+    """(3,) origin of the frame in which values stand"""
+    interior: tuple[Interior, ...]
+    datum_is_chosen: bool = False
+    """Whether the datum is free by choice, so that nothing is observed that would carry it."""
+
+    def parameters_of(self, cameras: Index) -> Index:
+        """Positions in `interior` of cameras without images (antennas, IMUs), given theirs in the block; -1: none."""
+        at = {i.camera: r for r, i in enumerate(self.interior) if not i.has_images}
+        return np.array([at.get(c, -1) for c in np.asarray(cameras).tolist()], np.int32)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Rows:
+    """Observed quantities, one number each."""
+
+    item: Index
+    """(k,) row of the table"""
+    component: Index
+    """(k,) which quantity of the row"""
+    value: Array
+    """(k,) observed, in the frame of the values"""
+    sigma: Array
+    """(k,)"""
+    offset: Array
+    """(k,) what the frame's shift has taken from `value`"""
+
+    @classmethod
+    def of(cls, item: Any, component: Any, value: Any, sigma: Any, offset: Any = None) -> Rows:
+        """Of arrays or lists."""
+        value = np.asarray(value, float)
+        return cls(
+            item=np.asarray(item, np.int32),
+            component=np.asarray(component, np.int32),
+            value=value,
+            sigma=np.asarray(sigma, float),
+            offset=np.zeros(len(value)) if offset is None else np.asarray(offset, float),
+        )
+
+    def __len__(self) -> int:
+        return len(self.value)
+
+
+@dataclass(frozen=True, slots=True)
+class Partials:
+    """Partial derivatives of observed quantities by single numbers of parameter blocks."""
+
+    of: Of
+    row: Index
+    """(e,) position among the kind's `Rows`"""
+    item: Index
+    """(e,) object point, image or position in `Scope.interior`"""
+    component: Index
+    """(e,) coordinate, axis of rotation, or position of the parameter"""
+    value: Array
+    """(e,)"""
+
+
+@dataclass(frozen=True, slots=True)
+class Observed:
+    """What a kind's rows are at given values."""
+
+    residual: Array
+    """(k,) adjusted - observed"""
+    partials: tuple[Partials, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Named:
+    """What a kind's rows are called in results."""
+
+    ids: tuple[str, ...]
+    component: tuple[str, ...]
+    origin: tuple[str, ...] = ()
+
+
+class ObservationKind(ABC):
+    """One kind of observation outside the images; a subclass registers itself."""
+
+    registry: ClassVar[dict[str, ObservationKind]] = {}
+
+    name: ClassVar[str]
+    """In results: the kind of a group of observations"""
+    group: ClassVar[str]
+    """Plural: the group of a variance component"""
+    order: ClassVar[int]
+    """In which reports and result files list the kinds"""
+    unit: ClassVar[Literal["length", "angle", "own"]]
+    """Of the observed quantities: that of the object, rad, or one for each row (that of a parameter)"""
+    carries_datum: ClassVar[bool] = False
+    """Whether it tells where or how the object lies in its frame; left out where the datum is chosen freely."""
+    fixes_scale: ClassVar[bool] = False
+    """Whether one of its rows alone determines the scale, wherever it stands."""
+    left_open: ClassVar[str] = ""
+    """Why it leaves the datum open although it carries it, and what to do: unknowns of its own"""
+    hides: ClassVar[tuple[int, ...]] = (0, 1, 2, 3, 4, 5, 6)
+    """Which of the datum's parameters (position, rotation, scale) those unknowns may hide"""
+
+    def __init_subclass__(cls, **arguments: Any) -> None:
+        super().__init_subclass__(**arguments)
+        made = cls()
+        if made.name in ObservationKind.registry:
+            raise TypeError(f"two kinds of observations are called {made.name}")
+        ObservationKind.registry[made.name] = made
+
+    @abstractmethod
+    def table_of(self, block: Any) -> Any:
+        """Its table in a block; None where it has none of its own."""
+
+    def check(self, table: Any, scope: Scope) -> None:  # noqa: B027  (most have nothing to check)
+        """Raise InputError where rows cannot be adjusted, whatever the values."""
+
+    def points(self, table: Any, scope: Scope) -> Index:
+        """Object points that its rows touch beside image observations: they cannot be eliminated one by one."""
+        return np.zeros(0, np.int32)
+
+    def cameras(self, table: Any, scope: Scope) -> set[int]:
+        """Cameras without images (antennas, IMUs) whose parameters its rows touch."""
+        return set()
+
+    @abstractmethod
+    def rows(self, table: Any, scope: Scope) -> Rows:
+        """The observed quantities that take part.
+
+        raises  InputError where one cannot
+        """
+
+    @abstractmethod
+    def observed(self, table: Any, rows: Rows, scope: Scope, values: Values) -> Observed:
+        """Residuals and partial derivatives at these values."""
+
+    @abstractmethod
+    def named(self, table: Any, rows: Rows, scope: Scope) -> Named:
+        """Names of the rows and of their quantities."""
+
+    @abstractmethod
+    def weighted(self, block: Any, factor: float) -> Any:
+        """The block with its standard deviations multiplied."""
+
+
+def partials(of: Of, row: Array, item: Array, component: Array | int, value: Array) -> Partials:
+    """Partials of arrays that are broadcast against `row`."""
+    shape = np.shape(row)
+    return Partials(
+        of, np.asarray(row, np.int32), np.asarray(item, np.int32),
+        np.broadcast_to(np.asarray(component, np.int32), shape), np.broadcast_to(np.asarray(value, float), shape),
+    )  # fmt: skip
+
+
+def in_order() -> list[ObservationKind]:
+    """All kinds, in their order."""
+    return sorted(ObservationKind.registry.values(), key=lambda kind: kind.order)

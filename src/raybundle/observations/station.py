@@ -1,0 +1,143 @@
+"""Observed projection centres: GNSS antennas with their lever arms, shifts, drifts and time offsets."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.rotation import cross_matrix
+from raybundle.observations.kind import Named, ObservationKind, Observed, Rows, Scope, Values, partials
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Stations:
+    """Observed projection centres (GNSS)."""
+
+    image: Index
+    xyz: Array
+    """(k, 3); NaN where a coordinate was not observed."""
+    sigma: Array
+    """(k, 3)"""
+    antenna: Index | None = None
+    """(k,) position in `Block.cameras` of the antenna that was observed, -1 or None: the projection centre itself."""
+    time: Array | None = None
+    """(k,) [s] for an antenna's drift; None: zero."""
+    velocity: Array | None = None
+    """(k, 3) of the image [length unit / s], for an antenna's time offset; None or NaN: by the positions around it."""
+
+    def __len__(self) -> int:
+        return len(self.image)
+
+    @property
+    def velocities(self) -> Array:
+        """(k, 3) as given, else by the positions of the same antenna before and after; NaN where there is neither.
+
+        A neighbour further in time than twice the usual interval belongs to another flight line and is left out.
+        """
+        found = np.full((len(self), 3), np.nan) if self.velocity is None else np.array(self.velocity, float)
+        if self.time is None or self.antenna is None:
+            return found
+        for a in np.unique(self.antenna[self.antenna >= 0]):
+            mine = np.flatnonzero(self.antenna == a)
+            mine = mine[np.argsort(self.time[mine], kind="stable")]
+            step = np.diff(self.time[mine])
+            if not (step > 0).any():
+                continue
+            near = (step > 0) & (step <= 2 * np.median(step[step > 0]))
+            for k, row in enumerate(mine):
+                if np.isfinite(found[row]).all():
+                    continue
+                low, high = k - int(k > 0 and near[k - 1]), k + int(k < len(near) and near[k])
+                if high > low:
+                    seconds = self.time[mine[high]] - self.time[mine[low]]
+                    found[row] = (self.xyz[mine[high]] - self.xyz[mine[low]]) / seconds
+        return found
+
+
+def no_stations() -> Stations:
+    """A table without rows."""
+    return Stations(image=np.zeros(0, np.int32), xyz=np.zeros((0, 3)), sigma=np.zeros((0, 3)))
+
+
+class Station(ObservationKind):
+    """v = X0 + R' a + s + d t + v dt - observed, see `raybundle.sensors.antenna`; X0 alone without an antenna."""
+
+    name = "station"
+    group = "stations"
+    order = 2
+    unit = "length"
+    carries_datum = True
+    left_open = (
+        "shifts, drifts or lever arms of the observed projection centres are unknown for every flight line.\n"
+        "  Give control points, hold the shift of one antenna, or give the shifts a sigma."
+    )
+
+    def table_of(self, block: Any) -> Stations:
+        return block.stations
+
+    def check(self, table: Stations, scope: Scope) -> None:
+        if table.antenna is None:
+            return
+        late = {
+            i.camera
+            for i in scope.interior
+            if i.given.get("dt", 0.0) != 0 or ("dt" in i.symbols and i.symbols.index("dt") in i.free)
+        }
+        unknown = np.isnan(table.velocities).any(axis=1)
+        unknown &= np.array([a in late for a in table.antenna.tolist()], bool)
+        if unknown.any():
+            names = [scope.image_ids[table.image[k]] for k in np.flatnonzero(unknown)]
+            raise InputError(
+                f"a time offset dt needs the velocity of each image; it is not known for {', '.join(names[:5])}. Give "
+                "velocities, or times with a neighbour before or after on the same flight line, or hold dt at 0"
+            )
+
+    def cameras(self, table: Stations, scope: Scope) -> set[int]:
+        return (
+            set() if table.antenna is None else {a for a in table.antenna[scope.images[table.image]].tolist() if a >= 0}
+        )
+
+    def rows(self, table: Stations, scope: Scope) -> Rows:
+        item, axis = np.nonzero(scope.images[table.image, None] & np.isfinite(table.xyz) & (table.sigma > 0))
+        shift: Array = scope.shift[axis]
+        return Rows.of(item, axis, table.xyz[item, axis] - shift, table.sigma[item, axis], shift)
+
+    def observed(self, table: Stations, rows: Rows, scope: Scope, values: Values) -> Observed:
+        item, axis, k = rows.item, rows.component, np.arange(len(rows))
+        image = table.image[item]
+        residual = values.centre[image, axis] - rows.value
+        found = [partials("centre", k, image, axis, np.ones(1))]
+        antenna = np.full(len(table), -1, np.int32) if table.antenna is None else table.antenna
+        at = scope.parameters_of(antenna[item])
+        mine = np.flatnonzero(antenna[item] >= 0)
+        if not len(mine):
+            return Observed(residual, tuple(found))
+        item, axis, image, at = item[mine], axis[mine], image[mine], at[mine]
+        time = np.zeros(len(mine)) if table.time is None else table.time[item]
+        velocity = np.nan_to_num(table.velocities[item, axis])  # without a time offset it may not be known
+        a, s, d = (values.interior[at, 3 * j : 3 * j + 3] for j in range(3))
+        back = values.rotation[image, :, axis]  # row `axis` of R'
+        n = np.arange(len(mine))
+        residual[mine] += (back * a).sum(axis=1) + s[n, axis] + d[n, axis] * time + velocity * values.interior[at, 9]
+        # R_new' a = R' exp(-[delta]x) a
+        turned = np.einsum("ki,kij->kj", back, cross_matrix(a))
+        for j in range(3):
+            found.append(partials("rotation", mine, image, j, turned[:, j]))
+            found.append(partials("interior", mine, at, j, back[:, j]))
+        found.append(partials("interior", mine, at, 3 + axis, np.ones(1)))
+        found.append(partials("interior", mine, at, 6 + axis, time))
+        found.append(partials("interior", mine, at, 9, velocity))
+        return Observed(residual, tuple(found))
+
+    def named(self, table: Stations, rows: Rows, scope: Scope) -> Named:
+        return Named(
+            tuple(scope.image_ids[i] for i in table.image[rows.item].tolist()),
+            tuple("XYZ"[a] for a in rows.component.tolist()),
+        )
+
+    def weighted(self, block: Any, factor: float) -> Any:
+        return replace(block, stations=replace(block.stations, sigma=factor * block.stations.sigma))
