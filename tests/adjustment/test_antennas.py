@@ -41,7 +41,7 @@ def flight(estimate, control=4, sigma=None):
         image=np.arange(12, dtype=np.int32), xyz=xyz, sigma=np.full((12, 3), 0.03), antenna=(line + 1).astype(np.int32),
         time=time,
     )  # fmt: skip
-    return replace(truth, cameras=(*truth.cameras, *antennas), stations=stations)
+    return replace(truth, cameras=(*truth.cameras, *antennas)).having(stations)
 
 
 @pytest.mark.parametrize(
@@ -61,7 +61,7 @@ def test_shifts_drifts_and_lever_arms_have_true_sigmas(estimate, sigma):
 def test_a_neglected_lever_arm_and_shift_are_noticed():
     block = MonteCarlo.of(flight(SHIFT)).noisy(np.random.default_rng(1))
     good = adjust_block(block)
-    without = adjust_block(replace(block, stations=replace(block.stations, antenna=None)))
+    without = adjust_block(block.having(replace(block.stations, antenna=None)))
     assert good.global_test[0] < good.global_test[1] < good.global_test[2]
     assert without.global_test[1] > 3 * without.global_test[2]
     (group,) = [g for g in good.groups if g.kind == "station"]

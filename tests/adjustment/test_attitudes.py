@@ -56,7 +56,7 @@ def flight(
         image=np.arange(12, dtype=np.int32), angles=angles, sigma=np.tile(SIGMA, (12, 1)), imu=np.full(12, 2, np.int32)
     )
     truth = replace(truth, cameras=(*truth.cameras, antenna, imu))
-    return replace(truth, **({"stations": stations} if positions else {}), **({"attitudes": seen} if attitudes else {}))
+    return truth.having(*([stations] if positions else []), *([seen] if attitudes else []))
 
 
 class Carried(MonteCarlo):
@@ -65,7 +65,7 @@ class Carried(MonteCarlo):
     def noisy(self, rng):
         block = super().noisy(rng)
         a = block.attitudes
-        return replace(block, attitudes=replace(a, angles=a.angles + rng.normal(0, 1, a.angles.shape) * a.sigma))
+        return block.having(replace(a, angles=a.angles + rng.normal(0, 1, a.angles.shape) * a.sigma))
 
 
 def test_the_flight_is_consistent():
@@ -107,12 +107,12 @@ def test_boresight_lever_arm_and_clock_have_true_sigmas(how):  # benchmarks/trut
     if (
         how.get("velocities") is False
     ):  # positions that lie on straight lines, so that their differences are the velocity
-        block = replace(block, stations=replace(block.stations, velocity=None))
+        block = block.having(replace(block.stations, velocity=None))
         v = block.stations.velocities
         xyz = block.images.centre + np.swapaxes(block.images.rotation, 1, 2) @ LEVER
         for _ in range(30):
             v = replace(block.stations, xyz=xyz + v * LATE).velocities
-        block = replace(block, stations=replace(block.stations, xyz=xyz + v * LATE))
+        block = block.having(replace(block.stations, xyz=xyz + v * LATE))
     runs = 40
     found = Carried.of(block).errors(runs, seed=4)
     assert "parameters of ins" in found
@@ -135,10 +135,10 @@ def test_statistics_of_attitudes_are_those_of_any_observation():
     assert result.global_test[0] < result.global_test[1] < result.global_test[2]
     wrong = block.attitudes.angles.copy()
     wrong[5, 1] += np.radians(0.1)
-    again = adjust_block(replace(block, attitudes=replace(block.attitudes, angles=wrong)))
+    again = adjust_block(block.having(replace(block.attitudes, angles=wrong)))
     (group,) = [g for g in again.groups if g.kind == "attitude"]
     assert np.nanargmax(np.abs(group.w)) == 5 * 3 + 1
-    neglected = adjust_block(replace(block, attitudes=replace(block.attitudes, imu=None)))
+    neglected = adjust_block(block.having(replace(block.attitudes, imu=None)))
     assert neglected.global_test[1] > 3 * neglected.global_test[2]
 
 
@@ -170,7 +170,7 @@ def test_a_clock_needs_velocities():
     block = flight(clock=("dt",))
     s = block.stations
     with pytest.raises(InputError, match="dt needs the velocity of each image"):
-        adjust_block(replace(block, stations=replace(s, velocity=None, time=np.zeros(12))))
+        adjust_block(block.having(replace(s, velocity=None, time=np.zeros(12))))
     apart = replace(s, velocity=None, time=np.arange(12.0) + np.repeat([0.0, 100.0, 200.0], 4))
     v = apart.velocities
     assert np.abs(v[4] - (s.xyz[5] - s.xyz[4])).max() < 1e-9  # not across the turn
@@ -182,7 +182,7 @@ def test_attitudes_near_a_right_angle_are_refused():
     angles = block.attitudes.angles.copy()
     angles[3, 1] = np.radians(89.8)
     with pytest.raises(InputError, match=r"phi 89\.80 deg is within 0\.6 deg"):
-        adjust_block(replace(block, attitudes=replace(block.attitudes, angles=angles)))
+        adjust_block(block.having(replace(block.attitudes, angles=angles)))
 
 
 def test_attitudes_and_imus_go_through_folders(tmp_path):

@@ -173,7 +173,7 @@ def test_projection_centres_in_another_datum_are_told_from_wrong_control():
         image=np.arange(n, dtype=np.int32), xyz=centre + np.array([0.0, 0.0, 40.0]) + rng.normal(0, 1e-3, (n, 3)),
         sigma=np.full((n, 3), 1e-3),
     )  # fmt: skip
-    block = replace(block, stations=stations)
+    block = block.having(stations)
     result = adjust(block, OPTIONS)
     (told,) = [m for m in result.notices if m.code == "control_contradicts"]
     assert told.severity.value == "fault"

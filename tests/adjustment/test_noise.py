@@ -282,7 +282,7 @@ def test_standard_deviations_are_wider_and_those_of_white_noise_stand_beside():
 
 def test_a_length_that_one_bar_fixes_keeps_the_standard_deviation_of_the_bar():
     block, options = CASES["bars"]
-    one = replace(block, distances=replace(
+    one = block.having(replace(
         block.distances, start=block.distances.start[:1], end=block.distances.end[:1],
         length=block.distances.length[:1], sigma=block.distances.sigma[:1],
     ))  # fmt: skip

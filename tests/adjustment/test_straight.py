@@ -48,4 +48,4 @@ def test_an_observed_position_tells_where_an_image_stands():
     block = block_of(0.0)
     n = len(block.images)
     stations = Stations(image=np.arange(n, dtype=np.int32), xyz=block.images.centre, sigma=np.full((n, 3), 1e-3))
-    assert adjust(replace(block, stations=stations), OPTIONS).converged
+    assert adjust(block.having(stations), OPTIONS).converged

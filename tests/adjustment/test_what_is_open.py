@@ -29,7 +29,7 @@ def straight_flight(bend=0.0, seed=1):
     stations = Stations(
         image=np.arange(len(x), dtype=np.int32), xyz=line + noise, sigma=np.full(line.shape, SIGMA)
     )  # fmt: skip
-    return replace(block, stations=stations)
+    return block.having(stations)
 
 
 def rows_of(xyz):

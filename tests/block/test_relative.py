@@ -49,8 +49,9 @@ def noisy(truth, rng, *, shift=0.0, drift=0.0, turn=0.0):
         truth,
         observations=replace(o, xy_px=o.xy_px + rng.normal(0, 0.3, o.xy_px.shape)),
         points=replace(p, xyz=p.xyz + rng.normal(0, 0.01, p.xyz.shape) * held),
-        stations=Stations(image=every, xyz=xyz, sigma=np.tile(SIGMA, (n, 1))),
-        attitudes=Attitudes(image=every, angles=seen, sigma=np.full((n, 3), TILT)),
+    ).having(
+        Stations(image=every, xyz=xyz, sigma=np.tile(SIGMA, (n, 1))),
+        Attitudes(image=every, angles=seen, sigma=np.full((n, 3), TILT)),
     )
 
 
@@ -67,11 +68,11 @@ def test_constants_of_a_line_change_nothing(truth):
     block = noisy(truth, np.random.default_rng(1))
     first = adjust_block(relative_control(block, LINES))
     moved = block.stations.xyz + np.array([[0.4, -0.3, 0.9], [-0.7, 0.1, 0.2], [0.0, 0.6, -0.5]])[LINES]
-    again = adjust_block(relative_control(replace(block, stations=replace(block.stations, xyz=moved)), LINES))
+    again = adjust_block(relative_control(block.having(replace(block.stations, xyz=moved)), LINES))
     np.testing.assert_allclose(again.adjusted.points.xyz, first.adjusted.points.xyz, atol=1e-6)
     np.testing.assert_allclose(again.precision.object_point_std, first.precision.object_point_std, rtol=1e-4)
     assert again.sigma0 == pytest.approx(first.sigma0, rel=1e-4)
-    absolute = adjust_block(replace(block, stations=replace(block.stations, xyz=moved)))
+    absolute = adjust_block(block.having(replace(block.stations, xyz=moved)))
     assert absolute.global_test[1] > 3 * absolute.global_test[2]
 
 
@@ -117,7 +118,7 @@ def test_lines_of_few_images_and_lever_arms(truth):
         values=dict.fromkeys(ANTENNA.symbols, 0.0) | {"az": 0.3}, estimate=("az", "sz"), sigma={"az": 0.01},
     )  # fmt: skip
     station = replace(block.stations, antenna=np.full(15, 1, np.int32))
-    found = relative_control(replace(block, cameras=(*block.cameras, arm), stations=station), LINES)
+    found = relative_control(replace(block, cameras=(*block.cameras, arm)).having(station), LINES)
     assert found.cameras[2].values["az"] == 0.3
     assert found.cameras[2].estimate == ("az", "sx", "sy", "sz")
     assert found.cameras[2].sigma == {"az": 0.01}

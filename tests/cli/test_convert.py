@@ -11,7 +11,6 @@ import pytest
 
 from raybundle import adjust
 from raybundle.block import Distances
-from raybundle.block.block import no_distances
 from raybundle.block.simulate import (
     AerialStrips,
     Survey,
@@ -244,13 +243,13 @@ def free_and_fixed(tmp_path_factory):
     folder = tmp_path_factory.mktemp("scale")
     simulated = simulate(field_scene(replace(FIELD, rows=7, columns=9, stations=8)), Survey())
     given, xyz = simulated.observed, simulated.truth.points.xyz
-    without = replace(given, distances=no_distances())
+    without = given.having(Distances.empty())
     write_block(without, folder / "free-block")
     write_result(adjust(without), folder / "free", report="none")
     a, b = np.array([0], np.int32), np.array([len(given.points) - 1], np.int32)
     length = np.linalg.norm(xyz[a] - xyz[b], axis=1)
     bar = Distances(start=a, end=b, length=length, sigma=np.array([1e-4]))
-    write_result(adjust(replace(without, distances=bar)), folder / "fixed", report="none")
+    write_result(adjust(without.having(bar)), folder / "fixed", report="none")
     return folder
 
 
@@ -267,7 +266,7 @@ def test_a_free_scale_is_called_free(free_and_fixed):
     # what an adjustment says, not what stood in the block: a distance that is added later fixes the scale
     again = read_block(free_and_fixed / "free" / "block")
     bar = read_block(free_and_fixed / "fixed" / "block").distances
-    write_result(adjust(replace(again, distances=bar)), free_and_fixed / "mended", report="none")
+    write_result(adjust(again.having(bar)), free_and_fixed / "mended", report="none")
     assert not read_block(free_and_fixed / "mended" / "block").free_scale
 
 

@@ -9,11 +9,12 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from raybundle.block import Block, Camera, Distances, Images, Observations, Points, Stations
+from raybundle.block import Block, Camera, Images, Observations, Points
 from raybundle.block.block import Relation
 from raybundle.block.select import transformed, with_rows
 from raybundle.block.simulate import AerialStrips, Survey, TargetField, aerial_scene, field_scene, simulate
 from raybundle.io.block_arrays import arrays_of_block, block_of_arrays
+from raybundle.observations import tables
 
 
 def through_a_file(block):
@@ -34,6 +35,10 @@ def assert_equal(a, b, where="block"):
         assert a.dtype == b.dtype, where
         assert a.shape == b.shape, where
         assert a.tobytes() == b.tobytes(), where
+    elif isinstance(a, dict) and a and is_dataclass(next(iter(a.values()))):
+        assert a.keys() == b.keys(), where
+        for k, x in a.items():
+            assert_equal(x, b[k], f"{where}[{k}]")
     elif isinstance(a, tuple) and a and is_dataclass(a[0]):
         assert len(a) == len(b), where
         for k, (x, y) in enumerate(zip(a, b, strict=True)):
@@ -87,7 +92,7 @@ symbols = st.dictionaries(st.sampled_from(["c", "x0", "K1", "P1", "own symbol"])
 def blocks(draw):
     """Blocks of any numbers, tables of any length, names in any script."""
     n, p = draw(st.integers(1, 4)), draw(st.integers(0, 4))
-    m, d, s = (draw(st.integers(0, 5)) if p else 0 for _ in range(3))
+    m = draw(st.integers(0, 5)) if p else 0
     cameras = tuple(
         Camera(
             id=f"{k} {draw(name)}", model=draw(name), width_px=draw(st.integers(1, 10**6)), height_px=7,
@@ -104,6 +109,7 @@ def blocks(draw):
     def index(count, below):
         return draw(arrays(np.int32, count, elements=st.integers(0, max(below - 1, 0))))
 
+    counts = {"point": p, "image": n, "camera": len(cameras)}
     return Block(
         name=draw(name), about=draw(st.text(max_size=20)), source=draw(name), licence=draw(name),
         length_unit=draw(st.sampled_from(["m", "mm"])), sigma0_apriori=draw(number),
@@ -114,14 +120,31 @@ def blocks(draw):
             file=tuple(draw(st.one_of(st.just(""), name)) for _ in range(n)), centre=table(n, 3),
             rotation=table(n, 3, 3), held=draw(st.one_of(st.none(), arrays(bool, n))),
             interior=draw(st.dictionaries(st.integers(0, n - 1), symbols, max_size=3)),
+            station=draw(st.one_of(st.none(), st.just(np.arange(n, dtype=np.int32)))),
         ),
         observations=Observations(image=index(m, n), point=index(m, p), xy_px=table(m, 2), cov_px2=table(m, 3)),
         points=Points(
             ids=tuple(f"{k} {draw(name)}" for k in range(p)), role=index(p, 3), xyz=table(p, 3), sigma=table(p, 3)
         ),
-        distances=Distances(start=index(d, p), end=index(d, p), length=table(d), sigma=table(d)),
-        stations=Stations(image=index(s, n), xyz=table(s, 3), sigma=table(s, 3)),
-    )  # fmt: skip
+    ).having(*(any_rows(draw, t, counts) for t in tables.values()))  # fmt: skip
+
+
+def any_rows(draw, table, counts):
+    """A table of any kind with any content."""
+    least = min(counts[c.of] for _, c in table.cells() if c.of in counts)
+    k = draw(st.integers(0, 5)) if least else 0
+
+    def values(c):
+        if c.optional and draw(st.booleans()):
+            return None
+        if c.of == "text":
+            return tuple(draw(name) for _ in range(k))
+        if c.of != "number":
+            return draw(arrays(np.int32, k, elements=st.integers(-1 if c.empty else 0, max(counts[c.of] - 1, 0))))
+        shape = (k, len(c.names)) if len(c.names) > 1 else k
+        return draw(arrays(float, shape, elements=st.floats(width=64)))
+
+    return table(**{field: values(c) for field, c in table.cells()})
 
 
 @given(blocks())

@@ -87,6 +87,10 @@ def assert_same(a, b, where="block", *, angles=1e-13):
         assert len(a) == len(b), where
         for k, (x, y) in enumerate(zip(a, b, strict=True)):
             assert_same(x, y, f"{where}[{k}]", angles=angles)
+    elif isinstance(a, dict):
+        assert a.keys() == b.keys(), where
+        for k, x in a.items():
+            assert_same(x, b[k], f"{where}[{k}]", angles=angles)
     else:
         assert a == b, where
 

@@ -108,10 +108,9 @@ def test_metres_and_millimetres(folder, case, tmp_path):
             length_unit="mm",
             images=replace(block.images, centre=block.images.centre * 1000),
             points=replace(block.points, xyz=block.points.xyz * 1000, sigma=block.points.sigma * 1000),
-            distances=replace(
-                block.distances, length=block.distances.length * 1000, sigma=block.distances.sigma * 1000
-            ),
-            stations=replace(block.stations, xyz=block.stations.xyz * 1000, sigma=block.stations.sigma * 1000),
+        ).having(
+            replace(block.distances, length=block.distances.length * 1000, sigma=block.distances.sigma * 1000),
+            replace(block.stations, xyz=block.stations.xyz * 1000, sigma=block.stations.sigma * 1000),
         )
 
     precision = replace(a.precision, object_points=a.precision.object_points * 1e6)

@@ -32,8 +32,8 @@ def test_every_table_of_a_block_counts(case):
         "observations": replace(block, observations=replace(block.observations, xy_px=xy)),
         "points": replace(block, points=replace(block.points, ids=("other", *block.points.ids[1:]))),
         "cameras": replace(block, cameras=(replace(block.cameras[0], width_px=1),)),
-        "distances": replace(block, distances=replace(block.distances, sigma=block.distances.sigma * 2)),
-        "stations": replace(block, stations=replace(block.stations, sigma=block.stations.sigma * 2)),
+        "distances": block.having(replace(block.distances, sigma=block.distances.sigma * 2)),
+        "stations": block.having(replace(block.stations, sigma=block.stations.sigma * 2)),
         "images": replace(block, images=replace(block.images, centre=block.images.centre + 1)),
     }
     for table, other in changed.items():

@@ -68,12 +68,11 @@ class MonteCarlo:
         shift = rng.normal(0, 1, t.stations.xyz.shape) * t.stations.sigma
         return replace(
             t,
-            stations=replace(t.stations, xyz=t.stations.xyz + shift),
             cameras=tuple(cameras),
             images=replace(t.images, interior=interior),
             observations=replace(t.observations, xy_px=xy),
             points=replace(t.points, xyz=t.points.xyz + np.where(weighted, error, 0.0)),
-        )
+        ).having(replace(t.stations, xyz=t.stations.xyz + shift))
 
     def run(self, block):
         """Adjusted state in the frame of the truth."""

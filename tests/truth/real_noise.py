@@ -15,7 +15,7 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.precision import interior_unknowns, node_cofactor
 from raybundle.adjustment.under_noise import under_noise
 from raybundle.block import Role
-from raybundle.block.block import no_distances, no_stations
+from raybundle.block.block import Distances, Stations
 from raybundle.block.select import with_rows
 from raybundle.errors import NotSolvable, RankDefect
 
@@ -30,7 +30,7 @@ def free_network(block):
     points = block.points
     points = replace(points, role=np.full(len(points), Role.TIE, np.int32), sigma=np.full_like(points.xyz, np.nan))
     cameras = tuple(replace(c, sigma={}, relations=()) for c in block.cameras if c.sensor.has_images)
-    return replace(block, points=points, cameras=cameras, stations=no_stations(), distances=no_distances())
+    return replace(block, points=points, cameras=cameras).having(Stations.empty(), Distances.empty())
 
 
 def part_of(block, images):

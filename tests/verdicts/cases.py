@@ -174,8 +174,7 @@ def perturbed(block: Block, seed: int) -> Block:
     at_image, at_point = np.argsort(images), np.argsort(points)
     held = None if i.held is None else i.held[images]
     assert not i.interior
-    s, d = block.stations, block.distances
-    return replace(
+    whole = replace(
         block,
         images=replace(
             i, ids=tuple(i.ids[k] for k in images), camera=i.camera[images], file=tuple(i.file[k] for k in images),
@@ -189,9 +188,8 @@ def perturbed(block: Block, seed: int) -> Block:
             o, image=at_image[o.image[rows]].astype(np.int32), point=at_point[o.point[rows]].astype(np.int32),
             xy_px=bits[rows], cov_px2=o.cov_px2[rows],
         ),
-        stations=replace(s, image=at_image[s.image].astype(np.int32)),
-        distances=replace(d, start=at_point[d.start].astype(np.int32), end=at_point[d.end].astype(np.int32)),
     )  # fmt: skip
+    return whole.of_tables(lambda t: t.renumbered("image", at_image).renumbered("point", at_point))
 
 
 SAID = {"not_determinable", "held_not_determinable", "control_leaves_open"}

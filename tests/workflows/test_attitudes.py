@@ -39,7 +39,7 @@ def flight():
         camera=camera, lines=3, photographs=5, points=8, alternating=True, angle_jitter_deg=3, cross_tilt_deg=20
     )
     truth = flight_block(plan)
-    truth = replace(truth, stations=type(truth.stations)(
+    truth = truth.having(type(truth.stations)(
         image=np.zeros(0, np.int32), xyz=np.zeros((0, 3)), sigma=np.zeros((0, 3))
     ))  # fmt: skip
     return SimpleNamespace(truth=truth, exact=measured(truth, 0.3))
@@ -278,7 +278,7 @@ def test_a_single_line_is_turned_by_its_attitudes(tmp_path):
     camera: Camera = replace(uav_camera(), estimate=())
     plan = Flight(camera=camera, lines=1, photographs=6, points=8, height_jitter=0.0)
     truth = flight_block(plan)
-    truth = replace(truth, stations=type(truth.stations)(
+    truth = truth.having(type(truth.stations)(
         image=np.zeros(0, np.int32), xyz=np.zeros((0, 3)), sigma=np.zeros((0, 3))
     ))  # fmt: skip
     flight = SimpleNamespace(truth=truth, exact=measured(truth, 0.3))

@@ -73,7 +73,7 @@ def test_lines_with_constants_of_their_own_fit_by_their_differences():
     block = flight_block(Flight(camera=camera, lines=3, photographs=5, points=7, size=90))
     line = np.repeat([0, 1, 2], 5)
     off = np.array([[0.5, -0.4, 0.8], [-0.6, 0.2, 0.1], [0.1, 0.7, -0.6]])[line]
-    block = replace(block, stations=replace(block.stations, xyz=block.stations.xyz + off))
+    block = block.having(replace(block.stations, xyz=block.stations.xyz + off))
     shots = photos(*block.images.centre[:, :2].T)
     placed = Georeferenced(block=block, frame=None, notices=(), marked=np.zeros(len(block.points), bool), fixed=True)
     assert _relative(placed, shots, "") is placed

@@ -21,7 +21,7 @@ def flight(real, stated, shift=0.0):
     survey = Survey(image_sigma_px=0.3, station_sigma=real, points="approximate")
     block = simulate(scene, survey).observed
     stations = replace(block.stations, xyz=block.stations.xyz + shift, sigma=np.full_like(block.stations.sigma, stated))
-    return replace(block, stations=stations)
+    return block.having(stations)
 
 
 def told(block):

@@ -11,7 +11,7 @@ from raybundle.adjustment.engine import carry_out
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.reliability import image_statistics
 from raybundle.adjustment.result import Adjustment
-from raybundle.block import Block, Role, no_attitudes, no_stations
+from raybundle.block import Block, Role
 from raybundle.block.select import with_rows
 from raybundle.errors import NotSolvable, RaybundleError
 from raybundle.numerics.arrays import Array, Index, Mask
@@ -212,14 +212,5 @@ def _left_out(block: Block, kept: Block, own: _Adjusted, rows: Mask) -> Block:
         if row.image < 0:
             values = {row.model.symbols[k]: float(own.state.interior[r, k]) for k in row.carries}
             cameras[row.camera] = replace(cameras[row.camera], values={**cameras[row.camera].values, **values})
-    return replace(
-        part,
-        cameras=tuple(cameras),
-        points=replace(part.points, xyz=xyz, sigma=np.zeros((n, 3)), role=np.full(n, Role.CONTROL, np.int32)),
-        distances=replace(
-            part.distances, start=part.distances.start[:0], end=part.distances.end[:0],
-            length=part.distances.length[:0], sigma=part.distances.sigma[:0],
-        ),
-        stations=no_stations(),
-        attitudes=no_attitudes(),
-    )  # fmt: skip
+    points = replace(part.points, xyz=xyz, sigma=np.zeros((n, 3)), role=np.full(n, Role.CONTROL, np.int32))
+    return replace(part, cameras=tuple(cameras), points=points, tables={})

@@ -69,13 +69,12 @@ def check_rays(block: Block, rejected: Mask) -> None:
     """Raise InputError for tie points with fewer than two rays.
 
     A point of which rays were rejected is left to the caller, who rejects the rest; check points with fewer than two
-    take no part, other than ends of distances.
+    take no part, other than those that other observations name.
     """
     given = np.bincount(block.observations.point, minlength=len(block.points))
     left = np.bincount(block.observations.point[~rejected], minlength=len(block.points))
     tie = np.asarray(block.points.role) == Role.TIE
-    measured = np.concatenate([block.distances.start, block.distances.end])
-    tie[measured] = np.asarray(block.points.role)[measured] != Role.CONTROL
+    tie |= block.points_named & (np.asarray(block.points.role) != Role.CONTROL)
     none = [block.points.ids[i] for i in np.flatnonzero(tie & (given == 0))]
     one = [block.points.ids[i] for i in np.flatnonzero(tie & (given == 1) & (left == 1))]
     parts: list[str] = []
@@ -139,15 +138,16 @@ def components(block: Block, rejected: Mask) -> list[Array]:
     used = np.unique(image)
     if _all_near(image[joins], point[joins], used, n, p):
         return [used]
-    if not joins.any() and not len(block.distances):
+    pairs = [t.pairs("point") for t in block.tables.values()]
+    a, b = np.concatenate([np.zeros((0, 2), np.int32), *pairs]).T
+    if not joins.any() and not len(a):
         return [used[[k]] for k in range(len(used))]
     from scipy.sparse import coo_matrix  # noqa: PLC0415
     from scipy.sparse.csgraph import connected_components  # noqa: PLC0415
 
     graph = coo_matrix((np.ones(joins.sum(), np.int8), (image[joins], n + point[joins])), shape=(n + p, n + p))
-    if len(block.distances):
-        a, b = n + block.distances.start, n + block.distances.end
-        graph = graph + coo_matrix((np.ones(len(a), np.int8), (a, b)), shape=graph.shape)
+    if len(a):
+        graph = graph + coo_matrix((np.ones(len(a), np.int8), (n + a, n + b)), shape=graph.shape)
     _, label = connected_components(graph, directed=False)
     return [used[label[used] == k] for k in np.unique(label[used])]
 

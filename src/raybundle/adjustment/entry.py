@@ -53,17 +53,20 @@ def _check_options(options: AdjustmentOptions) -> None:
 
 def _check_shapes(block: Block) -> None:
     n, p, m = len(block.images.ids), len(block.points.ids), len(np.atleast_1d(block.observations.image))
-    k, s = len(np.atleast_1d(block.distances.start)), len(np.atleast_1d(block.stations.image))
     shapes: dict[str, dict[str, tuple[int, ...]]] = {
         "images": {"camera": (n,), "file": (n,), "centre": (n, 3), "rotation": (n, 3, 3)},
         "points": {"role": (p,), "xyz": (p, 3), "sigma": (p, 3)},
         "observations": {"image": (m,), "point": (m,), "xy_px": (m, 2), "cov_px2": (m, 3)},
-        "distances": {"start": (k,), "end": (k,), "length": (k,), "sigma": (k,)},
-        "stations": {"image": (s,), "xyz": (s, 3), "sigma": (s, 3)},
     }
+    held: dict[str, Any] = {name: getattr(block, name) for name in shapes} | dict(block.tables)
+    for name, table in block.tables.items():
+        first: Any = getattr(table, next(table.cells())[0])
+        k = len(first if isinstance(first, tuple) else np.atleast_1d(first))
+        there = [(field, c) for field, c in table.cells() if getattr(table, field) is not None]
+        shapes[name] = {field: (k, len(c.names)) if len(c.names) > 1 else (k,) for field, c in there}
     for table, columns in shapes.items():
         for name, shape in columns.items():
-            value: Any = getattr(getattr(block, table), name)
+            value: Any = getattr(held[table], name)
             found = (len(value),) if isinstance(value, tuple) else getattr(value, "shape", None)
             if found != shape:
                 what = type(value).__name__ if found is None else f"of shape {found}"
@@ -74,15 +77,20 @@ def _check_shapes(block: Block) -> None:
 
 def _check_indices(block: Block) -> None:
     n, p, c = len(block.images.ids), len(block.points.ids), len(block.cameras)
-    o, d = block.observations, block.distances
-    for name, values, count in (
-        ("images.camera", block.images.camera, c), ("observations.image", o.image, n),
-        ("observations.point", o.point, p), ("distances.start", d.start, p), ("distances.end", d.end, p),
-        ("stations.image", block.stations.image, n),
+    o, counts = block.observations, {"image": n, "point": p, "camera": c}
+    named = [
+        (f"{table.name}.{field}", getattr(table, field), counts[cells.of], -1 if cells.empty else 0)
+        for table in block.tables.values()
+        for field, cells in table.cells()
+        if cells.of in counts and getattr(table, field) is not None
+    ]
+    for name, values, count, least in (
+        ("images.camera", block.images.camera, c, 0), ("observations.image", o.image, n, 0),
+        ("observations.point", o.point, p, 0), *named,
     ):  # fmt: skip
         if values.dtype.kind not in "iu":
             raise InputError(f"block {block.name}: {name} holds {values.dtype}; positions are whole numbers")
-        bad = np.flatnonzero((values < 0) | (values >= count))
+        bad = np.flatnonzero((values < least) | (values >= count))
         if len(bad):
             raise InputError(
                 f"block {block.name}: {name}[{bad[0]}] is {values[bad[0]]}; positions run from 0 to {count - 1}"

@@ -34,7 +34,7 @@ def unlocatable(result: Adjustment, rows: Index) -> Mask:
     used = result.image_observations.used
     t = np.nan_to_num(np.abs(result.image_observations.t).max(axis=1))
     tie = (np.asarray(block.points.role) == Role.TIE) & ~block.points.is_control.any(axis=1)
-    tie[block.distances.start] = tie[block.distances.end] = False
+    tie &= ~block.points_named
     found = np.zeros(len(rows), bool)
     order = np.argsort(o.point, kind="stable")
     first = np.searchsorted(o.point[order], np.arange(len(block.points) + 1))

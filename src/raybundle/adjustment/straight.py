@@ -27,9 +27,7 @@ def check_turning(result: Adjustment) -> None:
     block = result.adjusted
     if result.precision is None:
         return
-    fixed = np.zeros(len(block.images), bool) if block.images.held is None else block.images.held.copy()
-    fixed[block.stations.image] = True
-    fixed[block.attitudes.image] = True
+    fixed = block.images_named if block.images.held is None else block.images.held | block.images_named
     fixed |= np.array([c.is_scene for c in block.cameras])[block.images.camera]
     used, o = result.image_observations.used, block.observations
     lost: list[str] = []

@@ -1,10 +1,10 @@
 """The data model of a photogrammetric block, and its simulation."""
 
 from raybundle.block.block import Block, Camera, Images, Observations, PixelFrame, Points, Role
-from raybundle.observations.attitude import Attitudes, no_attitudes
-from raybundle.observations.distance import Distances, no_distances
+from raybundle.observations.attitude import Attitudes
+from raybundle.observations.distance import Distances
 from raybundle.observations.relation import Relation
-from raybundle.observations.station import Stations, no_stations
+from raybundle.observations.station import Stations
 
 __all__ = [
     "Attitudes",
@@ -18,7 +18,4 @@ __all__ = [
     "Relation",
     "Role",
     "Stations",
-    "no_attitudes",
-    "no_distances",
-    "no_stations",
 ]

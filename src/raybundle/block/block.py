@@ -7,22 +7,24 @@ x right, y down).  Everything is frozen; `dataclasses.replace` makes a changed c
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from enum import IntEnum
-from typing import Literal
+from typing import Any, Literal, TypeVar
 
 import numpy as np
 
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.places import Place
 from raybundle.numerics.rotation import angles_from_rotation
-from raybundle.observations.attitude import Attitudes, no_attitudes
-from raybundle.observations.distance import Distances, no_distances
+from raybundle.observations.attitude import Attitudes
+from raybundle.observations.distance import Distances
 from raybundle.observations.relation import Relation
-from raybundle.observations.station import Stations, no_stations
+from raybundle.observations.station import Stations
+from raybundle.observations.table import Refers, Table
 from raybundle.sensors import SensorModel, sensor_models
 
+T = TypeVar("T", bound=Table)
 Residuals = Literal["measured", "corrected"]
 LengthUnit = Literal["m", "mm"]
 Turn = Literal[0, 90, 180, 270]
@@ -220,9 +222,53 @@ class Block:
     images: Images
     observations: Observations
     points: Points
-    distances: Distances = field(default_factory=no_distances)
-    stations: Stations = field(default_factory=no_stations)
-    attitudes: Attitudes = field(default_factory=no_attitudes)
+    tables: Mapping[str, Table] = field(default_factory=dict[str, Table])
+    """Observations outside the images, by the names of their tables; `having` puts one in."""
+
+    def table(self, kind: type[T]) -> T:
+        """The table of a kind; one without rows where there is none."""
+        found: Any = self.tables.get(kind.name)
+        return kind.empty() if found is None else found
+
+    def having(self, *tables: Table) -> Block:
+        """The block with these tables in place of those of the same kinds."""
+        new = {**self.tables, **{t.name: t for t in tables}}
+        return replace(self, tables={name: t for name, t in new.items() if len(t)})
+
+    def of_tables(self, change: Callable[[Table], Table]) -> Block:
+        """The block with all its tables changed."""
+        return self.having(*map(change, self.tables.values()))
+
+    @property
+    def points_named(self) -> Mask:
+        """(p,) object points that observations outside the images name."""
+        return self._named("point", len(self.points))
+
+    @property
+    def images_named(self) -> Mask:
+        """(n,) images that observations outside the images name."""
+        return self._named("image", len(self.images))
+
+    def _named(self, what: Refers, count: int) -> Mask:
+        found = np.zeros(count, bool)
+        for table in self.tables.values():
+            found[table.refers(what)] = True
+        return found
+
+    @property
+    def distances(self) -> Distances:
+        """Scale bars."""
+        return self.table(Distances)
+
+    @property
+    def stations(self) -> Stations:
+        """Observed projection centres."""
+        return self.table(Stations)
+
+    @property
+    def attitudes(self) -> Attitudes:
+        """Observed rotations of images."""
+        return self.table(Attitudes)
 
     @property
     def ray_count(self) -> Index:

@@ -114,20 +114,13 @@ def stored_turned(block: Block, images: Index, turned: Turn) -> Block:
 
 def _without_camera(block: Block, gone: int) -> Block:
     """The block without a camera that has no images."""
-
-    def number(positions: Index | None) -> Index | None:
-        return None if positions is None else (positions - (positions > gone)).astype(np.int32)
-
-    images, stations, attitudes = block.images, block.stations, block.attitudes
-    camera = number(images.camera)
-    assert camera is not None
+    left = np.arange(len(block.cameras))
+    new: Index = np.where(left == gone, -1, left - (left > gone)).astype(np.int32)
     return replace(
         block,
         cameras=tuple(c for k, c in enumerate(block.cameras) if k != gone),
-        images=replace(images, camera=camera),
-        stations=replace(stations, antenna=number(stations.antenna)),
-        attitudes=replace(attitudes, imu=number(attitudes.imu)),
-    )
+        images=replace(block.images, camera=new[block.images.camera]),
+    ).of_tables(lambda t: t.renumbered("camera", new))
 
 
 def _moved(block: Block, which: Mapping[int, tuple[Camera, PixelFrame]], direction: Direction) -> Block:

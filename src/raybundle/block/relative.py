@@ -15,7 +15,6 @@ from dataclasses import replace
 import numpy as np
 
 from raybundle.block.block import Block, Camera
-from raybundle.block.select import attitudes_of, stations_of
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
 from raybundle.sensors.antenna import ANTENNA
@@ -40,8 +39,8 @@ def relative_control(
     line = np.asarray(line)
     if len(line) != len(block.images):
         raise InputError(f"{len(line)} numbers of flight lines for {len(block.images)} images; give one for each")
-    stations = stations_of(block.stations, _enough(line[block.stations.image], 3 if drift else 2))
-    attitudes = attitudes_of(block.attitudes, _enough(line[block.attitudes.image], 2))
+    stations = block.stations.rows(_enough(line[block.stations.image], 3 if drift else 2))
+    attitudes = block.attitudes.rows(_enough(line[block.attitudes.image], 2))
     if not len(stations) and not len(attitudes):
         raise InputError(
             f"no flight line has {'three' if drift else 'two'} observed images; differences need that many"
@@ -65,11 +64,10 @@ def relative_control(
     time = stations.time
     if drift:
         time = _times(of_station) if time is None else _centred(time, of_station)
-    return replace(
-        block, cameras=tuple(cameras),
-        stations=replace(stations, antenna=antenna if len(stations) else None, time=time),
-        attitudes=replace(attitudes, imu=imu if len(attitudes) else None),
-    )  # fmt: skip
+    return replace(block, cameras=tuple(cameras)).having(
+        replace(stations, antenna=antenna if len(stations) else None, time=time),
+        replace(attitudes, imu=imu if len(attitudes) else None),
+    )
 
 
 def _enough(line: Index, least: int) -> Array:

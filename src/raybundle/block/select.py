@@ -6,39 +6,42 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.block.block import Attitudes, Block, Role, Stations
-from raybundle.numerics.arrays import Array, Mask
+from raybundle.block.block import Block, Role
+from raybundle.numerics.arrays import Array, Index, Mask
 
 
 def with_rows(block: Block, keep: Mask) -> Block:
     """The block with these image observations (m,) only; tie points left without any leave it.
 
-    Control points, check points and end points of distances stay, images stay.
+    Control points, check points and points that other observations name stay, images stay.
     """
     o = block.observations
     seen = np.bincount(o.point[keep], minlength=len(block.points)) > 0
     seen |= np.asarray(block.points.role) != Role.TIE
-    seen[block.distances.start] = seen[block.distances.end] = True
-    new = np.cumsum(seen) - 1
-    p, d = block.points, block.distances
+    for t in block.tables.values():
+        seen[t.refers("point")] = True
+    rows = replace(o, image=o.image[keep], point=o.point[keep], xy_px=o.xy_px[keep], cov_px2=o.cov_px2[keep])
+    return with_points(replace(block, observations=rows), seen)
+
+
+def with_points(block: Block, keep: Mask) -> Block:
+    """The block with these object points (p,) only, which are all that its image observations name.
+
+    Other observations of points that leave go with them.
+    """
+    new: Index = np.where(keep, np.cumsum(keep) - 1, -1).astype(np.int32)
+    p = block.points
     return replace(
         block,
-        observations=replace(
-            o,
-            image=o.image[keep],
-            point=new[o.point[keep]].astype(np.int32),
-            xy_px=o.xy_px[keep],
-            cov_px2=o.cov_px2[keep],
-        ),
+        observations=replace(block.observations, point=new[block.observations.point]),
         points=replace(
             p,
-            ids=tuple(name for name, s in zip(p.ids, seen, strict=True) if s),
-            role=p.role[seen],
-            xyz=p.xyz[seen],
-            sigma=p.sigma[seen],
+            ids=tuple(name for name, k in zip(p.ids, keep, strict=True) if k),
+            role=p.role[keep],
+            xyz=p.xyz[keep],
+            sigma=p.sigma[keep],
         ),
-        distances=replace(d, start=new[d.start].astype(np.int32), end=new[d.end].astype(np.int32)),
-    )
+    ).of_tables(lambda t: t.renumbered("point", new))
 
 
 def without_images(block: Block, out: Mask) -> Block:
@@ -58,30 +61,8 @@ def without_images(block: Block, out: Mask) -> Block:
         centre=np.where(out[:, None], np.nan, thin.images.centre),
         rotation=np.where(out[:, None, None], np.nan, thin.images.rotation),
     )
-    return replace(
-        thin,
-        images=images,
-        stations=stations_of(thin.stations, ~out[thin.stations.image]),
-        attitudes=attitudes_of(thin.attitudes, ~out[thin.attitudes.image]),
-    )
-
-
-def stations_of(stations: Stations, keep: Mask) -> Stations:
-    """These rows (k,) of observed projection centres."""
-    antenna, time, velocity = (
-        None if a is None else a[keep] for a in (stations.antenna, stations.time, stations.velocity)
-    )
-    return Stations(
-        image=stations.image[keep], xyz=stations.xyz[keep], sigma=stations.sigma[keep], antenna=antenna, time=time,
-        velocity=velocity,
-    )  # fmt: skip
-
-
-def attitudes_of(attitudes: Attitudes, keep: Mask) -> Attitudes:
-    """These rows (k,) of observed attitudes."""
-    a = attitudes
-    imu = None if a.imu is None else a.imu[keep]
-    return Attitudes(image=a.image[keep], angles=a.angles[keep], sigma=a.sigma[keep], imu=imu)
+    left: Index = np.where(out, -1, np.arange(len(out))).astype(np.int32)
+    return replace(thin, images=images).of_tables(lambda t: t.renumbered("image", left))
 
 
 def transformed(block: Block, scale: float, R: Array, t: Array) -> Block:

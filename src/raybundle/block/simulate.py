@@ -23,8 +23,6 @@ from raybundle.block.block import (
     Points,
     Role,
     Stations,
-    no_distances,
-    no_stations,
 )
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
@@ -357,11 +355,12 @@ def simulate(scene: Scene, survey: Survey) -> Simulation:
         images=_start_images(truth.images, scene, survey, rng),
         observations=replace(truth.observations, xy_px=measured),
         points=_start_points(truth.points, scene, survey, rng),
-        distances=replace(
+    ).having(
+        replace(
             truth.distances,
             length=truth.distances.length + rng.normal(0, 1, len(truth.distances)) * truth.distances.sigma,
         ),
-        stations=replace(
+        replace(
             truth.stations, xyz=truth.stations.xyz + rng.normal(0, 1, truth.stations.xyz.shape) * truth.stations.sigma
         ),
     )
@@ -414,7 +413,7 @@ def _truth(scene: Scene, survey: Survey, image: Index, point: Index, xy: Array, 
     sigma[role == Role.CONTROL] = survey.control_sigma
     sigma[role == Role.CHECK] = survey.check_sigma
     variance = survey.image_sigma_px**2
-    stations = no_stations()
+    stations = Stations.empty()
     if survey.station_sigma is not None:
         all_images = np.arange(n, dtype=np.int32)
         stations = Stations(image=all_images, xyz=scene.centre.copy(), sigma=np.full((n, 3), survey.station_sigma))
@@ -435,15 +434,13 @@ def _truth(scene: Scene, survey: Survey, image: Index, point: Index, xy: Array, 
             image=image, point=point, xy_px=xy, cov_px2=np.tile([variance, variance, 0.0], (len(xy), 1))
         ),
         points=Points(ids=tuple(str(k + 1) for k in range(p)), role=role, xyz=scene.xyz, sigma=sigma),
-        distances=_scale_bars(scene, survey),
-        stations=stations,
-    )
+    ).having(_scale_bars(scene, survey), stations)
 
 
 def _scale_bars(scene: Scene, survey: Survey) -> Distances:
     """Distances between far points, no point twice."""
     if survey.scale_bars == 0:
-        return no_distances()
+        return Distances.empty()
     ends = _well_spread(scene.xyz, 2 * survey.scale_bars).reshape(-1, 2)
     length = np.linalg.norm(scene.xyz[ends[:, 0]] - scene.xyz[ends[:, 1]], axis=1)
     sigma = np.full(len(ends), survey.scale_bar_sigma)

@@ -114,11 +114,8 @@ def flight_block(plan: Flight) -> Block:
     station_noise = rng.normal(0, 1, s.xyz.shape) * s.sigma
     given = rng.normal(0, 1, p.xyz.shape) * np.nan_to_num(p.sigma)
     return replace(
-        block,
-        points=replace(p, xyz=p.xyz + given),
-        observations=replace(o, xy_px=o.xy_px + image_noise),
-        stations=replace(s, xyz=s.xyz + station_noise),
-    )
+        block, points=replace(p, xyz=p.xyz + given), observations=replace(o, xy_px=o.xy_px + image_noise)
+    ).having(replace(s, xyz=s.xyz + station_noise))
 
 
 def _exact(scene: Scene, plan: Flight) -> Block:
@@ -166,11 +163,12 @@ def _empty(scene: Scene, plan: Flight) -> Block:
             xyz=scene.xyz,
             sigma=sigma,
         ),
-        stations=Stations(
+    ).having(
+        Stations(
             image=np.arange(n, dtype=np.int32),
             xyz=scene.centre.copy(),
             sigma=np.tile(np.array(plan.station_sigma), (n, 1)),
-        ),
+        )
     )
 
 

@@ -329,7 +329,7 @@ def in_frame(export: Export, frame: LocalFrame) -> Export:
     moved = replace(stations, xyz=frame.local_from_crs(stations.xyz), velocity=None)
     points = replace(block.points, xyz=_known_plan(frame, block.points.xyz))
     images = replace(block.images, centre=centre, rotation=rotation)
-    return replace(export, block=replace(block, images=images, points=points, stations=moved))
+    return replace(export, block=replace(block, images=images, points=points).having(moved))
 
 
 def _known_plan(frame: LocalFrame, xyz: Array) -> Array:

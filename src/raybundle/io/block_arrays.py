@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Any
 
 import numpy as np
 
-from raybundle.block import Block, Camera, Distances, Images, Observations, Points, Stations
+from raybundle.block import Block, Camera, Images, Observations, Points
 from raybundle.block.block import PixelFrame, Relation
 from raybundle.io.reading.trees import own_json_of
 from raybundle.numerics.arrays import Array
+from raybundle.observations import tables
+from raybundle.observations.table import Table
 
 
 def arrays_of_block(block: Block) -> dict[str, Array]:
@@ -33,7 +36,7 @@ def arrays_of_block(block: Block) -> dict[str, Array]:
         "held": block.images.held is not None,
         "frames": {str(k): asdict(f) for k, f in block.images.frames.items()},
     }
-    i, o, p, d, s = block.images, block.observations, block.points, block.distances, block.stations
+    i, o, p = block.images, block.observations, block.points
     return {
         "head": np.array(json.dumps(head)),
         "image_ids": np.array(i.ids, dtype=np.str_),
@@ -50,13 +53,8 @@ def arrays_of_block(block: Block) -> dict[str, Array]:
         "role": p.role,
         "xyz": p.xyz,
         "sigma": p.sigma,
-        "distance_start": d.start,
-        "distance_end": d.end,
-        "distance_length": d.length,
-        "distance_sigma": d.sigma,
-        "station_image": s.image,
-        "station_xyz": s.xyz,
-        "station_sigma": s.sigma,
+        **{f"{t.name}.{field}": values for t in block.tables.values() for field, values in t.arrays().items()},
+        **({} if i.station is None else {"image_station": i.station}),
     }
 
 
@@ -69,7 +67,7 @@ def block_of_arrays(a: dict[str, Array]) -> Block:
         source=head["source"],
         licence=head["licence"],
         length_unit=head["length_unit"],
-        free_scale=bool(head.get("free_scale", False)),
+        free_scale=bool(head["free_scale"]),
         sigma0_apriori=head["sigma0_apriori"],
         residuals=head["residuals"],
         cameras=tuple(_camera(c) for c in head["cameras"]),
@@ -81,17 +79,22 @@ def block_of_arrays(a: dict[str, Array]) -> Block:
             rotation=a["rotation"],
             held=a["image_held"] if head["held"] else None,
             interior={int(k): v for k, v in head["interior"].items()},
-            frames={int(k): PixelFrame(**f) for k, f in head.get("frames", {}).items()},
+            station=a.get("image_station"),
+            frames={int(k): PixelFrame(**f) for k, f in head["frames"].items()},
         ),
         observations=Observations(
             image=a["observation_image"], point=a["observation_point"], xy_px=a["xy_px"], cov_px2=a["cov_px2"]
         ),
         points=Points(ids=tuple(a["point_ids"].tolist()), role=a["role"], xyz=a["xyz"], sigma=a["sigma"]),
-        distances=Distances(
-            start=a["distance_start"], end=a["distance_end"], length=a["distance_length"], sigma=a["distance_sigma"]
-        ),
-        stations=Stations(image=a["station_image"], xyz=a["station_xyz"], sigma=a["station_sigma"]),
+        tables={name: kept for name, table in tables.items() if (kept := _table(table, a)) is not None},
     )
+
+
+def _table(table: type[Table], a: Mapping[str, Array]) -> Table | None:
+    """A table of a block; None where nothing of it was kept."""
+    head = f"{table.name}."
+    found = {name.removeprefix(head): values for name, values in a.items() if name.startswith(head)}
+    return table.of_arrays(found) if found else None
 
 
 def _camera(values: dict[str, Any]) -> Camera:

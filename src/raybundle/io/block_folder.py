@@ -6,17 +6,18 @@ The format stands in docs/reference/block-format.md.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
-from raybundle.block import Block, Camera, Distances, Images, Observations, Points, Role, no_distances
+from raybundle.block import Block, Camera, Images, Observations, Points, Role
 from raybundle.block.block import PixelFrame, Turn
 from raybundle.block.frames import TURNS, size_ratio
 from raybundle.errors import InputError
+from raybundle.io.block_observations import read_observation_tables, write_observation_tables
 from raybundle.io.block_scenes import FOLDER as SCENES
 from raybundle.io.block_scenes import with_views, write_scene_files
-from raybundle.io.block_stations import read_attitudes, read_stations, write_stations
 from raybundle.io.block_tables import ANGLES, SIGMA_XYZ, XYZ, columns_of, named, problems_of, require
 from raybundle.io.block_toml import head_text, read_head
 from raybundle.io.folders import new_folder
@@ -25,8 +26,9 @@ from raybundle.io.tables import SHOWN, Column, Problem, Table, read_table, write
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.rotation import rotation_from_angles
+from raybundle.observations import tables
 
-TABLES = ("images", "observations", "points", "distances", "stations", "attitudes", "interior")
+TABLES = ("images", "observations", "points", *tables, "interior")
 FILES = ("block.toml", *(f"{name}.csv" for name in TABLES), SCENES)
 FRAME = ("turned_deg", "file_width_px", "file_height_px")
 """Of images whose files are stored turned or reduced."""
@@ -63,22 +65,10 @@ def read_block(path: str | Path, *, progress: Progress = silent) -> Block:
         residuals=head.residuals,
         place=head.place,
         cameras=head.cameras,
-        images=Images(
-            ids=images.ids,
-            camera=images.camera,
-            file=images.file,
-            centre=images.centre,
-            rotation=images.rotation,
-            held=images.held,
-            interior=interior,
-            station=images.station,
-            frames=images.frames,
-        ),
+        images=replace(images, interior=interior),
         observations=observations,
         points=points,
-        distances=_read_distances(folder / "distances.csv", point_ids),
-        stations=read_stations(folder / "stations.csv", image_ids, head.cameras),
-        attitudes=read_attitudes(folder / "attitudes.csv", image_ids, head.cameras),
+        tables=read_observation_tables(folder, image_ids, point_ids, head.cameras),
     )
     progress("reading", 1.0)
     return block
@@ -323,24 +313,6 @@ def _read_observations(path: Path, images: dict[str, int], points: dict[str, int
     )
 
 
-def _read_distances(path: Path, points: dict[str, int]) -> Distances:
-    if not path.exists():
-        return no_distances()
-    where = "points.csv or observations.csv"
-    table = read_table(
-        path,
-        (
-            Column(name="from", kind="reference", known=points, where=where),
-            Column(name="to", kind="reference", known=points, where=where),
-            Column(name="length", kind="number", limit="> 0"),
-            Column(name="sigma", kind="number", limit="> 0"),
-        ),
-    )
-    start, end = table.index["from"], table.index["to"]
-    require(path, problems_of(start == end, "to", lambda _: "a distance needs two different points"))
-    return Distances(start=start, end=end, length=table.number["length"], sigma=table.number["sigma"])
-
-
 def _read_interior(
     path: Path, images: dict[str, int], table_of_images: Images, cameras: tuple[Camera, ...]
 ) -> dict[int, dict[str, float]]:
@@ -427,11 +399,7 @@ def write_block_files(block: Block, folder: Path) -> None:
             folder / "points.csv",
             {**point_columns(points), **columns_of(XYZ, points.xyz), **columns_of(SIGMA_XYZ, points.sigma)},
         )
-    if len(block.distances):
-        d = block.distances
-        ends = {"from": named(points.ids, d.start), "to": named(points.ids, d.end)}
-        write_table(folder / "distances.csv", {**ends, "length": d.length, "sigma": d.sigma})
-    write_stations(folder, block)
+    write_observation_tables(folder, block)
     _write_interior(folder / "interior.csv", block)
 
 

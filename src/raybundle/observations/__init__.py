@@ -6,10 +6,12 @@ from pkgutil import iter_modules
 from raybundle.observations.kind import Interior, ObservationKind, Observed, Partials, Rows, Scope, Values, in_order
 
 for _module in iter_modules(__path__):
-    if _module.name != "kind":
+    if _module.name not in {"kind", "table"}:
         import_module(f"{__name__}.{_module.name}")
 
 observation_kinds = ObservationKind.registry
+tables = {kind.table.name: kind.table for kind in in_order() if kind.table is not None}
+"""Tables of a block by the names of their files"""
 
 __all__ = [
     "Interior",
@@ -21,4 +23,5 @@ __all__ = [
     "Values",
     "in_order",
     "observation_kinds",
+    "tables",
 ]

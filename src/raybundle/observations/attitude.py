@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from typing import Any
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rotation import angle_derivatives, angles_from_rotation
 from raybundle.observations.kind import Named, ObservationKind, Observed, Rows, Scope, Values, partials
+from raybundle.observations.table import Table, Wrong, again, cells
 from raybundle.sensors.imu import told
 
 STEEP = 0.01
@@ -18,24 +20,25 @@ STEEP = 0.01
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Attitudes:
+class Attitudes(Table):
     """Observed rotations of images (INS)."""
 
-    image: Index
-    angles: Array
+    name: ClassVar[str] = "attitudes"
+
+    image: Index = cells("image", "image")
+    angles: Array = cells("number", "omega_deg", "phi_deg", "kappa_deg", unit="deg")
     """(k, 3) omega, phi, kappa [rad] as the IMU tells them."""
-    sigma: Array
+    sigma: Array = cells("number", "somega_deg", "sphi_deg", "skappa_deg", unit="deg", empty=True, limit="> 0")
     """(k, 3) [rad]; NaN where an angle was not observed."""
-    imu: Index | None = None
+    imu: Index | None = cells("camera", "imu", model="imu", empty=True, optional=True)
     """(k,) position in `Block.cameras` of the IMU with its misalignment, -1 or None: the image's own rotation."""
 
-    def __len__(self) -> int:
-        return len(self.image)
-
-
-def no_attitudes() -> Attitudes:
-    """A table without rows."""
-    return Attitudes(image=np.zeros(0, np.int32), angles=np.zeros((0, 3)), sigma=np.zeros((0, 3)))
+    def wrong(self) -> Sequence[Wrong]:
+        blind: Mask = np.asarray(np.isnan(self.sigma).all(axis=1), bool)
+        return [
+            Wrong(again(self.image), "image", lambda _: "this image has a row already; delete one of the two"),
+            Wrong(blind, "somega_deg", lambda _: "no angle has a sigma; give one, or delete it"),
+        ]
 
 
 class Attitude(ObservationKind):
@@ -45,15 +48,13 @@ class Attitude(ObservationKind):
     group = "attitudes"
     order = 3
     unit = "angle"
+    table = Attitudes
     carries_datum = True
     left_open = (
         "the misalignment of an IMU is unknown, and the images' headings are too alike to tell it from a rotation of "
         "all.\n  Give control points or observed projection centres, hold bz, or give the misalignment a sigma."
     )
     hides = (3, 4, 5)
-
-    def table_of(self, block: Any) -> Attitudes:
-        return block.attitudes
 
     def check(self, table: Attitudes, scope: Scope) -> None:
         for k in np.flatnonzero(np.cos(table.angles[:, 1]) < STEEP)[:1]:
@@ -92,6 +93,3 @@ class Attitude(ObservationKind):
             tuple(scope.image_ids[i] for i in table.image[rows.item].tolist()),
             tuple(("omega", "phi", "kappa")[a] for a in rows.component.tolist()),
         )
-
-    def weighted(self, block: Any, factor: float) -> Any:
-        return replace(block, attitudes=replace(block.attitudes, sigma=factor * block.attitudes.sigma))

@@ -20,9 +20,6 @@ class Control(ObservationKind):
     unit = "length"
     carries_datum = True
 
-    def table_of(self, block: Any) -> Any:
-        return None
-
     def rows(self, table: Any, scope: Scope) -> Rows:
         point, axis = np.argwhere(scope.coordinates).T
         shift: Array = scope.shift[axis]

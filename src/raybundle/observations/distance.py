@@ -2,32 +2,31 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from typing import Any
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
 from raybundle.observations.kind import Named, ObservationKind, Observed, Rows, Scope, Values, partials
+from raybundle.observations.table import Table, Wrong, cells
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Distances:
+class Distances(Table):
     """Scale bars: observed distances between two object points."""
 
-    start: Index
-    end: Index
-    length: Array
-    sigma: Array
+    name: ClassVar[str] = "distances"
 
-    def __len__(self) -> int:
-        return len(self.start)
+    start: Index = cells("point", "from")
+    end: Index = cells("point", "to")
+    length: Array = cells("number", "length", limit="> 0")
+    sigma: Array = cells("number", "sigma", limit="> 0")
 
-
-def no_distances() -> Distances:
-    """A table without rows."""
-    return Distances(start=np.zeros(0, np.int32), end=np.zeros(0, np.int32), length=np.zeros(0), sigma=np.zeros(0))
+    def wrong(self) -> Sequence[Wrong]:
+        return [Wrong(self.start == self.end, "to", lambda _: "a distance needs two different points")]
 
 
 class Distance(ObservationKind):
@@ -38,9 +37,7 @@ class Distance(ObservationKind):
     order = 1
     unit = "length"
     fixes_scale = True
-
-    def table_of(self, block: Any) -> Distances:
-        return block.distances
+    table = Distances
 
     def points(self, table: Distances, scope: Scope) -> Index:
         used = scope.points[table.start] & scope.points[table.end]
@@ -70,6 +67,3 @@ class Distance(ObservationKind):
         ids = scope.point_ids
         ends = zip(table.start[rows.item].tolist(), table.end[rows.item].tolist(), strict=True)
         return Named(tuple(f"{ids[a]}-{ids[b]}" for a, b in ends), ("length",) * len(rows))
-
-    def weighted(self, block: Any, factor: float) -> Any:
-        return replace(block, distances=replace(block.distances, sigma=factor * block.distances.sigma))

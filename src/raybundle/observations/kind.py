@@ -9,12 +9,13 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar, Literal, Protocol
 
 import numpy as np
 
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.observations.table import Table
 
 Of = Literal["point", "centre", "rotation", "interior"]
 """Parameter blocks: coordinates of object points, centres, small rotations and interior orientations of images.
@@ -161,6 +162,8 @@ class ObservationKind(ABC):
     """In which reports and result files list the kinds"""
     unit: ClassVar[Literal["length", "angle", "own"]]
     """Of the observed quantities: that of the object, rad, or one for each row (that of a parameter)"""
+    table: ClassVar[type[Table] | None] = None
+    """Of its own in a block, with a field `sigma`; None: it observes what other tables of the block hold"""
     carries_datum: ClassVar[bool] = False
     """Whether it tells where or how the object lies in its frame; left out where the datum is chosen freely."""
     fixes_scale: ClassVar[bool] = False
@@ -177,9 +180,10 @@ class ObservationKind(ABC):
             raise TypeError(f"two kinds of observations are called {made.name}")
         ObservationKind.registry[made.name] = made
 
-    @abstractmethod
-    def table_of(self, block: Any) -> Any:
+    @classmethod
+    def table_of(cls, block: Any) -> Any:
         """Its table in a block; None where it has none of its own."""
+        return None if cls.table is None else block.table(cls.table)
 
     def check(self, table: Any, scope: Scope) -> None:  # noqa: B027  (most have nothing to check)
         """Raise InputError where rows cannot be adjusted, whatever the values."""
@@ -207,9 +211,10 @@ class ObservationKind(ABC):
     def named(self, table: Any, rows: Rows, scope: Scope) -> Named:
         """Names of the rows and of their quantities."""
 
-    @abstractmethod
     def weighted(self, block: Any, factor: float) -> Any:
         """The block with its standard deviations multiplied."""
+        table = self.table_of(block)
+        return block.having(replace(table, sigma=factor * table.sigma))
 
 
 def partials(of: Of, row: Array, item: Array, component: Array | int, value: Array) -> Partials:

@@ -18,9 +18,6 @@ class ObservedParameter(ObservationKind):
     order = 4
     unit = "own"
 
-    def table_of(self, block: Any) -> Any:
-        return None
-
     def rows(self, table: Any, scope: Scope) -> Rows:
         found = [
             (r, k, i.given[i.symbols[k]], i.sigma[i.symbols[k]])

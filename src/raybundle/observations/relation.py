@@ -40,9 +40,6 @@ class RelationOfParameters(ObservationKind):
     order = 5
     unit = "own"
 
-    def table_of(self, block: Any) -> Any:
-        return None
-
     def rows(self, table: Any, scope: Scope) -> Rows:
         found = [
             (r, k, relation.observed, relation.sigma)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from typing import Any
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
@@ -11,26 +12,37 @@ from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.rotation import cross_matrix
 from raybundle.observations.kind import Named, ObservationKind, Observed, Rows, Scope, Values, partials
+from raybundle.observations.table import Table, Wrong, again, cells
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Stations:
+class Stations(Table):
     """Observed projection centres (GNSS)."""
 
-    image: Index
-    xyz: Array
+    name: ClassVar[str] = "stations"
+
+    image: Index = cells("image", "image")
+    xyz: Array = cells("number", "X", "Y", "Z", empty=True)
     """(k, 3); NaN where a coordinate was not observed."""
-    sigma: Array
+    sigma: Array = cells("number", "sX", "sY", "sZ", empty=True, limit="> 0")
     """(k, 3)"""
-    antenna: Index | None = None
+    antenna: Index | None = cells("camera", "antenna", model="antenna", empty=True, optional=True)
     """(k,) position in `Block.cameras` of the antenna that was observed, -1 or None: the projection centre itself."""
-    time: Array | None = None
+    time: Array | None = cells("number", "time_s", empty=True, optional=True, fill=0.0)
     """(k,) [s] for an antenna's drift; None: zero."""
-    velocity: Array | None = None
+    velocity: Array | None = cells("number", "vX", "vY", "vZ", empty=True, optional=True)
     """(k, 3) of the image [length unit / s], for an antenna's time offset; None or NaN: by the positions around it."""
 
-    def __len__(self) -> int:
-        return len(self.image)
+    def wrong(self) -> Sequence[Wrong]:
+        given, weighted = np.isfinite(self.xyz), np.isfinite(self.sigma)
+        return [
+            Wrong(again(self.image), "image", lambda _: "this image has a row already; delete one of the two"),
+            Wrong(
+                np.asarray(np.any(given ^ weighted, axis=1), bool), "sX",
+                lambda _: "each coordinate needs its sigma, each sigma its coordinate",
+            ),
+            Wrong(np.asarray(~given.any(axis=1), bool), "X", lambda _: "the row holds no coordinate; delete it"),
+        ]  # fmt: skip
 
     @property
     def velocities(self) -> Array:
@@ -58,11 +70,6 @@ class Stations:
         return found
 
 
-def no_stations() -> Stations:
-    """A table without rows."""
-    return Stations(image=np.zeros(0, np.int32), xyz=np.zeros((0, 3)), sigma=np.zeros((0, 3)))
-
-
 class Station(ObservationKind):
     """v = X0 + R' a + s + d t + v dt - observed, see `raybundle.sensors.antenna`; X0 alone without an antenna."""
 
@@ -70,14 +77,12 @@ class Station(ObservationKind):
     group = "stations"
     order = 2
     unit = "length"
+    table = Stations
     carries_datum = True
     left_open = (
         "shifts, drifts or lever arms of the observed projection centres are unknown for every flight line.\n"
         "  Give control points, hold the shift of one antenna, or give the shifts a sigma."
     )
-
-    def table_of(self, block: Any) -> Stations:
-        return block.stations
 
     def check(self, table: Stations, scope: Scope) -> None:
         if table.antenna is None:
@@ -138,6 +143,3 @@ class Station(ObservationKind):
             tuple(scope.image_ids[i] for i in table.image[rows.item].tolist()),
             tuple("XYZ"[a] for a in rows.component.tolist()),
         )
-
-    def weighted(self, block: Any, factor: float) -> Any:
-        return replace(block, stations=replace(block.stations, sigma=factor * block.stations.sigma))

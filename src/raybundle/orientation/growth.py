@@ -9,7 +9,6 @@ import numpy as np
 from raybundle.adjustment.engine import estimate_only, free_parameters
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Block, Role
-from raybundle.block.block import no_attitudes, no_distances, no_stations
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.orientation.candidates import Pose
@@ -222,15 +221,13 @@ class Growth:
             loose = replace(
                 given.points, role=np.zeros_like(given.points.role), sigma=np.full_like(given.points.sigma, np.nan)
             )
-            block = replace(
-                given, points=loose, distances=no_distances(), stations=no_stations(), attitudes=no_attitudes()
-            )
+            block = replace(given, points=loose, tables={})
         try:
             found, bad = estimate_only(block, options, free, ~rows)
         except (InputError, np.linalg.LinAlgError):
             return given, self.bad_rows
         points = replace(given.points, xyz=found.points.xyz)
-        return replace(found, points=points, distances=given.distances, stations=given.stations), bad
+        return replace(found, points=points, tables=given.tables), bad
 
     def _angles(self, rows: Array) -> Array:
         """Angles [rad] between rays and the directions to their points as they stand."""

@@ -13,6 +13,7 @@ import numpy as np
 from raybundle.block import Block, Camera
 from raybundle.numerics import native
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.observations import tables
 from raybundle.report.numbers import grouped
 
 
@@ -36,7 +37,7 @@ def fingerprint(*parts: Array | Index | Mask | Sequence[str]) -> str:
 
 def fingerprints(block: Block) -> list[tuple[str, str, str]]:
     """Name, number of rows and fingerprint of each table of a block."""
-    i, o, p, d, s = block.images, block.observations, block.points, block.distances, block.stations
+    i, o, p = block.images, block.observations, block.points
     cameras = [
         json.dumps([
             c.id, c.model, c.width_px, c.height_px, c.pixel_mm, sorted(c.values.items()), c.estimate,
@@ -60,15 +61,10 @@ def fingerprints(block: Block) -> list[tuple[str, str, str]]:
         ("observations", len(o), fingerprint(o.image, o.point, o.xy_px, o.cov_px2)),
         ("points", len(p), fingerprint(p.ids, p.role, p.xyz, p.sigma)),
     ]
-    if len(d):
-        rows.append(("distances", len(d), fingerprint(d.start, d.end, d.length, d.sigma)))
-    if len(s):
-        more = [a for a in (s.antenna, s.time, s.velocity) if a is not None]
-        rows.append(("stations", len(s), fingerprint(s.image, s.xyz, s.sigma, *more)))
-    if len(block.attitudes):
-        a = block.attitudes
-        more = [] if a.imu is None else [a.imu]
-        rows.append(("attitudes", len(a), fingerprint(a.image, a.angles, a.sigma, *more)))
+    for name, table in ((name, block.tables[name]) for name in tables if name in block.tables):
+        rows.append(
+            (name, len(table), fingerprint(*(v for f, _ in table.cells() if (v := getattr(table, f)) is not None)))
+        )
     if i.station is not None:
         rows.append(("rig stations", len(i), fingerprint(i.station)))
     return [(name, grouped(count), print_) for name, count, print_ in rows]

@@ -117,9 +117,7 @@ def shown_points(view: View) -> Index:
     """Rows of the object points of the page: every control and check point, and tie points evenly thinned."""
     known = (view.rays > 0) & np.isfinite(view.adjusted.points.xyz).all(axis=1)
     role = np.asarray(view.given.points.role)
-    ends = np.zeros(len(role), bool)
-    ends[view.given.distances.start] = True
-    ends[view.given.distances.end] = True
+    ends = view.given.points_named
     special = np.flatnonzero(known & ((role != Role.TIE) | ends))
     tie = np.flatnonzero(known & (role == Role.TIE) & ~ends)
     room = max(MOST_POINTS - len(special), 0)

@@ -225,11 +225,8 @@ def _observe(state: Placing, told: PhotoAttitudes, image: Index, used: list[_Mou
     rows, turn, imu, R, angles = rows[order], turn[order], imu[order], R[order], angles[order]
     D = angle_derivatives(R) @ turn
     variance = np.diagonal(D @ told.covariance[rows] @ np.swapaxes(D, 1, 2), axis1=1, axis2=2)
-    state.block = replace(
-        block,
-        attitudes=Attitudes(
-            image=image[rows], angles=angles, sigma=np.sqrt(variance), imu=imu.astype(np.int32) if imus else None
-        ),
+    state.block = block.having(
+        Attitudes(image=image[rows], angles=angles, sigma=np.sqrt(variance), imu=imu.astype(np.int32) if imus else None)
     )
     message = (
         f"the attitudes of {counted(len(rows), 'photograph')} are observed ({told.convention}, from {told.source})"

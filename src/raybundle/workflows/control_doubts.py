@@ -12,7 +12,7 @@ from raybundle.adjustment.control_tests import ControlTests
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.severity import POOR_FIT, Severity
-from raybundle.block import Block, Role, no_stations
+from raybundle.block import Block, Role, Stations
 from raybundle.block.select import with_rows
 from raybundle.errors import InputError, NotSolvable
 from raybundle.numerics.arrays import Array, Index
@@ -72,7 +72,7 @@ def doubted_control(
         return None
     names = tuple(block.points.ids[k] for k in control)
     if len(block.stations.image):
-        by_control = _tried(replace(block, stations=no_stations()), brief, adjust)
+        by_control = _tried(block.having(Stations.empty()), brief, adjust)
         if by_control is not None and by_control.sigma0 <= POOR_FIT:
             gap = block.stations.xyz - by_control.adjusted.images.centre[block.stations.image]
             known = np.isfinite(gap).any(axis=0)

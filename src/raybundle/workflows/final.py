@@ -14,7 +14,7 @@ from raybundle.adjustment.given_calibration import calibration_notices
 from raybundle.adjustment.options import AdjustmentOptions, NoiseModel, noise_of_photographs
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.structure import structure_notice
-from raybundle.block import Block, Camera, Distances, Role
+from raybundle.block import Block, Camera, Role
 from raybundle.block.select import with_rows, without_images
 from raybundle.errors import NoConvergence, NotSolvable
 from raybundle.io.photos.cameras import CameraGroup
@@ -195,10 +195,11 @@ def _without_control(placed: Georeferenced, whole: Georeferenced, error: NotSolv
     names = [n for n, c in zip(p.ids, control, strict=True) if c]
     role, sigma = np.array(p.role), np.array(p.sigma)
     role[control], sigma[control] = Role.TIE, np.nan
-    d = whole.block.distances
-    free = ~(control[d.start] | control[d.end])
-    bars = Distances(start=d.start[free], end=d.end[free], length=d.length[free], sigma=d.sigma[free])
-    left = with_rows(replace(whole.block, points=replace(p, role=role, sigma=sigma), distances=bars), rows)
+    kept = np.where(control, -1, np.arange(len(p)))
+    free = replace(whole.block, points=replace(p, role=role, sigma=sigma)).of_tables(
+        lambda t: t.renumbered("point", kept)
+    )
+    left = with_rows(free, rows)
     message = (
         f"control is left out ({', '.join(names[:8])}{' ...' * (len(names) > 8)}): with it nothing could be adjusted "
         f"({error.headline}). Position, orientation and scale are those to which the start brought the block; look at "

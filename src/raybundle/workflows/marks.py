@@ -12,6 +12,7 @@ import numpy as np
 from raybundle.adjustment.predict import residuals_px
 from raybundle.adjustment.result import Notice
 from raybundle.block import Block, Distances, Role
+from raybundle.block.select import with_points
 from raybundle.errors import InputError
 from raybundle.io.control_files import DEFAULTS, ControlDefaults, ControlFile
 from raybundle.io.coordinate_systems import LocalFrame
@@ -234,17 +235,7 @@ def drop_unseen_checks(state: Placing) -> None:
     if not lost.any():
         return
     names = tuple(block.points.ids[k] for k in np.flatnonzero(lost))
-    keep, p, d = ~lost, block.points, block.distances
-    new = np.cumsum(keep) - 1
-    state.block = replace(
-        block,
-        observations=replace(block.observations, point=new[block.observations.point].astype(np.int32)),
-        points=replace(
-            p, ids=tuple(n for n, k in zip(p.ids, keep, strict=True) if k), role=p.role[keep], xyz=p.xyz[keep],
-            sigma=p.sigma[keep],
-        ),
-        distances=replace(d, start=new[d.start].astype(np.int32), end=new[d.end].astype(np.int32)),
-    )  # fmt: skip
+    state.block = with_points(block, ~lost)
     state.tell("check_unseen", f"check points without a measurement that could be used: {', '.join(names)}", *names)
 
 
@@ -312,14 +303,13 @@ def add_bars(state: Placing, given: Given) -> None:
         return
     index = {name: k for k, name in enumerate(state.block.points.ids)}
     bars = given.scale_bars
-    state.block = replace(
-        state.block,
-        distances=Distances(
+    state.block = state.block.having(
+        Distances(
             start=np.array([index[b.start] for b in bars], np.int32),
             end=np.array([index[b.end] for b in bars], np.int32),
             length=np.array([b.length for b in bars]),
             sigma=np.array([b.sigma for b in bars]),
-        ),
+        )
     )
 
 

@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
 
 from raybundle.adjustment.result import Adjustment, Notice
-from raybundle.block import Block, Distances, Role, Stations
-from raybundle.block.block import Attitudes
+from raybundle.block import Block, Role
 from raybundle.block.select import with_rows
 from raybundle.errors import InputError, NoOrientation
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.progress import Progress, silent
+from raybundle.observations.table import Table
 from raybundle.workflows.georeference import Georeferenced, Surroundings, georeference
 from raybundle.workflows.marks import Given
 from raybundle.workflows.positions import without_idle
@@ -154,7 +154,6 @@ def merged(blocks: Sequence[Block]) -> Block:
         point.append(number[o.point])
         xy.append(o.xy_px)
         cov.append(o.cov_px2)
-    s, a = [b.stations for b in blocks], [b.attitudes for b in blocks]
     return replace(
         base,
         images=replace(base.images, centre=centre, rotation=rotation),
@@ -168,38 +167,26 @@ def merged(blocks: Sequence[Block]) -> Block:
             xy_px=np.vstack(xy),
             cov_px2=np.vstack(cov),
         ),
-        distances=_distances(base, position),
-        stations=Stations(
-            image=np.concatenate([x.image for x in s]).astype(np.int32),
-            xyz=np.vstack([x.xyz for x in s]),
-            sigma=np.vstack([x.sigma for x in s]),
-            antenna=_carriers(s, [x.antenna for x in s]),
-        ),
-        attitudes=Attitudes(
-            image=np.concatenate([x.image for x in a]).astype(np.int32),
-            angles=np.vstack([x.angles for x in a]),
-            sigma=np.vstack([x.sigma for x in a]),
-            imu=_carriers(a, [x.imu for x in a]),
-        ),
-    )
+    ).having(*_tables(blocks, base, position))
 
 
-def _carriers(tables: Sequence[Stations | Attitudes], carriers: Sequence[Index | None]) -> Index | None:
-    """Antennas or IMUs of the parts' rows one after the other; all parts number them alike."""
-    if all(c is None for c in carriers):
-        return None
-    rows = [np.full(len(t), -1) if c is None else c for t, c in zip(tables, carriers, strict=True)]
-    return np.concatenate(rows).astype(np.int32)
+def _tables(blocks: Sequence[Block], base: Block, position: Mapping[str, int]) -> list[Table]:
+    """Observations of the images of all parts; those of points alone, which all parts have alike, once.
+
+    All parts number images and cameras alike.
+    """
+    found = list[Table]()
+    for name in dict.fromkeys(name for b in blocks for name in b.tables):
+        parts = [b.tables[name].renumbered("point", _numbers(b, position)) for b in blocks if name in b.tables]
+        of_images = any(c.of == "image" for _, c in type(parts[0]).cells())
+        mine = base.tables.get(name)
+        alone = parts[0] if mine is None else mine.renumbered("point", _numbers(base, position))
+        found.append(type(parts[0]).joined(parts) if of_images else alone)
+    return found
 
 
-def _distances(block: Block, position: dict[str, int]) -> Distances:
-    """Scale bars with the numbers of the merged points; all blocks have the same."""
-    d, ids = block.distances, block.points.ids
-
-    def at(rows: Index) -> Index:
-        return np.array([position[ids[k]] for k in rows.tolist()], np.int32)
-
-    return replace(d, start=at(d.start), end=at(d.end))
+def _numbers(block: Block, position: Mapping[str, int]) -> Index:
+    return np.array([position[i] for i in block.points.ids], np.int32)
 
 
 def apart_notice(main: Block, apart: Sequence[Georeferenced], folders: Sequence[str]) -> Notice:

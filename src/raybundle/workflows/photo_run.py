@@ -40,7 +40,7 @@ from raybundle.workflows.tie_block import TieBlock, block_of_tracks
 from raybundle.workflows.tie_points import FeatureStore, find_features, grey_of, match_pairs, pairs_of
 from raybundle.workflows.tie_start import LEFT
 
-START, PRECISION = 14, 21
+START, PRECISION = 15, 22
 """Versions of the stages' results."""
 ALONE = "one photograph alone cannot be oriented; at least 2 are needed"
 

@@ -176,29 +176,22 @@ def observe(state: Placing, positions: Positions, given: Given) -> None:
         stations = replace(stations, antenna=(first + positions.flight).astype(np.int32))
         if shift:
             told += ", with a shift of their own" + (f" for each of {count} flights" if count > 1 else "")
-    state.block = replace(block, stations=stations)
+    state.block = block.having(stations)
     state.tell("gps", told)
 
 
 def without_idle(block: Block) -> Block:
     """The block without antennas and IMUs of which nothing is observed, as those of flights that are not oriented."""
-    antenna, imu = block.stations.antenna, block.attitudes.imu
-    used = {int(k) for rows in (antenna, imu) if rows is not None for k in rows}
+    used = {int(k) for t in block.tables.values() for k in t.refers("camera")}
     keep = np.array([c.sensor.has_images or k in used for k, c in enumerate(block.cameras)], bool)
     if keep.all():
         return block
-    number = (np.cumsum(keep) - 1).astype(np.int32)
-
-    def moved(rows: Index | None) -> Index | None:
-        return None if rows is None else np.where(rows >= 0, number[rows], -1).astype(np.int32)
-
+    number: Index = np.where(keep, np.cumsum(keep) - 1, -1).astype(np.int32)
     return replace(
         block,
         cameras=tuple(c for c, k in zip(block.cameras, keep, strict=True) if k),
         images=replace(block.images, camera=number[block.images.camera]),
-        stations=replace(block.stations, antenna=moved(antenna)),
-        attitudes=replace(block.attitudes, imu=moved(imu)),
-    )
+    ).of_tables(lambda t: t.renumbered("camera", number))
 
 
 def _name(name: str, taken: set[str]) -> str:

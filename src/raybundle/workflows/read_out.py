@@ -223,7 +223,7 @@ def _with_scale(block: Block, result: Adjustment) -> Block:
         start=np.append(d.start, some[a]).astype(np.int32), end=np.append(d.end, some[b]).astype(np.int32),
         length=np.append(d.length, away[b]), sigma=np.append(d.sigma, HELD * away[b]),
     )  # fmt: skip
-    return replace(block, distances=held)
+    return block.having(held)
 
 
 def _with(block: Block, at: int, values: Mapping[str, float]) -> Block:

@@ -44,7 +44,7 @@ from raybundle.workflows.tie_points import FeatureStore
 if TYPE_CHECKING:
     from raybundle.io.photos.photo import Photo
 
-START, PRECISION = 1, 4
+START, PRECISION = 2, 5
 """Versions of the results."""
 STRIP, STRIP_EDGE = 2048, 16
 """Rows of a pyramid's level that are made at once, and how far strips overlap [px]."""
@@ -281,7 +281,7 @@ def joined(scenes: Block, photographs: Block | None) -> Block:
             xyz[shared[k]] = b.points.xyz[k]
     keep = ~same
     o, q = a.observations, b.observations
-    d = b.distances
+    images, lenses = n + np.arange(len(b.images)), cameras + np.arange(len(b.cameras))
     return replace(
         b,
         name=a.name,
@@ -311,21 +311,7 @@ def joined(scenes: Block, photographs: Block | None) -> Block:
             xyz=np.vstack([xyz, b.points.xyz[keep]]),
             sigma=np.vstack([a.points.sigma, b.points.sigma[keep]]),
         ),
-        distances=replace(d, start=new[d.start].astype(np.int32), end=new[d.end].astype(np.int32)),
-        stations=replace(
-            b.stations,
-            image=(b.stations.image + n).astype(np.int32),
-            antenna=_moved(b.stations.antenna, cameras),
-        ),
-        attitudes=replace(
-            b.attitudes, image=(b.attitudes.image + n).astype(np.int32), imu=_moved(b.attitudes.imu, cameras)
-        ),
-    )
-
-
-def _moved(antenna: Array | None, cameras: int) -> Array | None:
-    """Positions of antennas among more cameras; -1 stays none."""
-    return None if antenna is None else np.where(antenna >= 0, antenna + cameras, antenna).astype(np.int32)
+    ).of_tables(lambda t: t.renumbered("point", new).renumbered("image", images).renumbered("camera", lenses))
 
 
 def _held(block: Block) -> Array:

@@ -19,7 +19,7 @@ from typing import NoReturn
 import numpy as np
 
 from raybundle.block import Camera, Images, Role
-from raybundle.block.block import no_distances, no_stations
+from raybundle.block.block import Distances, Stations
 from raybundle.errors import InputError
 from raybundle.io.block_toml import read_cameras
 from raybundle.io.calibrations.ours import cameras_text
@@ -140,7 +140,7 @@ def in_metres(export: Export, name: str) -> tuple[Export, tuple[str, ...]]:
     kept = replace(block, length_unit="m", images=images, points=points)
     scaled = replace(
         export,
-        block=replace(kept, stations=no_stations(), distances=no_distances()),  # these formats have no place for them
+        block=kept.having(Stations.empty(), Distances.empty()),  # these formats have no place for them
         sigma=None if export.sigma is None else export.sigma * metres,
         station_sigma=None if export.station_sigma is None else export.station_sigma * metres,
     )

@@ -1,0 +1,112 @@
+"""Laws that every kind of observation outside the images keeps; a new kind is tested by having an example here."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from tests.adjustment.test_attitudes import noisy
+from tests.truth.mixed_blocks import mixed
+
+from raybundle.adjustment.assemble import assemble
+from raybundle.adjustment.normals import Normals
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.block import Relation
+from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.observations import in_order, observation_kinds
+
+
+def a_field():
+    """Control, scale bars, an observed camera constant and a relation."""
+    block = simulate(
+        field_scene(TargetField(rows=4, columns=5, stations=4, frontal=1)),
+        Survey(scale_bars=3, control=5, control_sigma=(1e-3, 2e-3, 3e-3)),
+    ).truth
+    c = block.cameras[0]
+    relations = (
+        Relation(name="sum", terms={"c": 2.0, "x0": -1.0}, sigma=0.1, observed=2 * c.values["c"]),
+        Relation(name="log", terms={"c": 1.0}, sigma=0.01, observed=np.log(c.values["c"]), logarithm=True),
+    )
+    return replace(block, cameras=(replace(c, sigma={"c": 0.01}, relations=relations),))
+
+
+EXAMPLES = {"field": a_field, "airborne": noisy, "mixed": mixed}
+
+
+def system_of(block):
+    free = {c.id: c.sensor.symbols if c.estimate == "auto" else c.estimate for c in block.cameras}
+    return assemble(block, AdjustmentOptions(), np.zeros(len(block.observations), bool), free)
+
+
+@pytest.fixture(scope="module")
+def systems():
+    return {name: system_of(make()) for name, make in EXAMPLES.items()}
+
+
+@pytest.fixture(scope="module")
+def parts(systems):
+    """Kind -> the systems and parts in which it has rows."""
+    return {
+        kind: [(s, part) for s in systems.values() if (part := s.extra.of(kind)) is not None]
+        for kind in observation_kinds
+    }
+
+
+@pytest.mark.parametrize("kind", observation_kinds)
+def test_each_kind_has_an_example(parts, kind):
+    assert parts[kind], f"add a block with {kind} observations to EXAMPLES"
+
+
+@pytest.mark.parametrize("kind", observation_kinds)
+def test_partials_are_those_of_the_residuals(parts, kind):
+    for system, part in parts[kind]:
+        normals, state = Normals.of(system, 1), system.initial_state()
+        entries = normals.extra(state)
+        mine = np.isin(entries.row, part.positions)
+        unknowns = np.unique(entries.unknown[mine])
+        assert len(unknowns)
+        rng = np.random.default_rng(2)
+        A = np.zeros((len(part.rows), len(unknowns)))
+        at = np.searchsorted(unknowns, entries.unknown[mine])
+        np.add.at(A, (entries.row[mine] - part.start, at), entries.value[mine])
+        step = np.zeros(int(system.offsets[-1]))
+        nothing = np.zeros_like(state.xyz)
+        for k in rng.permutation(len(unknowns))[:60]:
+            size = 1e-5
+            found = []
+            for sign in (1, -1):
+                step[:] = 0
+                step[unknowns[k]] = sign * size
+                points = nothing.copy()
+                kept = np.flatnonzero(system.point_node >= 0)
+                points[kept] = step[system.offsets[system.point_node[kept]][:, None] + np.arange(3)]
+                moved = system.updated(state, step, points)
+                found.append(normals.extra(moved).residual[part.positions])
+            numerical = (found[0] - found[1]) / (2 * size)
+            scale = max(np.abs(A[:, k]).max(), 1.0)
+            np.testing.assert_allclose(A[:, k] / scale, numerical / scale, atol=2e-6)
+
+
+@pytest.mark.parametrize("kind", observation_kinds)
+def test_points_that_rows_touch_are_unknowns_of_nodes(parts, kind):
+    for system, part in parts[kind]:
+        at = part.kind.observed(part.table, part.rows, system.extra.scope, system.initial_state())
+        touched = [p.item for p in at.partials if p.of == "point"]
+        for point in np.unique(np.concatenate([np.zeros(0, np.int32), *touched])):
+            assert system.point_node[point] >= 0 or system.control_held[point].all()
+
+
+@pytest.mark.parametrize("kind", observation_kinds)
+def test_rows_have_names_and_weights(parts, kind):
+    for system, part in parts[kind]:
+        named = part.kind.named(part.table, part.rows, system.extra.scope)
+        assert len(named.ids) == len(named.component) == len(part.rows)
+        assert not named.origin or len(named.origin) == len(part.rows)
+        wider = system_of(part.kind.weighted(system.block, 3.0)).extra.of(kind)
+        told = np.array([o == "known before" for o in named.origin] or [False] * len(part.rows))
+        np.testing.assert_allclose(wider.rows.sigma, part.rows.sigma * np.where(told, 1, 3), rtol=1e-14)
+        np.testing.assert_array_equal(wider.rows.value, part.rows.value)
+
+
+def test_orders_and_groups_are_each_kinds_own():
+    kinds = in_order()
+    assert len({k.order for k in kinds}) == len({k.group for k in kinds}) == len({k.name for k in kinds}) == len(kinds)
