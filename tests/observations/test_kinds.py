@@ -13,6 +13,7 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Relation
 from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.observations import in_order, observation_kinds
+from raybundle.observations.alignment import Levels, Lines, Planes, PlumbLines
 
 
 def a_field():
@@ -29,7 +30,19 @@ def a_field():
     return replace(block, cameras=(replace(c, sigma={"c": 0.01}, relations=relations),))
 
 
-EXAMPLES = {"field": a_field, "airborne": noisy, "mixed": mixed}
+def figures():
+    """Points near planes, lines, plumb lines and levels."""
+    block = a_field()
+    xyz, rng = block.points.xyz, np.random.default_rng(4)
+    rows = np.sort(rng.permutation(len(xyz))[:12])
+
+    def of(table):
+        return table(figure=("a",) * 6 + ("b",) * 6, point=rows.astype(np.int32), sigma=np.full(12, 0.01))
+
+    return block.having(of(Planes), of(Lines), of(PlumbLines), of(Levels))
+
+
+EXAMPLES = {"figures": figures, "field": a_field, "airborne": noisy, "mixed": mixed}
 
 
 def system_of(block):

@@ -8,6 +8,7 @@ observations (`raybundle.observations`) touch single unknowns of nodes.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -35,10 +36,13 @@ class State:
     """(q, stride)"""
     xyz: Array
     """(p, 3)"""
+    own: Mapping[str, Array] = field(default_factory=dict[str, Array])
+    """Kind of observation -> (count, w) values of unknowns of its own"""
 
     def copy(self) -> State:
         """An independent copy."""
-        return State(self.rotation.copy(), self.centre.copy(), self.interior.copy(), self.xyz.copy())
+        own = {name: values.copy() for name, values in self.own.items()}
+        return State(self.rotation.copy(), self.centre.copy(), self.interior.copy(), self.xyz.copy(), own)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -142,6 +146,8 @@ class System:
     """(interior rows,) `InteriorRow.parent`"""
     interior_columns: Array = field(default_factory=lambda: np.zeros((0, 0), np.int64))
     """(interior rows, stride) unknown of each parameter, -1 where it is held or there is none"""
+    own_nodes: dict[str, Index] = field(default_factory=dict[str, Index])
+    """Kind of observation -> (count,) nodes of its own things"""
     far_candidates: Array = field(default_factory=lambda: np.zeros(0, np.int64))
     """Eliminated points without any given or held coordinate"""
 
@@ -173,7 +179,8 @@ class System:
         xyz = np.where(self.points_used[:, None], block.points.xyz - self.shift, 0.0)
         centre = np.where(self.images_used[:, None], block.images.centre - self.shift, 0.0)
         rotation = np.where(self.images_used[:, None, None], block.images.rotation, np.eye(3))
-        return State(rotation, centre, interior, xyz)
+        own = {p.kind.name: p.kind.own_start(p.table, self.extra.scope) for p in self.extra.parts if p.kind.own_width}
+        return State(rotation, centre, interior, xyz, own)
 
     def updated(self, state: State, step: Array, points: Array, *, passing: bool = False) -> State:
         """The state after a step (nodes) and a step of the points (p, 3); `passing` as in `far_points`."""
@@ -187,6 +194,11 @@ class System:
             if row.node >= 0:
                 start = self.offsets[row.node] + row.start
                 new.interior[i, list(row.free)] += step[start : start + len(row.free)]
+        new.own = {
+            p.kind.name: p.kind.own_moved(state.own[p.kind.name], step[self.own_columns(p.kind)])
+            for p in self.extra.parts
+            if p.kind.own_width
+        }
         self.share(new)
         points = np.where(self.held, 0.0, points)
         new.xyz += points
@@ -203,9 +215,15 @@ class System:
                 carried = list(self.interior[row.parent].carries)
                 state.interior[i, carried] = state.interior[row.parent, carried]
 
-    def columns(self, partials: Partials) -> Array:
+    def own_columns(self, kind: ObservationKind) -> Array:
+        """(count, w) unknowns of a kind's own things."""
+        return self.offsets[self.own_nodes[kind.name]][:, None] + np.arange(kind.own_width)
+
+    def columns(self, kind: ObservationKind, partials: Partials) -> Array:
         """(e,) unknowns of partial derivatives, -1 where what they are by is given and held."""
         item, component = partials.item, partials.component
+        if partials.of == "own":
+            return self.own_columns(kind)[item, component]
         if partials.of == "interior":
             return self.interior_columns[item, component]
         if partials.of == "point":
@@ -319,6 +337,13 @@ def assemble(block: Block, options: AdjustmentOptions, rejected: Mask, free: dic
     point_node = np.full(p, -1, np.int32)
     point_node[touched] = len(sizes) + np.arange(int(touched.sum()))
     sizes += [3] * int(touched.sum())
+    own_nodes: dict[str, Index] = {}
+    for kind in kinds:
+        if not kind.own_width or (kind.carries_datum and scope.datum_is_chosen):
+            continue
+        count = len(kind.own(tables[kind.name], scope))
+        own_nodes[kind.name] = (len(sizes) + np.arange(count)).astype(np.int32)
+        sizes += [kind.own_width] * count
     placed: list[InteriorRow] = []
     carried: set[int] = set().union(*(kind.cameras(tables[kind.name], scope) for kind in kinds))
     for r, row in enumerate(interior):
@@ -368,6 +393,7 @@ def assemble(block: Block, options: AdjustmentOptions, rejected: Mask, free: dic
         xy_mm=xy,
         whiten=whiten,
         pixel_mm=pixel,
+        own_nodes=own_nodes,
     )
     system.offsets = np.concatenate([[0], np.cumsum(system.sizes)]).astype(np.int64)
     system.parents = np.array([row.parent for row in interior], np.int32)

@@ -113,6 +113,10 @@ def node_generators(system: System, state: State, datum: Datum) -> Array:
         for k, position in enumerate(row.free):
             if is_length(row.model.parameters[position].unit):
                 G[system.offsets[row.node] + row.start + k, 6] = state.interior[r, position]
+    for part in system.extra.parts:
+        if part.kind.own_width:
+            moved = part.kind.own_generators(state.own[part.kind.name], datum.centre)
+            G[system.own_columns(part.kind)] = moved * np.r_[np.full(3, datum.extent), np.ones(4)]
     return G if datum.defect == 7 else G @ datum.basis
 
 
@@ -295,14 +299,15 @@ def _observed_rows(system: System, state: State, centre: Array, extent: float) -
     Lever arms, shifts and misalignments that are not observed themselves are eliminated.
     """
     fixing, sigma, entries = list[Array](), list[Array](), list[tuple[int, int, float]]()
-    start, unknown = 0, _open_without_images(system)
+    own = [system.own_columns(p.kind).ravel() for p in system.extra.parts if p.kind.own_width]
+    start, unknown = 0, np.sort(np.concatenate([_open_without_images(system), *own]))
     for part in system.extra.parts:
         if not part.kind.carries_datum or part.kind.name == "control":  # control stands in the fixed coordinates
             continue
         row, scale = np.zeros((len(part.rows), 7)), extent if part.kind.unit == "length" else 1.0
         for by in part.kind.observed(part.table, part.rows, system.extra.scope, state).partials:
-            if by.of == "interior":
-                columns = system.columns(by)
+            if by.of in {"interior", "own"}:
+                columns = system.columns(part.kind, by)
                 mine = np.flatnonzero(np.isin(columns, unknown))
                 at = np.searchsorted(unknown, columns[mine])
                 entries += zip((by.row[mine] + start).tolist(), at.tolist(), by.value[mine] / scale, strict=True)

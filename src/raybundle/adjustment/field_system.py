@@ -164,7 +164,7 @@ def _widened_state(system: System, wide: System, state: State) -> State:
     interior[: len(system.interior), : system.stride] = state.interior
     for i in np.flatnonzero(wide.interior_of_image != system.interior_of_image):
         interior[wide.interior_of_image[i], : system.stride] = state.interior[system.interior_of_image[i]]
-    return State(state.rotation, state.centre, interior, state.xyz)
+    return State(state.rotation, state.centre, interior, state.xyz, state.own)
 
 
 def _evaluate(wide: Normals, wide_state: State, base: Normals, state: State, images: Index) -> None:

@@ -109,7 +109,7 @@ class Normals:
             at = part.kind.observed(part.table, part.rows, extra.scope, state)
             residual[part.positions] = at.residual
             for partials in at.partials:
-                columns = system.columns(partials)
+                columns = system.columns(part.kind, partials)
                 free = columns >= 0
                 value = partials.value
                 if partials.of == "point":  # of what the datum holds the structure stays

@@ -17,8 +17,9 @@ import numpy as np
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.observations.table import Table
 
-Of = Literal["point", "centre", "rotation", "interior"]
-"""Parameter blocks: coordinates of object points, centres, small rotations and interior orientations of images.
+Of = Literal["point", "centre", "rotation", "interior", "own"]
+"""Parameter blocks: coordinates of object points, centres, small rotations and interior orientations of images, and
+unknowns that a kind of observation has for itself.
 
 A small rotation d of an image is about its own axes: R_new = exp([d]x) R.
 """
@@ -35,6 +36,8 @@ class Values(Protocol):
     """(q, k) parameters of each interior orientation, in the order of its model"""
     xyz: Array
     """(p, 3)"""
+    own: Mapping[str, Array]
+    """Kind -> (count, w) values of its own unknowns"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -124,9 +127,9 @@ class Partials:
     row: Index
     """(e,) position among the kind's `Rows`"""
     item: Index
-    """(e,) object point, image or position in `Scope.interior`"""
+    """(e,) object point, image, position in `Scope.interior` or among the kind's own"""
     component: Index
-    """(e,) coordinate, axis of rotation, or position of the parameter"""
+    """(e,) coordinate, axis of rotation, position of the parameter, or unknown of the kind's own"""
     value: Array
     """(e,)"""
 
@@ -173,8 +176,10 @@ class ObservationKind(ABC):
     hides: ClassVar[tuple[int, ...]] = (0, 1, 2, 3, 4, 5, 6)
     """Which of the datum's parameters (position, rotation, scale) those unknowns may hide"""
 
-    def __init_subclass__(cls, **arguments: Any) -> None:
-        super().__init_subclass__(**arguments)
+    def __init_subclass__(cls, *, registered: bool = True) -> None:
+        super().__init_subclass__()
+        if not registered:
+            return
         made = cls()
         if made.name in ObservationKind.registry:
             raise TypeError(f"two kinds of observations are called {made.name}")
@@ -195,6 +200,25 @@ class ObservationKind(ABC):
     def cameras(self, table: Any, scope: Scope) -> set[int]:
         """Cameras without images (antennas, IMUs) whose parameters its rows touch."""
         return set()
+
+    own_width: ClassVar[int] = 0
+    """Unknowns that each thing of its own has: a plane's inclination and distance"""
+
+    def own(self, table: Any, scope: Scope) -> tuple[str, ...]:
+        """Names of the things that have unknowns of its own."""
+        return ()
+
+    def own_start(self, table: Any, scope: Scope) -> Array:
+        """Approximate values (count, w) of them."""
+        return np.zeros((0, 1))
+
+    def own_moved(self, values: Array, step: Array) -> Array:
+        """The values (count, w) after a step (count, `own_width`)."""
+        return values + step
+
+    def own_generators(self, values: Array, centre: Array) -> Array:
+        """How its unknowns follow shifts, rotations about `centre` and scale of the frame: (count, `own_width`, 7)."""
+        return np.zeros((len(values), self.own_width, 7))
 
     @abstractmethod
     def rows(self, table: Any, scope: Scope) -> Rows:
