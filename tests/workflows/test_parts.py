@@ -14,6 +14,7 @@ from raybundle.block.select import transformed, with_rows
 from raybundle.block.simulate import AerialStrips, Survey, aerial_scene, simulate
 from raybundle.io.control_files import ControlFile, Measurements
 from raybundle.numerics.rotation import rotation_from_angles
+from raybundle.workflows.georeference import Georeferenced
 from raybundle.workflows.marks import Given
 from raybundle.workflows.parts import (
     FEWEST_IMAGES,
@@ -24,6 +25,7 @@ from raybundle.workflows.parts import (
     place_parts,
     start_parts,
 )
+from raybundle.workflows.positions import Positions, turn_sigma
 
 
 @pytest.fixture(scope="module")
@@ -205,3 +207,37 @@ def test_two_photographs_are_no_part(flight):
     assert len(parts) == 1
     lost = dict(parts[0].not_oriented)
     assert {flight.truth.images.ids[5], flight.truth.images.ids[6]} <= set(lost)
+
+
+def test_a_part_on_positions_in_a_line_is_not_joined(flight, monkeypatch):
+    """How it turns about that line nothing tells; joined, its photographs would leave the adjustment one by one."""
+    asked = []
+
+    def placed(block, photos, given, around=None):
+        asked.append(given.gps)
+        second = block is flight.parts[1]
+        return Georeferenced(
+            block=block, frame=None, notices=(), marked=np.zeros(len(block.points), bool), fixed=given.gps,
+            firm=not second,
+        )  # fmt: skip
+
+    monkeypatch.setattr("raybundle.workflows.parts.georeference", placed)
+    whole, apart = place_parts(flight.parts, flight.photos, Given())
+    assert asked == [True, True, False]
+    assert whole.block.images.oriented.tolist() == [True] * 5 + [False] * 5
+    assert len(apart) == 1
+    assert not apart[0].fixed
+
+
+def test_positions_in_a_line_do_not_tell_the_turn_about_it():
+    def positions(xyz, sigma=0.5):
+        n = len(xyz)
+        return Positions(
+            image=np.arange(n), xyz=np.array(xyz), sigma=np.full((n, 3), sigma), flight=np.zeros(n, int), flights=1
+        )  # fmt: skip
+
+    line = [[20.0 * k, 0.01 * (-1) ** k, 80.0] for k in range(6)]
+    assert turn_sigma(positions(line)) > 10
+    zigzag = [[20.0 * k, 10.0 * (-1) ** k, 80.0] for k in range(6)]
+    assert turn_sigma(positions(zigzag)) == pytest.approx(0.5 / (10 * np.sqrt(6)), rel=0.05)
+    assert turn_sigma(positions([[x, y, np.nan] for x, y, _ in zigzag])) == np.inf

@@ -75,7 +75,11 @@ class Dropped:
             + (f", {grouped(self.added)} rays were added" if self.added else "")
             + (f"; dropped are {', '.join(why)}" if why else "")
             + (f". Left are {grouped(self.adjusted)}" if given != self.adjusted else "")
-            + (", which marks and scenes join and points without depth leave" if given != self.adjusted else "")
+            + (
+                "; marks and scenes are added to them, and points without depth are taken away"
+                if given != self.adjusted
+                else ""
+            )
             + f". The adjustment was given {grouped(given)} image observations; what it rejects comes on top"
         )
         grave = Severity.CAUTION if self.share > MOST else Severity.REMARK

@@ -32,7 +32,7 @@ from raybundle.workflows.marks import (
     intersected,
     without_empty_control,
 )
-from raybundle.workflows.positions import SCALE, Positions, mean_place, observe, positions_of, scale_sigma
+from raybundle.workflows.positions import SCALE, Positions, mean_place, observe, positions_of, scale_sigma, turn_sigma
 from raybundle.workflows.reduced_marks import take_at_their_size
 from raybundle.workflows.round_marks import take_eccentricity_off
 from raybundle.workflows.upright import Upright, doubts, upright
@@ -55,6 +55,8 @@ class Georeferenced:
     """(p,) points that were marked in photographs"""
     fixed: bool
     """placed in the object system by control or positions"""
+    firm: bool = True
+    """whether they also tell how it is turned; positions in a line do not"""
     upright: Upright | None = None
     """how the vertical was found, where neither control nor positions tell it"""
     joined: tuple[tuple[str, ...], ...] = ()
@@ -95,9 +97,10 @@ def georeference(
     if frame is not None and given.gps:
         positions = positions_of(photos, state.block.images.oriented, frame)
     alone = positions is None or len(positions) < 3
-    fixed = _fix_by_control(state, photos, free, control, given, alone=alone, around=around)
+    fixed = firm = _fix_by_control(state, photos, free, control, given, alone=alone, around=around)
     if not fixed and positions is not None:
         fixed = _fix_by_positions(state, photos, positions, given)
+        firm = turn_sigma(positions) <= SCALE
         _refuse_little_control(state, control, given, placed=fixed)
     if fixed and positions is not None and len(positions):
         observe(state, positions, given)
@@ -120,6 +123,7 @@ def georeference(
         notices=tuple(state.notices),
         marked=marked,
         fixed=fixed,
+        firm=firm or len(state.block.attitudes) > 0,
         upright=state.upright,
     )
 

@@ -95,6 +95,9 @@ def place_parts(
             placed = georeference(block, photos, given, around)
         except InputError:
             placed = georeference(block, photos, Given(gps=False, up=given.up if "," not in given.up else "auto"))
+        if placed.fixed and first.fixed and not placed.firm:
+            # nothing but how the photographs were held would tell its turn about the line of its positions
+            placed = georeference(block, photos, Given(gps=False, up=given.up if "," not in given.up else "auto"))
         (joined if placed.fixed and first.fixed else apart).append(placed)
     apart = [replace(p, block=without_idle(p.block)) for p in apart]
     if len(joined) == 1:

@@ -156,6 +156,16 @@ def scale_sigma(positions: Positions) -> float:
     return float(np.sqrt((positions.sigma[:, :2] ** 2).mean())) / extent if extent > 0 else np.inf
 
 
+def turn_sigma(positions: Positions) -> float:
+    """Standard deviation [rad] of the turn of a block about the line of its positions; inf without heights."""
+    xyz = positions.xyz[np.isfinite(positions.xyz).all(axis=1)]
+    if len(xyz) < 3:
+        return np.inf
+    off = np.linalg.svd(xyz - xyz.mean(axis=0), compute_uv=False)[1:]
+    extent = float(np.linalg.norm(off))
+    return float(np.sqrt(np.nanmean(positions.sigma**2))) / extent if extent > 0 else np.inf
+
+
 def observe(state: Placing, positions: Positions, given: Given) -> None:
     """Observe the positions in a placed block, each flight with the shift that control determines."""
     block = state.block
