@@ -198,7 +198,19 @@ def test_long_groups_of_observations_are_folded_below_their_largest(case):
     a = case("rich")
     stations = next(g for g in a.groups if g.kind == "station")
     times = np.arange(4 * len(stations.ids)) % len(stations.ids)
-    arrays = ("given", "sigma", "adjusted", "adjusted_std", "residual", "redundancy", "w", "t", "mdb")
+    arrays = (
+        "item",
+        "quantity",
+        "given",
+        "sigma",
+        "adjusted",
+        "adjusted_std",
+        "residual",
+        "redundancy",
+        "w",
+        "t",
+        "mdb",
+    )
     longer = replace(
         stations,
         ids=tuple(f"{stations.ids[k]}/{n}" for n, k in enumerate(times)),

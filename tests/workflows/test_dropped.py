@@ -25,7 +25,7 @@ def test_the_reasons_add_up():
     told = d.notice(5_300)
     assert told.severity is Severity.CAUTION
     assert "Left are" not in told.message
-    assert "Left are 5 300, which marks" in d.notice(5_410).message
+    assert "Left are 5 300; marks" in d.notice(5_410).message
     for words in (
         "69 % of the image points",
         "16 744 have a partner",

@@ -134,6 +134,13 @@ def analyse(system: System, state: State, options: AdjustmentOptions) -> Datum:
     extent = float(np.median(np.linalg.norm(cloud - centre, axis=1))) or 1.0
     basis = open_directions(*_fixing_rows(system, state, centre, extent))
     kind = {"auto": "inner", "control": "control", "minimal": "minimal", "inner": "inner"}[options.datum]
+    unscaled = [p.kind.title.lower() for p in system.extra.parts if p.kind.needs_scale]
+    if unscaled and basis.shape[1] and np.abs(basis[6]).max() > 1e-6:
+        raise DatumDefect(
+            f"nothing fixes the scale, and {', '.join(unscaled)} have standard deviations in "
+            f"{system.block.length_unit}, which mean nothing then.\n  Give a scale bar, control points or observed "
+            "projection centres, or leave these tables out."
+        )
     if basis.shape[1] == 0:
         kind = "control"
     elif left_open := _left_open(system, basis):
@@ -351,24 +358,36 @@ def hold_minimal(system: System, state: State, datum: Datum) -> Mask:
     from scipy.linalg import qr  # noqa: PLC0415
 
     rays = np.bincount(system.block.observations.point[system.rows], minlength=len(system.points_used))
-    free = system.points_used & (system.point_node < 0) & ~(system.control_held | system.prior).any(axis=1)
-    if free.sum() < 3:
-        free = system.points_used & ~system.control_held.all(axis=1)
-    candidates = np.flatnonzero(free)
-    # far points are poorly determined: stay within three times the median distance
-    near = np.linalg.norm(state.xyz[candidates] - datum.centre, axis=1) < 3 * datum.extent
-    candidates = candidates[near] if near.sum() >= 3 else candidates
-    order = np.argsort(-rays[candidates], kind="stable")
-    candidates = candidates[order[: max(60, len(order) // 4)]][:2000]
-    G = point_generators(state.xyz[candidates], datum.centre, datum.extent) @ datum.basis / datum.extent
-    G = G * ~(system.control_held | system.prior)[candidates][:, :, None]
-    decomposition: Any = qr(G.reshape(-1, d).T, mode="economic", pivoting=True)
-    _, r, pivot = decomposition
-    if abs(r[-1, d - 1]) < 1e-9 * abs(r[0, 0]):
+    every = system.points_used & ~system.control_held.all(axis=1)
+    found, firm = np.zeros((0, 2), np.int64), 0.0
+    for free in (every & (system.point_node < 0) & ~(system.control_held | system.prior).any(axis=1), every):
+        candidates = np.flatnonzero(free)
+        # far points are poorly determined: stay within three times the median distance
+        near = np.linalg.norm(state.xyz[candidates] - datum.centre, axis=1) < 3 * datum.extent
+        candidates = candidates[near] if near.sum() >= 3 else candidates
+        order = np.argsort(-rays[candidates], kind="stable")
+        candidates = candidates[order[: max(60, len(order) // 4)]][:2000]
+        G = point_generators(state.xyz[candidates], datum.centre, datum.extent) @ datum.basis / datum.extent
+        G = G * ~(system.control_held | system.prior)[candidates][:, :, None]
+        if G[:, :, 0].size < d:
+            continue
+        decomposition: Any = qr(G.reshape(-1, d).T, mode="economic", pivoting=True)
+        _, r, pivot = decomposition
+        share = abs(r[-1, d - 1]) / max(abs(r[0, 0]), 1e-300)
+        if share > firm:
+            found, firm = np.stack([candidates[pivot[:d] // 3], pivot[:d] % 3], axis=1), share
+        if firm > SPREAD:  # points that nothing but image observations touch will do
+            break
+    if firm < 1e-9:
         raise DatumDefect("the object points lie so that they cannot carry the datum (all in one place or in a line)")
-    for k in pivot[:d]:
-        chosen[candidates[k // 3], k % 3] = True
+    chosen[found[:, 0], found[:, 1]] = True
     return chosen
+
+
+SPREAD = 0.05
+"""Of the best held coordinate's part in the datum the last one has at least, or points of other observations are tried.
+
+What a factor loses by it are digits: a twentieth costs little more than one."""
 
 
 @dataclass(slots=True)
@@ -466,6 +485,12 @@ def fit_to_given(system: System, state: State, given: State, datum: Datum) -> St
         for values in (new.xyz, new.centre):
             values[:] = (values - datum.centre) @ T[:3, :3].T + T[:3, 3] + datum.centre
         new.rotation = new.rotation @ (T[:3, :3].T / scale)
+        shift = T[:3, 3] + datum.centre - T[:3, :3] @ datum.centre
+        new.own = {
+            p.kind.name: p.kind.own_placed(new.own[p.kind.name], float(scale), T[:3, :3] / scale, shift)
+            for p in system.extra.parts
+            if p.kind.own_width
+        }
         for r, row in enumerate(system.interior):
             for position in row.free:
                 if is_length(row.model.parameters[position].unit):

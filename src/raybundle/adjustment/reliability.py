@@ -15,7 +15,7 @@ from raybundle.adjustment.precision import Cofactors
 from raybundle.adjustment.result import ObservationGroup, ObservationStatistics
 from raybundle.adjustment.work import Work
 from raybundle.block.rejection import Rejections
-from raybundle.numerics.arrays import Array
+from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.statistics import DELTA0
 
 UNCONTROLLED = 1e-9
@@ -86,7 +86,8 @@ Rounding makes so much only where N_kk Q_kk sums to some 1e12, about what `defec
 
 def _group(
     kind: str, ids: Sequence[str], component: Sequence[str], given: Array, sigma: Array, adjusted: Array,
-    cofactor: Array, sigma0: float, least: Callable[[], float], origin: tuple[str, ...] = (),
+    cofactor: Array, sigma0: float, least: Callable[[], float], item: Index, quantity: Index,
+    origin: tuple[str, ...] = (),
 ) -> ObservationGroup:  # fmt: skip
     """Statistics of uncorrelated observations of single quantities with these cofactors.
 
@@ -103,7 +104,8 @@ def _group(
     w = np.where(controlled, residual / (safe * root), np.nan)
     scale = sigma0 if np.isfinite(sigma0) else 1.0
     return ObservationGroup(
-        kind=kind, ids=tuple(ids), component=tuple(component), origin=origin, given=given, sigma=sigma,
+        kind=kind, ids=tuple(ids), component=tuple(component), origin=origin,
+        item=np.asarray(item, np.int32), quantity=np.asarray(quantity, np.int32), given=given, sigma=sigma,
         adjusted=adjusted,
         adjusted_std=scale * np.sqrt(np.maximum(cofactor, 0)), residual=residual, redundancy=redundancy,
         w=w, t=w / sigma0, mdb=np.where(controlled, DELTA0 * safe / root, np.nan),
@@ -134,7 +136,7 @@ def observation_groups(
             _group(
                 "control", [block.points.ids[p] for p in point], ["XYZ"[a] for a in axis],
                 block.points.xyz[point, axis], sigma, state.xyz[point, axis] + shift[axis],
-                np.where(sigma == 0, 0.0, cofactor), sigma0, least,
+                np.where(sigma == 0, 0.0, cofactor), sigma0, least, point, axis,
             )
         )  # fmt: skip
     extra = system.extra
@@ -149,7 +151,8 @@ def observation_groups(
         groups.append(
             _group(
                 part.kind.name, named.ids, named.component, rows.value + rows.offset, rows.sigma,
-                residual[i] + rows.value + rows.offset, hat[i] * rows.sigma**2, sigma0, least, named.origin,
+                residual[i] + rows.value + rows.offset, hat[i] * rows.sigma**2, sigma0, least, rows.item,
+                rows.component, named.origin,
             )
         )  # fmt: skip
     return tuple(groups)

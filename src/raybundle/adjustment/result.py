@@ -113,6 +113,10 @@ class ObservationGroup:
     """(k,) "X", "Y", "Z", "length", "omega", "phi", "kappa", the parameter's symbol or the relation's name."""
     origin: tuple[str, ...] = ()
     """(k,) of relations, where each comes from (`Relation.origin`); () of other kinds."""
+    item: Index
+    """(k,) row of the kind's table, of control the object point"""
+    quantity: Index
+    """(k,) which quantity of that row"""
     given: Array
     sigma: Array
     """(k,) a priori; 0 = held."""
@@ -124,14 +128,15 @@ class ObservationGroup:
     t: Array
     mdb: Array
 
-    def rows(self, keep: Mask) -> ObservationGroup:
-        """These of its observations."""
+    def rows(self, keep: Mask | Index) -> ObservationGroup:
+        """These of its observations: a mask (k,) or positions."""
         import numpy as np  # noqa: PLC0415
 
-        chosen = np.flatnonzero(keep)
+        chosen = np.flatnonzero(keep) if np.asarray(keep).dtype == bool else keep
         return ObservationGroup(
             kind=self.kind, ids=tuple(self.ids[k] for k in chosen), component=tuple(self.component[k] for k in chosen),
             origin=tuple(self.origin[k] for k in chosen) if self.origin else (),
+            item=self.item[chosen], quantity=self.quantity[chosen],
             given=self.given[chosen], sigma=self.sigma[chosen], adjusted=self.adjusted[chosen],
             adjusted_std=self.adjusted_std[chosen], residual=self.residual[chosen], redundancy=self.redundancy[chosen],
             w=self.w[chosen], t=self.t[chosen], mdb=self.mdb[chosen],

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from enum import StrEnum
 
+from raybundle.observations import observation_kinds
+
 
 class Severity(StrEnum):
     """What a notice asks of its reader, the gravest first."""
@@ -19,11 +21,11 @@ class Severity(StrEnum):
 
 _CODES = {
     Severity.FAULT: (
-        "attitude_suspect attitudes_contradict behind_camera camera_contradicts control_contradicts "
-        "control_identical control_left_out control_not_located control_rejected control_suspect distance_suspect "
+        "attitudes_contradict behind_camera camera_contradicts control_contradicts "
+        "control_identical control_left_out control_not_located control_rejected "
         "group_less_precise "
-        "image_contradicts no_redundancy not_determinable parameter_suspect redundancy_sum relation_suspect "
-        "snooping_unfinished station_suspect weak_convergence"
+        "image_contradicts no_redundancy not_determinable redundancy_sum "
+        "snooping_unfinished weak_convergence"
     ),
     Severity.CAUTION: (
         "approximate_values_replaced attitude_wrong attitudes_convergence attitudes_mount attitudes_nominal "
@@ -45,7 +47,9 @@ _CODES = {
     ),
 }
 
-SEVERITY: Mapping[str, Severity] = {code: s for s, codes in _CODES.items() for code in codes.split()}
+SEVERITY: Mapping[str, Severity] = {code: s for s, codes in _CODES.items() for code in codes.split()} | {
+    f"{kind}_suspect": Severity.FAULT for kind in observation_kinds
+}
 """Severity of each code; `Notice.severity` may state another where it hangs on the numbers."""
 
 POOR_FIT = 3.0

@@ -81,12 +81,17 @@ def write_observation_tables(folder: Path, block: Block) -> None:
     """Write each table that has rows."""
     for table in block.tables.values():
         if len(table):
-            rows: dict[str, Sequence[str] | Array] = {}
-            for field, c in table.cells():
-                values = getattr(table, field)
-                if values is not None:
-                    rows |= _columns(c, values, block)
-            write_table(folder / f"{table.name}.csv", rows)
+            write_table(folder / f"{table.name}.csv", table_columns(table, block))
+
+
+def table_columns(table: Table, block: Block) -> dict[str, Sequence[str] | Array]:
+    """The columns of a table as they stand in a file, with the names of the block's points, images and cameras."""
+    columns: dict[str, Sequence[str] | Array] = {}
+    for field, c in table.cells():
+        values = getattr(table, field)
+        if values is not None:
+            columns |= _columns(c, values, block)
+    return columns
 
 
 def _columns(c: Cells, values: Any, block: Block) -> Mapping[str, Sequence[str] | Array]:
@@ -95,7 +100,7 @@ def _columns(c: Cells, values: Any, block: Block) -> Mapping[str, Sequence[str] 
     if c.of != "number":
         ids = {"image": block.images.ids, "point": block.points.ids, "camera": [x.id for x in block.cameras]}[c.of]
         return {c.names[0]: [ids[k] if k >= 0 else "" for k in values.tolist()] if c.empty else named(ids, values)}
-    shown = values.reshape(len(values), -1)
+    shown = values.reshape(len(values), len(c.names))
     if c.unit == "deg":
         shown = np.degrees(shown) if c.limit else np.round(np.degrees(shown), 12) + 0.0  # no -0
     return columns_of(c.names, shown)

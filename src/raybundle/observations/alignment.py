@@ -2,6 +2,7 @@
 
 Facades and floors, edges, plumb lines, water levels: where a figure lies is unknown, that points lie on it is observed.
 The standard deviation is that of a point's distance from its figure: how even the wall is, not how well it is measured.
+It is a length, so that something else must fix the scale: all would fit a smaller object better.
 """
 
 from __future__ import annotations
@@ -71,6 +72,7 @@ class _Alignment(ObservationKind, registered=False):
     """What the four have in common: v = the components of X - A along some axes, A and the axes those of the figure."""
 
     unit = "length"
+    needs_scale = True
     called: ClassVar[str]
     least: ClassVar[int]
     """Points that a figure needs to have a place"""
@@ -119,6 +121,10 @@ class _Alignment(ObservationKind, registered=False):
         """(count, 3) a place on each figure."""
         return values[:, -3:]
 
+    def own_placed(self, values: Array, scale: float, R: Array, t: Array) -> Array:
+        axes = [values[:, k : k + 3] @ R.T for k in range(0, values.shape[1] - 3, 3)]
+        return np.concatenate([*axes, scale * values[:, -3:] @ R.T + t], axis=1)
+
     def observed(self, table: OnFigure, rows: Rows, scope: Scope, values: Values) -> Observed:
         names = {name: k for k, name in enumerate(self.own(table, scope))}
         at = np.array([names[table.figure[k]] for k in rows.item.tolist()], np.int32)
@@ -141,6 +147,9 @@ class PointsOnPlane(_Alignment):
     name = "plane"
     group = "planes"
     order = 6
+    title = "Points on planes"
+    object = "plane: point"
+    quantities = "distances of points from planes"
     table = Planes
     called = "plane"
     least = 3
@@ -179,6 +188,10 @@ class PointsOnLine(_Alignment):
     name = "line"
     group = "straight lines"
     order = 7
+    title = "Points on straight lines"
+    object = "line: point"
+    quantities = "distances of points across lines"
+    components = ("1", "2")
     table = Lines
     called = "line"
     least = 2
@@ -215,9 +228,13 @@ class PointsOnLine(_Alignment):
 class PointsOnPlumbLine(_Alignment):
     """v = X - X_0 and Y - Y_0, both of the line unknown; tells what is vertical."""
 
-    name = "plumb line"
+    name = "plumb_line"
     group = "plumb lines"
     order = 8
+    title = "Points on plumb lines"
+    object = "plumb line: point"
+    quantities = "distances of points across plumb lines"
+    components = ("X", "Y")
     table = PlumbLines
     called = "plumb line"
     least = 2
@@ -247,6 +264,9 @@ class PointsAtLevel(_Alignment):
     name = "level"
     group = "levels"
     order = 9
+    title = "Points at levels"
+    object = "level: point"
+    quantities = "heights of points above levels"
     table = Levels
     called = "level"
     least = 2

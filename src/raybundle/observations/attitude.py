@@ -47,6 +47,10 @@ class Attitude(ObservationKind):
     name = "attitude"
     group = "attitudes"
     order = 3
+    title = "Observed attitudes"
+    object = "image"
+    noun = "observed attitude"
+    quantities = "angles of attitudes"
     unit = "angle"
     table = Attitudes
     carries_datum = True

@@ -17,6 +17,9 @@ class Control(ObservationKind):
     name = "control"
     group = "control"
     order = 0
+    title = "Control points"
+    object = "point"
+    quantities = "control coordinates"
     unit = "length"
     carries_datum = True
 

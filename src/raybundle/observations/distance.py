@@ -35,6 +35,10 @@ class Distance(ObservationKind):
     name = "distance"
     group = "distances"
     order = 1
+    title = "Scale bars"
+    object = "from–to"
+    noun = "scale bar"
+    quantities = "scale bars"
     unit = "length"
     fixes_scale = True
     table = Distances

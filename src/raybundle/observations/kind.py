@@ -165,12 +165,24 @@ class ObservationKind(ABC):
     """In which reports and result files list the kinds"""
     unit: ClassVar[Literal["length", "angle", "own"]]
     """Of the observed quantities: that of the object, rad, or one for each row (that of a parameter)"""
+    title: ClassVar[str]
+    """Heading of its table in a report"""
+    object: ClassVar[str]
+    """What the ids of its rows name: "point", "image", "from–to" """
+    noun: ClassVar[str] = ""
+    """One row of its table, as people count them; "" where they are not counted"""
+    quantities: ClassVar[str]
+    """Its observed quantities, in the plural"""
+    components: ClassVar[tuple[str, ...]] = ("",)
+    """What stands behind v, r and w in the columns of a result's table, for each of the quantities of a row"""
     table: ClassVar[type[Table] | None] = None
     """Of its own in a block, with a field `sigma`; None: it observes what other tables of the block hold"""
     carries_datum: ClassVar[bool] = False
     """Whether it tells where or how the object lies in its frame; left out where the datum is chosen freely."""
     fixes_scale: ClassVar[bool] = False
     """Whether one of its rows alone determines the scale, wherever it stands."""
+    needs_scale: ClassVar[bool] = False
+    """Whether its standard deviations mean nothing where nothing fixes the scale: a smaller object would fit better"""
     left_open: ClassVar[str] = ""
     """Why it leaves the datum open although it carries it, and what to do: unknowns of its own"""
     hides: ClassVar[tuple[int, ...]] = (0, 1, 2, 3, 4, 5, 6)
@@ -215,6 +227,10 @@ class ObservationKind(ABC):
     def own_moved(self, values: Array, step: Array) -> Array:
         """The values (count, w) after a step (count, `own_width`)."""
         return values + step
+
+    def own_placed(self, values: Array, scale: float, R: Array, t: Array) -> Array:
+        """The values (count, w) in the frame of scale R X + t."""
+        return values
 
     def own_generators(self, values: Array, centre: Array) -> Array:
         """How its unknowns follow shifts, rotations about `centre` and scale of the frame: (count, `own_width`, 7)."""

@@ -16,6 +16,9 @@ class ObservedParameter(ObservationKind):
     name = "parameter"
     group = "parameters"
     order = 4
+    title = "Observed parameters"
+    object = "camera"
+    quantities = "observed parameters"
     unit = "own"
 
     def rows(self, table: Any, scope: Scope) -> Rows:

@@ -38,6 +38,9 @@ class RelationOfParameters(ObservationKind):
     name = "relation"
     group = "relations"
     order = 5
+    title = "Calibrations with their covariance, smoothness of trajectories"
+    object = "camera"
+    quantities = "relations of parameters"
     unit = "own"
 
     def rows(self, table: Any, scope: Scope) -> Rows:

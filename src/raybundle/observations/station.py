@@ -76,6 +76,10 @@ class Station(ObservationKind):
     name = "station"
     group = "stations"
     order = 2
+    title = "Observed projection centres"
+    object = "image"
+    noun = "observed projection centre"
+    quantities = "coordinates of projection centres"
     unit = "length"
     table = Stations
     carries_datum = True

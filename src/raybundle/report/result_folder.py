@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, cast
 
@@ -32,12 +32,14 @@ from raybundle.io.block_folder import (
     read_block,
     write_block_files,
 )
+from raybundle.io.block_observations import table_columns
 from raybundle.io.folders import check_place, new_folder
 from raybundle.io.reading.trees import read_json
 from raybundle.io.reading.words import quoted
 from raybundle.io.tables import Column, Table, read_table, write_table
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress, silent
+from raybundle.observations import ObservationKind, in_order
 
 if TYPE_CHECKING:
     from raybundle.adjustment.calibration_quality import CalibrationQuality
@@ -56,24 +58,35 @@ OBSERVATIONS = (
 TESTS = ("vX", "vY", "vZ", "rX", "rY", "rZ", "wX", "wY", "wZ")
 CONTROL = (*XYZ, *SIGMA_XYZ, *TESTS)
 CHECK = (*XYZ, "dX", "dY", "dZ", *SIGMA_XYZ)
-DISTANCES = ("length", "sigma", "adjusted", "v", "r", "w")
 STATIONS = (*XYZ, *SIGMA_XYZ, "X_adjusted", "Y_adjusted", "Z_adjusted", *TESTS)
 ANGLES, SIGMA_ANGLES = ("omega_deg", "phi_deg", "kappa_deg"), ("somega_deg", "sphi_deg", "skappa_deg")
 ATTITUDES = (
     *ANGLES, *SIGMA_ANGLES, *("omega_adjusted_deg", "phi_adjusted_deg", "kappa_adjusted_deg"),
     *("vomega_deg", "vphi_deg", "vkappa_deg", "romega", "rphi", "rkappa", "womega", "wphi", "wkappa"),
 )  # fmt: skip
+
+
+def _layout(kind: ObservationKind) -> tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]:
+    """Columns of the table of a kind of observation: what was given, the adjusted quantities, v, r and w."""
+    assert kind.table is not None
+    given = [(c, n) for _, c in kind.table.cells() for n in c.names]
+    numbers = tuple(n for c, n in given if c.of == "number")
+    tests = tuple(f"{what}{of}" for what in ("adjusted", "v", "r", "w") for of in kind.components)
+    return tuple(n for c, n in given if c.of != "number"), (*numbers, *tests), ()
+
+
 TABLES: Mapping[str, tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]] = {
     "images": (("image", "camera", "file"), IMAGES, ()),
     "points": (("point", "role"), POINTS, ()),
     "observations": (("image", "point"), OBSERVATIONS, ("rejected",)),
     "control": (("point",), CONTROL, ()),
     "check": (("point",), CHECK, ()),
-    "distances": (("from", "to"), DISTANCES, ()),
     "stations": (("image",), STATIONS, ()),
     "attitudes": (("image",), ATTITUDES, ()),
-}
+} | {kind.table.name: _layout(kind) for kind in in_order() if kind.table and kind.name not in {"station", "attitude"}}
 """Table -> text columns, numbers, text columns at the end."""
+ALWAYS = ("images", "points", "observations", "control", "check", "distances", "stations", "attitudes")
+"""Tables that a result folder has with or without rows; the others stand there where the block has rows of them."""
 ENTRIES = {
     "block",
     "result.json",
@@ -106,6 +119,8 @@ class ResultFolder:
     stations: Table
     attitudes: Table | None
     """None in results of versions before observed attitudes."""
+    others: Mapping[str, Table] = field(default_factory=dict[str, Table])
+    """Tables of further kinds of observations, by their names: "planes" ..."""
 
 
 def check_target(path: str | Path) -> None:
@@ -318,7 +333,8 @@ def _clean(value: Any) -> Any:
 
 def result_tables(adjustment: Adjustment) -> dict[str, Columns]:
     """The columns of every table of a result folder, in the order of the files."""
-    return {name: result_table(adjustment, name) for name in TABLES}
+    there = {*ALWAYS, *adjustment.given.tables}
+    return {name: result_table(adjustment, name) for name in TABLES if name in there}
 
 
 def result_table(adjustment: Adjustment, name: str) -> Columns:
@@ -329,11 +345,15 @@ def result_table(adjustment: Adjustment, name: str) -> Columns:
         "observations": _observations,
         "control": _control,
         "check": _check,
-        "distances": _distances,
         "stations": _stations,
         "attitudes": _attitudes,
     }
-    columns = builders[name](adjustment)
+    kind = next((k for k in in_order() if k.table is not None and k.table.name == name), None)
+    if name in builders:
+        columns = builders[name](adjustment)
+    else:
+        assert kind is not None, name
+        columns = _of_kind(adjustment, kind)
     first, numbers, last = TABLES[name]
     assert tuple(columns) == (*first, *numbers, *last), name
     return columns
@@ -434,19 +454,20 @@ def _check(a: Adjustment) -> Columns:
     }
 
 
-def _distances(a: Adjustment) -> Columns:
-    d, ids, xyz = a.given.distances, a.given.points.ids, a.adjusted.points.xyz
-    start, end = named(ids, d.start), named(ids, d.end)
-    tests = _Tests(a.groups, "distance")
-    rows = [tests.of(f"{s}-{e}", "length") for s, e in zip(start, end, strict=True)]
-    return {
-        "from": start,
-        "to": end,
-        "length": d.length,
-        "sigma": d.sigma,
-        "adjusted": np.linalg.norm(xyz[d.start] - xyz[d.end], axis=1),
-        **columns_of(("v", "r", "w"), np.array(rows, float).reshape(-1, 3)),
-    }
+def _of_kind(a: Adjustment, kind: ObservationKind) -> Columns:
+    """The table of a kind of observation as `_layout` says."""
+    table, count = kind.table_of(a.given), len(kind.components)
+    group = next((g for g in a.groups if g.kind == kind.name), None)
+    found = np.full((len(table), 4, count), np.nan)
+    lacking = np.full(len(table), np.nan)
+    if group is not None:
+        k, c = group.item, group.quantity
+        found[k, 0, c], found[k, 1, c], found[k, 2, c] = group.adjusted, group.residual, group.redundancy
+        found[k, 3, c] = group.w
+    names = [f"{what}{of}" for what in ("adjusted", "v", "r", "w") for of in kind.components]
+    columns = table_columns(table, a.given) | columns_of(names, found.reshape(len(table), 4 * count))
+    first, numbers, _ = _layout(kind)
+    return {name: columns.get(name, lacking) for name in (*first, *numbers)}
 
 
 def _stations(a: Adjustment) -> Columns:
@@ -489,7 +510,7 @@ def read_result(path: str | Path) -> ResultFolder:
     known = {"image": frozenset(block.images.ids), "point": frozenset(block.points.ids)}
     tables: dict[str, Table] = {}
     for name, (first, numbers, last) in TABLES.items():
-        if name == "attitudes" and not (folder / f"{name}.csv").is_file():
+        if (name == "attitudes" or name not in ALWAYS) and not (folder / f"{name}.csv").is_file():
             continue
         columns = (
             *(Column(name=n, kind="text", empty=True) for n in first),
@@ -511,6 +532,7 @@ def read_result(path: str | Path) -> ResultFolder:
         distances=tables["distances"],
         stations=tables["stations"],
         attitudes=tables.get("attitudes"),
+        others={name: tables[name] for name in tables if name not in ALWAYS},
     )
 
 

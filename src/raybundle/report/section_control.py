@@ -13,6 +13,7 @@ from raybundle.adjustment.result import ObservationGroup
 from raybundle.block import Role
 from raybundle.block.known import known_before
 from raybundle.numerics.arrays import Array
+from raybundle.observations import in_order
 from raybundle.report.figures_control import marked_images, marks_figure
 from raybundle.report.numbers import NONE, cells, column_decimals, counted, fixed, grouped, significant
 from raybundle.report.parts import (
@@ -32,16 +33,9 @@ from raybundle.report.parts import (
 from raybundle.report.view import View, rms
 from raybundle.report.words import controlled, expected_check_std, printed
 
-KINDS = (
-    ("control", "Control points", "point", "control.csv"),
-    ("distance", "Scale bars", "from–to", "distances.csv"),
-    ("station", "Observed projection centres", "image", "stations.csv"),
-    ("attitude", "Observed attitudes", "image", "attitudes.csv"),
-    ("parameter", "Observed parameters", "camera", "result.json"),
-    ("relation", "Calibrations with their covariance, smoothness of trajectories", "camera", "result.json"),
-)
-LENGTHS = {"control", "distance", "station"}
+LENGTHS = {kind.name for kind in in_order() if kind.unit == "length"}
 """Kinds of observations that are lengths; the others have units of their own."""
+ANGLES = {kind.name for kind in in_order() if kind.unit == "angle"}
 
 OPEN_ROWS, LARGEST = 60, 15
 """Longer tables are folded, and their largest values shown."""
@@ -50,11 +44,13 @@ OPEN_ROWS, LARGEST = 60, 15
 def control_section(view: View) -> Section:
     """What was given besides image points, and what became of it."""
     parts: list[Part] = []
-    for kind, title, what, rest in KINDS:
+    for kind in in_order():
+        file = "control" if kind.name == "control" else "result" if kind.table is None else kind.table.name
+        rest = f"{file}.json" if file == "result" else f"{file}.csv"
         for whole in view.adjustment.groups:
             g = _without_levelling(view, _without_scenes(view, whole))
-            if g.kind == kind and len(g.ids):
-                parts += [Heading(text=title), *_group(view, g, what, rest)]
+            if g.kind == kind.name and len(g.ids):
+                parts += [Heading(text=kind.title), *_group(view, g, kind.object, rest)]
     parts += _left_out(view)
     parts += _check(view) + _taken_out(view)
     parts += _marks(view)
@@ -69,7 +65,7 @@ def _without_scenes(view: View, g: ObservationGroup) -> ObservationGroup:
     scenes = {c.id for c in view.given.cameras if c.is_scene}
     if g.kind != "parameter" or not scenes & set(g.ids):
         return g
-    return _rows_of(g, np.flatnonzero([i not in scenes for i in g.ids]))
+    return g.rows(np.flatnonzero([i not in scenes for i in g.ids]))
 
 
 def _without_levelling(view: View, g: ObservationGroup) -> ObservationGroup:
@@ -78,7 +74,7 @@ def _without_levelling(view: View, g: ObservationGroup) -> ObservationGroup:
     if g.kind != "control" or not invented:
         return g
     given = [not (i in invented and c == "Z") for i, c in zip(g.ids, g.component, strict=True)]
-    return _rows_of(g, np.flatnonzero(given))
+    return g.rows(np.flatnonzero(given))
 
 
 def _left_out(view: View) -> list[Part]:
@@ -146,7 +142,7 @@ def _group(view: View, g: ObservationGroup, what: str, rest: str) -> list[Part]:
         return [Paragraph(text=text_), Folded(summary="Held coordinates", parts=(_held_table(view, g),))]
     told = controlled(g)
     head = f"{counted(int(weighted.sum()), 'value')} observed, {grouped(int((~weighted).sum()))} held"
-    if told.any() and g.kind not in {*LENGTHS, "attitude"}:
+    if told.any() and g.kind not in LENGTHS | ANGLES:
         # units differ from row to row: what they have in common is the residual by its sigma
         v, w = g.residual[told] / g.sigma[told], g.w[told]
         size = f"rms of residual by sigma {fixed(rms(v), 2)}"
@@ -163,7 +159,7 @@ def _group(view: View, g: ObservationGroup, what: str, rest: str) -> list[Part]:
     if len(g.ids) <= OPEN_ROWS:
         return [*parts, whole]
     order = np.argsort(-np.nan_to_num(np.abs(g.w)), kind="stable")[:LARGEST]
-    worst = replace(_group_table(view, _rows_of(g, order), what, rest, factor, unit), caption="The largest |w|")
+    worst = replace(_group_table(view, g.rows(order), what, rest, factor, unit), caption="The largest |w|")
     return [*parts, worst, Folded(summary=f"All {counted(len(g.ids), 'row')}", parts=(whole,))]
 
 
@@ -171,7 +167,7 @@ def _unit(view: View, g: ObservationGroup) -> tuple[float, str]:
     """Factor and unit in print of all rows of a group; none where each row has its own."""
     if g.kind in LENGTHS:
         return view.factor, view.unit
-    return (math.degrees(1), "°") if g.kind == "attitude" else (1.0, "")
+    return (math.degrees(1), "°") if g.kind in ANGLES else (1.0, "")
 
 
 def _row_units(view: View, g: ObservationGroup) -> list[tuple[float, str]]:
@@ -198,16 +194,6 @@ def _quantities(view: View, g: ObservationGroup) -> tuple[list[str], str]:
     return shown, note if told else ""
 
 
-def _rows_of(g: ObservationGroup, rows: Array) -> ObservationGroup:
-    """A group's observations at these positions."""
-    arrays = {
-        name: getattr(g, name)[rows]
-        for name in ("given", "sigma", "adjusted", "adjusted_std", "residual", "redundancy", "w", "t", "mdb")
-    }
-    ids, component = (tuple(pick(rows, v)) for v in (g.ids, g.component))
-    return ObservationGroup(kind=g.kind, ids=ids, component=component, **arrays)
-
-
 def _held_table(view: View, g: ObservationGroup) -> Table:
     """Given coordinates that were held, a point a row; a dash where one was not given."""
     ids = list(dict.fromkeys(g.ids))
@@ -221,7 +207,7 @@ def _held_table(view: View, g: ObservationGroup) -> Table:
 
 
 def _group_table(view: View, g: ObservationGroup, what: str, rest: str, factor: float, unit: str) -> Table:
-    own = None if g.kind in {*LENGTHS, "attitude"} else _row_units(view, g)
+    own = None if g.kind in LENGTHS | ANGLES else _row_units(view, g)
     component, of_logarithms = _quantities(view, g)
     if g.kind not in LENGTHS:
         by = np.full(len(g.ids), factor) if own is None else np.array([f for f, _ in own])

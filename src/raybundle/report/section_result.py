@@ -10,6 +10,7 @@ from raybundle.adjustment.counts import counts
 from raybundle.adjustment.network import classed
 from raybundle.adjustment.result import Adjustment, as_told
 from raybundle.adjustment.severity import Severity
+from raybundle.observations import observation_kinds
 from raybundle.report.numbers import NONE, counted, fixed, grouped, listed, significant, unbroken
 from raybundle.report.parts import Column, Fact, Facts, Heading, Paragraph, Part, Section, Statements, table, text
 from raybundle.report.view import View, rms
@@ -106,9 +107,7 @@ def _counts(view: View) -> list[tuple[str, str]]:
     for g in a.groups:
         weighted, held = int((g.sigma > 0).sum()), int((g.sigma == 0).sum())
         rows.append((
-            {"control": "control coordinates", "distance": "scale bars", "station": "coordinates of projection centres",
-             "attitude": "angles of attitudes", "relation": "relations of parameters",
-             "parameter": "observed parameters"}.get(g.kind, g.kind),
+            observation_kinds[g.kind].quantities,
             f"{grouped(weighted)} observed" + (f", {grouped(held)} held" if held else ""),
         ))  # fmt: skip
     return [

@@ -15,6 +15,7 @@ from raybundle.adjustment.result import ObservationGroup
 from raybundle.adjustment.severity import NEARLY, POOR_FIT, Severity
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.statistics import chi_square_tails
+from raybundle.observations import in_order
 from raybundle.report.numbers import counted, grouped, listed, significant, unit_text
 from raybundle.report.view import View, rms
 
@@ -158,9 +159,7 @@ def _adjusted(view: View) -> str:
     for count, noun in (
         (len({i for g in a.groups if g.kind == "control" for i in g.ids}), "control point"),
         (len(view.check_rows), "check point"),
-        (len(block.distances), "scale bar"),
-        (len({i for g in a.groups if g.kind == "station" for i in g.ids}), "observed projection centre"),
-        (len(block.attitudes), "observed attitude"),
+        *((len(kind.table_of(block)), kind.noun) for kind in in_order() if kind.noun),
     ):
         if count:
             parts.append(counted(count, noun))
