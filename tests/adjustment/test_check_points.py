@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.special import chdtri
 
 from raybundle import adjust
 from raybundle.adjustment.check_points import check_differences
@@ -57,6 +58,17 @@ def test_differences_that_only_uncorrelated_errors_would_not_make_are_a_caution(
     result = adjust(block_with_checks(shift=(0.0, 0.0, 3.2 * SIGMA), count=12), OPTIONS)
     (notice,) = told(result)
     assert notice.severity.value == "caution"
+
+
+def test_points_are_named_with_their_value_and_limit_where_they_are_beyond_it():
+    block = block_with_checks()
+    xyz = block.points.xyz.copy()
+    bad = np.flatnonzero(block.points.role == Role.CHECK)[2]
+    xyz[bad, 1] += 0.02
+    (notice,) = told(adjust(replace(block, points=replace(block.points, xyz=xyz)), OPTIONS))
+    assert notice.ids == (block.points.ids[bad],)
+    assert f"beyond what single ones may reach: {block.points.ids[bad]} in Y " in notice.message
+    assert f"times (limit {np.sqrt(chdtri(1, 1e-3 / 3 / 6)):.2g})" in notice.message
 
 
 def loosened(block, sigma=np.nan):

@@ -10,7 +10,7 @@ from raybundle.adjustment.severity import Severity
 from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.report.numbers import grouped, significant
 from raybundle.report.view import rms, view_of
-from raybundle.report.words import expected_check_std, free_std, not_told, open_datum, verdict
+from raybundle.report.words import datum_of_sigmas, expected_check_std, free_std, not_told, open_datum, verdict
 
 
 def told(adjustment):
@@ -113,6 +113,15 @@ def test_a_scale_that_nothing_controls_is_a_caution_and_stands_in_the_headline()
     assert "nothing controls" in told(one)[1]
     two = adjust(simulate(field_scene(TargetField()), Survey(scale_bars=2)).observed)
     assert not any(n.code == "scale_unchecked" for n in two.notices)
+
+
+def test_distances_hang_on_the_datum_where_the_scale_is_open(case):
+    assert "distances and angles are free of it" in datum_of_sigmas(("position X", "rotation Z"))
+    sentences = dict(not_told(view_of(case("free"))))
+    assert (
+        "ratios of distances are free of it, distances are not"
+        in sentences["The standard deviations belong to the datum stated."]
+    )
 
 
 def test_what_the_numbers_do_not_tell_depends_on_the_result(case):

@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from raybundle.adjustment.options import noise_of_photographs
 from raybundle.adjustment.severity import Severity
 from raybundle.block import Role
 from raybundle.block.select import with_rows
@@ -14,7 +15,7 @@ from raybundle.errors import NotSolvable
 from raybundle.matching.refine import LEVELS, CandidateMatches, Refined, choose_references
 from raybundle.numerics.progress import silent
 from raybundle.workflows import final, precise
-from raybundle.workflows.final import _with_block, final_adjustment, left_out
+from raybundle.workflows.final import _with_block, final_adjustment, independent_notices, left_out
 from raybundle.workflows.georeference import Georeferenced
 from raybundle.workflows.orient import _adjusted
 from raybundle.workflows.precise import refine
@@ -117,6 +118,19 @@ def thinned(block, image, count):
     keep = np.ones(len(block.observations), bool)
     keep[mine[count:]] = False
     return with_rows(block, keep)
+
+
+def test_errors_of_few_photographs_are_said_to_be_taken_as_independent():
+    told = {n: independent_notices("auto", noise_of_photographs("auto", n), n) for n in (3, 4, 5)}
+    assert not told[5]
+    assert not independent_notices("white", "white", 3)
+    assert told[3][0].severity is Severity.CAUTION
+    assert told[4][0].message.startswith("4 photographs: standard deviations take")
+    block, _ = features(stations=2)
+    assert len(block.images) < 5
+    result = final_adjustment(placed(block), (), 1, silent, ())
+    assert result.noise.kind == "white"
+    assert "errors_independent" in {n.code for n in result.notices}
 
 
 def test_an_image_that_nothing_holds_is_left_out_by_name():

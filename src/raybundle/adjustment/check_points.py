@@ -20,6 +20,9 @@ LEVEL = 1e-3
 STILL = 0.1
 """Standard deviations that a coordinate may move with an open rotation: half a turn moves it by twice as much."""
 
+NAMED = 5
+"""Check points that a message names."""
+
 
 def used_rays(a: Adjustment) -> Array:
     """Image observations of each object point (p,) that took part."""
@@ -90,9 +93,10 @@ def check_notice(a: Adjustment) -> Notice | None:
     with np.errstate(all="ignore"):
         ratio = difference / np.hypot(a.precision.object_point_std[rows], given)
     told: list[str] = []
+    limits = np.full(3, np.nan)
     severity = Severity.REMARK
     level = LEVEL / 3
-    for axis, column in zip("XYZ", ratio.T, strict=True):
+    for k, (axis, column) in enumerate(zip("XYZ", ratio.T, strict=True)):
         known = column[np.isfinite(column)]
         if not len(known):
             continue
@@ -102,16 +106,34 @@ def check_notice(a: Adjustment) -> Notice | None:
             continue
         certain = square > float(chdtri(1, level))
         severity = Severity.FAULT if certain else Severity.CAUTION if severity is Severity.REMARK else severity
+        limits[k] = math.sqrt(float(chdtri(1, level / len(known))))
         told.append(f"{axis} {math.sqrt(square):.2g} times (limit {math.sqrt(apart):.2g})")
     if not told:
         return None
-    size = np.nan_to_num(np.abs(ratio)).max(axis=1)
-    worst = [a.given.points.ids[rows[k]] for k in np.argsort(-size)[:5] if size[k] > 0]
+    beyond = _beyond(ratio, limits)
+    ids = a.given.points.ids
+    named = [f"{ids[rows[k]]} in {'XYZ'[c]} {size:.2g} times (limit {limits[c]:.2g})" for k, c, size in beyond[:NAMED]]
+    more = f" and {len(beyond) - NAMED} more" if len(beyond) > NAMED else ""
+    where = f"beyond what single ones may reach: {', '.join(named)}{more}" if named else "no single one stands out"
     return Notice(
         code="check_points_apart",
         message=f"{counted(len(rows), 'check point')}: differences are larger than the standard deviations of the "
-        f"result and of the given coordinates predict, in {', '.join(told)}; largest at {', '.join(worst)}. "
+        f"result and of the given coordinates predict, in {', '.join(told)}; {where}. "
         "The result is wrong, or the coordinates given are, or their names, axes, unit or system; the standard "
         "deviations of the result are not to be relied upon until this is explained",
-        ids=tuple(worst), measured=severity,
+        ids=tuple(ids[rows[k]] for k, _, _ in beyond[:NAMED]), measured=severity,
     )  # fmt: skip
+
+
+def _beyond(ratio: Array, limits: Array) -> list[tuple[int, int, float]]:
+    """Check points with a difference beyond its limit, the largest first: row, axis and |ratio| of its worst axis.
+
+    ratio   (k, 3)  differences over their standard deviations, NaN where none is
+    limits  (3,)    for the largest of all values of an axis, NaN of an axis that is as stated
+    """
+    size = np.abs(ratio)
+    over = np.where(np.isfinite(size / limits), size / limits, 0.0)
+    axis = over.argmax(axis=1)
+    largest = over.max(axis=1)
+    order = [int(k) for k in np.argsort(-largest) if largest[k] > 1]
+    return [(k, int(axis[k]), float(size[k, axis[k]])) for k in order]

@@ -20,6 +20,15 @@ MANY = 200
 FEW = 30
 """Common points below which a connection of two photographs is weak."""
 
+COUNT = 1000
+"""Directions of half a sphere at which a common upper side of the images is looked for: 5 degrees apart."""
+CLIMB = 60
+"""Steps from there to the largest; each leaves two thirds of what is missing, or less: 1e-10 is left of all."""
+SHIFT = 2.0
+"""Values of the form by which the power method is shifted (Kolda and Mayo 2011).  As (x + i y)'(x + i y) is 0, the form
+is harmonic: where f is largest its second derivatives across, over 12, t, are between -4/3 f and 1/3 f, and each step
+multiplies what is missing by (3 t + SHIFT f) / (f + SHIFT f), from -2/3 up."""
+
 
 def weak_images(figures: NetworkFigures, images: int) -> Index:
     """Positions of images with points and fewer than two neighbours of FEW common points; none of two images.
@@ -160,25 +169,52 @@ def _coverage(system: System, image: Index, n: int) -> Array:
 
 
 def _rolls(system: System, state: State) -> Array:
-    """Rotation about the viewing axis against the most frequent one, in (-pi, pi].
+    """Rotation about the viewing axis against the most frequent one, in (-pi, pi]; NaN for images that are not used."""
+    used = system.images_used
+    roll = np.full(len(used), np.nan)
+    if used.any():
+        roll[used] = rolls_of(state.rotation[used])
+    return roll
 
-    The reference in object space is the normal of the points' best plane where it is not seen end-on
-    (walking round an object), else the first axis of that plane (looking down on it).
+
+def rolls_of(rotation: Array) -> Array:
+    """Rotations (n,) about the viewing axes against the most frequent one, in (-pi, pi].
+
+    rotation  (n, 3, 3) sensor_from_object
+
+    They are counted from `_common_up` as each image sees it.  Of an image that looks along that direction, as the
+    topmost one of a dome, the roll is arbitrary.
     """
-    used = system.points_used
-    cloud = state.xyz[used]
-    step = max(1, len(cloud) // 5000)
-    axes = np.linalg.svd((cloud - cloud.mean(axis=0))[::step], full_matrices=False)[2]
-    normal, first = axes[-1], axes[0]
-    up = state.rotation @ normal
-    oblique = np.median(np.hypot(up[:, 0], up[:, 1])) > 0.3
-    seen = up if oblique else state.rotation @ first
-    roll = np.arctan2(seen[:, 0], seen[:, 1])
-    if not system.images_used.any():
-        return roll
-    bins = np.round(roll[system.images_used] / (np.pi / 12)).astype(int) % 24
+    up = rotation @ _common_up(rotation)
+    roll = np.arctan2(up[:, 0], up[:, 1])
+    bins = np.round(roll / (np.pi / 12)).astype(int) % 24
     mode = np.bincount(bins).argmax() * np.pi / 12
-    near = roll[system.images_used][np.abs(np.angle(np.exp(1j * (roll[system.images_used] - mode)))) < np.pi / 8]
+    near = roll[np.abs(np.angle(np.exp(1j * (roll - mode)))) < np.pi / 8]
     zero = np.angle(np.mean(np.exp(1j * near))) if len(near) else mode
-    relative = np.angle(np.exp(1j * (roll - zero)))
-    return np.where(system.images_used, relative, np.nan)
+    return np.angle(np.exp(1j * (roll - zero)))
+
+
+def _common_up(rotation: Array) -> Array:
+    """Unit vector (3,) from which most images are turned by whole quarters: it lies along a side of their formats.
+
+    With x and y the right and upper directions of an image, u has the components s (sin r, cos r) = (u'x, u'y) in it,
+    r the roll and s the sine of the angle between u and the viewing axis.  Largest is sum s^4 cos 4r, the real part of
+    sum (u'x + i u'y)^4: quarter turns count as none, and a direction that images look along counts for nothing.  Of
+    parallel views it is in their plane whatever they show; of a ring of views inclined by any angle it is the axis of
+    the ring (s^4 against 3/8 s^4 of a direction across it).
+
+    The sum is a quartic form of u: it is looked for among COUNT directions and climbed by the power method.
+    """
+    w = rotation[:, 0] + 1j * rotation[:, 1]
+    T = np.einsum("na,nb,nc,nd->abcd", w, w, w, w, optimize=True).real / len(w)
+    k = np.arange(COUNT) + 0.5
+    height, turn = 1 - k / COUNT, np.pi * (1 + np.sqrt(5)) * k  # points of a spiral on half the sphere
+    flat = np.sqrt(1 - height**2)
+    tried = np.stack([flat * np.cos(turn), flat * np.sin(turn), height], axis=1)
+    value = np.einsum("abcd,ka,kb,kc,kd->k", T, tried, tried, tried, tried, optimize=True)
+    u, largest = tried[np.argmax(value)], float(value.max())
+    for _ in range(CLIMB if largest > 0 else 0):
+        slope = np.einsum("abcd,b,c,d->a", T, u, u, u)
+        u = slope + SHIFT * float(u @ slope) * u
+        u = u / np.linalg.norm(u)
+    return u

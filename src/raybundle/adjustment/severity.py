@@ -31,7 +31,7 @@ _CODES = {
         "approximate_values_replaced attitude_wrong attitudes_convergence attitudes_mount attitudes_nominal "
         "attitudes_steep blunder_not_located board_alike calibration_contradicted calibration_outweighed "
         "camera_constant camera_kept_apart camera_projection check_points_apart check_unseen control_file "
-        "control_leaves_open control_not_observed control_sigma "
+        "control_leaves_open control_not_observed control_sigma errors_independent "
         "control_without_photograph coordinate_system correlation datum_lost global_test gps_too_near "
         "held_not_determinable identical_images image_left_out levelled little_redundancy mark_rejected "
         "marked_lost marked_once marks_reduced mask_orientation mask_refused mask_uniform no_targets "

@@ -391,9 +391,7 @@ Residuals show only what the redundancy lets through: a share r of each error. B
 ones stay in the result."""
 NO_COMPARISON = """\
 Without check points, or a length that took no part, the accuracy stated here is the network's own opinion."""
-DATUM_OF_SIGMAS = """\
-They describe the shape of the object, not its place in a superior coordinate system; distances and angles are free of \
-it."""
+DATUM_OF_SIGMAS = "They describe the shape of the object, not its place in a superior coordinate system"
 NO_SCALE = (
     "The scale was chosen, not measured: lengths are in units of their own. Give a scale bar or two control points."
 )
@@ -401,6 +399,13 @@ HELD_CONTROL = """\
 Its real uncertainty is missing in all standard deviations; give control with its standard deviation instead."""
 HELD_INTERIOR = "It was held; what is wrong with it goes into the object coordinates unseen."
 AFTER_REJECTION = "σ₀ after data snooping is estimated from the observations that were kept."
+
+
+def datum_of_sigmas(defect: tuple[str, ...]) -> str:
+    """What the standard deviations mean where these parts of the datum are open, and what is free of it."""
+    if "scale" in defect:
+        return f"{DATUM_OF_SIGMAS}, nor its size; angles and ratios of distances are free of it, distances are not."
+    return f"{DATUM_OF_SIGMAS}; distances and angles are free of it."
 
 
 def not_told(view: View) -> tuple[tuple[str, str], ...]:
@@ -413,7 +418,7 @@ def not_told(view: View) -> tuple[tuple[str, str], ...]:
         (True, "Precision is not accuracy.", INDEPENDENT_ERRORS if a.noise.kind == "white" else COMMON_ERRORS),
         (True, "A small σ₀ is no proof of correct coordinates.", HIDDEN_BLUNDERS),
         (not compared, "Nothing independent was compared.", NO_COMPARISON),
-        (view.free_frame, "The standard deviations belong to the datum stated.", DATUM_OF_SIGMAS),
+        (view.free_frame, "The standard deviations belong to the datum stated.", datum_of_sigmas(a.datum_defect)),
         (view.arbitrary_scale, "No length is absolute.", NO_SCALE),
         (held, "Held control counts as free of error.", HELD_CONTROL),
         (not any(i.free for i in a.interior), "The interior orientation counts as free of error.", HELD_INTERIOR),
