@@ -22,6 +22,7 @@ from raybundle.numerics.progress import silent
 from raybundle.numerics.rotation import rotation_from_angles
 from raybundle.numerics.transform import similarity
 from raybundle.report.result_folder import check_differences, write_result
+from raybundle.workflows.control_apart import check_apart
 from raybundle.workflows.final import final_adjustment
 from raybundle.workflows.georeference import georeference
 from raybundle.workflows.marks import Given, ScaleBar
@@ -90,6 +91,20 @@ def test_onto_six_points(flight):
     assert error(flight, placed) < 0.5
     assert placed.block.points.ids[-6:] == NAMES
     assert placed.marked.sum() == 6
+
+
+def test_control_in_one_place_is_refused_with_the_points(flight):
+    one = np.tile(flight.xyz[0], (6, 1))
+    with pytest.raises(InputError, match=r"control\.csv: all 6 control points have the same coordinates .*A, B, C, D"):
+        check_apart(Given(control=(control(flight, one),)))
+    plan = one.copy()
+    plan[::2, 2] = np.nan
+    with pytest.raises(InputError, match="was a line copied"):
+        check_apart(Given(control=(control(flight, plan),)))
+    apart = one.copy()
+    apart[4, 1] += 0.001
+    for xyz in (apart, flight.xyz, np.where(np.arange(6)[:, None] == 2, one, np.nan)):
+        check_apart(Given(control=(control(flight, xyz),)))
 
 
 def test_a_wrong_control_point_does_not_bend_the_start(flight):

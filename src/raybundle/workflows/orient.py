@@ -27,6 +27,7 @@ from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Progress, silent
 from raybundle.scenes.bias import BiasKind
 from raybundle.workflows.attitudes import Convention, find_attitudes
+from raybundle.workflows.control_apart import check_apart
 from raybundle.workflows.dropped import Dropped
 from raybundle.workflows.final import adjusted_part, final_adjustment, left_out, undetermined_part
 from raybundle.workflows.georeference import Georeferenced, frame_of
@@ -191,6 +192,7 @@ def orient(
         check_marks(found.photos, given)
         if not scenes_found.scenes:  # which have names and a frame of their own
             check_names(found.photos, given)
+            check_apart(given)
             frame_of(found.photos, given)
         given, told = _with_attitudes(found.photos, positions, given, options)
         _forget(project, options)
