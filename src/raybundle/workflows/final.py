@@ -82,6 +82,7 @@ def _lost_marks(asked: Georeferenced, result: Adjustment) -> list[Notice]:
     placed = (rays > 1) | np.asarray(given.points.is_control).any(axis=1)
     left = {n for n, p in zip(given.points.ids, placed.tolist(), strict=True) if p}
     before = asked.block.ray_count
+    left |= {name for n in result.notices if n.code == "control_left_out" for name in n.ids}  # which that tells
     return [
         Notice(
             code="marked_lost",
@@ -101,24 +102,27 @@ def left_out(adjustment: Adjustment, parts: Sequence[Part]) -> list[tuple[str, s
 
 
 def _held(
-    placed: Georeferenced, options: AdjustmentOptions, progress: Progress, notices: list[Notice]
+    placed: Georeferenced, options: AdjustmentOptions, progress: Progress, notices: Sequence[Notice]
 ) -> tuple[Georeferenced, Adjustment]:
     """The adjustment of what can be adjusted: what it names as not determined leaves, and is told.
 
     First images and points that are named, then the cameras' freedom, then control, with everything else as it was,
     then the image with the fewest points: a defect ends the run only where it would leave fewer than two images.
+    Where control leaves, everything else returns, and nothing of what was tried with it is told.
     """
-    whole = placed
+    whole, told = placed, list[Notice]()
     while True:
         try:
-            return placed, _decided(placed.block, options, progress, (*notices, *placed.notices))
+            return placed, _decided(placed.block, options, progress, (*notices, *told, *placed.notices))
         except NotSolvable as error:
             less = _without_images(placed, error) or _without_points(placed, error) or _with_held_cameras(placed)
-            less = less or _without_control(placed, whole, error) or _without_smallest(placed)
+            if less is None and (less := _without_control(placed, whole, error)) is not None:
+                told.clear()
+            less = less or _without_smallest(placed)
             if less is None or not len(less[0].block.observations):
                 raise
-            placed, told = less
-            notices += told
+            placed, more = less
+            told += more
 
 
 def _decided(block: Block, options: AdjustmentOptions, progress: Progress, notices: tuple[Notice, ...]) -> Adjustment:
@@ -202,8 +206,8 @@ def _without_control(placed: Georeferenced, whole: Georeferenced, error: NotSolv
     left = with_rows(free, rows)
     message = (
         f"control is left out ({', '.join(names[:8])}{' ...' * (len(names) > 8)}): with it nothing could be adjusted "
-        f"({error.headline}). Position, orientation and scale are those to which the start brought the block; look at "
-        "coordinates, names and measurements of the control"
+        f"({error.headline.rstrip('.')}). Position, orientation and scale are those to which the start brought the "
+        "block; look at coordinates, names and measurements of the control"
     )
     return _with_block(whole, left), [Notice(code="control_left_out", message=message, ids=tuple(names))]
 
