@@ -10,7 +10,7 @@ import numpy as np
 
 from raybundle.adjustment.check_points import with_check_notice
 from raybundle.adjustment.decide import decide
-from raybundle.adjustment.given_calibration import calibration_notices
+from raybundle.adjustment.given_calibration import calibration_notices, held_notices
 from raybundle.adjustment.options import AdjustmentOptions, NoiseModel, noise_of_photographs
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.structure import structure_notice
@@ -72,7 +72,9 @@ def final_adjustment(
     ]
     structure = structure_notice(result)  # where standard deviations do not allow for it
     first += [structure] if structure is not None else []
-    return with_check_notice(replace(result, notices=(*first, *calibration_notices(result), *result.notices)))
+    given = [g.id for g in groups if g.stored is not None and g.stored.estimate == ()]
+    first += [*calibration_notices(result), *held_notices(result, given)]
+    return with_check_notice(replace(result, notices=(*first, *result.notices)))
 
 
 def _lost_marks(asked: Georeferenced, result: Adjustment) -> list[Notice]:
