@@ -20,8 +20,8 @@ class Severity(StrEnum):
 _CODES = {
     Severity.FAULT: (
         "attitude_suspect attitudes_contradict behind_camera camera_contradicts control_contradicts "
-        "control_identical control_left_out control_not_located control_rejected control_suspect distance_suspect "
-        "group_less_precise "
+        "control_identical control_left_out control_mirrored control_not_located control_rejected control_suspect "
+        "distance_suspect group_less_precise "
         "image_contradicts no_redundancy not_determinable parameter_suspect redundancy_sum relation_suspect "
         "snooping_unfinished station_suspect weak_convergence"
     ),

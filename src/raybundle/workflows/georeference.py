@@ -32,6 +32,7 @@ from raybundle.workflows.marks import (
     intersected,
     without_empty_control,
 )
+from raybundle.workflows.mirrored import mirrored_notices
 from raybundle.workflows.positions import SCALE, Positions, mean_place, observe, positions_of, scale_sigma
 from raybundle.workflows.reduced_marks import take_at_their_size
 from raybundle.workflows.round_marks import take_eccentricity_off
@@ -90,6 +91,7 @@ def georeference(
     take_at_their_size(state, given.control, given.mark_px)
     free = intersected(state.block)
     drop_gross_marks(state, free)
+    state.notices += mirrored_notices(state.block, free)
     control = _control_to_fit(state.block, free)
     positions = None
     if frame is not None and given.gps:
