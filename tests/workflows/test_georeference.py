@@ -115,6 +115,20 @@ def test_a_wrong_control_point_does_not_bend_the_start(flight):
     assert error(flight, placed) < 0.5
 
 
+@pytest.mark.parametrize(("factor", "words"), [(1000, "in mm"), (100, "in cm"), (3.2808, "in feet"), (0.4, "names of")])
+def test_a_bar_of_another_unit_beside_control_is_named_and_left_out(flight, factor, words):
+    lengths = [float(np.linalg.norm(flight.xyz[0] - flight.xyz[k])) for k in (2, 3)]
+    bars = (
+        ScaleBar(start="A", end="C", length=factor * lengths[0], sigma=0.01),
+        ScaleBar(start="A", end="D", length=lengths[1], sigma=0.01),
+    )
+    placed = georeference(flight.free, flight.photos, Given(control=(control(flight),), scale_bars=bars))
+    (notice,) = [n for n in placed.notices if n.code == "distance_suspect"]
+    assert (notice.ids, notice.severity) == (("A", "C"), "fault")
+    assert words in notice.message
+    assert placed.block.distances.length.tolist() == [lengths[1]]
+
+
 def relief(flight):
     """The flight's control, with the block that has it on towers of up to a tenth of the extent, in its own frame."""
     rng = np.random.default_rng(4)

@@ -21,6 +21,7 @@ from raybundle.numerics.transform import similarity
 from raybundle.orientation.onto_rays import KnownRays, onto_rays
 from raybundle.orientation.rays import object_rays, rays_of
 from raybundle.workflows.attitudes import observe_attitudes
+from raybundle.workflows.bar_units import without_strange_bars
 from raybundle.workflows.marks import (
     Given,
     Placing,
@@ -105,6 +106,9 @@ def georeference(
         observe(state, positions, given)
     if fixed and frame is not None:
         observe_attitudes(state, photos, given, frame)
+    if fixed and len(state.block.distances):
+        state.block, told = without_strange_bars(state.block)
+        state.notices += told
     if not fixed:
         drop_single_marks(state)
         _fix_by_bars(state, photos, free, given)
