@@ -8,7 +8,7 @@ import pytest
 
 from raybundle.adjustment.severity import Severity
 from raybundle.block import Role
-from raybundle.block.select import with_rows
+from raybundle.block.select import with_rows, without_images
 from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 from raybundle.errors import NotSolvable, Undetermined
 from raybundle.matching.refine import LEVELS, CandidateMatches, Refined, choose_references
@@ -231,3 +231,13 @@ def test_what_was_tried_with_control_is_not_told_of_the_result_without_it(monkey
     codes = {n.code for n in result.notices}
     assert "control_left_out" in codes
     assert not {"held_not_determinable", "marked_lost", "points_left_out"} & codes
+
+
+def test_few_photographs_say_why_their_noise_is_white():
+    """Four photographs: the automatic choice is white noise, with its reason."""
+    whole, _ = features()
+    few = with_rows(whole, whole.observations.image < 4)
+    out = np.arange(len(whole.images)) >= 4
+    result = final_adjustment(placed(without_images(few, out)), (), 1, silent, ())
+    assert result.noise.kind == "white"
+    assert "4 photographs are too few" in result.noise.reason

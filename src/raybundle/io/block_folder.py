@@ -33,6 +33,7 @@ TABLES = ("images", "observations", "points", *tables, "interior")
 FILES = ("block.toml", *(f"{name}.csv" for name in TABLES), SCENES)
 FRAME = ("turned_deg", "file_width_px", "file_height_px")
 """Of images whose files are stored turned or reduced."""
+NEEDED = "give another folder: a block needs it"
 ROLES = {"tie": Role.TIE, "control": Role.CONTROL, "check": Role.CHECK}
 
 
@@ -111,6 +112,7 @@ def _read_images(path: Path, cameras: tuple[Camera, ...]) -> tuple[Images, dict[
             Column(name="station", kind="text", optional=True, empty=True),
             *(Column(name=n, kind="number", optional=True, empty=True) for n in FRAME),
         ),
+        without=NEEDED,
     )
     ids = table.text["image"]
     centre = table.numbers(*XYZ)
@@ -289,6 +291,7 @@ def _read_observations(path: Path, images: dict[str, int], points: dict[str, int
             Column(name="sxy_px2", kind="number", optional=True, empty=True),
         ),
         unique=("image", "point"),
+        without=NEEDED,
     )
     sx, sy = table.number["sx_px"], table.number["sy_px"]
     sxy = np.nan_to_num(table.number.get("sxy_px2", np.zeros(table.rows)))

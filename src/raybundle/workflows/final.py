@@ -11,7 +11,7 @@ import numpy as np
 from raybundle.adjustment.check_points import with_check_notice
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.given_calibration import calibration_notices, held_notices
-from raybundle.adjustment.options import AdjustmentOptions, NoiseModel, noise_of_photographs
+from raybundle.adjustment.options import FEWEST_IMAGES, AdjustmentOptions, NoiseModel, noise_of_photographs
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.structure import structure_notice
 from raybundle.block import Block, Camera, Role
@@ -50,7 +50,8 @@ def final_adjustment(
     """
     notices = [Notice(code="photographs", message=r) for r in remarks]
     notices += camera_notices(groups)
-    noise = noise_of_photographs(noise, int(placed.block.images.oriented.sum()))
+    asked_noise, photographs = noise, int(placed.block.images.oriented.sum())
+    noise = noise_of_photographs(noise, photographs)
     options = AdjustmentOptions(
         threads=jobs, reject="snooping", tolerance=FINAL, datum_over="good", noise=noise, weights=weights
     )
@@ -66,6 +67,11 @@ def final_adjustment(
         notices.append(Notice(code="parallel_rays", message=message))
         placed = _with_block(placed, block)
     placed, result = _held(placed, options, progress, notices)
+    if asked_noise == "auto" and noise == "white":
+        reason = (
+            f"{photographs} photographs are too few for smooth errors of their own; at least {FEWEST_IMAGES} tell them"
+        )
+        result = replace(result, noise=replace(result.noise, reason=reason))
     first = [
         *rejected_marks(result, placed.marked[result.given.observations.point]),
         *_lost_marks(asked, result),
