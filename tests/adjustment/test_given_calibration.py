@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from raybundle import adjust
-from raybundle.adjustment.given_calibration import calibration_notices
+from raybundle.adjustment.given_calibration import calibration_notices, held_notices
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 from raybundle.block.stored import observed_jointly
@@ -91,3 +91,46 @@ def test_what_few_residuals_make_of_a_standard_deviation_is_no_loss(block):
     assert std < 0.0005
     assert [n.code for n in calibration_notices(wider)] == ["calibration_outweighed"]
     assert not calibration_notices(replace(wider, redundancy=20))
+
+
+# --- a calibration that is held
+
+
+def held(block, **off):
+    """The block with its camera held, and some of its values changed."""
+    camera = block.cameras[0]
+    values = {s: v + off.get(s, 0.0) for s, v in camera.values.items()}
+    return replace(block, cameras=(replace(camera, values=values, estimate=()), *block.cameras[1:]))
+
+
+@pytest.mark.parametrize("noise", ["white", "fields"])
+def test_a_held_calibration_that_is_right_is_not_mentioned(noise):
+    """Twenty networks, of a test at 0.1 %."""
+    told = 0
+    for seed in range(20):
+        survey = Survey(orientation="exact", points="exact", interior="exact", seed=seed)
+        simulated = simulate(field_scene(TargetField(camera=brown_camera(estimate=FREE))), survey).observed
+        if noise == "fields":
+            simulated = with_fields(simulated, 0.3, seed)
+        result = adjust(held(simulated), AdjustmentOptions(threads=1, noise=noise))
+        told += len(held_notices(result, ["1"]))
+    assert told == 0
+
+
+@pytest.mark.parametrize("noise", ["white", "fields"])
+@pytest.mark.parametrize(("symbol", "off"), [("c", 0.1), ("x0", 0.05), ("K1", 2e-5)])
+def test_a_held_value_that_the_photographs_contradict_is_a_fault(block, noise, symbol, off):
+    result = adjust(held(with_fields(block, 0.05), **{symbol: off}), AdjustmentOptions(threads=1, noise=noise))
+    (notice,) = held_notices(result, ["1"])
+    assert notice.severity == "fault"
+    assert notice.code == "calibration_contradicted"
+    assert re.search(rf"{symbol} held \S+, found \S+ ± \S+ mm(\^-2)? \(\S+ px\), \|w\| ", notice.message)
+    assert not held_notices(result, [])
+
+
+def test_a_difference_that_moves_nothing_in_the_image_is_not_mentioned(block):
+    """Significant, and a tenth of what an image coordinate is good for."""
+    camera = block.cameras[0]
+    sigma = float(np.sqrt(np.median(block.observations.cov_px2[:, 0]))) * camera.pixel_mm[0]
+    result = adjust(held(block, x0=0.1 * sigma), AdjustmentOptions(threads=1))
+    assert not held_notices(result, ["1"])

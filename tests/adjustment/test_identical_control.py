@@ -74,3 +74,19 @@ def test_points_too_close_for_their_survey_are_no_fault():
     close = copied(replace(block, observations=replace(o, xy_px=xy)), names[1:2], onto=names[0], by=0.003)
     (pair,) = identical_control(close)
     assert pair.apart_px == 0
+
+
+def test_standard_deviations_as_large_as_the_distances_are_no_copied_lines():
+    """Points that differ by less than their standard deviations; the photographs show them far apart."""
+    block = observed(sigma=(0.001,) * 3, control=4)
+    extent = float(np.ptp(block.points.xyz[block.points.is_control.any(axis=1)], axis=0).max())
+    given = block.points.is_control
+    loose = replace(block, points=replace(block.points, sigma=np.where(given, extent, block.points.sigma)))
+    (notice,) = identical_notices(loose)
+    assert notice.severity == "caution"
+    assert "look at the standard deviations" in notice.message
+    assert "copied" not in notice.message
+    names = control_names(loose)
+    copy, rest = identical_notices(copied(loose, names[1:2], onto=names[0]))
+    assert (copy.severity, set(copy.ids)) == ("fault", set(names[:2]))
+    assert rest.severity == "caution"

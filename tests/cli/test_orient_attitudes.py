@@ -11,6 +11,8 @@ from raybundle.cli.main import main
 from raybundle.io.coordinate_systems import local_frame
 from raybundle.io.trajectories import Trajectory, write_trajectory
 from raybundle.numerics.rotation import rotation_from_angles, rotation_from_vector
+from raybundle.workflows.asked import check_asked
+from raybundle.workflows.marks import Given
 
 PORTAL = Path(__file__).resolve().parents[2] / "demo_data/portal/photos"
 needs_portal = pytest.mark.skipif(
@@ -66,3 +68,25 @@ def test_options_that_do_not_fit(tmp_path, capsys):
     status = main(["orient", str(photos), "--out", str(tmp_path / "p"), "--attitude-sigma", "0", "1"])
     assert status == 2
     assert "0.0 is not in the range x>0" in capsys.readouterr().err
+
+
+@needs_portal
+@pytest.mark.parametrize(
+    ("more", "words"),
+    [
+        (["--crs", "EPSG:999999"], "is no coordinate system that pyproj knows"),
+        (["--lever-arm", "1", "1", "1", "0"], "a lever arm is asked for, and no photograph has a position"),
+        (["--no-gps", "--relative", "shift"], "relative aerial control is asked for, and --no-gps leaves"),
+    ],
+)
+def test_what_can_have_no_effect_is_refused_before_anything_is_computed(tmp_path, capsys, more, words):
+    out = tmp_path / "project"
+    assert main(["orient", str(PORTAL), "--out", str(out), *QUICK, *more]) == 2
+    assert words in capsys.readouterr().err
+    assert not (out / "result").exists()
+
+
+def test_a_coordinate_system_without_positions_is_said_to_have_no_effect():
+    (remark,) = check_asked((), Given(), positions=None, crs="EPSG:32633", relative="", scenes=False)
+    assert "EPSG:32633 has no effect: no positions of a grid are given" in remark
+    assert not check_asked((), Given(), positions=None, crs="EPSG:32633", relative="", scenes=True)

@@ -330,6 +330,19 @@ def test_what_is_no_file_is_refused_not_waited_for(tmp_path, block, capsys, tabl
     assert f"is a {kind} and is no file" in told
 
 
+@pytest.mark.parametrize("table", ["block.toml", "images.csv", "observations.csv", "points.csv", "distances.csv"])
+@pytest.mark.parametrize("kind", ["to nothing", "to itself"])
+def test_a_broken_link_is_refused_not_taken_for_absent(tmp_path, block, capsys, table, kind):
+    copy = tmp_path / "b"
+    shutil.copytree(block, copy)
+    (copy / table).unlink(missing_ok=True)
+    (copy / table).symlink_to(tmp_path / "gone.csv" if kind == "to nothing" else copy / table)
+    assert main(["adjust", str(copy), "--out", str(tmp_path / "r")]) == 2
+    told = capsys.readouterr().err
+    assert table in told
+    assert ("which is not there" if kind == "to nothing" else "leads back to itself") in told
+
+
 def test_a_folder_is_not_called_missing(tmp_path, capsys):
     assert main(["rpc", "info", str(tmp_path)]) == 2
     assert "is a folder" in capsys.readouterr().err

@@ -522,3 +522,14 @@ def test_damaged_files_are_read_or_refused_and_never_crash(tmp_path):
             assert str(found).startswith(found.file)
     assert read > 3
     assert refused > 50
+
+
+@pytest.mark.parametrize(
+    ("table", "words"),
+    [("images.csv", "a block needs it"), ("observations.csv", "a block needs it"), ("points.csv", "delete the file")],
+)
+def test_a_table_without_rows_is_to_be_deleted_only_where_a_block_can_do_without(small, table, words):
+    file = small / table
+    file.write_text(SMALL[table].split("\n", 1)[0] + "\n", encoding="utf-8")
+    with pytest.raises(InputError, match=f"no rows; fill it, or .*{words}"):
+        read_block(small)

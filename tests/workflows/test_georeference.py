@@ -11,7 +11,7 @@ import pytest
 from raybundle.adjustment.accuracy import accuracy
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.block import Role
+from raybundle.block import Points, Role
 from raybundle.block.select import transformed, with_rows
 from raybundle.block.simulate import AerialStrips, Survey, aerial_scene, simulate
 from raybundle.cli.summary import summary_lines
@@ -22,9 +22,11 @@ from raybundle.numerics.progress import silent
 from raybundle.numerics.rotation import rotation_from_angles
 from raybundle.numerics.transform import similarity
 from raybundle.report.result_folder import check_differences, write_result
+from raybundle.workflows.control_apart import check_apart
 from raybundle.workflows.final import final_adjustment
 from raybundle.workflows.georeference import georeference
 from raybundle.workflows.marks import Given, ScaleBar
+from raybundle.workflows.mirrored import mirrored_notices
 from raybundle.workflows.parts import place_parts
 
 NAMES = ("A", "B", "C", "D", "E", "F")
@@ -92,11 +94,83 @@ def test_onto_six_points(flight):
     assert placed.marked.sum() == 6
 
 
+def test_control_in_one_place_is_refused_with_the_points(flight):
+    one = np.tile(flight.xyz[0], (6, 1))
+    with pytest.raises(InputError, match=r"control\.csv: all 6 control points have the same coordinates .*A, B, C, D"):
+        check_apart(Given(control=(control(flight, one),)))
+    plan = one.copy()
+    plan[::2, 2] = np.nan
+    with pytest.raises(InputError, match="was a line copied"):
+        check_apart(Given(control=(control(flight, plan),)))
+    apart = one.copy()
+    apart[4, 1] += 0.001
+    for xyz in (apart, flight.xyz, np.where(np.arange(6)[:, None] == 2, one, np.nan)):
+        check_apart(Given(control=(control(flight, xyz),)))
+
+
 def test_a_wrong_control_point_does_not_bend_the_start(flight):
     xyz = flight.xyz.copy()
     xyz[2, 0] += 40
     placed = georeference(flight.free, flight.photos, Given(control=(control(flight, xyz),), sigma_given=True))
     assert error(flight, placed) < 0.5
+
+
+@pytest.mark.parametrize(("factor", "words"), [(1000, "in mm"), (100, "in cm"), (3.2808, "in feet"), (0.4, "names of")])
+def test_a_bar_of_another_unit_beside_control_is_named_and_left_out(flight, factor, words):
+    lengths = [float(np.linalg.norm(flight.xyz[0] - flight.xyz[k])) for k in (2, 3)]
+    bars = (
+        ScaleBar(start="A", end="C", length=factor * lengths[0], sigma=0.01),
+        ScaleBar(start="A", end="D", length=lengths[1], sigma=0.01),
+    )
+    placed = georeference(flight.free, flight.photos, Given(control=(control(flight),), scale_bars=bars))
+    (notice,) = [n for n in placed.notices if n.code == "distance_suspect"]
+    assert (notice.ids, notice.severity) == (("A", "C"), "fault")
+    assert words in notice.message
+    assert placed.block.distances.length.tolist() == [lengths[1]]
+
+
+def relief(flight):
+    """The flight's control, with the block that has it on towers of up to a tenth of the extent, in its own frame."""
+    rng = np.random.default_rng(4)
+    given = flight.xyz + np.ptp(flight.xyz[:, 0]) * 0.1 * rng.uniform(0, 1, (6, 1)) * [0, 0, 1]
+    names = tuple(f"{k}" for k in range(6))
+    points = Points(ids=names, role=np.full(6, Role.CONTROL, np.int32), xyz=given, sigma=np.full((6, 3), 0.01))
+    turned = 0.02 * (given + rng.normal(0, 0.01, (6, 3))) @ rotation_from_angles(np.array([0.4, -0.3, 2.0])).T
+    return replace(flight.free, points=points), turned
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        lambda x: x[:, [1, 0, 2]], lambda x: x[:, [0, 2, 1]], lambda x: x * [-1, 1, 1], lambda x: x * [1, 1, -1],
+        lambda x: -x,
+    ],
+    ids=["XY", "YZ", "-X", "-Z", "all"],
+)  # fmt: skip
+def test_control_of_the_other_hand_is_named(flight, wrong):
+    block, free = relief(flight)
+    other = replace(block, points=replace(block.points, xyz=wrong(block.points.xyz)))
+    (notice,) = mirrored_notices(other, free)
+    assert (notice.code, notice.severity) == ("control_mirrored", "fault")
+    assert notice.ids == block.points.ids
+    assert "m as given, and to 0.0" in notice.message
+
+
+def test_control_of_the_right_hand_is_no_mirror_image_whatever_is_wrong(flight):
+    block, free = relief(flight)
+    assert not mirrored_notices(block, free)
+    cyclic = replace(block, points=replace(block.points, xyz=block.points.xyz[:, [1, 2, 0]]))
+    assert not mirrored_notices(cyclic, free)
+    for k in range(6):
+        for axis in range(3):
+            xyz = block.points.xyz.copy()
+            xyz[k, axis] += 0.3 * np.ptp(xyz[:, 0])
+            assert not mirrored_notices(replace(block, points=replace(block.points, xyz=xyz)), free)
+    rng = np.random.default_rng(2)
+    flat = block.points.xyz * [1, 1, 0] + [0, 0, 5.0]
+    for _ in range(20):
+        noisy = flat + rng.normal(0, 0.05, flat.shape)
+        assert not mirrored_notices(replace(block, points=replace(block.points, xyz=noisy)), flat)
 
 
 def test_only_standard_deviations_that_are_assumed_follow_the_fit(flight):

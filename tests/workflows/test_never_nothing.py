@@ -9,9 +9,9 @@ import pytest
 from raybundle.adjustment.options import noise_of_photographs
 from raybundle.adjustment.severity import Severity
 from raybundle.block import Role
-from raybundle.block.select import with_rows
+from raybundle.block.select import with_rows, without_images
 from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
-from raybundle.errors import NotSolvable
+from raybundle.errors import NotSolvable, Undetermined
 from raybundle.matching.refine import LEVELS, CandidateMatches, Refined, choose_references
 from raybundle.numerics.progress import silent
 from raybundle.workflows import final, precise
@@ -219,3 +219,39 @@ def test_control_with_which_nothing_can_be_adjusted_leaves_before_any_photograph
     assert not left_out(result, ())
     assert not result.given.points.is_control.any()
     assert result.given.cameras[0].estimate == block.cameras[0].estimate
+
+
+def test_what_was_tried_with_control_is_not_told_of_the_result_without_it(monkeypatch):
+    """With control the attempts lose photographs and hold the camera; without it neither happened."""
+    whole, _ = features()
+    p = whole.points
+    role, sigma = np.array(p.role), np.array(p.sigma)
+    role[:4], sigma[:4] = Role.CONTROL, 0.01
+    block = replace(whole, points=replace(p, role=role, sigma=sigma))
+
+    def decided(block, *rest):
+        if not block.points.is_control.any():
+            return decide(block, *rest)
+        left = int(block.images.oriented.sum())
+        image = [Undetermined(kind="image", name=block.images.ids[left - 1])]
+        raise NotSolvable("nothing fits.", undetermined=image if left > 5 else [])
+
+    decide = final._decided
+    monkeypatch.setattr(final, "_decided", decided)
+    marked = np.isin(np.arange(len(p)), np.arange(4))
+    result = final_adjustment(replace(placed(block), marked=marked), (), 1, silent, ())
+    assert result.adjusted.images.oriented.all()
+    assert not left_out(result, ())
+    codes = {n.code for n in result.notices}
+    assert "control_left_out" in codes
+    assert not {"held_not_determinable", "marked_lost", "points_left_out"} & codes
+
+
+def test_few_photographs_say_why_their_noise_is_white():
+    """Four photographs: the automatic choice is white noise, with its reason."""
+    whole, _ = features()
+    few = with_rows(whole, whole.observations.image < 4)
+    out = np.arange(len(whole.images)) >= 4
+    result = final_adjustment(placed(without_images(few, out)), (), 1, silent, ())
+    assert result.noise.kind == "white"
+    assert "4 photographs are too few" in result.noise.reason

@@ -241,8 +241,12 @@ def _well_determined(system: System, state: State) -> Mask:
     o, used = system.block.observations, system.points_used
     image, point = o.image[system.rows], o.point[system.rows]
     ray = state.xyz[point] - state.centre[image]
-    distance = np.maximum(np.linalg.norm(ray, axis=1), 1e-300)
-    d = ray / distance[:, None]
+    distance = np.linalg.norm(ray, axis=1)
+    away = distance > 1e-12 * np.abs(state.centre[image]).max(
+        axis=1, initial=1e-100
+    )  # a point in a projection centre has no direction
+    point, distance = point[away], distance[away]
+    d = ray[away] / distance[:, None]
     N = np.zeros((len(used), 3, 3))
     np.add.at(N, point, (np.eye(3) - d[:, :, None] * d[:, None, :]) / distance[:, None, None] ** 2)
     values = np.linalg.eigvalsh(N[used])

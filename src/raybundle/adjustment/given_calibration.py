@@ -1,4 +1,4 @@
-"""What becomes of a calibration that was given with its covariance: whether it still holds, and what it is left to say.
+"""What becomes of a calibration that was given, held or with its covariance: whether it still holds, and what it says.
 
 Observations are weighted by white noise alone.  Where their errors are smooth, photographs have more weight against a
 calibration than they deserve; standard deviations that contain such errors (noise of kind fields) show it: a parameter
@@ -8,17 +8,21 @@ may come out less precise than it was given.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.special import chdtri
+from scipy.special import chdtri, fdtri
 
+from raybundle.adjustment.engine import adjust_block, as_start, free_parameters
+from raybundle.adjustment.interior import image_shifts
 from raybundle.adjustment.known_before import LEVEL
 from raybundle.adjustment.result import Adjustment, InteriorResult, Notice
-from raybundle.adjustment.severity import NEARLY
+from raybundle.adjustment.severity import NEARLY, Severity
 from raybundle.block import Camera
 from raybundle.block.stored import joint_covariance
-from raybundle.numerics.statistics import family_wise_normal
+from raybundle.errors import NotSolvable
+from raybundle.numerics.statistics import family_wise_normal, fisher_tail
 
 TOLD = 1e-6
 """Share of a parameter's variance that the photographs must take for it to be tested: less is rounding."""
@@ -54,14 +58,10 @@ def _contradicted(result: Adjustment, camera: Camera, interior: InteriorResult) 
     limit = float(chdtri(count, LEVEL)) if count else np.inf
     if not square > limit:
         return []
-    moved = _moved(result, camera, interior)
-    critical = family_wise_normal(LEVEL, count)
-    beyond = [m for m in moved if abs(m.w) > critical]
+    beyond, by = _worded(camera, _moved(result, camera, interior), count)
     fields = result.noise.kind == "fields"
     if fields and not beyond:
         return []
-    each = "; ".join(f"{m.words(camera)}, |w| {abs(m.w):.1f}" for m in beyond or moved[:1])
-    by = f"{each} (limit {critical:.1f})" if beyond else f"{each} (limit {critical:.1f}: only all together)"
     smooth = "" if fields else ", or the errors of the photographs are smooth, which their weights do not know"
     message = (
         f"camera {camera.id}: the photographs contradict its calibration: {by}; chi-square of all {count} parameters "
@@ -69,6 +69,118 @@ def _contradicted(result: Adjustment, camera: Camera, interior: InteriorResult) 
         "under the conditions of the photographs, or hold the calibration (estimate = [])"
     )
     return [Notice(code="calibration_contradicted", message=message, ids=(camera.id, *(m.symbol for m in beyond)))]
+
+
+def held_notices(result: Adjustment, cameras: Sequence[str]) -> tuple[Notice, ...]:
+    """Where the photographs contradict a calibration that was given to be held: a fault.
+
+    cameras  whose whole interior orientation was given and is held
+    The block is adjusted once more with the interior orientation free.  With d the differences of its u determined
+    parameters from those held, and C their covariance from f residuals (of fields: directions), d' C^-1 d / u is
+    distributed as F(u, f) if the calibration is right.  Beyond its limit it is a fault where the difference moves image
+    points by more than their standard deviation.
+    What it does not tell: which of them is wrong where photographs determine only several parameters together.
+    """
+    found = [_contradicted_held(result, c) for c in result.given.cameras if c.id in cameras and c.sensor.has_images]
+    return tuple(n for n in found if n is not None)
+
+
+def _contradicted_held(result: Adjustment, camera: Camera) -> Notice | None:
+    free = _freed(result, camera, fields=False)
+    if free is None or not _beyond_chance(free):
+        return None  # smooth errors make it more probable still
+    if result.noise.kind == "fields":
+        free = _freed(result, camera, fields=True)
+        if free is None or not _beyond_chance(free):
+            return None
+    if not free.effect_px > free.sigma_px:
+        return None
+    _, by = _worded(camera, sorted(free.moved, key=lambda m: -abs(m.w)), len(free.moved))
+    limit = float(fdtri(len(free.moved), free.residuals, 1 - LEVEL))
+    message = (
+        f"camera {camera.id}: the photographs contradict its calibration, which is held: {by}; F of all "
+        f"{len(free.moved)} parameters {free.F:.3g}, limit {limit:.3g} at {100 * LEVEL:g} %. Held, it moves image "
+        f"points by up to {free.effect_px:.2g} px from where the calibration that fits has them, with a standard "
+        f"deviation of {free.sigma_px:.2g} px, and standard deviations are those of a camera that this one is not. "
+        "Look whether the calibration belongs to this camera, focus, zoom and format; if so, give its standard "
+        'deviations (sigma, or its covariance), free it (estimate = "auto"), or leave it out'
+    )
+    ids = camera.id, *(m.symbol for m in free.moved)
+    return Notice(code="calibration_contradicted", message=message, ids=ids, measured=Severity.FAULT)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Freed:
+    """An adjustment with the interior orientation free that was held, against what was held."""
+
+    moved: list[_Moved]
+    F: float
+    residuals: int
+    """degrees of freedom of the variance in it"""
+    effect_px: float
+    """by which the whole difference moves image points within the format, at most"""
+    sigma_px: float
+    """standard deviation of an image coordinate"""
+
+
+def _beyond_chance(free: _Freed) -> bool:
+    return bool(free.moved) and fisher_tail(free.F, len(free.moved), free.residuals) < LEVEL
+
+
+def _freed(result: Adjustment, camera: Camera, *, fields: bool) -> _Freed | None:
+    """The same observations with this camera's interior orientation free; None where they do not determine it."""
+    released = replace(camera, estimate="auto")
+    symbols = free_parameters(released)
+    block = as_start(result.given, result.adjusted)
+    block = replace(
+        block, cameras=tuple(replace(c, estimate=symbols) if c.id == camera.id else c for c in block.cameras)
+    )
+    options = replace(
+        result.options, reject="none", estimate="given", statistics=True, robust_start=False,
+        noise="fields" if fields else "white",
+    )  # fmt: skip
+    try:
+        free = adjust_block(
+            block, options, rejected=result.image_observations.rejected, start="adjusted",
+            extent="report" if fields else "decisions",
+        )  # fmt: skip
+    except NotSolvable:
+        return None
+    interior = next((i for i in free.interior if i.camera == camera.id and i.image is None), None)
+    if interior is None or free.precision is None or free.redundancy < 1:
+        return None
+    told = [s for s in interior.free if interior.parameters[s].status == "estimated"]
+    rows = [interior.free.index(s) for s in told]
+    C = free.precision.interior[camera.id][np.ix_(rows, rows)]
+    d = np.array([interior.parameters[s].value - camera.values[s] for s in told])
+    if not told or not np.isfinite(C).all():
+        return None
+    model = camera.sensor
+    shift = image_shifts(model, camera, camera.parameters)[:, :, [model.symbols.index(s) for s in told]] * d
+    each = np.nanmax(np.linalg.norm(shift, axis=1), axis=0)
+    size = np.sqrt(np.diagonal(C))
+    unit = d / size
+    used = free.image_observations.used
+    given, found = camera.values, interior.parameters
+    moved = [
+        _Moved(symbol=s, given=given[s], found=found[s].value, std=float(e), effect_px=float(px))
+        for s, e, px in zip(told, size, each, strict=True)
+    ]
+    return _Freed(
+        moved=moved,
+        F=float(unit @ np.linalg.solve(C / np.outer(size, size), unit)) / len(told),
+        residuals=free.noise.directions if free.noise.kind == "fields" else free.redundancy,
+        effect_px=float(np.nanmax(np.linalg.norm(shift.sum(axis=2), axis=1))),
+        sigma_px=free.sigma0 * float(np.median(np.sqrt(free.given.observations.cov_px2[used, :2]))),
+    )  # fmt: skip
+
+
+def _worded(camera: Camera, moved: list[_Moved], count: int) -> tuple[list[_Moved], str]:
+    """The parameters of `count` that moved beyond their limit, and words of them; of the first where none did."""
+    critical = family_wise_normal(LEVEL, count)
+    beyond = [m for m in moved if abs(m.w) > critical]
+    each = "; ".join(f"{m.words(camera)}, |w| {abs(m.w):.1f}" for m in beyond or moved[:1])
+    return beyond, f"{each} (limit {critical:.1f})" if beyond else f"{each} (limit {critical:.1f}: only all together)"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -79,7 +191,9 @@ class _Moved:
     given: float
     found: float
     std: float
-    """of their difference"""
+    """of their difference; of the one found, where what was given is held"""
+    effect_px: float | None = None
+    """by which the difference moves image points, at most, where what was given is held"""
 
     @property
     def w(self) -> float:
@@ -90,8 +204,11 @@ class _Moved:
         """Both values with as many digits as their difference has, and the unit."""
         unit = next(p.unit for p in camera.sensor.parameters if p.symbol == self.symbol)
         digits = 3 + max(0, math.floor(math.log10(max(abs(self.given), self.std) / self.std)))
-        shown = f"{self.symbol} given {self.given:.{digits}g}, found {self.found:.{digits}g}"
-        return shown if unit == "1" else f"{shown} {unit}"
+        held = self.effect_px is not None
+        shown = f"{self.symbol} {'held' if held else 'given'} {self.given:.{digits}g}, found {self.found:.{digits}g}"
+        shown += f" ± {self.std:.2g}" if held else ""
+        shown = shown if unit == "1" else f"{shown} {unit}"
+        return f"{shown} ({self.effect_px:.2g} px)" if held else shown
 
 
 def _moved(result: Adjustment, camera: Camera, interior: InteriorResult) -> list[_Moved]:

@@ -14,6 +14,8 @@ from raybundle.numerics.counting import counted
 
 APART = 5.0
 """Standard deviations of a difference beyond which it is one: by chance one of a million."""
+ROUNDING = 1e-12
+"""Share of the largest coordinate up to which two are the same number."""
 SHOWN = 5
 
 
@@ -35,7 +37,8 @@ def identical_control(block: Block) -> list[Twins]:
     Two names of one point are possible, and two points so close that their survey does not tell them apart.  That they
     are different ones and wrongly given is said by a photograph that shows both: farther apart than APART standard
     deviations of the measurement, and than APART of their coordinates at the largest scale at which control points
-    stand in any photograph.
+    stand in any photograph.  Where no two lie far enough apart to tell that scale, only numbers that are the same do:
+    no survey of standard deviations above 0 gives two points the same.
     """
     points = block.points
     given = np.isfinite(points.xyz).all(axis=1) & np.isfinite(points.sigma).all(axis=1)
@@ -44,7 +47,7 @@ def identical_control(block: Block) -> list[Twins]:
         return []
     xyz, sigma = points.xyz[rows], points.sigma[rows]
     order = np.lexsort(xyz.T[::-1])
-    near = 1e-12 * float(np.abs(xyz).max())
+    near = ROUNDING * float(np.abs(xyz).max())
     largest = float(sigma.max())
     found: list[Twins] = []
     for n, a in enumerate(order):
@@ -61,7 +64,9 @@ def _twins(block: Block, rows: Array, a: int, b: int) -> Twins:
     """The pair and, of the photographs that show both, the one in which they are farthest apart beyond doubt."""
     o, points = block.observations, block.points
     loose = APART * float(np.linalg.norm(np.hypot(points.sigma[a], points.sigma[b])))
-    allowed = loose * _largest_scale(block, rows, 2 * loose) if loose > 0 else 0.0
+    scale = _largest_scale(block, rows, 2 * loose)
+    copied = (np.abs(points.xyz[a] - points.xyz[b]) <= ROUNDING * np.abs(points.xyz[[a, b]]).max()).all()
+    allowed = loose * scale if scale > 0 else 0.0 if copied else np.inf
     best, where = 0.0, ""
     for image in np.intersect1d(o.image[o.point == a], o.image[o.point == b]):
         i, j = (np.flatnonzero((o.image == image) & (o.point == p))[0] for p in (a, b))
@@ -117,5 +122,5 @@ def _words(pairs: list[Twins], *, wrong: bool) -> str:
         )
     return (
         f"control points with the same coordinates within their standard deviation: {names}; if they are one point, "
-        "give it one name"
+        "give it one name; if not, look at the standard deviations: these do not tell the points apart"
     )

@@ -34,6 +34,13 @@ def image_effects(model: SensorModel, camera: Camera, values: Array, distance: f
     """Largest shifts (k,) [px] over the format per unit of each parameter, the viewing rays held.
 
     distance  of the object points, which the effect of a length in object space depends on
+    """
+    return np.nanmax(np.linalg.norm(image_shifts(model, camera, values, distance), axis=1), axis=0)
+
+
+def image_shifts(model: SensorModel, camera: Camera, values: Array, distance: float = 1.0) -> Array:
+    """Shifts (n, 2, k) [px] of image points over the format per unit of each parameter, the viewing rays held.
+
     d x / d parameter = -B^-1 d g / d parameter at image points along the border and over the format.
     """
     half = camera.size_mm / 2
@@ -47,7 +54,7 @@ def image_effects(model: SensorModel, camera: Camera, values: Array, distance: f
     _, J = model.condition_and_jacobian(*image, *ray, *spread)
     B = np.moveaxis(J[:, :2], 2, 0)
     shift = -np.linalg.solve(B, np.moveaxis(J[:, 5:], 2, 0))
-    return np.nanmax(np.linalg.norm(shift / np.array(camera.pixel_mm)[:, None], axis=1), axis=0)
+    return shift / np.array(camera.pixel_mm)[:, None]
 
 
 def plausible_std(

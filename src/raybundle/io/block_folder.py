@@ -21,6 +21,7 @@ from raybundle.io.block_scenes import with_views, write_scene_files
 from raybundle.io.block_tables import ANGLES, SIGMA_XYZ, XYZ, columns_of, named, problems_of, require
 from raybundle.io.block_toml import head_text, read_head
 from raybundle.io.folders import new_folder
+from raybundle.io.reading.files import stands
 from raybundle.io.reading.words import quoted
 from raybundle.io.tables import SHOWN, Column, Problem, Table, read_table, write_table
 from raybundle.numerics.arrays import Array, Index
@@ -32,6 +33,7 @@ TABLES = ("images", "observations", "points", *tables, "interior")
 FILES = ("block.toml", *(f"{name}.csv" for name in TABLES), SCENES)
 FRAME = ("turned_deg", "file_width_px", "file_height_px")
 """Of images whose files are stored turned or reduced."""
+NEEDED = "give another folder: a block needs it"
 ROLES = {"tie": Role.TIE, "control": Role.CONTROL, "check": Role.CHECK}
 
 
@@ -78,13 +80,13 @@ def _check_folder(folder: Path) -> None:
     if not folder.is_dir():
         what = "is a file, not a block folder" if folder.exists() else "there is no such folder"
         raise InputError(f"{what}; give a folder with block.toml, images.csv and observations.csv", file=folder)
-    if not (folder / "block.toml").exists():
+    if not stands(folder / "block.toml"):
         hint = (
             f"; this is a result folder, its block is {folder / 'block'}" if (folder / "result.json").exists() else ""
         )
         raise InputError(f"not a block folder, it holds no block.toml{hint}", file=folder)
     for table in ("images.csv", "observations.csv"):
-        if not (folder / table).exists():
+        if not stands(folder / table):
             raise InputError("the file is missing; a block needs it", file=folder / table)
     known = {name.lower().rstrip("s"): name for name in TABLES}
     for entry in sorted(folder.iterdir()):
@@ -110,6 +112,7 @@ def _read_images(path: Path, cameras: tuple[Camera, ...]) -> tuple[Images, dict[
             Column(name="station", kind="text", optional=True, empty=True),
             *(Column(name=n, kind="number", optional=True, empty=True) for n in FRAME),
         ),
+        without=NEEDED,
     )
     ids = table.text["image"]
     centre = table.numbers(*XYZ)
@@ -217,7 +220,7 @@ def _stations_of(names: tuple[str, ...] | None) -> Index | None:
 
 
 def _read_points(path: Path) -> tuple[Points, dict[str, int]]:
-    if not path.exists():
+    if not stands(path):
         empty = np.zeros((0, 3))
         return Points(ids=(), role=np.zeros(0, np.int32), xyz=empty, sigma=empty), {}
     table = read_table(
@@ -288,6 +291,7 @@ def _read_observations(path: Path, images: dict[str, int], points: dict[str, int
             Column(name="sxy_px2", kind="number", optional=True, empty=True),
         ),
         unique=("image", "point"),
+        without=NEEDED,
     )
     sx, sy = table.number["sx_px"], table.number["sy_px"]
     sxy = np.nan_to_num(table.number.get("sxy_px2", np.zeros(table.rows)))
@@ -317,7 +321,7 @@ def _read_interior(
     path: Path, images: dict[str, int], table_of_images: Images, cameras: tuple[Camera, ...]
 ) -> dict[int, dict[str, float]]:
     """Interior orientations of single images; what is not listed is the camera's."""
-    if not path.exists():
+    if not stands(path):
         return {}
     table = read_table(
         path,

@@ -11,6 +11,7 @@ import numpy as np
 from raybundle.block import Block, Camera
 from raybundle.errors import InputError
 from raybundle.io.block_tables import columns_of, named, problems_of, require
+from raybundle.io.reading.files import stands
 from raybundle.io.reading.words import quoted
 from raybundle.io.tables import Column, Problem, read_table, write_table
 from raybundle.io.tables import Table as Read
@@ -29,7 +30,7 @@ def read_observation_tables(
     """
     paths = {name: folder / f"{name}.csv" for name in tables}
     known: Mapping[str, dict[str, int]] = {"image": images, "point": points}
-    return {name: _read(paths[name], table, known, cameras) for name, table in tables.items() if paths[name].exists()}
+    return {name: _read(paths[name], table, known, cameras) for name, table in tables.items() if stands(paths[name])}
 
 
 def _read(path: Path, table: type[Table], known: Mapping[str, dict[str, int]], cameras: tuple[Camera, ...]) -> Table:

@@ -88,10 +88,14 @@ def fail(path: Path, problems: Sequence[Problem]) -> NoReturn:
     raise InputError(message, file=path, line=first.line, column=first.column)
 
 
-def read_table(path: Path, columns: Sequence[Column], *, unique: tuple[str, ...] = (), least_rows: int = 1) -> Table:
+def read_table(
+    path: Path, columns: Sequence[Column], *, unique: tuple[str, ...] = (), least_rows: int = 1,
+    without: str = "delete the file if the block has none of these",
+) -> Table:  # fmt: skip
     """The table in a CSV file.
 
     unique  two reference columns whose pairs of values must differ from row to row
+    without  what to do in place of filling a table that has too few rows
     raises  InputError with file, line, column, the offending text and what to do
     """
     pieces = _pieces(path)
@@ -114,7 +118,7 @@ def read_table(path: Path, columns: Sequence[Column], *, unique: tuple[str, ...]
         rows += len(cells[0])
     if rows < least_rows:
         raise InputError(
-            "the table has a header but no rows; fill it, or delete the file if the block has none of these",
+            f"the table has a header but {'no' if not rows else 'too few'} rows; fill it, or {without}",
             file=path,
             line=1,
         )

@@ -10,7 +10,7 @@ import numpy as np
 
 from raybundle.adjustment.check_points import with_check_notice
 from raybundle.adjustment.decide import decide
-from raybundle.adjustment.given_calibration import calibration_notices
+from raybundle.adjustment.given_calibration import calibration_notices, held_notices
 from raybundle.adjustment.options import FEWEST_IMAGES, AdjustmentOptions, NoiseModel, noise_of_photographs
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.structure import structure_notice
@@ -54,7 +54,8 @@ def final_adjustment(
     """
     notices = [Notice(code="photographs", message=r) for r in remarks]
     notices += camera_notices(groups)
-    chosen = noise_of_photographs(noise, int(placed.block.images.oriented.sum()))
+    photographs = int(placed.block.images.oriented.sum())
+    chosen = noise_of_photographs(noise, photographs)
     options = AdjustmentOptions(
         threads=jobs, reject="snooping", tolerance=FINAL, datum_over="good", noise=chosen, weights=weights
     )
@@ -70,14 +71,21 @@ def final_adjustment(
         notices.append(Notice(code="parallel_rays", message=message))
         placed = _with_block(placed, block)
     placed, result = _held(placed, options, progress, notices)
+    if noise == "auto" and chosen == "white":
+        reason = (
+            f"{photographs} photographs are too few for smooth errors of their own; at least {FEWEST_IMAGES} tell them"
+        )
+        result = replace(result, noise=replace(result.noise, reason=reason))
     first = [
         *rejected_marks(result, placed.marked[result.given.observations.point]),
         *_lost_marks(asked, result),
     ]
     structure = structure_notice(result)  # where standard deviations do not allow for it
     first += [structure] if structure is not None else []
+    given = [g.id for g in groups if g.stored is not None and g.stored.estimate == ()]
     first += independent_notices(noise, chosen, int(result.adjusted.images.oriented.sum()))
-    return with_check_notice(replace(result, notices=(*first, *calibration_notices(result), *result.notices)))
+    first += [*calibration_notices(result), *held_notices(result, given)]
+    return with_check_notice(replace(result, notices=(*first, *result.notices)))
 
 
 def independent_notices(asked: NoiseModel, chosen: NoiseModel, images: int) -> list[Notice]:
@@ -100,6 +108,7 @@ def _lost_marks(asked: Georeferenced, result: Adjustment) -> list[Notice]:
     placed = (rays > 1) | np.asarray(given.points.is_control).any(axis=1)
     left = {n for n, p in zip(given.points.ids, placed.tolist(), strict=True) if p}
     before = asked.block.ray_count
+    left |= {name for n in result.notices if n.code == "control_left_out" for name in n.ids}  # which that tells
     return [
         Notice(
             code="marked_lost",
@@ -119,24 +128,27 @@ def left_out(adjustment: Adjustment, parts: Sequence[Part]) -> list[tuple[str, s
 
 
 def _held(
-    placed: Georeferenced, options: AdjustmentOptions, progress: Progress, notices: list[Notice]
+    placed: Georeferenced, options: AdjustmentOptions, progress: Progress, notices: Sequence[Notice]
 ) -> tuple[Georeferenced, Adjustment]:
     """The adjustment of what can be adjusted: what it names as not determined leaves, and is told.
 
     First images and points that are named, then the cameras' freedom, then control, with everything else as it was,
     then the image with the fewest points: a defect ends the run only where it would leave fewer than two images.
+    Where control leaves, everything else returns, and nothing of what was tried with it is told.
     """
-    whole = placed
+    whole, told = placed, list[Notice]()
     while True:
         try:
-            return placed, _decided(placed.block, options, progress, (*notices, *placed.notices))
+            return placed, _decided(placed.block, options, progress, (*notices, *told, *placed.notices))
         except NotSolvable as error:
             less = _without_images(placed, error) or _without_points(placed, error) or _with_held_cameras(placed)
-            less = less or _without_control(placed, whole, error) or _without_smallest(placed)
+            if less is None and (less := _without_control(placed, whole, error)) is not None:
+                told.clear()
+            less = less or _without_smallest(placed)
             if less is None or not len(less[0].block.observations):
                 raise
-            placed, told = less
-            notices += told
+            placed, more = less
+            told += more
 
 
 def _decided(block: Block, options: AdjustmentOptions, progress: Progress, notices: tuple[Notice, ...]) -> Adjustment:
@@ -220,8 +232,8 @@ def _without_control(placed: Georeferenced, whole: Georeferenced, error: NotSolv
     left = with_rows(free, rows)
     message = (
         f"control is left out ({', '.join(names[:8])}{' ...' * (len(names) > 8)}): with it nothing could be adjusted "
-        f"({error.headline}). Position, orientation and scale are those to which the start brought the block; look at "
-        "coordinates, names and measurements of the control"
+        f"({error.headline.rstrip('.')}). Position, orientation and scale are those to which the start brought the "
+        "block; look at coordinates, names and measurements of the control"
     )
     return _with_block(whole, left), [Notice(code="control_left_out", message=message, ids=tuple(names))]
 

@@ -21,6 +21,7 @@ from raybundle.numerics.transform import similarity
 from raybundle.orientation.onto_rays import KnownRays, onto_rays
 from raybundle.orientation.rays import object_rays, rays_of
 from raybundle.workflows.attitudes import observe_attitudes
+from raybundle.workflows.bar_units import without_strange_bars
 from raybundle.workflows.marks import (
     Given,
     Placing,
@@ -32,6 +33,7 @@ from raybundle.workflows.marks import (
     intersected,
     without_empty_control,
 )
+from raybundle.workflows.mirrored import mirrored_notices
 from raybundle.workflows.positions import SCALE, Positions, mean_place, observe, positions_of, scale_sigma, turn_sigma
 from raybundle.workflows.reduced_marks import take_at_their_size
 from raybundle.workflows.round_marks import take_eccentricity_off
@@ -92,6 +94,7 @@ def georeference(
     take_at_their_size(state, given.control, given.mark_px)
     free = intersected(state.block)
     drop_gross_marks(state, free)
+    state.notices += mirrored_notices(state.block, free)
     control = _control_to_fit(state.block, free)
     positions = None
     if frame is not None and given.gps:
@@ -106,6 +109,9 @@ def georeference(
         observe(state, positions, given)
     if fixed and frame is not None:
         observe_attitudes(state, photos, given, frame)
+    if fixed and len(state.block.distances):
+        state.block, told = without_strange_bars(state.block)
+        state.notices += told
     if not fixed:
         drop_single_marks(state)
         _fix_by_bars(state, photos, free, given)

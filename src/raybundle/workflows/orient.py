@@ -26,7 +26,9 @@ from raybundle.matching.verify import VerifiedPair
 from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Progress, silent
 from raybundle.scenes.bias import BiasKind
+from raybundle.workflows.asked import check_asked
 from raybundle.workflows.attitudes import Convention, find_attitudes
+from raybundle.workflows.control_apart import check_apart
 from raybundle.workflows.dropped import Dropped
 from raybundle.workflows.final import adjusted_part, final_adjustment, left_out, undetermined_part
 from raybundle.workflows.georeference import Georeferenced, frame_of
@@ -191,7 +193,12 @@ def orient(
         check_marks(found.photos, given)
         if not scenes_found.scenes:  # which have names and a frame of their own
             check_names(found.photos, given)
+            check_apart(given)
             frame_of(found.photos, given)
+        asked = check_asked(
+            found.photos, given, positions=positions, crs=options.crs, relative=options.relative,
+            scenes=bool(scenes_found.scenes),
+        )  # fmt: skip
         given, told = _with_attitudes(found.photos, positions, given, options)
         _forget(project, options)
         photographs = PhotoRun(found.photos, jobs, progress, refused)
@@ -202,7 +209,7 @@ def orient(
         _check_number(inputs, photographs.photos, 0 if scenes is None else len(scenes.images), refused)
         photographs.cameras(calibration, options.separate, options.library)
         photographs = _ties(project, photographs, scenes, given, options, method)
-        remarks = (*found.remarks, *told, *scenes_found.remarks, *photographs.told)
+        remarks = (*found.remarks, *asked, *told, *scenes_found.remarks, *photographs.told)
         with project.stage("adjustment") as stage:
             blocks, photos = photographs.blocks, photographs.photos
             if scenes is None:

@@ -171,7 +171,8 @@ def test_what_is_written_reads_back(name, tmp_path):
     given_ = trajectory(name, path)
     write_trajectory(given_, path, name=name)
     again = read_trajectory(path)
-    assert (again.names, again.crs, again.true_north or name == "mrk") == (given_.names, given_.crs, name != "opk")
+    placed = name in {"mrk", "positions"}
+    assert (again.names, again.crs, again.true_north or placed) == (given_.names, given_.crs, name != "opk")
     tolerance = {"mrk": 1e-4}.get(name, 1e-12)
     np.testing.assert_allclose(again.xyz[:, :2], given_.xyz[:, :2], rtol=0, atol=1e-9)
     np.testing.assert_allclose(again.xyz, given_.xyz, rtol=0, atol=tolerance)
@@ -180,6 +181,8 @@ def test_what_is_written_reads_back(name, tmp_path):
     if name == "mrk":
         assert again.fix == given_.fix
         np.testing.assert_allclose(again.offset, given_.offset, atol=1e-12)
+    elif name == "positions":
+        assert again.rotation is None
     else:
         np.testing.assert_allclose(again.rotation, given_.rotation, atol=1e-12)
         np.testing.assert_allclose(again.rotation_sigma, given_.rotation_sigma, rtol=1e-12)
@@ -265,3 +268,14 @@ def test_damaged_files(name, tmp_path, damage):
         assert isinstance(read_trajectory(path, name=name), Trajectory)
     except InputError as error:
         assert str(path) in str(error)  # noqa: PT017
+
+
+@pytest.mark.parametrize("beside", ["", ",antenna", ",X_adjusted,Y_adjusted,Z_adjusted,vX,vY,vZ,rX,rY,rZ,wX,wY,wZ"])
+def test_positions_without_attitudes_as_the_stations_of_a_result(tmp_path, beside):
+    file = tmp_path / "stations.csv"
+    row = "a.jpg,1.5,2,3,0.1,0.2,0.3" + "," * beside.count(",")
+    file.write_text(f"image,X,Y,Z,sX,sY,sZ{beside}\n{row}\n")
+    t = read_trajectory(file)
+    np.testing.assert_array_equal(t.xyz, [[1.5, 2, 3]])
+    np.testing.assert_array_equal(t.sigma, [[0.1, 0.2, 0.3]])
+    assert (t.names, t.crs, t.rotation) == (("a.jpg",), None, None)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import re
 import stat
@@ -37,13 +38,27 @@ def guarded(path: Path) -> Generator[None]:
         raise InputError(message, file=path) from None
 
 
+def stands(path: Path) -> bool:
+    """Whether a name stands in its folder, whatever it names.
+
+    What is optional is absent where it does not.  A link to nothing or to itself was meant to be read, though
+    `Path.exists` denies it: who reads it (`check_regular`) refuses it.
+    """
+    return os.path.lexists(path)
+
+
 def check_regular(path: Path) -> None:
     """Raise InputError where a path is no regular file: reading a pipe may never end, nor may a device."""
     try:
         mode = path.stat().st_mode
     except FileNotFoundError:
+        if path.is_symlink():
+            message = f"is a link to {path.readlink()}, which is not there; mend the link or delete it"
+            raise InputError(f"cannot be read: {message}", file=path) from None
         raise InputError("cannot be read: there is no such file; check the path", file=path) from None
     except OSError as error:
+        if error.errno == errno.ELOOP:
+            raise InputError("cannot be read: is a link that leads back to itself; delete it", file=path) from None
         raise InputError(f"cannot be read: {error.strerror}; check the path and the permissions", file=path) from None
     except ValueError:  # a zero byte in the name
         raise InputError("is no name that a file can have; check the path", file=path) from None

@@ -66,7 +66,7 @@ def read_angles(
     rotation = choices[angles](given)
     rotation[unknown] = np.nan
     spread = table.numbers(*(f"s{n}_{unit}" for n in angles)) * UNITS[unit]
-    xyz, crs = _positions(path, table)
+    xyz, crs = positions_of_table(path, table)
     time = table.number.get("time_s")
     return Trajectory(
         path=path,
@@ -84,7 +84,8 @@ def read_angles(
     )
 
 
-def _positions(path: Path, table: Table) -> tuple[Array, str | None]:
+def positions_of_table(path: Path, table: Table) -> tuple[Array, str | None]:
+    """Positions (n, 3) of a table, and their coordinate system where its columns tell it."""
     found = [names for names in (GRID, GEOGRAPHIC) if all(n in table.number for n in names)]
     if len(found) != 1:
         message = f"a position is needed: {', '.join(GRID)} or {', '.join(GEOGRAPHIC)}, and not both"

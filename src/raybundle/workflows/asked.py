@@ -1,0 +1,38 @@
+"""What was asked for and can have no effect: refused where something is missing, said where nothing is harmed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from raybundle.errors import InputError
+from raybundle.io.coordinate_systems import parse_crs
+from raybundle.io.photos.photo import Photo
+from raybundle.io.trajectories import Trajectory
+from raybundle.workflows.marks import Given
+
+MISSING = "give --positions, or photographs that state theirs, or leave {} out"
+
+
+def check_asked(
+    photos: Sequence[Photo], given: Given, *, positions: Trajectory | None, crs: str | None, relative: str, scenes: bool
+) -> tuple[str, ...]:
+    """Remarks on options without effect.
+
+    positions  of a file, which the photographs have by now
+    scenes     whether satellite scenes take part
+    raises     InputError for a coordinate system that does not exist, and where a lever arm or relative control is
+               asked for of positions that nobody gave
+    """
+    if crs is not None:
+        parse_crs(crs)
+    known = given.gps and any(p.metadata.gps is not None for p in photos)
+    why = "no photograph has a position" if given.gps else "--no-gps leaves the positions out"
+    if given.lever_arm is not None and not known:
+        raise InputError(f"a lever arm is asked for, and {why}; {MISSING.format('--lever-arm')}")
+    if relative and not known:
+        raise InputError(f"relative aerial control is asked for, and {why}; {MISSING.format('--relative')}")
+    if crs is None or scenes or (positions is not None and positions.crs is None):
+        return ()
+    why = "no positions of a grid are given" if positions is None else f"{positions.path.name} tells its own"
+    remark = f"the coordinate system {crs} has no effect: {why}, and there is no satellite scene. Control files name "
+    return (remark + "theirs themselves",)
