@@ -225,7 +225,15 @@ def _left_out(facts: PhotographFacts) -> list[Part]:
     if not (facts.refused or facts.not_oriented):
         return []
     lost = [
-        *((f, "refused", r, "Export or copy the file again and start the same command.") for f, r in facts.refused),
+        *(
+            (
+                f,
+                "refused",
+                r,
+                "A copy of another photograph: delete one of the two. Else export it again and start the same command.",
+            )
+            for f, r in facts.refused
+        ),
         *(
             (f, "not oriented", r, "Add photographs between it and its neighbours (60 % overlap or more), or leave it.")
             for f, r in facts.not_oriented
