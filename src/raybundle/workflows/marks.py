@@ -144,6 +144,25 @@ def check_names(photos: Sequence[Photo], given: Given) -> None:
             )
 
 
+def under_kept_names(control: Sequence[ControlFile], copies: Mapping[str, str]) -> tuple[ControlFile, ...]:
+    """Control whose marks in photographs that were left out as copies count in those of the same content that stay.
+
+    copies  name of a photograph that was left out -> name of the one that stays
+    """
+
+    def named(c: ControlFile) -> ControlFile:
+        m = c.measurements
+        image = [copies.get(n, copies.get(Path(n).name, n)) for n in m.image]
+        first = {key: k for k, key in reversed([*enumerate(zip(image, m.point.tolist(), strict=True))])}
+        rows = np.array(sorted(first.values()), np.int64)  # a point marked in both counts once
+        kept = replace(
+            m, image=tuple(image[k] for k in rows), point=m.point[rows], xy_px=m.xy_px[rows], line=m.line[rows]
+        )
+        return replace(c, measurements=kept)
+
+    return tuple(named(c) if copies else c for c in control)
+
+
 def add_points(state: Placing, photos: Sequence[Photo], given: Given, frame: LocalFrame | None) -> None:
     """Control, check and merely measured points with their image measurements.
 

@@ -32,7 +32,7 @@ from raybundle.workflows.control_apart import check_apart
 from raybundle.workflows.dropped import Dropped
 from raybundle.workflows.final import adjusted_part, final_adjustment, left_out, undetermined_part
 from raybundle.workflows.georeference import Georeferenced, frame_of
-from raybundle.workflows.marks import Given, check_marks, check_names
+from raybundle.workflows.marks import Given, check_marks, check_names, under_kept_names
 from raybundle.workflows.parts import Part, apart_notice, joined_notice, place_parts
 from raybundle.workflows.photo_run import PhotoRun
 from raybundle.workflows.positions import GPS_M, flight_lines, without_idle
@@ -190,6 +190,7 @@ def orient(
     project = Project.open(folder)
     try:
         found, scenes_found, refused = _search(project, inputs, given, positions, options.crs, progress)
+        given = replace(given, control=under_kept_names(given.control, found.copies))
         check_marks(found.photos, given)
         if not scenes_found.scenes:  # which have names and a frame of their own
             check_names(found.photos, given)

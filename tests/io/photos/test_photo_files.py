@@ -76,6 +76,7 @@ def test_each_bad_file_costs_that_file_only(tmp_path):
     assert "thumbnail" in why["thumb.jpg"]
     assert "900 million pixels, the limit is 600 million" in why["bomb.png"]
     assert why["good 1.jpg"].startswith("the same content as copy.jpg")
+    assert found.copies == {"good 1.jpg": "copy.jpg"}
     assert "cannot be read: No such file" in why["gone.jpg"]
     assert why["pipe.jpg"] == "is not a regular file"
     assert len(why) == 11
@@ -315,3 +316,12 @@ def test_what_comes_from_cameras_and_is_no_photograph_gets_a_hint(tmp_path, name
     assert not found.photos
     told = " ".join([*found.remarks, *(why for _, why in found.refused)])
     assert re.search(hint, told)
+
+
+def test_of_equal_files_the_one_that_is_called_no_copy_stays(tmp_path):
+    for name in ("DSC_7.JPG", "DSC_7 (1).JPG", "copy_of_7.JPG", "a.JPG"):
+        save(tmp_path / name, scene(160, 120, seed=3 if name == "a.JPG" else 1))
+    found = find_photos([tmp_path])
+    assert [p.name for p in found.photos] == ["a.JPG", "DSC_7.JPG"]
+    assert found.copies == {"DSC_7 (1).JPG": "DSC_7.JPG", "copy_of_7.JPG": "DSC_7.JPG"}
+    assert reasons(found)["copy_of_7.JPG"] == "the same content as DSC_7.JPG, byte for byte; delete one of the two"

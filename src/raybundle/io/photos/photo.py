@@ -11,8 +11,8 @@ import hashlib
 import os
 import re
 import stat
-from collections.abc import Collection, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -86,6 +86,8 @@ class Found:
     refused: tuple[tuple[Path, str], ...]
     """Files and the reason why each is left out."""
     remarks: tuple[str, ...]
+    copies: Mapping[str, str] = field(default_factory=dict[str, str])
+    """Names of files that are left out because another has the same content, and the name of that one"""
 
 
 def find_photos(
@@ -106,7 +108,7 @@ def find_photos(
     names = _names(files)
     photos: list[Photo] = []
     refused: list[tuple[Path, str]] = []
-    first: dict[str, str] = {}
+    of_content: dict[str, list[tuple[Path, Photo]]] = {}
     for k, (path, name) in enumerate(zip(files, names, strict=True)):
         progress("reading photographs", k / len(files))
         try:
@@ -114,15 +116,22 @@ def find_photos(
         except InputError as error:
             refused.append((shown(path), str(error).removeprefix(f"{path}: ")))
             continue
-        if photo.sha256 in first:
-            refused.append((shown(path), f"the same content as {first[photo.sha256]}, byte for byte"))
-            continue
-        first[photo.sha256] = name
-        photos.append(photo)
+        of_content.setdefault(photo.sha256, []).append((path, photo))
+    copies: dict[str, str] = {}
+    for same in of_content.values():
+        original = min((p for _, p in same), key=lambda p: len(p.name))  # "copy of a.jpg", "a (1).jpg" are longer
+        photos.append(original)
+        for path, photo in same:
+            if photo is not original:
+                copies[photo.name] = original.name
+                why = f"the same content as {original.name}, byte for byte; delete one of the two"
+                refused.append((shown(path), why))
+    order = {name: k for k, name in enumerate(names)}
+    photos.sort(key=lambda p: order[p.name])
     kept, thumbnails = _without_thumbnails(photos)
     progress("reading photographs", 1.0)
     remarks += _together([(p.name, r) for p in kept for r in p.metadata.remarks if r.startswith("XMP ")])
-    return Found(photos=kept, refused=tuple(sorted(refused + thumbnails)), remarks=tuple(remarks))
+    return Found(photos=kept, refused=tuple(sorted(refused + thumbnails)), remarks=tuple(remarks), copies=copies)
 
 
 def _together(remarks: list[tuple[str, str]]) -> list[str]:
