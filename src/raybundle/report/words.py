@@ -15,7 +15,7 @@ from raybundle.adjustment.result import ObservationGroup
 from raybundle.adjustment.severity import NEARLY, POOR_FIT, Severity
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.statistics import chi_square_tails
-from raybundle.observations import in_order
+from raybundle.observations import observation_kinds
 from raybundle.report.numbers import counted, grouped, listed, significant, unit_text
 from raybundle.report.view import View, rms
 
@@ -149,7 +149,7 @@ def unsettled(view: View) -> str:
 
 
 def _adjusted(view: View) -> str:
-    a, block = view.adjustment, view.given
+    a = view.adjustment
     n = counts(a)
     parts = [
         f"{counted(n.images_used, 'image')} of {counted(len(view.cameras()), 'camera')}",
@@ -159,7 +159,7 @@ def _adjusted(view: View) -> str:
     for count, noun in (
         (len({i for g in a.groups if g.kind == "control" for i in g.ids}), "control point"),
         (len(view.check_rows), "check point"),
-        *((len(kind.table_of(block)), kind.noun) for kind in in_order() if kind.noun),
+        *((len(np.unique(g.item)), observation_kinds[g.kind].noun) for g in a.groups if observation_kinds[g.kind].noun),
     ):
         if count:
             parts.append(counted(count, noun))
