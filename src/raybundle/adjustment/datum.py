@@ -242,9 +242,8 @@ def _well_determined(system: System, state: State) -> Mask:
     image, point = o.image[system.rows], o.point[system.rows]
     ray = state.xyz[point] - state.centre[image]
     distance = np.linalg.norm(ray, axis=1)
-    away = distance > 1e-12 * np.abs(state.centre[image]).max(
-        axis=1, initial=1e-100
-    )  # a point in a projection centre has no direction
+    size = np.abs(state.centre[image]).max(axis=1, initial=1e-100)
+    away = distance > 1e-12 * size  # a point in a projection centre has no direction
     point, distance = point[away], distance[away]
     d = ray[away] / distance[:, None]
     N = np.zeros((len(used), 3, 3))
@@ -391,7 +390,7 @@ def hold_minimal(system: System, state: State, datum: Datum) -> Mask:
 SPREAD = 0.05
 """Of the best held coordinate's part in the datum the last one has at least, or points of other observations are tried.
 
-What a factor loses by it are digits: a twentieth costs little more than one."""
+Points nearly in a line make the undamped factor lose digits by the inverse of it."""
 
 
 @dataclass(slots=True)

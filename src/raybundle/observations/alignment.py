@@ -7,6 +7,7 @@ It is a length, so that something else must fix the scale: all would fit a small
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -105,17 +106,17 @@ class _Alignment(ObservationKind, registered=False):
             found.append(self._fitted(xyz, name))
         return np.array(found)
 
+    @abstractmethod
     def _fitted(self, xyz: Array, name: str) -> Array:
         """Values of the figure nearest to points (k, 3)."""
-        raise NotImplementedError
 
+    @abstractmethod
     def _axes(self, values: Array) -> Array:
         """(count, components, 3) along which distances are counted."""
-        raise NotImplementedError
 
+    @abstractmethod
     def _own_partials(self, values: Array, r: Array, component: Array) -> Array:
         """(k, `own_width`) by the unknowns; values (k, w) and X - A (k, 3) of each row."""
-        raise NotImplementedError
 
     def _anchors(self, values: Array) -> Array:
         """(count, 3) a place on each figure."""
