@@ -14,6 +14,7 @@ from raybundle.block import Relation
 from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.observations import in_order, observation_kinds
 from raybundle.observations.alignment import Levels, Lines, Planes, PlumbLines
+from raybundle.observations.coordinates import Coordinates
 
 
 def a_field():
@@ -42,7 +43,29 @@ def figures():
     return block.having(of(Planes), of(Lines), of(PlumbLines), of(Levels))
 
 
-EXAMPLES = {"figures": figures, "field": a_field, "airborne": noisy, "mixed": mixed}
+def networks():
+    """Points of two networks, correlated within each."""
+    block = replace(a_field(), tables={})
+    xyz, rng = block.points.xyz, np.random.default_rng(6)
+    free = np.flatnonzero(block.points.role == 0)[:9].astype(np.int32)
+    found = []
+    for name, points in (("a", free[:4]), ("b", free[4:])):
+        root = rng.normal(0, 1e-3, (3 * len(points),) * 2)
+        C = (root @ root.T + 1e-6 * np.eye(len(root))).reshape(len(points), 3, len(points), 3)
+        a, b = np.triu_indices(len(points))
+        found.append(
+            Coordinates(
+                network=(name,) * len(a),
+                point=points[a],
+                other=points[b],
+                xyz=np.where((a == b)[:, None], xyz[points[a]] + 1e-3, np.nan),
+                covariance=C[a, :, b].reshape(-1, 9),
+            )
+        )
+    return block.having(Coordinates.joined(found))
+
+
+EXAMPLES = {"networks": networks, "figures": figures, "field": a_field, "airborne": noisy, "mixed": mixed}
 
 
 def system_of(block):

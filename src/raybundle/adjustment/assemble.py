@@ -10,17 +10,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any
 
 import numpy as np
 
+from raybundle.adjustment.extra import Extra, gathered
 from raybundle.adjustment.far_points import diverging, retracted, turned_about
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Block, Camera
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rotation import rotation_from_vector
-from raybundle.observations import Interior, ObservationKind, Partials, Rows, Scope, in_order
+from raybundle.observations import Interior, ObservationKind, Partials, Scope, in_order
 from raybundle.sensors import SensorModel
 
 
@@ -68,39 +68,6 @@ class InteriorRow:
         """Camera id, or camera id / image id."""
         camera = block.cameras[self.camera].id
         return camera if self.image < 0 else f"{camera}/{block.images.ids[self.image]}"
-
-
-@dataclass(frozen=True, slots=True)
-class Part:
-    """The rows of one kind of observation outside the images."""
-
-    kind: ObservationKind
-    table: Any
-    rows: Rows
-    start: int
-    """Position of the first among all of them"""
-
-    @property
-    def positions(self) -> Array:
-        """Their positions (k,) among all of them."""
-        return np.arange(self.start, self.start + len(self.rows))
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Extra:
-    """Observations that touch no image point, kind by kind."""
-
-    scope: Scope
-    parts: tuple[Part, ...]
-    sigma: Array
-    """(k,) of all rows"""
-
-    def __len__(self) -> int:
-        return len(self.sigma)
-
-    def of(self, name: str) -> Part | None:
-        """The part of a kind, if it has rows."""
-        return next((p for p in self.parts if p.kind.name == name), None)
 
 
 @dataclass(slots=True)
@@ -381,7 +348,7 @@ def assemble(block: Block, options: AdjustmentOptions, rejected: Mask, free: dic
         held=control_held.copy(),
         control_held=control_held,
         prior=prior,
-        extra=_extra(
+        extra=gathered(
             replace(
                 scope,
                 coordinates=prior & touched[:, None],
@@ -524,22 +491,6 @@ def _image_observations(block: Block, rows: Array) -> tuple[Array, Array, Array]
             f"the covariance of the image point is not positive definite"
         )
     return np.ascontiguousarray(xy), np.ascontiguousarray(whiten), pixel[camera]
-
-
-def _extra(scope: Scope, tables: dict[str, Any]) -> Extra:
-    parts, start = list[Part](), 0
-    for kind in in_order():
-        if kind.carries_datum and scope.datum_is_chosen and kind.name != "control":
-            continue
-        rows = kind.rows(tables[kind.name], scope)
-        if len(rows):
-            parts.append(Part(kind, tables[kind.name], rows, start))
-            start += len(rows)
-    return Extra(
-        scope=scope,
-        parts=tuple(parts),
-        sigma=np.concatenate([np.zeros(0), *(p.rows.sigma for p in parts)]),
-    )
 
 
 def _interior_of(block: Block, row: InteriorRow, free: tuple[int, ...]) -> Interior:

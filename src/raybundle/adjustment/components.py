@@ -67,7 +67,7 @@ def variance_components(found: Found) -> tuple[VarianceComponent, ...]:
     for g in map(without_known_before, groups):
         weighted = g.sigma > 0
         if weighted.any():
-            square = float(np.sum((g.residual[weighted] / g.sigma[weighted]) ** 2))
+            square = float(g.square[weighted].sum())
             r = float(np.nansum(g.redundancy[weighted]))
             raw.append((NAMES[g.kind], "all", int(weighted.sum()), square, r))
     return _tested(raw)

@@ -10,6 +10,7 @@ import numpy as np
 
 from raybundle.adjustment.assemble import State, System
 from raybundle.adjustment.dense import as_many_threads_as_help, set_dense_kernels
+from raybundle.adjustment.extra import Correlated
 from raybundle.numerics import native
 from raybundle.numerics.arrays import Array, Index, Mask
 
@@ -20,7 +21,7 @@ LEAST_OBSERVATIONS = 2000
 
 @dataclass(slots=True)
 class Linearised:
-    """Linearised extra observations: whitened residuals and sparse rows."""
+    """Linearised extra observations: residuals and sparse rows, in units of their standard deviations or whitened."""
 
     residual: Array
     row: Index
@@ -43,6 +44,8 @@ class Normals:
     diagonal: Array
     pair_row: Index = field(default_factory=lambda: np.zeros(0, np.int32))
     pairs: tuple[Array, Array] = field(default_factory=lambda: (np.zeros(0, np.int64), np.zeros(0, np.int64)))
+    pair_weight: Array | None = None
+    """Of each pair, where rows are correlated; None: all 1"""
     pair_at: Array = field(default_factory=lambda: np.zeros(0, np.int64))
     external: Mask = field(default_factory=lambda: np.zeros(0, bool))
     evaluated: State | None = None
@@ -70,8 +73,8 @@ class Normals:
             diagonal=_NONE,
             external=external,
         )
-        entries = normals.extra(system.initial_state())
-        a, b = _pairs_of_rows(entries.row)
+        entries = normals.standardised(system.initial_state())
+        a, b = _pairs_of_rows(system.extra.group_of_row()[entries.row])
         node_a, node_b = normals._node(entries.unknown[a]), normals._node(entries.unknown[b])
         keep = node_a <= node_b
         a, b, node_a, node_b = a[keep], b[keep], node_a[keep], node_b[keep]
@@ -88,18 +91,29 @@ class Normals:
             return
         local_a = entries.unknown[a] - self.system.offsets[node_a]
         local_b = entries.unknown[b] - self.system.offsets[node_b]
-        start = np.array(
-            [self.solver.block_start(self.solver.block(int(i), int(j))) for i, j in zip(node_a, node_b, strict=True)],
-            dtype=np.int64,
-        )
+        blocks, which = np.unique(np.stack([node_a, node_b], axis=1), axis=0, return_inverse=True)
+        starts = [self.solver.block_start(self.solver.block(i, j)) for i, j in blocks.tolist()]
+        start = np.array(starts, np.int64)[which.ravel()]
         self.pairs = (a, b)
+        if self.system.extra.correlated:
+            self.pair_weight = self._weight(entries.row[a], entries.row[b])
         self.pair_at = start + local_a * self.system.sizes[node_b] + local_b
+
+    def _weight(self, first: Index, second: Index) -> Array:
+        """Weights (e,) of pairs of rows in units of their standard deviations."""
+        found = (first == second).astype(float)
+        place = np.full(len(self.system.extra), -1)
+        for joint in self.system.extra.correlated:
+            place[joint.rows] = np.arange(len(joint.rows))
+            mine = np.flatnonzero(np.isin(first, joint.rows))
+            found[mine] = joint.weight[place[first[mine]], place[second[mine]]]
+        return found
 
     def _node(self, unknown: Array) -> Array:
         return np.searchsorted(self.system.offsets, unknown, side="right") - 1
 
-    def extra(self, state: State) -> Linearised:
-        """Extra observations at a state: residual adjusted - observed over sigma."""
+    def standardised(self, state: State) -> Linearised:
+        """Extra observations at a state, in units of their standard deviations: residual adjusted - observed."""
         system, extra = self.system, self.system.extra
         if not len(extra):
             return _NOTHING
@@ -124,6 +138,16 @@ class Normals:
             np.concatenate(unknowns).astype(np.int64),
             np.concatenate(values) / extra.sigma[row],
         )
+
+    def extra(self, state: State) -> Linearised:
+        """Extra observations at a state, whitened: rows independent of each other, each of standard deviation 1.
+
+        Of correlated ones a row is a sum of those that were observed.
+        """
+        e = self.standardised(state)
+        for joint in self.system.extra.correlated:
+            e = _mixed(e, joint)
+        return e
 
     def refresh_external(self, state: State) -> None:
         """Evaluate models that are not compiled at a state and hand them to the native solver."""
@@ -150,13 +174,21 @@ class Normals:
         cost, behind, _, weak = self.solver.reduce(
             *self.arguments(state), huber, damping, self.threads, self.values, self.right, self.diagonal
         )
-        e = self.extra(state)
+        e = self.standardised(state)
+        weighted = self.system.extra.weighted(e.residual)
         if len(e.value):
-            np.add.at(self.right, e.unknown, -e.value * e.residual[e.row])
-            np.add.at(self.diagonal, e.unknown, e.value**2)
-            np.add.at(self.values, self.pair_at, e.value[self.pairs[0]] * e.value[self.pairs[1]])
+            a, b = self.pairs
+            products = e.value[a] * e.value[b]
+            np.add.at(self.right, e.unknown, -e.value * weighted[e.row])
+            if self.pair_weight is None:
+                np.add.at(self.diagonal, e.unknown, e.value**2)
+            else:
+                products *= self.pair_weight
+                alone = e.unknown[a] == e.unknown[b]
+                np.add.at(self.diagonal, e.unknown[a[alone]], products[alone])
+            np.add.at(self.values, self.pair_at, products)
         self._hold_retained()
-        return float(cost) + 0.5 * float(e.residual @ e.residual), int(behind), list(weak)
+        return float(cost) + 0.5 * float(e.residual @ weighted), int(behind), list(weak)
 
     def _hold_retained(self) -> None:
         """Held coordinates of retained points: one on the diagonal."""
@@ -180,11 +212,11 @@ class Normals:
         nodes = self.solved(self.right)
         points = np.zeros_like(state.xyz)
         cost = self.solver.back_substitute(*self.arguments(state), huber, damping, self.threads, nodes, points)
-        e = self.extra(state)
+        e = self.standardised(state)
         moved = e.residual.copy()
         if len(moved):
             np.add.at(moved, e.row, e.value * nodes[e.unknown])
-        return nodes, points, float(cost) + 0.5 * float(moved @ moved)
+        return nodes, points, float(cost) + 0.5 * float(moved @ self.system.extra.weighted(moved))
 
     @property
     def meeting(self) -> int:
@@ -238,8 +270,8 @@ class Normals:
         cost, behind, _ = self.solver.evaluate(
             *self.arguments(state), huber, self.threads, _NONE, np.zeros(0, np.uint8)
         )
-        e = self.extra(state)
-        return float(cost) + 0.5 * float(e.residual @ e.residual), int(behind)
+        e = self.standardised(state).residual
+        return float(cost) + 0.5 * float(e @ self.system.extra.weighted(e)), int(behind)
 
     def residuals(self, state: State) -> tuple[Array, Array]:
         """Whitened residuals (m, 2) and flags (m,): 1 behind the camera, 2 without a projection."""
@@ -281,8 +313,27 @@ class Normals:
         return block if a <= b else block.T
 
 
+def _mixed(e: Linearised, joint: Correlated) -> Linearised:
+    """With the rows of a group whitened."""
+    place = np.full(int(max(e.row.max(initial=-1), joint.rows.max())) + 1, -1)
+    place[joint.rows] = np.arange(len(joint.rows))
+    mine = place[e.row] >= 0
+    unknown, column = np.unique(e.unknown[mine], return_inverse=True)
+    dense = np.zeros((len(joint.rows), len(unknown)))
+    np.add.at(dense, (place[e.row[mine]], column), e.value[mine])
+    dense = joint.root @ dense
+    residual = e.residual.copy()
+    residual[joint.rows] = joint.root @ residual[joint.rows]
+    return Linearised(
+        residual,
+        np.concatenate([e.row[~mine], np.repeat(joint.rows, len(unknown))]).astype(np.int32),
+        np.concatenate([e.unknown[~mine], np.tile(unknown, len(joint.rows))]),
+        np.concatenate([e.value[~mine], dense.ravel()]),
+    )
+
+
 def _pairs_of_rows(row: Index) -> tuple[Array, Array]:
-    """Positions of all pairs of entries that stand in one row, each with itself and both ways."""
+    """Positions of all pairs of entries that stand in one row (or group), each with itself and both ways."""
     order = np.argsort(row, kind="stable")
     count = np.bincount(row)[row[order]] if len(row) else np.zeros(0, np.int64)
     first = np.searchsorted(row[order], row[order])

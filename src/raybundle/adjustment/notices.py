@@ -446,7 +446,7 @@ def _without_worst(result: Adjustment, g: ObservationGroup) -> bool:
     """Whether a group still differs from the others when its largest test value is left out: it is not that one."""
     weighted = g.sigma > 0
     w2 = np.nan_to_num(g.w[weighted]) ** 2
-    square = float(np.sum((g.residual[weighted] / g.sigma[weighted]) ** 2))
+    square = float(g.square[weighted].sum())
     r = float(np.nansum(g.redundancy[weighted]))
     worst = float(w2.max(initial=0.0))
     total = result.weighted_square_sum - worst, result.redundancy - 1.0

@@ -10,7 +10,7 @@ from functools import cache
 import numpy as np
 
 from raybundle.adjustment.assemble import State, System
-from raybundle.adjustment.normals import Normals
+from raybundle.adjustment.normals import Linearised, Normals
 from raybundle.adjustment.precision import Cofactors
 from raybundle.adjustment.result import ObservationGroup, ObservationStatistics
 from raybundle.adjustment.work import Work
@@ -84,24 +84,49 @@ Rounding makes so much only where N_kk Q_kk sums to some 1e12, about what `defec
 """
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Tests:
+    """What observations that may be correlated have instead of v / sigma and 1 - q / sigma^2 (Baarda 1968)."""
+
+    redundancy: Array
+    """(k,) diagonal of Q_vv P"""
+    test: Array
+    """(k,) diagonal of P Q_vv P, times sigma^2: the redundancy number of an uncorrelated one"""
+    weight: Array
+    """(k,) diagonal of P, times sigma^2"""
+    weighted: Array
+    """(k,) P v, times sigma"""
+
+    def of(self, rows: Array) -> _Tests:
+        """Those of some rows."""
+        return _Tests(
+            redundancy=self.redundancy[rows], test=self.test[rows], weight=self.weight[rows],
+            weighted=self.weighted[rows],
+        )  # fmt: skip
+
+
 def _group(
     kind: str, ids: Sequence[str], component: Sequence[str], given: Array, sigma: Array, adjusted: Array,
     cofactor: Array, sigma0: float, least: Callable[[], float], item: Index, quantity: Index,
-    origin: tuple[str, ...] = (),
+    origin: tuple[str, ...] = (), tests: _Tests | None = None,
 ) -> ObservationGroup:  # fmt: skip
-    """Statistics of uncorrelated observations of single quantities with these cofactors.
+    """Statistics of observations of single quantities with these cofactors; uncorrelated where `tests` is None.
 
     least  what a redundancy number may be by rounding alone; one within that is 0, its observation uncontrolled
     """
     weighted = sigma > 0
     safe = np.where(weighted, sigma, 1.0)
-    redundancy = np.where(weighted, 1 - cofactor / safe**2, 0.0)
-    if (redundancy[weighted] < ASKED).any():
-        redundancy = np.where(np.abs(redundancy) < least(), 0.0, redundancy)
     residual = adjusted - given
-    controlled = redundancy > UNCONTROLLED
-    root = np.sqrt(np.where(controlled, redundancy, 1.0))
-    w = np.where(controlled, residual / (safe * root), np.nan)
+    if tests is None:
+        own = np.where(weighted, 1 - cofactor / safe**2, 0.0)
+        tests = _Tests(redundancy=own, test=own, weight=np.ones(len(own)), weighted=residual / safe)
+    redundancy, test = tests.redundancy, tests.test
+    if (np.minimum(redundancy, test)[weighted] < ASKED).any():
+        redundancy = np.where(np.abs(redundancy) < least(), 0.0, redundancy)
+        test = np.where(np.abs(test) < least() * tests.weight, 0.0, test)
+    controlled = test > UNCONTROLLED * tests.weight
+    root = np.sqrt(np.where(controlled, test, 1.0))
+    w = np.where(controlled, tests.weighted / root, np.nan)
     scale = sigma0 if np.isfinite(sigma0) else 1.0
     return ObservationGroup(
         kind=kind, ids=tuple(ids), component=tuple(component), origin=origin,
@@ -109,6 +134,7 @@ def _group(
         adjusted=adjusted,
         adjusted_std=scale * np.sqrt(np.maximum(cofactor, 0)), residual=residual, redundancy=redundancy,
         w=w, t=w / sigma0, mdb=np.where(controlled, DELTA0 * safe / root, np.nan),
+        square=np.where(weighted, residual / safe * tests.weighted, 0.0),
     )  # fmt: skip
 
 
@@ -140,8 +166,8 @@ def observation_groups(
             )
         )  # fmt: skip
     extra = system.extra
-    entries = normals.extra(state)
-    hat = np.full(len(extra), np.nan) if found is None else _extra_hat(normals, found, entries)
+    entries = normals.standardised(state)
+    hat, tests = _extra_tests(normals, found, entries)
     residual = entries.residual * extra.sigma
     for part in extra.parts:
         if part.kind.name == "control":
@@ -152,27 +178,57 @@ def observation_groups(
             _group(
                 part.kind.name, named.ids, named.component, rows.value + rows.offset, rows.sigma,
                 residual[i] + rows.value + rows.offset, hat[i] * rows.sigma**2, sigma0, least, rows.item,
-                rows.component, named.origin,
+                rows.component, named.origin, tests.of(i) if rows.joint else None,
             )
         )  # fmt: skip
     return tuple(groups)
 
 
-def _extra_hat(normals: Normals, found: Cofactors, entries: object) -> Array:
-    """Diagonal of A Q A' of the whitened extra observations; estimable, hence the same in every datum."""
-    system = normals.system
-    hat = np.zeros(len(system.extra))
-    row, unknown, value = entries.row, entries.unknown, entries.value  # type: ignore[attr-defined]
-    for r in range(len(system.extra)):
-        mine = np.flatnonzero(row == r)
-        nodes = np.searchsorted(system.offsets, unknown[mine], side="right") - 1
-        for a in np.unique(nodes):
-            for b in np.unique(nodes):
-                i, j = mine[nodes == a], mine[nodes == b]
-                Q = normals.node_block(found.inverse, int(a), int(b))
-                Q = Q[np.ix_(unknown[i] - system.offsets[a], unknown[j] - system.offsets[b])]
-                hat[r] += value[i] @ Q @ value[j]
-    return hat
+def _extra_tests(normals: Normals, found: Cofactors | None, entries: Linearised) -> tuple[Array, _Tests]:
+    """Diagonal of A Q A' of the extra observations in units of their standard deviations, and what their tests ask.
+
+    All is estimable, hence the same in every datum.  With H = A Q A' and the weights P of those that are correlated,
+    Q_vv P = I - H P and P Q_vv P = P - P H P.
+    """
+    extra = normals.system.extra
+    weighted = extra.weighted(entries.residual)
+    if found is None:
+        none = np.full(len(extra), np.nan)
+        return none, _Tests(redundancy=none, test=none, weight=np.ones(len(extra)), weighted=weighted)
+    hat, weight = np.zeros(len(extra)), np.ones(len(extra))
+    order = np.argsort(entries.row, kind="stable")
+    bounds = np.searchsorted(entries.row[order], np.arange(len(extra) + 1))
+    together = np.zeros(len(extra), bool)
+    for joint in extra.correlated:
+        together[joint.rows] = True
+    for r in np.flatnonzero(~together):
+        mine = order[bounds[r] : bounds[r + 1]]
+        unknown, value = entries.unknown[mine], entries.value[mine]
+        hat[r] = value @ _cofactors_among(normals, found, unknown) @ value
+    redundancy, test = 1 - hat, 1 - hat
+    for joint in extra.correlated:
+        mine = np.concatenate([order[bounds[r] : bounds[r + 1]] for r in joint.rows])
+        unknown, column = np.unique(entries.unknown[mine], return_inverse=True)
+        A = np.zeros((len(joint.rows), len(unknown)))
+        np.add.at(A, (np.searchsorted(joint.rows, entries.row[mine]), column), entries.value[mine])
+        H, P = A @ _cofactors_among(normals, found, unknown) @ A.T, joint.weight
+        hat[joint.rows], weight[joint.rows] = np.diagonal(H), np.diagonal(P)
+        redundancy[joint.rows] = 1 - np.einsum("ij,ji->i", H, P)
+        test[joint.rows] = np.diagonal(P - P @ H @ P)
+    return hat, _Tests(redundancy=redundancy, test=test, weight=weight, weighted=weighted)
+
+
+def _cofactors_among(normals: Normals, found: Cofactors, unknown: Array) -> Array:
+    """(u, u) cofactors of unknowns that stand in one row, or in rows that are correlated."""
+    offsets = normals.system.offsets
+    nodes = np.searchsorted(offsets, unknown, side="right") - 1
+    Q = np.zeros((len(unknown), len(unknown)))
+    at = {int(n): np.flatnonzero(nodes == n) for n in np.unique(nodes)}
+    for a, i in at.items():
+        for b, j in at.items():
+            block = normals.node_block(found.inverse, a, b)
+            Q[np.ix_(i, j)] = block[np.ix_(unknown[i] - offsets[a], unknown[j] - offsets[b])]
+    return Q
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

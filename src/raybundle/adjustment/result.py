@@ -127,6 +127,8 @@ class ObservationGroup:
     w: Array
     t: Array
     mdb: Array
+    square: Array
+    """(k,) part of the weighted square sum: (v / sigma)^2, of correlated ones v (P v), which may be negative"""
 
     def rows(self, keep: Mask | Index) -> ObservationGroup:
         """These of its observations: a mask (k,) or positions."""
@@ -139,7 +141,7 @@ class ObservationGroup:
             item=self.item[chosen], quantity=self.quantity[chosen],
             given=self.given[chosen], sigma=self.sigma[chosen], adjusted=self.adjusted[chosen],
             adjusted_std=self.adjusted_std[chosen], residual=self.residual[chosen], redundancy=self.redundancy[chosen],
-            w=self.w[chosen], t=self.t[chosen], mdb=self.mdb[chosen],
+            w=self.w[chosen], t=self.t[chosen], mdb=self.mdb[chosen], square=self.square[chosen],
         )  # fmt: skip
 
 

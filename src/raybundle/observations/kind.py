@@ -88,6 +88,16 @@ class Scope:
         return np.array([at.get(c, -1) for c in np.asarray(cameras).tolist()], np.int32)
 
 
+@dataclass(frozen=True, slots=True)
+class Joint:
+    """Rows that are correlated with each other."""
+
+    rows: Index
+    """(j,) positions among the kind's `Rows`, ascending"""
+    correlation: Array
+    """(j, j) positive definite; with the standard deviations of the rows their covariance"""
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Rows:
     """Observed quantities, one number each."""
@@ -102,9 +112,13 @@ class Rows:
     """(k,)"""
     offset: Array
     """(k,) what the frame's shift has taken from `value`"""
+    joint: tuple[Joint, ...] = ()
+    """Which are correlated; no row stands in two of them, and rows in none are independent of all"""
 
     @classmethod
-    def of(cls, item: Any, component: Any, value: Any, sigma: Any, offset: Any = None) -> Rows:
+    def of(
+        cls, item: Any, component: Any, value: Any, sigma: Any, offset: Any = None, *, joint: tuple[Joint, ...] = ()
+    ) -> Rows:
         """Of arrays or lists."""
         value = np.asarray(value, float)
         return cls(
@@ -113,6 +127,7 @@ class Rows:
             value=value,
             sigma=np.asarray(sigma, float),
             offset=np.zeros(len(value)) if offset is None else np.asarray(offset, float),
+            joint=joint,
         )
 
     def __len__(self) -> int:

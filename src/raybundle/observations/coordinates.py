@@ -1,0 +1,168 @@
+"""Coordinates of object points with the covariance matrix that they have together.
+
+The result of a GNSS network, of a traverse, of an earlier adjustment.  What their errors have in common (the datum of
+the network, a chain of baselines) is in the matrix; taken as independent they would tell the place, rotation and scale
+of the object better than they know it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar
+
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.observations.kind import Joint, Named, ObservationKind, Observed, Rows, Scope, Values, partials
+from raybundle.observations.table import Table, Wrong, cells
+
+SMALLEST = 1e-10
+"""Least eigenvalue of a correlation matrix: files with ten digits hold no more, and a free network's is 0."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Coordinates(Table):
+    """A row for each point of a network, and one for each pair of its points that are correlated."""
+
+    name: ClassVar[str] = "coordinates"
+    network: tuple[str, ...] = cells("text", "network")
+    point: Index = cells("point", "point")
+    other: Index = cells("point", "other")
+    """The point itself where coordinates and their own covariance stand, or one that it is correlated with"""
+    xyz: Array = cells("number", "X", "Y", "Z", empty=True)
+    """(k, 3) [length unit]; NaN in rows of pairs"""
+    covariance: Array = cells("number", "cXX", "cXY", "cXZ", "cYX", "cYY", "cYZ", "cZX", "cZY", "cZZ")
+    """(k, 9) of X, Y, Z of the point (rows) with X, Y, Z of the other (columns) [length unit^2]"""
+
+    @property
+    def own(self) -> Mask:
+        """(k,) rows with coordinates."""
+        return self.point == self.other
+
+    def wrong(self) -> tuple[Wrong, ...]:
+        own, given = self.own, np.isfinite(self.xyz)
+        low, high = np.minimum(self.point, self.other).tolist(), np.maximum(self.point, self.other).tolist()
+        earlier, stands = set[tuple[str, int, int]](), set[tuple[str, int]]()
+        twice, alone = np.zeros(len(self), bool), np.zeros(len(self), bool)
+        for k, key in enumerate(zip(self.network, low, high, strict=True)):
+            twice[k] = key in earlier
+            earlier.add(key)
+            if key[1] == key[2]:
+                stands.add(key[:2])
+        for k, (n, a, b) in enumerate(zip(self.network, low, high, strict=True)):
+            alone[k] = (n, a) not in stands or (n, b) not in stands
+        C = self.covariance.reshape(-1, 3, 3)
+        size = np.abs(C).max(axis=(1, 2), initial=0.0)
+        uneven = own & (np.abs(C - np.swapaxes(C, 1, 2)).max(axis=(1, 2), initial=0.0) > 1e-6 * size)
+        negative = own & ~(np.diagonal(C, axis1=1, axis2=2) > 0).all(axis=1)
+        return (
+            Wrong(twice, "other", lambda k: f"these two points of network {self.network[k]} stand in an earlier row"),
+            Wrong(own & ~given.all(axis=1), "X", lambda _: "coordinates are lacking (point and other are the same)"),
+            Wrong(~own & given.any(axis=1), "X", lambda _: "coordinates in a row of two points; leave X, Y, Z empty"),
+            Wrong(
+                alone, "other",
+                lambda k: f"network {self.network[k]} has no row with the coordinates of one of the two (point and "
+                "other the same)",
+            ),
+            Wrong(negative, "cXX", lambda k: f"a variance is not positive: {C[k].diagonal().min():g}"),
+            Wrong(uneven, "cXY", lambda _: "the covariance of a point with itself is not symmetric"),
+        )  # fmt: skip
+
+
+class ObservedCoordinates(ObservationKind):
+    """v = X - X_given, correlated within each network."""
+
+    name = "coordinate"
+    group = "coordinates of networks"
+    order = 11
+    title = "Coordinates of networks, with their covariance"
+    object = "point"
+    noun = "point of a network"
+    quantities = "coordinates of networks"
+    components = ("X", "Y", "Z")
+    unit = "length"
+    table = Coordinates
+    carries_datum = True
+
+    def check(self, table: Coordinates, scope: Scope) -> None:
+        for network in _networks(table):
+            rows = _rows_of(table, scope, network)
+            if not len(rows):
+                continue
+            _, correlation = _covariance(table, rows, network)
+            least = float(np.linalg.eigvalsh(correlation)[0])
+            if not least > SMALLEST:
+                raise InputError(
+                    f"coordinates.csv, network {network}: the covariance matrix of its {len(rows)} points that take "
+                    f"part is not positive definite (least eigenvalue of the correlations {least:.1e}, limit "
+                    f"{SMALLEST:g}). That of a network without a datum is singular: give it with the coordinates of "
+                    "one point or with those of its datum observed; or figures were rounded away: give ten digits"
+                )
+
+    def points(self, table: Coordinates, scope: Scope) -> Index:
+        return table.point[table.own & scope.points[table.point]]
+
+    def rows(self, table: Coordinates, scope: Scope) -> Rows:
+        item, sigma, joint = list[Array](), list[Array](), list[Joint]()
+        start = 0
+        for network in _networks(table):
+            rows = _rows_of(table, scope, network)
+            twice = rows[scope.coordinates[table.point[rows]].any(axis=1)]
+            if len(twice):
+                raise InputError(
+                    f"point {scope.point_ids[table.point[twice[0]]]} stands in coordinates.csv (network {network}) and "
+                    "as control with standard deviations in points.csv; take it out of one of them"
+                )
+            if not len(rows):
+                continue
+            own_sigma, correlation = _covariance(table, rows, network)
+            item.append(rows)
+            sigma.append(own_sigma)
+            joint.append(Joint(start + np.arange(len(own_sigma), dtype=np.int32), correlation))
+            start += len(own_sigma)
+        at = np.repeat(np.concatenate([np.zeros(0, np.int64), *item]), 3)
+        axis = np.tile(np.arange(3), len(at) // 3)
+        shift: Array = scope.shift[axis]
+        return Rows.of(
+            at, axis, table.xyz[at, axis] - shift, np.concatenate([np.zeros(0), *sigma]), shift, joint=tuple(joint)
+        )
+
+    def observed(self, table: Coordinates, rows: Rows, scope: Scope, values: Values) -> Observed:
+        point = table.point[rows.item]
+        residual = values.xyz[point, rows.component] - rows.value
+        return Observed(residual, (partials("point", np.arange(len(rows)), point, rows.component, np.ones(1)),))
+
+    def named(self, table: Coordinates, rows: Rows, scope: Scope) -> Named:
+        return Named(
+            tuple(scope.point_ids[k] for k in table.point[rows.item].tolist()),
+            tuple("XYZ"[a] for a in rows.component.tolist()),
+        )
+
+    def weighted(self, block: Any, factor: float) -> Any:
+        table = self.table_of(block)
+        return block.having(replace(table, covariance=factor**2 * table.covariance))
+
+
+def _networks(table: Coordinates) -> tuple[str, ...]:
+    return tuple(dict.fromkeys(table.network))
+
+
+def _rows_of(table: Coordinates, scope: Scope, network: str) -> Array:
+    """Rows of a network with coordinates of points that take part."""
+    return np.flatnonzero((np.array(table.network) == network) & table.own & scope.points[table.point])
+
+
+def _covariance(table: Coordinates, rows: Array, network: str) -> tuple[Array, Array]:
+    """Standard deviations (3 k,) and correlations (3 k, 3 k) of the points of these rows."""
+    at = {p: k for k, p in enumerate(table.point[rows].tolist())}
+    C = np.zeros((len(rows), 3, len(rows), 3))
+    for r in np.flatnonzero(np.array(table.network) == network):
+        a, b = at.get(int(table.point[r]), -1), at.get(int(table.other[r]), -1)
+        if a >= 0 and b >= 0:
+            block = table.covariance[r].reshape(3, 3)
+            C[a, :, b], C[b, :, a] = block, block.T
+    C = C.reshape(3 * len(rows), -1)
+    C = (C + C.T) / 2
+    sigma = np.sqrt(np.diagonal(C))
+    return sigma, C / np.outer(sigma, sigma)
