@@ -8,6 +8,7 @@ from scipy.stats import chi2
 
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.block import Relation
 from raybundle.block.calibration_networks import ROLLS, FlatField, flat_field_scene
 from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.block.stored import joint_covariance, observed_jointly
@@ -46,6 +47,82 @@ def test_covariance_and_values_come_back(calibrated, tmp_path):
     assert joint_covariance(camera) == ((), None)
     with pytest.raises(InputError, match="not positive definite"):
         observed_jointly(camera, FREE, -C)
+
+
+def as_relations(known):
+    """As files said it before: with C = L L' the rows of L^-1 p are independent observations."""
+    c = known.calibrated
+    root = np.linalg.inv(np.linalg.cholesky(c.covariance))
+    relations = tuple(
+        Relation(
+            name=f"calibration: {s}", origin="calibration", sigma=1.0, observed=float(root[k] @ c.values),
+            terms=dict(zip(FREE[: k + 1], root[k].tolist(), strict=False)),
+        )
+        for k, s in enumerate(c.symbols)
+    )  # fmt: skip
+    return replace(known, calibrated=None, relations=relations)
+
+
+@pytest.mark.parametrize("free", [FREE, FREE[2:], ("K1",)])
+def test_what_files_said_before_means_the_same(calibrated, free, tmp_path):
+    """All parameters free, or some held: the others are then observed as the calibration tells them given those."""
+    camera, C = calibrated
+    seen = simulate(
+        replace(field_scene(TargetField()), camera=camera),
+        Survey(seed=4, control=4, orientation="exact", points="exact", interior="exact", image_sigma_px=0.05),
+    ).observed
+    known = replace(observed_jointly(camera, FREE, C), estimate=free)
+    older = as_relations(known)
+    path = tmp_path / "camera.toml"
+    path.write_text(cameras_text([older]))
+    (again,) = read_cameras(path)
+    assert not again.relations
+    np.testing.assert_allclose(again.calibrated.covariance, C, rtol=1e-6, atol=1e-30)
+    options = AdjustmentOptions(threads=1)
+    found = [adjust_block(replace(seen, cameras=(c,)), options) for c in (known, again, older)]
+    assert {g.kind for g in found[1].groups} == {"control", "parameter"}
+    assert {g.kind for g in found[2].groups} == {"control", "relation"}
+    for other in found[:2]:
+        np.testing.assert_allclose(other.adjusted.points.xyz, found[2].adjusted.points.xyz, rtol=0, atol=1e-9)
+        r0, r1 = (np.sqrt(np.diagonal(r.precision.interior[camera.id])) / r.sigma0 for r in (other, found[2]))
+        np.testing.assert_allclose(r0, r1, rtol=1e-6)
+        total = np.nansum(other.image_observations.redundancy) + sum(g.redundancy.sum() for g in other.groups)
+        assert total == pytest.approx(other.redundancy, abs=1e-6)
+        if free == FREE:
+            assert other.redundancy == found[2].redundancy
+            assert other.sigma0 == pytest.approx(found[2].sigma0, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("line", "words"),
+    [
+        ('calibration = "c"', "is no list"),
+        ('calibration = [{parameter = "c", value = 1.0}]', "number 1 is no table"),
+        ('calibration = [{parameter = "q", value = 1.0, sigma = 1.0}]', "is no parameter of brown"),
+        ('calibration = [{parameter = "c", value = 1.0, sigma = -1.0}]', "greater than 0"),
+        (
+            """calibration = [
+    {parameter = "c", value = 1.0, sigma = 1.0}, {parameter = "c", value = 1.0, sigma = 1.0, correlations = [0.1]}
+]""",
+            "stands twice",
+        ),
+        (
+            'calibration = [{parameter = "c", value = 1.0, sigma = 1.0}, {parameter = "K1", value = 1.0, sigma = 1.0}]',
+            "number 2: 0 correlations, with the 1 parameters before it are wanted",
+        ),
+        (
+            """calibration = [
+    {parameter = "c", value = 1.0, sigma = 1.0}, {parameter = "K1", value = 1.0, sigma = 1.0, correlations = [1.5]}
+]""",
+            "not positive definite",
+        ),
+    ],
+)
+def test_a_calibration_that_is_none_is_refused(calibrated, tmp_path, line, words):
+    path = tmp_path / "camera.toml"
+    path.write_text(cameras_text([calibrated[0]]) + line + "\n")
+    with pytest.raises(InputError, match=words):
+        read_cameras(path)
 
 
 def test_object_points_carry_the_uncertainty_of_the_calibration(calibrated):

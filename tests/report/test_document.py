@@ -210,6 +210,7 @@ def test_long_groups_of_observations_are_folded_below_their_largest(case):
         "w",
         "t",
         "mdb",
+        "square",
     )
     longer = replace(
         stations,

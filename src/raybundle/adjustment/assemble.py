@@ -502,6 +502,7 @@ def _interior_of(block: Block, row: InteriorRow, free: tuple[int, ...]) -> Inter
         free=free,
         given={**camera.values, **block.images.interior.get(row.image, {})},
         sigma=camera.sigma,
+        calibrated=camera.calibrated,
         relations=camera.relations,
         has_images=row.model.has_images,
     )

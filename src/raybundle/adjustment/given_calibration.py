@@ -54,7 +54,7 @@ def _contradicted(result: Adjustment, camera: Camera, interior: InteriorResult) 
     for g in result.groups:
         for k, (name, origin) in enumerate(zip(g.ids, g.origin, strict=False)):
             if name == camera.id and origin == "calibration":
-                square, count = square + float((g.residual[k] / g.sigma[k]) ** 2), count + 1
+                square, count = square + float(g.square[k]), count + 1
     limit = float(chdtri(count, LEVEL)) if count else np.inf
     if not square > limit:
         return []
@@ -217,13 +217,9 @@ def _moved(result: Adjustment, camera: Camera, interior: InteriorResult) -> list
     The residual v of a parameter that was given with the covariance C has the cofactor C - Q, Q that of the estimate
     with all observations; fields add to its variance what they add to that of the estimate, as C has no part in them.
     """
-    symbols, covariance = joint_covariance(camera)
-    assert covariance is not None
-    relations = {tuple(sorted(r.terms)): r for r in camera.relations if r.origin == "calibration"}
-    rows = [relations[tuple(sorted(symbols[: k + 1]))] for k in range(len(symbols))]
-    given = np.linalg.solve(
-        np.array([[r.terms.get(s, 0.0) for s in symbols] for r in rows]), [r.observed for r in rows]
-    )
+    known = camera.calibrated
+    assert known is not None
+    symbols, covariance, given = known.symbols, known.covariance, known.values
     found: list[_Moved] = []
     for k, s in enumerate(symbols):
         p = interior.parameters[s]
@@ -233,7 +229,7 @@ def _moved(result: Adjustment, camera: Camera, interior: InteriorResult) -> list
         own = float(covariance[k, k]) - (white / result.sigma0) ** 2
         variance = max(own, 0.0) + p.std**2 - white**2
         if own > TOLD * covariance[k, k]:
-            found.append(_Moved(symbol=s, given=float(given[k]), found=p.value, std=math.sqrt(variance)))
+            found.append(_Moved(symbol=s, given=given[k], found=p.value, std=math.sqrt(variance)))
     return sorted(found, key=lambda m: -abs(m.w))
 
 

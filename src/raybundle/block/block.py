@@ -19,6 +19,7 @@ from raybundle.numerics.places import Place
 from raybundle.numerics.rotation import angles_from_rotation
 from raybundle.observations.attitude import Attitudes
 from raybundle.observations.distance import Distances
+from raybundle.observations.parameter import Calibrated
 from raybundle.observations.relation import Relation
 from raybundle.observations.station import Stations
 from raybundle.observations.table import Refers, Table
@@ -60,6 +61,8 @@ class Camera:
     """Whether the images of this camera share one interior orientation or have one each."""
     per_image: tuple[str, ...] = ()
     """Symbols of which each image has its own value while the others are shared: motion during a read-out."""
+    calibrated: Calibrated | None = None
+    """Parameters that a calibration knows with their covariance; those of them that are free are observed"""
     relations: tuple[Relation, ...] = ()
     """What is known of several parameters together, as that corrections change smoothly in time."""
     known: Mapping[str, float] = field(default_factory=dict[str, float])

@@ -225,7 +225,7 @@ def _in_frame(camera: Camera, frame: PixelFrame) -> Camera:
     if not frame.turned:
         return plain
     values = turned_values(camera, frame.turned)
-    return replace(plain, values=values, estimate=(), sigma={}, relations=(), known={})
+    return replace(plain, values=values, estimate=(), sigma={}, relations=(), calibrated=None, known={})
 
 
 def turned_values(camera: Camera, turned: Turn) -> dict[str, float]:

@@ -7,9 +7,10 @@ from itertools import pairwise
 
 import numpy as np
 
-from raybundle.block.block import Camera, Relation
+from raybundle.block.block import Camera
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
+from raybundle.observations.parameter import Calibrated
 
 ROUNDED = 1e-6
 """Of a variance: what six digits of the correlations in a file may lose; a little more uncertainty, never less."""
@@ -20,52 +21,61 @@ def observed_jointly(camera: Camera, free: tuple[str, ...], covariance: Array) -
 
     free        symbols that the calibration estimated; the others stay held
     covariance  (u, u) of `free`, positive definite
-    With C = L L', the rows of L^-1 p are u independent observations with standard deviation 1: relation k is what the
-    calibration says of its k-th parameter beside those before.  What it does not tell: whether zoom, focus or
-    stabilisation have moved since; the residuals of these observations do.
+    What it does not tell: whether zoom, focus or stabilisation have moved since; the residuals of the observations do.
     """
+    plain = replace(camera, estimate=free, sigma={}, relations=(), calibrated=None)
     if not free:
-        return replace(camera, estimate=(), sigma={}, relations=())
+        return plain
     size = np.sqrt(np.abs(np.diag(covariance)))
-    root = _inverse_root(covariance / np.outer(size, size)) / size
-    if not np.isfinite(root).all():
+    R, lost = _positive_definite(covariance / np.outer(size, size))
+    if R is None:
         raise InputError(f"camera {camera.id}: the covariance of its calibration is not positive definite")
-    values = np.array([camera.values[s] for s in free])
-    relations = tuple(
-        Relation(
-            name=f"calibration: {symbol}",
-            origin="calibration",
-            terms={s: float(f) for s, f in zip(free[: k + 1], root[k], strict=False)},
-            sigma=1.0,
-            observed=float(root[k] @ values),
-        )
-        for k, symbol in enumerate(free)
+    return replace(
+        plain,
+        calibrated=Calibrated(
+            symbols=free,
+            values=tuple(float(camera.values[s]) for s in free),
+            sigma=tuple((size * np.sqrt(1 + lost)).tolist()),
+            correlations=tuple((*row[:k].tolist(), 1.0) for k, row in enumerate(R)),
+        ),
     )
-    return replace(camera, estimate=free, sigma={}, relations=relations)
 
 
-def _inverse_root(correlation: Array) -> Array:
-    """L^-1 of a correlation matrix L L'; NaN where it is none, also after what rounding may have taken is put back."""
+def _positive_definite(correlation: Array) -> tuple[Array | None, float]:
+    """Correlations, and the share of each variance that was put back as rounding may have taken it; None: neither."""
     for lost in (0.0, ROUNDED):
+        widened = (correlation + lost * np.eye(len(correlation))) / (1 + lost)
         try:
-            return np.linalg.inv(np.linalg.cholesky(correlation + lost * np.eye(len(correlation))))
+            if np.isfinite(np.linalg.inv(np.linalg.cholesky(widened))).all():
+                return widened, lost
         except np.linalg.LinAlgError:
             continue
-    return np.full_like(correlation, np.nan)
+    return None, 0.0
 
 
 def is_observed_jointly(camera: Camera) -> bool:
     """Whether a calibration with its covariance was given for the camera."""
-    return any(r.origin == "calibration" for r in camera.relations)
+    return camera.calibrated is not None
 
 
 def joint_covariance(camera: Camera) -> tuple[tuple[str, ...], Array | None]:
     """Symbols and covariance (u, u) of the calibration by which a camera is observed; (), None where there is none."""
+    return ((), None) if camera.calibrated is None else (camera.calibrated.symbols, camera.calibrated.covariance)
+
+
+def without_relations_of_calibration(camera: Camera) -> Camera:
+    """The camera of a file written when the calibrated parameters p were observed as the rows of L^-1 p, C = L L'.
+
+    Each row has one parameter more than the one before; where they do not, they stay observations like others.
+    """
     mine = [r for r in camera.relations if r.origin == "calibration"]
     told = [set[str](), *(set(r.terms) for r in mine)]
     if not mine or not all(a < b and len(b) == len(a) + 1 for a, b in pairwise(told)):
-        return (), None
+        return camera
     free = tuple((b - a).pop() for a, b in pairwise(told))
-    root = np.array([[r.terms.get(s, 0.0) / r.sigma for s in free] for r in mine])
-    inverse = np.linalg.inv(root)
-    return free, inverse @ inverse.T
+    inverse = np.linalg.inv(np.array([[r.terms.get(s, 0.0) / r.sigma for s in free] for r in mine]))
+    given = inverse @ np.array([r.observed / r.sigma for r in mine])
+    values = dict(camera.values) | dict(zip(free, given.tolist(), strict=True))
+    known = observed_jointly(replace(camera, values=values), free, inverse @ inverse.T)
+    others = tuple(r for r in camera.relations if r.origin != "calibration")
+    return replace(camera, calibrated=known.calibrated, relations=others)

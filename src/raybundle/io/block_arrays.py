@@ -14,6 +14,7 @@ from raybundle.block.block import PixelFrame, Relation
 from raybundle.io.reading.trees import own_json_of
 from raybundle.numerics.arrays import Array
 from raybundle.observations import tables
+from raybundle.observations.parameter import Calibrated
 from raybundle.observations.table import Table
 
 
@@ -109,6 +110,17 @@ def _camera(values: dict[str, Any]) -> Camera:
         sigma=values["sigma"],
         interior=values["interior"],
         per_image=tuple(values["per_image"]),
+        calibrated=_calibrated(values["calibrated"]),
         relations=tuple(Relation(**r) for r in values["relations"]),
         known=values["known"],
     )
+
+
+def _calibrated(values: dict[str, Any] | None) -> Calibrated | None:
+    if values is None:
+        return None
+    rows = tuple(tuple(row) for row in values["correlations"])
+    return Calibrated(
+        symbols=tuple(values["symbols"]), values=tuple(values["values"]), sigma=tuple(values["sigma"]),
+        correlations=rows,
+    )  # fmt: skip

@@ -10,14 +10,18 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal, NoReturn, cast
 
+import numpy as np
+
 from raybundle.block import Block, Camera
 from raybundle.block.block import LengthUnit, Relation, Residuals
+from raybundle.block.stored import without_relations_of_calibration
 from raybundle.errors import InputError, UnknownSensorModel
 from raybundle.io.block_scenes import MODELS as SCENE_MODELS
 from raybundle.io.block_scenes import frame_lines, read_frame, read_scene_camera, scene_lines
 from raybundle.io.reading import trees
 from raybundle.io.reading.words import finite, quoted
 from raybundle.numerics.places import Place
+from raybundle.observations.parameter import Calibrated
 from raybundle.sensors import SensorModel, sensor_models
 from raybundle.sensors.antenna import ANTENNA
 from raybundle.sensors.imu import IMU
@@ -181,10 +185,22 @@ def _camera(cameras: Section, id_: str, place: Place | None = None) -> Camera:
         raise UnknownSensorModel(model_name, known=(*sensor_models, *SCENE_MODELS), file=f"{section.file}, line {line}")
     keys = [p.key for p in model.parameters]
     section.allow(
-        ("model", "width_px", "height_px", "pixel_mm", *keys, "estimate", "sigma", "relations", "interior", "per_image")
+        (
+            "model",
+            "width_px",
+            "height_px",
+            "pixel_mm",
+            *keys,
+            "estimate",
+            "sigma",
+            "calibration",
+            "relations",
+            "interior",
+            "per_image",
+        )
     )
     interior = section.choice("interior", ("shared", "per_image"), "shared")
-    return Camera(
+    camera = Camera(
         id=id_,
         model=model_name,
         width_px=section.whole("width_px"),
@@ -195,8 +211,10 @@ def _camera(cameras: Section, id_: str, place: Place | None = None) -> Camera:
         sigma=_sigma(section, model),
         interior=cast("Literal['shared', 'per_image']", interior),
         per_image=_per_image(section, model, interior),
+        calibrated=_calibration(section, model),
         relations=_relations(section, model),
     )
+    return camera if camera.calibrated is not None else without_relations_of_calibration(camera)
 
 
 def _carried(top: Section) -> Iterator[Camera]:
@@ -289,6 +307,38 @@ def _sigma(section: Section, model: SensorModel) -> dict[str, float]:
     return values
 
 
+def _calibration(section: Section, model: SensorModel) -> Calibrated | None:
+    """Parameters that are observed with their covariance."""
+    value = section.values.get("calibration")
+    if value is None:
+        return None
+    what = "{parameter, value, sigma, correlations = [with those before]}"
+    if not isinstance(value, list) or not value:
+        section.fail("calibration", f"{quoted(value)} is no list of tables {what}")
+    symbols, values, sigma, rows = list[str](), list[float](), list[float](), list[tuple[float, ...]]()
+    for number, given in enumerate(cast("list[Any]", value), 1):
+        table = cast("dict[str, Any]", given) if isinstance(given, dict) else {}
+        before = table.get("correlations", [])
+        if set(table) - {"correlations"} != {"parameter", "value", "sigma"} or not isinstance(before, list):
+            section.fail("calibration", f"number {number} is no table {what}")
+        if table["parameter"] not in model.symbols or table["parameter"] in symbols:
+            problem = "stands twice" if table["parameter"] in symbols else f"is no parameter of {model.name}"
+            section.fail("calibration", f"{quoted(table['parameter'])} {problem}")
+        if len(cast("list[Any]", before)) != len(symbols):
+            section.fail("calibration", f"number {number}: {len(cast('list[Any]', before))} correlations, with the "
+                         f"{len(symbols)} parameters before it are wanted")  # fmt: skip
+        symbols.append(table["parameter"])
+        values.append(section.checked("calibration", table["value"]))
+        sigma.append(section.checked("calibration", table["sigma"], above=0))
+        rows.append((*(section.checked("calibration", r) for r in cast("list[Any]", before)), 1.0))
+    known = Calibrated(symbols=tuple(symbols), values=tuple(values), sigma=tuple(sigma), correlations=tuple(rows))
+    try:
+        np.linalg.cholesky(known.correlation)
+    except np.linalg.LinAlgError:
+        section.fail("calibration", "the correlations are not those of a covariance matrix (not positive definite)")
+    return known
+
+
 def _relations(section: Section, model: SensorModel) -> tuple[Relation, ...]:
     """What is observed of several parameters together."""
     value = section.values.get("relations", [])
@@ -379,6 +429,8 @@ def _camera_lines(camera: Camera) -> list[str]:
         lines.append(f"estimate = [{', '.join(_quoted(s) for s in camera.estimate)}]")
     if camera.sigma:
         lines.append("sigma = {" + ", ".join(f"{s} = {float(v)!r}" for s, v in camera.sigma.items()) + "}")
+    if camera.calibrated is not None:
+        lines += ["calibration = [", *(f"    {text}," for text in _calibration_texts(camera.calibrated)), "]"]
     if camera.relations:
         lines += ["relations = [", *(f"    {_relation_text(r)}," for r in camera.relations), "]"]
     if camera.interior != "shared":
@@ -386,6 +438,15 @@ def _camera_lines(camera: Camera) -> list[str]:
     if camera.per_image:
         lines.append(f"per_image = [{', '.join(_quoted(s) for s in camera.per_image)}]")
     return lines
+
+
+def _calibration_texts(known: Calibrated) -> list[str]:
+    rows = zip(known.symbols, known.values, known.sigma, known.correlations, strict=True)
+    return [
+        f"{{parameter = {_quoted(s)}, value = {v!r}, sigma = {std!r}, "
+        f"correlations = [{', '.join(map(repr, row[:-1]))}]}}"
+        for s, v, std, row in rows
+    ]
 
 
 def _relation_text(relation: Relation) -> str:

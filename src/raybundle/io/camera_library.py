@@ -265,7 +265,7 @@ def add_entry(entry: LibraryEntry, folder: Path | None = None) -> Path:
     name, number = base, 2
     while (folder / name).exists():
         name, number = f"{base}-{number}", number + 1
-    camera = replace(entry.camera, estimate=(), sigma={}, relations=(), interior="shared")
+    camera = replace(entry.camera, estimate=(), sigma={}, relations=(), calibrated=None, interior="shared")
     with new_folder(folder / name) as temporary:
         (temporary / "camera.toml").write_text(cameras_text([camera]), encoding="utf-8", newline="\n")
         if entry.zoom is not None:
@@ -407,7 +407,7 @@ def with_library(
             continue
         taken = with_calibration(group, best.camera)
         of = f", of {best.entry.date}" if best.entry.date else ""
-        how = "is observed with its covariance" if best.camera.relations else "is held: its covariance is not known"
+        how = "is observed with its covariance" if best.camera.calibrated else "is held: its covariance is not known"
         weak = f"; it was called {best.entry.grade}" if best.entry.grade in POOR else ""
         told = f"the calibration {best.entry.name} of the camera library{of} {how}{weak} (--no-library: estimate it)"
         result.append(replace(taken, remarks=(*group.remarks, *taken.remarks, told)))

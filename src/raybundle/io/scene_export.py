@@ -87,7 +87,9 @@ def with_viewpoints(block: Block) -> Block:
     def central(camera: Camera) -> Camera:
         c = cast("SceneSensor", camera.scene).camera_constant(camera.parameters)
         values = {**dict.fromkeys(model.symbols, 0.0), "c": c}
-        return replace(camera, model="brown", scene=None, relations=(), estimate=(), sigma={}, values=values)
+        return replace(
+            camera, model="brown", scene=None, relations=(), calibrated=None, estimate=(), sigma={}, values=values
+        )
 
     return replace(block, cameras=tuple(central(c) if c.is_scene else c for c in block.cameras))
 

@@ -55,6 +55,8 @@ class Interior:
     """Values that were given."""
     sigma: Mapping[str, float] = field(default_factory=dict[str, float])
     """Symbols whose given values are observed."""
+    calibrated: Any = None
+    """`raybundle.observations.parameter.Calibrated`: parameters that are observed together"""
     relations: tuple[Any, ...] = ()
     """`raybundle.observations.relation.Relation`s"""
     has_images: bool = True

@@ -1,4 +1,4 @@
-"""Sums of parameters that are observed: calibrations with their covariance, what was known of a camera before."""
+"""Sums of parameters that are observed: what was known of a camera before, smoothness of trajectories."""
 
 from __future__ import annotations
 
@@ -29,7 +29,8 @@ class Relation:
     logarithm: bool = False
     """Whether it is the sum's natural logarithm that is observed: of what is known by a factor, as a length."""
     origin: Literal["", "known before", "calibration"] = ""
-    """Where it comes from: what was known of a camera before (`block.known`), a calibration (`block.stored`)."""
+    """Where it comes from: what was known of a camera before (`block.known`); a calibration, in files written before
+    those had a place of their own (`block.stored`)."""
 
 
 class RelationOfParameters(ObservationKind):
@@ -38,7 +39,7 @@ class RelationOfParameters(ObservationKind):
     name = "relation"
     group = "relations"
     order = 5
-    title = "Calibrations with their covariance, smoothness of trajectories"
+    title = "Relations of parameters, smoothness of trajectories"
     object = "camera"
     quantities = "relations of parameters"
     unit = "own"

@@ -6,6 +6,7 @@ import hashlib
 import json
 import platform
 from collections.abc import Sequence
+from dataclasses import asdict
 from importlib.metadata import PackageNotFoundError, version
 
 import numpy as np
@@ -44,6 +45,7 @@ def fingerprints(block: Block) -> list[tuple[str, str, str]]:
             sorted(c.sigma.items()),
             c.interior,
             *([c.per_image] if c.per_image else []),
+            *([asdict(c.calibrated)] if c.calibrated else []),
             *(
                 [r.name, sorted(r.terms.items()), r.sigma, r.observed, *([True] if r.logarithm else [])]
                 for r in c.relations

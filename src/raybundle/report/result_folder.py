@@ -157,7 +157,7 @@ def stored_camera(adjustment: Adjustment, camera: Camera, qualities: Sequence[Ca
     """An adjusted camera as a calibration: observed with its covariance; free where it could not be determined."""
     interior = next((i for i in adjustment.interior if i.camera == camera.id and i.image is None), None)
     precision = adjustment.precision
-    plain = replace(camera, estimate=(), sigma={}, relations=())
+    plain = replace(camera, estimate=(), sigma={}, relations=(), calibrated=None)
     if any(q.camera == camera.id and q.grade == "not determinable" for q in qualities):
         return replace(plain, estimate="auto")
     if interior is None or precision is None or not interior.free:

@@ -137,7 +137,9 @@ def start_scenes(
 
 def _plain(block: Block) -> Block:
     """The block without what cannot be kept as arrays: the sensors are made again from the scenes."""
-    plain = tuple(c if c.scene is None else replace(c, scene=None, relations=()) for c in block.cameras)
+    plain = tuple(
+        c if c.scene is None else replace(c, scene=None, relations=(), calibrated=None) for c in block.cameras
+    )
     return replace(block, place=None, cameras=plain)
 
 

@@ -132,6 +132,7 @@ def camera_of(group: CameraGroup) -> Camera:
         return Camera(
             id=group.id, model=s.model, width_px=s.width_px, height_px=s.height_px, pixel_mm=s.pixel_mm,
             values=s.values, estimate=s.estimate, sigma=s.sigma, interior=s.interior, relations=s.relations,
+            calibrated=s.calibrated,
         )  # fmt: skip
     values = {p.symbol: 0.0 for p in sensor_models["brown"].parameters}
     values["c"] = group.c_mm
