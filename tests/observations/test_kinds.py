@@ -15,6 +15,7 @@ from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.observations import in_order, observation_kinds
 from raybundle.observations.alignment import Levels, Lines, Planes, PlumbLines
 from raybundle.observations.coordinates import Coordinates
+from raybundle.observations.deviation import Deviations
 
 
 def a_field():
@@ -65,7 +66,24 @@ def networks():
     return block.having(Coordinates.joined(found))
 
 
-EXAMPLES = {"networks": networks, "figures": figures, "field": a_field, "airborne": noisy, "mixed": mixed}
+def single_images():
+    """A camera constant of each image, near that of the others."""
+    block = replace(a_field(), tables={})
+    camera = replace(block.cameras[0], sigma={}, relations=(), estimate=("c", "K1"), per_image=("c",))
+    images = np.arange(len(block.images), dtype=np.int32)
+    own = {int(i): {"c": camera.values["c"] + 0.01 * int(i)} for i in images}
+    block = replace(block, cameras=(camera,), images=replace(block.images, interior=own))
+    return block.having(Deviations(image=images, parameter=("c",) * len(images), sigma=np.full(len(images), 0.02)))
+
+
+EXAMPLES = {
+    "single images": single_images,
+    "networks": networks,
+    "figures": figures,
+    "field": a_field,
+    "airborne": noisy,
+    "mixed": mixed,
+}
 
 
 def system_of(block):

@@ -498,6 +498,7 @@ def _interior_of(block: Block, row: InteriorRow, free: tuple[int, ...]) -> Inter
     return Interior(
         key=row.key(block),
         camera=row.camera,
+        image=row.image,
         symbols=row.model.symbols,
         free=free,
         given={**camera.values, **block.images.interior.get(row.image, {})},

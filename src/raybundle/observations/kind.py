@@ -48,6 +48,8 @@ class Interior:
     """Camera id, or camera id / image id."""
     camera: int
     """Position in the block's cameras."""
+    image: int = -1
+    """Position of the image whose own parameters these are; -1: those that images share"""
     symbols: tuple[str, ...]
     free: tuple[int, ...]
     """Positions of the free parameters; () where nothing is adjusted."""
