@@ -59,7 +59,7 @@ class Deviation(ObservationKind):
             if interior is None or parameter not in {interior.symbols[p] for p in interior.free}:
                 raise InputError(
                     f"deviations.csv, image {scope.image_ids[image]}: {parameter} is no free parameter of its "
-                    'images; name it in per_image and estimate of the camera (block.toml), or set interior = "per_image"'
+                    'images; name it in per_image and estimate of the camera, or set interior = "per_image"'
                 )
 
     def own(self, table: Deviations, scope: Scope) -> tuple[str, ...]:
