@@ -220,7 +220,8 @@ def projected(camera: Camera, points: Array, values: Array, start: Array) -> tup
 
     values  (u,) parameters of all points, or (u, n) of each
     """
-    model, c = sensor_models[camera.model], abs(float(np.ravel(values)[0]))
+    model = camera.sensor
+    c = float(camera.size_mm.max()) if camera.is_scene else abs(float(np.ravel(values)[0]))
     image, step = start.copy(), np.full_like(start, np.inf)
     spread = np.repeat(values[:, None], image.shape[1], axis=1) if values.ndim == 1 else values
     with np.errstate(all="ignore"):

@@ -14,9 +14,9 @@ import numpy as np
 
 from raybundle.adjustment.engine import adjust_block, as_start
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.predict import residuals_px
+from raybundle.adjustment.predict import predicted_px
 from raybundle.adjustment.result import Adjustment
-from raybundle.block import Block, Camera, Observations
+from raybundle.block import Block, Camera
 from raybundle.block.rejection import Rejection, RejectionKind
 from raybundle.block.select import with_rows, without_images
 from raybundle.errors import NotSolvable
@@ -33,7 +33,6 @@ from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.orientation.cleaning import clean
 from raybundle.orientation.rays import intersect_linear
-from raybundle.platforms.station import sensor_from_object
 from raybundle.workflows.match_weights import Weights, estimate_weights
 from raybundle.workflows.tie_block import (
     FEATURE_SIGMA_PX,
@@ -54,8 +53,6 @@ NEAR_PX = 2.0
 SURROUNDINGS = 0.03
 """Share of the format's diagonal within which neighbours tell whether a point is seen."""
 MARGIN_PX = 20.0
-NEAR_ENOUGH_PX = 0.02
-"""Last Newton step of a predicted place; matching begins there and looks 2.5 px around."""
 FEWEST_HELD = 6
 """Points that hold an image which the start has oriented: as many redundant coordinates as unknowns."""
 
@@ -373,13 +370,13 @@ def candidates(block: Block, points: TrackPoints, references: Index) -> Candidat
         if not len(mine):
             continue
         for b in range(len(block.images)):
-            _, in_a, in_b = np.intersect1d(points.point[rows_of[a]], points.point[rows_of[b]], return_indices=True)
+            _, in_a, _ = np.intersect1d(points.point[rows_of[a]], points.point[rows_of[b]], return_indices=True)
             if b == a or len(in_a) < NEIGHBOURS_FROM:
                 continue
             unseen = mine[~np.isin(points.point[mine], points.point[rows_of[b]])]
             common = points.xy_px[rows_of[a][in_a]]
             unseen = unseen[_near(points.xy_px[unseen], common, block.cameras[block.images.camera[a]])]
-            xy, fine = _project(block, b, points.point[unseen], points.xy_px[rows_of[b][in_b]].mean(axis=0))
+            xy, fine = _within(block, b, points.point[unseen])
             columns.append((unseen[fine], np.full(int(fine.sum()), b, np.int32), xy[fine]))
     if not columns:
         none = np.zeros(0, np.int64)
@@ -402,41 +399,17 @@ def _near(xy: Array, common: Array, camera: Camera) -> Mask:
     return distance < SURROUNDINGS * float(np.hypot(camera.width_px, camera.height_px))
 
 
-def _project(block: Block, image: int, point: Index, guess: Array) -> tuple[Array, Mask]:
-    """Places (n, 2) [px] of object points in an image, and whether they lie within the format, by Newton steps."""
+def _within(block: Block, image: int, point: Index) -> tuple[Array, Mask]:
+    """Places (n, 2) [px] of object points in an image, and whether they lie within the format."""
     camera = block.cameras[block.images.camera[image]]
-    if camera.is_scene:
-        seen = _roughly_seen(block, image, block.points.xyz[point])
-        if not seen.all():  # an orbit has no place for what lies far beyond its scene
-            xy, inside = np.tile(guess, (len(point), 1)), np.zeros(len(point), bool)
-            if seen.any():
-                xy[seen], inside[seen] = _project(block, image, point[seen], guess)
-            return xy, inside
-    n = len(point)
-    xy = np.tile(guess, (n, 1))
-    P = sensor_from_object(
-        block.images.rotation[[image] * n], block.images.centre[[image] * n], block.points.xyz[point]
-    )
-    inside, left = np.zeros(n, bool), np.flatnonzero(P[2] < 0)
-    size = np.array([camera.width_px, camera.height_px])
-    for _ in range(12):
-        o = Observations(
-            image=np.full(len(left), image, np.int32), point=point[left].astype(np.int32), xy_px=xy[left],
-            cov_px2=np.ones((len(left), 3)),
-        )  # fmt: skip
-        with np.errstate(all="ignore"):
-            step = residuals_px(replace(block, observations=o), np.arange(len(left)))
-        step[~np.isfinite(step)] = 0.0
-        longest = np.linalg.norm(step, axis=1, keepdims=True)
-        step *= np.minimum(1, camera.width_px / 4 / np.maximum(longest, 1e-9))
-        xy[left] += step
-        there = np.abs(step).max(axis=1, initial=0) < NEAR_ENOUGH_PX
-        arrived = left[there]
-        inside[arrived] = ((xy[arrived] > MARGIN_PX) & (xy[arrived] < size - MARGIN_PX)).all(axis=1)
-        left = left[~there]
-        if not len(left):
-            break
-    return xy, inside
+    xyz, xy = block.points.xyz[point], np.full((len(point), 2), np.nan)
+    # an orbit has no place for what lies far beyond its scene
+    seen = _roughly_seen(block, image, xyz) if camera.is_scene else np.ones(len(point), bool)
+    if seen.any():
+        xy[seen] = predicted_px(block, image, xyz[seen])
+    with np.errstate(invalid="ignore"):
+        beyond = (xy <= MARGIN_PX) | (xy >= np.array([camera.width_px, camera.height_px]) - MARGIN_PX) | np.isnan(xy)
+    return xy, np.asarray(~beyond.any(axis=1), bool)
 
 
 def _roughly_seen(block: Block, image: int, xyz: Array) -> Mask:
