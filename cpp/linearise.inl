@@ -20,6 +20,61 @@ static RB_INLINE double angle_ratio_slope(double r2, double w) {
 
 using std::cos;
 using std::sin;
+
+// A sensor on a platform: the sensor's condition at the point where the platform puts it, by the chain rule.
+template <class S, class P> struct carried {
+  using sensor = S;
+  using platform = P;
+  static constexpr int K = S::parameters, M = P::parameters, parameters = K + M;
+  static constexpr bool explicit_image = S::explicit_image && !P::uses_image;
+
+  static RB_INLINE void point_arguments(const double (*in)[V], double (*to)[V]) {
+    for (int e = 0; e < 5; ++e) std::copy_n(in[e], V, to[e]);
+    for (int e = 0; e < M; ++e) std::copy_n(in[5 + K + e], V, to[5 + e]);
+  }
+  static RB_INLINE void sensor_arguments(const double (*in)[V], const double (*p)[V], double (*to)[V]) {
+    for (int e = 0; e < 2; ++e) std::copy_n(in[e], V, to[e]);
+    for (int e = 0; e < 3; ++e) std::copy_n(p[e], V, to[2 + e]);
+    for (int e = 0; e < K; ++e) std::copy_n(in[5 + e], V, to[5 + e]);
+  }
+  static void evaluate(const double (*in)[V], double (*out)[V]) {
+    constexpr int A = 5 + K + M, B = 5 + K, C = 5 + M;
+    alignas(64) double pin[C][V], p[3 + 3 * C][V], at_sensor[B][V], s[2 + 2 * B][V];
+    point_arguments(in, pin);
+    P::evaluate(pin, p);
+    sensor_arguments(in, p, at_sensor);
+    S::evaluate(at_sensor, s);
+    for (int g = 0; g < 2; ++g) {
+      const double(*J)[V] = s + 2 + B * g;
+      double(*to)[V] = out + 2 + A * g;
+      std::copy_n(s[g], V, out[g]);
+      for (int e = 0; e < C; ++e) {
+        double* sum = to[e < 5 ? e : K + e];
+        RB_SIMD
+        for (int l = 0; l < V; ++l)
+          sum[l] = J[2][l] * p[3 + e][l] + J[3][l] * p[3 + C + e][l] + J[4][l] * p[3 + 2 * C + e][l] + (e < 2 ? J[e][l] : 0.0);
+      }
+      for (int e = 0; e < K; ++e) std::copy_n(J[5 + e], V, to[5 + e]);
+    }
+  }
+  // g1, g2, dg1/dx, dg1/dy, dg2/dx, dg2/dy
+  static void by_image(const double (*in)[V], double (*out)[V]) {
+    constexpr int A = 5 + K + M, B = 5 + K, C = 5 + M;
+    if constexpr (P::uses_image) {
+      alignas(64) double all[2 + 2 * A][V];
+      evaluate(in, all);
+      const int at[6] = {0, 1, 2, 3, 2 + A, 3 + A};
+      for (int e = 0; e < 6; ++e) std::copy_n(all[at[e]], V, out[e]);
+    } else {
+      alignas(64) double pin[C][V], p[3][V], at_sensor[B][V];
+      point_arguments(in, pin);
+      P::place(pin, p);
+      sensor_arguments(in, p, at_sensor);
+      S::by_image(at_sensor, out);
+    }
+  }
+};
+
 #include "generated_models.inl"
 
 }  // namespace models
@@ -54,7 +109,7 @@ enum class Want { value, jacobian };
 
 // Whether the sensor-frame point lies on the side that the sensor sees, as `in_front` of the Python model: along -Z,
 // everywhere but at the projection centre, or in front of the line at the turn at which it was measured.
-template <class M> struct Side {
+template <class M, class = void> struct Side {
   static bool in_front(const double* P, const double*, const double*) { return P[2] < 0; }
 };
 template <> struct Side<models::fisheye> {
@@ -73,11 +128,13 @@ template <> struct Side<models::spherical> {
     return std::sin(turn) * P[0] - std::cos(turn) * P[2] > 0;
   }
 };
-template <> struct Side<models::brown_mounted> {
-  static bool in_front(const double* P, const double*, const double* io) {
-    const double om = io[13], ph = io[14];
-    const double z = std::cos(om) * (P[2] - io[12]) - std::sin(om) * (P[1] - io[11]);
-    return std::sin(ph) * (P[0] - io[10]) + std::cos(ph) * z < 0;
+// of a sensor on a platform: where the platform puts the point
+template <class M> struct Side<M, std::void_t<typename M::platform>> {
+  static bool in_front(const double* P, const double* xy, const double* io) {
+    double in[5 + M::M] = {xy[0], xy[1], P[0], P[1], P[2]}, own[3];
+    std::copy_n(io + M::K, M::M, in + 5);
+    M::platform::place_one(in, own);
+    return Side<typename M::sensor>::in_front(own, xy, io);
   }
 };
 

@@ -16,11 +16,11 @@ from typing import Any
 import sympy as sp
 from sympy.printing.mathml import mathml
 
+from raybundle.platforms import Carried, Platform, platforms, sensor_models
 from raybundle.scenes.bias import BIAS_PARAMETERS
 from raybundle.scenes.empirical import empirical_models
 from raybundle.scenes.sensor import MEANINGS, LineSensor, RpcSensor
 from raybundle.scenes.trajectory import CorrectionModel
-from raybundle.sensors import sensor_models
 from raybundle.sensors.antenna import ANTENNA
 from raybundle.sensors.imu import IMU
 from raybundle.sensors.model import Parameter, SensorModel
@@ -79,7 +79,8 @@ EMPIRICAL = {
 
 def pages() -> dict[str, str]:
     """Name of the page -> its text, for every model."""
-    found = {name: model_page(name, model) for name, model in sorted(sensor_models.items())}
+    found = {n: model_page(n, m) for n, m in sorted(sensor_models.items()) if not isinstance(m, Carried)}
+    found |= {name: platform_page(name, platform) for name, platform in sorted(platforms.items())}
     found["antenna"] = plain_page("antenna", ANTENNA, "X_GNSS = X0 + Rᵀ a + s + d t + v dt")
     found["imu"] = plain_page("imu", IMU, "R = exp([b]x) R_IMU")
     found["rpc"] = rpc_page()
@@ -124,6 +125,24 @@ def model_page(name: str, model: SensorModel) -> str:
         parts += ["## Formula", formula]
     parts += ["## Parameters", parameter_table(model.parameters), "## As it is written"]
     return "\n\n".join([*parts, f"```text\n{source}\n```"]) + "\n"
+
+
+def platform_page(name: str, platform: Platform) -> str:
+    """Page of a platform: where a point lies for the sensor that it carries, and which models that makes."""
+    point = type(platform).point
+    carries = (
+        f"A platform carries a sensor: the model `SENSOR_{name}` has the parameters of the sensor and those below. "
+        "Condition and Jacobian follow from both by the chain rule."
+    )
+    made = [f"`{n}`" for n, m in sorted(sensor_models.items()) if isinstance(m, Carried) and m.platform is platform]
+    return "\n\n".join([
+        f"# {name}", inspect.getdoc(type(platform)) or "",
+        carries,
+        "Models: " + ", ".join(made) + ".",
+        "## Formula", formulas(point, platform.symbols, left="U, V, W"), "## Parameters",
+        parameter_table(platform.parameters),
+        "## As it is written", f"```text\n{inspect.cleandoc(inspect.getsource(point))}\n```",
+    ]) + "\n"  # fmt: skip
 
 
 def plain_page(name: str, model: SensorModel, formula: str) -> str:
@@ -181,16 +200,19 @@ def empirical_page() -> str:
     return "\n\n".join(parts) + "\n"
 
 
-def formulas(condition: Callable[..., Any], symbols: Sequence[str]) -> str:
-    """The lines of a condition as formulas, its result as 0 = ...; '' where a line is more than a formula."""
+def formulas(condition: Callable[..., Any], symbols: Sequence[str], left: str = "") -> str:
+    """The lines of a condition as formulas, its result as 0 = ... or `left`; '' where a line is more than a formula."""
     tree = ast.parse(textwrap.dedent(inspect.getsource(condition))).body[0]
     assert isinstance(tree, ast.FunctionDef)
     names: dict[str, Any] = {n: sp.Symbol(n, real=True) for n in (*POINT, *symbols)}
     around = getattr(condition, "__func__", condition).__globals__
     lines: list[str] = []
     for statement in tree.body:
-        if isinstance(statement, ast.Expr):
+        if isinstance(statement, ast.Expr | ast.Delete):
             continue  # the docstring
+        if left and isinstance(statement, ast.Return) and statement.value is not None:
+            lines.append(_words(f"{left} = {ast.unparse(statement.value)}"))
+            continue
         if isinstance(statement, ast.Return) and statement.value is not None and _other_model(statement.value):
             lines.append(_words(f"0 = condition of {_other_model(statement.value)} at {_arguments(statement.value)}"))
             continue
@@ -202,10 +224,10 @@ def formulas(condition: Callable[..., Any], symbols: Sequence[str]) -> str:
         target = statement.targets[0]
         if not isinstance(target, ast.Name | ast.Tuple):
             return ""
-        left = [target] if isinstance(target, ast.Name) else target.elts
-        if not all(isinstance(t, ast.Name) for t in left):
+        targets = [target] if isinstance(target, ast.Name) else target.elts
+        if not all(isinstance(t, ast.Name) for t in targets):
             return ""
-        own = [t.id for t in left if isinstance(t, ast.Name)]
+        own = [t.id for t in targets if isinstance(t, ast.Name)]
         model = _other_model(statement.value)
         if model:
             lines.append(_words(f"{', '.join(own)}: as of {model}"))

@@ -14,13 +14,14 @@ pytestmark = [
     pytest.mark.skipif(not hasattr(os, "fork"), reason="the system has no fork"),
 ]
 IMAGES, POINTS, ROWS, STRIDE = 2, 2, 4, 10
+BROWN = sorted(native.sensor_models() | {"brown"}).index("brown")
 GOOD = {
     "image": np.array([0, 1, 0, 1]),
     "point": np.array([0, 0, 1, 1]),
     "xy": np.full((ROWS, 2), 0.5),
     "whiten": np.ones((ROWS, 3)),
     "external_row": np.full(ROWS, -1),
-    "model": np.array([1, 1]),
+    "model": np.array([BROWN, BROWN]),
     "corrected": np.zeros(IMAGES),
     "interior": np.zeros(IMAGES),
     "pattern": np.zeros(IMAGES),
@@ -43,7 +44,7 @@ WRONG = {
     "xy": (np.zeros((3, 2)), np.zeros(0)),
     "whiten": (np.zeros((4, 2)),),
     "external_row": ([0] * 3,),
-    "model": ([1, 9999], [1, -2], [-1, -1], [1]),
+    "model": ([BROWN, 9999], [BROWN, -2], [-1, -1], [BROWN]),
     "corrected": ([0],),
     "interior": ([0, -1], [0, 2_000_000_000], [0]),
     "pattern": ([0, 1], [0, -1], [0]),
@@ -211,7 +212,7 @@ SIZES = {
     "datum": lambda: solver().statistics(*state(), 1, np.zeros(solver().values_size), -1, *[np.zeros(0)] * 4),
     "external width": lambda: solver().set_external(np.zeros(11), np.zeros(2, np.int32), 1),
     "external columns": lambda: solver().set_external(np.zeros(9 + 130), np.zeros(65, np.int32), 65),
-    "external is missing": lambda: reduced(solver(model=[1, -1], external_row=[-1, 0, -1, 1])),
+    "external is missing": lambda: reduced(solver(model=[BROWN, -1], external_row=[-1, 0, -1, 1])),
     "half a window": lambda: windows(half=2**30),
     "half a window, 1": lambda: windows(half=1),
     "half a window, 257": lambda: windows(half=257),
@@ -267,7 +268,7 @@ def test_wrong_sizes_are_refused(what):
 
 def test_rows_of_other_models_are_held_against_their_images():
     def call(touched):
-        s = solver(model=[1, -1], external_row=[-1, 0, -1, 1])
+        s = solver(model=[BROWN, -1], external_row=[-1, 0, -1, 1])
         s.set_external(np.zeros((2, 13)), whole(touched), 2)
         reduced(s)
 

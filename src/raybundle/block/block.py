@@ -23,7 +23,8 @@ from raybundle.observations.parameter import Calibrated
 from raybundle.observations.relation import Relation
 from raybundle.observations.station import Stations
 from raybundle.observations.table import Refers, Table
-from raybundle.sensors import SensorModel, sensor_models
+from raybundle.platforms import sensor_models
+from raybundle.sensors import SensorModel
 
 T = TypeVar("T", bound=Table)
 Residuals = Literal["measured", "corrected"]

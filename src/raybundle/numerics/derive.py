@@ -47,18 +47,19 @@ class Derived:
     names: tuple[str, ...]
     shared: Sequence[tuple[Any, Any]]
     outputs: Sequence[Any]
-    """g1, g2, then d g1 / d each name, then d g2 / d each name."""
+    """g1, g2, then d g1 / d each name, then d g2 / d each name; of a platform three of each."""
+    rows: int = 2
 
 
-def differentiate(condition: Callable[..., tuple[Scalar, Scalar]], symbols: Sequence[str]) -> Derived:
-    """Residuals and Jacobian of a condition as expressions."""
+def differentiate(condition: Callable[..., tuple[Scalar, ...]], symbols: Sequence[str]) -> Derived:
+    """Values and Jacobian of a condition, or of the point of a platform, as expressions."""
     names = (*POINT, *symbols)
     variables = sp.symbols(names)
     residuals = condition(*variables)
     jacobian = [sp.diff(g, v) for g in residuals for v in variables]
     found: Any = sp.cse([*residuals, *jacobian], sp.numbered_symbols("t"), order="none")
     shared, outputs = found
-    return Derived(names, shared, outputs)
+    return Derived(names, shared, outputs, len(residuals))
 
 
 def derive(
@@ -68,6 +69,15 @@ def derive(
     namespace: dict[str, Any] = {}
     exec(numpy_source(differentiate(condition, symbols)), _numpy_names(), namespace)  # noqa: S102  (own text)
     return namespace["condition_and_jacobian"]
+
+
+def derive_point(
+    point: Callable[..., tuple[Scalar, Scalar, Scalar]], symbols: Sequence[str]
+) -> Callable[..., tuple[Array, Array]]:
+    """The point (3, n) of a platform and its Jacobian (3, 5 + m, n) as one vectorised function."""
+    namespace: dict[str, Any] = {}
+    exec(numpy_source(differentiate(point, symbols), "point_and_jacobian"), _numpy_names(), namespace)  # noqa: S102
+    return namespace["point_and_jacobian"]
 
 
 def _numpy_names() -> dict[str, Any]:
@@ -100,16 +110,16 @@ class _Cxx(_Powers, CXX17CodePrinter):  # pyright: ignore[reportIncompatibleMeth
     pass
 
 
-def numpy_source(derived: Derived) -> str:
+def numpy_source(derived: Derived, function: str = "condition_and_jacobian") -> str:
     """Python text of `condition_and_jacobian(x, y, X, Y, Z, *parameters)`."""
     show: Callable[[Any], str] = cast("Any", _NumPy({"fully_qualified_modules": False}).doprint)
-    k = len(derived.names)
-    lines = [f"def condition_and_jacobian({', '.join(derived.names)}):"]
+    k, rows = len(derived.names), derived.rows
+    lines = [f"def {function}({', '.join(derived.names)}):"]
     lines += [f"    {name} = {_np(show(e))}" for name, e in derived.shared]
     lines.append(f"    shape = np.broadcast_shapes({', '.join(f'np.shape({n})' for n in derived.names)})")
-    lines += ["    g = np.empty((2, *shape))", f"    J = np.zeros((2, {k}, *shape))"]
-    lines += [f"    g[{i}] = {_np(show(e))}" for i, e in enumerate(derived.outputs[:2])]
-    for i, e in enumerate(derived.outputs[2:]):
+    lines += [f"    g = np.empty(({rows}, *shape))", f"    J = np.zeros(({rows}, {k}, *shape))"]
+    lines += [f"    g[{i}] = {_np(show(e))}" for i, e in enumerate(derived.outputs[:rows])]
+    for i, e in enumerate(derived.outputs[rows:]):
         if e != 0:
             lines.append(f"    J[{i // k}, {i % k}] = {_np(show(e))}")
     lines.append("    return g, J")
@@ -144,6 +154,30 @@ def cxx_source(name: str, derived: Derived) -> str:
         f"{full}  }}\n"
         "  static RB_INLINE void by_image(const double (*in)[V], double (*out)[V]) {\n"
         f"{reduced}  }}\n"
+        "};\n"
+    )
+
+
+def cxx_platform_source(name: str, derived: Derived, *, uses_image: bool) -> str:
+    """C++ text of a platform's `struct`: where a point lies in the axes of the sensor, with partial derivatives."""
+    show = _Cxx({}).doprint
+    k = len(derived.names)
+    point = list(enumerate(derived.outputs[:3]))
+    few = _needed(derived.shared, [e for _, e in point])
+    used: set[Any] = set().union(*(e.free_symbols for _, e in [*few, *point]))
+    alone = [f"    const double {n} = in[{i}];\n" for i, n in enumerate(derived.names) if sp.Symbol(n) in used]
+    alone += [f"    const double {n} = {show(e)};\n" for n, e in few]
+    alone += [f"    out[{i}] = {show(e)};\n" for i, e in point]
+    return (
+        f"struct {name} {{\n"
+        f"  static constexpr int parameters = {k - 5};\n"
+        f"  static constexpr bool uses_image = {'true' if uses_image else 'false'};\n"
+        "  static RB_INLINE void evaluate(const double (*in)[V], double (*out)[V]) {\n"
+        f"{_lanes(derived, show, derived.shared, list(enumerate(derived.outputs)))}  }}\n"
+        "  static RB_INLINE void place(const double (*in)[V], double (*out)[V]) {\n"
+        f"{_lanes(derived, show, few, point)}  }}\n"
+        "  static RB_INLINE void place_one(const double* in, double* out) {\n"
+        f"{''.join(alone)}  }}\n"
         "};\n"
     )
 

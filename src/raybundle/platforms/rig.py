@@ -1,7 +1,6 @@
 """A rig: a station that carries several cameras, each mounted with an offset of its own.
 
-(U, V, W) of a mounted camera = R3(ka) R2(ph) R1(om) ((X, Y, Z) - b), where (X, Y, Z) is the point in the rig's frame.
-The rig has one exterior orientation at each station; `sensors.mounted` puts the offsets into the condition.
+The rig has one exterior orientation at each station, in whose frame its cameras are mounted.
 """
 
 from __future__ import annotations
@@ -11,10 +10,53 @@ from collections.abc import Mapping
 import numpy as np
 
 from raybundle.numerics.arrays import Array
+from raybundle.numerics.maths import Scalar
+from raybundle.numerics.motion import Point, mounted_axes
 from raybundle.numerics.rotation import angles_from_rotation, rotation_from_angles
+from raybundle.platforms.platform import Platform
+from raybundle.sensors.model import Parameter
 
 OFFSET = ("bx", "by", "bz")
 ANGLES = ("om", "ph", "ka")
+
+
+class Rig(Platform):
+    """The exterior orientation is that of the rig, in whose frame the sensor is mounted.
+
+    (U, V, W) = R3(ka) R2(ph) R1(om) ((X, Y, Z) - (bx, by, bz)).  One camera of a rig may define the frame (without a
+    mounting, or offsets held); those of the others are estimated, observed (a calibration with its sigma) or held.
+    """
+
+    name = "mounted"
+    order = 1
+    uses_image = False
+    looks_elsewhere = True
+    parameters = (
+        Parameter("bx", "length", "offset of the projection centre, x of the rig", typical=0.11),
+        Parameter("by", "length", "offset of the projection centre, y of the rig", typical=-0.02),
+        Parameter("bz", "length", "offset of the projection centre, z of the rig", typical=0.03),
+        Parameter("om", "rad", "omega of the camera against the rig", typical=0.02),
+        Parameter("ph", "rad", "phi of the camera against the rig", typical=-0.03),
+        Parameter("ka", "rad", "kappa of the camera against the rig", typical=0.05),
+    )
+
+    @staticmethod
+    def point(
+        x: Scalar, y: Scalar, X: Scalar, Y: Scalar, Z: Scalar,
+        bx: Scalar, by: Scalar, bz: Scalar, om: Scalar, ph: Scalar, ka: Scalar,
+    ) -> Point:  # fmt: skip
+        """The point in the axes of the camera."""
+        del x, y
+        return mounted_axes((X - bx, Y - by, Z - bz), (om, ph, ka))
+
+    def turned_back(self, directions: Array, values: Array) -> Array:
+        """Directions (3, n) of the camera's axes in those of the rig."""
+        X, Y, Z = directions
+        om, ph, ka = values[3:]
+        so, co, sp, cp, sk, ck = np.sin(om), np.cos(om), np.sin(ph), np.cos(ph), np.sin(ka), np.cos(ka)
+        X, Y = ck * X - sk * Y, ck * Y + sk * X
+        X, Z = cp * X + sp * Z, cp * Z - sp * X
+        return np.stack(np.broadcast_arrays(X, co * Y - so * Z, co * Z + so * Y))
 
 
 def orientation_of(centre: Array, rotation: Array, mounting: Mapping[str, float]) -> tuple[Array, Array]:

@@ -69,6 +69,10 @@ class SensorModel:
     """False for what is adjusted like a camera but sees nothing: a GNSS antenna."""
     fixes_scale: ClassVar[bool] = False
     """Whether the model itself knows lengths in object space, as a satellite scene does."""
+    followers: ClassVar[list[Callable[[SensorModel], None]]] = []
+    """Told of every model that registers itself later: platforms carry it"""
+    frame: ClassVar[bool] = True
+    """Whether all of an image is seen from one place in one orientation, so that platforms can carry the sensor"""
     one_exposure: ClassVar[bool] = True
     """Whether an image is taken at one instant from one place on a plane sensor: targets calibrate it."""
     local_width: ClassVar[int] = 0
@@ -89,7 +93,9 @@ class SensorModel:
             raise TypeError(
                 f"{cls.__name__}: a parameter cannot be called {', '.join(sorted(taken))}; choose another name"
             )
-        SensorModel.registry[cls.name] = cls()
+        SensorModel.registry[cls.name] = made = cls()
+        for follow in SensorModel.followers:
+            follow(made)
 
     def __str__(self) -> str:
         """The registered name."""

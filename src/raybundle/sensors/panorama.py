@@ -36,6 +36,7 @@ class Panorama(SensorModel):
     """
 
     name = "panorama"
+    frame = False
     one_exposure = False
     parameters = (
         Parameter("c", "mm", "camera constant", 50.0, kind="scale"),

@@ -26,6 +26,7 @@ class Pushbroom(SensorModel):
     """
 
     name = "pushbroom"
+    frame = False
     one_exposure = False
     parameters = (
         Parameter("c", "mm", "camera constant", 50.0, kind="scale"),

@@ -1,29 +1,30 @@
-"""A frame sensor that is read out row by row while it moves: rolling shutter."""
+"""A sensor that is read out row by row while it moves: rolling shutter."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
 from raybundle.numerics.maths import Scalar
-from raybundle.numerics.motion import turned_axes
-from raybundle.sensors.brown import Brown
+from raybundle.numerics.motion import Point, turned_axes
+from raybundle.platforms.platform import Platform
 from raybundle.sensors.model import Parameter, SensorModel
 
 MOTION = ("vx", "vy", "vz", "wx", "wy", "wz")
 
 
-class BrownRolling(SensorModel):
-    """Brown's model on a short trajectory: the time of an image point is that of its measured row.
+class ReadOut(Platform):
+    """A short trajectory: the time of an image point is that of its measured row.
 
     t = -r y, zero in the middle of the format, growing downwards, with r = read-out time / height of the format.
     (U, V, W) = exp(-[w t]x) ((X, Y, Z) - v t), v and w in the axes of the middle row.  Motion belongs to each image
     (`per_image`).  r and the motion enter as products: r is held, or the motion is known from elsewhere (observed).
     """
 
-    name = "brown_rolling"
-    one_exposure = False
+    name = "rolling"
+    order = 0
+    uses_image = True
+    looks_elsewhere = False
     parameters = (
-        *Brown.parameters,
         Parameter("r", "s/mm", "read-out time over height of the format", typical=1.5e-3),
         Parameter("vx", "length/s", "velocity to the right", typical=0.8),
         Parameter("vy", "length/s", "velocity upwards in the image", typical=-0.5),
@@ -33,24 +34,26 @@ class BrownRolling(SensorModel):
         Parameter("wz", "rad/s", "rotation rate about the viewing axis", typical=0.15),
     )
 
-    def objection(self, values: Mapping[str, float], width_mm: float, free: Sequence[str]) -> str:
+    def carries(self, sensor: SensorModel) -> bool:
+        """Sensors with rows that are read one after the other: a stitched sphere has none."""
+        return sensor.frame and sensor.one_exposure
+
+    def objection(self, values: Mapping[str, float], free: Sequence[str]) -> str:
         """A rolling shutter without read-out time shows no motion."""
-        del width_mm
         moving = [s for s in free if s in MOTION]
         if not moving or values.get("r") or "r" in free:
             return ""
         return (
             f"the read-out time r is 0, with which no observation touches {', '.join(moving)}; give r (read-out time "
-            "over the height of the format, s/mm), or take the model brown"
+            "over the height of the format, s/mm), or take the model without rolling shutter"
         )
 
     @staticmethod
-    def condition(
+    def point(
         x: Scalar, y: Scalar, X: Scalar, Y: Scalar, Z: Scalar,
-        c: Scalar, x0: Scalar, y0: Scalar, K1: Scalar, K2: Scalar, K3: Scalar, P1: Scalar, P2: Scalar, A: Scalar,
-        S: Scalar, r: Scalar, vx: Scalar, vy: Scalar, vz: Scalar, wx: Scalar, wy: Scalar, wz: Scalar,
-    ) -> tuple[Scalar, Scalar]:  # fmt: skip
-        """Brown's condition in the axes that the sensor had when the row was read."""
+        r: Scalar, vx: Scalar, vy: Scalar, vz: Scalar, wx: Scalar, wy: Scalar, wz: Scalar,
+    ) -> Point:  # fmt: skip
+        """The point in the axes that the sensor had when the row was read."""
+        del x
         t = -r * y
-        U, V, W = turned_axes((X - vx * t, Y - vy * t, Z - vz * t), (wx * t, wy * t, wz * t))
-        return Brown.condition(x, y, U, V, W, c, x0, y0, K1, K2, K3, P1, P2, A, S)
+        return turned_axes((X - vx * t, Y - vy * t, Z - vz * t), (wx * t, wy * t, wz * t))

@@ -1,0 +1,82 @@
+"""The contract of a platform: what carries a sensor, and where a point then lies in the sensor's own frame.
+
+A platform takes the point in the frame that an exterior orientation gives to the axes of the sensor at the moment when
+the image point was taken.  A sensor knows nothing of it; both together are a model (`raybundle.platforms.carried`).
+"""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Mapping, Sequence
+from functools import cached_property
+from importlib import import_module
+from typing import ClassVar
+
+import numpy as np
+
+from raybundle.numerics.arrays import Array
+from raybundle.numerics.maths import Scalar
+from raybundle.numerics.motion import Point
+from raybundle.sensors.model import Parameter, SensorModel
+
+
+class Platform:
+    """What carries a sensor, stated as one function: `point`.  Jacobians and native code are derived from it."""
+
+    registry: ClassVar[dict[str, Platform]] = {}
+
+    name: ClassVar[str]
+    """Model names are SENSOR_NAME"""
+    parameters: tuple[Parameter, ...]
+    point: ClassVar[Callable[..., Point]]
+    """(x, y, X, Y, Z, *parameters): the point (X, Y, Z) in the axes of the sensor that measured it at x, y [mm]"""
+    uses_image: ClassVar[bool]
+    """Whether that depends on x and y"""
+    looks_elsewhere: ClassVar[bool]
+    """Whether the sensor may look another way than the frame of the exterior orientation does"""
+    order: ClassVar[int]
+    """From the sensor outwards: a platform carries what platforms of lower order carry"""
+
+    def __init_subclass__(cls) -> None:
+        """Check the statement against itself and register the platform."""
+        stated = tuple(inspect.signature(cls.point).parameters)[5:]
+        declared = tuple(p.symbol for p in cls.parameters)
+        if stated != declared:
+            raise TypeError(f"{cls.__name__}.point takes {stated}, parameters says {declared}")
+        Platform.registry[cls.name] = cls()
+
+    @cached_property
+    def symbols(self) -> tuple[str, ...]:
+        """Symbols of the parameters in their order."""
+        return tuple(p.symbol for p in self.parameters)
+
+    def carries(self, sensor: SensorModel) -> bool:
+        """Whether a sensor may stand on it."""
+        return sensor.frame
+
+    def objection(self, values: Mapping[str, float], free: Sequence[str]) -> str:
+        """Why observations would say nothing of these values, and what to do; "" for nothing."""
+        del values, free
+        return ""
+
+    @cached_property
+    def point_and_jacobian(self) -> Callable[..., tuple[Array, Array]]:
+        """The point (3, n) and its Jacobian (3, 5 + m, n) by x, y, X, Y, Z and the parameters."""
+        if type(self).__module__.startswith("raybundle.platforms."):
+            try:
+                return import_module(f"raybundle.platforms.generated.{self.name}").point_and_jacobian
+            except ModuleNotFoundError:
+                pass
+        from raybundle.numerics.derive import derive_point  # noqa: PLC0415  (SymPy only for a user's own)
+
+        return derive_point(type(self).point, self.symbols)
+
+    def place(self, image: Array, points: Array, values: Array) -> Array:
+        """Points (3, n) in the axes of the sensor, measured at `image` (2, n) [mm]; values (m,) or (m, n)."""
+        found: Sequence[Scalar] = type(self).point(*image, *points, *values)
+        return np.stack(np.broadcast_arrays(*found))
+
+    def turned_back(self, directions: Array, values: Array) -> Array:
+        """Directions (3, n) of the sensor's axes in the frame of the exterior orientation, about."""
+        del values
+        return directions
