@@ -24,8 +24,10 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from tests.adjustment.test_attitudes import noisy
-from tests.truth.mixed_blocks import ikonos_pair, mixed, room, two_camera_rig
+from tests.truth.mixed_blocks import MonteCarlo, ikonos_pair, mixed, room, two_camera_rig
+from tests.truth.platform_blocks import platform_block
 
+from raybundle.block import Block
 from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.io.block_folder import write_block
 
@@ -33,14 +35,20 @@ DATA = Path(os.environ.get("RAYBUNDLE_DATA", Path(__file__).resolve().parents[2]
 PUBLISHED = ("roma", "sxb", "camcal21", "prague-s1", "riva-net1", "rc30-pair", "resection-mikhail")
 MADE = {
     "targets": lambda: simulate(field_scene(TargetField()), Survey()).observed,
-    "satellite": ikonos_pair,
-    "panoramas": room,
-    "mixed": mixed,
-    "rig": two_camera_rig,
+    "satellite": lambda: with_errors(ikonos_pair()),
+    "panoramas": lambda: with_errors(room()),
+    "mixed": lambda: with_errors(mixed()),
+    "rig": lambda: with_errors(two_camera_rig()),
+    "rolling": lambda: with_errors(platform_block("brown_rolling")),
     "airborne": noisy,
 }
 NOT_COMPARED = {"seconds", "cpu_seconds", "created", "version", "revision", "files", "stages", "machine", "warnings"}
 ENOUGH = 1e-9
+
+
+def with_errors(truth: Block) -> Block:
+    """A block at its true values with errors of what is observed: without any, residuals are rounding."""
+    return MonteCarlo.of(truth).noisy(np.random.default_rng(3))
 
 
 def blocks(work: Path) -> dict[str, Path]:
