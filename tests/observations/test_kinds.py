@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from tests.adjustment.test_attitudes import noisy
+from tests.observations.test_total_station import total_station
 from tests.truth.mixed_blocks import mixed
 
 from raybundle.adjustment.assemble import assemble
@@ -76,7 +77,14 @@ def single_images():
     return block.having(Deviations(image=images, parameter=("c",) * len(images), sigma=np.full(len(images), 0.02)))
 
 
+def sighted():
+    """A total station that no image sees, two sets of directions."""
+    truth, block = total_station(1)
+    return truth.having(*block.tables.values())
+
+
 EXAMPLES = {
+    "total station": sighted,
     "single images": single_images,
     "networks": networks,
     "figures": figures,

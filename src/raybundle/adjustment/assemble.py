@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from raybundle.adjustment.extra import Extra, gathered
+from raybundle.adjustment.extra import Extra, carried_points, gathered
 from raybundle.adjustment.far_points import diverging, retracted, turned_about
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Block, Camera
@@ -242,6 +242,7 @@ def assemble(block: Block, options: AdjustmentOptions, rejected: Mask, free: dic
     images_used[observations.image[rows]] = True
     points_used = np.zeros(p, bool)
     points_used[observations.point[rows]] = True
+    points_used |= carried_points(block, datum_is_chosen=_free_by_choice(options))
     _check_values(block, images_used, points_used)
 
     ignore_control = options.datum in {"inner", "minimal"} and _free_by_choice(options)

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from raybundle.adjustment.assemble import InteriorRow, State, System
+from raybundle.adjustment.extra import carried_points
 from raybundle.adjustment.normals import Normals
 from raybundle.block import Block, Role
 from raybundle.errors import DatumDefect, InputError, NoConvergence, RankDefect, TooFewObservations, Undetermined
@@ -75,6 +76,7 @@ def check_rays(block: Block, rejected: Mask) -> None:
     left = np.bincount(block.observations.point[~rejected], minlength=len(block.points))
     tie = np.asarray(block.points.role) == Role.TIE
     tie |= block.points_named & (np.asarray(block.points.role) != Role.CONTROL)
+    tie &= ~carried_points(block)
     none = [block.points.ids[i] for i in np.flatnonzero(tie & (given == 0))]
     one = [block.points.ids[i] for i in np.flatnonzero(tie & (given == 1) & (left == 1))]
     parts: list[str] = []

@@ -8,8 +8,9 @@ from typing import Any
 
 import numpy as np
 
+from raybundle.block import Block
 from raybundle.errors import InputError
-from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.observations import ObservationKind, Rows, Scope, in_order
 
 
@@ -81,6 +82,15 @@ class Extra:
         for joint in self.correlated:
             found[joint.rows] = joint.root @ values[joint.rows]
         return found
+
+
+def carried_points(block: Block, *, datum_is_chosen: bool = False) -> Mask:
+    """(p,) object points that take part by observations outside the images alone, without any ray."""
+    found = np.zeros(len(block.points), bool)
+    for kind in in_order():
+        if kind.carries_points and not (kind.carries_datum and datum_is_chosen):
+            found[kind.table_of(block).refers("point")] = True
+    return found
 
 
 def gathered(scope: Scope, tables: Mapping[str, Any]) -> Extra:

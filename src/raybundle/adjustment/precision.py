@@ -48,6 +48,13 @@ def cofactors(normals: Normals, state: State, datum: Datum) -> Cofactors:
         none if change is None else change.points,
         none if change is None else np.ascontiguousarray(change.middle),
     )
+    seen = np.zeros(len(system.points_used), bool)
+    seen[system.block.observations.point[system.rows]] = True
+    for p in np.flatnonzero(system.points_used & ~seen & (system.point_node >= 0)):  # no ray, and a node of its own
+        node = int(system.point_node[p])
+        points_minimal[p] = normals.node_block(inverse, node, node)
+        if change is not None:
+            points_h[p] = change.nodes_h[system.offsets[node] + np.arange(3)]
     held = system.held
     if held.any():
         points_minimal = points_minimal * ~held[:, :, None] * ~held[:, None, :]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -35,20 +36,37 @@ def read_observation_tables(
 
 def _read(path: Path, table: type[Table], known: Mapping[str, dict[str, int]], cameras: tuple[Camera, ...]) -> Table:
     where = {"image": "images.csv", "point": "points.csv or observations.csv"}
+    gon = _in_gon(path, table)
     columns = [
         Column(name=name, kind="reference", known=known[c.of], where=where[c.of], optional=c.optional)
         if c.of in known
         else Column(
-            name=name, kind="number" if c.of == "number" else "text", empty=c.empty, optional=c.optional, limit=c.limit
+            name=gon.get(name, name),
+            kind="number" if c.of == "number" else "text",
+            empty=c.empty,
+            optional=c.optional,
+            limit=c.limit,
         )
         for _, c in table.cells()
         for name in c.names
     ]
     read = read_table(path, columns)
+    read = replace(read, number={**read.number, **{deg: 0.9 * read.number[name] for deg, name in gon.items()}})
     problems = list[Problem]()
     made = table(**{field: _field(path, c, read, cameras, problems) for field, c in table.cells()})
     require(path, *(problems_of(w.rows, w.column, w.message) for w in made.wrong()), problems)
     return made
+
+
+def _in_gon(path: Path, table: type[Table]) -> dict[str, str]:
+    """Columns of angles in degrees for which the file has those in gon: NAME_gon in place of NAME_deg."""
+    angles = [name for _, c in table.cells() if c.unit == "deg" for name in c.names]
+    if not angles:
+        return {}
+    with path.open(encoding="utf-8-sig", errors="replace") as file:
+        header = [h.strip().strip('"') for h in file.readline().split(",")]
+    both = {name: name.removesuffix("_deg") + "_gon" for name in angles}
+    return {name: gon for name, gon in both.items() if name not in header and gon in header}
 
 
 def _field(path: Path, c: Cells, read: Read, cameras: tuple[Camera, ...], problems: list[Problem]) -> Any:

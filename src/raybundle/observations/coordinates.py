@@ -84,6 +84,7 @@ class ObservedCoordinates(ObservationKind):
     unit = "length"
     table = Coordinates
     carries_datum = True
+    carries_points = True
 
     def check(self, table: Coordinates, scope: Scope) -> None:
         for network in _networks(table):

@@ -198,6 +198,8 @@ class ObservationKind(ABC):
     """Of its own in a block, with a field `sigma`; None: it observes what other tables of the block hold"""
     carries_datum: ClassVar[bool] = False
     """Whether it tells where or how the object lies in its frame; left out where the datum is chosen freely."""
+    carries_points: ClassVar[bool] = False
+    """Whether object points take part by its rows alone, without a ray: the set-ups of a total station"""
     fixes_scale: ClassVar[bool] = False
     """Whether one of its rows alone determines the scale, wherever it stands."""
     needs_scale: ClassVar[bool] = False

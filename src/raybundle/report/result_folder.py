@@ -66,12 +66,19 @@ ATTITUDES = (
 )  # fmt: skip
 
 
+def _tests_of(kind: ObservationKind) -> tuple[str, ...]:
+    """Columns of what an adjustment makes of a kind of observation; angles in degrees."""
+    unit = "_deg" if kind.unit == "angle" else ""
+    of = kind.components
+    return (*(f"{what}{c}{unit}" for what in ("adjusted", "v") for c in of), *(f"{w}{c}" for w in "rw" for c in of))
+
+
 def _layout(kind: ObservationKind) -> tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]:
     """Columns of the table of a kind of observation: what was given, the adjusted quantities, v, r and w."""
     assert kind.table is not None
     given = [(c, n) for _, c in kind.table.cells() for n in c.names]
     numbers = tuple(n for c, n in given if c.of == "number")
-    tests = tuple(f"{what}{of}" for what in ("adjusted", "v", "r", "w") for of in kind.components)
+    tests = _tests_of(kind)
     return tuple(n for c, n in given if c.of != "number"), (*numbers, *tests), ()
 
 
@@ -464,7 +471,9 @@ def _of_kind(a: Adjustment, kind: ObservationKind) -> Columns:
         k, c = group.item, group.quantity
         found[k, 0, c], found[k, 1, c], found[k, 2, c] = group.adjusted, group.residual, group.redundancy
         found[k, 3, c] = group.w
-    names = [f"{what}{of}" for what in ("adjusted", "v", "r", "w") for of in kind.components]
+    names = _tests_of(kind)
+    if kind.unit == "angle":
+        found[:, :2] = np.degrees(found[:, :2])
     columns = table_columns(table, a.given) | columns_of(names, found.reshape(len(table), 4 * count))
     first, numbers, _ = _layout(kind)
     return {name: columns.get(name, lacking) for name in (*first, *numbers)}

@@ -1,0 +1,306 @@
+"""What a total station and its kin measure: directions, zenith angles, slope distances, coordinate differences.
+
+The vertical of the instrument is the Z axis of the object's frame: over the few hundred metres of a facade or a dig the
+verticals of all set-ups are taken as parallel, and refraction and curvature as none (0.5 mgon at 100 m, growing with
+the distance); longer sights are to be reduced before.  Angles count clockwise, as instruments do.
+"""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.observations.kind import Named, ObservationKind, Observed, Partials, Rows, Scope, Values, partials
+from raybundle.observations.table import Table, Wrong, cells
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Sights(Table):
+    """From one object point to another."""
+
+    station: Index
+    target: Index
+
+    def wrong(self) -> Sequence[Wrong]:
+        return [Wrong(self.station == self.target, "target", lambda _: "a sight needs two different points")]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Directions(Sights):
+    """Horizontal directions; those of a set have one orientation, which is unknown."""
+
+    name: ClassVar[str] = "directions"
+    set: tuple[str, ...] = cells("text", "set")
+    station: Index = cells("point", "station")
+    target: Index = cells("point", "target")
+    angle: Array = cells("number", "direction_deg", unit="deg")
+    """(k,) clockwise from the zero of the circle [rad]"""
+    sigma: Array = cells("number", "sigma_deg", unit="deg", limit="> 0")
+
+    def wrong(self) -> Sequence[Wrong]:
+        first = dict[str, int]()
+        here = [first.setdefault(s, int(p)) == int(p) for s, p in zip(self.set, self.station, strict=True)]
+        return [
+            *Sights.wrong(self),
+            Wrong(
+                ~np.array(here, bool), "station",
+                lambda k: f"set {self.set[k]} stands on another point in an earlier row; a set has one station",
+            ),
+        ]  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ZenithAngles(Sights):
+    """Zenith angles: 0 is up."""
+
+    name: ClassVar[str] = "zenith_angles"
+    station: Index = cells("point", "station")
+    target: Index = cells("point", "target")
+    angle: Array = cells("number", "zenith_deg", unit="deg")
+    """(k,) [rad]"""
+    sigma: Array = cells("number", "sigma_deg", unit="deg", limit="> 0")
+    instrument: Array | None = cells("number", "instrument_height", optional=True, empty=True, fill=0.0)
+    """(k,) of its axis above the station point [length unit]"""
+    reflector: Array | None = cells("number", "target_height", optional=True, empty=True, fill=0.0)
+    """(k,) of what was sighted above the target point [length unit]"""
+
+    def wrong(self) -> Sequence[Wrong]:
+        no = ~((self.angle > 0) & (self.angle < np.pi))
+        return [
+            *Sights.wrong(self),
+            Wrong(
+                no, "zenith_deg",
+                lambda k: f"{np.degrees(self.angle[k]):g} deg is no zenith angle (0 to 180 deg, 0 to 200 gon); of the "
+                "second face give 360 deg (400 gon) less it",
+            ),
+        ]  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SlopeDistances(Sights):
+    """Distances between instrument and reflector."""
+
+    name: ClassVar[str] = "slope_distances"
+    station: Index = cells("point", "station")
+    target: Index = cells("point", "target")
+    length: Array = cells("number", "distance", limit="> 0")
+    sigma: Array = cells("number", "sigma", limit="> 0")
+    instrument: Array | None = cells("number", "instrument_height", optional=True, empty=True, fill=0.0)
+    reflector: Array | None = cells("number", "target_height", optional=True, empty=True, fill=0.0)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Differences(Sights):
+    """Coordinate differences, target minus station: levelling (dZ alone), GNSS baselines."""
+
+    name: ClassVar[str] = "differences"
+    station: Index = cells("point", "from")
+    target: Index = cells("point", "to")
+    xyz: Array = cells("number", "dX", "dY", "dZ", empty=True)
+    """(k, 3) [length unit]; NaN: not observed"""
+    sigma: Array = cells("number", "sX", "sY", "sZ", empty=True, limit="> 0")
+
+    def wrong(self) -> Sequence[Wrong]:
+        lone = (np.isfinite(self.xyz) != np.isfinite(self.sigma)).any(axis=1)
+        return [
+            *Sights.wrong(self),
+            Wrong(
+                np.asarray(lone, bool), "sX", lambda _: "a difference and its sigma stand together, or both are empty"
+            ),
+            Wrong(np.asarray(np.isnan(self.xyz).all(axis=1), bool), "dX", lambda _: "no difference is given"),
+        ]
+
+
+class _Sight(ObservationKind, registered=False):
+    """v = f(X_target - X_station) - observed."""
+
+    object = "from–to"
+    carries_datum = True
+    carries_points = True
+
+    def points(self, table: Sights, scope: Scope) -> Index:
+        used = self._used(table, scope)
+        return np.unique(np.concatenate([table.station[used], table.target[used]]))
+
+    def _used(self, table: Sights, scope: Scope) -> Mask:
+        return scope.points[table.station] & scope.points[table.target]
+
+    def _across(self, table: Sights, item: Index, values: Values) -> Array:
+        """(k, 3) from the axis of the instrument to what was sighted."""
+        d = values.xyz[table.target[item]] - values.xyz[table.station[item]]
+        for heights, sign in ((getattr(table, "reflector", None), 1.0), (getattr(table, "instrument", None), -1.0)):
+            if heights is not None:
+                d[:, 2] += sign * heights[item]
+        return d
+
+    def _by_points(self, table: Sights, item: Index, by: Array) -> tuple[Partials, ...]:
+        """Partials of `by` (k, 3), those by the target."""
+        n = np.arange(len(item))
+        return tuple(
+            partials("point", n, point[item], axis, sign * by[:, axis])
+            for point, sign in ((table.station, -1.0), (table.target, 1.0))
+            for axis in range(3)
+        )
+
+    @abstractmethod
+    def observed(self, table: Sights, rows: Rows, scope: Scope, values: Values) -> Observed: ...
+
+    def named(self, table: Sights, rows: Rows, scope: Scope) -> Named:
+        ids = scope.point_ids
+        ends = zip(table.station[rows.item].tolist(), table.target[rows.item].tolist(), strict=True)
+        names = self.called
+        return Named(tuple(f"{ids[a]}–{ids[b]}" for a, b in ends), tuple(names[c] for c in rows.component.tolist()))
+
+    called: ClassVar[tuple[str, ...]]
+    """Of the observed quantities"""
+
+
+class Direction(_Sight):
+    """v = atan2(dX, dY) - o - direction, with the unknown orientation o of the set, wrapped to half a circle."""
+
+    name = "direction"
+    group = "directions"
+    order = 13
+    title = "Horizontal directions"
+    noun = "direction"
+    quantities = "directions"
+    unit = "angle"
+    table = Directions
+    called = ("direction",)
+    own_width = 1
+    left_open = (
+        "the orientations of the sets of directions are unknown, and nothing else tells how the object is turned about "
+        "the vertical.\n  Give two control points in plan."
+    )
+    hides = (5,)
+
+    def check(self, table: Directions, scope: Scope) -> None:
+        for k in np.flatnonzero(self._used(table, scope)):
+            d = (scope.xyz[table.target[k]] - scope.xyz[table.station[k]])[:2]
+            if not np.hypot(*d) > 0:
+                ids = scope.point_ids
+                raise InputError(
+                    f"directions.csv, set {table.set[k]}: {ids[table.station[k]]} and {ids[table.target[k]]} stand "
+                    "above each other in points.csv, where a horizontal direction is undefined"
+                )
+
+    def own(self, table: Directions, scope: Scope) -> tuple[str, ...]:
+        used = self._used(table, scope).tolist()
+        return tuple(dict.fromkeys(s for s, u in zip(table.set, used, strict=True) if u))
+
+    def own_start(self, table: Directions, scope: Scope) -> Array:
+        used, sets = self._used(table, scope), np.array(table.set)
+        d = scope.xyz[table.target] - scope.xyz[table.station]
+        off = np.arctan2(d[:, 0], d[:, 1]) - table.angle
+        found = [np.angle(np.exp(1j * off[used & (sets == name)]).sum()) for name in self.own(table, scope)]
+        return np.array(found).reshape(-1, 1)
+
+    def own_placed(self, values: Array, scale: float, R: Array, t: Array) -> Array:
+        return values - np.arctan2(R[1, 0], R[0, 0])
+
+    def own_generators(self, values: Array, centre: Array) -> Array:
+        by = np.zeros((len(values), 1, 7))
+        by[:, 0, 5] = -1.0
+        return by
+
+    def rows(self, table: Directions, scope: Scope) -> Rows:
+        used = np.flatnonzero(self._used(table, scope))
+        return Rows.of(used, np.zeros(len(used)), table.angle[used], table.sigma[used])
+
+    def observed(self, table: Sights, rows: Rows, scope: Scope, values: Values) -> Observed:
+        assert isinstance(table, Directions)
+        sets = {name: k for k, name in enumerate(self.own(table, scope))}
+        at = np.array([sets[table.set[k]] for k in rows.item.tolist()], np.int32)
+        d = self._across(table, rows.item, values)
+        off = np.arctan2(d[:, 0], d[:, 1]) - values.own[self.name][at, 0] - rows.value
+        square = d[:, 0] ** 2 + d[:, 1] ** 2
+        by = np.stack([d[:, 1] / square, -d[:, 0] / square, np.zeros(len(d))], axis=1)
+        own = partials("own", np.arange(len(rows)), at, 0, -np.ones(1))
+        return Observed(np.arctan2(np.sin(off), np.cos(off)), (*self._by_points(table, rows.item, by), own))
+
+    def named(self, table: Sights, rows: Rows, scope: Scope) -> Named:
+        assert isinstance(table, Directions)
+        found = super().named(table, rows, scope)
+        ids = (f"{table.set[k]}: {name}" for k, name in zip(rows.item.tolist(), found.ids, strict=True))
+        return Named(tuple(ids), found.component)
+
+
+class ZenithAngle(_Sight):
+    """v = atan2(horizontal distance, height difference) - zenith angle."""
+
+    name = "zenith_angle"
+    group = "zenith angles"
+    order = 14
+    title = "Zenith angles"
+    noun = "zenith angle"
+    quantities = "zenith angles"
+    unit = "angle"
+    table = ZenithAngles
+    called = ("zenith angle",)
+
+    def rows(self, table: ZenithAngles, scope: Scope) -> Rows:
+        used = np.flatnonzero(self._used(table, scope))
+        return Rows.of(used, np.zeros(len(used)), table.angle[used], table.sigma[used])
+
+    def observed(self, table: Sights, rows: Rows, scope: Scope, values: Values) -> Observed:
+        d = self._across(table, rows.item, values)
+        level = np.hypot(d[:, 0], d[:, 1])
+        square = level**2 + d[:, 2] ** 2
+        safe = np.maximum(level, 1e-300)
+        by = np.stack([d[:, 2] * d[:, 0] / safe, d[:, 2] * d[:, 1] / safe, -level], axis=1) / square[:, None]
+        return Observed(np.arctan2(level, d[:, 2]) - rows.value, self._by_points(table, rows.item, by))
+
+
+class SlopeDistance(_Sight):
+    """v = distance between instrument and reflector - observed."""
+
+    name = "slope_distance"
+    group = "slope distances"
+    order = 15
+    title = "Slope distances"
+    noun = "slope distance"
+    quantities = "slope distances"
+    unit = "length"
+    table = SlopeDistances
+    called = ("length",)
+    fixes_scale = True
+
+    def rows(self, table: SlopeDistances, scope: Scope) -> Rows:
+        used = np.flatnonzero(self._used(table, scope))
+        return Rows.of(used, np.zeros(len(used)), table.length[used], table.sigma[used])
+
+    def observed(self, table: Sights, rows: Rows, scope: Scope, values: Values) -> Observed:
+        d = self._across(table, rows.item, values)
+        length = np.linalg.norm(d, axis=1)
+        return Observed(length - rows.value, self._by_points(table, rows.item, d / length[:, None]))
+
+
+class Difference(_Sight):
+    """v = X_target - X_station - observed, for each coordinate that was."""
+
+    name = "difference"
+    group = "coordinate differences"
+    order = 16
+    title = "Coordinate differences"
+    noun = "coordinate difference"
+    quantities = "coordinate differences"
+    components = ("X", "Y", "Z")
+    unit = "length"
+    table = Differences
+    called = ("dX", "dY", "dZ")
+
+    def rows(self, table: Differences, scope: Scope) -> Rows:
+        item, axis = np.nonzero(self._used(table, scope)[:, None] & (np.nan_to_num(table.sigma) > 0))
+        return Rows.of(item, axis, table.xyz[item, axis], table.sigma[item, axis])
+
+    def observed(self, table: Sights, rows: Rows, scope: Scope, values: Values) -> Observed:
+        n = np.arange(len(rows))
+        by = np.eye(3)[rows.component]
+        d = values.xyz[table.target[rows.item]] - values.xyz[table.station[rows.item]]
+        return Observed(d[n, rows.component] - rows.value, self._by_points(table, rows.item, by))
