@@ -1,9 +1,7 @@
 """From a block to unknowns and observations: what is free, what is held, where it stands.
 
-The unknowns are the free columns of *nodes* (exterior orientation of an image with its own interior
-orientation; a shared interior orientation; an object point that other observations touch) and the object
-points, which are eliminated.  An image observation touches one point and a list of nodes; all other
-observations (`raybundle.observations`) touch single unknowns of nodes.
+Which unknowns there are, and the nodes that they stand in, says `adjustment.layout`.  An image observation touches one
+point and a list of nodes; all other observations (`raybundle.observations`) touch single unknowns of nodes.
 """
 
 from __future__ import annotations
@@ -13,15 +11,15 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from raybundle.adjustment.extra import Extra, carried_points, gathered
+from raybundle.adjustment.extra import Extra, gathered
 from raybundle.adjustment.far_points import diverging, retracted, turned_about
+from raybundle.adjustment.layout import InteriorRow, Used, interior_of, lay_out, taking_part
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Block, Camera
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rotation import rotation_from_vector
-from raybundle.observations import Interior, ObservationKind, Partials, Scope, in_order
-from raybundle.sensors import SensorModel
+from raybundle.observations import ObservationKind, Partials
 
 
 @dataclass(slots=True)
@@ -45,31 +43,6 @@ class State:
         return State(self.rotation.copy(), self.centre.copy(), self.interior.copy(), self.xyz.copy(), own)
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class InteriorRow:
-    """One interior orientation that is adjusted."""
-
-    camera: int
-    image: int
-    """-1 where the camera's images share it."""
-    model: SensorModel
-    free: tuple[int, ...]
-    """Positions of the free parameters."""
-    node: int
-    """Node that carries them, -1 if nothing is free."""
-    start: int
-    """First column within that node."""
-    carries: tuple[int, ...] = ()
-    """Positions of the parameters that stand here: all, or those that each image has for itself, or the others."""
-    parent: int = -1
-    """Row of the parameters that the camera's images share, where this one carries only an image's own."""
-
-    def key(self, block: Block) -> str:
-        """Camera id, or camera id / image id."""
-        camera = block.cameras[self.camera].id
-        return camera if self.image < 0 else f"{camera}/{block.images.ids[self.image]}"
-
-
 @dataclass(slots=True)
 class System:
     """The assembled least squares problem."""
@@ -79,7 +52,7 @@ class System:
     """(cameras,) residual of the corrected image point"""
     shift: Array
     rows: Array
-    """(m,) rows of `Block.observations` that take part, sorted by point"""
+    """(m,) rows of `Block.observations` that take used, sorted by point"""
     points_used: Mask
     images_used: Mask
     interior: tuple[InteriorRow, ...]
@@ -234,178 +207,57 @@ def assemble(block: Block, options: AdjustmentOptions, rejected: Mask, free: dic
     free      camera id -> symbols of the free parameters (`estimate` resolved)
     raises    InputError where an image that is observed is not oriented or a point has no coordinates
     """
-    observations = block.observations
-    n, p = len(block.images), len(block.points)
-    rows = np.flatnonzero(~rejected)
-    rows = rows[np.lexsort((observations.image[rows], observations.point[rows]))]
-    images_used = np.zeros(n, bool)
-    images_used[observations.image[rows]] = True
-    points_used = np.zeros(p, bool)
-    points_used[observations.point[rows]] = True
-    points_used |= carried_points(block, datum_is_chosen=_free_by_choice(options))
-    _check_values(block, images_used, points_used)
-
-    ignore_control = options.datum in {"inner", "minimal"} and _free_by_choice(options)
-    control = block.points.is_control & points_used[:, None]
-    if ignore_control:
-        control = np.zeros_like(control)
-    control_held = control & (block.points.sigma == 0)
-    prior = control & (block.points.sigma > 0)
-
-    interior, interior_of_image, stride = _interior_rows(block, images_used, free)
-    exterior_free = images_used & ~(block.images.held if block.images.held is not None else np.zeros(n, bool))
-    sizes: list[int] = []
-    image_node = np.full(n, -1, np.int32)
-    shared_node = np.full(n, -1, np.int32)
-    alone: dict[int, int] = {}  # interior row that goes with its only image
-    users = np.bincount(interior_of_image[images_used], minlength=len(interior))
-    parents = np.array([row.parent for row in interior], np.int32)[interior_of_image]
-    leader = _leaders(block, images_used, exterior_free)
-    for i in np.flatnonzero(images_used):
-        row = int(interior_of_image[i])
-        if leader is not None and leader[i] >= 0:
-            if parents[i] >= 0:
-                raise InputError(
-                    f"image {block.images.ids[i]} shares its station and has parameters of its own (per_image, camera "
-                    f"{block.cameras[block.images.camera[i]].id}); that is not supported, take one of the two away"
-                )
-            if leader[i] != i or not exterior_free[i]:
-                image_node[i] = image_node[leader[i]]
-            else:
-                image_node[i] = len(sizes)
-                sizes.append(6)
-            continue
-        own = len(interior[row].free) if users[row] == 1 and not interior[row].model.local_width else 0
-        size = 6 * int(exterior_free[i]) + own
-        if size:
-            image_node[i] = len(sizes)
-            sizes.append(size)
-        if own:
-            alone[row] = int(i)
-    scope = Scope(
-        point_ids=block.points.ids,
-        image_ids=block.images.ids,
-        points=points_used,
-        images=images_used & exterior_free,
-        xyz=block.points.xyz,
-        sigma=block.points.sigma,
-        coordinates=np.zeros_like(prior),
-        shift=np.zeros(3),
-        interior=tuple(_interior_of(block, row, row.free) for row in interior),
-        datum_is_chosen=_free_by_choice(options),
+    used = taking_part(block, options, rejected)
+    layout, scope, tables = lay_out(block, used, free)
+    shift = _shift(block, used)
+    xy, whiten, pixel = _image_observations(block, used.rows)
+    scope = replace(
+        scope,
+        coordinates=used.prior & (layout.point_node >= 0)[:, None],
+        shift=shift,
+        interior=tuple(interior_of(block, row, row.free if row.node >= 0 else ()) for row in layout.interior),
     )
-    kinds = in_order()
-    tables = {kind.name: kind.table_of(block) for kind in kinds}
-    for kind in kinds:
-        kind.check(tables[kind.name], scope)
-    touched = np.zeros(p, bool)
-    for kind in kinds:
-        touched[kind.points(tables[kind.name], scope)] = True
-    touched &= ~control_held.all(axis=1)
-    point_node = np.full(p, -1, np.int32)
-    point_node[touched] = len(sizes) + np.arange(int(touched.sum()))
-    sizes += [3] * int(touched.sum())
-    own_nodes: dict[str, Index] = {}
-    for kind in kinds:
-        if not kind.own_width or (kind.carries_datum and scope.datum_is_chosen):
-            continue
-        count = len(kind.own(tables[kind.name], scope))
-        own_nodes[kind.name] = (len(sizes) + np.arange(count)).astype(np.int32)
-        sizes += [kind.own_width] * count
-    placed: list[InteriorRow] = []
-    carried: set[int] = set().union(*(kind.cameras(tables[kind.name], scope) for kind in kinds))
-    for r, row in enumerate(interior):
-        node, start = -1, 0
-        if row.free and r in alone:
-            node, start = int(image_node[alone[r]]), 6 * int(exterior_free[alone[r]])
-        elif row.free and (
-            (images_used & ((interior_of_image == r) | (parents == r))).any()
-            or (row.camera in carried and not _free_by_choice(options))
-        ):
-            node = len(sizes)
-            sizes.append(len(row.free))
-            shared_node[images_used & ((interior_of_image == r) | (parents == r))] = node
-        placed.append(replace(row, node=node, start=start))
-
-    ground = images_used & ~np.array([c.is_scene for c in block.cameras])[block.images.camera]
-    known = np.vstack([block.points.xyz[points_used], block.images.centre[ground]])
-    shift = np.round(known.mean(axis=0), 3) if len(known) else np.zeros(3)
-    xy, whiten, pixel = _image_observations(block, rows)
-    system = System(
+    offsets = np.concatenate([[0], np.cumsum(layout.sizes)]).astype(np.int64)
+    first_image = np.zeros(len(block.points), np.int32)
+    backwards, o = used.rows[::-1], block.observations
+    first_image[o.point[backwards]] = o.image[backwards]
+    given = (used.held | used.prior).any(axis=1)
+    return System(
         block=block,
         corrected=np.array([_corrected(block, c, options) for c in block.cameras]),
         shift=shift,
-        rows=rows,
-        points_used=points_used,
-        images_used=images_used,
-        interior=tuple(placed),
-        interior_of_image=interior_of_image,
-        stride=stride,
-        sizes=np.array(sizes, np.int32),
-        image_node=image_node,
-        exterior_free=exterior_free,
-        shared_node=shared_node,
-        point_node=point_node,
-        held=control_held.copy(),
-        control_held=control_held,
-        prior=prior,
-        extra=gathered(
-            replace(
-                scope,
-                coordinates=prior & touched[:, None],
-                shift=shift,
-                interior=tuple(_interior_of(block, row, row.free if row.node >= 0 else ()) for row in placed),
-            ),
-            tables,
-        ),
+        rows=used.rows,
+        points_used=used.points,
+        images_used=used.images,
+        interior=layout.interior,
+        interior_of_image=layout.interior_of_image,
+        stride=layout.stride,
+        sizes=np.array(layout.sizes, np.int32),
+        image_node=layout.image_node,
+        exterior_free=used.exterior_free,
+        shared_node=layout.shared_node,
+        point_node=layout.point_node,
+        held=used.held.copy(),
+        control_held=used.held,
+        prior=used.prior,
+        extra=gathered(scope, tables),
         xy_mm=xy,
         whiten=whiten,
         pixel_mm=pixel,
-        own_nodes=own_nodes,
+        offsets=offsets,
+        first_image=first_image,
+        parents=np.array([row.parent for row in layout.interior], np.int32),
+        interior_columns=layout.columns(offsets),
+        own_nodes=layout.own,
+        far_candidates=np.flatnonzero(used.points & (layout.point_node < 0) & ~given),
     )
-    system.offsets = np.concatenate([[0], np.cumsum(system.sizes)]).astype(np.int64)
-    system.parents = np.array([row.parent for row in interior], np.int32)
-    system.interior_columns = np.full((len(placed), stride), -1, np.int64)
-    for r, row in enumerate(placed):
-        if row.node >= 0:
-            at = system.offsets[row.node] + row.start + np.arange(len(row.free))
-            system.interior_columns[r, list(row.free)] = at
-    system.first_image = np.zeros(p, np.int32)
-    system.first_image[observations.point[rows[::-1]]] = observations.image[rows[::-1]]
-    system.far_candidates = np.flatnonzero(points_used & (point_node < 0) & ~(control_held | prior).any(axis=1))
-    return system
 
 
-def _leaders(block: Block, images_used: Mask, exterior_free: Mask) -> Index | None:
-    """(n,) the first image of each rig's station, -1 for images that share none; None where no image does.
-
-    raises  InputError where images of one station differ in their exterior orientation
-    """
-    station = block.images.station
-    if station is None:
-        return None
-    leader = np.full(len(station), -1, np.int32)
-    for s in np.unique(station[images_used]):
-        mine = np.flatnonzero(images_used & (station == s))
-        if len(mine) < 2:
-            continue
-        leader[mine] = mine[0]
-        gap = np.abs(block.images.centre[mine] - block.images.centre[mine[0]]).max()
-        turn = np.abs(block.images.rotation[mine] - block.images.rotation[mine[0]]).max()
-        if not max(gap / (1 + np.abs(block.images.centre[mine[0]]).max()), turn) < 1e-9:
-            raise InputError(
-                f"images {', '.join(block.images.ids[i] for i in mine[:5])} share a station but not their exterior "
-                "orientation; give each of them that of the rig, and the offsets as parameters of the mounted cameras"
-            )
-        if exterior_free[mine].any() != exterior_free[mine].all():
-            raise InputError(
-                f"images {', '.join(block.images.ids[i] for i in mine[:5])} share a station; hold all or none"
-            )
-    return leader
-
-
-def _free_by_choice(options: AdjustmentOptions) -> bool:
-    return options.datum in {"inner", "minimal"}
+def _shift(block: Block, used: Used) -> Array:
+    """(3,) origin near the middle of the block, in which numbers are small."""
+    ground = used.images & ~np.array([c.is_scene for c in block.cameras])[block.images.camera]
+    known = np.vstack([block.points.xyz[used.points], block.images.centre[ground]])
+    return np.round(known.mean(axis=0), 3) if len(known) else np.zeros(3)
 
 
 def _corrected(block: Block, camera: Camera, options: AdjustmentOptions) -> bool:
@@ -416,59 +268,6 @@ def _corrected(block: Block, camera: Camera, options: AdjustmentOptions) -> bool
             f'{camera.model}; use residuals = "measured"'
         )
     return kind == "corrected"
-
-
-def _check_values(block: Block, images_used: Mask, points_used: Mask) -> None:
-    bad = [block.images.ids[i] for i in np.flatnonzero(images_used & ~block.images.oriented)]
-    if bad:
-        raise InputError(f"images without exterior orientation: {', '.join(bad[:10])}; give approximate values")
-    bad = [block.points.ids[i] for i in np.flatnonzero(points_used & ~np.isfinite(block.points.xyz).all(axis=1))]
-    if bad:
-        raise InputError(f"points without coordinates: {', '.join(bad[:10])}; give approximate values")
-
-
-def _interior_rows(
-    block: Block, images_used: Mask, free: dict[str, tuple[str, ...]]
-) -> tuple[list[InteriorRow], Index, int]:
-    rows: list[InteriorRow] = []
-    of_image = np.zeros(len(block.images), np.int32)
-    stride = 1
-    for c, camera in enumerate(block.cameras):
-        model = camera.sensor
-        every = tuple(range(len(model.symbols)))
-        stride = max(stride, len(model.symbols))
-        positions = tuple(model.symbols.index(s) for s in model.symbols if s in free.get(camera.id, ()))
-        mine = np.flatnonzero((block.images.camera == c) & images_used)
-        if model.local_width and (camera.interior == "per_image" or camera.per_image):
-            raise InputError(f"camera {camera.id}: parameters of the model {camera.model} are shared by all its images")
-        if camera.interior == "per_image":
-            for i in mine:
-                of_image[i] = len(rows)
-                rows.append(
-                    InteriorRow(camera=c, image=int(i), model=model, free=positions, node=-1, start=0, carries=every)
-                )
-        elif camera.per_image:
-            parent, carried = len(rows), {model.symbols.index(s) for s in camera.per_image}
-            for image in (-1, *(int(i) for i in mine)):
-                mine_too = tuple(k for k in every if (k in carried) == (image >= 0))
-                rows.append(
-                    InteriorRow(
-                        camera=c,
-                        image=image,
-                        model=model,
-                        free=tuple(k for k in positions if k in mine_too),
-                        node=-1,
-                        start=0,
-                        carries=mine_too,
-                        parent=parent if image >= 0 else -1,
-                    )
-                )
-            of_image[block.images.camera == c] = parent
-            of_image[mine] = parent + 1 + np.arange(len(mine))
-        else:
-            of_image[block.images.camera == c] = len(rows)
-            rows.append(InteriorRow(camera=c, image=-1, model=model, free=positions, node=-1, start=0, carries=every))
-    return rows, of_image, stride
 
 
 def _image_observations(block: Block, rows: Array) -> tuple[Array, Array, Array]:
@@ -492,19 +291,3 @@ def _image_observations(block: Block, rows: Array) -> tuple[Array, Array, Array]
             f"the covariance of the image point is not positive definite"
         )
     return np.ascontiguousarray(xy), np.ascontiguousarray(whiten), pixel[camera]
-
-
-def _interior_of(block: Block, row: InteriorRow, free: tuple[int, ...]) -> Interior:
-    camera = block.cameras[row.camera]
-    return Interior(
-        key=row.key(block),
-        camera=row.camera,
-        image=row.image,
-        symbols=row.model.symbols,
-        free=free,
-        given={**camera.values, **block.images.interior.get(row.image, {})},
-        sigma=camera.sigma,
-        calibrated=camera.calibrated,
-        relations=camera.relations,
-        has_images=row.model.has_images,
-    )

@@ -47,7 +47,7 @@ class ObservedParameter(ObservationKind):
     name = "parameter"
     group = "parameters"
     order = 4
-    title = "Observed parameters, calibrations with their covariance"
+    title = "Observed parameters"
     object = "camera"
     quantities = "observed parameters"
     unit = "own"
