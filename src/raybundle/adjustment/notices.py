@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from raybundle.adjustment.bar_tests import bar_notice, wrong_bar
 from raybundle.adjustment.components import NAMES, differs, without_known_before
 from raybundle.adjustment.control_notices import control_notices
 from raybundle.adjustment.control_tests import Contradiction, ControlTests
@@ -279,12 +280,15 @@ def _control(result: Adjustment) -> list[Notice]:
     """Suspects among control, distances and stations, the latter with the family-wise critical value.
 
     Where a whole group is less precise than stated, one notice says so; single values are suspects beside the others
-    of their group.  Of control, the coordinates of a point are judged together (`control_tests`).
+    of their group.  Of control, the coordinates of a point are judged together (`control_tests`).  Where a scale bar
+    alone explains it, that is said of it, and nothing of the control that it bends.
     """
-    found: list[Notice] = []
-    against = ControlTests(result).contradiction
     limit = result.critical_w
     scale = max(result.sigma0, 1.0) if np.isfinite(result.sigma0) else 1.0
+    if (bar := wrong_bar(result, limit * scale)) is not None:
+        return [bar_notice(bar, limit * scale, result.given.length_unit), *_unchecked(result)]
+    found: list[Notice] = []
+    against = ControlTests(result).contradiction
     wrong = {c.kind: c for c in result.variance_components if c.significant and c.kind in NAMES.values()}
     for g in map(without_known_before, result.groups):
         component = wrong.get(NAMES[g.kind])
