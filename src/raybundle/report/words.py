@@ -11,7 +11,7 @@ import numpy as np
 from raybundle.adjustment.counts import counts
 from raybundle.adjustment.network import classed
 from raybundle.adjustment.reliability import UNCONTROLLED
-from raybundle.adjustment.result import ObservationGroup
+from raybundle.adjustment.result import Adjustment, ObservationGroup
 from raybundle.adjustment.severity import NEARLY, POOR_FIT, Severity
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.statistics import chi_square_tails
@@ -376,8 +376,23 @@ def _cameras(view: View) -> str:
     if a.not_significant:
         parts.append(f"not significant and left out: {listed(a.not_significant)}")
     if not a.not_determinable and a.precision is not None:
-        parts.append("all of them determinable")
+        parts.append(f"all of them better than known beforehand{_least_certain(a)}")
     return f"{'; '.join(parts)}."
+
+
+def _least_certain(a: Adjustment) -> str:
+    """Which estimated parameter moves image points most within its standard deviation: it may be weak all the same."""
+    stds = [
+        (p.effect_std_px, p.symbol, i.camera)
+        for i in a.interior
+        for p in i.parameters.values()
+        if p.symbol in i.free and p.effect_std_px is not None and math.isfinite(p.effect_std_px)
+    ]
+    if not stds:
+        return ""
+    px, symbol, camera = max(stds)
+    of = f" of camera {camera}" if len({i.camera for i in a.interior}) > 1 else ""
+    return f", the least certain {symbol}{of} with {significant(px, 2)} px (its standard deviation in the image)"
 
 
 INDEPENDENT_ERRORS = """\
