@@ -58,8 +58,9 @@ class RaybundleError(Exception):
 
     @property
     def headline(self) -> str:
-        """The first line of the message, where a table has room for no more."""
-        return str(self).partition("\n")[0]
+        """The first line of the message, where a table has room for no more, with the next where it ends in a colon."""
+        first, _, rest = str(self).partition("\n")
+        return f"{first} {rest.partition(chr(10))[0].strip()}" if first.endswith(":") and rest else first
 
 
 class InputError(RaybundleError):

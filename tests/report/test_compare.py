@@ -5,10 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from raybundle.block.rejection import Rejection, RejectionKind
 from raybundle.errors import InputError
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.report.common_points import common_points, common_rows
-from raybundle.report.compare import basis_words, point_differences, write_comparison
+from raybundle.report.compare import basis_words, point_differences, taken_otherwise, write_comparison
 from raybundle.report.result_folder import read_result, write_result
 from tests.report.test_document import parsed
 
@@ -76,6 +77,31 @@ def test_a_result_with_itself_has_no_difference(folder, tmp_path):
     assert "differ by 0" in text or "× 10⁻" in text
 
 
+def test_rejected_rays_noise_and_parameters_that_differ_are_counted(folder, case, tmp_path):
+    a = case("rich")
+    out = [None] * len(a.image_observations.rejected)
+    for k in (3, 40, 41):
+        out[k] = Rejection(kind=RejectionKind.BLUNDER)
+    (interior,) = a.interior
+    held = replace(interior.parameters["P1"], std=None, status="held")
+    other = replace(
+        a, noise=replace(a.noise, kind="fields"),
+        image_observations=replace(a.image_observations, rejected=tuple(out)),
+        interior=(replace(interior, parameters={**interior.parameters, "P1": held}),),
+    )  # fmt: skip
+    first, second = folder("rich"), folder("other", other)
+    words = taken_otherwise(first, second)
+    n = len(out)
+    assert f"Of {n} common image observations 0 are rejected in the first and take part in the second, 3 the" in words
+    assert "the noise model is white in the first, fields in the second" in words
+    assert f"free in the first only: P1 ({interior.camera})" in words
+    assert "free in the second only" not in words
+    assert words in compared(first, second, tmp_path)
+    same = taken_otherwise(first, first)
+    assert same.startswith(f"The same of {n} common image observations take part in both; the noise model is white in")
+    assert "the same parameters of cameras are free" in same
+
+
 def test_results_that_have_nothing_in_common(folder, case, tmp_path):
     a = case("resection")
 
@@ -96,6 +122,7 @@ def test_results_that_have_nothing_in_common(folder, case, tmp_path):
     text = compared(folder("free"), folder("other", other), tmp_path)
     assert "no camera in common" in text
     assert "0 points in common" in text
+    assert "No image observation is common to both" in text
     assert "0 images in common" in text
 
 

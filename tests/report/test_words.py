@@ -151,3 +151,16 @@ def test_open_parts_of_the_datum_are_gathered():
     every = tuple(f"{kind} {axis}" for kind in ("position", "rotation") for axis in "XYZ")
     assert open_datum((*every, "scale")) == ["position", "orientation", "scale"]
     assert open_datum(("position Z", "scale")) == ["position Z", "scale"]
+
+
+def test_the_least_certain_parameter_of_the_camera_is_told_with_its_standard_deviation_in_the_image(case):
+    a = case("rich")
+    words = told(a)[2]["Cameras"]
+    (interior,) = a.interior
+    free = [interior.parameters[s] for s in interior.free]
+    weakest = max(free, key=lambda p: p.effect_std_px)
+    assert f"the least certain {weakest.symbol} with {significant(weakest.effect_std_px, 2)} px" in words
+    assert "determinable" not in words
+    parameters = {**interior.parameters, "x0": replace(interior.parameters["x0"], effect_std_px=15.0)}
+    weak = replace(a, interior=(replace(interior, parameters=parameters),))
+    assert "the least certain x0 with 15 px (its standard deviation in the image)" in told(weak)[2]["Cameras"]

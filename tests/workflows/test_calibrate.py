@@ -246,3 +246,13 @@ def test_mirrored_photographs_among_others_are_named_and_left_out(tmp_path):
     assert done.used == 11
     c = done.adjustment.adjusted.cameras[0].values["c"] / done.adjustment.adjusted.cameras[0].pixel_mm[0]
     assert c == pytest.approx(534.6, abs=1.0)
+
+
+@needs_board
+def test_fewer_than_five_photographs_have_the_caution_of_orient(board):
+    """White noise of so few is not chosen for being right; with five or more it is estimated, and nothing said."""
+    done = calibrate(sorted(BOARD.glob("*.jpg"))[:4], WANTED)
+    (told,) = [n for n in done.adjustment.notices if n.code == "errors_independent"]
+    assert told.severity == "caution"
+    assert told.message.startswith("4 photographs: standard deviations take the errors of all image points as")
+    assert not [n for n in board.adjustment.notices if n.code == "errors_independent"]

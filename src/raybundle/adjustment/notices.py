@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from raybundle.adjustment.bar_tests import bar_notice, wrong_bar
 from raybundle.adjustment.components import NAMES, differs, without_known_before
 from raybundle.adjustment.control_notices import control_notices
 from raybundle.adjustment.control_tests import Contradiction, ControlTests
@@ -24,6 +25,7 @@ from raybundle.block.rejection import WORDS, RejectionKind, counts
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.counting import counted, counted_are
 from raybundle.numerics.statistics import global_test
+from raybundle.observations import observation_kinds
 
 STRONG = 0.95
 UNCHECKED = 0.01
@@ -32,6 +34,10 @@ standard deviations may pass."""
 FEW = 5.0
 """Redundancy of a group below which single values are suspects rather than all of them."""
 
+ORIGIN = 0.5
+"""By how many pixels coordinates of other programs differ that count from the middle of the first pixel."""
+BEYOND = 6.0
+"""Standard deviations beyond which no image point of a million is outside by chance (one in 10^9 of normal errors)."""
 TURNED = 0.1
 """Share of an image's tie points behind it from which its orientation is doubted; seen of right ones: below 0.01."""
 
@@ -49,11 +55,35 @@ def notices_of(result: Adjustment, redundancy_sum: RedundancySum | None) -> tupl
             )
         )
     control = _control(result)
-    found += _fit(result) + _interior(result) + _rejected(result) + _points(result) + control
+    found += _outside(result) + _fit(result) + _interior(result) + _rejected(result) + _points(result) + control
     if not any(n.severity is Severity.FAULT for n in control):  # wrong control bends the images that show it
         found += wrong_image_notices(result)
     found += _photographs(result) + _stored_ways(result) + _open_beside_given(result) + _unchecked_scale(result)
     return tuple(found)
+
+
+def _outside(result: Adjustment) -> list[Notice]:
+    """Image points beyond the format of their image, by more than noise and half a pixel of another origin explain."""
+    block, o = result.given, result.given.observations
+    size = np.array([(c.width_px, c.height_px) for c in block.cameras], float)[block.images.camera[o.image]]
+    beyond = np.maximum(-o.xy_px, o.xy_px - size) - ORIGIN - BEYOND * np.sqrt(o.cov_px2[:, :2])
+    rows = np.flatnonzero((beyond > 0).any(axis=1))
+    if not len(rows):
+        return []
+    k = int(rows[beyond[rows].max(axis=1).argmax()])
+    images = [block.images.ids[i] for i in dict.fromkeys(o.image[rows].tolist())]
+    some = ", ".join(images[:5]) + " ..." * (len(images) > 5)
+    x, y = o.xy_px[k].tolist()
+    return [
+        Notice(
+            code="outside_format",
+            message=f"{counted_are(len(rows), 'image point')} outside the format, in {some}: the farthest is point "
+            f"{block.points.ids[o.point[k]]} at {x:.6g}, {y:.6g} px in {block.images.ids[o.image[k]]}, whose format is "
+            f"{size[k, 0]:g} x {size[k, 1]:g} px. Check width_px and height_px of its camera, the unit and the origin "
+            "of the image points (the outer corner of the first pixel, y down)",
+            ids=tuple(images[:100]),
+        )
+    ]
 
 
 def _fit(result: Adjustment) -> list[Notice]:
@@ -279,12 +309,15 @@ def _control(result: Adjustment) -> list[Notice]:
     """Suspects among control, distances and stations, the latter with the family-wise critical value.
 
     Where a whole group is less precise than stated, one notice says so; single values are suspects beside the others
-    of their group.  Of control, the coordinates of a point are judged together (`control_tests`).
+    of their group.  Of control, the coordinates of a point are judged together (`control_tests`).  Where a scale bar
+    alone explains it, that is said of it, and nothing of the control that it bends.
     """
-    found: list[Notice] = []
-    against = ControlTests(result).contradiction
     limit = result.critical_w
     scale = max(result.sigma0, 1.0) if np.isfinite(result.sigma0) else 1.0
+    if (bar := wrong_bar(result, limit * scale)) is not None:
+        return [bar_notice(bar, limit * scale, result.given.length_unit), *_unchecked(result)]
+    found: list[Notice] = []
+    against = ControlTests(result).contradiction
     wrong = {c.kind: c for c in result.variance_components if c.significant and c.kind in NAMES.values()}
     for g in map(without_known_before, result.groups):
         component = wrong.get(NAMES[g.kind])
@@ -301,16 +334,26 @@ def _control(result: Adjustment) -> list[Notice]:
         if g.kind == "control":
             found += control_notices(result, against)
             continue
+        factor, unit = _shown(result, g)
         found += [
             Notice(
                 code=f"{g.kind}_suspect",
-                message=f"{g.kind} {g.ids[k]}, {g.component[k]}: adjusted minus given {g.residual[k]:.4g} at a sigma "
-                f"of {g.sigma[k]:.3g}, |w| {abs(g.w[k]):.1f} against {limit * own:.1f}. Check this value",
+                message=f"{g.kind} {g.ids[k]}, {g.component[k]}: adjusted minus given "
+                f"{factor * g.residual[k]:.4g}{unit} at a sigma of {factor * g.sigma[k]:.3g}{unit}, "
+                f"|w| {abs(g.w[k]):.1f} against {limit * own:.1f}. Check this value",
                 ids=(g.ids[k],),
             )
             for k in np.flatnonzero(np.abs(np.nan_to_num(g.w)) > limit * own)
         ]
     return found + _unchecked(result)
+
+
+def _shown(result: Adjustment, g: ObservationGroup) -> tuple[float, str]:
+    """By what residuals of a group are multiplied to be shown, and their unit, with the space before it."""
+    kind = observation_kinds[g.kind].unit
+    if kind == "angle":
+        return float(np.degrees(1.0)), " degrees"
+    return 1.0, f" {result.given.length_unit}" if kind == "length" else ""
 
 
 def _unchecked(result: Adjustment) -> list[Notice]:

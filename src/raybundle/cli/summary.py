@@ -12,6 +12,7 @@ from raybundle.adjustment.counts import counts
 from raybundle.adjustment.fields import Noise
 from raybundle.adjustment.network import classed
 from raybundle.adjustment.result import Adjustment, Notice, as_told
+from raybundle.adjustment.spread import few_hold
 from raybundle.block import Block
 from raybundle.cli.common import counted, grouped, significant
 from raybundle.numerics.arrays import Array
@@ -76,6 +77,12 @@ def _precision(a: Adjustment) -> list[str]:
     mean = np.sqrt((std[free] ** 2).mean(axis=0)) * factor
     each = ", ".join(f"{axis} {significant(m)}" for axis, m in zip("XYZ", mean, strict=True))
     lines = [f"standard deviation of object points (rms): {each} {unit}{scale}"]
+    if (few := few_hold(std[free])) is not None:
+        middle = ", ".join(f"{axis} {significant(m * factor)}" for axis, m in zip("XYZ", few.median, strict=True))
+        lines[0] += (
+            f"; median {middle} {unit}: {grouped(few.points)} of {counted(few.of, 'point')} "
+            f"hold{'s' * (few.points == 1)} {100 * few.share:.0f} % of the variance"
+        )
     if a.network is not None and math.isfinite(a.network.relative_precision):
         n = round(float(f"{a.network.relative_precision:.2g}"))
         meaning = f"(mean standard deviation {significant(a.network.mean_std * factor)} {unit} / largest extent "

@@ -283,7 +283,59 @@ def _summary(first: ResultFolder, second: ResultFolder) -> tuple[Part, ...]:
             rows.append((f"setting {key}", str(a), str(b), ""))
     return (
         table((text("quantity"), text("first"), text("second"), number("second − first")), zip(*rows, strict=True)),
+        Paragraph(text=taken_otherwise(first, second)),
     )
+
+
+def taken_otherwise(first: ResultFolder, second: ResultFolder) -> str:
+    """One sentence: what of the same observations the two took otherwise, by which estimates and sigmas move.
+
+    Image observations are the same where image and place are, to a hundredth of a pixel.
+    """
+    parts: list[str] = []
+    a, b = _taken(first), _taken(second)
+    common = a.keys() & b.keys()
+    only = sum(not a[k] and b[k] for k in common), sum(a[k] and not b[k] for k in common)
+    if not common:
+        parts.append("no image observation is common to both")
+    elif any(only):
+        parts.append(
+            f"of {counted(len(common), 'common image observation')} {grouped(only[0])} are rejected in the first and "
+            f"take part in the second, {grouped(only[1])} the other way round"
+        )
+    else:
+        parts.append(f"the same of {counted(len(common), 'common image observation')} take part in both")
+    kinds = [str(cast("Mapping[str, Any]", r.result.get("noise") or {}).get("kind", "white")) for r in (first, second)]
+    same = f"the noise model is {kinds[0]} in both"
+    parts.append(
+        same if kinds[0] == kinds[1] else f"the noise model is {kinds[0]} in the first, {kinds[1]} in the second"
+    )
+    free = [_free(r) for r in (first, second)]
+    for words, names in (("first", free[0] - free[1]), ("second", free[1] - free[0])):
+        if names:
+            parts.append(f"free in the {words} only: {listed(sorted(names))}")
+    if free[0] == free[1]:
+        parts.append("the same parameters of cameras are free")
+    sentence = "; ".join(parts)
+    return f"{sentence[0].upper()}{sentence[1:]}."
+
+
+def _taken(folder: ResultFolder) -> dict[tuple[str, int, int], bool]:
+    """Whether each image observation, by image and place, takes part."""
+    o = folder.observations
+    x, y = (np.rint(100 * o.number[n]).astype(np.int64).tolist() for n in ("x_px", "y_px"))
+    return {(i, a, b): not r for i, a, b, r in zip(o.text["image"], x, y, o.text["rejected"], strict=True)}
+
+
+def _free(folder: ResultFolder) -> set[str]:
+    """Parameters of cameras that were estimated, as "x0 (camera)"."""
+    cameras = cast("Mapping[str, Mapping[str, Mapping[str, Any]]]", folder.result.get("cameras") or {})
+    return {
+        f"{s} ({c})"
+        for c, values in cameras.items()
+        for s, p in values.items()
+        if p.get("status") in {"estimated", "observed"} or _float(p.get("std")) > 0
+    }
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

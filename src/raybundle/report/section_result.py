@@ -10,6 +10,8 @@ from raybundle.adjustment.counts import counts
 from raybundle.adjustment.network import classed
 from raybundle.adjustment.result import Adjustment, as_told
 from raybundle.adjustment.severity import Severity
+from raybundle.adjustment.spread import few_hold
+from raybundle.numerics.arrays import Array
 from raybundle.observations import observation_kinds
 from raybundle.report.numbers import NONE, counted, fixed, grouped, listed, significant, unbroken
 from raybundle.report.parts import Column, Fact, Facts, Heading, Paragraph, Part, Section, Statements, table, text
@@ -36,6 +38,15 @@ def result_section(view: View, verdict: Verdict) -> Section:
     return Section(anchor="result", title="Result", parts=tuple(parts))
 
 
+def _median(std: Array, unit: str) -> str:
+    """The median beside the rms, where few points make that."""
+    few = few_hold(std)
+    if few is None:
+        return ""
+    held = f"{counted(few.points, 'point')} hold{'s' * (few.points == 1)} {100 * few.share:.0f} % of the variance"
+    return f"; median {significant(few.coordinate, 2)} {unit}: {held}"
+
+
 def _key_figures(view: View) -> tuple[Fact, ...]:
     a, network = view.adjustment, view.adjustment.network
     facts: list[Fact] = []
@@ -55,7 +66,7 @@ def _key_figures(view: View) -> tuple[Fact, ...]:
             Fact(
                 label="standard deviation of object points",
                 value=f"{significant(rms(std), 2)} {view.unit}",
-                remark=f"rms of a coordinate; {each}",
+                remark=f"rms of a coordinate; {each}{_median(std, view.unit)}",
             )
         )
     if np.isfinite(view.check_difference).any():

@@ -11,8 +11,9 @@ import numpy as np
 from raybundle.adjustment.counts import counts
 from raybundle.adjustment.network import classed
 from raybundle.adjustment.reliability import UNCONTROLLED
-from raybundle.adjustment.result import ObservationGroup
+from raybundle.adjustment.result import Adjustment, ObservationGroup
 from raybundle.adjustment.severity import NEARLY, POOR_FIT, Severity
+from raybundle.adjustment.spread import FewHold, few_hold
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.statistics import chi_square_tails
 from raybundle.observations import observation_kinds
@@ -89,7 +90,16 @@ def _gained(view: View) -> str:
         return f"{counted(len(std), 'object point')} with a relative precision of {relative}; no length is absolute."
     if np.isfinite(view.check_difference).any():
         n += f", {significant(rms(view.check_difference) * view.factor, 2)} {view.unit} rms at the check points"
-    return f"{counted(len(std), 'object point')} with a standard deviation of {each} {view.unit} rms a coordinate{n}."
+    deviation = f"{each} {view.unit} rms a coordinate"
+    if (few := few_hold(std)) is not None:
+        deviation = f"{significant(few.coordinate, 2)} {view.unit} a coordinate in the median ({each} {view.unit} rms, "
+        deviation += f"{_held_by(few)})"
+    return f"{counted(len(std), 'object point')} with a standard deviation of {deviation}{n}."
+
+
+def _held_by(few: FewHold) -> str:
+    """Whose the variance is."""
+    return f"{100 * few.share:.0f} % of the variance is that of {counted(few.points, 'point')}"
 
 
 def relative_words(view: View) -> str:
@@ -210,6 +220,9 @@ def _precision(view: View) -> str:
         f"Standard deviation of the object points (rms): {each} {view.unit}; the largest is "
         f"{significant(float(np.nanmax(std)))} {view.unit} ({where})."
     )
+    if (few := few_hold(std)) is not None:
+        middle = ", ".join(f"{axis} {significant(m)}" for axis, m in zip("XYZ", few.median, strict=True))
+        text += f" Their medians are {middle} {view.unit}: {_held_by(few)}, far ones as a rule, of {few.of}."
     network = a.network
     if network is not None and math.isfinite(network.relative_precision):
         text += f" Relative precision {_relative(network.relative_precision)}: {relative_words(view)}"
@@ -376,8 +389,23 @@ def _cameras(view: View) -> str:
     if a.not_significant:
         parts.append(f"not significant and left out: {listed(a.not_significant)}")
     if not a.not_determinable and a.precision is not None:
-        parts.append("all of them determinable")
+        parts.append(f"all of them better than known beforehand{_least_certain(a)}")
     return f"{'; '.join(parts)}."
+
+
+def _least_certain(a: Adjustment) -> str:
+    """Which estimated parameter moves image points most within its standard deviation: it may be weak all the same."""
+    stds = [
+        (p.effect_std_px, p.symbol, i.camera)
+        for i in a.interior
+        for p in i.parameters.values()
+        if p.symbol in i.free and p.effect_std_px is not None and math.isfinite(p.effect_std_px)
+    ]
+    if not stds:
+        return ""
+    px, symbol, camera = max(stds)
+    of = f" of camera {camera}" if len({i.camera for i in a.interior}) > 1 else ""
+    return f", the least certain {symbol}{of} with {significant(px, 2)} px (its standard deviation in the image)"
 
 
 INDEPENDENT_ERRORS = """\

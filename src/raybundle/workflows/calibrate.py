@@ -38,6 +38,7 @@ from raybundle.targets.sidecar import PrintedSheet
 from raybundle.workflows.board_start import board_oriented
 from raybundle.workflows.calibration_defects import CANNOT, check_spline, explained, flat_only
 from raybundle.workflows.camera_split import cameras_apart
+from raybundle.workflows.final import independent_notices
 from raybundle.workflows.model_choice import choose_models, with_model
 from raybundle.workflows.recognise import Recognised, recognised
 from raybundle.workflows.same_camera import shared_sensors
@@ -232,8 +233,12 @@ def _calibrated(m: _Measured, options: CalibrateOptions, clock: _Clock, progress
     result, largest, scale = _adjust(start, first, radius[rows], options, settings, notices, progress)
     if options.model == "spline":
         check_spline(first, result)
-    if noise_of_photographs(options.noise, len(np.unique(result.given.observations.image))) == "fields":
+    images = len(np.unique(result.given.observations.image))
+    chosen_noise = noise_of_photographs(options.noise, images)
+    if chosen_noise == "fields":
         result = under_its_noise(under_noise(result))
+    few = independent_notices(options.noise, chosen_noise, images)
+    result = replace(result, notices=(*few, *result.notices))
     clock.stop("adjustment")
     quality = calibration_qualities(result, progress)
     clock.stop("verdict")

@@ -37,6 +37,7 @@ from raybundle.workflows.mirrored import mirrored_notices
 from raybundle.workflows.positions import SCALE, Positions, mean_place, observe, positions_of, scale_sigma, turn_sigma
 from raybundle.workflows.reduced_marks import take_at_their_size
 from raybundle.workflows.round_marks import take_eccentricity_off
+from raybundle.workflows.turned_marks import take_turned_back
 from raybundle.workflows.upright import Upright, doubts, upright
 
 LEVEL = 0.05
@@ -91,6 +92,7 @@ def georeference(
     add_bars(state, given)
     if around is None:  # else a scene may show the point as well
         drop_single_marks(state)
+    take_turned_back(state, photos, given.control, given.mark_px)
     take_at_their_size(state, given.control, given.mark_px)
     free = intersected(state.block)
     drop_gross_marks(state, free)

@@ -105,19 +105,24 @@ class Placing:
 def check_marks(photos: Sequence[Photo], given: Given) -> None:
     """Raise InputError for marks outside their photograph, and ends of scale bars that nobody marked.
 
-    It needs the photographs' sizes alone, so that it is asked before anything is computed.
+    It needs the photographs' sizes alone, so that it is asked before anything is computed.  Marks of a file that the
+    pictures as EXIF turns them hold, and the photographs as stored do not, are taken so later (`turned_marks`).
     """
     images = {p.name: i for i, p in enumerate(photos)}
     for c in given.control:
+        if _inside_as_shown(c, photos, images):
+            continue
         for name, at, line in zip(c.measurements.image, c.measurements.xy_px, c.measurements.line, strict=True):
             i = _photo(images, name)
             if i is None:
                 continue
             size = photos[i].width_px, photos[i].height_px
             if not (0 <= at[0] <= size[0] and 0 <= at[1] <= size[1]):
+                tag = photos[i].orientation
+                turned = f" and as it is stored (a viewer turns it by its EXIF orientation {tag})" if tag != 1 else ""
                 raise InputError(
                     f"{at[0]:g}, {at[1]:g} lies outside photograph {name} ({size[0]} x {size[1]} px); "
-                    "measure in the photograph at its full size",
+                    f"measure in the photograph at its full size{turned}",
                     file=c.path, line=int(line),
                 )  # fmt: skip
     known = {name for c in given.control for name in c.ids}
@@ -128,6 +133,20 @@ def check_marks(photos: Sequence[Photo], given: Given) -> None:
                     f"scale bar {bar.start} - {bar.end}: point {name} is not measured in any photograph; "
                     "give its image measurements with --control"
                 )
+
+
+def _inside_as_shown(control: ControlFile, photos: Sequence[Photo], images: Mapping[str, int]) -> bool:
+    """Whether all marks of a file lie inside the pictures that EXIF turns, and inside the others as stored."""
+    m = control.measurements
+    for name, at in zip(m.image, m.xy_px, strict=True):
+        i = _photo(images, name)
+        if i is None:
+            continue
+        photo = photos[i]
+        width, height = (photo.width_px, photo.height_px) if photo.orientation == 1 else photo.upright_size
+        if not (0 <= at[0] <= width and 0 <= at[1] <= height):
+            return False
+    return True
 
 
 def check_names(photos: Sequence[Photo], given: Given) -> None:
