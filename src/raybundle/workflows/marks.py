@@ -118,7 +118,7 @@ def check_marks(photos: Sequence[Photo], given: Given) -> None:
                 continue
             size = photos[i].width_px, photos[i].height_px
             if not (0 <= at[0] <= size[0] and 0 <= at[1] <= size[1]):
-                tag = photos[i].orientation
+                tag = exif_turn(photos[i])
                 turned = f" and as it is stored (a viewer turns it by its EXIF orientation {tag})" if tag != 1 else ""
                 raise InputError(
                     f"{at[0]:g}, {at[1]:g} lies outside photograph {name} ({size[0]} x {size[1]} px); "
@@ -135,6 +135,11 @@ def check_marks(photos: Sequence[Photo], given: Given) -> None:
                 )
 
 
+def exif_turn(photo: object) -> int:
+    """EXIF's orientation, 1 where it turns nothing: satellite scenes and stand-ins for files have none."""
+    return int(getattr(photo, "orientation", 1))
+
+
 def _inside_as_shown(control: ControlFile, photos: Sequence[Photo], images: Mapping[str, int]) -> bool:
     """Whether all marks of a file lie inside the pictures that EXIF turns, and inside the others as stored."""
     m = control.measurements
@@ -143,7 +148,7 @@ def _inside_as_shown(control: ControlFile, photos: Sequence[Photo], images: Mapp
         if i is None:
             continue
         photo = photos[i]
-        width, height = (photo.width_px, photo.height_px) if photo.orientation == 1 else photo.upright_size
+        width, height = (photo.width_px, photo.height_px) if exif_turn(photo) == 1 else photo.upright_size
         if not (0 <= at[0] <= width and 0 <= at[1] <= height):
             return False
     return True

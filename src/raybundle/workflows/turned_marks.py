@@ -19,7 +19,7 @@ from raybundle.io.control_files import ControlFile
 from raybundle.io.photos.photo import Photo, stored_from_upright
 from raybundle.numerics.arrays import Index, Mask
 from raybundle.numerics.counting import counted
-from raybundle.workflows.marks import GROSS, Placing, intersected
+from raybundle.workflows.marks import GROSS, Placing, exif_turn, intersected
 from raybundle.workflows.reduced_marks import CHANCE
 
 TURN = {3: "by 180 degrees", 6: "by 90 degrees clockwise", 8: "by 90 degrees counter-clockwise"}
@@ -48,7 +48,7 @@ def take_turned_back(state: Placing, photos: Sequence[Photo], control: Sequence[
 
     What it does not tell: points that are marked in a single photograph each, and pictures reduced besides.
     """
-    tags = np.array([p.orientation for p in photos])
+    tags = np.array([exif_turn(p) for p in photos])
     for file in control:
         mine = {name: k for k, name in enumerate(state.block.points.ids)}
         points = np.array([mine[n] for n in file.ids if n in mine], np.int32)
@@ -124,7 +124,7 @@ def _inside(block: Block, rows: Index) -> bool:
 
 
 def _tags(photos: Sequence[Photo], image: Index) -> str:
-    found = np.unique([photos[i].orientation for i in np.unique(image).tolist()]).tolist()
+    found = np.unique([exif_turn(photos[i]) for i in np.unique(image).tolist()]).tolist()
     return ", ".join(f"{tag} (shown turned {TURN[tag]})" if tag in TURN else f"{tag} (shown mirrored)" for tag in found)
 
 
