@@ -16,8 +16,9 @@ import tempfile
 from pathlib import Path
 
 from raybundle.matching.tracks import tracks_of
-from raybundle.workflows import photo_run, repeated
+from raybundle.workflows import repeated
 from raybundle.workflows.orient import orient
+from raybundle.workflows.orienting import start
 
 RESULTS = Path(__file__).resolve().parent / "results/contradictions.json"
 
@@ -35,7 +36,7 @@ def measured(folder: Path) -> dict[str, float]:
         found.update(pairs=len(pairs), matches=sum(len(p.matches) for p in pairs), share=round(share, 4))
         raise _Told
 
-    photo_run.sound_pairs = instead
+    start.sound_pairs = instead
     with tempfile.TemporaryDirectory() as project:
         try:
             orient([folder], Path(project) / "project")

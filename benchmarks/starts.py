@@ -20,8 +20,9 @@ import numpy as np
 from raybundle.adjustment.predict import residuals_px
 from raybundle.errors import NoOrientation
 from raybundle.numerics.progress import silent
-from raybundle.workflows import photo_run, tie_start
-from raybundle.workflows.orient import orient
+from raybundle.workflows import tie_start
+from raybundle.workflows.orient import OrientOptions, orient
+from raybundle.workflows.orienting import start as stage
 
 RESULTS = Path(__file__).resolve().parent / "results" / "starts.json"
 FACTORS = (0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.2, 1.65)
@@ -39,15 +40,14 @@ def raw_block(photos, project):
         found.append(raw)
         raise Told
 
-    kept, version = photo_run.start_parts, photo_run.START
-    photo_run.start_parts, photo_run.START = instead, -1
+    kept, stage.start_parts = stage.start_parts, instead
     with tempfile.TemporaryDirectory() as folder:
         try:
-            orient([photos], Path(shutil.copytree(project, Path(folder) / "project")))
+            orient([photos], Path(shutil.copytree(project, Path(folder) / "project")), OrientOptions(redo_from="start"))
         except Told:
             return found[0]
         finally:
-            photo_run.start_parts, photo_run.START = kept, version
+            stage.start_parts = kept
     raise SystemExit(f"{photos}: no start was made")
 
 

@@ -13,7 +13,7 @@ from PIL import Image
 
 from raybundle.cli.main import main
 from raybundle.io.photos.photo import find_photos
-from raybundle.workflows.orient import _beside
+from raybundle.workflows.orienting.photographs import _beside
 
 PORTAL = Path(__file__).resolve().parents[2] / "demo_data/portal/photos"
 needs_portal = pytest.mark.skipif(

@@ -14,7 +14,8 @@ from raybundle.cli.main import main
 from raybundle.errors import InputError
 from raybundle.io.folders import new_files, new_folder
 from raybundle.io.photos.photo import read_colour, read_grey, read_photo
-from raybundle.io.project import Project, key_of
+from raybundle.pipeline.keys import key_of
+from raybundle.pipeline.project import Project
 from tests.hostile.readers.blocks import block_seeds
 
 KEY = key_of("features", 1)

@@ -16,7 +16,7 @@ from PIL import Image
 from raybundle.cli.main import main
 from raybundle.errors import InputError
 from raybundle.io.photos.photo import read_photo
-from raybundle.io.project import Project
+from raybundle.pipeline.project import Project
 
 resource = pytest.importorskip("resource", reason="there are no limits of a process here")
 ROOT = Path(__file__).resolve().parents[2]
@@ -267,16 +267,16 @@ def test_a_file_damaged_in_its_middle_costs_that_file(orient, photos):
 
 
 def test_a_photograph_that_goes_away_during_the_work_is_named(orient, photos, monkeypatch):
-    from raybundle.workflows import orient as workflow
+    from raybundle.workflows.orienting import photographs as stage
 
-    original = workflow.find_photos
+    original = stage.find_photos
 
     def found(*arguments, **options):
         result = original(*arguments, **options)
         (photos / "5.jpg").unlink()
         return result
 
-    monkeypatch.setattr(workflow, "find_photos", found)
+    monkeypatch.setattr(stage, "find_photos", found)
     told = orient(photos)
     assert told.status == 0, told.all
     assert " 4 of 4 photographs oriented" in told.out

@@ -251,7 +251,7 @@ def test_an_error_of_a_control_file_comes_before_anything_is_computed(tmp_path, 
     def computed(*_args):
         pytest.fail("features were looked for before the files of control were judged")
 
-    monkeypatch.setattr(workflow, "_features", computed)
+    monkeypatch.setattr("raybundle.workflows.orienting.features.find_features", computed)
     told = {
         "mark": r"900, 6 lies outside photograph a\.jpg", "bar": "point two is not measured",
         "set": r"measures points in IMG_1\.JPG, and none of these is among the photographs \(a\.jpg, b\.jpg\)",

@@ -12,12 +12,13 @@ import pytest
 
 from raybundle.errors import InputError
 from raybundle.io.photos.photo import find_photos, upright, upright_from_stored
-from raybundle.io.project import Project
 from raybundle.matching import features as registry
 from raybundle.matching.descriptors import mutual_matches
-from raybundle.matching.features import Described, FeatureMethod, Features, feature_method
+from raybundle.matching.features import Described, FeatureMethod, Features, feature_method, register
 from raybundle.matching.learned import chosen_features, from_bytes, reduced, to_bytes
-from raybundle.numerics.progress import silent
+from raybundle.pipeline.executors import Threads
+from raybundle.pipeline.project import Project
+from raybundle.pipeline.stage import Means
 from raybundle.workflows.tie_points import detected, find_features, match_pairs
 from tests.matching.test_features import texture
 
@@ -164,10 +165,10 @@ def test_a_method_matches_in_its_own_way_and_sees_upright_places(tmp_path, stub,
     monkeypatch.setattr("raybundle.workflows.tie_points.from_one_spot", lambda *_: False)
     photos = photographs(tmp_path, (1, 8))
     project = Project.open(tmp_path / "project")
-    with project.stage("features") as stage:
-        store, failed = find_features(project, stage, photos, stub, 30, 1, silent)
-    with project.stage("matching") as stage:
-        pairs = match_pairs(project, stage, photos, store, stub, [(0, 1)], 1, silent)
+    register(stub)
+    means = Means(project=project, executor=Threads(1))
+    store, failed = find_features(means, photos, stub, 30)
+    pairs = match_pairs(means, photos, store, stub, [(0, 1)])
     project.close()
     assert not failed
     first, second = stub.seen

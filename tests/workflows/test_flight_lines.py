@@ -10,7 +10,7 @@ import pytest
 from raybundle.adjustment.engine import adjust_block
 from raybundle.block.uav_networks import Flight, flight_block, uav_camera
 from raybundle.workflows.georeference import Georeferenced
-from raybundle.workflows.orient import _relative
+from raybundle.workflows.orienting.adjustment import _relative
 from raybundle.workflows.positions import flight_lines
 
 

@@ -12,7 +12,7 @@ from raybundle.errors import InputError
 from raybundle.io.photos.masks import find_masks
 from raybundle.io.photos.photo import find_photos
 from raybundle.matching.features import feature_method
-from raybundle.workflows.photo_run import mask_notices
+from raybundle.workflows.mask_notices import mask_notices
 from raybundle.workflows.tie_points import detected, feature_key
 
 WIDTH, HEIGHT, C = 640, 480, 800.0

@@ -17,7 +17,8 @@ from raybundle.numerics.progress import silent
 from raybundle.workflows import final, precise
 from raybundle.workflows.final import _with_block, final_adjustment, independent_notices, left_out
 from raybundle.workflows.georeference import Georeferenced
-from raybundle.workflows.orient import _adjusted
+from raybundle.workflows.orient_options import OrientOptions
+from raybundle.workflows.orienting.adjustment import _adjusted
 from raybundle.workflows.precise import refine
 from raybundle.workflows.tie_block import TieBlock
 
@@ -171,9 +172,10 @@ def test_a_part_that_nothing_determines_costs_its_photographs_alone():
     whole, _ = features()
     o = whole.observations
     few = with_rows(whole, np.isin(o.image, [0, 1]) & (np.arange(len(o)) % 60 == 0))
-    adjustment, parts, _ = _adjusted(
-        SimpleNamespace(), placed(whole), [placed(few), placed(whole)], (), (), 1, silent, ()
-    )
+    asked = SimpleNamespace(groups=(), photos=(), remarks=(), options=OrientOptions(precise=False))
+    means = SimpleNamespace(jobs=1, progress=silent)
+    done = _adjusted(asked, placed(whole), [placed(few), placed(whole)], means)
+    adjustment, parts = done.adjustment, done.parts
     assert len(parts) == 1
     assert adjustment.sigma0 < 2
     lost = dict(left_out(adjustment, parts))

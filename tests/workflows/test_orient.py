@@ -16,9 +16,10 @@ from raybundle.io.block_folder import read_block
 from raybundle.io.camera_library import LibraryEntry, add_entry, key_of
 from raybundle.io.photos.cameras import camera_groups, camera_of
 from raybundle.io.photos.photo import find_photos
-from raybundle.io.project import Project
-from raybundle.workflows import photo_run, tie_points
+from raybundle.pipeline.project import Project
+from raybundle.workflows import tie_points
 from raybundle.workflows.orient import OrientOptions, orient
+from raybundle.workflows.orienting import matching
 
 PORTAL = Path(__file__).resolve().parents[2] / "demo_data/portal"
 pytestmark = pytest.mark.skipif(
@@ -226,7 +227,7 @@ def test_features_that_are_damaged_during_the_work_say_what_to_do(project, photo
         products(project, "features")[2].write_bytes(b"damaged")
         return original(*arguments)
 
-    monkeypatch.setattr(photo_run, "match_pairs", damaged_before)
+    monkeypatch.setattr(matching, "match_pairs", damaged_before)
     with pytest.raises(InputError, match="features stage is damaged or gone; run the same command again"):
         orient([photos], project, replace(QUICK, redo_from="matching"))
 

@@ -149,7 +149,7 @@ def test_a_stage_can_be_done_again(project, pair):
 
 def test_a_killed_run_continues_and_leaves_nothing_behind(project, pair, monkeypatch):
     before = numbers(project)
-    for path in (*project.glob("cache/*/precision-*.npz"), *project.glob("cache/*/start-*.npz")):
+    for path in (*project.glob("cache/*/scene_precision-*.npz"), *project.glob("cache/*/scene_start-*.npz")):
         path.unlink()
     left = project / "cache/00/.pixels-a1b2c3d4"
     left.mkdir(parents=True)

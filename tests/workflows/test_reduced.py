@@ -1,6 +1,7 @@
 """Photographs that tell nothing at the size of their pixels are searched again on reduced copies."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -8,11 +9,14 @@ from PIL import Image
 
 from raybundle.errors import NoOrientation
 from raybundle.io.photos.photo import find_photos
-from raybundle.io.project import Project
 from raybundle.matching.features import feature_method, feature_number
 from raybundle.matching.reduced import LONGEST_PX, Reduced, reduction
-from raybundle.numerics.progress import silent
-from raybundle.workflows.photo_run import PhotoRun
+from raybundle.pipeline.project import Project
+from raybundle.pipeline.stage import Run, Stage, Workflow
+from raybundle.workflows.marks import Given
+from raybundle.workflows.orient_options import OrientOptions
+from raybundle.workflows.orient_state import Asked, OrientState
+from raybundle.workflows.orienting.reduced import ALTERNATIVE
 
 
 def texture(width, height, seed=3):
@@ -37,58 +41,66 @@ def test_places_and_sizes_are_those_of_the_photograph():
 
 
 @pytest.fixture
-def run(tmp_path):
-    """Two large photographs, begun."""
+def photos(tmp_path):
+    """Two large photographs."""
     (tmp_path / "photos").mkdir()
     for value, name in enumerate("ab"):
         Image.fromarray(np.full((2400, 3600), value, np.uint8)).save(tmp_path / f"photos/{name}.png")
-    photos = find_photos([tmp_path / "photos"]).photos
-    project = Project.open(tmp_path / "project")
-    yield project, PhotoRun(photos, 1, silent)
-    project.close()
+    return find_photos([tmp_path / "photos"]).photos
 
 
-def started(monkeypatch, counts):
-    """Starts that orient so many photographs with each kind of features, in the order of the tries."""
+def oriented(folder, photos, counts):
+    """The state after starts that orient so many photographs, None: that find nothing, and the methods tried."""
     tried = []
 
-    def features(self, _project, _stage, method, _most):
+    def start(method, means):
         tried.append(method.name)
-
-    def start(self, *_):
-        if counts[len(tried) - 1] is None:
+        count = counts[len(tried) - 1]
+        if count is None:
             raise NoOrientation("nothing fits")
+        return (SimpleNamespace(block=SimpleNamespace(images=SimpleNamespace(oriented=np.arange(2) < count))),)
 
-    monkeypatch.setattr(PhotoRun, "features", features)
-    monkeypatch.setattr(PhotoRun, "matching", lambda *_: None)
-    monkeypatch.setattr(PhotoRun, "start", start)
-    monkeypatch.setattr(PhotoRun, "_oriented", lambda _: counts[max(len(tried) - 1, 0)] or 0)
-    return tried
+    def stage(name, after, function=lambda *_: None, put=lambda s, _: s):
+        return Stage(name=name, after=after, inputs=lambda s: s.method, function=function, put=put)
 
-
-@pytest.mark.parametrize(("counts", "better"), [((2, 2), None), ((0, 2), True), ((1, 1), False), ((1, None), False)])
-def test_reduced_copies_are_tried_where_photographs_are_left_and_taken_where_they_orient_more(
-    run, monkeypatch, counts, better
-):
-    project, photographs = run
-    tried = started(monkeypatch, counts)
+    steps = Workflow("test", alternatives=[ALTERNATIVE])
+    for name, after in (("features", ()), ("matching", ("features",)), ("scene_matching", ("matching",))):
+        steps.register(stage(name, after))
+    steps.register(stage("start", ("scene_matching",), start, lambda s, ties: replace(s, ties=ties)))
+    steps.register(stage("scene_start", ("start",)))
     method = feature_method("rootsift")
-    photographs.features(project, None, method, 1000)
-    tried[:] = tried[:1]
-    monkeypatch.setattr(PhotoRun, "_oriented", lambda _: counts[len(tried) - 1] or 0)
-    found = photographs.searched_again(project, "name", "auto", method, 1000)
+    asked = Asked(inputs=(), name="p", options=OrientOptions(), given=Given(), method=method)
+    project = Project.open(folder / "project")
+    try:
+        state = OrientState(asked=asked, given=Given(), method=method, photos=photos)
+        return Run(project=project).workflow(steps, state), tried
+    finally:
+        project.close()
+
+
+@pytest.mark.parametrize(
+    ("counts", "better"), [((2, 2), None), ((None, 2), True), ((0, 2), True), ((1, 1), False), ((1, None), False)]
+)
+def test_reduced_copies_are_tried_where_photographs_are_left_and_taken_where_they_orient_more(
+    tmp_path, photos, counts, better
+):
+    state, tried = oriented(tmp_path, photos, counts)
     assert len(tried) == (1 if better is None else 2)
-    assert (found is not photographs) is bool(better)
+    assert isinstance(state.method, Reduced) is bool(better)
     if better:
-        (told,) = found.notices
+        (told,) = state.notices
         assert (told.code, told.severity) == ("reduced_features", "remark")
-        assert f"2 of 2 photographs hang together by them, {counts[0]} by" in told.message
+        assert f"2 of 2 photographs hang together by them, {counts[0] or 0} by" in told.message
 
 
-def test_photographs_of_ordinary_size_are_not_searched_again(run, monkeypatch):
-    project, photographs = run
-    tried = started(monkeypatch, (0, 2))
-    photographs.photos = tuple(replace(p, width_px=2 * LONGEST_PX - 1, height_px=2000) for p in photographs.photos)
-    assert photographs.searched_again(project, "name", "auto", feature_method("rootsift"), 1000) is photographs
-    assert not tried
+def test_where_neither_way_finds_anything_the_first_one_says_why(tmp_path, photos):
+    with pytest.raises(NoOrientation, match="nothing fits"):
+        oriented(tmp_path, photos, (None, None))
+
+
+def test_photographs_of_ordinary_size_are_not_searched_again(tmp_path, photos):
+    small = tuple(replace(p, width_px=2 * LONGEST_PX - 1, height_px=2000) for p in photos)
+    state, tried = oriented(tmp_path, small, (0, 2))
+    assert tried == ["rootsift"]
+    assert not state.again
     assert reduction(6400, 3200) == 4

@@ -15,8 +15,8 @@ import pytest
 from PIL import Image
 
 from raybundle.cli.main import main
-from raybundle.io.project import Project
-from raybundle.workflows.orient import STAGES
+from raybundle.pipeline.project import Project
+from raybundle.workflows.orient import stages
 
 PORTAL = Path(__file__).resolve().parents[2] / "demo_data/portal/photos"
 pytestmark = [
@@ -152,10 +152,11 @@ def test_a_torn_journal_costs_at_most_what_it_held(stopped, done, photos, tmp_pa
     try:
         assert opened.db.execute("PRAGMA integrity_check").fetchone() == ("ok",)
         keys = [key for (key,) in whole.db.execute("SELECT key FROM pairs")]
-        expected = whole.pairs(keys)
-        for key, (facts, matches) in opened.pairs(keys).items():
-            assert facts == expected[key][0]
-            np.testing.assert_array_equal(matches, expected[key][1])
+        expected = whole.small(keys)
+        for key, product in opened.small(keys).items():
+            assert product.keys() == expected[key].keys()
+            for name, values in product.items():
+                np.testing.assert_array_equal(values, expected[key][name])
     finally:
         opened.close()
         whole.close()
@@ -250,9 +251,9 @@ def test_from_a_stage_by_the_beginning_of_its_name(done, photos, tmp_path, capsy
     capsys.readouterr()
     assert main(["status", str(project)]) == 0
     told = {line.split()[0]: line for line in capsys.readouterr().out.splitlines()[1:]}
-    assert list(told) == list(STAGES)
+    assert list(told) == list(stages())
     cached = {name for name, line in told.items() if "from cache" in line}
-    wanted = set(STAGES[: STAGES.index(first)]) - {"photographs", "adjustment"}
+    wanted = set(stages()[: stages().index(first)]) - {"photographs", "adjustment"}
     assert cached == wanted
     assert not [name for name, line in told.items() if "not done" in line]
     assert f'redo_from = "{first}"' in (project / "project.toml").read_text()

@@ -7,9 +7,10 @@ import pytest
 from PIL import Image
 
 from raybundle.io.photos.photo import find_photos
-from raybundle.io.project import Project
 from raybundle.matching.features import Described, feature_method
 from raybundle.matching.verify import verify
+from raybundle.pipeline.project import Project
+from raybundle.pipeline.stage import Means
 from raybundle.workflows.same_picture import same_picture_notice, same_pictures
 from raybundle.workflows.static_background import still_and_moving
 from raybundle.workflows.tie_points import find_features
@@ -35,8 +36,7 @@ def found(tmp_path):
     photos = find_photos([tmp_path / "photos"]).photos
     method = feature_method("rootsift")
     project = Project.open(tmp_path / "project")
-    with project.stage("features") as stage:
-        store, _ = find_features(project, stage, photos, method, 800, 1, lambda *_: None)
+    store, _ = find_features(Means(project=project), photos, method, 800)
     pairs = []
     for i in range(4):
         for j in range(i + 1, 4):
@@ -65,8 +65,7 @@ def test_an_equal_part_at_the_same_pixels_is_no_copy(tmp_path):
     photos = find_photos([tmp_path / "photos"]).photos
     method = feature_method("rootsift")
     project = Project.open(tmp_path / "project")
-    with project.stage("features") as stage:
-        store, _ = find_features(project, stage, photos, method, 800, 1, lambda *_: None)
+    store, _ = find_features(Means(project=project), photos, method, 800)
     f, g = store.of(0), store.of(1)
     one, two = (Described(xy_px=h.xy_px, descriptors=h.descriptors, size_px=(400, 300)) for h in (f, g))
     pair = verify(0, 1, f.xy_px, g.xy_px, method.match(one, two), (400, 300), (400, 300))
@@ -115,8 +114,7 @@ def test_a_reduced_copy_repeats_its_original_and_another_shape_does_not(tmp_path
     photos = find_photos([tmp_path / "photos"]).photos
     method = feature_method("rootsift")
     project = Project.open(tmp_path / "project")
-    with project.stage("features") as stage:
-        store, _ = find_features(project, stage, photos, method, 800, 1, lambda *_: None)
+    store, _ = find_features(Means(project=project), photos, method, 800)
     sizes = [p.upright_size for p in photos]
     pairs = []
     for i, j in ((0, 1), (0, 3), (1, 2)):

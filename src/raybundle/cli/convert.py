@@ -24,11 +24,11 @@ from raybundle.cli.numbers import NUMBER
 from raybundle.errors import InputError
 from raybundle.io.coordinate_systems import LocalFrame, frame_from_mapping, local_frame
 from raybundle.io.formats import Export, check_deviation, formats, read_format, write_format
-from raybundle.io.project import photographs_of
 from raybundle.io.reading.files import opened
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress
 from raybundle.numerics.rotation import rotation_from_angles
+from raybundle.pipeline.project import photographs_of
 
 BLOCK = "block"
 READABLE = [BLOCK, *sorted(n for n, f in formats.items() if f.read)]

@@ -13,27 +13,26 @@ from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER, common_op
 from raybundle.cli.numbers import NOT_NEGATIVE, NUMBER, POSITIVE, Number
 
 if TYPE_CHECKING:
-    from raybundle.io.project import StageRecord
     from raybundle.numerics.progress import Progress
+    from raybundle.pipeline.project import StageRecord
     from raybundle.report.section_photographs import PhotographFacts
     from raybundle.workflows.orient import Orientation
 
-STAGES = ("photographs", "features", "matching", "start", "precision", "adjustment", "report")
 
+class StageName(click.ParamType):
+    """The name of a stage, as `raybundle status` lists them; its beginning is enough where no other begins so."""
 
-if TYPE_CHECKING:
-    _Choice = click.Choice[str]
-else:
-    _Choice = click.Choice  # no generic class before click 8.2
+    name = "stage"
 
-
-class StageName(_Choice):
-    """The name of a stage; its beginning is enough where no other stage begins so."""
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
         """The whole name."""
-        begun = [name for name in STAGES if name.startswith(str(value).lower())]
-        return super().convert(begun[0] if len(begun) == 1 else value, param, ctx)
+        from raybundle.workflows.orient import stages  # noqa: PLC0415  (what computes is loaded after the help)
+
+        known = stages()
+        begun = [name for name in known if name.startswith(str(value).lower())]
+        if len(begun) != 1:
+            self.fail(f"{value!r} is not one of {', '.join(repr(n) for n in known)}.", param, ctx)
+        return begun[0]
 
 
 @click.command("orient", context_settings=COMMAND_SETTINGS)
@@ -153,7 +152,13 @@ class StageName(_Choice):
     "--memory", type=Number(0.1, 1e6), default=4.0, show_default=True, metavar="GB",
     help="Memory that the pixels of photographs may take while points are measured.",
 )  # fmt: skip
-@click.option("--from", "redo_from", type=StageName(STAGES), help="Do this stage and all after it again.")
+@click.option(
+    "--from",
+    "redo_from",
+    type=StageName(),
+    metavar="STAGE",
+    help="Do this stage, as `raybundle status` lists them, and all after it again.",
+)
 @noise_option
 @click.option("--no-report", is_flag=True, help="Leave out report.html and network.html.")
 @common_options
@@ -219,8 +224,8 @@ def command(
     from raybundle.io.camera_library import library_folder  # noqa: PLC0415
     from raybundle.io.control_files import DEFAULTS, ControlDefaults, named_apart, read_control  # noqa: PLC0415
     from raybundle.io.photos.photo import shown  # noqa: PLC0415
-    from raybundle.io.project import discard_empty  # noqa: PLC0415
     from raybundle.io.trajectories import read_trajectory  # noqa: PLC0415
+    from raybundle.pipeline.project import discard_empty  # noqa: PLC0415
     from raybundle.report.result_folder import check_target  # noqa: PLC0415
     from raybundle.workflows.earlier_result import less_fixed  # noqa: PLC0415
     from raybundle.workflows.marks import Given, ScaleBar  # noqa: PLC0415
@@ -305,7 +310,7 @@ def _keep_settings(out: Path) -> None:
     """Write the command's arguments, as given or by default, into project.toml."""
     import json  # noqa: PLC0415
 
-    from raybundle.io.project import Project  # noqa: PLC0415
+    from raybundle.pipeline.project import Project  # noqa: PLC0415
 
     values = {k: v for k, v in click.get_current_context().params.items() if v is not None}
     lines = ["# what the last run was asked for; `raybundle status` shows what it did", "[orient]"]
@@ -322,7 +327,7 @@ def _keep_settings(out: Path) -> None:
 @contextmanager
 def report_stage(out: Path, before: Sequence[StageRecord]) -> Generator[None]:
     """Record the writing of the result as the last stage of a run."""
-    from raybundle.io.project import Project  # noqa: PLC0415
+    from raybundle.pipeline.project import Project  # noqa: PLC0415
 
     project = Project.open(out)
     try:

@@ -107,7 +107,7 @@ def _of_result(
     from raybundle.block.frames import in_file_frames  # noqa: PLC0415
     from raybundle.cli.convert import read_source  # noqa: PLC0415
     from raybundle.io.formats import base as exchange  # noqa: PLC0415
-    from raybundle.io.project import photographs_of  # noqa: PLC0415
+    from raybundle.pipeline.project import photographs_of  # noqa: PLC0415
     from raybundle.workflows.rectify import FEW, grid_over, plane_of, rectify_block, usual_pixel  # noqa: PLC0415
 
     result = source / "result" if (source / "result" / "result.json").is_file() else source

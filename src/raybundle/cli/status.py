@@ -21,8 +21,8 @@ def command(project: Path) -> None:
     Example:
       raybundle status facade-project
     """  # noqa: D301
-    from raybundle.io.project import Project  # noqa: PLC0415
-    from raybundle.workflows.orient import STAGES  # noqa: PLC0415
+    from raybundle.pipeline.project import Project  # noqa: PLC0415
+    from raybundle.workflows.orient import stages  # noqa: PLC0415
 
     opened = Project.open(project, create=False)
     try:
@@ -30,7 +30,7 @@ def command(project: Path) -> None:
     finally:
         opened.close()
     click.echo(f" {'stage':12s} {'seconds':>8s} {'CPU s':>8s} {'memory':>8s}  finished")
-    for name in STAGES:
+    for name in stages():
         r = records.get(name)
         if r is None:
             click.echo(f" {name:12s} {'-':>8s} {'-':>8s} {'-':>8s}  not done")

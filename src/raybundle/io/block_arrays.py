@@ -59,7 +59,7 @@ def arrays_of_block(block: Block) -> dict[str, Array]:
     }
 
 
-def block_of_arrays(a: dict[str, Array]) -> Block:
+def block_of_arrays(a: Mapping[str, Array]) -> Block:
     """The block that `arrays_of_block` was given."""
     head: dict[str, Any] = own_json_of(str(a["head"]))
     return Block(

@@ -90,6 +90,11 @@ class FeatureMethod(ABC):
     install: ClassVar[str] = ""
     """The command that installs them."""
 
+    @property
+    def content(self) -> tuple[object, ...]:
+        """What a method is known by."""
+        return self.name, self.version
+
     @abstractmethod
     def detect(self, grey: Array, count: int) -> Features:
         """At most `count` features of a grey image (h, w), uint8, spread over the format."""
@@ -113,10 +118,13 @@ def register(method: FeatureMethod) -> FeatureMethod:
 
 
 def feature_method(name: str) -> FeatureMethod:
-    """The method of this name.
+    """The method of this name, also one that works on reduced copies.
 
     raises  InputError that lists the known ones, or says what to install for this one
     """
+    base, reduced, _ = name.partition(", at most ")
+    if reduced and name not in _methods:
+        _methods[name] = import_module("raybundle.matching.reduced").Reduced(feature_method(base))
     if name not in _methods and name in BUILT_IN:
         import_module(f"raybundle.matching.{name}")
     if name not in _methods:

@@ -17,9 +17,7 @@ from raybundle.adjustment.scene_start import with_scene_points
 from raybundle.block import Block, Camera, Role
 from raybundle.block.select import with_rows
 from raybundle.errors import NoOrientation
-from raybundle.io.block_arrays import arrays_of_block, block_of_arrays
 from raybundle.io.block_scenes import with_views
-from raybundle.io.project import Project, Stage, key_of
 from raybundle.matching.refine import LEVELS, halved
 from raybundle.matching.tracks import Tracks, tracks_of
 from raybundle.numerics.arrays import Array
@@ -28,7 +26,7 @@ from raybundle.numerics.places import Local
 from raybundle.numerics.progress import Progress
 from raybundle.orientation.cleaning import clean
 from raybundle.scenes.bias import BiasKind
-from raybundle.workflows.precise import Weights, refine
+from raybundle.workflows.precise import PreciseBlock, refine
 from raybundle.workflows.scene_geometry import (
     ATTITUDE_RAD,
     USUAL_BIAS_M,
@@ -44,8 +42,6 @@ from raybundle.workflows.tie_points import FeatureStore
 if TYPE_CHECKING:
     from raybundle.io.photos.photo import Photo
 
-START, PRECISION = 2, 5
-"""Versions of the results."""
 STRIP, STRIP_EDGE = 2048, 16
 """Rows of a pyramid's level that are made at once, and how far strips overlap [px]."""
 FEWEST_POINTS = 6
@@ -65,9 +61,9 @@ class SceneSet:
         return tuple(camera_of_scene(s, place or self.place, self.bias) for s in self.images)
 
     @property
-    def key(self) -> tuple[object, ...]:
-        """What the block depends on beside the matches."""
-        return (self.bias, self.place.origin, [s.geometry_key for s in self.images], [s.name for s in self.images])
+    def content(self) -> tuple[object, ...]:
+        """What they are known by."""
+        return self.bias, self.place, self.images
 
     def notices(self) -> tuple[Notice, ...]:
         """What is assumed about them."""
@@ -106,53 +102,25 @@ def with_cameras(block: Block, cameras: Sequence[Camera], place: Local) -> Block
     )
 
 
-def start_scenes(
-    project: Project, stage: Stage, name: str, scenes: SceneSet, store: FeatureStore, pairs: Sequence[ScenePair],
-    jobs: int, progress: Progress,
-) -> TieBlock:  # fmt: skip
-    """Tracks of the scenes with approximate coordinates, wrong ones left out."""
-    key = key_of(
-        "start", "scenes", START, store.keys, scenes.key, [(p.pair.first, p.pair.second) for p in pairs],
-        [p.pair.matches for p in pairs],
-    )  # fmt: skip
-    stage.key = key_of("start", stage.key, key)
-    kept = project.load(key)
-    if kept is None:
-        stage.from_cache = False
-        tie = _started(name, scenes, store, pairs, jobs, progress)
-        lost = tie.not_oriented
-        kept = {
-            **arrays_of_block(_plain(tie.block)), "scale_px": tie.scale_px, "angle": tie.angle,
-            "lost": np.array([n for n, _ in lost], dtype=np.str_),
-            "reasons": np.array([r for _, r in lost], dtype=np.str_),
-        }  # fmt: skip
-        project.store(key, kept)
-    return TieBlock(
-        block=_again(block_of_arrays(kept), scenes),
-        scale_px=kept["scale_px"],
-        angle=kept["angle"],
-        not_oriented=tuple(zip(kept["lost"].tolist(), kept["reasons"].tolist(), strict=True)),
-    )
-
-
-def _plain(block: Block) -> Block:
+def plain(block: Block) -> Block:
     """The block without what cannot be kept as arrays: the sensors are made again from the scenes."""
-    plain = tuple(
+    cameras = tuple(
         c if c.scene is None else replace(c, scene=None, relations=(), calibrated=None) for c in block.cameras
     )
-    return replace(block, place=None, cameras=plain)
+    return replace(block, place=None, cameras=cameras)
 
 
-def _again(block: Block, scenes: SceneSet) -> Block:
+def again(block: Block, scenes: SceneSet) -> Block:
     """A kept block with its sensors; adjusted parameters are those that were kept."""
     fresh = scenes.cameras()
     cameras = tuple(replace(c, values=k.values) for c, k in zip(fresh, block.cameras, strict=True))
     return with_cameras(block, cameras, scenes.place)
 
 
-def _started(
+def started(
     name: str, scenes: SceneSet, store: FeatureStore, pairs: Sequence[ScenePair], jobs: int, progress: Progress
 ) -> TieBlock:
+    """Tracks of the scenes with approximate coordinates, wrong ones left out."""
     n = len(scenes.images)
     features = [store.places(i) for i in range(n)]
     tracks: Tracks = tracks_of([p.pair for p in pairs], [f.xy_px for f in features])
@@ -200,37 +168,14 @@ def _why_alone(count: int, pairs: Sequence[ScenePair], i: int) -> str:
     return f"only {counted(count, 'point')} in common with other scenes ({FEWEST_POINTS} are needed)"
 
 
-def refine_scenes(
-    project: Project, stage: Stage, scenes: SceneSet, tie: TieBlock, jobs: int, progress: Progress
-) -> tuple[Block, Weights, tuple[int, int, int]]:
-    """The tie points measured by least-squares matching; the counts offered, measured, added."""
-    key = key_of(
-        "precision", "scenes", PRECISION, arrays_of_block(_plain(tie.block)), tie.scale_px, tie.angle, scenes.key
-    )
-    stage.key = key_of("precision", stage.key, key)
-    kept = project.load(key)
-    if kept is None:
-        stage.from_cache = False
-        with tempfile.TemporaryDirectory(prefix=".pixels-", dir=_scratch(project)) as folder:
-            held = [_smoothed_files(s, Path(folder) / f"{k}") for k, s in enumerate(scenes.images)]
-            precise = refine(tie, lambda i, level: held[i][level], jobs, progress)
-            held.clear()
-        kept = {
-            **arrays_of_block(_plain(weighed(precise.block, jobs))),
-            "weights": precise.weights.array(),
-            "counts": np.array([precise.offered, precise.measured, precise.added]),
-        }
-        project.store(key, kept)
-    offered, measured, added = kept["counts"].tolist()
-    block = _again(block_of_arrays(kept), scenes)
-    return block, Weights.of(kept["weights"]), (offered, measured, added)
-
-
-def _scratch(project: Project) -> Path:
-    """Where a killed run may leave files: the next one sweeps it."""
-    folder = project.folder / "cache" / "00"
-    folder.mkdir(parents=True, exist_ok=True)
-    return folder
+def refined(folder: Path, scenes: SceneSet, tie: TieBlock, jobs: int, progress: Progress) -> PreciseBlock:
+    """The tie points measured by least-squares matching; pixels lie in files of this folder while that lasts."""
+    (folder / "00").mkdir(parents=True, exist_ok=True)  # where a killed run may leave files: the next one sweeps it
+    with tempfile.TemporaryDirectory(prefix=".pixels-", dir=folder / "00") as place:
+        held = [_smoothed_files(s, Path(place) / f"{k}") for k, s in enumerate(scenes.images)]
+        precise = refine(tie, lambda i, level: held[i][level], jobs, progress)
+        held.clear()
+    return replace(precise, block=weighed(precise.block, jobs))
 
 
 def _smoothed_files(image: SceneImage, path: Path) -> tuple[Array, ...]:

@@ -51,6 +51,11 @@ class SceneImage:
     scene: Scene
 
     @property
+    def content(self) -> tuple[str, str, str]:
+        """What a scene is known by, wherever it lies."""
+        return self.sha256, self.name, self.geometry_key
+
+    @property
     def rpc(self) -> Rpc | None:
         """The RPC, which is used where there is one."""
         return self.scene.rpc

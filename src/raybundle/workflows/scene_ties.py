@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from functools import lru_cache
+from pathlib import Path
 
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.io.project import Project, Stage, key_of
-from raybundle.matching.features import FeatureMethod
+from raybundle.matching.features import FeatureMethod, feature_method
 from raybundle.matching.strips import agreement, by_appearance, match_strips
 from raybundle.matching.verify import FEWEST, VerifiedPair, verify
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.places import Local
-from raybundle.numerics.progress import Progress
+from raybundle.pipeline.keys import key_of
+from raybundle.pipeline.stage import Means
+from raybundle.pipeline.store import Folder, Product
+from raybundle.pipeline.tasks import Task
 from raybundle.workflows.scene_geometry import (
     LEAST_COMMON,
     SceneView,
@@ -25,8 +27,15 @@ from raybundle.workflows.scene_geometry import (
     strips_between,
     view_of_scene,
 )
-from raybundle.workflows.scene_images import SceneImage, scene_features
-from raybundle.workflows.tie_points import FeatureStore, stored_features
+from raybundle.workflows.scene_images import SceneImage, read_scene_image, scene_features
+from raybundle.workflows.tie_points import (
+    PIXELS_A_SECOND,
+    FeatureStore,
+    arrays_of_features,
+    arrays_of_pair,
+    features_from,
+    pair_from,
+)
 
 VERSION = 1
 """Raised with every change of what matching gives."""
@@ -57,38 +66,93 @@ class ScenePair:
     """Why image and geometry of one of the two cannot belong together; empty: they can"""
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SceneFile:
+    """Where a scene is read from."""
+
+    path: Path
+    model: Path
+    sha256: str
+    """of the image"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SceneFeaturesTask:
+    """What the features of a scene are made of."""
+
+    scene: SceneFile
+    method: str
+    count: int
+
+
+@lru_cache(maxsize=32)
+def _scene(file: SceneFile) -> SceneImage:
+    """The scene; raises InputError where the file has changed meanwhile."""
+    image = read_scene_image(file.path, file.model)
+    if image.sha256 != file.sha256:
+        raise InputError("the file has changed since this run began; run the same command again", file=file.path)
+    return image
+
+
+def scene_features_of(store: Folder, task: SceneFeaturesTask) -> Product:
+    """The task: features of one scene."""
+    del store
+    return arrays_of_features(scene_features(feature_method(task.method), _scene(task.scene), task.count))
+
+
 def find_scene_features(
-    project: Project,
-    images: Sequence[SceneImage],
-    method: FeatureMethod,
-    most: int,
-    jobs: int,
-    progress: Progress,
-) -> tuple[FeatureStore, dict[int, str], bool]:
-    """Features of every scene, scenes whose pixels cannot be read with the reason, and whether all were kept before."""
+    means: Means, images: Sequence[SceneImage], method: FeatureMethod, most: int
+) -> tuple[FeatureStore, dict[int, str]]:
+    """Features of every scene, and scenes whose pixels cannot be read with the reason."""
     counts = [min(most, max(500, int(s.width_px * s.height_px / PIXELS_EACH))) for s in images]
-    keys = tuple(
-        key_of("features", "scene", VERSION, s.sha256, method.name, method.version, n)
+    tasks = [
+        Task(
+            key=key_of("scene_features", VERSION, s.sha256, method.name, method.version, n),
+            function=f"{__name__}:scene_features_of", name=s.name, cost=s.width_px * s.height_px / PIXELS_A_SECOND,
+            options=SceneFeaturesTask(scene=_file(s), method=method.name, count=n),
+        )
         for s, n in zip(images, counts, strict=True)
+    ]  # fmt: skip
+    failed = means.do(tasks, "features")
+    lost = {i: failed[t.key].removeprefix(f"{images[i].path}: ") for i, t in enumerate(tasks) if t.key in failed}
+    return FeatureStore(means.store, tuple(t.key for t in tasks)), lost
+
+
+def _file(image: SceneImage) -> SceneFile:
+    return SceneFile(path=image.path, model=image.model, sha256=image.sha256)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ScenePairTask:
+    """What a pair of scenes is matched from."""
+
+    scenes: tuple[SceneFile, SceneFile]
+    features: tuple[str, str]
+    """keys of their features"""
+    method: str
+    place: Local
+    """about which their geometry is looked at"""
+    bias: str
+
+
+def scene_pair_of(store: Folder, task: ScenePairTask) -> Product:
+    """The task: one pair of scenes, matched along its strips and verified."""
+    method = feature_method(task.method)
+    a, b = (view_of_scene(_scene(f), task.place) for f in task.scenes)
+    f, g = (features_from(store.held(key)) for key in task.features)
+    one = matched(
+        (0, 1), a, b, (f.xy_px, g.xy_px), (method.vectors(f.descriptors), method.vectors(g.descriptors)), task.bias
     )
-    failed, kept = stored_features(
-        project, keys, lambda i: scene_features(method, images[i], counts[i]), [s.path for s in images], jobs, progress
-    )
-    return FeatureStore(project, keys), failed, kept
+    facts = {
+        "shift_px": one.shift_px, "scatter_px": one.scatter_px, "limit_px": one.limit_px, "trouble": one.trouble,
+    }  # fmt: skip
+    return {**arrays_of_pair(one.pair), **{name: np.array(value) for name, value in facts.items()}}
 
 
 def match_scenes(
-    project: Project,
-    stage: Stage,
-    images: Sequence[SceneImage],
-    store: FeatureStore,
-    method: FeatureMethod,
-    place: Local,
-    bias: str,
-    jobs: int,
-    progress: Progress,
+    means: Means, images: Sequence[SceneImage], store: FeatureStore, method: FeatureMethod, place: Local, bias: str
 ) -> list[ScenePair]:
-    """The pairs of scenes with common ground, matched and verified; what the project holds is not matched again."""
+    """The pairs of scenes with common ground, matched and verified; what is kept is not matched again."""
     views = [view_of_scene(s, place) for s in images]
     pairs = [
         (i, j)
@@ -96,49 +160,33 @@ def match_scenes(
         for j in range(i + 1, len(images))
         if max(overlap(views[i], views[j]).share, overlap(views[j], views[i]).share) >= LEAST_COMMON
     ]
-    keys = [
-        key_of("pair", "scene", VERSION, bias, *(store.keys[k] for k in p), *(images[k].geometry_key for k in p))
+    tasks = [
+        Task(
+            key=key_of(
+                "scene_matching", VERSION, bias, *(store.keys[k] for k in p), *(images[k].geometry_key for k in p)
+            ),
+            function=f"{__name__}:scene_pair_of", inputs=tuple(store.keys[k] for k in p), small=True,
+            options=ScenePairTask(
+                scenes=(_file(images[p[0]]), _file(images[p[1]])), features=(store.keys[p[0]], store.keys[p[1]]),
+                method=method.name, place=place, bias=bias,
+            ),
+            name=f"{images[p[0]].name} and {images[p[1]].name}",
+        )
         for p in pairs
-    ]
-    known = project.pairs(keys)
-    todo = [(key, p) for key, p in zip(keys, pairs, strict=True) if key not in known]
-    stage.key = key_of("matching", stage.key, keys)
-    stage.from_cache = stage.from_cache and not todo
-
-    def work(task: tuple[str, tuple[int, int]]) -> tuple[str, ScenePair]:
-        key, (i, j) = task
-        f, g = store.of(i), store.of(j)
-        return key, matched(
-            (i, j), views[i], views[j], (f.xy_px, g.xy_px),
-            (method.vectors(f.descriptors), method.vectors(g.descriptors)), bias,
-        )  # fmt: skip
-
-    found: dict[str, ScenePair] = {}
-    with ThreadPoolExecutor(jobs) as pool:
-        for n, (key, one) in enumerate(pool.map(work, todo)):
-            found[key] = one
-            project.store_pairs([(key, _facts(one), one.pair.matches)])
-            progress("matching", (n + 1) / len(todo))
-    return [found[key] if key in found else _of_facts(p, *known[key]) for key, p in zip(keys, pairs, strict=True)]
+    ]  # fmt: skip
+    for reason in means.do(tasks, "matching").values():
+        raise InputError(reason)
+    found = means.small([t.key for t in tasks])
+    return [_scene_pair(p, found[t.key]) for t, p in zip(tasks, pairs, strict=True)]
 
 
-def _facts(one: ScenePair) -> dict[str, Any]:
-    p = one.pair
-    return {
-        "candidates": p.candidates, "geometry": p.geometry, "displacement_px": p.displacement_px,
-        "shift_px": one.shift_px, "scatter_px": one.scatter_px, "limit_px": one.limit_px, "trouble": one.trouble,
-    }  # fmt: skip
+OWN = ("shift_px", "scatter_px", "limit_px", "trouble")
+"""What a pair of scenes has beside what a pair of photographs has."""
 
 
-def _of_facts(pair: tuple[int, int], facts: Mapping[str, Any], matches: Array) -> ScenePair:
-    return ScenePair(
-        pair=VerifiedPair(
-            first=pair[0], second=pair[1], matches=matches, candidates=facts["candidates"],
-            geometry=facts["geometry"], planar_share=0.0, displacement_px=facts["displacement_px"],
-        ),
-        shift_px=facts["shift_px"], scatter_px=facts["scatter_px"], limit_px=facts["limit_px"],
-        trouble=facts["trouble"],
-    )  # fmt: skip
+def _scene_pair(pair: tuple[int, int], product: Product) -> ScenePair:
+    own = {name: product[name].item() for name in OWN}
+    return ScenePair(pair=pair_from(*pair, {n: v for n, v in product.items() if n not in OWN}), **own)
 
 
 def matched(

@@ -2,33 +2,29 @@
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 from raybundle.errors import InputError, NoOrientation
 from raybundle.io.photos.cameras import camera_groups
-from raybundle.io.photos.masks import Masks
+from raybundle.io.photos.masks import MaskFile, Masks
 from raybundle.io.photos.photo import Photo, read_grey, stored_from_upright, upright, upright_from_stored
-from raybundle.io.project import Project, Stage, key_of
-from raybundle.matching.features import Described, FeatureMethod, Features, feature_number
+from raybundle.matching.features import Described, FeatureMethod, Features, feature_method, feature_number
 from raybundle.matching.pairs import ALL, choose_pairs, codebook, signature
 from raybundle.matching.verify import VerifiedPair, beyond_chance, verify
 from raybundle.numerics.arrays import Array
-from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Progress
+from raybundle.pipeline.keys import key_of
+from raybundle.pipeline.stage import Means
+from raybundle.pipeline.store import Folder, Product
+from raybundle.pipeline.tasks import Task
 
 VERIFICATION = 4
 """Raised with every change of what matching and verification give."""
-SAVE_EVERY_S = 2.0
-HELD = 400_000
-"""Features whose vectors are held in memory while pairs are matched: 200 MB."""
+PIXELS_A_SECOND, BYTES_A_PIXEL, PAIR_S = 25e6, 12.0, 0.07
+"""Of feature detection, and of matching a pair: for the order of tasks and the time that is left."""
 SCALES = np.linspace(-1.0, 1.0, 33)
 """Camera constants tried, in standard deviations about the one that the photographs state."""
 MOST_MASKED = 8.0
@@ -79,138 +75,143 @@ def _detected(method: FeatureMethod, photo: Photo, count: int) -> Features:
 
 @dataclass(frozen=True, slots=True)
 class FeatureStore:
-    """Features of photographs, read from the project when they are asked for."""
+    """Features of photographs, read when they are asked for."""
 
-    project: Project
+    store: Folder
     keys: tuple[str, ...]
+
+    @property
+    def content(self) -> tuple[str, ...]:
+        """What they are known by."""
+        return self.keys
 
     def of(self, i: int) -> Features:
         """The features of photograph i."""
-        a = self._loaded(i)
-        return Features(xy_px=a["xy_px"], scale_px=a["scale_px"], angle=a["angle"], descriptors=a["descriptors"])
+        return features_from(self._loaded(i))
 
     def places(self, i: int) -> Features:
         """The same without descriptors, which take nine tenths of the memory."""
         a = self._loaded(i, "xy_px", "scale_px", "angle")
-        none = np.zeros((len(a["xy_px"]), 0), np.uint8)
-        return Features(xy_px=a["xy_px"], scale_px=a["scale_px"], angle=a["angle"], descriptors=none)
+        return features_from({**a, "descriptors": np.zeros((len(a["xy_px"]), 0), np.uint8)})
+
+    def rows(self, index: Sequence[int]) -> FeatureStore:
+        """Those of some photographs."""
+        return FeatureStore(self.store, tuple(self.keys[i] for i in index))
 
     def _loaded(self, i: int, *names: str) -> dict[str, Array]:
-        found = self.project.load(self.keys[i], names)
-        if found is None:
-            raise InputError(
-                "a product of the features stage is damaged or gone; run the same command again",
-                file=self.project.folder,
-            )
-        return found
+        return self.store.wanted(self.keys[i], names)
 
 
-def stored_features(
-    project: Project, keys: Sequence[str], find: Callable[[int], Features], paths: Sequence[Path], jobs: int,
-    progress: Progress,
-) -> tuple[dict[int, str], bool]:  # fmt: skip
-    """Find and store the features that the project lacks; which images failed and why, and whether none was lacking."""
-    missing = [i for i, key in enumerate(keys) if not project.has(key)]
-    failed: dict[int, str] = {}
+def features_from(a: Product) -> Features:
+    """Features of their arrays."""
+    return Features(xy_px=a["xy_px"], scale_px=a["scale_px"], angle=a["angle"], descriptors=a["descriptors"])
 
-    def work(i: int) -> str:
-        try:
-            f = find(i)
-        except InputError as error:
-            return str(error).removeprefix(f"{paths[i]}: ")
-        project.store(
-            keys[i], {"xy_px": f.xy_px, "scale_px": f.scale_px, "angle": f.angle, "descriptors": f.descriptors}
-        )
-        return ""
 
-    with ThreadPoolExecutor(jobs) as pool:
-        for k, (i, reason) in enumerate(zip(missing, pool.map(work, missing), strict=True)):
-            progress("features", (k + 1) / len(missing))
-            if reason:
-                failed[i] = reason
-    return failed, not missing
+def arrays_of_features(f: Features) -> dict[str, Array]:
+    """Features as they are kept."""
+    return {"xy_px": f.xy_px, "scale_px": f.scale_px, "angle": f.angle, "descriptors": f.descriptors}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FeaturesTask:
+    """What the features of a photograph are made of."""
+
+    photo: Photo
+    method: str
+    count: int
+    mask: MaskFile | None = None
+
+
+def features_of(store: Folder, task: FeaturesTask) -> Product:
+    """The task: features of one photograph."""
+    del store
+    masks = None if task.mask is None else Masks(photos=(task.photo,), files={task.photo.name: task.mask})
+    return arrays_of_features(detected(feature_method(task.method), task.photo, task.count, masks))
 
 
 def find_features(
-    project: Project,
-    stage: Stage,
-    photos: Sequence[Photo],
-    method: FeatureMethod,
-    count: int,
-    jobs: int,
-    progress: Progress,
-    masks: Masks | None = None,
+    means: Means, photos: Sequence[Photo], method: FeatureMethod, count: int, masks: Masks | None = None
 ) -> tuple[FeatureStore, dict[int, str]]:
     """Features of every photograph; also the photographs whose pixels could not be read, with the reason."""
     counts = [feature_count(p, count) for p in photos]
     worn = ["" if masks is None else masks.key(p) for p in photos]
-    keys = tuple(feature_key(p, method, n, m) for p, n, m in zip(photos, counts, worn, strict=True))
-    stage.key = key_of("features", keys)
-    failed, stage.from_cache = stored_features(
-        project, keys, lambda i: detected(method, photos[i], counts[i], masks), [p.path for p in photos], jobs, progress
-    )
-    stage.summary = f"{len(photos) - len(failed)} photographs"
-    return FeatureStore(project, keys), failed
+    tasks = [
+        Task(
+            key=feature_key(p, method, n, m), function=f"{__name__}:features_of",
+            options=FeaturesTask(
+                photo=p, method=method.name, count=n, mask=None if masks is None else masks.files.get(p.name)
+            ),
+            cost=p.width_px * p.height_px / PIXELS_A_SECOND, memory=BYTES_A_PIXEL * p.width_px * p.height_px,
+            name=p.name,
+        )
+        for p, n, m in zip(photos, counts, worn, strict=True)
+    ]  # fmt: skip
+    failed = means.do(tasks, "features")
+    lost = {i: failed[t.key].removeprefix(f"{photos[i].path}: ") for i, t in enumerate(tasks) if t.key in failed}
+    return FeatureStore(means.store, tuple(t.key for t in tasks)), lost
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PairTask:
+    """What a pair is matched from."""
+
+    photos: tuple[Photo, Photo]
+    features: tuple[str, str]
+    """keys of their features"""
+    method: str
+
+
+def pair_of(store: Folder, task: PairTask) -> Product:
+    """The task: one pair, matched and verified."""
+    method = feature_method(task.method)
+    xy: list[Array] = []
+    described: list[Described] = []
+    for photo, key in zip(task.photos, task.features, strict=True):
+        f = features_from(store.held(key))
+        xy.append(f.xy_px)
+        described.append(
+            Described(xy_px=upright_from_stored(f.xy_px, photo), descriptors=f.descriptors, size_px=photo.upright_size)
+        )
+    sizes = [(p.width_px, p.height_px) for p in task.photos]
+    matches = method.match(described[0], described[1])
+    return arrays_of_pair(verify(0, 1, xy[0], xy[1], matches, sizes[0], sizes[1]))
+
+
+def arrays_of_pair(pair: VerifiedPair) -> dict[str, Array]:
+    """A verified pair as it is kept."""
+    facts = {
+        "candidates": pair.candidates, "geometry": pair.geometry, "planar_share": pair.planar_share,
+        "displacement_px": pair.displacement_px, "log_chance": pair.log_chance,
+    }  # fmt: skip
+    return {**{name: np.array(value) for name, value in facts.items()}, "matches": pair.matches}
+
+
+def pair_from(first: int, second: int, product: Product) -> VerifiedPair:
+    """The verified pair of two images."""
+    facts = {name: value.item() for name, value in product.items() if name != "matches"}
+    return VerifiedPair(first=first, second=second, matches=product["matches"], **facts)
 
 
 def match_pairs(
-    project: Project,
-    stage: Stage,
-    photos: Sequence[Photo],
-    store: FeatureStore,
-    method: FeatureMethod,
-    pairs: Sequence[tuple[int, int]],
-    jobs: int,
-    progress: Progress,
+    means: Means, photos: Sequence[Photo], store: FeatureStore, method: FeatureMethod, pairs: Sequence[tuple[int, int]]
 ) -> list[VerifiedPair]:
-    """Matched and verified pairs; those that the project holds already are not matched again."""
-    sizes = [(p.width_px, p.height_px) for p in photos]
-    keys = [key_of("pair", VERIFICATION, store.keys[i], store.keys[j]) for i, j in pairs]
-    known = project.pairs(keys)
-    todo = [(k, i, j) for k, (i, j) in zip(keys, pairs, strict=True) if k not in known]
-    stage.key = key_of("matching", keys)
-    stage.from_cache = not todo
-
-    each = len(store.places(todo[0][1]).xy_px) if todo else 1
-
-    @lru_cache(maxsize=max(4 * jobs + 2, HELD // max(each, 1)))
-    def loaded(i: int) -> tuple[Array, Described]:
-        f, photo = store.of(i), photos[i]
-        xy = upright_from_stored(f.xy_px, photo)
-        return f.xy_px, Described(xy_px=xy, descriptors=f.descriptors, size_px=photo.upright_size)
-
-    def work(task: tuple[str, int, int]) -> tuple[str, VerifiedPair]:
-        key, i, j = task
-        (xy1, first), (xy2, second) = loaded(i), loaded(j)
-        return key, verify(i, j, xy1, xy2, method.match(first, second), sizes[i], sizes[j])
-
-    waiting: list[tuple[str, dict[str, Any], Array]] = []
-    saved = time.perf_counter()
-    found: dict[str, VerifiedPair] = {}
-    with ThreadPoolExecutor(jobs) as pool:
-        for n, (key, pair) in enumerate(_in_order(pool, work, todo, 4 * jobs)):
-            found[key] = pair
-            facts = {
-                "candidates": pair.candidates, "geometry": pair.geometry, "planar_share": pair.planar_share,
-                "displacement_px": pair.displacement_px, "log_chance": pair.log_chance,
-            }  # fmt: skip
-            waiting.append((key, facts, pair.matches))
-            progress("matching", (n + 1) / len(todo))
-            if time.perf_counter() - saved > SAVE_EVERY_S:
-                project.store_pairs(waiting)
-                waiting, saved = [], time.perf_counter()
-    if waiting:
-        project.store_pairs(waiting)
-    result: list[VerifiedPair] = []
-    for key, (i, j) in zip(keys, pairs, strict=True):
-        if key in found:
-            result.append(found[key])
-        else:
-            facts, matches = known[key]
-            result.append(VerifiedPair(first=i, second=j, matches=matches, **facts))
-    result = beyond_chance(result)
+    """Matched and verified pairs; those that are kept already are not matched again."""
+    tasks = [
+        Task(
+            key=key_of("matching", VERIFICATION, method.name, store.keys[i], store.keys[j]),
+            function=f"{__name__}:pair_of", inputs=(store.keys[i], store.keys[j]), small=True, cost=PAIR_S,
+            options=PairTask(
+                photos=(photos[i], photos[j]), features=(store.keys[i], store.keys[j]), method=method.name
+            ),
+            name=f"{photos[i].name} and {photos[j].name}",
+        )
+        for i, j in pairs
+    ]  # fmt: skip
+    for reason in means.do(tasks, "matching").values():
+        raise InputError(reason)
+    found = means.small([t.key for t in tasks])
+    result = beyond_chance([pair_from(i, j, found[t.key]) for t, (i, j) in zip(tasks, pairs, strict=True)])
     good = sum(1 for p in result if len(p.matches))
-    stage.summary = f"{counted(len(pairs), 'pair')}, {good} verified"
     if good and from_one_spot(result, photos, store):
         raise NoOrientation(
             f"the {good} pairs of photographs that match differ by a turn of the camera only: they were taken from "
@@ -258,19 +259,6 @@ def _beside_a_turn(xy1: Array, xy2: Array, c1: float, c2: float) -> float:
         apart = np.linalg.norm(b - a @ R.T, axis=1)
         keep = apart <= np.quantile(apart, 0.8)
     return float(np.median(apart)) * c2
-
-
-def _in_order(pool: ThreadPoolExecutor, work: Callable[[Any], Any], tasks: Sequence[Any], ahead: int) -> Any:
-    """Results in the order of the tasks, with only so many tasks ahead in work: memory stays bounded."""
-    from collections import deque  # noqa: PLC0415
-
-    waiting: deque[Any] = deque()
-    for task in tasks:
-        waiting.append(pool.submit(work, task))
-        if len(waiting) >= ahead:
-            yield waiting.popleft().result()
-    while waiting:
-        yield waiting.popleft().result()
 
 
 def pairs_of(

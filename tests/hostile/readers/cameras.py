@@ -65,11 +65,12 @@ def read_the_codes(folder: Path) -> list[str]:
 
 
 def project_seeds(top: Path) -> None:
-    from raybundle.io.project import Project
+    from raybundle.pipeline.project import Project
 
     folder = place(top)
     project = Project.open(folder)
-    project.store_pairs([(k, {"inliers": 3, "kind": "f"}, np.arange(6).reshape(3, 2)) for k in ("a", "b")])
+    row = {"inliers": np.array(3), "kind": np.array("f"), "matches": np.arange(6).reshape(3, 2)}
+    project.store_small([(k, row) for k in ("a", "b")])
     project.write_settings('[orient]\nphotos = ["here"]\n')
     with project.stage("features") as stage:
         stage.summary = "two"
@@ -79,14 +80,14 @@ def project_seeds(top: Path) -> None:
 
 
 def read_a_project(folder: Path) -> list[str]:
-    from raybundle.io.project import Project, photographs_of
+    from raybundle.pipeline.project import Project, photographs_of
 
     photographs_of(folder)
     for create in (False, True):
         project = Project.open(folder, create=create)
         try:
             project.stages()
-            project.pairs(["a", "b"])
+            project.small(["a", "b"])
         finally:
             project.close()
     return []

@@ -50,7 +50,9 @@ class Laid:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class _File:
+class MaskFile:
+    """The mask of a photograph."""
+
     path: Path
     sha256: str
     laid: Laid
@@ -63,12 +65,17 @@ class Masks:
     """The masks of some photographs; pixels are read when they are asked for."""
 
     photos: tuple[Photo, ...]
-    files: dict[str, _File] = field(default_factory=dict[str, _File])
+    files: dict[str, MaskFile] = field(default_factory=dict[str, MaskFile])
     """By the photograph's name"""
     refused: tuple[tuple[str, str], ...] = ()
     """Photographs whose mask cannot be used, and why"""
     _held: dict[int, Array] = field(default_factory=dict[int, Array])
     _lock: Lock = field(default_factory=Lock)
+
+    @property
+    def content(self) -> dict[str, str]:
+        """What they are known by."""
+        return {p.name: self.key(p) for p in self.photos}
 
     def key(self, photo: Photo) -> str:
         """What a product that heeds the mask of a photograph depends on; "" without a mask."""
@@ -133,7 +140,7 @@ def find_masks(folder: Path, photos: Sequence[Photo]) -> Masks:
     """
     if not folder.is_dir():
         raise InputError("there is no such folder of masks", file=folder)
-    files: dict[str, _File] = {}
+    files: dict[str, MaskFile] = {}
     refused: list[tuple[str, str]] = []
     alike: list[tuple[str, str]] = []
     own = {p.path.absolute() for p in photos}
@@ -206,7 +213,7 @@ def _named_alike(folder: Path, photo: Photo, photos: Collection[Path]) -> Path |
     return None
 
 
-def _examined(path: Path, photo: Photo) -> _File:
+def _examined(path: Path, photo: Photo) -> MaskFile:
     """What is known of a mask; InputError where it cannot be used."""
     try:
         header = read_header(path, limit_pixels=LIMIT_PIXELS)
@@ -217,7 +224,7 @@ def _examined(path: Path, photo: Photo) -> _File:
     laid = _laid(path, header, photo)
     free = float(_read(path, photo, laid).mean())
     with guarded(path), path.open("rb") as file:
-        return _File(path=path, sha256=hashlib.file_digest(file, "sha256").hexdigest(), laid=laid, free=free)
+        return MaskFile(path=path, sha256=hashlib.file_digest(file, "sha256").hexdigest(), laid=laid, free=free)
 
 
 def _laid(path: Path, header: Header, photo: Photo) -> Laid:

@@ -72,6 +72,11 @@ class Photo:
     metadata: Metadata
 
     @property
+    def content(self) -> tuple[object, ...]:
+        """What a photograph is known by, wherever it lies."""
+        return self.sha256, self.name, self.metadata
+
+    @property
     def upright_size(self) -> tuple[int, int]:
         """Width and height [px] when shown the right way up."""
         turned = self.orientation >= 5

@@ -13,29 +13,26 @@ project: its folder is locked while it is open (flock; not on Windows).
 from __future__ import annotations
 
 import contextlib
-import errno
-import hashlib
 import json
 import os
 import re
 import shutil
 import sqlite3
-import struct
 import time
 import uuid
-import zipfile
-import zlib
 from collections.abc import Callable, Generator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, BinaryIO
+from typing import Any
 
 import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.io.reading.trees import json_of, read_toml
 from raybundle.numerics.arrays import Array
+from raybundle.pipeline.keys import key_of
+from raybundle.pipeline.store import Folder, Product, writing
 
 SCHEMA = 1
 OWN = {"project.db", "project.db-wal", "project.db-shm", "project.toml", "cache", "result"}
@@ -45,14 +42,6 @@ _PRODUCT = re.compile(
     r"[A-Za-z0-9_ -]+-[0-9a-f]{40}\.npz|\.[A-Za-z0-9_ -]+-[0-9a-f]{40}\.[0-9a-f]{8}|\.pixels-[a-z0-9_]{8}"
 )
 """Names of products, and of those that a killed run had begun."""
-KEY = "__key__"
-"""Array of a product that holds the key under which it was kept."""
-DAMAGED = (
-    OSError, ValueError, EOFError, zipfile.BadZipFile, zlib.error, struct.error, KeyError, MemoryError, OverflowError,
-    RuntimeError, SyntaxError, TypeError,
-)  # fmt: skip
-"""What reading a damaged archive of arrays can raise; unsupported and too deep ones are RuntimeErrors."""
-FULL = {errno.ENOSPC, errno.EDQUOT} if hasattr(errno, "EDQUOT") else {errno.ENOSPC}
 _TABLES = """
 CREATE TABLE IF NOT EXISTS about (name TEXT PRIMARY KEY, value TEXT NOT NULL);
 CREATE TABLE IF NOT EXISTS stages (
@@ -61,35 +50,6 @@ CREATE TABLE IF NOT EXISTS stages (
   summary TEXT NOT NULL);
 CREATE TABLE IF NOT EXISTS pairs (key TEXT PRIMARY KEY, facts TEXT NOT NULL, matches BLOB NOT NULL) WITHOUT ROWID;
 """
-
-
-def key_of(kind: str, *parts: object) -> str:
-    """The kind of a product and the hash of everything it depends on: texts, numbers, arrays, mappings of them."""
-    text = json.dumps(parts, sort_keys=True, ensure_ascii=False, allow_nan=True, separators=(",", ":"), default=_plain)
-    return f"{kind}-{hashlib.sha256(text.encode('utf-8', 'surrogatepass')).hexdigest()[:40]}"
-
-
-def _write_arrays(file: BinaryIO, product: Mapping[str, Array]) -> None:
-    """Write an archive of arrays as np.savez does, and let go of it where the disk is full.
-
-    np.savez before NumPy 2 leaves the archive open then; when it is collected it prints a traceback.
-    """
-    with zipfile.ZipFile(file, "w") as archive:
-        for name, values in product.items():
-            with archive.open(f"{name}.npy", "w", force_zip64=True) as member:
-                np.lib.format.write_array(member, np.asanyarray(values), allow_pickle=False)
-
-
-def _plain(value: object) -> object:
-    if isinstance(value, Mapping):
-        return dict(value)
-    if isinstance(value, np.ndarray):
-        return hashlib.sha256(np.ascontiguousarray(value).tobytes()).hexdigest()
-    if isinstance(value, np.generic):
-        return value.item()
-    if isinstance(value, Path):
-        return str(value)
-    raise TypeError(f"{type(value).__name__} cannot be part of a key")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -107,10 +67,23 @@ class StageRecord:
     finished: str = ""
     summary: str = ""
 
+    def and_then(self, later: StageRecord) -> StageRecord:
+        """This one and the next as one line."""
+        return StageRecord(
+            name=self.name,
+            key=key_of(self.name, self.key, later.key),
+            seconds=self.seconds + later.seconds,
+            cpu_seconds=self.cpu_seconds + later.cpu_seconds,
+            peak_memory_mb=max(self.peak_memory_mb, later.peak_memory_mb),
+            from_cache=self.from_cache and later.from_cache,
+            finished=later.finished,
+            summary="; ".join(s for s in (self.summary, later.summary) if s),
+        )
+
 
 @dataclass(slots=True)
-class Stage:
-    """A stage in work; `from_cache` and `summary` are set by its body."""
+class Timed:
+    """A stage in work; `key`, `from_cache` and `summary` are set by its body."""
 
     name: str
     key: str = ""
@@ -129,6 +102,11 @@ class Project:
 
     lock: int | None = None
     """file descriptor that holds the lock"""
+    products: Folder = field(init=False)
+
+    def __post_init__(self) -> None:
+        """The store of this folder."""
+        self.products = Folder(self.folder / "cache")
 
     @classmethod
     def open(cls, folder: Path, *, create: bool = True) -> Project:
@@ -165,99 +143,75 @@ class Project:
 
     # products
 
-    def _path(self, key: str) -> Path:
-        return self.folder / "cache" / key[-2:] / f"{key}.npz"
-
     def has(self, key: str) -> bool:
         """Whether a product is there and whole, by its check sums; a damaged one is removed."""
-        path = self._path(key)
-        try:
-            with zipfile.ZipFile(path) as file:
-                if file.testzip() is None:
-                    return True
-        except FileNotFoundError:
-            return False
-        except DAMAGED:
-            pass
-        with contextlib.suppress(OSError):
-            path.unlink()
-        return False
+        return self.products.has(key)
 
     def load(self, key: str, names: Sequence[str] = ()) -> dict[str, Array] | None:
         """A product, or only some of its arrays; None where it is missing or damaged."""
-        path = self._path(key)
-        try:
-            with path.open("rb") as opened, np.load(opened, allow_pickle=False) as file:
-                if str(file[KEY]) != key:
-                    raise ValueError(path.name)  # another product under this name
-                return {name: file[name] for name in names or file.files if name != KEY}
-        except FileNotFoundError:
-            return None
-        except DAMAGED:
-            with contextlib.suppress(OSError):
-                path.unlink()
-            return None
+        return self.products.load(key, names)
 
-    def store(self, key: str, product: Mapping[str, Array]) -> None:
+    def store(self, key: str, product: Product) -> None:
         """Keep a product; it appears whole or not at all."""
-        path = self._path(key)
-        with writing(self.folder):
-            path.parent.mkdir(parents=True, exist_ok=True)
-            temporary = path.with_name(f".{key}.{uuid.uuid4().hex[:8]}")
-            try:
-                with temporary.open("wb") as file:
-                    _write_arrays(file, {**product, KEY: np.array(key)})
-                temporary.replace(path)
-            finally:
-                temporary.unlink(missing_ok=True)
+        self.products.store(key, product)
 
     def forget_kind(self, kind: str) -> None:
         """Remove all products whose key begins with this word."""
-        for path in (self.folder / "cache").glob(f"*/{kind}-*.npz"):
-            with contextlib.suppress(OSError):
-                path.unlink()
+        self.products.forget_kind(kind)
+        with writing(self.folder):
+            self.db.execute("DELETE FROM pairs WHERE key LIKE ? || '-%'", (kind,))
 
-    # pairs
+    # small products: some numbers and texts (arrays of no dimension) and whole numbers in two columns, "matches"
 
-    def pairs(self, keys: Sequence[str]) -> dict[str, tuple[dict[str, Any], Array]]:
-        """The verified pairs among these keys: facts and matches (k, 2)."""
-        found: dict[str, tuple[dict[str, Any], Array]] = {}
+    def _rows(self, columns: str, keys: Sequence[str]) -> list[tuple[Any, ...]]:
+        found: list[tuple[Any, ...]] = []
         for begin in range(0, len(keys), 500):
             part = keys[begin : begin + 500]
             marks = ",".join("?" * len(part))
             with _reading(self.folder / "project.db"):
-                rows = self.db.execute(
-                    f"SELECT key, facts, matches FROM pairs WHERE key IN ({marks})",  # noqa: S608
+                found += self.db.execute(
+                    f"SELECT {columns} FROM pairs WHERE key IN ({marks})",  # noqa: S608
                     part,
                 ).fetchall()
-            for key, facts, blob in rows:
-                with contextlib.suppress(ValueError, TypeError, InputError):  # a damaged row is missing
-                    found[key] = (
-                        json_of(facts, self.folder / "project.db"),
-                        np.frombuffer(blob, np.int32).reshape(-1, 2),
-                    )
         return found
 
-    def store_pairs(self, rows: Sequence[tuple[str, Mapping[str, Any], Array]]) -> None:
-        """Keep verified pairs, all or none."""
-        with writing(self.folder), self._transaction():
-            self.db.executemany(
-                "INSERT OR REPLACE INTO pairs VALUES (?, ?, ?)",
-                [(key, json.dumps(facts), np.ascontiguousarray(m, np.int32).tobytes()) for key, facts, m in rows],
-            )
+    def small(self, keys: Sequence[str]) -> dict[str, dict[str, Array]]:
+        """The small products among these keys; a damaged one is missing."""
+        found: dict[str, dict[str, Array]] = {}
+        for key, facts, blob in self._rows("key, facts, matches", keys):
+            with contextlib.suppress(ValueError, TypeError, AttributeError, InputError):
+                numbers = json_of(facts, self.folder / "project.db")
+                found[key] = {
+                    **{name: np.array(np.nan if value is None else value) for name, value in numbers.items()},
+                    "matches": np.frombuffer(blob, np.int32).reshape(-1, 2),
+                }
+        return found
 
-    def forget_pairs(self) -> None:
-        """Remove all verified pairs."""
-        with writing(self.folder):
-            self.db.execute("DELETE FROM pairs")
+    def store_small(self, rows: Sequence[tuple[str, Product]]) -> None:
+        """Keep small products, all or none."""
+        if not rows:
+            return
+        written = [
+            (
+                key,
+                json.dumps(small_of(product)),
+                np.ascontiguousarray(product["matches"], np.int32).tobytes(),
+            )
+            for key, product in rows
+        ]
+        with writing(self.folder), self._transaction():
+            self.db.executemany("INSERT OR REPLACE INTO pairs VALUES (?, ?, ?)", written)
 
     # stages
 
     @contextmanager
-    def stage(self, name: str) -> Generator[Stage]:
-        """Time a stage and record it when its body ends without an error."""
+    def stage(self, name: str) -> Generator[Timed]:
+        """Time a stage and record it when its body ends without an error.
+
+        Stages of one name that follow each other are one line of the record.
+        """
         began, cpu = time.perf_counter(), _cpu_seconds()
-        stage = Stage(name)
+        stage = Timed(name)
         yield stage
         record = StageRecord(
             name=name,
@@ -269,6 +223,8 @@ class Project:
             finished=time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime()),
             summary=stage.summary,
         )
+        if self.records and self.records[-1].name == name:
+            record = self.records.pop().and_then(record)
         self.records.append(record)
         with writing(self.folder), self._transaction():
             # the first stage of a run begins the list anew
@@ -318,25 +274,17 @@ class Project:
         self.db.execute("COMMIT")
 
 
+def small_of(product: Mapping[str, Array]) -> dict[str, Any]:
+    """The numbers and texts of a small product; None for what is not a number, which JSON cannot say."""
+    values = {name: value.item() for name, value in product.items() if name != "matches"}
+    return {name: None if value != value else value for name, value in values.items()}  # noqa: PLR0124  (NaN)
+
+
 def discard_empty(folder: Path) -> None:
     """Delete a project folder that a run began and that holds no product: there is nothing to continue."""
     held = {str(p.relative_to(folder)) for p in folder.rglob("*") if not p.is_dir()}
     if held <= {"project.db", "project.db-wal", "project.db-shm", "project.toml"}:
         shutil.rmtree(folder, ignore_errors=True)
-
-
-@contextmanager
-def writing(folder: Path) -> Generator[None]:
-    """Turn a full disk, a read-only folder and the like into a message that says what to do."""
-    try:
-        yield
-    except (OSError, sqlite3.OperationalError) as error:
-        full = getattr(error, "errno", None) in FULL or "full" in str(error)
-        what = "no space is left" if full else str(getattr(error, "strerror", None) or error)
-        advice = "free space and run the same command again" if full else "choose a folder that can be written"
-        raise InputError(
-            f"cannot be written: {what}; {advice}. What is finished is kept, the run continues there", file=folder
-        ) from None
 
 
 @contextmanager

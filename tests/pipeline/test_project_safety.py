@@ -15,13 +15,16 @@ import numpy as np
 import pytest
 
 from raybundle.errors import InputError
-from raybundle.io.project import Project, key_of, writing
+from raybundle.pipeline.keys import key_of
+from raybundle.pipeline.project import Project
+from raybundle.pipeline.store import writing
 
 WRITER = """
 import sys, time
 from pathlib import Path
 import numpy as np
-from raybundle.io.project import Project, key_of
+from raybundle.pipeline.keys import key_of
+from raybundle.pipeline.project import Project
 project = Project.open(Path(sys.argv[1]))
 print("begun", flush=True)
 k = 0
@@ -29,7 +32,8 @@ while True:
     with project.stage("features") as stage:
         stage.summary = str(k)
         project.store(key_of("features", k % 40), {"a": np.full((40_000,), k % 40), "b": np.arange(k % 40)})
-        project.store_pairs([(f"{k}-{i}", {"candidates": k}, np.full((k % 50, 2), i)) for i in range(20)])
+        rows = [(f"{k}-{i}", {"candidates": np.array(k), "matches": np.full((k % 50, 2), i)}) for i in range(20)]
+        project.store_small(rows)
     k += 1
 """
 
@@ -68,9 +72,9 @@ def test_a_killed_writer_leaves_whole_products_only(tmp_path, after):
         for (key,) in rows:
             by_round.setdefault(key.split("-")[0], []).append(key)
         assert all(len(keys) == 20 for keys in by_round.values())
-        for key, (facts, matches) in project.pairs([key for (key,) in rows]).items():
-            assert matches.shape == (facts["candidates"] % 50, 2)
-            assert (matches == int(key.split("-")[1])).all()
+        for key, found in project.small([key for (key,) in rows]).items():
+            assert found["matches"].shape == (found["candidates"] % 50, 2)
+            assert (found["matches"] == int(key.split("-")[1])).all()
         assert len(project.stages()) <= 1
         assert project.db.execute("PRAGMA integrity_check").fetchone() == ("ok",)
     finally:
@@ -107,7 +111,7 @@ def test_a_damaged_product_is_never_taken_for_another(project):
     key = key_of("features", "x")
     product = {"xy": np.random.default_rng(1).normal(size=(60, 2)), "names": np.array(["a", "bc"])}
     project.store(key, product)
-    path = project._path(key)
+    path = project.products._path(key)
     whole = path.read_bytes()
     for what, data in damaged(whole):
         path.write_bytes(data)
@@ -123,7 +127,7 @@ def test_a_damaged_product_is_never_taken_for_another(project):
 
 def test_a_product_is_never_unpickled(project):
     key = key_of("features", "pickle")
-    path = project._path(key)
+    path = project.products._path(key)
     path.parent.mkdir(parents=True, exist_ok=True)
     with path.open("wb") as file:
         np.savez(file, a=np.array([{"an": "object"}], dtype=object))
@@ -150,16 +154,16 @@ def test_a_write_that_fails_says_what_to_do_and_keeps_what_is_there(project, mon
 
 
 def test_a_full_database_keeps_the_pairs_before_it(project):
-    project.store_pairs([("first", {"candidates": 1}, np.array([[1, 2]]))])
+    project.store_small([("first", {"candidates": np.array(1), "matches": np.array([[1, 2]])})])
     pages = project.db.execute("PRAGMA page_count").fetchone()[0]
     project.db.execute(f"PRAGMA max_page_count = {pages}")
-    rows = [(f"k{i}", {"candidates": 9}, np.zeros((500, 2))) for i in range(50)]
+    rows = [(f"k{i}", {"candidates": np.array(9), "matches": np.zeros((500, 2))}) for i in range(50)]
     with pytest.raises(InputError, match="cannot be written"):
-        project.store_pairs(rows)
-    assert set(project.pairs(["first", *(k for k, *_ in rows)])) == {"first"}
+        project.store_small(rows)
+    assert set(project.small(["first", *(k for k, *_ in rows)])) == {"first"}
     project.db.execute("PRAGMA max_page_count = 100000")
-    project.store_pairs(rows)
-    assert len(project.pairs([k for k, *_ in rows])) == 50
+    project.store_small(rows)
+    assert len(project.small([k for k, *_ in rows])) == 50
 
 
 def test_settings_are_written_whole_or_not_at_all(project, monkeypatch):
@@ -222,17 +226,18 @@ def test_a_project_of_another_version_is_refused(tmp_path):
 
 
 def test_a_damaged_pair_is_matched_again(project):
-    project.store_pairs([(k, {"candidates": 1}, np.array([[1, 2], [3, 4]])) for k in ("good", "bad")])
+    product = {"candidates": np.array(1), "matches": np.array([[1, 2], [3, 4]])}
+    project.store_small([(k, product) for k in ("good", "bad")])
     project.db.execute("UPDATE pairs SET matches = x'010203' WHERE key = 'bad'")
-    assert set(project.pairs(["good", "bad"])) == {"good"}
+    assert set(project.small(["good", "bad"])) == {"good"}
 
 
 def test_more_keys_than_a_query_takes(project):
     keys = [f"k{i}" for i in range(1203)]
-    project.store_pairs([(k, {"n": i}, np.full((i % 4, 2), i)) for i, k in enumerate(keys)])
-    found = project.pairs(keys)
+    project.store_small([(k, {"n": np.array(i), "matches": np.full((i % 4, 2), i)}) for i, k in enumerate(keys)])
+    found = project.small(keys)
     assert len(found) == 1203
-    assert all(found[k][0]["n"] == i and len(found[k][1]) == i % 4 for i, k in enumerate(keys))
+    assert all(found[k]["n"] == i and len(found[k]["matches"]) == i % 4 for i, k in enumerate(keys))
 
 
 def test_many_threads_may_write_one_product(project):

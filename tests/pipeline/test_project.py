@@ -6,7 +6,9 @@ import pytest
 from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.errors import InputError
 from raybundle.io.block_arrays import arrays_of_block, block_of_arrays
-from raybundle.io.project import Project, key_of, writing
+from raybundle.pipeline.keys import key_of
+from raybundle.pipeline.project import Project
+from raybundle.pipeline.store import writing
 
 
 @pytest.fixture
@@ -58,13 +60,20 @@ def test_a_write_that_fails_leaves_nothing(project, monkeypatch):
 
 def test_pairs_are_kept_with_their_facts(project):
     matches = np.array([[1, 2], [3, 4]], np.int32)
-    project.store_pairs([("k1", {"candidates": 7}, matches), ("k2", {"candidates": 0}, matches[:0])])
-    found = project.pairs(["k1", "k2", "k3"])
-    assert set(found) == {"k1", "k2"}
-    assert found["k1"][0] == {"candidates": 7}
-    assert (found["k1"][1] == matches).all()
-    project.forget_pairs()
-    assert not project.pairs(["k1"])
+    keys = [key_of("matching", k) for k in range(3)]
+    for key, n in zip(keys[:2], (7, 0), strict=True):
+        product = {"candidates": np.array(n), "what": np.array("ä"), "share": np.array(np.nan), "matches": matches[:n]}
+        project.store_small([(key, product)])
+    found = project.small(keys)
+    assert set(found) == set(keys[:2])
+    assert (found[keys[0]]["candidates"].item(), found[keys[0]]["what"].item()) == (7, "ä")
+    assert np.isnan(found[keys[0]]["share"])
+    assert (found[keys[0]]["matches"] == matches).all()
+    assert found[keys[1]]["matches"].shape == (0, 2)
+    project.forget_kind("match")
+    assert len(project.small(keys)) == 2
+    project.forget_kind("matching")
+    assert not project.small(keys)
 
 
 def test_a_stage_is_recorded_only_when_it_ends(project):

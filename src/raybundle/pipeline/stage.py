@@ -1,0 +1,266 @@
+"""Stages as values, and the run that does them.
+
+A stage says what its product depends on (`inputs`), and its function sees nothing else but the means: so a product
+that is kept under the hash of the inputs is the one that the function would make again.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field
+from typing import Any, Generic, TypeVar
+
+from raybundle.numerics.arrays import Array
+from raybundle.numerics.progress import Progress, silent
+from raybundle.pipeline.executors import Executor, Threads
+from raybundle.pipeline.keys import key_of
+from raybundle.pipeline.project import Project, Timed
+from raybundle.pipeline.store import Folder, Product
+from raybundle.pipeline.tasks import Task
+
+S = TypeVar("S")
+I = TypeVar("I")
+P = TypeVar("P")
+SAVE_EVERY_S = 2.0
+"""Small products are kept so often: what a killed run loses."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Codec(Generic[P]):
+    """How a stage's product is kept."""
+
+    arrays: Callable[[P], Product]
+    product: Callable[[Mapping[str, Array]], P]
+
+
+@dataclass(slots=True, kw_only=True)
+class Means:
+    """What a stage's function works with; its product must not depend on any of it."""
+
+    project: Project
+    executor: Executor = field(default_factory=Threads)
+    progress: Progress = silent
+    jobs: int = 1
+    memory: float = 4e9
+    """bytes that may be held"""
+    asked: int | None = None
+    """tasks of this stage, and those of them that had to be done; None: it has no tasks"""
+    made: int = 0
+
+    @property
+    def store(self) -> Folder:
+        """Where the products of tasks are."""
+        return self.project.products
+
+    def do(self, tasks: Sequence[Task], what: str) -> dict[str, str]:
+        """Do the tasks whose products are not kept yet; keys of those that failed, and why.
+
+        what  the work in words, for the progress.  Products that are kept lie in the store, small ones in the project.
+        """
+        self.asked = (self.asked or 0) + len(tasks)
+        known = self.project.small([t.key for t in tasks if t.small])
+        missing = [t for t in tasks if (t.key not in known if t.small else not self.store.has(t.key))]
+        self.made += len(missing)
+        failed: dict[str, str] = {}
+        waiting: list[tuple[str, Product]] = []
+        saved, cost, spent = time.perf_counter(), sum(t.cost for t in missing), 0.0
+        try:
+            for done in self.executor.run(missing, self.store):
+                spent += done.task.cost
+                self.progress(what, min(spent / cost, 1.0) if cost else 1.0)
+                if done.failed:
+                    failed[done.task.key] = done.failed
+                elif done.task.small:
+                    waiting.append((done.task.key, done.product))
+                if time.perf_counter() - saved > SAVE_EVERY_S:
+                    self.project.store_small(waiting)
+                    waiting, saved = [], time.perf_counter()
+        finally:
+            self.project.store_small(waiting)
+        return failed
+
+    def small(self, keys: Sequence[str]) -> Mapping[str, Product]:
+        """The small products that are kept under these keys."""
+        return self.project.small(keys)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Stage(Generic[S, I, P]):
+    """A step of a workflow whose state is of type S."""
+
+    name: str
+    """first word of the keys of its products"""
+    line: str = ""
+    """as users read it where that is not the name: stages that stand together with one line are told as one"""
+    version: int = 1
+    """raised with every change of what the function gives"""
+    after: tuple[str, ...] = ()
+    """stages of the workflow behind which it stands, and those before which it does"""
+    before: tuple[str, ...] = ()
+    inputs: Callable[[S], I]
+    """everything that the product depends on, as `key_of` takes it"""
+    function: Callable[[I, Means], P]
+    """makes the product from the inputs alone"""
+    put: Callable[[S, P], S]
+    """the state with the product"""
+    told: Callable[[S], str] = lambda _: ""
+    """what came of it, in a few words"""
+    codec: Codec[P] | None = None
+    """None: the product is made each time, of tasks' products or of little work"""
+    when: Callable[[S], bool] = lambda _: True
+    """whether it has anything to do"""
+    little: bool = False
+    """so little work that it is not counted as done again"""
+
+    @property
+    def title(self) -> str:
+        """As users read it."""
+        return self.line or self.name
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Alternative(Generic[S]):
+    """Stages with another way that is tried where the first one gives nothing, or little."""
+
+    name: str
+    first: tuple[str, ...]
+    """stages of the first way, which stand together in the workflow"""
+    second: tuple[str, ...]
+    """stages of the second way"""
+    begin: Callable[[S, S | None], S | None]
+    """(state before, state after the first way or None where that gave nothing) -> the state with which the second
+    way begins; None where there is no second way"""
+    better: Callable[[S, S], S]
+    """which of the two states goes on; (after the first, after the second)"""
+    only: Callable[[S], S] = lambda s: s
+    """the state after the second way where the first one gave nothing"""
+    nothing: type[Exception]
+    """what a way raises that gives nothing"""
+
+
+@dataclass(frozen=True, slots=True)
+class Workflow(Generic[S]):
+    """The stages of a command; each is a value in a module of its own, which registers it."""
+
+    name: str
+    stages: dict[str, Stage[S, Any, Any]] = field(default_factory=dict[str, Any])
+    alternatives: list[Alternative[S]] = field(default_factory=list[Any])
+
+    def register(self, stage: Stage[S, I, P]) -> Stage[S, I, P]:
+        """Make a stage one of this workflow."""
+        if stage.name in self.stages:
+            raise ValueError(f"{self.name} has two stages {stage.name}")
+        self.stages[stage.name] = stage
+        return stage
+
+    def register_alternative(self, alternative: Alternative[S]) -> Alternative[S]:
+        """Make known that some stages have another way."""
+        self.alternatives.append(alternative)
+        return alternative
+
+    def in_order(self) -> tuple[Stage[S, Any, Any], ...]:
+        """The stages, each behind those that it says; raises ValueError for a circle or a name that is none."""
+        needs = {name: set(s.after) for name, s in self.stages.items()}
+        for name, s in self.stages.items():
+            for other in s.before:
+                needs[other].add(name)
+        order: list[Stage[S, Any, Any]] = []
+        while needs:
+            free = sorted(name for name, missing in needs.items() if not missing)
+            if not free:
+                raise ValueError(f"{self.name}: no stage can be next of {', '.join(sorted(needs))}")
+            order.append(self.stages[free[0]])
+            del needs[free[0]]
+            for missing in needs.values():
+                missing.discard(free[0])
+        return tuple(order)
+
+    def titles(self) -> tuple[str, ...]:
+        """What users read of the stages, in order."""
+        return tuple(dict.fromkeys(s.title for s in self.in_order()))
+
+    def from_title(self, title: str) -> tuple[Stage[S, Any, Any], ...]:
+        """The stages from the first of this title on."""
+        order = self.in_order()
+        return order[next(k for k, s in enumerate(order) if s.title == title) :]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Run:
+    """A run of stages in a project."""
+
+    project: Project
+    executor: Executor = field(default_factory=Threads)
+    progress: Progress = silent
+    jobs: int = 1
+    memory: float = 4e9
+
+    def workflow(self, workflow: Workflow[S], state: S) -> S:
+        """The state after all stages of a workflow."""
+        behind = {name: a for a in workflow.alternatives for name in a.first}
+        done = set[str]()
+        for stage in workflow.in_order():
+            if stage.name in done:
+                continue
+            found = behind.get(stage.name)
+            if found is None:
+                state = self.stages((stage,), state)
+                continue
+            state = self._either(workflow, found, state)
+            done |= {*found.first}
+        return state
+
+    def stages(self, stages: Sequence[Stage[S, Any, Any]], state: S) -> S:
+        """The state after some stages; products that are kept already are taken."""
+        for stage in stages:
+            if stage.when(state):
+                with self.project.stage(stage.title) as timed:
+                    state = self._done(stage, state, timed)
+        return state
+
+    def _either(self, workflow: Workflow[S], a: Alternative[S], state: S) -> S:
+        """The state after the better of two ways."""
+        first, trouble = None, None
+        ordered = workflow.in_order()
+        try:
+            first = self.stages([s for s in ordered if s.name in a.first], state)
+        except a.nothing as error:
+            trouble = error
+        begin = a.begin(state, first)
+        second = None
+        if begin is not None:
+            with suppress(a.nothing):
+                second = self.stages([s for s in ordered if s.name in a.second], begin)
+        if first is not None:
+            return first if second is None else a.better(first, second)
+        if second is not None:
+            return a.only(second)
+        assert trouble is not None
+        raise trouble
+
+    def _done(self, stage: Stage[S, Any, Any], state: S, timed: Timed) -> S:
+        inputs = stage.inputs(state)
+        key = key_of(stage.name, stage.version, inputs)
+        kept = None if stage.codec is None else self.project.load(key)
+        means = Means(
+            project=self.project, executor=self.executor, progress=self.progress, jobs=self.jobs, memory=self.memory
+        )
+        if kept is not None and stage.codec is not None:
+            product = stage.codec.product(kept)
+        else:
+            product = stage.function(inputs, means)
+            if stage.codec is not None:  # what goes on is what the next run will read
+                arrays = stage.codec.arrays(product)
+                self.project.store(key, arrays)
+                product = stage.codec.product(arrays)
+        state = stage.put(state, product)
+        timed.key, timed.summary = key, stage.told(state)
+        timed.from_cache = stage.little or kept is not None or (means.asked is not None and not means.made)
+        return state
+
+    def forget(self, stages: Sequence[Stage[S, Any, Any]]) -> None:
+        """Remove what is kept of these stages: they are done again."""
+        for stage in stages:
+            self.project.forget_kind(stage.name)

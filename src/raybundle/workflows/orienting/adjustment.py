@@ -1,0 +1,160 @@
+"""Stage: the tie points in object space, and the final adjustment of what is placed together and of parts apart."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+
+from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.block import Block
+from raybundle.block.relative import relative_control
+from raybundle.errors import NotSolvable
+from raybundle.io.photos.cameras import CameraGroup
+from raybundle.io.photos.photo import Photo
+from raybundle.matching.features import FeatureMethod
+from raybundle.numerics.counting import counted
+from raybundle.pipeline.stage import Means, Stage
+from raybundle.workflows.dropped import Dropped
+from raybundle.workflows.final import adjusted_part, final_adjustment, undetermined_part
+from raybundle.workflows.georeference import Georeferenced
+from raybundle.workflows.marks import Given
+from raybundle.workflows.orient_options import OrientOptions
+from raybundle.workflows.orient_state import ORIENT, OrientState, Refused, SceneState
+from raybundle.workflows.part_folder import part_folder
+from raybundle.workflows.parts import Part, apart_notice, joined_notice, place_parts
+from raybundle.workflows.positions import GPS_M, flight_lines, without_idle
+from raybundle.workflows.read_out import with_cause
+from raybundle.workflows.same_camera import shared_sensors
+from raybundle.workflows.scene_placing import place_with_scenes
+from raybundle.workflows.tie_points import FeatureStore
+from raybundle.workflows.told_positions import with_relative_precision
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Inputs:
+    """What the final adjustment depends on."""
+
+    options: OrientOptions
+    given: Given
+    photos: tuple[Photo, ...]
+    blocks: tuple[Block, ...]
+    groups: tuple[CameraGroup, ...]
+    features: FeatureStore
+    method: FeatureMethod
+    remarks: tuple[str, ...]
+    notices: tuple[Notice, ...]
+    dropped: Dropped | None
+    scenes: SceneState | None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Adjusted:
+    """What came of the photographs."""
+
+    adjustment: Adjustment
+    parts: tuple[Part, ...]
+    groups: tuple[CameraGroup, ...]
+    placed: Georeferenced
+    lost: Refused
+    """scenes that nothing places"""
+
+
+def _inputs(state: OrientState) -> Inputs:
+    return Inputs(
+        options=state.asked.options, given=state.given, photos=state.photos, blocks=state.blocks, groups=state.groups,
+        features=state.found, method=state.method, remarks=(*state.remarks, *state.told), notices=state.notices,
+        dropped=state.dropped, scenes=state.scenes,
+    )  # fmt: skip
+
+
+def adjust(i: Inputs, means: Means) -> Adjusted:
+    """Bring everything to object space, adjust it, and say what there is to say."""
+    lost: Refused = ()
+    if i.scenes is None:
+        placed, apart = place_parts(i.blocks, i.photos, i.given)
+    else:
+        placed, apart, lost = place_with_scenes(i.scenes, i.options, i.blocks, i.photos, i.given, i.features, i.method)
+    placed = _relative(placed, i.photos, i.options.relative)
+    done = _adjusted(i, placed, apart, means)
+    rows = sum(len(a.given.observations) for a in (done.adjustment, *(p.adjustment for p in done.parts)))
+    told = (*i.notices, *([] if i.dropped is None else [i.dropped.notice(rows)]))
+    adjustment = replace(done.adjustment, notices=(*told, *done.adjustment.notices))
+    return replace(done, adjustment=adjustment, placed=placed, lost=lost)
+
+
+def _relative(placed: Georeferenced, photos: Sequence[Photo], kind: Literal["", "shift", "drift"]) -> Georeferenced:
+    """Observed positions and attitudes as relative aerial control of the flight lines, where that is asked for."""
+    if not kind or not len(placed.block.stations):
+        return placed
+    of_name = dict(zip([p.name for p in photos], flight_lines(photos).tolist(), strict=True))
+    line = np.array([of_name.get(name, -1) for name in placed.block.images.ids], np.int32)
+    known = np.asarray(placed.block.points.is_control.any(axis=0), bool)
+    place = tuple(np.where(known, np.nan, GPS_M).tolist())
+    block = without_idle(relative_control(placed.block, line, drift=kind == "drift", shift_sigma=place))
+    lines = len(np.unique(line[block.stations.image]))
+    left = len(placed.block.stations) - len(block.stations)
+    used = f"{counted(len(block.stations), 'photograph')} on {counted(lines, 'flight line')}"
+    told = f"relative aerial control: the positions of {used} are used "
+    told += "by their differences" + (", after a drift of each line" if kind == "drift" else "")
+    told += f"; {left} on no line are left out" if left else ""
+    if not known.all():
+        axes = ", ".join(a for a, k in zip("XYZ", known, strict=True) if not k)
+        told += (
+            f". No control tells the place in {axes}: there the shift of a line is taken to be good to {GPS_M[0]:g} m "
+        )
+        told += f"in plan and {GPS_M[2]:g} m in height"
+    return replace(placed, block=block, notices=(*placed.notices, Notice(code="relative_control", message=told)))
+
+
+def _adjusted(i: Inputs, placed: Georeferenced, apart: Sequence[Georeferenced], means: Means) -> Adjusted:
+    """The final adjustments of what is placed together and of the parts that nothing joins to it, and the cameras.
+
+    Photographs that turn out to be of one sensor, stored differently, are adjusted once more as of one camera.
+    """
+    groups, noise = i.groups, i.options.noise
+    weights: Literal["given", "residuals"] = "residuals" if i.options.precise else "given"
+    parts, kept, lost = list[Part](), list[Georeferenced](), list[Notice]()
+    for part in apart:
+        try:
+            parts.append(adjusted_part(part, groups, means.jobs, means.progress, noise, weights=weights))
+            kept.append(part)
+        except NotSolvable as error:
+            lost += undetermined_part(part, error)
+    first = replace(placed, notices=(*lost, *placed.notices))
+    adjustment = final_adjustment(first, groups, means.jobs, means.progress, i.remarks, noise, weights=weights)
+    shared = shared_sensors(adjustment, groups, i.photos)
+    if shared:
+        groups = shared.grouped(groups)
+        first = replace(first, block=shared.applied(first.block))
+        adjustment = final_adjustment(first, groups, means.jobs, means.progress, i.remarks, noise, weights=weights)
+    adjustment = with_relative_precision(with_cause(adjustment, i.photos))
+    told = (*joined_notice(first.joined, adjustment.given), *shared.notices)
+    if kept:  # of what is left in the end: the adjustments leave photographs out
+        left = [replace(k, block=p.adjustment.given) for k, p in zip(kept, parts, strict=True)]
+        told = (apart_notice(adjustment.given, left, [part_folder(k) for k in range(len(kept))]), *told)
+    return Adjusted(
+        adjustment=replace(adjustment, notices=(*told, *adjustment.notices)), parts=tuple(parts), groups=groups,
+        placed=placed, lost=(),
+    )  # fmt: skip
+
+
+def _put(state: OrientState, done: Adjusted) -> OrientState:
+    scenes = state.scenes
+    if scenes is not None and done.lost:
+        scenes = replace(scenes, lost=done.lost)
+    return replace(
+        state, adjustment=done.adjustment, parts=done.parts, groups=done.groups, placed=done.placed, scenes=scenes
+    )
+
+
+def _told(state: OrientState) -> str:
+    assert state.adjustment is not None
+    return f"sigma0 {state.adjustment.sigma0:.3f}"
+
+
+STAGE = ORIENT.register(
+    Stage(name="adjustment", after=("scene_precision",), inputs=_inputs, function=adjust, put=_put, told=_told)
+)

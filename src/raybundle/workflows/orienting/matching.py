@@ -1,0 +1,110 @@
+"""Stage: pairs of photographs, matched and verified."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from raybundle.adjustment.result import Notice
+from raybundle.errors import NoOrientation
+from raybundle.io.photos.photo import Photo
+from raybundle.matching.features import FeatureMethod
+from raybundle.matching.verify import VerifiedPair
+from raybundle.numerics.arrays import Array
+from raybundle.numerics.counting import counted
+from raybundle.pipeline.stage import Means, Stage
+from raybundle.workflows.orient_state import ORIENT, OrientState
+from raybundle.workflows.same_picture import same_picture_notice, same_pictures
+from raybundle.workflows.static_background import FEWEST_PHOTOGRAPHS, RING_PX, static_background
+from raybundle.workflows.tie_points import FeatureStore, match_pairs, pairs_of
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Inputs:
+    """What pairs depend on."""
+
+    photos: tuple[Photo, ...]
+    features: FeatureStore
+    method: FeatureMethod
+    masked: bool
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Matched:
+    """What the photographs share."""
+
+    pairs: tuple[VerifiedPair, ...]
+    repeats: dict[int, int]
+    """photographs that show the same picture as another, by their index"""
+    notices: tuple[Notice, ...]
+
+
+def _inputs(state: OrientState) -> Inputs:
+    return Inputs(photos=state.photos, features=state.found, method=state.method, masked=state.masks is not None)
+
+
+def match(i: Inputs, means: Means) -> Matched:
+    """Each pair is matched by a task of its own; what stands still and what repeats is told of them together."""
+    chosen = pairs_of(i.photos, i.features, i.method, _positions(i.photos), means.progress)
+    try:
+        pairs = match_pairs(means, i.photos, i.features, i.method, chosen)
+    except NoOrientation as error:
+        still = static_background(i.photos, i.features, i.method)
+        if still is None:
+            raise
+        told = still.notice(masked=i.masked).message
+        raise NoOrientation(f"{error}\n  Or: {told}", images=error.images, undetermined=error.undetermined) from error
+    notices: list[Notice] = []
+    if _stands_still(pairs):
+        still = static_background(i.photos, i.features, i.method)
+        notices += [] if still is None else [still.notice(masked=i.masked)]
+    repeats = same_pictures(pairs, i.photos, i.features, i.method)
+    if repeats:
+        notices.append(same_picture_notice(repeats, i.photos))
+        pairs = [replace(p, matches=p.matches[:0]) if {p.first, p.second} & repeats.keys() else p for p in pairs]
+    return Matched(pairs=tuple(pairs), repeats=repeats, notices=tuple(notices))
+
+
+def _positions(photos: Sequence[Photo]) -> Array | None:
+    """(n, 3) rough metres by GPS for the choice of pairs; None where fewer than two photographs have any."""
+    result = np.full((len(photos), 3), np.nan)
+    for i, photo in enumerate(photos):
+        gps = photo.metadata.gps
+        if gps is not None:
+            result[i] = gps.latitude_deg, gps.longitude_deg, gps.altitude_m or 0.0
+    known = np.isfinite(result[:, 0])
+    if known.sum() < 2:
+        return None
+    result[:, 1] *= np.cos(np.radians(np.nanmean(result[:, 0])))
+    result[:, :2] *= 111_000
+    return result[:, [1, 0, 2]]
+
+
+def _stands_still(pairs: Sequence[VerifiedPair]) -> bool:
+    """Whether verified pairs show that something may stand still, so that it is worth while to look."""
+    still = (p for p in pairs if len(p.matches) or p.geometry == "watermark")
+    return sum(p.displacement_px < RING_PX for p in still) >= FEWEST_PHOTOGRAPHS - 1
+
+
+def _put(state: OrientState, m: Matched) -> OrientState:
+    return replace(state, pairs=m.pairs, repeats=m.repeats, notices=(*state.notices, *m.notices))
+
+
+def _told(state: OrientState) -> str:
+    good = sum(1 for p in state.pairs if len(p.matches))
+    return f"{counted(len(state.pairs), 'pair')}, {good} verified"
+
+
+STAGE = ORIENT.register(
+    Stage(
+        name="matching",
+        after=("cameras",),
+        inputs=_inputs,
+        function=match,
+        put=_put,
+        told=_told,
+        when=lambda s: bool(s.photos),
+    )
+)

@@ -1,0 +1,116 @@
+"""Stage: the photographs and scenes among the inputs."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from raybundle.errors import InputError
+from raybundle.io.photos.photo import Found, Photo, find_photos
+from raybundle.io.trajectories import Trajectory, with_positions
+from raybundle.numerics.counting import counted
+from raybundle.pipeline.stage import Means, Stage
+from raybundle.workflows.marks import under_kept_names
+from raybundle.workflows.orient_state import ORIENT, OrientState, Refused, SceneState
+from raybundle.workflows.scene_images import FoundScenes, find_scenes
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Inputs:
+    """What the search depends on, beside the files themselves."""
+
+    paths: tuple[Path, ...]
+    control: tuple[Path, ...]
+    positions: Trajectory | None
+    crs: str | None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Searched:
+    """What was found."""
+
+    found: Found
+    scenes: FoundScenes
+
+
+def _inputs(state: OrientState) -> Inputs:
+    asked = state.asked
+    return Inputs(
+        paths=asked.inputs, control=tuple(c.path for c in state.given.control), positions=asked.positions,
+        crs=asked.options.crs,
+    )  # fmt: skip
+
+
+def search(given: Inputs, means: Means) -> Searched:
+    """The photographs and scenes among files; raises InputError where they are too few."""
+    scenes = find_scenes(given.paths)
+    used = _beside(given.paths, [*given.control, *([] if given.positions is None else [given.positions.path])])
+    found = find_photos(given.paths, leave=[*scenes.files, *used], progress=means.progress)
+    if given.positions is not None:
+        placed, told = with_positions(found.photos, given.positions, given.crs)
+        found = replace(found, photos=placed, remarks=(*found.remarks, *told))
+    check_number(
+        given.paths, found.photos, len(scenes.scenes), (*_refused(found), *scenes.refused), found.remarks
+    )  # fmt: skip
+    return Searched(found=found, scenes=scenes)
+
+
+def _refused(found: Found) -> Refused:
+    return tuple((p.name, r) for p, r in found.refused)
+
+
+def _beside(inputs: Sequence[Path], files: Sequence[Path]) -> list[Path]:
+    """Files as they are called in the folders that are looked into."""
+    folders = [p for p in inputs if p.is_dir()]
+    return [f / file.name for f in folders for file in files if file.resolve() == (f / file.name).resolve()]
+
+
+def _put(state: OrientState, product: Searched) -> OrientState:
+    found, scenes = product.found, product.scenes
+    return replace(
+        state,
+        photos=found.photos,
+        refused=_refused(found),
+        remarks=found.remarks,
+        given=replace(state.given, control=under_kept_names(state.given.control, found.copies)),
+        scenes=SceneState(images=scenes.scenes) if scenes.scenes else None,
+        scenes_found=scenes,
+    )
+
+
+def _told(state: OrientState) -> str:
+    told = f"{counted(len(state.photos), 'photograph')}, {len(state.refused)} refused"
+    scenes = state.scenes_found
+    if scenes is not None and (scenes.scenes or scenes.refused):
+        told += f"; {counted(len(scenes.scenes), 'scene')}, {len(scenes.refused)} refused"
+    return told
+
+
+def check_number(
+    inputs: Sequence[Path], photos: Sequence[Photo], scenes: int, refused: Sequence[tuple[str, str]],
+    remarks: Sequence[str] = (),
+) -> None:  # fmt: skip
+    """Raise InputError where there are neither two photographs nor a scene."""
+    if len(photos) >= 2 or scenes >= 2 or (scenes and photos):
+        return
+    if not scenes:
+        raise _too_few(inputs, photos, refused, remarks)
+    lines = ["1 satellite scene and no photograph; at least 2 images of the same ground are needed"]
+    lines += [f"  {name}: {reason}" for name, reason in refused[:20]]
+    raise InputError("\n".join(lines), file=", ".join(str(p) for p in inputs))
+
+
+def _too_few(
+    inputs: Sequence[Path], photos: Sequence[Photo], refused: Sequence[tuple[str, str]], remarks: Sequence[str]
+) -> InputError:
+    lines = [f"{len(photos)} usable photograph{'' if len(photos) == 1 else 's'}, at least 2 are needed"]
+    lines += [f"  {name}: {reason}" for name, reason in refused[:20]]
+    if len(refused) > 20:
+        lines.append(f"  and {len(refused) - 20} more")
+    lines += [f"  {r}" for r in remarks]  # as of sub-folders, which are not looked into
+    lines += [] if photos or refused or remarks else ["  give a folder of photographs, or their files"]
+    return InputError("\n".join(lines), file=", ".join(str(p) for p in inputs))
+
+
+STAGE = ORIENT.register(Stage(name="photographs", inputs=_inputs, function=search, put=_put, told=_told))

@@ -1,0 +1,167 @@
+"""Stage: tie points of photographs measured by least-squares matching."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from threading import Lock
+
+import numpy as np
+
+from raybundle.block import Block
+from raybundle.io.block_arrays import arrays_of_block, block_of_arrays
+from raybundle.io.photos.masks import Masks
+from raybundle.io.photos.photo import Photo
+from raybundle.matching.refine import pyramid, smoothed
+from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.pipeline.stage import Codec, Means, Stage
+from raybundle.workflows.orient_state import ORIENT, OrientState, Refused
+from raybundle.workflows.orienting.start import packed, unpacked
+from raybundle.workflows.precise import PreciseBlock, Visible, Weights, refine
+from raybundle.workflows.tie_block import TieBlock
+from raybundle.workflows.tie_points import grey_of
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Inputs:
+    """What precise tie points depend on."""
+
+    ties: tuple[TieBlock, ...]
+    photos: tuple[Photo, ...]
+    masks: Masks | None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Measured:
+    """Precise tie points of every part."""
+
+    blocks: tuple[Block, ...]
+    weights: tuple[Weights, ...]
+    offered: int
+    measured: int
+    added: int
+    features_kept: int
+    by_features: tuple[str, ...]
+    left_out: Refused
+
+
+def _inputs(state: OrientState) -> Inputs:
+    return Inputs(ties=state.ties, photos=state.photos, masks=state.masks)
+
+
+def measure(i: Inputs, means: Means) -> Measured:
+    """Least-squares matching of each part, photographs held in memory as far as they may."""
+    cache = _GreyCache(i.photos, means.memory)
+    visible = None if i.masks is None else _visible(i.masks, i.photos)
+    found: list[PreciseBlock] = [refine(tie, cache.of, means.jobs, means.progress, visible) for tie in i.ties]
+    return Measured(
+        blocks=tuple(f.block for f in found),
+        weights=tuple(f.weights for f in found),
+        offered=sum(f.offered for f in found),
+        measured=sum(f.measured for f in found),
+        added=sum(f.added for f in found),
+        features_kept=sum(f.features_kept for f in found),
+        by_features=tuple(n for f in found for n in f.by_features),
+        left_out=tuple(r for f in found for r in f.left_out),
+    )
+
+
+def _put(state: OrientState, m: Measured) -> OrientState:
+    dropped = state.dropped
+    if dropped is not None:
+        dropped = replace(
+            dropped, measured=m.measured, added=m.added, features_kept=m.features_kept,
+            adjusted=sum(len(b.observations) for b in m.blocks),
+        )  # fmt: skip
+    told = (_by_features_words(m.by_features),) if m.by_features else ()
+    return replace(
+        state, blocks=m.blocks, weights=m.weights, dropped=dropped, lost=(*state.lost, *m.left_out),
+        told=(*state.told, *told), offered=m.offered,
+    )  # fmt: skip
+
+
+def _told(state: OrientState) -> str:
+    dropped, used = state.dropped, sum(len(b.observations) for b in state.blocks)
+    assert dropped is not None
+    return f"{dropped.measured} of {state.offered} features measured again, {dropped.added} rays added, {used} used"
+
+
+def _by_features_words(names: Sequence[str]) -> str:
+    shown = ", ".join(names[:5]) + (f" and {len(names) - 5} more" if len(names) > 5 else "")
+    one = len(names) == 1
+    return (
+        f"{shown} keep{'s' * one} the positions of {'its' if one else 'their'} features, with a standard deviation of "
+        "their own: least-squares matching measures too few of the points there (a soft or very different photograph)"
+    )
+
+
+def _visible(masks: Masks, photos: Sequence[Photo]) -> Visible:
+    """Where the photographs show what may be measured."""
+
+    def visible(image: Index, xy_px: Array, radius_px: Array) -> Mask:
+        found = np.ones(len(image), bool)
+        for i in np.unique(image):
+            rows = np.flatnonzero(image == i)
+            found[rows] = masks.visible(photos[i], xy_px[rows], radius_px[rows])
+        return found
+
+    return visible
+
+
+class _GreyCache:
+    """Smoothed photographs with their pyramids, the latest used ones within a limit of memory."""
+
+    def __init__(self, photos: Sequence[Photo], limit: float) -> None:
+        self.photos = photos
+        self.limit = limit
+        self.held: OrderedDict[int, tuple[Array, ...]] = OrderedDict()
+        self.lock = Lock()
+
+    def of(self, i: int, level: int) -> Array:
+        """Photograph i at a level of its pyramid, uint16."""
+        with self.lock:
+            if i in self.held:
+                self.held.move_to_end(i)
+                return self.held[i][level]
+        levels = pyramid(smoothed(grey_of(self.photos[i])))
+        with self.lock:
+            self.held[i] = levels
+            while len(self.held) > 2 and sum(a.nbytes for p in self.held.values() for a in p) > self.limit:
+                self.held.popitem(last=False)
+        return levels[level]
+
+
+def _arrays(m: Measured) -> dict[str, Array]:
+    parts = [{**arrays_of_block(b), "weights": w.array()} for b, w in zip(m.blocks, m.weights, strict=True)]
+    return {
+        **packed(parts),
+        "counts": np.array([m.offered, m.measured, m.added, m.features_kept]),
+        "by_features": np.array(m.by_features, dtype=np.str_),
+        "left_out": np.array(m.left_out, dtype=np.str_).reshape(-1, 2),
+    }
+
+
+def _product(a: Mapping[str, Array]) -> Measured:
+    parts = unpacked(a)
+    offered, measured, added, kept = a["counts"].tolist()
+    return Measured(
+        blocks=tuple(block_of_arrays(p) for p in parts), weights=tuple(Weights.of(p["weights"]) for p in parts),
+        offered=offered, measured=measured, added=added, features_kept=kept,
+        by_features=tuple(a["by_features"].tolist()), left_out=tuple((n, r) for n, r in a["left_out"].tolist()),
+    )  # fmt: skip
+
+
+STAGE = ORIENT.register(
+    Stage(
+        name="precision",
+        version=23,
+        after=("scene_start",),
+        inputs=_inputs,
+        function=measure,
+        put=_put,
+        told=_told,
+        codec=Codec(arrays=_arrays, product=_product),
+        when=lambda s: s.asked.options.precise and bool(s.photos),
+    )
+)

@@ -1,0 +1,170 @@
+"""Stage: approximate values of every part of the photographs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+
+from raybundle.adjustment.result import Notice
+from raybundle.adjustment.severity import Severity
+from raybundle.block import Camera
+from raybundle.io.block_arrays import arrays_of_block, block_of_arrays
+from raybundle.io.photos.cameras import CameraGroup, camera_of, with_what_is_known
+from raybundle.io.photos.photo import Photo
+from raybundle.matching.tracks import Tracks
+from raybundle.matching.verify import VerifiedPair, trusted
+from raybundle.numerics.arrays import Array, Index
+from raybundle.pipeline.stage import Codec, Means, Stage
+from raybundle.workflows.dropped import Dropped
+from raybundle.workflows.missing import missing_notices
+from raybundle.workflows.orient_state import ORIENT, OrientState
+from raybundle.workflows.parts import start_parts
+from raybundle.workflows.repeated import sound_pairs
+from raybundle.workflows.tie_block import TieBlock, block_of_tracks
+from raybundle.workflows.tie_points import FeatureStore
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Inputs:
+    """What approximate values depend on."""
+
+    name: str
+    photos: tuple[Photo, ...]
+    cameras: tuple[Camera, ...]
+    camera_of_photo: Index
+    pairs: tuple[VerifiedPair, ...]
+    features: FeatureStore
+    method: Literal["auto", "growing", "averaging"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Started:
+    """Tie points with approximate values."""
+
+    ties: tuple[TieBlock, ...]
+    features: int
+    matched: int
+    notices: tuple[Notice, ...]
+
+
+def _inputs(state: OrientState) -> Inputs:
+    cameras, of_photo = _cameras(state.groups, len(state.photos))
+    return Inputs(
+        name=state.asked.name, photos=state.photos, cameras=cameras, camera_of_photo=of_photo, pairs=state.pairs,
+        features=state.found, method=state.asked.options.start,
+    )  # fmt: skip
+
+
+def _cameras(groups: Sequence[CameraGroup], count: int) -> tuple[tuple[Camera, ...], Index]:
+    cameras: list[Camera] = []
+    of_photo = np.zeros(count, np.int32)
+    for k, group in enumerate(groups):
+        camera = camera_of(group)
+        if group.stored is None:
+            camera = with_what_is_known(replace(camera, estimate="auto"), group)
+        cameras.append(camera)
+        of_photo[list(group.photos)] = k
+    return tuple(cameras), of_photo
+
+
+def begin(i: Inputs, means: Means) -> Started:
+    """Tracks of the pairs that are sound, and the orientation of every part that hangs together."""
+    features = [i.features.places(k) for k in range(len(i.photos))]
+    places = [f.xy_px for f in features]
+
+    def oriented_by(tracks: Tracks) -> tuple[TieBlock, ...]:
+        raw = block_of_tracks(i.name, i.photos, i.cameras, i.camera_of_photo, places, tracks)
+        scale, angle = np.empty(len(tracks.image)), np.empty(len(tracks.image))
+        for k, f in enumerate(features):
+            mine = tracks.image == k
+            scale[mine], angle[mine] = f.scale_px[tracks.feature[mine]], f.angle[tracks.feature[mine]]
+        return start_parts(raw, scale, angle, means.jobs, means.progress, i.method)
+
+    names, n = [p.name for p in i.photos], len(i.photos)
+    diagonals = np.array([float(np.hypot(p.width_px, p.height_px)) for p in i.photos])
+    sound = sound_pairs(trusted(i.pairs, n), places, names, diagonals, oriented_by)
+    return Started(
+        ties=oriented_by(sound.tracks), features=sum(len(f) for f in features), matched=len(sound.tracks.image),
+        notices=sound.notices,
+    )  # fmt: skip
+
+
+def _put(state: OrientState, started: Started) -> OrientState:
+    ties = started.ties
+    same = {state.photos[i].name: f"the same picture as {state.photos[k].name}" for i, k in state.repeats.items()}
+    count = sum(len(t.block.observations) for t in ties)
+    return replace(
+        state,
+        ties=ties,
+        blocks=tuple(t.block for t in ties),
+        lost=tuple((name, same.get(name, why)) for name, why in ties[0].not_oriented),
+        dropped=Dropped(features=started.features, matched=started.matched, started=count, adjusted=count),
+        notices=(*state.notices, *started.notices, *(n for t in ties for n in missing_notices(t.block))),
+    )
+
+
+def _told(state: OrientState) -> str:
+    oriented = sum(int(t.block.images.oriented.sum()) for t in state.ties)
+    split = f" in {len(state.ties)} parts" if len(state.ties) > 1 else ""
+    points = sum(len(t.block.points) for t in state.ties)
+    return f"{oriented} of {len(state.photos)} photographs{split}, {points} points"
+
+
+def packed(parts: Sequence[Mapping[str, Array]]) -> dict[str, Array]:
+    """The arrays of some parts under names of their own."""
+    return {f"{k}:{name}": values for k, part in enumerate(parts) for name, values in part.items()}
+
+
+def unpacked(arrays: Mapping[str, Array]) -> list[dict[str, Array]]:
+    """The parts again."""
+    found: dict[int, dict[str, Array]] = {}
+    for key, values in arrays.items():
+        k, colon, name = key.partition(":")
+        if colon:
+            found.setdefault(int(k), {})[name] = values
+    return [found[k] for k in sorted(found)]
+
+
+def arrays_of_tie(tie: TieBlock) -> dict[str, Array]:
+    """Tie points as they are kept."""
+    lost = np.array(tie.not_oriented, dtype=np.str_).reshape(-1, 2)
+    return {**arrays_of_block(tie.block), "scale_px": tie.scale_px, "angle": tie.angle, "lost": lost}
+
+
+def tie_of_arrays(a: Mapping[str, Array]) -> TieBlock:
+    """The same again."""
+    lost = tuple((n, w) for n, w in a["lost"].tolist())
+    return TieBlock(block=block_of_arrays(a), scale_px=a["scale_px"], angle=a["angle"], not_oriented=lost)
+
+
+def _arrays(s: Started) -> dict[str, Array]:
+    told = [(n.code, n.message, str(n.severity.value)) for n in s.notices]
+    return {
+        **packed([arrays_of_tie(t) for t in s.ties]),
+        "counts": np.array([s.features, s.matched]),
+        "notices": np.array(told, dtype=np.str_).reshape(-1, 3),
+    }
+
+
+def _product(a: Mapping[str, Array]) -> Started:
+    features, matched = a["counts"].tolist()
+    told = tuple(Notice(code=c, message=m, measured=Severity(s)) for c, m, s in a["notices"].tolist())
+    return Started(ties=tuple(tie_of_arrays(t) for t in unpacked(a)), features=features, matched=matched, notices=told)
+
+
+STAGE = ORIENT.register(
+    Stage(
+        name="start",
+        version=16,
+        after=("scene_matching",),
+        inputs=_inputs,
+        function=begin,
+        put=_put,
+        told=_told,
+        codec=Codec(arrays=_arrays, product=_product),
+        when=lambda s: bool(s.photos),
+    )
+)

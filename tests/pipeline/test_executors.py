@@ -1,0 +1,145 @@
+"""Tasks done by threads and by processes of their own: the same products, in whatever order they end."""
+
+import os
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from raybundle.errors import InputError
+from raybundle.pipeline.executors import Processes, Threads, _read, _written
+from raybundle.pipeline.keys import key_of
+from raybundle.pipeline.store import Folder
+from raybundle.pipeline.tasks import Task, function_of
+
+HERE = "tests.pipeline.test_executors"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Sum:
+    """Options of a task of this test."""
+
+    number: float
+    of: tuple[str, ...] = ()
+    file: Path | None = None
+
+
+def total(store: Folder, options: Sum):
+    """A number and the sums of other products."""
+    if options.number < 0:
+        raise InputError("is negative", file=options.file)
+    if options.number == 13:
+        raise ZeroDivisionError
+    return {"sum": options.number + sum((store.held(k)["sum"] for k in options.of), np.zeros(2))}
+
+
+def where(store: Folder, options: Sum):
+    """The process in which it was done, and its threads."""
+    del store, options
+    return {"process": np.array(os.getpid()), "threads": np.array(os.environ.get("OPENBLAS_NUM_THREADS", ""))}
+
+
+def task(number, *needs, function="total", **more):
+    options = Sum(number=number, of=tuple(t.key for t in needs), file=Path("a.txt"))
+    key = key_of("sum", options, function)
+    return Task(key=key, function=f"{HERE}:{function}", options=options, inputs=options.of, name=str(number), **more)
+
+
+@pytest.fixture
+def store(tmp_path):
+    return Folder(tmp_path / "store")
+
+
+EXECUTORS = [Threads(1), Threads(3), Processes(2)]
+
+
+@pytest.mark.parametrize("executor", EXECUTORS, ids=["one thread", "threads", "processes"])
+def test_tasks_are_done_after_those_that_they_need(store, executor):
+    first = [task(k) for k in (1, 2, 4)]
+    second = task(10, *first)
+    third = task(100, second, first[0])
+    ended = [d.task.key for d in executor.run([third, second, *first], store)]
+    assert sorted(ended) == sorted(t.key for t in (*first, second, third))
+    assert ended.index(second.key) == 3
+    assert store.load(third.key)["sum"].tolist() == [118, 118]
+
+
+@pytest.mark.parametrize("executor", EXECUTORS, ids=["one thread", "threads", "processes"])
+def test_bad_input_costs_its_task_and_what_needs_it(store, executor):
+    good, bad = task(1), task(-1)
+    needs, further = task(5, bad), task(6, good)
+    after = task(7, needs)
+    ended = {d.task.name: d.failed for d in executor.run([good, bad, needs, further, after], store)}
+    assert ended["-1"] == "a.txt: is negative"
+    assert ended["5"] == "needs what could not be made: a.txt: is negative"
+    assert ended["7"].endswith("a.txt: is negative")
+    assert not ended["1"]
+    assert not ended["6"]
+    assert [store.has(t.key) for t in (good, bad, needs, further, after)] == [True, False, False, True, False]
+
+
+@pytest.mark.parametrize("executor", EXECUTORS, ids=["one thread", "threads", "processes"])
+def test_what_is_no_bad_input_ends_the_run_and_keeps_what_is_done(store, executor):
+    kept = task(1)
+    assert [d.task.key for d in executor.run([kept], store)] == [kept.key]
+    with pytest.raises(ZeroDivisionError):
+        list(executor.run([task(13), *(task(k) for k in range(20, 60))], store))
+    assert store.has(kept.key)
+
+
+def test_processes_are_others_and_use_one_thread(store, monkeypatch):
+    monkeypatch.setenv("OPENBLAS_NUM_THREADS", "7")
+    done = list(Processes(2).run([task(k, function="where", small=True) for k in range(4)], store))
+    assert os.getpid() not in {int(d.product["process"]) for d in done}
+    assert {str(d.product["threads"]) for d in done} == {"1"}
+    assert os.environ["OPENBLAS_NUM_THREADS"] == "7"
+    here = list(Threads(2).run([task(1, function="where", small=True)], store))
+    assert int(here[0].product["process"]) == os.getpid()
+    assert not any(store.has(d.task.key) for d in (*done, *here))  # small products are handed back
+
+
+def test_a_task_can_be_written_down():
+    given = task(2.5, task(1), memory=3e9, cost=2.0)
+    assert _read(_written(given)) == given
+
+
+def test_tasks_that_wait_for_each_other_are_named(store):
+    a, b = task(1), task(2)
+    circle = [
+        Task(key=a.key, function=a.function, options=a.options, after=(b.key,), name="a"),
+        Task(key=b.key, function=b.function, options=b.options, after=(a.key,), name="b"),
+    ]
+    with pytest.raises(InputError, match="2 tasks wait for each other: a, b"):
+        list(Threads(1).run(circle, store))
+
+
+def test_two_tasks_of_one_key_are_refused(store):
+    with pytest.raises(ValueError, match="the same key"):
+        list(Threads(1).run([task(1), task(1)], store))
+
+
+@pytest.mark.parametrize("name", ["nothing", "json:nothing", "tests.pipeline.test_executors:HERE"])
+def test_a_function_is_called_by_its_name(name):
+    with pytest.raises(TypeError, match="names no function"):
+        function_of(name)
+
+
+def slow(store: Folder, options: Sum):
+    """How many of these work at once."""
+    del store, options
+    WORKING.append(1)
+    time.sleep(0.05)
+    most = len(WORKING)
+    WORKING.pop()
+    return {"at_once": np.array(most)}
+
+
+WORKING: list[int] = []
+
+
+@pytest.mark.parametrize(("memory", "most"), [(2e9, 2), (0.5e9, 1)])
+def test_memory_limits_how_many_work_at_once(store, memory, most):
+    tasks = [task(k, function="slow", small=True, memory=1e9) for k in range(6)]
+    assert max(int(d.product["at_once"]) for d in Threads(6, memory).run(tasks, store)) <= most
