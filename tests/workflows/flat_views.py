@@ -5,7 +5,7 @@ import numpy as np
 
 from raybundle.block.simulate import brown_camera, look_at
 from raybundle.targets.marks import Marks
-from raybundle.workflows import calibrate as module
+from raybundle.workflows.calibrating import targets as module
 
 SIZE = (1200, 900)
 
@@ -44,5 +44,5 @@ def patched(monkeypatch, folder, tilt_deg, *, photographs=5, sigma_px=0.05, roll
                 ),
             )
         )  # fmt: skip
-    monkeypatch.setattr(module, "measure_all", lambda *_, **__: tuple(marks))
+    monkeypatch.setattr(module, "measure_targets", lambda *_, **__: tuple(marks))
     return camera

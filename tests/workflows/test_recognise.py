@@ -14,7 +14,8 @@ from raybundle.targets.layout_boards import design_board, design_tags
 from raybundle.targets.marks import target
 from raybundle.targets.seen import SeenTags, charuco_of, smallest
 from raybundle.targets.sheets import write_sheet
-from raybundle.workflows.calibrate import _no_targets, calibrate
+from raybundle.workflows.calibrate import calibrate
+from raybundle.workflows.calibrating.natural import _no_targets
 from raybundle.workflows.orient import orient
 from raybundle.workflows.recognise import recognised
 from tests.conftest import DATA

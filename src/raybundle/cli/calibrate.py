@@ -17,8 +17,9 @@ if TYPE_CHECKING:
     from raybundle.adjustment.calibration_quality import CalibrationQuality
     from raybundle.adjustment.result import InteriorResult
     from raybundle.block import Camera
+    from raybundle.numerics.progress import Progress
     from raybundle.targets.marks import Target
-    from raybundle.workflows.calibrate import Calibration
+    from raybundle.workflows.calibrate import CalibrateOptions, Calibration
 
 MOST_PARAMETERS = 16
 """Parameters and warnings that are printed."""
@@ -94,7 +95,8 @@ def command(
     """Calibrate cameras from photographs of coded targets or a board: photographs in, a calibration with a verdict out.
 
     The report says first whether the calibration is good, for what, and which photographs to take next.
-    calibration.toml in RESULT is for `raybundle orient --calibration`.
+    calibration.toml in RESULT is for `raybundle orient --calibration`. A run that was stopped continues with the same
+    command; targets that were measured once are not measured again, whatever else is asked for.
 
     \b
     Exit status: 0 calibrated (the verdict says how well); 2 bad input; 3 the photographs cannot be oriented.
@@ -109,7 +111,7 @@ def command(
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.report.result_folder import check_target, write_result  # noqa: PLC0415
     from raybundle.targets.sidecar import read_sidecar  # noqa: PLC0415
-    from raybundle.workflows.calibrate import CalibrateOptions, calibrate  # noqa: PLC0415
+    from raybundle.workflows.calibrate import CalibrateOptions  # noqa: PLC0415
 
     options = CalibrateOptions(
         targets=wanted_targets(targets, table, bits, sheet), sheet=None if sheet is None else read_sidecar(sheet),
@@ -118,13 +120,17 @@ def command(
         noise=cast("Any", noise),
     )  # fmt: skip
     check_target(out)
-    with reporting(progress) as tell:
-        done = calibrate(photos, options, tell)
-        began = time.perf_counter()
-        write_result(
-            done.adjustment, out, report="none" if no_report else "html", additions=additions(done),
-            qualities=done.quality, progress=tell,
-        )  # fmt: skip
+    try:
+        with reporting(progress) as tell:
+            done = _calibrated(photos, options, out, tell)
+            began = time.perf_counter()
+            write_result(
+                done.adjustment, out, report="none" if no_report else "html", additions=additions(done),
+                qualities=done.quality, progress=tell,
+            )  # fmt: skip
+    except KeyboardInterrupt:
+        click.echo(f"interrupted; what is finished is kept in {out}, the same command continues there", err=True)
+        return 130
     seconds = {**done.seconds, "result" if no_report else "report": time.perf_counter() - began}
     click.echo("\n".join(f" {line}" for line in lines(done)))
     for q in done.quality if keep else ():
@@ -133,6 +139,22 @@ def command(
     click.echo(f" result: {out}, calibration: {out / 'calibration.toml'}"
                + ("" if no_report else f", report: {out / 'report.html'}"))  # fmt: skip
     return 0
+
+
+def _calibrated(photos: tuple[Path, ...], options: CalibrateOptions, out: Path, tell: Progress) -> Calibration:
+    """The calibration; a folder that it began for nothing is deleted."""
+    from raybundle.errors import NotSolvable  # noqa: PLC0415
+    from raybundle.pipeline.project import discard_empty  # noqa: PLC0415
+    from raybundle.report.result_folder import PROJECT  # noqa: PLC0415
+    from raybundle.workflows.calibrate import calibrate  # noqa: PLC0415
+
+    try:
+        return calibrate(photos, options, tell, folder=out / PROJECT)
+    except (InputError, NotSolvable):
+        discard_empty(out / PROJECT)
+        if out.is_dir() and not any(out.iterdir()):
+            out.rmdir()
+        raise
 
 
 def wanted_targets(

@@ -15,22 +15,25 @@ from raybundle.cli.common import COMMAND_SETTINGS, FOLDER
     "--traceback", is_flag=True, expose_value=False, help="After an error, show where in the program it arose."
 )
 def command(project: Path) -> None:
-    """Show the stages of a project folder: what the last run made, how long it took, what came from the cache.
+    """Show the stages of a project folder or of a calibration: what the last run made, what came from the cache.
 
     \b
     Example:
       raybundle status facade-project
     """  # noqa: D301
     from raybundle.pipeline.project import Project  # noqa: PLC0415
+    from raybundle.report.result_folder import PROJECT  # noqa: PLC0415
+    from raybundle.workflows.calibrating import CALIBRATE  # noqa: PLC0415
     from raybundle.workflows.orient import stages  # noqa: PLC0415
 
-    opened = Project.open(project, create=False)
+    of_calibration = (project / PROJECT / "project.db").is_file()
+    opened = Project.open(project / PROJECT if of_calibration else project, create=False)
     try:
         records = {r.name: r for r in opened.stages()}
     finally:
         opened.close()
     click.echo(f" {'stage':12s} {'seconds':>8s} {'CPU s':>8s} {'memory':>8s}  finished")
-    for name in stages():
+    for name in CALIBRATE.titles() if of_calibration else stages():
         r = records.get(name)
         if r is None:
             click.echo(f" {name:12s} {'-':>8s} {'-':>8s} {'-':>8s}  not done")

@@ -94,6 +94,8 @@ TABLES: Mapping[str, tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]] =
 """Table -> text columns, numbers, text columns at the end."""
 ALWAYS = ("images", "points", "observations", "control", "check", "distances", "stations", "attitudes")
 """Tables that a result folder has with or without rows; the others stand there where the block has rows of them."""
+PROJECT = "project"
+"""Folder in a result folder where `raybundle calibrate` keeps what is finished"""
 ENTRIES = {
     "block",
     "result.json",
@@ -139,6 +141,8 @@ def check_target(path: str | Path) -> None:
     if not folder.is_dir():
         raise InputError("stands there already and is no folder; choose another name for the result", file=folder)
     present = {entry.name for entry in folder.iterdir()}
+    if (folder / PROJECT / "project.db").is_file():
+        present -= {PROJECT}  # of a run that is to be continued, or of one that ended
     if not present:
         return
     if "result.json" not in present or not _is_ours(folder / "result.json"):
@@ -221,6 +225,8 @@ def write_result(
 
             write_report(adjustment, folder / "report.html", progress, photographs, qualities)
             write_network_page(adjustment, folder / "network.html")
+        if (Path(path) / PROJECT / "project.db").is_file():  # stays for the next run
+            (Path(path) / PROJECT).rename(folder / PROJECT)
 
 
 def _block_again(adjustment: Adjustment) -> Block:

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -15,12 +13,11 @@ from raybundle.block import Block, Camera, Images, Observations, Points
 from raybundle.block.select import with_rows
 from raybundle.errors import InputError
 from raybundle.io.photos.cameras import CameraGroup, camera_of
-from raybundle.io.photos.photo import Photo, read_grey
+from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.counting import counted_are
-from raybundle.numerics.progress import Progress, silent
 from raybundle.platforms.station import sensor_from_object
-from raybundle.targets.marks import Marks, Target, detect
+from raybundle.targets.marks import Marks, Target
 from raybundle.targets.sidecar import PrintedSheet
 
 OPTIMISM, FLOOR_PX = 3.0, 0.01
@@ -45,23 +42,6 @@ class TargetBlock:
     """photographs with too few targets, and how many"""
     places: Mapping[str, Array]
     """approximate coordinates of the points of a board, by the points' ids; empty without a board"""
-
-
-def measure_all(
-    photos: Sequence[Photo], targets: Sequence[Target], jobs: int = 0, progress: Progress = silent
-) -> tuple[tuple[Marks, ...], ...]:
-    """Points of all targets in all photographs, one set for each family."""
-
-    def one(photo: Photo) -> tuple[Marks, ...]:
-        grey = read_grey(photo)
-        return tuple(detect(grey, t) for t in targets)
-
-    done: list[tuple[Marks, ...]] = []
-    with ThreadPoolExecutor(jobs or os.cpu_count() or 1) as pool:
-        for k, found in enumerate(pool.map(one, photos)):
-            progress("targets", (k + 1) / len(photos))
-            done.append(found)
-    return tuple(done)
 
 
 def covariance_rows(covariance: Array) -> Array:

@@ -1,0 +1,113 @@
+"""What a run of `calibrate` knows, stage by stage; each stage of `workflows.calibrating` gives some of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+from raybundle.adjustment.calibration_quality import CalibrationQuality
+from raybundle.adjustment.eccentricity import RadiusScale
+from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.block import Block
+from raybundle.io.photos.cameras import CameraGroup
+from raybundle.io.photos.photo import Found, Photo
+from raybundle.pipeline.stage import Workflow
+from raybundle.targets.marks import Marks, Target
+from raybundle.workflows.calibrate_options import CalibrateOptions
+from raybundle.workflows.recognise import Recognised
+from raybundle.workflows.target_block import TargetBlock
+
+Reasons = tuple[tuple[str, str], ...]
+"""names of photographs and why each takes no part"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Calibration:
+    """What came of the photographs."""
+
+    adjustment: Adjustment
+    quality: tuple[CalibrationQuality, ...]
+    photos: tuple[Photo, ...]
+    groups: tuple[CameraGroup, ...]
+    refused: tuple[tuple[str, str], ...]
+    """files that are no usable photographs, and why"""
+    not_used: tuple[tuple[str, str], ...]
+    """photographs without a part in the result, and why"""
+    marks: tuple[tuple[Marks, ...], ...]
+    """of each photograph, one set for each family"""
+    targets: tuple[Target, ...]
+    completed: int
+    """dots without a readable name that were used all the same"""
+    dots: int
+    """object points that are dots without a code"""
+    largest_eccentricity_px: float
+    radius: RadiusScale | None = None
+    """What the eccentricities say of the targets' radii; None where nothing is round"""
+    seconds: Mapping[str, float] = field(default_factory=dict[str, float])
+    """what each stage took, in their order"""
+
+    @property
+    def used(self) -> int:
+        """Number of photographs that take part."""
+        return len(np.unique(self.adjustment.given.observations.image))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Start:
+    """Targets as a block, with approximate values."""
+
+    given: TargetBlock
+    approximate: Block
+    lost: Reasons
+    notices: tuple[Notice, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Adjusted:
+    """What the adjustment gives."""
+
+    adjustment: Adjustment
+    groups: tuple[CameraGroup, ...]
+    lost: Reasons
+    completed: int = 0
+    dots: int = 0
+    largest_eccentricity_px: float = 0.0
+    radius: RadiusScale | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CalibrateState:
+    """What a run knows."""
+
+    inputs: tuple[Path, ...]
+    options: CalibrateOptions
+    found: Found | None = None
+    refused: Reasons = ()
+    shown: Recognised | None = None
+    """what was recognised where nobody said what was photographed"""
+    targets: tuple[Target, ...] = ()
+    groups: tuple[CameraGroup, ...] = ()
+    marks: tuple[tuple[Marks, ...], ...] = ()
+    """of each photograph, one set for each family"""
+    start: Start | None = None
+    adjusted: Adjusted | None = None
+    quality: tuple[CalibrationQuality, ...] = ()
+
+    @property
+    def photos(self) -> tuple[Photo, ...]:
+        """The photographs, which are found."""
+        assert self.found is not None
+        return self.found.photos
+
+    @property
+    def begun(self) -> Start:
+        """The start, which was made."""
+        assert self.start is not None
+        return self.start
+
+
+CALIBRATE: Workflow[CalibrateState] = Workflow("calibrate")
+"""The stages, each in a module of `workflows.calibrating`"""

@@ -1,0 +1,73 @@
+"""Stage: the photographs among the inputs, and what was said of them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from raybundle.errors import InputError
+from raybundle.io.photos.cameras import camera_groups
+from raybundle.io.photos.photo import Found, find_photos
+from raybundle.pipeline.stage import Means, Stage
+from raybundle.targets.kinds.rings import Rings
+from raybundle.targets.marks import Target, target
+from raybundle.workflows.calibrate_options import CalibrateOptions
+from raybundle.workflows.calibrate_state import CALIBRATE, CalibrateState
+
+FEWEST_PHOTOGRAPHS = 3
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Inputs:
+    """What the search depends on, beside the files themselves."""
+
+    paths: tuple[Path, ...]
+
+
+def search(given: Inputs, means: Means) -> Found:
+    """The photographs; raises InputError where they are too few."""
+    found = find_photos(given.paths, progress=means.progress)
+    _enough(found, given.paths)
+    return found
+
+
+def _enough(found: Found, inputs: Sequence[Path]) -> None:
+    n = len(found.photos)
+    if n < FEWEST_PHOTOGRAPHS:
+        first = (
+            f"{n} usable photograph{'' if n == 1 else 's'}; a calibration needs at least {FEWEST_PHOTOGRAPHS}, better "
+            "10 to 20 from different sides, some with the camera rolled by 90 degrees"
+        )
+        lines = [first]
+        lines += [f"  {p.name}: {r}" for p, r in found.refused[:20]]
+        lines += [f"  {r}" for r in found.remarks]  # as of sub-folders, which are not looked into
+        raise InputError("\n".join(lines), file=", ".join(str(p) for p in inputs))
+
+
+def with_dots(targets: Sequence[Target], options: CalibrateOptions) -> tuple[Target, ...]:
+    """Families of rings with the dots among them where those are wanted, too."""
+    if not options.dots:
+        return tuple(targets)
+    return tuple(replace(t, dots=True) if isinstance(t, Rings) else t for t in targets)
+
+
+def _put(state: CalibrateState, found: Found) -> CalibrateState:
+    options = state.options
+    targets = tuple(target(t) if isinstance(t, str) else t for t in options.targets)
+    if options.sheet is not None:
+        targets = (options.sheet.target,)
+    groups = camera_groups(found.photos, (), options.separate)
+    refused = tuple((p.name, r) for p, r in found.refused)
+    return replace(state, found=found, refused=refused, targets=with_dots(targets, options), groups=groups)
+
+
+STAGE = CALIBRATE.register(
+    Stage(
+        name="photographs",
+        inputs=lambda s: Inputs(paths=s.inputs),
+        function=search,
+        put=_put,
+        told=lambda s: f"{len(s.photos)} photographs",
+    )
+)

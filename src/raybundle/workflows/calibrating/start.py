@@ -1,0 +1,180 @@
+"""Stage: approximate values of a block of targets, from a board or from pairs of photographs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from raybundle.adjustment.result import Notice
+from raybundle.adjustment.severity import Severity
+from raybundle.block import Block, Role
+from raybundle.errors import InputError, NotSolvable
+from raybundle.io.block_arrays import arrays_of_block, block_of_arrays
+from raybundle.io.photos.cameras import CameraGroup
+from raybundle.io.photos.photo import Photo
+from raybundle.numerics.arrays import Array
+from raybundle.numerics.progress import Progress
+from raybundle.pipeline.stage import Codec, Means, Stage
+from raybundle.sensors import sensor_models
+from raybundle.targets.marks import Marks, Target
+from raybundle.targets.sidecar import PrintedSheet
+from raybundle.workflows.board_start import board_oriented
+from raybundle.workflows.calibrate_state import CALIBRATE, CalibrateState, Start
+from raybundle.workflows.calibration_defects import explained
+from raybundle.workflows.model_choice import with_model
+from raybundle.workflows.target_block import FEWEST_TARGETS, TargetBlock, block_of_targets
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Inputs:
+    """What approximate values depend on."""
+
+    paths: tuple[Path, ...]
+    photos: tuple[Photo, ...]
+    groups: tuple[CameraGroup, ...]
+    targets: tuple[Target, ...]
+    marks: tuple[tuple[Marks, ...], ...]
+    spacing: float
+    sheet: PrintedSheet | None
+    model: str
+    estimate: tuple[str, ...]
+
+    @property
+    def content(self) -> tuple[object, ...]:
+        """What they are known by; what the targets are is in their marks."""
+        families = tuple((t.family, t.turns) for t in self.targets)
+        sheet = None if self.sheet is None else (self.sheet.family, self.sheet.targets)
+        return self.photos, self.groups, families, self.marks, self.spacing, sheet, self.model, self.estimate
+
+
+def _inputs(state: CalibrateState) -> Inputs:
+    o = state.options
+    return Inputs(
+        paths=state.inputs, photos=state.photos, groups=state.groups, targets=state.targets, marks=state.marks,
+        spacing=o.spacing, sheet=o.sheet, model=o.model, estimate=o.estimate,
+    )  # fmt: skip
+
+
+def begin(i: Inputs, means: Means) -> Start:
+    """The named points as a block, and its approximate values; raises InputError, NotSolvable with the reason."""
+    given = block_of_targets(i.photos, i.groups, i.targets, i.marks, i.spacing, i.sheet)
+    given = replace(given, block=asked(given.block, i.model, i.estimate))
+    if len(np.unique(given.block.observations.image)) < 2:
+        raise InputError(_too_few(i.photos, i.marks, i.targets), file=", ".join(str(p) for p in i.paths))
+    try:
+        block, lost, told = _approximate(given, given.block, i.targets, i.model, means.progress)
+    except (InputError, NotSolvable) as error:
+        raise explained(error, given.block) from error
+    return Start(given=given, approximate=block, lost=tuple(lost.items()), notices=told)
+
+
+def _approximate(
+    given: TargetBlock, block: Block, targets: Sequence[Target], asked_model: str, progress: Progress
+) -> tuple[Block, dict[str, str], tuple[Notice, ...]]:
+    """The block with approximate values, images that could not be oriented and why, and what there is to say."""
+    if not given.places:
+        from raybundle.orientation.assembly import possible_values  # noqa: PLC0415  (boards do without)
+        from raybundle.orientation.camera_constant import checked_by_pairs  # noqa: PLC0415
+
+        values = possible_values(checked_by_pairs(block), progress)
+        return values.block, dict(values.not_oriented), values.notices
+    model = "auto" if asked_model == "spline" else asked_model
+    approximate, lost = board_oriented(block, given.places, model)
+    alike = next((t for t in targets if t.turns > 1), None)
+    if alike is None:
+        return approximate, lost, ()
+    told = Notice(
+        code="board_alike",
+        message=f"a {alike.title} looks the same when it is turned: its points are held as printed, flat. One that is "
+        "not flat then moves the principal point; take one whose numbers of rows and columns are odd and even",
+    )
+    p = len(approximate.points)
+    held = replace(approximate.points, role=np.full(p, Role.CONTROL, np.int32), sigma=np.zeros((p, 3)))
+    return replace(approximate, points=held), lost, (told,)
+
+
+def with_asked_model(block: Block, model: str) -> Block:
+    """The block with a model that was asked for in place of that of the start."""
+    if model in {"auto", "spline"}:
+        return block
+    for k, camera in enumerate(block.cameras):
+        if camera.model == model:
+            continue
+        changed = with_model(block, k, model)
+        if changed is None:
+            raise InputError(f"camera {camera.id}: the model {model} cannot be fitted to the start; take another")
+        block = changed
+    return block
+
+
+def asked(block: Block, model: str, estimate: tuple[str, ...]) -> Block:
+    """The block with the model and the parameters that were asked for."""
+    if not estimate:
+        return block
+    if model == "spline":
+        raise InputError("the parameters of the model spline cannot be chosen; leave --estimate or --model away")
+    known = sensor_models["brown" if model == "auto" else model].symbols
+    unknown = [s for s in estimate if s not in known]
+    if unknown:
+        raise InputError(f"{unknown[0]!r} is no parameter of the model; known: {', '.join(known)}")
+    return replace(block, cameras=tuple(replace(c, estimate=estimate) for c in block.cameras))
+
+
+def _too_few(photos: Sequence[Photo], marks: Sequence[Sequence[Marks]], targets: Sequence[Target]) -> str:
+    named = [sum(int(m.named.sum()) for m in sets) for sets in marks]
+    bare = sum(int((~m.named).sum()) for sets in marks for m in sets)
+    what = ", ".join(t.title for t in targets)
+    enough = sum(k >= FEWEST_TARGETS for k in named)
+    first = (
+        f"{enough} of {len(photos)} photographs show {FEWEST_TARGETS} points of {what} that others show too; at least "
+        f"2 are needed ({sum(named)} named points, {bare} without a name). Name what was printed (--target), and "
+        "photograph so that a dot or square is 10 px large"
+    )
+    remarks = [f"  {p.name}: {r}" for p, sets in zip(photos, marks, strict=True) for m in sets for r in m.remarks]
+    return "\n".join([first, *remarks[:10]])
+
+
+def _arrays(s: Start) -> dict[str, Array]:
+    told = [(n.code, n.message, str(n.severity.value)) for n in s.notices]
+    places = s.given.places
+    return {
+        **{f"given:{name}": values for name, values in arrays_of_block(s.given.block).items()},
+        **{f"approximate:{name}": values for name, values in arrays_of_block(s.approximate).items()},
+        "radius_px": s.given.radius_px,
+        "not_used": np.array(s.given.not_used, dtype=np.str_).reshape(-1, 2),
+        "place_names": np.array([*places], dtype=np.str_),
+        "places": np.array([*places.values()], float).reshape(-1, 3),
+        "lost": np.array(s.lost, dtype=np.str_).reshape(-1, 2),
+        "notices": np.array(told, dtype=np.str_).reshape(-1, 3),
+    }
+
+
+def _product(a: Mapping[str, Array]) -> Start:
+    def block(prefix: str) -> Block:
+        return block_of_arrays({n.removeprefix(prefix): v for n, v in a.items() if n.startswith(prefix)})
+
+    given = TargetBlock(
+        block=block("given:"), radius_px=a["radius_px"], not_used=tuple((n, w) for n, w in a["not_used"].tolist()),
+        places=dict(zip(a["place_names"].tolist(), a["places"], strict=True)),
+    )  # fmt: skip
+    return Start(
+        given=given, approximate=block("approximate:"), lost=tuple((n, w) for n, w in a["lost"].tolist()),
+        notices=tuple(Notice(code=c, message=m, measured=Severity(s)) for c, m, s in a["notices"].tolist()),
+    )  # fmt: skip
+
+
+STAGE = CALIBRATE.register(
+    Stage(
+        name="start",
+        after=("targets",),
+        inputs=_inputs,
+        function=begin,
+        put=lambda s, p: replace(s, start=p),
+        told=lambda s: f"{int(s.begun.approximate.images.oriented.sum())} of {len(s.photos)} photographs",
+        codec=Codec(arrays=_arrays, product=_product),
+        when=lambda s: bool(s.targets),
+    )
+)
