@@ -15,6 +15,8 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
+from raybundle.report.result_folder import PROJECT
+
 ROOT = Path(__file__).resolve().parents[2]
 PORTAL = ROOT / "demo_data/portal/photos"
 TIMES = {"seconds", "cpu_seconds", "peak_memory_mb", "from_cache", "finished", "date"}
@@ -54,11 +56,12 @@ class Job:
         return time.monotonic() - began
 
     def stands(self) -> dict[str, str]:
-        """Names and digests of what the command wrote."""
+        """Names and digests of what the command wrote, without what it keeps for the next run."""
         if self.out.is_file():  # with what stands beside it
             return {p.name: _digest(p) for p in self.out.parent.glob(f"{self.out.stem}.*")}
         top = self.out / "result" if self.continues else self.out
-        return {str(p.relative_to(top)): _digest(p) for p in sorted(top.rglob("*")) if p.is_file()}
+        files = (p for p in sorted(top.rglob("*")) if p.is_file() and p.relative_to(top).parts[0] != PROJECT)
+        return {str(p.relative_to(top)): _digest(p) for p in files}
 
     def left(self) -> list[str]:
         """Hidden files and folders in and beside the output."""
