@@ -60,7 +60,11 @@ def rich():
         relations=(Relation(name="r", terms={"c": 2.0, "x0": -1.0}, sigma=0.1, observed=3.0),),
     )
     images = replace(block.images, held=np.arange(len(block.images)) < 2, interior={1: {"c": 20.5}, 3: {"c": 20.1}})
-    return replace(block, cameras=(camera,), images=images, about="ä 雪", residuals="corrected", length_unit="mm")
+    wrong = ((block.images.ids[0], block.points.ids[1]), (block.images.ids[2], "not there"))
+    return replace(
+        block, cameras=(camera,), images=images, about="ä 雪", residuals="corrected", length_unit="mm", noise="fields",
+        datum_over="good", rejected=wrong,
+    )  # fmt: skip
 
 
 def test_a_block_with_every_table_comes_back(rich):

@@ -28,7 +28,7 @@ from raybundle.adjustment.wrong_control import (
     suspected,
 )
 from raybundle.block import Block, Camera
-from raybundle.block.rejection import Rejection, RejectionKind, Rejections
+from raybundle.block.rejection import Rejection, RejectionKind, Rejections, given_rejections
 from raybundle.block.stored import is_observed_jointly
 from raybundle.errors import NoConvergence, NotSolvable, RankDefect
 from raybundle.numerics.arrays import Array
@@ -61,7 +61,7 @@ def decide(
     began = time.perf_counter()
     choices = Decisions(
         free={c.id: free_parameters(c) for c in block.cameras},
-        reasons=(None,) * len(block.observations),
+        reasons=given_rejections(block),
         known={c.id: {**c.values, **{s: v for s, v in c.known.items() if s in c.values}} for c in block.cameras},
     )
     automatic = [

@@ -28,9 +28,10 @@ class AdjustmentOptions:
     constraints for everything but a scale that distances fix."""
     datum_points: tuple[str, ...] = ()
     """Points that carry the inner constraints; () = all object points."""
-    datum_over: Literal["all", "good"] = "all"
+    datum_over: Literal["", "all", "good"] = ""
     """Without `datum_points`: all object points; good: those that rays determine to twice the median standard
-    deviation, where points far away would carry their uncertainty into every standard deviation."""
+    deviation, where points far away would carry their uncertainty into every standard deviation; "": as the block
+    says, or all."""
     estimate: Literal["given", "auto"] = "given"
     """given: the parameters named in the block; auto: chosen by significance, BIC and determinability."""
     pixel_shape: Literal["sensor", "any"] = "sensor"

@@ -41,9 +41,9 @@ _CODES = {
         "two_cameras unstable_camera up_ambiguous up_uncertain weak_photographs"
     ),
     Severity.REMARK: (
-        "attitudes camera camera_joined check_points_open control_unchecked dropped gps masks model not_significant "
-        "parallel_rays parts_joined photographs reduced_features rejected relative_positions scene_joins "
-        "stored_turned target_eccentricity target_radius up_by_edges up_without_edges"
+        "attitudes camera camera_joined check_points_open control_unchecked dropped given_rejected gps masks model "
+        "not_significant parallel_rays parts_joined photographs reduced_features rejected relative_positions "
+        "scene_joins stored_turned target_eccentricity target_radius up_by_edges up_without_edges"
     ),
 }
 

@@ -220,6 +220,12 @@ class Block:
     """Whether an adjustment found that nothing fixes the scale: lengths are then in no unit, whatever `length_unit`."""
     sigma0_apriori: float = 1.0
     residuals: Residuals = "measured"
+    noise: Literal["", "white", "fields"] = ""
+    """How the errors of the image points were taken when the block was adjusted; "": nobody said."""
+    datum_over: Literal["", "all", "good"] = ""
+    """Points that carried inner constraints: all, or those that are well determined; "": nobody said, all."""
+    rejected: tuple[tuple[str, str], ...] = ()
+    """Image observations, as image and point, that were found wrong before: they stand here and take no part."""
     place: Place | None = None
     """Where the object frame stands on the earth; satellite scenes need it."""
     cameras: tuple[Camera, ...]

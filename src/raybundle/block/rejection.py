@@ -6,6 +6,13 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from raybundle.block.block import Block
+    from raybundle.numerics.arrays import Mask
 
 
 class RejectionKind(StrEnum):
@@ -62,6 +69,41 @@ class Rejection:
 
 Rejections = tuple[Rejection | None, ...]
 """(m,) parallel to the image observations; None: it takes part."""
+
+
+FOUND_WRONG = {
+    RejectionKind.BLUNDER, RejectionKind.BLUNDER_NOT_LOCATED, RejectionKind.RESIDUAL, RejectionKind.GIVEN,
+}  # fmt: skip
+"""Kinds that a block keeps; the others follow from its geometry each time."""
+
+
+def known_wrong(block: Block) -> Mask:
+    """(m,) image observations that the block gives as rejected."""
+    o = block.observations
+    found = np.zeros(len(o), bool)
+    if not block.rejected:
+        return found
+    image = {name: k for k, name in enumerate(block.images.ids)}
+    point = {name: k for k, name in enumerate(block.points.ids)}
+    n = len(point)
+    pairs = [image[i] * n + point[p] for i, p in block.rejected if i in image and p in point]
+    return np.isin(o.image.astype(np.int64) * n + o.point, np.array(pairs, np.int64))
+
+
+def given_rejections(block: Block) -> Rejections:
+    """Why image observations take no part from the outset."""
+    given = Rejection(kind=RejectionKind.GIVEN)
+    return tuple(given if wrong else None for wrong in known_wrong(block).tolist())
+
+
+def found_wrong(block: Block, rejections: Rejections) -> tuple[tuple[str, str], ...]:
+    """Image and point of the observations that a block is to keep as rejected."""
+    o, images, points = block.observations, block.images.ids, block.points.ids
+    return tuple(
+        (images[int(o.image[k])], points[int(o.point[k])])
+        for k, r in enumerate(rejections)
+        if r is not None and r.kind in FOUND_WRONG
+    )
 
 
 def counts(rejections: Iterable[Rejection | None]) -> dict[RejectionKind, int]:

@@ -29,6 +29,8 @@ def arrays_of_block(block: Block) -> dict[str, Array]:
         "free_scale": block.free_scale,
         "sigma0_apriori": block.sigma0_apriori,
         "residuals": block.residuals,
+        "noise": block.noise,
+        "datum_over": block.datum_over,
         "cameras": [
             {**asdict(c), "values": dict(c.values), "sigma": dict(c.sigma), "known": dict(c.known)}
             for c in block.cameras
@@ -51,6 +53,7 @@ def arrays_of_block(block: Block) -> dict[str, Array]:
         "xy_px": o.xy_px,
         "cov_px2": o.cov_px2,
         "point_ids": np.array(p.ids, dtype=np.str_),
+        "rejected": np.array(block.rejected, dtype=np.str_).reshape(-1, 2),
         "role": p.role,
         "xyz": p.xyz,
         "sigma": p.sigma,
@@ -71,6 +74,9 @@ def block_of_arrays(a: Mapping[str, Array]) -> Block:
         free_scale=bool(head["free_scale"]),
         sigma0_apriori=head["sigma0_apriori"],
         residuals=head["residuals"],
+        noise=head["noise"],
+        datum_over=head["datum_over"],
+        rejected=tuple((i, p) for i, p in a["rejected"].tolist()),
         cameras=tuple(_camera(c) for c in head["cameras"]),
         images=Images(
             ids=tuple(a["image_ids"].tolist()),

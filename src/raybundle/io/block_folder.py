@@ -14,6 +14,7 @@ import numpy as np
 from raybundle.block import Block, Camera, Images, Observations, Points, Role
 from raybundle.block.block import PixelFrame, Turn
 from raybundle.block.frames import TURNS, size_ratio
+from raybundle.block.rejection import known_wrong
 from raybundle.errors import InputError
 from raybundle.io.block_observations import read_observation_tables, write_observation_tables
 from raybundle.io.block_scenes import FOLDER as SCENES
@@ -51,7 +52,7 @@ def read_block(path: str | Path, *, progress: Progress = silent) -> Block:
     images, image_ids = _read_images(folder / "images.csv", head.cameras)
     points, point_ids = _read_points(folder / "points.csv")
     progress("reading", 0.1)
-    observations = _read_observations(folder / "observations.csv", image_ids, point_ids)
+    observations, rejected = _read_observations(folder / "observations.csv", image_ids, point_ids)
     progress("reading", 0.9)
     new = tuple(point_ids)[len(points) :]
     points = _with_tie_points(points, new)
@@ -65,6 +66,9 @@ def read_block(path: str | Path, *, progress: Progress = silent) -> Block:
         free_scale=head.free_scale,
         sigma0_apriori=head.sigma0_apriori,
         residuals=head.residuals,
+        noise=head.noise,
+        datum_over=head.datum_over,
+        rejected=rejected,
         place=head.place,
         cameras=head.cameras,
         images=replace(images, interior=interior),
@@ -277,8 +281,10 @@ def _with_tie_points(points: Points, new: tuple[str, ...]) -> Points:
     )
 
 
-def _read_observations(path: Path, images: dict[str, int], points: dict[str, int]) -> Observations:
-    """The table; points not yet known are added to `points`."""
+def _read_observations(
+    path: Path, images: dict[str, int], points: dict[str, int]
+) -> tuple[Observations, tuple[tuple[str, str], ...]]:
+    """The table, and image and point of rows that are known as wrong; points not yet known are added to `points`."""
     table = read_table(
         path,
         (
@@ -289,15 +295,18 @@ def _read_observations(path: Path, images: dict[str, int], points: dict[str, int
             Column(name="sx_px", kind="number", limit="> 0"),
             Column(name="sy_px", kind="number", limit="> 0"),
             Column(name="sxy_px2", kind="number", optional=True, empty=True),
+            Column(name="rejected", kind="number", optional=True, empty=True),
         ),
         unique=("image", "point"),
         without=NEEDED,
     )
     sx, sy = table.number["sx_px"], table.number["sy_px"]
     sxy = np.nan_to_num(table.number.get("sxy_px2", np.zeros(table.rows)))
+    wrong = np.nan_to_num(table.number.get("rejected", np.zeros(table.rows)))
     limit = sx * sy
     require(
         path,
+        problems_of((wrong != 0) & (wrong != 1), "rejected", lambda k: f"{wrong[k]:g} is neither 1 nor 0 nor empty"),
         problems_of(
             np.abs(sxy) >= limit * (1 - 1e-9),
             "sxy_px2",
@@ -309,12 +318,15 @@ def _read_observations(path: Path, images: dict[str, int], points: dict[str, int
             lambda k: f"a standard deviation of {sx[k]:g}, {sy[k]:g} px cannot be meant; give it in px",
         ),
     )
-    return Observations(
+    found = Observations(
         image=table.index["image"],
         point=table.index["point"],
         xy_px=np.stack([table.number["x_px"], table.number["y_px"]], axis=1),
         cov_px2=np.stack([sx * sx, sy * sy, sxy], axis=1),
     )
+    image, point = [*images], [*points]
+    rows = np.flatnonzero(wrong == 1).tolist()
+    return found, tuple((image[int(found.image[k])], point[int(found.point[k])]) for k in rows)
 
 
 def _read_interior(
@@ -374,7 +386,7 @@ def write_block(block: Block, path: str | Path) -> None:
 def write_block_files(block: Block, folder: Path) -> None:
     """Write the files of a block into an existing folder."""
     (folder / "block.toml").write_text(head_text(block), encoding="utf-8", newline="\n")
-    images, points, observations = block.images, block.points, block.observations
+    images, points = block.images, block.points
     is_scene = np.array([c.is_scene for c in block.cameras])[images.camera]
     if is_scene.any():
         write_scene_files(block, folder)
@@ -397,7 +409,7 @@ def write_block_files(block: Block, folder: Path) -> None:
         frames = np.array([none if f is None else (f.turned, f.width_px, f.height_px) for f in rows], float)
         columns |= columns_of(FRAME, frames)
     write_table(folder / "images.csv", columns)
-    _write_observations(folder / "observations.csv", images.ids, points.ids, observations)
+    _write_observations(folder / "observations.csv", block)
     if len(points):
         write_table(
             folder / "points.csv",
@@ -407,15 +419,18 @@ def write_block_files(block: Block, folder: Path) -> None:
     _write_interior(folder / "interior.csv", block)
 
 
-def _write_observations(path: Path, images: tuple[str, ...], points: tuple[str, ...], o: Observations) -> None:
+def _write_observations(path: Path, block: Block) -> None:
+    o = block.observations
     columns: dict[str, Sequence[str] | Array] = {
-        "image": named(images, o.image),
-        "point": named(points, o.point),
+        "image": named(block.images.ids, o.image),
+        "point": named(block.points.ids, o.point),
         **columns_of(("x_px", "y_px"), o.xy_px),
         **columns_of(("sx_px", "sy_px"), np.sqrt(o.cov_px2[:, :2])),
     }
     if o.cov_px2[:, 2].any():
         columns["sxy_px2"] = o.cov_px2[:, 2]
+    if (wrong := known_wrong(block)).any():
+        columns["rejected"] = ["1" if w else "" for w in wrong.tolist()]
     write_table(path, columns)
 
 

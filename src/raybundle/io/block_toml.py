@@ -46,6 +46,8 @@ class Head:
     length_unit: LengthUnit
     free_scale: bool
     sigma0_apriori: float
+    noise: Literal["", "white", "fields"]
+    datum_over: Literal["", "all", "good"]
     residuals: Residuals
     place: Place | None
     cameras: tuple[Camera, ...]
@@ -132,6 +134,8 @@ def read_head(path: Path) -> Head:
             "scale",
             "sigma0_apriori",
             "residuals",
+            "noise",
+            "datum_over",
             "frame",
             "cameras",
             "antennas",
@@ -151,6 +155,8 @@ def read_head(path: Path) -> Head:
         free_scale=top.choice("scale", SCALES, "fixed") == "free",
         sigma0_apriori=top.number("sigma0_apriori", 1.0, above=0),
         residuals=cast("Residuals", top.choice("residuals", ("measured", "corrected"), "measured")),
+        noise=cast("Any", top.choice("noise", ("", "white", "fields"), "")),
+        datum_over=cast("Any", top.choice("datum_over", ("", "all", "good"), "")),
         place=place,
         cameras=(*(_camera(cameras, id_, place) for id_ in cameras.values), *_carried(top)),
     )
@@ -393,6 +399,10 @@ def head_text(block: Block) -> str:
         lines.append('scale = "free"')
     lines.append(f"sigma0_apriori = {block.sigma0_apriori!r}")
     lines.append(f"residuals = {_quoted(block.residuals)}")
+    if block.noise:
+        lines.append(f"noise = {_quoted(block.noise)}")
+    if block.datum_over:
+        lines.append(f"datum_over = {_quoted(block.datum_over)}")
     lines += frame_lines(block.place)
     for number, camera in enumerate(block.cameras, 1):
         key = camera.id if _BARE.fullmatch(camera.id) else _quoted(camera.id)

@@ -17,7 +17,7 @@ from raybundle.adjustment.counts import counts
 from raybundle.adjustment.result import Adjustment, InteriorResult, ObservationGroup, gravest_first
 from raybundle.block import Block, Camera, Role
 from raybundle.block.rejection import counts as rejections
-from raybundle.block.rejection import words
+from raybundle.block.rejection import found_wrong, words
 from raybundle.block.stored import observed_jointly
 from raybundle.errors import InputError
 from raybundle.io.block_folder import (
@@ -241,6 +241,9 @@ def _block_again(adjustment: Adjustment) -> Block:
     return replace(
         given,
         free_scale="scale" in adjustment.datum_defect,
+        noise="" if adjustment.options.noise == "auto" else adjustment.options.noise,
+        datum_over="" if adjustment.options.datum_over == "all" else adjustment.options.datum_over,
+        rejected=found_wrong(given, adjustment.image_observations.rejected),
         cameras=tuple(cameras),
         images=replace(adjusted.images, held=given.images.held),
         points=replace(given.points, xyz=xyz),

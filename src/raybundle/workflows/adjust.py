@@ -20,6 +20,7 @@ from raybundle.adjustment.severity import POOR_FIT, Severity
 from raybundle.adjustment.structure import structure_notice
 from raybundle.block import Block, Role
 from raybundle.block.points import automatic
+from raybundle.block.rejection import known_wrong
 from raybundle.errors import InputError, NoConvergence, NoOrientation, NotSolvable, RankDefect
 from raybundle.numerics.arrays import Mask
 from raybundle.numerics.counting import counted_are
@@ -42,7 +43,9 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
     began = time.perf_counter()
     options = AdjustmentOptions() if options is None else options
     check_entry(block, options)
-    defects.check_rays(block, np.zeros(len(block.observations), bool))
+    options = _as_before(block, options)
+    wrong = known_wrong(block)
+    defects.check_rays(block, wrong)
     twins = identical_images(block)
     identical = identical_notices(block)
     try:
@@ -71,8 +74,29 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
         bent |= set() if doubt is None else {"image_contradicts", "control_not_located"}
         others = [n for n in result.notices if n.code not in bent]
         result = replace(result, notices=(*plain, *others))
-    result = replace(result, notices=(*calibration_notices(result), *result.notices, *_structure(result, options)))
+    result = replace(
+        result,
+        notices=(*calibration_notices(result), *_given_rejected(wrong), *result.notices, *_structure(result, options)),
+    )
     return with_check_notice(replace(result, given=block, seconds=time.perf_counter() - began))
+
+
+def _as_before(block: Block, options: AdjustmentOptions) -> AdjustmentOptions:
+    """The options, with what the block says of its adjustment before where nothing else is asked for."""
+    noise = block.noise if options.noise == "auto" and block.noise else options.noise
+    return replace(options, noise=noise, datum_over=options.datum_over or block.datum_over or "all")
+
+
+def _given_rejected(wrong: Mask) -> tuple[Notice, ...]:
+    """What there is to say of image observations that the block gives as rejected."""
+    n = int(wrong.sum())
+    if not n:
+        return ()
+    message = (
+        f"{counted_are(n, 'image observation')} known as wrong from an adjustment before (column rejected of the "
+        "block's observations.csv) and take no part; without that column they are tested anew"
+    )
+    return (Notice(code="given_rejected", message=message, measured=Severity.REMARK),)
 
 
 def _structure(result: Adjustment, options: AdjustmentOptions) -> tuple[Notice, ...]:

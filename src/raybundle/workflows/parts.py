@@ -159,6 +159,7 @@ def merged(blocks: Sequence[Block]) -> Block:
         cov.append(o.cov_px2)
     return replace(
         base,
+        rejected=tuple(dict.fromkeys(pair for block in blocks for pair in block.rejected)),
         images=replace(base.images, centre=centre, rotation=rotation),
         points=replace(
             base.points, ids=tuple(position), role=np.array(role, np.int32), xyz=np.array(xyz), sigma=np.array(sigma)

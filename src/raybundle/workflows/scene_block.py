@@ -233,6 +233,7 @@ def joined(scenes: Block, photographs: Block | None) -> Block:
         b,
         name=a.name,
         place=a.place,
+        rejected=(*a.rejected, *b.rejected),
         cameras=(*a.cameras, *b.cameras),
         images=replace(
             b.images,
