@@ -12,7 +12,7 @@ from raybundle.block import Relation
 from raybundle.block.calibration_networks import ROLLS, FlatField, flat_field_scene
 from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.block.stored import joint_covariance, observed_jointly
-from raybundle.cli.photograph_facts import _camera
+from raybundle.commands.photograph_facts import _camera
 from raybundle.errors import InputError
 from raybundle.io.block_toml import read_cameras
 from raybundle.io.calibrations.ours import cameras_text

@@ -23,9 +23,9 @@ def run(folder: Path, out: Path, progress: str) -> None:
 
     folder  photos/, measured.csv (marked targets) and truth/ (a block folder with the scale bar)
     """
-    from raybundle.cli.orient import write_orientation  # noqa: PLC0415
     from raybundle.cli.progress import reporting  # noqa: PLC0415
     from raybundle.cli.summary import summary_lines  # noqa: PLC0415
+    from raybundle.commands.orient import write_orientation  # noqa: PLC0415
     from raybundle.errors import InputError  # noqa: PLC0415
     from raybundle.io.block_folder import read_block  # noqa: PLC0415
     from raybundle.report.result_folder import check_target  # noqa: PLC0415

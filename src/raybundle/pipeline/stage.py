@@ -79,6 +79,7 @@ class Means:
                     waiting, saved = [], time.perf_counter()
         finally:
             self.project.store_small(waiting)
+            self.store.release()
         return failed
 
     def small(self, keys: Sequence[str]) -> Mapping[str, Product]:

@@ -116,6 +116,11 @@ class Folder:
                 self._held.popitem(last=False)
         return found
 
+    def release(self) -> None:
+        """Let go of what is held in memory."""
+        with self._lock:
+            self._held.clear()
+
     def store(self, key: str, product: Product) -> None:
         """Keep a product; it appears whole or not at all."""
         path = self._path(key)

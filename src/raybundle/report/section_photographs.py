@@ -120,6 +120,8 @@ class PhotographFacts:
     """Photographs without orientation, and why"""
     pairs: tuple[PairFact, ...] = ()
     stages: tuple[StageFact, ...] = ()
+    settings: tuple[tuple[str, str], ...] = ()
+    """what was asked for beside the defaults, by name"""
     sigma_px: float = math.nan
     """Standard deviation of an image coordinate, from the residuals; NaN: not known"""
 

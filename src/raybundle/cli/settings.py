@@ -1,0 +1,64 @@
+"""Options of the command line, made of the settings of a command."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, get_args, get_origin
+
+import click
+
+from raybundle.cli.common import FOLDER
+from raybundle.cli.numbers import Number
+from raybundle.commands.setting import Part, Range, Setting, settings_of
+
+
+def options_of(kind: type, **types: click.ParamType) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
+    """Add an option for each setting of a command, in their order; `types` replace those of their fields."""
+
+    def add(function: Callable[..., Any]) -> Callable[..., Any]:
+        for s in reversed(settings_of(kind)):
+            function = _option(s, types.get(s.name))(function)
+        return function
+
+    return add
+
+
+def _option(s: Setting, own: click.ParamType | None) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
+    flag = s.about.flag or f"--{s.name.replace('_', '-')}"
+    if s.kind is bool:
+        # a flag says the opposite of the default
+        return click.option(flag, s.name, is_flag=True, flag_value=not s.default, default=s.default, help=s.about.help)
+    shown = s.default not in {None, "", ()}
+    more: dict[str, Any] = {"metavar": s.about.metavar} if s.about.metavar else {}
+    return click.option(
+        flag, s.name, type=own or _type(s), multiple=s.many, default=s.default if shown else None, show_default=shown,
+        help=s.about.help, **more,
+    )  # fmt: skip
+
+
+def _type(s: Setting) -> Any:
+    if s.choices:
+        return click.Choice([c for c in s.choices if c])
+    if s.each is Path:
+        return FOLDER
+    if get_origin(s.each) is tuple:
+        parts = get_args(s.each)
+        return tuple(_number(p, r) for p, r in zip(parts, s.about.limits, strict=True))
+    return _number(s.each, s.about.limits[0] if s.about.limits else Range())
+
+
+def _number(kind: Any, limits: Part) -> Any:
+    if kind is int and isinstance(limits, Range):
+        return click.IntRange(
+            None if limits.low is None else int(limits.low), None if limits.high is None else int(limits.high)
+        )
+    if kind is float and isinstance(limits, Range):
+        return Number(limits.low, limits.high, above=limits.above)
+    return str
+
+
+def values_of(kind: type, given: dict[str, Any]) -> dict[str, Any]:
+    """What click found, without what nobody asked for."""
+    names = {s.name for s in settings_of(kind)}
+    return {n: v for n, v in given.items() if n in names and v is not None and v != ()}

@@ -1,0 +1,313 @@
+"""`raybundle orient`: photographs and scenes to an oriented block with its report, in a project folder."""
+
+from __future__ import annotations
+
+from collections.abc import Generator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+from raybundle.commands.setting import (
+    ANY,
+    NOT_NEGATIVE,
+    POSITIVE,
+    Range,
+    made,
+    other_than_usual,
+    setting,
+    toml_lines,
+)
+from raybundle.errors import InputError
+from raybundle.numerics.progress import Progress, silent
+
+if TYPE_CHECKING:
+    from raybundle.pipeline.project import StageRecord
+    from raybundle.report.section_photographs import PhotographFacts
+    from raybundle.workflows.marks import Given
+    from raybundle.workflows.orient import Orientation
+    from raybundle.workflows.orient_options import OrientOptions
+
+NOISE_HELP = (
+    "Errors of image coordinates, for standard deviations: white: independent; fields: smooth ones that "
+    "differ from image to image, and a floor, both told by the residuals; auto: fields for five photographs or "
+    "more that are measured here, white for a block that is given."
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class OrientSettings:
+    """What photographs are oriented with.  The defaults need no change."""
+
+    photos: tuple[Path, ...]
+    """folders and files"""
+    out: Path
+    """project folder; begun, or continued"""
+    calibration: Path | None = setting(
+        None, "Known cameras; `estimate = []` in it holds them; those of `raybundle calibrate` are observed with their "
+        "covariance.", metavar="CAMERAS.toml",
+    )  # fmt: skip
+    separate: tuple[str, ...] = setting(
+        (), "Photographs whose names match, as 'left_*' or 'a.jpg|b.jpg', are a camera apart; for those without "
+        "metadata.", flag="--camera", metavar="PATTERN",
+    )  # fmt: skip
+    masks: Path | None = setting(
+        None, "Masks of the photographs, named photo.jpg.png as by COLMAP, or photo_mask.png or photo.png as by "
+        "Metashape: nothing is measured where they are 0.", metavar="DIR",
+    )  # fmt: skip
+    library: bool = setting(True, "Leave calibrations of the camera library out.", flag="--no-library")
+    control: tuple[Path, ...] = setting(
+        (), "Control points with their places in the photographs: gcp_list.txt, CSV or a block folder.", metavar="FILE"
+    )
+    check: tuple[Path, ...] = setting((), "Check points, in the same formats.", metavar="FILE")
+    control_sigma: tuple[float, float] | None = setting(
+        None, "Standard deviation of control whose file states none.", metavar="PLAN HEIGHT",
+        limits=(NOT_NEGATIVE, NOT_NEGATIVE),
+    )  # fmt: skip
+    mark_sigma: float = setting(
+        0.5, "Standard deviation of a point marked in a photograph.", metavar="PX", limits=Range(low=0.001, high=1e5)
+    )
+    scale_bar: tuple[tuple[str, str, float, float], ...] = setting(
+        (), "A known distance between two points that --control measures, and its standard deviation, both in metres; "
+        "may be repeated.", metavar="A B LENGTH SIGMA", limits=("text", "text", POSITIVE, NOT_NEGATIVE),
+    )  # fmt: skip
+    positions: Path | None = setting(
+        None, "Positions of the photographs, as an MRK file or CSV, in place of those that they state.", metavar="FILE"
+    )
+    attitudes: Literal["auto", "none", "opk", "rpy-ned", "gimbal"] = setting(
+        "auto", "Observe attitudes of --positions, or the gimbal's in the photographs, by their convention; auto: what "
+        "the file holds with standard deviations.",
+    )  # fmt: skip
+    attitude_sigma: tuple[float, float] | None = setting(
+        None, "Standard deviations [deg] of attitudes that state none; observes those of the gimbal as well.",
+        metavar="TILT HEADING", limits=(POSITIVE, POSITIVE),
+    )  # fmt: skip
+    misalignment: bool = setting(
+        True, "Attitudes are those of the camera itself: no misalignment is estimated.", flag="--no-misalignment"
+    )
+    relative: Literal["", "shift", "drift"] = setting(
+        "", "Relative aerial control: positions and attitudes of a flight line count by their differences alone; "
+        "drift: after a drift of the positions as well.",
+    )  # fmt: skip
+    lever_arm: tuple[float, float, float, float] | None = setting(
+        None, "Positions belong to an antenna that stands there in the axes of the image, seen from the projection "
+        "centre; SIGMA 0 holds it.", metavar="RIGHT UP BACK SIGMA", limits=(ANY, ANY, ANY, NOT_NEGATIVE),
+    )  # fmt: skip
+    shift: bool = setting(
+        True, "Control and positions are in one datum: no shift of the positions of each flight is estimated.",
+        flag="--no-shift",
+    )  # fmt: skip
+    scene_bias: Literal["none", "shift", "drift", "affine"] = setting(
+        "shift", "What is estimated of a satellite scene's RPC."
+    )
+    crs: str | None = setting(
+        None, "As EPSG:32633, of --positions in a grid and, with satellite scenes, of control files that name none.",
+        metavar="SYSTEM",
+    )  # fmt: skip
+    gps: bool = setting(True, "Leave positions out that the photographs state.", flag="--no-gps")
+    up: str = setting(
+        "auto", "Which way is up where neither control nor positions tell it: auto, by how the photographs were held; "
+        "terrestrial, aerial, oblique; or two points A,B that --control measures, B plumb above A.", metavar="WAY",
+    )  # fmt: skip
+    features: str = setting(
+        "rootsift", "rootsift; for wide baselines, with the extra [learned]: xfeat or disk.", metavar="METHOD"
+    )
+    feature_count: int = setting(10_000, "Features of a photograph.", limits=Range(low=100))
+    start: Literal["auto", "growing", "averaging"] = setting(
+        "auto", "Image by image, or all pairs at once; auto: the second where the first leaves photographs or the view "
+        "is narrow.",
+    )  # fmt: skip
+    precise: bool = setting(True, "Leave out least-squares matching: several times less precise.", flag="--quick")
+    jobs: int = setting(0, "0: all processors.", limits=NOT_NEGATIVE)
+    memory: float = setting(
+        4.0, "Memory that the pixels of photographs may take while points are measured.", metavar="GB",
+        limits=Range(low=0.1, high=1e6),
+    )  # fmt: skip
+    redo_from: str = setting(
+        "", "Do this stage, as `raybundle status` lists them, and all after it again.", flag="--from", metavar="STAGE"
+    )
+    noise: Literal["white", "fields", "auto"] = setting("auto", NOISE_HELP)
+    report: bool = setting(True, "Leave out report.html and network.html.", flag="--no-report")
+
+    def options(self) -> OrientOptions:
+        """What the workflow is asked for."""
+        from raybundle.io.camera_library import library_folder  # noqa: PLC0415
+        from raybundle.workflows.orient_options import OrientOptions  # noqa: PLC0415
+
+        return OrientOptions(
+            features=self.features, feature_count=self.feature_count, start=self.start, precise=self.precise,
+            jobs=self.jobs, memory_gb=self.memory, separate=self.separate, masks=self.masks,
+            library=library_folder() if self.library else None, redo_from=self.redo_from, scene_bias=self.scene_bias,
+            crs=self.crs, attitudes=self.attitudes, attitude_sigma_deg=self.attitude_sigma, relative=self.relative,
+            noise=self.noise,
+        )  # fmt: skip
+
+    def given(self) -> Given:
+        """What is known of object space, read from the files; raises InputError."""
+        from raybundle.io.control_files import (  # noqa: PLC0415
+            DEFAULTS,
+            ControlDefaults,
+            named_apart,
+            read_control,
+        )
+        from raybundle.workflows.marks import Given, ScaleBar  # noqa: PLC0415
+
+        plan, height = self.control_sigma or (DEFAULTS.plan, DEFAULTS.height)
+        usual = ControlDefaults(plan=plan, height=height)
+        return Given(
+            control=named_apart((
+                *(read_control(f, defaults=usual) for f in self.control),
+                *(read_control(f, defaults=replace(usual, role="check")) for f in self.check),
+            )),
+            scale_bars=tuple(ScaleBar(start=a, end=b, length=d, sigma=e) for a, b, d, e in self.scale_bar),
+            gps=self.gps, shift=self.shift, misalignment=self.misalignment,
+            lever_arm=None if self.lever_arm is None else (self.lever_arm[:3], self.lever_arm[3]),
+            defaults=usual, sigma_given=self.control_sigma is not None, mark_px=self.mark_sigma, up=self.up,
+        )  # fmt: skip
+
+
+def orient(
+    photos: str | Path | Sequence[str | Path], out: str | Path, *, progress: Progress = silent, **settings: Any
+) -> Orientation:
+    """Orient photographs and satellite scenes; the result and its report stand in `out`/result.
+
+    photos    folders and files
+    out       project folder; begun, or continued where a run was stopped
+    settings  as of the command line, by the names of `OrientSettings`: control="gcp.csv", crs="EPSG:32633"
+    raises    InputError, NoOrientation; nothing that is finished is lost
+
+    What it does not tell: without control or scale bars the position, orientation and scale of the result are
+    arbitrary; and a set of photographs whose parts look alike can be oriented wrongly with small residuals.
+    """
+    inputs = (photos,) if isinstance(photos, str | Path) else photos
+    given = {"photos": tuple(Path(p) for p in inputs), "out": Path(out), **settings}
+    return run_orient(made(OrientSettings, given), progress)
+
+
+def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orientation:
+    """Orient what the settings ask for, and write the result."""
+    from raybundle.io.block_toml import read_cameras  # noqa: PLC0415
+    from raybundle.io.photos.photo import shown  # noqa: PLC0415
+    from raybundle.io.trajectories import read_trajectory  # noqa: PLC0415
+    from raybundle.pipeline.project import discard_empty  # noqa: PLC0415
+    from raybundle.report.result_folder import check_target  # noqa: PLC0415
+    from raybundle.workflows.earlier_result import less_fixed  # noqa: PLC0415
+    from raybundle.workflows.orient import orient as oriented  # noqa: PLC0415
+
+    out, result = settings.out, settings.out / "result"
+    cameras = () if settings.calibration is None else read_cameras(settings.calibration)
+    options, given = settings.options(), settings.given()
+    if shown(out) != out:
+        raise InputError("this name is no UTF-8, which the result is written in; choose another --out", file=shown(out))
+    check_target(result)
+    begins = not out.exists()
+    try:
+        _keep_settings(settings)
+        done = oriented(
+            settings.photos, out, options, calibration=cameras, given=given, progress=progress,
+            positions=None if settings.positions is None else read_trajectory(settings.positions),
+        )  # fmt: skip
+        lost = less_fixed(result, done.adjustment)
+        if lost is not None:
+            done = replace(done, adjustment=replace(done.adjustment, notices=(lost, *done.adjustment.notices)))
+        with report_stage(out, done.stages):
+            asked = {name: str(value) for name, value in other_than_usual(settings).items()}
+            write_orientation(
+                done, result, report="html" if settings.report else "none", progress=progress, settings=asked
+            )
+    except InputError:
+        if begins and out.is_dir():
+            discard_empty(out)
+        raise
+    return done
+
+
+def _keep_settings(settings: OrientSettings) -> None:
+    """Write the settings, as given or by default, into project.toml."""
+    from raybundle.pipeline.project import Project  # noqa: PLC0415
+
+    lines = ["# what the last run was asked for; `raybundle status` shows what it did", *toml_lines("orient", settings)]
+    text = ("\n".join(lines) + "\n").encode("utf-8", "replace").decode()
+    project = Project.open(settings.out)
+    try:
+        project.write_settings(text)
+    finally:
+        project.close()
+
+
+@contextmanager
+def report_stage(out: Path, before: Sequence[StageRecord]) -> Generator[None]:
+    """Record the writing of the result as the last stage of a run."""
+    from raybundle.pipeline.project import Project  # noqa: PLC0415
+
+    project = Project.open(out)
+    try:
+        project.records += before
+        with project.stage("report") as stage:
+            stage.from_cache = False
+            yield
+    finally:
+        project.close()
+
+
+def write_orientation(
+    done: Orientation, result: Path, *, report: Literal["html", "none"], progress: Progress,
+    settings: dict[str, str] | None = None,
+) -> None:  # fmt: skip
+    """Write the result folder of oriented photographs.
+
+    settings  what was asked for beside the defaults, for the report
+    """
+    from raybundle.report.result_folder import write_result  # noqa: PLC0415
+    from raybundle.workflows.orient import part_folder  # noqa: PLC0415
+
+    facts = replace(facts_of(done), settings=tuple((settings or {}).items()))
+    write_result(
+        done.adjustment, result, report=report, additions=done.additions(), photographs=facts, frame=done.frame,
+        progress=progress,
+    )  # fmt: skip
+    for k, part in enumerate(done.parts):
+        write_result(part.adjustment, result.parent / part_folder(k), report=report, progress=progress)
+    _remove_older(result.parent, len(done.parts))
+
+
+def facts_of(done: Orientation) -> PhotographFacts:
+    """What the report says of photographs and scenes; a scene is a photograph with a camera of its own."""
+    from raybundle.commands.photograph_facts import photograph_facts  # noqa: PLC0415
+    from raybundle.report.section_photographs import PairFact, PhotoFact  # noqa: PLC0415
+
+    facts = photograph_facts(done)
+    names = [s.name for s in done.scenes]
+    scenes = tuple(
+        PhotoFact(
+            name=s.name, camera=s.name, width_px=s.width_px, height_px=s.height_px, taken=s.scene.time,
+            device=s.scene.sensor,
+        )
+        for s in done.scenes
+    )  # fmt: skip
+    pairs = tuple(
+        PairFact(
+            first=names[p.pair.first], second=names[p.pair.second], candidates=p.pair.candidates,
+            verified=len(p.pair.matches), geometry=p.pair.geometry,
+        )
+        for p in done.scene_pairs
+    )  # fmt: skip
+    return replace(facts, photographs=(*scenes, *facts.photographs), pairs=(*pairs, *facts.pairs))
+
+
+def _remove_older(project: Path, parts: int) -> None:
+    """Remove results of parts that an earlier run had and this one has not."""
+    import shutil  # noqa: PLC0415
+
+    from raybundle.report.result_folder import check_target  # noqa: PLC0415
+    from raybundle.workflows.orient import part_folder  # noqa: PLC0415
+
+    older = project / part_folder(parts)
+    while older.is_dir():
+        try:
+            check_target(older)
+        except InputError:  # somebody's own files are in it
+            return
+        shutil.rmtree(older)
+        parts += 1
+        older = project / part_folder(parts)

@@ -1,0 +1,183 @@
+"""Settings of commands: fields of a frozen data class with the help, limits and names that every user of them needs."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import MISSING, dataclass, field
+from functools import cache
+from pathlib import Path
+from typing import Any, Literal, TypeVar, cast, get_args, get_origin, get_type_hints
+
+from raybundle.errors import InputError
+
+T = TypeVar("T")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Range:
+    """Numbers that are allowed."""
+
+    low: float | None = None
+    high: float | None = None
+    above: bool = False
+    """whether `low` itself is not"""
+
+    def complaint(self, value: float) -> str:
+        """What is wrong with a number; empty: nothing."""
+        if not math.isfinite(value):
+            return "is no finite number"
+        if self.low is not None and (value < self.low or (self.above and value == self.low)):
+            return f"must be {'above' if self.above else 'at least'} {self.low:g}"
+        if self.high is not None and value > self.high:
+            return f"must be at most {self.high:g}"
+        return ""
+
+
+ANY, POSITIVE, NOT_NEGATIVE = Range(), Range(low=0, above=True), Range(low=0)
+Part = Range | Literal["text"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class About:
+    """What is known of a setting beside its type and default."""
+
+    help: str
+    flag: str = ""
+    """on the command line, where that is not the field's name"""
+    metavar: str = ""
+    limits: tuple[Part, ...] = ()
+    """of a number, or of each number and text of a tuple"""
+
+
+def setting(
+    default: Any, help_: str, *, flag: str = "", metavar: str = "", limits: Part | tuple[Part, ...] = ()
+) -> Any:
+    """A field of a data class of settings."""
+    parts = limits if isinstance(limits, tuple) else (limits,)
+    return field(default=default, metadata={"about": About(help=help_, flag=flag, metavar=metavar, limits=parts)})
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Setting:
+    """One setting of a command."""
+
+    name: str
+    kind: Any
+    """annotated type"""
+    default: Any
+    about: About
+
+    @property
+    def optional(self) -> bool:
+        """Whether it may be None."""
+        return type(None) in get_args(self.kind)
+
+    @property
+    def plain(self) -> Any:
+        """The type without None."""
+        if not self.optional:
+            return self.kind
+        rest = [a for a in get_args(self.kind) if a is not type(None)]
+        return rest[0]
+
+    @property
+    def choices(self) -> tuple[str, ...]:
+        """Of a word that is one of some."""
+        return get_args(self.plain) if get_origin(self.plain) is Literal else ()
+
+    @property
+    def many(self) -> bool:
+        """Whether it is any number of values."""
+        return get_origin(self.plain) is tuple and get_args(self.plain)[-1] is Ellipsis
+
+    @property
+    def each(self) -> Any:
+        """The type of each value."""
+        return get_args(self.plain)[0] if self.many else self.plain
+
+    def of(self, value: Any) -> Any:
+        """A value as the field holds it; raises InputError that names the setting, the value and what is allowed."""
+        if value is None and self.optional:
+            return None
+        if self.many:
+            values: list[Any] = [value] if isinstance(value, str | Path) else [*cast("Any", value)]
+            return tuple(self._one(v) for v in values)
+        return self._one(value)
+
+    def _one(self, value: Any) -> Any:
+        kind = self.each
+        if kind is Path:
+            return Path(value)
+        if self.choices:
+            if value not in self.choices:
+                words = ", ".join(repr(c) for c in self.choices if c)
+                raise InputError(f"{self.name} = {value!r} is not one of {words}")
+            return value
+        if get_origin(kind) is tuple:
+            parts = get_args(kind)
+            if isinstance(value, str) or len(value) != len(parts):
+                raise InputError(f"{self.name} = {value!r}: {len(parts)} values are needed")
+            return tuple(
+                self._number(v, p, r) if p in {int, float} else self._as(v, p)
+                for v, p, r in zip(value, parts, self.about.limits or ("text",) * len(parts), strict=True)
+            )
+        if kind in {int, float}:
+            return self._number(value, kind, self.about.limits[0] if self.about.limits else ANY)
+        return self._as(value, kind)
+
+    def _as(self, value: Any, kind: Any) -> Any:
+        if isinstance(kind, type) and not isinstance(value, kind):
+            raise InputError(f"{self.name} = {value!r} is no {kind.__name__}")
+        return value
+
+    def _number(self, value: Any, kind: Any, limits: Part) -> Any:
+        if isinstance(value, bool) or not isinstance(value, int | float) or (kind is int and value != int(value)):
+            raise InputError(f"{self.name} = {value!r} is no {'whole ' if kind is int else ''}number")
+        if isinstance(limits, Range) and (wrong := limits.complaint(value)):
+            raise InputError(f"{self.name} = {value!r} {wrong}")
+        return kind(value)
+
+
+@cache
+def settings_of(kind: type) -> tuple[Setting, ...]:
+    """The settings of a command, in their order; what is no setting is asked for apart."""
+    hints = get_type_hints(kind)
+    return tuple(
+        Setting(name=f.name, kind=hints[f.name], default=f.default, about=f.metadata["about"])
+        for f in dataclasses.fields(kind)
+        if "about" in f.metadata
+    )
+
+
+def made(kind: type[T], given: Mapping[str, Any]) -> T:
+    """The settings of these values; texts may stand for paths, one value for a tuple of one.
+
+    raises  InputError for a name that is no setting, and for a value that cannot be
+    """
+    known = {s.name: s for s in settings_of(kind)}
+    own = {f.name for f in dataclasses.fields(cast("Any", kind))} - known.keys()
+    for name in given:
+        if name not in known and name not in own:
+            raise InputError(f"{name} is no setting; known are {', '.join(known)}")
+    return kind(**{n: known[n].of(v) if n in known else v for n, v in given.items()})
+
+
+def toml_lines(section: str, values: Any) -> Iterator[str]:
+    """The settings as a section of a project file; what is None is left out."""
+    yield f"[{section}]"
+    for f in dataclasses.fields(values):
+        value = getattr(values, f.name)
+        if value is not None:  # a JSON text or list is one of TOML
+            yield f"{f.name} = {json.dumps(value, default=str, ensure_ascii=False)}"
+
+
+def other_than_usual(values: Any) -> dict[str, object]:
+    """The settings that are not as by default, by name."""
+    return {
+        s.name: getattr(values, s.name)
+        for s in settings_of(type(values))
+        if s.default is MISSING or getattr(values, s.name) != s.default
+    }
