@@ -6,6 +6,9 @@
     result = rb.adjust(block, rb.AdjustmentOptions(datum="inner"))
     rb.write_result(result, "camcal21-result")
 
+    done = rb.orient("facade/", "facade-project", control="marks.csv")
+    rb.calibrate("board/", "calibration", target="chessboard-9x6")
+
 Names are loaded when they are first used: `import raybundle` alone loads neither NumPy nor SciPy.
 """
 
@@ -16,12 +19,17 @@ if TYPE_CHECKING:
     from raybundle.adjustment.options import AdjustmentOptions
     from raybundle.adjustment.result import Adjustment
     from raybundle.block import Block, Camera, Distances, Images, Observations, Points, Role, Stations
+    from raybundle.commands.calibrate import CalibrateSettings, calibrate
+    from raybundle.commands.orient import OrientSettings, orient
+    from raybundle.commands.targets import detect_targets
     from raybundle.errors import InputError, NotSolvable, RaybundleError
     from raybundle.io.block_folder import read_block, write_block
     from raybundle.report.compare import write_comparison
     from raybundle.report.document import write_report
     from raybundle.report.result_folder import read_result, write_result
     from raybundle.workflows.adjust import adjust
+    from raybundle.workflows.calibrate_state import Calibration
+    from raybundle.workflows.orient import Orientation
 
     __version__: str
 
@@ -29,17 +37,24 @@ _HOME = {
     "Adjustment": "adjustment.result",
     "AdjustmentOptions": "adjustment.options",
     "Block": "block",
+    "CalibrateSettings": "commands.calibrate",
+    "Calibration": "workflows.calibrate_state",
     "Camera": "block",
     "Distances": "block",
     "Images": "block",
     "InputError": "errors",
     "NotSolvable": "errors",
     "Observations": "block",
+    "OrientSettings": "commands.orient",
+    "Orientation": "workflows.orient",
     "Points": "block",
     "RaybundleError": "errors",
     "Role": "block",
     "Stations": "block",
     "adjust": "workflows.adjust",
+    "calibrate": "commands.calibrate",
+    "detect_targets": "commands.targets",
+    "orient": "commands.orient",
     "read_block": "io.block_folder",
     "read_result": "report.result_folder",
     "write_block": "io.block_folder",
@@ -52,18 +67,25 @@ __all__ = [
     "Adjustment",
     "AdjustmentOptions",
     "Block",
+    "CalibrateSettings",
+    "Calibration",
     "Camera",
     "Distances",
     "Images",
     "InputError",
     "NotSolvable",
     "Observations",
+    "OrientSettings",
+    "Orientation",
     "Points",
     "RaybundleError",
     "Role",
     "Stations",
     "__version__",
     "adjust",
+    "calibrate",
+    "detect_targets",
+    "orient",
     "read_block",
     "read_result",
     "write_block",

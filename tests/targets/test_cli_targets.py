@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from raybundle.cli.calibrate import wanted_targets
 from raybundle.cli.main import main
+from raybundle.commands.calibrate import wanted_targets
 from raybundle.errors import InputError
 from raybundle.targets.codes import read_table
 from raybundle.targets.families import families

@@ -2,24 +2,20 @@
 
 from __future__ import annotations
 
-import math
-import time
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER, common_options, counted, noise_option
-from raybundle.cli.numbers import POSITIVE
-from raybundle.errors import InputError
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER, common_options, counted
+from raybundle.cli.settings import options_of, values_of
+from raybundle.commands.calibrate import CalibrateSettings, run_calibrate
+from raybundle.commands.setting import made
 
 if TYPE_CHECKING:
-    from raybundle.adjustment.calibration_quality import CalibrationQuality
     from raybundle.adjustment.result import InteriorResult
     from raybundle.block import Camera
-    from raybundle.numerics.progress import Progress
-    from raybundle.targets.marks import Target
-    from raybundle.workflows.calibrate import CalibrateOptions, Calibration
+    from raybundle.workflows.calibrate import Calibration
 
 MOST_PARAMETERS = 16
 """Parameters and warnings that are printed."""
@@ -30,68 +26,9 @@ MOST_PARAMETERS = 16
 @click.option(
     "--out", type=NEW_FOLDER, required=True, metavar="RESULT", help="Result folder; an older one is replaced."
 )
-@click.option(
-    "--target",
-    "targets",
-    multiple=True,
-    metavar="FAMILY",
-    help="What was photographed, as aicon14 or chessboard-9x6; how-to Coded targets lists them.  [default: found "
-    "out; natural points where there is nothing]",
-)
-@click.option("--table", type=FOLDER, metavar="FILE", help="Rings of one's own: a table id,code; with --bits.")
-@click.option("--bits", type=click.IntRange(3, 24), help="Sectors of the rings of --table.")
-@click.option(
-    "--sheet", type=FOLDER, metavar="SHEET.toml", help="The file beside the printed sheet, in place of --target."
-)
-@click.option(
-    "--masks", type=FOLDER, metavar="DIR",
-    help="Masks of the photographs for natural points, where there are no targets; named as for `raybundle orient`.",
-)  # fmt: skip
-@click.option(
-    "--camera",
-    "separate",
-    multiple=True,
-    metavar="PATTERN",
-    help="Photographs whose names match, as 'left_*' or 'a.jpg|b.jpg', are a camera apart; for those without metadata.",
-)
-@click.option("--model", default="auto", show_default=True, metavar="NAME",
-    help="Distortion model: aicon, brown, brown_harmonic, fisheye, radial, rational, spline; auto: brown, or what fits "
-    "a wide lens or what repeats in all residuals better.",
-)  # fmt: skip
-@click.option("--estimate", default="", metavar="SYMBOLS",
-    help="Parameters to be estimated, as c,x0,y0,K1,K2,P1,P2.  [default: what is significant and determinable]",
-)  # fmt: skip
-@click.option(
-    "--spacing", type=POSITIVE, default=1.0, metavar="MM",
-    help="Distance of neighbouring points of a board; the calibration does not depend on it.",
-)  # fmt: skip
-@click.option("--dots", is_flag=True, help="Use dots without a code among the targets, too.")
-@click.option("--shear", is_flag=True, help="Believe any shear and affinity of the pixels: for scanned pictures.")
-@click.option("--keep", is_flag=True, help="Keep a good calibration in the camera library, where orient finds it.")
-@click.option("--jobs", type=click.IntRange(0), default=0, show_default=True, help="0: all processors.")
-@noise_option
-@click.option("--no-report", is_flag=True, help="Leave out report.html and network.html.")
+@options_of(CalibrateSettings)
 @common_options
-def command(
-    photos: tuple[Path, ...],
-    out: Path,
-    targets: tuple[str, ...],
-    table: Path | None,
-    bits: int | None,
-    sheet: Path | None,
-    masks: Path | None,
-    separate: tuple[str, ...],
-    model: str,
-    estimate: str,
-    spacing: float,
-    dots: bool,  # noqa: FBT001  (a flag of the command line)
-    shear: bool,  # noqa: FBT001
-    keep: bool,  # noqa: FBT001
-    jobs: int,
-    noise: str,
-    no_report: bool,  # noqa: FBT001
-    progress: str,
-) -> int:
+def command(photos: tuple[Path, ...], out: Path, progress: str, **given: Any) -> int:
     """Calibrate cameras from photographs of coded targets or a board: photographs in, a calibration with a verdict out.
 
     The report says first whether the calibration is good, for what, and which photographs to take next.
@@ -109,116 +46,21 @@ def command(
       raybundle calibrate photos/ --sheet sheet.toml --out calibration
     """  # noqa: D301
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.report.result_folder import check_target, write_result  # noqa: PLC0415
-    from raybundle.targets.sidecar import read_sidecar  # noqa: PLC0415
-    from raybundle.workflows.calibrate import CalibrateOptions  # noqa: PLC0415
 
-    options = CalibrateOptions(
-        targets=wanted_targets(targets, table, bits, sheet), sheet=None if sheet is None else read_sidecar(sheet),
-        separate=separate, masks=masks, model=model, spacing=spacing,
-        estimate=tuple(t.strip() for t in estimate.split(",") if t.strip()), dots=dots, shear=shear, jobs=jobs,
-        noise=cast("Any", noise),
-    )  # fmt: skip
-    check_target(out)
+    settings = made(CalibrateSettings, {"photos": photos, "out": out, **values_of(CalibrateSettings, given)})
     try:
         with reporting(progress) as tell:
-            done = _calibrated(photos, options, out, tell)
-            began = time.perf_counter()
-            write_result(
-                done.adjustment, out, report="none" if no_report else "html", additions=additions(done),
-                qualities=done.quality, progress=tell,
-            )  # fmt: skip
+            done = run_calibrate(settings, tell)
     except KeyboardInterrupt:
         click.echo(f"interrupted; what is finished is kept in {out}, the same command continues there", err=True)
         return 130
-    seconds = {**done.seconds, "result" if no_report else "report": time.perf_counter() - began}
-    click.echo("\n".join(f" {line}" for line in lines(done)))
-    for q in done.quality if keep else ():
-        click.echo(f" {_kept(done, q, out)}")
-    click.echo(" seconds: " + ", ".join(f"{stage} {s:.2f}" for stage, s in seconds.items()))
-    click.echo(f" result: {out}, calibration: {out / 'calibration.toml'}"
-               + ("" if no_report else f", report: {out / 'report.html'}"))  # fmt: skip
+    told = [f" {line}" for line in lines(done)]
+    told += [f" {words}" for words in done.kept]
+    told.append(" seconds: " + ", ".join(f"{stage} {s:.2f}" for stage, s in done.seconds.items()))
+    report = f", report: {out / 'report.html'}" if settings.report else ""
+    told.append(f" result: {out}, calibration: {out / 'calibration.toml'}{report}")
+    click.echo("\n".join(told))
     return 0
-
-
-def _calibrated(photos: tuple[Path, ...], options: CalibrateOptions, out: Path, tell: Progress) -> Calibration:
-    """The calibration; a folder that it began for nothing is deleted."""
-    from raybundle.errors import NotSolvable  # noqa: PLC0415
-    from raybundle.pipeline.project import discard_empty  # noqa: PLC0415
-    from raybundle.report.result_folder import PROJECT  # noqa: PLC0415
-    from raybundle.workflows.calibrate import calibrate  # noqa: PLC0415
-
-    try:
-        return calibrate(photos, options, tell, folder=out / PROJECT)
-    except (InputError, NotSolvable):
-        discard_empty(out / PROJECT)
-        if out.is_dir() and not any(out.iterdir()):
-            out.rmdir()
-        raise
-
-
-def wanted_targets(
-    names: tuple[str, ...], table: Path | None, bits: int | None, sheet: Path | None
-) -> tuple[str | Target, ...]:
-    """What was photographed, as the options say; raises InputError."""
-    if table is None and bits is None:
-        return names
-    if table is None or bits is None or names or sheet is not None:
-        raise InputError("--table goes with --bits, and without --target and --sheet")
-    from raybundle.targets.codes import read_table  # noqa: PLC0415
-    from raybundle.targets.kinds.rings import Rings  # noqa: PLC0415
-
-    return (Rings(rings=read_table(table, bits)),)
-
-
-def additions(done: Calibration) -> dict[str, object]:
-    """What result.json says beside the adjustment."""
-    lost = [{"file": f, "reason": r} for f, r in (*done.refused, *done.not_used)]
-    return {
-        "images": {"given": len(done.photos) + len(done.refused), "oriented": done.used, "not_oriented": lost},
-        "targets": {
-            "families": [t.family for t in done.targets],
-            "read": sum(int(m.named.sum()) for sets in done.marks for m in sets),
-            "completed": done.completed,
-            "dots": done.dots,
-            "largest_eccentricity_px": done.largest_eccentricity_px,
-            "radius_scale": None if done.radius is None else {"value": done.radius.value, "std": done.radius.std},
-        },
-        "calibration": {q.camera: {**_as_table(q), "exif": _exif(done, q.camera)} for q in done.quality},
-    }
-
-
-def _exif(done: Calibration, camera: str) -> dict[str, Any]:
-    """What a camera's first photograph says of it: by this its calibration is found again."""
-    from raybundle.io.camera_library import key_of  # noqa: PLC0415
-
-    key = key_of(done.photos[_first_image(done, camera)])
-    return {
-        "make": key.make, "model": key.model, "serial": key.serial, "lens": key.lens, "focal_mm": key.focal_mm,
-        "focus_m": key.focus_m,
-    }  # fmt: skip
-
-
-def _first_image(done: Calibration, camera: str) -> int:
-    given = done.adjustment.given
-    k = next(i for i, c in enumerate(given.cameras) if c.id == camera)
-    return next(i for i, of in enumerate(given.images.camera) if of == k)
-
-
-def _as_table(q: CalibrationQuality) -> dict[str, Any]:
-    v = q.validation
-    return {
-        "grade": q.grade, "headline": q.headline, "reasons": list(q.reasons),
-        "advice": [{"photographs": p.words, "uncertainty_px": p.uncertainty_px, "ratio": p.ratio} for p in q.advice],
-        "photographs": q.photographs, "image_sigma_px": q.image_sigma_px, "uncertainty_px": q.uncertainty_px,
-        "typical_uncertainty_px": q.typical_px, "reach": q.reach, "coverage": q.coverage, "rolls": q.rolls,
-        "convergence_deg": math.degrees(q.convergence),
-        "couplings": [{"parameter": a, "with": b, "correlation": r} for a, b, r in q.couplings],
-        "worst_error_px": q.worst_px, "expected_error_px": q.likely_px,
-        "cross_validation": None if v is None else {
-            "folds": v.folds, "rms_px": v.rms_px, "fit_px": v.fit_px, "excess": v.excess, "contradicts": v.contradicts,
-        },
-    }  # fmt: skip
 
 
 def lines(done: Calibration) -> list[str]:
@@ -268,31 +110,3 @@ def in_pixels(camera: Camera, interior: InteriorResult, *, sure: bool) -> str:
             spread = f" ± {abs(factor) * std:.2g}" if std and sure else ""
             told.append(f"{words} {zero + factor * p[symbol].value:.2f}{spread}")
     return ", ".join(told)
-
-
-def _kept(done: Calibration, q: CalibrationQuality, out: Path) -> str:
-    """Put a calibration into the camera library; what came of it, in words."""
-    from dataclasses import replace  # noqa: PLC0415
-    from datetime import UTC, datetime  # noqa: PLC0415
-
-    from raybundle.io.camera_library import LibraryEntry, add_entry, key_of  # noqa: PLC0415
-
-    if q.grade not in {"good", "usable"}:
-        return f"camera {q.camera} is not kept in the library: its calibration is {q.grade}"
-    a = done.adjustment
-    interior = next(i for i in a.interior if i.camera == q.camera)
-    entry = LibraryEntry(
-        key=key_of(done.photos[_first_image(done, q.camera)]),
-        camera=replace(next(c for c in a.adjusted.cameras if c.id == q.camera), estimate=(), sigma={}),
-        free=interior.free,
-        covariance=None if a.precision is None else a.precision.interior[q.camera],
-        date=datetime.now(UTC).date().isoformat(),
-        source=f"calibration {out.name}",
-        sigma0=a.sigma0,
-        photographs=q.photographs,
-        grade=q.grade,
-    )
-    try:
-        return f"kept in the camera library: {add_entry(entry)}"
-    except InputError as error:
-        return f"camera {q.camera} is not kept in the library: {error}"

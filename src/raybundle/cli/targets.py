@@ -271,7 +271,7 @@ def detect(
       raybundle targets detect images/ --family chessboard-9x6 --out targets.csv --overlay found
     """  # noqa: D301
     from raybundle.cli.progress import reporting  # noqa: PLC0415
-    from raybundle.cli.target_tables import detect_all, write_observations, write_targets  # noqa: PLC0415
+    from raybundle.commands.targets import detect_all, write_observations, write_targets  # noqa: PLC0415
     from raybundle.targets.marks import MarkOptions  # noqa: PLC0415
 
     target = target_of(family_name, table, bits, dots=dots)

@@ -46,6 +46,8 @@ class Calibration:
     largest_eccentricity_px: float
     radius: RadiusScale | None = None
     """What the eccentricities say of the targets' radii; None where nothing is round"""
+    kept: tuple[str, ...] = ()
+    """what became of each camera in the camera library, in words, where that was asked for"""
     seconds: Mapping[str, float] = field(default_factory=dict[str, float])
     """what each stage took, in their order"""
 

@@ -6,6 +6,7 @@ import os
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 
@@ -14,8 +15,31 @@ from raybundle.io.folders import new_files
 from raybundle.io.photos.photo import Photo, find_photos, read_grey
 from raybundle.io.tables import write_table
 from raybundle.numerics.arrays import Array
-from raybundle.numerics.progress import Progress
+from raybundle.numerics.progress import Progress, silent
 from raybundle.targets.marks import MarkOptions, Marks, Target, detect
+from raybundle.targets.marks import target as named
+
+
+def detect_targets(
+    photos: str | Path | Sequence[str | Path], target: str | Target = "aicon14", *,
+    polarity: Literal["both", "dark", "light"] = "both", progress: Progress = silent,
+) -> dict[str, Marks]:  # fmt: skip
+    """Targets in photographs, by the photographs' names.
+
+    photos    folders and files
+    target    family as "aicon14", "apriltag-36h11", "chessboard-9x6", or a target of one's own
+    polarity  colour of dots: light on dark, dark on light, both
+    raises    InputError for an unknown family, files that do not exist, and a photograph that cannot be read
+
+    What it does not tell: standard deviations come from the grey values alone; what lens and panel add is for the
+    adjustment to find.
+    """
+    inputs = [Path(p) for p in ((photos,) if isinstance(photos, str | Path) else photos)]
+    options = MarkOptions(polarity=polarity)
+    found, refused = detect_all(inputs, named(target), options, None, 0, progress)
+    for path, reason in refused:
+        raise InputError(reason.removeprefix(f"{path}: "), file=path)
+    return dict(found)
 
 
 def detect_all(

@@ -1,0 +1,211 @@
+"""`raybundle calibrate`: photographs of targets or boards to a calibration with its verdict, in a result folder."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+from raybundle.commands.orient import NOISE_HELP
+from raybundle.commands.setting import NOT_NEGATIVE, POSITIVE, Range, made, setting
+from raybundle.errors import InputError, NotSolvable
+from raybundle.numerics.progress import Progress, silent
+
+if TYPE_CHECKING:
+    from raybundle.adjustment.calibration_quality import CalibrationQuality
+    from raybundle.targets.marks import Target
+    from raybundle.workflows.calibrate import CalibrateOptions, Calibration
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CalibrateSettings:
+    """What cameras are calibrated with.  The defaults need no change."""
+
+    photos: tuple[Path, ...]
+    """folders and files"""
+    out: Path
+    """result folder; an older one is replaced"""
+    target: tuple[str, ...] = setting(
+        (), "What was photographed, as aicon14 or chessboard-9x6; how-to Coded targets lists them.  [default: found "
+        "out; natural points where there is nothing]", metavar="FAMILY",
+    )  # fmt: skip
+    table: Path | None = setting(None, "Rings of one's own: a table id,code; with --bits.", metavar="FILE")
+    bits: int | None = setting(None, "Sectors of the rings of --table.", limits=Range(low=3, high=24))
+    sheet: Path | None = setting(None, "The file beside the printed sheet, in place of --target.", metavar="SHEET.toml")
+    masks: Path | None = setting(
+        None, "Masks of the photographs for natural points, where there are no targets; named as for `raybundle "
+        "orient`.", metavar="DIR",
+    )  # fmt: skip
+    separate: tuple[str, ...] = setting(
+        (), "Photographs whose names match, as 'left_*' or 'a.jpg|b.jpg', are a camera apart; for those without "
+        "metadata.", flag="--camera", metavar="PATTERN",
+    )  # fmt: skip
+    model: str = setting(
+        "auto", "Distortion model: aicon, brown, brown_harmonic, fisheye, radial, rational, spline; auto: brown, or "
+        "what fits a wide lens or what repeats in all residuals better.", metavar="NAME",
+    )  # fmt: skip
+    estimate: str = setting(
+        "", "Parameters to be estimated, as c,x0,y0,K1,K2,P1,P2.  [default: what is significant and determinable]",
+        metavar="SYMBOLS",
+    )  # fmt: skip
+    spacing: float = setting(
+        1.0, "Distance of neighbouring points of a board; the calibration does not depend on it.", metavar="MM",
+        limits=POSITIVE,
+    )  # fmt: skip
+    dots: bool = setting(False, "Use dots without a code among the targets, too.")
+    shear: bool = setting(False, "Believe any shear and affinity of the pixels: for scanned pictures.")
+    keep: bool = setting(False, "Keep a good calibration in the camera library, where orient finds it.")
+    jobs: int = setting(0, "0: all processors.", limits=NOT_NEGATIVE)
+    noise: Literal["white", "fields", "auto"] = setting("auto", NOISE_HELP)
+    report: bool = setting(True, "Leave out report.html and network.html.", flag="--no-report")
+
+    def options(self) -> CalibrateOptions:
+        """What the workflow is asked for; raises InputError."""
+        from raybundle.targets.sidecar import read_sidecar  # noqa: PLC0415
+        from raybundle.workflows.calibrate import CalibrateOptions  # noqa: PLC0415
+
+        return CalibrateOptions(
+            targets=wanted_targets(self.target, self.table, self.bits, self.sheet),
+            sheet=None if self.sheet is None else read_sidecar(self.sheet), separate=self.separate, masks=self.masks,
+            model=self.model, spacing=self.spacing,
+            estimate=tuple(t.strip() for t in self.estimate.split(",") if t.strip()), dots=self.dots, shear=self.shear,
+            jobs=self.jobs, noise=self.noise,
+        )  # fmt: skip
+
+
+def calibrate(
+    photos: str | Path | Sequence[str | Path], out: str | Path, *, progress: Progress = silent, **settings: Any
+) -> Calibration:
+    """Calibrate the cameras of photographs of coded targets or a board; the result and its report stand in `out`.
+
+    photos    folders and files
+    out       result folder; an older one is replaced.  A run that was stopped continues
+    settings  as of the command line, by the names of `CalibrateSettings`: target="aicon14", model="rational"
+    raises    InputError where too few targets are found; NotSolvable where they orient no photographs
+
+    What it does not tell: the calibration holds for the zoom and focus of the photographs, and for the part of the
+    format in which targets were seen.
+    """
+    inputs = (photos,) if isinstance(photos, str | Path) else photos
+    given = {"photos": tuple(Path(p) for p in inputs), "out": Path(out), **settings}
+    return run_calibrate(made(CalibrateSettings, given), progress)
+
+
+def run_calibrate(settings: CalibrateSettings, progress: Progress = silent) -> Calibration:
+    """Calibrate what the settings ask for, and write the result; a folder that was begun for nothing is deleted."""
+    from raybundle.pipeline.project import discard_empty  # noqa: PLC0415
+    from raybundle.report.result_folder import PROJECT, check_target, write_result  # noqa: PLC0415
+    from raybundle.workflows.calibrate import calibrate as calibrated  # noqa: PLC0415
+
+    out, options = settings.out, settings.options()
+    check_target(out)
+    try:
+        done = calibrated(settings.photos, options, progress, folder=out / PROJECT)
+    except (InputError, NotSolvable):
+        discard_empty(out / PROJECT)
+        if out.is_dir() and not any(out.iterdir()):
+            out.rmdir()
+        raise
+    began = time.perf_counter()
+    write_result(
+        done.adjustment, out, report="html" if settings.report else "none", additions=additions(done),
+        qualities=done.quality, progress=progress,
+    )  # fmt: skip
+    last = "report" if settings.report else "result"
+    seconds = {**done.seconds, last: time.perf_counter() - began}
+    kept = tuple(_kept(done, q, out) for q in done.quality) if settings.keep else ()
+    return replace(done, seconds=seconds, kept=kept)
+
+
+def wanted_targets(
+    names: tuple[str, ...], table: Path | None, bits: int | None, sheet: Path | None
+) -> tuple[str | Target, ...]:
+    """What was photographed, as the options say; raises InputError."""
+    if table is None and bits is None:
+        return names
+    if table is None or bits is None or names or sheet is not None:
+        raise InputError("--table goes with --bits, and without --target and --sheet")
+    from raybundle.targets.codes import read_table  # noqa: PLC0415
+    from raybundle.targets.kinds.rings import Rings  # noqa: PLC0415
+
+    return (Rings(rings=read_table(table, bits)),)
+
+
+def additions(done: Calibration) -> dict[str, object]:
+    """What result.json says beside the adjustment."""
+    lost = [{"file": f, "reason": r} for f, r in (*done.refused, *done.not_used)]
+    return {
+        "images": {"given": len(done.photos) + len(done.refused), "oriented": done.used, "not_oriented": lost},
+        "targets": {
+            "families": [t.family for t in done.targets],
+            "read": sum(int(m.named.sum()) for sets in done.marks for m in sets),
+            "completed": done.completed,
+            "dots": done.dots,
+            "largest_eccentricity_px": done.largest_eccentricity_px,
+            "radius_scale": None if done.radius is None else {"value": done.radius.value, "std": done.radius.std},
+        },
+        "calibration": {q.camera: {**_as_table(q), "exif": _exif(done, q.camera)} for q in done.quality},
+    }
+
+
+def _exif(done: Calibration, camera: str) -> dict[str, Any]:
+    """What a camera's first photograph says of it: by this its calibration is found again."""
+    from raybundle.io.camera_library import key_of  # noqa: PLC0415
+
+    key = key_of(done.photos[_first_image(done, camera)])
+    return {
+        "make": key.make, "model": key.model, "serial": key.serial, "lens": key.lens, "focal_mm": key.focal_mm,
+        "focus_m": key.focus_m,
+    }  # fmt: skip
+
+
+def _first_image(done: Calibration, camera: str) -> int:
+    given = done.adjustment.given
+    k = next(i for i, c in enumerate(given.cameras) if c.id == camera)
+    return next(i for i, of in enumerate(given.images.camera) if of == k)
+
+
+def _as_table(q: CalibrationQuality) -> dict[str, Any]:
+    v = q.validation
+    return {
+        "grade": q.grade, "headline": q.headline, "reasons": list(q.reasons),
+        "advice": [{"photographs": p.words, "uncertainty_px": p.uncertainty_px, "ratio": p.ratio} for p in q.advice],
+        "photographs": q.photographs, "image_sigma_px": q.image_sigma_px, "uncertainty_px": q.uncertainty_px,
+        "typical_uncertainty_px": q.typical_px, "reach": q.reach, "coverage": q.coverage, "rolls": q.rolls,
+        "convergence_deg": math.degrees(q.convergence),
+        "couplings": [{"parameter": a, "with": b, "correlation": r} for a, b, r in q.couplings],
+        "worst_error_px": q.worst_px, "expected_error_px": q.likely_px,
+        "cross_validation": None if v is None else {
+            "folds": v.folds, "rms_px": v.rms_px, "fit_px": v.fit_px, "excess": v.excess, "contradicts": v.contradicts,
+        },
+    }  # fmt: skip
+
+
+def _kept(done: Calibration, q: CalibrationQuality, out: Path) -> str:
+    """Put a calibration into the camera library; what came of it, in words."""
+    from datetime import UTC, datetime  # noqa: PLC0415
+
+    from raybundle.io.camera_library import LibraryEntry, add_entry, key_of  # noqa: PLC0415
+
+    if q.grade not in {"good", "usable"}:
+        return f"camera {q.camera} is not kept in the library: its calibration is {q.grade}"
+    a = done.adjustment
+    interior = next(i for i in a.interior if i.camera == q.camera)
+    entry = LibraryEntry(
+        key=key_of(done.photos[_first_image(done, q.camera)]),
+        camera=replace(next(c for c in a.adjusted.cameras if c.id == q.camera), estimate=(), sigma={}),
+        free=interior.free,
+        covariance=None if a.precision is None else a.precision.interior[q.camera],
+        date=datetime.now(UTC).date().isoformat(),
+        source=f"calibration {out.name}",
+        sigma0=a.sigma0,
+        photographs=q.photographs,
+        grade=q.grade,
+    )
+    try:
+        return f"kept in the camera library: {add_entry(entry)}"
+    except InputError as error:
+        return f"camera {q.camera} is not kept in the library: {error}"
