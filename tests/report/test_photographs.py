@@ -59,6 +59,7 @@ def test_what_was_left_out_is_told_and_escaped(free_case, tmp_path):
                 StageFact(name="features", seconds=12.0, cpu_seconds=20.0, peak_memory_mb=300.0, from_cache=False),
                 StageFact(name="matching", seconds=3.0, cpu_seconds=4.0, peak_memory_mb=512.0, from_cache=True),
             ),
+            settings=(("control", HOSTILE), ("feature_count", "500")),
             pairs=(PairFact(first=HOSTILE, second="b", candidates=900, verified=720, geometry="general"),),
         ),
         tmp_path,
@@ -71,6 +72,8 @@ def test_what_was_left_out_is_told_and_escaped(free_case, tmp_path):
     assert "512 MB" in words
     assert "80 %" in words  # verified of candidates
     assert "kept from an earlier run" in words
+    assert "feature_count 500" in words
+    assert "Settings that are not as by default" in words
 
 
 def test_a_camera_far_from_its_start_is_remarked(free_case, tmp_path):

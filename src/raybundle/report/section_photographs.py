@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -484,7 +485,16 @@ def processing_section(facts: PhotographFacts) -> Section:
             Fact(label="memory", value=f"{grouped(max(x.peak_memory_mb for x in s))} MB", remark="at the most"),
         )
     )
-    return Section(anchor="processing", title="Time and memory", parts=(key, body))
+    asked = () if not facts.settings else (_settings_table(facts.settings),)
+    return Section(anchor="processing", title="Time and memory", parts=(key, body, *asked))
+
+
+def _settings_table(settings: Sequence[tuple[str, str]]) -> Table:
+    """What was asked for beside the defaults."""
+    return table(
+        (text("setting"), text("value")), ([name for name, _ in settings], [value for _, value in settings]),
+        note="Settings that are not as by default, by the names in project.toml and in Python.",
+    )  # fmt: skip
 
 
 def _duration(seconds: float) -> str:
