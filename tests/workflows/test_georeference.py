@@ -26,7 +26,8 @@ from raybundle.workflows.control_apart import check_apart
 from raybundle.workflows.final import final_adjustment
 from raybundle.workflows.georeference import georeference
 from raybundle.workflows.marks import Given, ScaleBar
-from raybundle.workflows.mirrored import mirrored_notices
+from raybundle.workflows.mirrored import mirrored_notices, without_control
+from raybundle.workflows.misread import misread
 from raybundle.workflows.parts import place_parts
 
 NAMES = ("A", "B", "C", "D", "E", "F")
@@ -558,3 +559,75 @@ def test_a_robust_similarity_passes_over_triples_in_one_line():
     assert scale == pytest.approx(2.0, rel=0.2)
     assert np.isfinite(R).all()
     assert np.isfinite(t).all()
+
+
+@pytest.mark.parametrize("pair", [(0, 2), (1, 5), (3, 4)])
+def test_exchanged_names_of_control_are_named_and_take_no_part(flight, pair):
+    xyz = flight.xyz.copy()
+    xyz[list(pair)] = flight.xyz[list(pair[::-1])]
+    placed = georeference(flight.free, flight.photos, Given(control=(control(flight, xyz),), sigma_given=True))
+    (notice,) = [n for n in placed.notices if n.code == "control_exchanged"]
+    names = tuple(NAMES[k] for k in pair)
+    assert (notice.ids, notice.severity) == (names, "fault")
+    assert f"control points {names[0]} and {names[1]} seem to be exchanged" in notice.message
+    assert error(flight, placed) < 0.5
+    left = placed.block.points
+    assert {n for n, c in zip(left.ids, left.is_control.any(axis=1), strict=True) if c} == set(NAMES) - set(names)
+    assert placed.marked.sum() == 6
+
+
+@pytest.mark.parametrize(("given", "factor"), [(1.0, 1000.0), (1000.0, 0.001)])
+def test_a_point_of_another_unit_is_named_and_takes_no_part(flight, given, factor):
+    xyz = given * flight.xyz
+    xyz[3] *= factor
+    placed = georeference(
+        flight.free, flight.photos, Given(control=(control(flight, xyz, sigma=0.01 * given),), sigma_given=True)
+    )
+    (notice,) = [n for n in placed.notices if n.code == "control_unit"]
+    assert notice.ids == ("D",)
+    assert ("millimetres among metres" if factor > 1 else "metres among millimetres") in notice.message
+    centre = placed.block.images.centre / given
+    assert np.linalg.norm(centre - flight.truth.images.centre, axis=1).max() < 0.5
+
+
+def test_nothing_else_looks_exchanged_or_in_another_unit(flight):
+    """Right control, scattered control, and every single or double error that is no exchange."""
+    rng = np.random.default_rng(8)
+    free = flight.xyz @ rotation_from_angles(np.array([0.4, -0.3, 2.0])).T
+    for noise in (0.0, 0.01, 1.0):
+        for _ in range(40):
+            seen = free + rng.normal(0, 0.01, free.shape)
+            xyz = flight.xyz + rng.normal(0, 1, free.shape) * noise
+            assert misread(seen, xyz, units=True) is None
+            wrong = rng.choice(6, int(rng.integers(1, 3)), replace=False)
+            xyz[wrong] += rng.normal(0, 0.3 * np.ptp(flight.xyz[:, 0]), (len(wrong), 3))
+            assert misread(seen, xyz, units=True) is None
+
+
+def test_few_points_and_points_in_a_line_tell_no_exchange(flight):
+    swapped = flight.xyz[[1, 0, 2, 3]]
+    assert misread(flight.xyz[:4], swapped, units=True) is None
+    line = np.arange(6.0)[:, None] * [1.0, 2.0, 0.5]
+    assert misread(line, line[[1, 0, 2, 3, 4, 5]], units=True) is None
+
+
+def test_exchanged_positions_of_two_photographs_are_named_and_not_used(flight):
+    photos = with_gps(flight)
+    a, b = photos[1].metadata.gps, photos[5].metadata.gps
+    photos[1].metadata.gps, photos[5].metadata.gps = b, a
+    placed = georeference(flight.free, photos, Given())
+    (notice,) = [n for n in placed.notices if n.code == "positions_exchanged"]
+    ids = flight.free.images.ids
+    assert (notice.ids, notice.severity) == ((ids[1], ids[5]), "fault")
+    assert placed.fixed
+    assert not {1, 5} & set(placed.block.stations.image.tolist())
+    assert "positions_exchanged" not in codes(georeference(flight.free, with_gps(flight), Given()))
+
+
+def test_control_of_the_other_hand_takes_no_part(flight):
+    block, free = relief(flight)
+    assert mirrored_notices(replace(block, points=replace(block.points, xyz=-block.points.xyz)), free)
+    left = without_control(replace(block, points=replace(block.points, xyz=-block.points.xyz)))
+    assert not left.points.is_control.any()
+    assert not left.points.is_check.any()
+    assert left.points.ids == block.points.ids

@@ -22,9 +22,9 @@ class Severity(StrEnum):
 _CODES = {
     Severity.FAULT: (
         "attitudes_contradict behind_camera camera_contradicts control_contradicts "
-        "control_identical control_left_out control_mirrored control_not_located control_rejected "
-        "group_less_precise "
-        "image_contradicts no_redundancy not_determinable redundancy_sum "
+        "control_exchanged control_identical control_left_out control_mirrored control_not_located control_rejected "
+        "control_unit group_less_precise "
+        "image_contradicts no_redundancy not_determinable positions_exchanged redundancy_sum "
         "snooping_unfinished weak_convergence"
     ),
     Severity.CAUTION: (

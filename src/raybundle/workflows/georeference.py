@@ -33,7 +33,8 @@ from raybundle.workflows.marks import (
     intersected,
     without_empty_control,
 )
-from raybundle.workflows.mirrored import mirrored_notices
+from raybundle.workflows.mirrored import mirrored_notices, without_control
+from raybundle.workflows.misread import without_exchanged_positions, without_misread_control
 from raybundle.workflows.positions import SCALE, Positions, mean_place, observe, positions_of, scale_sigma, turn_sigma
 from raybundle.workflows.reduced_marks import take_at_their_size
 from raybundle.workflows.round_marks import take_eccentricity_off
@@ -96,11 +97,19 @@ def georeference(
     take_at_their_size(state, given.control, given.mark_px)
     free = intersected(state.block)
     drop_gross_marks(state, free)
-    state.notices += mirrored_notices(state.block, free)
+    mirrored = mirrored_notices(state.block, free)
+    state.notices += mirrored
+    if mirrored:
+        state.block = without_control(state.block)
+    else:
+        state.block, told = without_misread_control(state.block, free, units=frame is None)
+        state.notices += told
     control = _control_to_fit(state.block, free)
     positions = None
     if frame is not None and given.gps:
         positions = positions_of(photos, state.block.images.oriented, frame)
+        positions, told = without_exchanged_positions(state.block, positions)
+        state.notices += told
     alone = positions is None or len(positions) < 3
     fixed = firm = _fix_by_control(state, photos, free, control, given, alone=alone, around=around)
     if not fixed and positions is not None:

@@ -6,12 +6,14 @@ nearly in a plane, fits either way.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from raybundle.adjustment.result import Notice
 from raybundle.block import Block, Role
 from raybundle.errors import InputError
-from raybundle.numerics.arrays import Array
+from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.statistics import fisher_tail
 from raybundle.numerics.transform import similarity
 
@@ -52,9 +54,20 @@ def mirrored_notices(block: Block, free: Array) -> list[Notice]:
     message = (
         f"the coordinates of {', '.join(names[:8])}{' ...' * (n > 8)} are those of a mirror image: they fit the "
         f"photographs to {rms:.2g} m as given, and to {mirror:.2g} m mirrored ({n} points). Two axes are exchanged (X "
-        "and Y, as easting and northing; Y and Z), or one counts the other way (depths for heights): mend the file"
+        "and Y, as easting and northing; Y and Z), or one counts the other way (depths for heights). No control takes "
+        "part, and the photographs are oriented as without any: mend the file"
     )
     return [Notice(code="control_mirrored", message=message, ids=names[:100])]
+
+
+def without_control(block: Block, rows: Index | None = None) -> Block:
+    """The block in which these control and check points were given no coordinates; None: all of them."""
+    p = block.points
+    given = np.isin(np.asarray(p.role), (Role.CONTROL, Role.CHECK))
+    given &= True if rows is None else np.isin(np.arange(len(p)), rows)
+    nothing = np.where(given[:, None], np.nan, p.xyz), np.where(given[:, None], np.nan, p.sigma)
+    role = np.where(given, Role.CONTROL, p.role).astype(np.int32)  # marked, and without coordinates
+    return replace(block, points=replace(p, xyz=nothing[0], sigma=nothing[1], role=role))
 
 
 def _squares(source: Array, target: Array) -> float:
