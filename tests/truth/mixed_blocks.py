@@ -6,11 +6,12 @@ trajectories, mountings); the statistics come once, from the errorless block.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from raybundle.adjustment.assemble import assemble
+from raybundle.adjustment.assemble import State, assemble
 from raybundle.adjustment.datum import fit_to_given
 from raybundle.adjustment.engine import carry_out, free_parameters
 from raybundle.adjustment.normals import Normals
@@ -26,6 +27,7 @@ from raybundle.scenes.sensor import LineSensor, RpcSensor, scene_camera, view_of
 from raybundle.scenes.simulate import OrbitPlan, orbit_scene
 from raybundle.scenes.trajectory import CorrectionModel
 from raybundle.sensors import sensor_models
+from tests.truth.bands import JointErrors
 
 OPTIONS = AdjustmentOptions(threads=1, tolerance=1e-5)
 NONE = Observations(
@@ -88,8 +90,13 @@ class MonteCarlo:
         assert solution.converged
         return fit_to_given(system, solution.state, truth, self.work.datum)
 
-    def errors(self, runs: int, seed: int) -> dict[str, tuple[np.ndarray, int]]:
-        """Normalised squared errors of one of each kind of unknown in each run, and their degrees of freedom."""
+    def errors(
+        self, runs: int, seed: int, watch: Callable[[State], None] = lambda _: None
+    ) -> dict[str, tuple[np.ndarray, int]]:
+        """Normalised squared errors of one of each kind of unknown in each run, and their degrees of freedom.
+
+        watch  is shown the adjusted state of each run
+        """
         rng = np.random.default_rng(seed)
         work, truth = self.work, self.work.system.initial_state()
         system, normals, found = work.system, work.normals, work.found
@@ -113,6 +120,7 @@ class MonteCarlo:
 
         for _ in range(runs):
             state = self.run(self.noisy(rng))
+            watch(state)
             for name, members in points.items():
                 if len(members):
                     p = rng.choice(members)
@@ -131,6 +139,14 @@ class MonteCarlo:
                 e = (state.interior[k] - truth.interior[k])[list(row.free)]
                 add(name, e, interior_Q[k])
         return {k: (np.array(v), degrees[k]) for k, v in result.items()}
+
+
+def errors_and_joint(truth: Block, runs: int, seed: int) -> tuple[dict, dict]:
+    """`MonteCarlo.errors` of a block, and of the same runs those of all points and of all images and parameters."""
+    network = MonteCarlo.of(truth)
+    joint, found = JointErrors(network.work), list[dict]()
+    by_kind = network.errors(runs, seed, lambda state: found.append(joint.of(state)))
+    return by_kind, {name: (np.array([f[name][0] for f in found]), found[0][name][1]) for name in found[0]}
 
 
 def block_of(

@@ -1,12 +1,16 @@
 """Rolls and convergence do what the literature says, degenerate networks are named, and stated sigmas are scatters."""
 
+import functools
+
 import numpy as np
 import pytest
+from scipy.stats import chi2
 
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block.calibration_networks import ROLLS, FlatField, flat_field_scene
 from raybundle.block.simulate import Survey, simulate
+from tests.truth.bands import assert_true_to_ten_percent, whitener
 
 OPTIONS = AdjustmentOptions(threads=1)
 
@@ -47,12 +51,33 @@ def test_walking_round_without_rolls_is_called_not_determinable():
     assert {name.split()[0] for name in lost} == {"c", "y0"}
 
 
-@pytest.mark.parametrize("tilt", [5.0, 20.0, 40.0])
-def test_the_stated_sigma_of_c_is_its_scatter(tilt):
+TILTS = (5.0, 20.0, 40.0)
+RUNS = 80
+
+
+@functools.cache
+def interior_errors(tilt):
+    """Errors (runs, k) of the interior orientation in so many calibrations, and the covariance before sigma0."""
     plan = FlatField(tilt_deg=tilt, rolls_deg=ROLLS)
     quick = AdjustmentOptions(threads=1, statistics=False, tolerance=1e-3)
-    c = [calibrated(plan, seed, quick).adjusted.cameras[0].values["c"] for seed in range(80)]
     first = calibrated(plan)
-    stated = first.interior[0].parameters["c"].std / first.sigma0
-    # a standard deviation from 80 runs is good to 8 %
-    assert 0.8 < stated / np.std(c, ddof=1) < 1.25
+    free, true = first.interior[0].free, plan.camera.values
+    found = [calibrated(plan, seed, quick).adjusted.cameras[0].values for seed in range(RUNS)]
+    assert first.precision is not None
+    Q = first.precision.interior[first.interior[0].camera] / first.sigma0**2
+    return free, np.array([[values[s] - true[s] for s in free] for values in found]), Q
+
+
+@pytest.mark.parametrize("tilt", TILTS)
+def test_the_stated_sigma_of_c_is_its_scatter(tilt):
+    free, errors, Q = interior_errors(tilt)
+    k = free.index("c")
+    low, high = chi2(RUNS).interval(0.999)  # 80 runs: 26 % of a standard deviation; all together below
+    assert low < np.sum(errors[:, k] ** 2) / Q[k, k] < high
+
+
+def test_stated_interior_orientations_are_true_to_ten_percent():
+    d2 = [float(np.sum((whitener(Q) @ e) ** 2)) for _, errors, Q in map(interior_errors, TILTS) for e in errors]
+    degrees = {len(free) for free, _, _ in map(interior_errors, TILTS)}
+    assert_true_to_ten_percent(d2, degrees.pop(), "interior orientation")
+    assert not degrees

@@ -6,6 +6,7 @@ import pytest
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block.uav_networks import Flight, flight_block
+from tests.truth.bands import assert_true_to_ten_percent, points_together
 
 OPTIONS = AdjustmentOptions(threads=1)
 SEEDS = 3
@@ -53,14 +54,15 @@ def test_tilted_cross_strips_determine_it():
 
 
 def test_the_stated_precision_is_the_scatter_of_the_points():
-    """Errors of the points in 10 flights against the stated standard deviations of one; good to some 10 %."""
-    plan = {"alternating": True, "cross_tilt_deg": 30.0, "points": 8}
-    result = adjusted(**plan)
-    stated = np.sqrt(np.mean((result.precision.object_point_std / result.sigma0) ** 2, axis=0))
-    quick = AdjustmentOptions(threads=1, statistics=False, tolerance=1e-3)
-    errors: list[np.ndarray] = []
-    for seed in range(10):
-        block = flight_block(Flight(seed=seed, **plan))
-        errors.append(adjust_block(block, quick).adjusted.points.xyz - block.points.xyz)
-    ratio = np.sqrt(np.mean(np.square(errors), axis=(0, 1))) / stated
-    assert (np.abs(ratio - 1) < 0.3).all()
+    """Errors of all points of 12 flights against the covariance that each states, before sigma0."""
+    d2, degrees = [], 0
+    for seed in range(12):
+        block = flight_block(Flight(seed=seed, alternating=True, cross_tilt_deg=30.0, points=8))
+        result = adjust_block(block, OPTIONS)
+        points, W = points_together(result.work)
+        stated = result.precision.object_points[points] / result.sigma0**2
+        np.testing.assert_allclose(stated, result.work.found.points[points], rtol=1e-9, atol=1e-15)
+        error = (result.adjusted.points.xyz - block.points.xyz)[points].ravel()
+        d2.append(float(np.sum((W @ error) ** 2)))
+        degrees = len(W)
+    assert_true_to_ten_percent(d2, degrees, "points of a flight")
