@@ -134,3 +134,18 @@ def test_a_difference_that_moves_nothing_in_the_image_is_not_mentioned(block):
     sigma = float(np.sqrt(np.median(block.observations.cov_px2[:, 0]))) * camera.pixel_mm[0]
     result = adjust(held(block, x0=0.1 * sigma), AdjustmentOptions(threads=1))
     assert not held_notices(result, ["1"])
+
+
+@pytest.mark.parametrize("noise", ["white", "fields"])
+def test_a_held_calibration_is_tested_when_a_block_is_adjusted(block, noise):
+    camera = block.cameras[0]
+    options = AdjustmentOptions(threads=1, noise=noise)
+    right = replace(block, cameras=(replace(camera, estimate=()),))
+    assert not codes(adjust(right, options))
+    values = {**camera.values, "c": 1.02 * camera.values["c"]}
+    result = adjust(replace(block, cameras=(replace(camera, values=values, estimate=()),)), options)
+    (notice,) = [n for n in result.notices if n.code == "calibration_contradicted"]
+    assert notice.severity == "fault"
+    assert "which is held: c held 20.8" in notice.message
+    # what says it is the test: the same camera, free, is not contradicted
+    assert not codes(adjust(replace(block, cameras=(replace(camera, values=values),)), options))

@@ -66,14 +66,9 @@ class Folder:
     def has(self, key: str) -> bool:
         """Whether a product is there and whole, by its check sums; a damaged one is removed."""
         path = self._path(key)
-        try:
-            with zipfile.ZipFile(path) as file:
-                if file.testzip() is None:
-                    return True
-        except FileNotFoundError:
-            return False
-        except DAMAGED:
-            pass
+        with contextlib.suppress(*DAMAGED), zipfile.ZipFile(path) as file:
+            if file.testzip() is None:
+                return True
         with contextlib.suppress(OSError):
             path.unlink()
         return False
@@ -161,6 +156,8 @@ def writing(folder: Path) -> Generator[None]:
         full = getattr(error, "errno", None) in FULL or "full" in str(error)
         what = "no space is left" if full else str(getattr(error, "strerror", None) or error)
         advice = "free space and run the same command again" if full else "choose a folder that can be written"
-        raise InputError(
-            f"cannot be written: {what}; {advice}. What is finished is kept, the run continues there", file=folder
-        ) from None
+        if isinstance(error, IsADirectoryError | NotADirectoryError | FileExistsError):
+            what = f"something else stands at {error.filename2 or error.filename} ({what})"
+            advice = "move it away and run the same command again"
+        text = f"cannot be written: {what}; {advice}. What is finished is kept, the run continues there"
+        raise InputError(text, file=folder) from None

@@ -11,7 +11,7 @@ from raybundle.adjustment import defects
 from raybundle.adjustment.check_points import with_check_notice
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.entry import check_entry
-from raybundle.adjustment.given_calibration import calibration_notices
+from raybundle.adjustment.given_calibration import calibration_notices, held_notices
 from raybundle.adjustment.identical_control import identical_notices
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment, Notice
@@ -29,7 +29,8 @@ from raybundle.orientation.given_points import intersected_where_better, without
 from raybundle.workflows.control_doubts import doubted_control, notice, words
 
 LOOKED_AT = 500_000
-"""Image observations up to which residuals are looked at for structure without being asked: three seconds."""
+"""Image observations up to which residuals are looked at for structure, and held calibrations are tested, without being
+asked: three seconds, and as long again as the adjustment."""
 DOUBTED = 10.0
 """sigma0 from which on the approximate values are doubted."""
 
@@ -74,10 +75,9 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
         bent |= set() if doubt is None else {"image_contradicts", "control_not_located"}
         others = [n for n in result.notices if n.code not in bent]
         result = replace(result, notices=(*plain, *others))
-    result = replace(
-        result,
-        notices=(*calibration_notices(result), *_given_rejected(wrong), *result.notices, *_structure(result, options)),
-    )
+    held = () if plain else _held_calibrations(result, options)
+    first = (*calibration_notices(result), *held, *_given_rejected(wrong))
+    result = replace(result, notices=(*first, *result.notices, *_structure(result, options)))
     return with_check_notice(replace(result, given=block, seconds=time.perf_counter() - began))
 
 
@@ -97,6 +97,13 @@ def _given_rejected(wrong: Mask) -> tuple[Notice, ...]:
         "block's observations.csv) and take no part; without that column they are tested anew"
     )
     return (Notice(code="given_rejected", message=message, measured=Severity.REMARK),)
+
+
+def _held_calibrations(result: Adjustment, options: AdjustmentOptions) -> tuple[Notice, ...]:
+    """Where the images contradict an interior orientation that the block gives to be held, as `orient` tests it."""
+    if not options.statistics or len(result.given.observations) > LOOKED_AT:
+        return ()
+    return held_notices(result, [c.id for c in result.given.cameras if c.scene is None and c.estimate == ()])
 
 
 def _structure(result: Adjustment, options: AdjustmentOptions) -> tuple[Notice, ...]:
