@@ -308,3 +308,23 @@ def test_keys_differ_where_something_differs(one, other):
 def test_other_errors_pass_unchanged(tmp_path):
     with pytest.raises(ZeroDivisionError), writing(tmp_path):
         1 / 0
+
+
+@pytest.mark.parametrize("where", ["product", "cache"])
+def test_what_stands_where_a_product_is_to_be_is_named(tmp_path, where):
+    folder = tmp_path / "project"
+    key = "features-" + "0" * 40
+    project = Project.open(folder)
+    at = folder / "cache" / "00" / f"{key}.npz" if where == "product" else folder / "cache"
+    if where == "product":
+        at.mkdir(parents=True)
+        with pytest.raises(InputError, match="move it away and run the same command again") as error:
+            project.store(key, {"a": np.zeros(3)})
+        project.close()
+    else:
+        project.close()
+        at.rmdir()
+        at.write_text("something else")
+        with pytest.raises(InputError, match="move it away and run the same command again") as error:
+            Project.open(folder)
+    assert f"something else stands at {at} (" in str(error.value)
