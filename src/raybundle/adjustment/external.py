@@ -60,8 +60,12 @@ def local_residuals_and_partials(
     measured = xy.T
     values = values[: len(model.symbols)]
     with np.errstate(all="ignore"):
-        image, J, lost = project_from(lambda at: model.local(at, points, values)[:2], measured)
-        g, J0, touched = model.local(image, points, values)
+        g, J0, touched = model.local(measured, points, values)
+        if model.explicit:  # the image point is what the condition leaves of any other
+            image, J, lost = measured - g, J0, np.zeros(measured.shape[1], bool)
+        else:
+            image, J, lost = project_from(lambda at: model.local(at, points, values)[:2], measured)
+            g, J0, touched = model.local(image, points, values)
         D = np.where(lost, -J0[:, 2:], -inverse2(J[:, :2], J[:, 2:]))
     v = np.where(lost, -g, image - measured)
     flags = BEHIND * ~model.in_front(points, measured, values) + LOST * lost

@@ -14,6 +14,7 @@ import numpy as np
 from raybundle.adjustment.assemble import State
 from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.errors import NoConvergence
 from raybundle.numerics.arrays import Index
 from raybundle.numerics.progress import Progress, silent
 
@@ -113,7 +114,7 @@ def _iterated(
         sigma0 = np.sqrt(2 * cost / redundancy) if cost > 0 else 1.0
         length = float(np.sqrt(max(2 * predicted, 0.0) / unknowns) / max(sigma0, 1e-300))
         new = system.updated(state, nodes, points, passing=passing)
-        new_cost, new_behind = normals.cost(new, huber=huber)
+        new_cost, new_behind = _cost(normals, new, huber)
         if predicted > NOISE * cost:
             gain = (cost - new_cost) / predicted
         else:  # what the costs differ by is rounding
@@ -144,6 +145,14 @@ def _iterated(
         normals.reduce(state, damping=damping, huber=huber)
     beyond = np.zeros(0, np.int64) if passing else system.beyond(state)
     return Solution(state, cost, settled or length < NEARLY, iterations, length, behind, beyond)
+
+
+def _cost(normals: Normals, state: State, huber: float) -> tuple[float, int]:
+    """Cost of a trial step and points behind their images; infinite where a scene does not see a point of it."""
+    try:
+        return normals.cost(state, huber=huber)
+    except NoConvergence:
+        return np.inf, 0
 
 
 def _excess(normals: Normals, state: State, huber: float) -> float:

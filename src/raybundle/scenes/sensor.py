@@ -197,7 +197,6 @@ class LineSensor(SceneSensor, registered=False):
             raise InputError(f"smooth: {strange[0]!r} is no axis of a curve; known: {known}")
         self.parameters = tuple(Parameter(s, corrections.unit(s), corrections.meaning(s)) for s in corrections.symbols)
         self._width = corrections.width if corrections.groups else 0
-        self._last: tuple[Array, Array, tuple[Array, Array, Array, Index]] | None = None
         sensor = scene.rays(np.array([self.size_px], float) / 2)[0]
         above = float(geographic_from_geocentric(sensor, scene.ellipsoid)[0, 2]) - self.height_m
         if above <= 0:
@@ -255,27 +254,15 @@ class LineSensor(SceneSensor, registered=False):
         xyz = self.object_points(points)
         own = values[:, 0] if values.ndim == 2 else values
         signed = np.array([PIXEL_MM, -PIXEL_MM])
-        xy, by_point, few, touched = self._observed_few(xyz, own, image.T / signed + np.array(self.size_px) / 2)
+        begin = image.T / signed + np.array(self.size_px) / 2
+        seen = self.scene.observe_few(self.place.geocentric_from_block(xyz), self.corrections, own, begin)
+        xy, by_point, few, touched = seen
         J = np.zeros((2, 5 + few.shape[2], len(xyz)))
         J[0, 0] = J[1, 1] = 1
         by_block = by_point @ self.place.geocentric_by_block(xyz)
         J[:, 2:5] = -np.einsum("c,nce,de->cdn", signed, by_block, self.rotation)
         J[:, 5:] = -np.moveaxis(few * signed[:, None], 0, 2)
         return image - ((xy - np.array(self.size_px) / 2) * signed).T, J, touched
-
-    def _observed_few(self, xyz: Array, values: Array, start: Array) -> tuple[Array, Array, Array, Index]:
-        """As `LineScene.observe_few`; the last answer is kept, for Newton's method asks thrice for the same."""
-        if self._last is None or not (np.array_equal(self._last[0], xyz) and np.array_equal(self._last[1], values)):
-            try:
-                seen = self.scene.observe_few(self.place.geocentric_from_block(xyz), self.corrections, values, start)
-            except NoConvergence:
-                if self._last is None:
-                    raise
-                # a trial step too long: not a number, which the adjustment takes back
-                n, w = len(xyz), self.local_width
-                return np.full((n, 2), np.nan), np.zeros((n, 2, 3)), np.zeros((n, 2, w)), np.zeros((n, w), np.int32)
-            self._last = xyz.copy(), values.copy(), seen
-        return self._last[2]
 
     def localise(self, xy_px: Array, height: Array | float, values: Array) -> Array:
         """As `SceneSensor`."""
