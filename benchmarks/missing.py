@@ -17,7 +17,7 @@ import numpy as np
 
 from raybundle.block import Block
 from raybundle.workflows import missing
-from raybundle.workflows.orienting.start import tie_of_arrays, unpacked
+from raybundle.workflows.kept import tie_of_arrays, unpacked
 
 RESULTS = Path(__file__).resolve().parent / "results/missing.json"
 
@@ -28,7 +28,7 @@ def starts(project: Path) -> list[Block]:
     if not files:
         return []
     with np.load(files[-1], allow_pickle=False) as arrays:
-        return [tie_of_arrays(a).block for a in unpacked({k: arrays[k] for k in arrays.files})]
+        return [tie_of_arrays(a).block for a in unpacked({k: arrays[k] for k in arrays.files}).values()]
 
 
 def bottleneck(block: Block) -> float:

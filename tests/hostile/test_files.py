@@ -70,12 +70,12 @@ def test_a_folder_of_somebody_else_is_no_project(tmp_path, names):
 
 def test_a_project_without_its_database_goes_on(tmp_path):
     project = Project.open(tmp_path / "p")
-    project.store(KEY, {"a": np.arange(3)})
+    project.products.store(KEY, {"a": np.arange(3)})
     project.close()
     for file in (tmp_path / "p").glob("project.db*"):
         file.unlink()
     project = Project.open(tmp_path / "p")
-    assert project.has(KEY)
+    assert project.products.has(KEY)
     project.close()
     shutil.rmtree(tmp_path / "p" / "cache")
     (tmp_path / "p" / "project.db").unlink()
@@ -86,7 +86,7 @@ def test_a_project_without_its_database_goes_on(tmp_path):
 def test_a_run_sweeps_its_own_leftovers_and_nothing_else(tmp_path):
     folder = tmp_path / "p"
     project = Project.open(folder)
-    project.store(KEY, {"a": np.arange(3)})
+    project.products.store(KEY, {"a": np.arange(3)})
     product = next((folder / "cache").glob("*/*.npz"))
     project.close()
     foreign = [
@@ -119,18 +119,18 @@ def npz_damages(data):
 def test_damaged_products_are_made_again(tmp_path):
     project = Project.open(tmp_path / "p")
     product = {"a": np.arange(50.0), "names": np.array(["x", "yy"])}
-    project.store(KEY, product)
+    project.products.store(KEY, product)
     path = next((tmp_path / "p" / "cache").glob("*/*.npz"))
     good = path.read_bytes()
     missing = 0
     for data in npz_damages(good):
         path.write_bytes(data)
-        found = project.load(KEY)
+        found = project.products.load(KEY)
         missing += found is None
         if found is not None:
             np.testing.assert_array_equal(found["a"], product["a"])
         path.write_bytes(data)
-        assert project.has(KEY) in {True, False}
+        assert project.products.has(KEY) in {True, False}
     assert missing > 100
     project.close()
 

@@ -20,9 +20,9 @@ def project(tmp_path):
 
 def test_products_come_back_equal(project):
     key = key_of("features", 1)
-    assert project.load(key) is None
-    project.store(key, {"a": np.arange(5.0), "b": np.array(["x", "yy"])})
-    found = project.load(key)
+    assert project.products.load(key) is None
+    project.products.store(key, {"a": np.arange(5.0), "b": np.array(["x", "yy"])})
+    found = project.products.load(key)
     assert (found["a"] == np.arange(5.0)).all()
     assert found["b"].tolist() == ["x", "yy"]
 
@@ -30,22 +30,22 @@ def test_products_come_back_equal(project):
 @pytest.mark.parametrize("size", [0, 10, 200])
 def test_a_damaged_product_is_made_again(project, size):
     key = key_of("start", 1)
-    project.store(key, {"a": np.arange(100.0)})
+    project.products.store(key, {"a": np.arange(100.0)})
     (file,) = (project.folder / "cache").glob("*/start-*.npz")
     file.write_bytes(file.read_bytes()[:size])
-    assert project.load(key) is None
-    assert not project.has(key)
+    assert project.products.load(key) is None
+    assert not project.products.has(key)
 
 
 def test_a_product_under_the_name_of_another_is_made_again(project):
     """As a restored or synchronised folder may have it."""
     one, two = key_of("start", 1), key_of("start", 2)
-    project.store(one, {"a": np.arange(3.0)})
-    project.store(two, {"a": np.arange(4.0)})
+    project.products.store(one, {"a": np.arange(3.0)})
+    project.products.store(two, {"a": np.arange(4.0)})
     files = {k: next((project.folder / "cache").glob(f"*/{k}.npz")) for k in (one, two)}
     files[two].write_bytes(files[one].read_bytes())
-    assert project.load(two) is None
-    assert project.load(one)["a"].tolist() == [0, 1, 2]
+    assert project.products.load(two) is None
+    assert project.products.load(one)["a"].tolist() == [0, 1, 2]
 
 
 def test_a_write_that_fails_leaves_nothing(project, monkeypatch):
@@ -54,7 +54,7 @@ def test_a_write_that_fails_leaves_nothing(project, monkeypatch):
 
     monkeypatch.setattr(np.lib.format, "write_array", full)
     with pytest.raises(InputError, match="no space is left; free space and run the same command again"):
-        project.store(key_of("start", 2), {"a": np.zeros(3)})
+        project.products.store(key_of("start", 2), {"a": np.zeros(3)})
     assert not list((project.folder / "cache").glob("*/*"))
 
 
@@ -115,8 +115,8 @@ def test_a_read_only_place_is_named(tmp_path):
 def test_a_block_as_arrays_comes_back_equal(project):
     block = simulate(field_scene(TargetField()), Survey(scale_bars=2, control=5, station_sigma=0.1)).observed
     key = key_of("block", 1)
-    project.store(key, arrays_of_block(block))
-    again = block_of_arrays(project.load(key))
+    project.products.store(key, arrays_of_block(block))
+    again = block_of_arrays(project.products.load(key))
     assert again.cameras == block.cameras
     for name in ("images", "observations", "points", "distances", "stations"):
         a, b = getattr(again, name), getattr(block, name)

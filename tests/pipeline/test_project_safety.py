@@ -31,7 +31,7 @@ k = 0
 while True:
     with project.stage("features") as stage:
         stage.summary = str(k)
-        project.store(key_of("features", k % 40), {"a": np.full((40_000,), k % 40), "b": np.arange(k % 40)})
+        project.products.store(key_of("features", k % 40), {"a": np.full((40_000,), k % 40), "b": np.arange(k % 40)})
         rows = [(f"{k}-{i}", {"candidates": np.array(k), "matches": np.full((k % 50, 2), i)}) for i in range(20)]
         project.store_small(rows)
     k += 1
@@ -61,9 +61,9 @@ def test_a_killed_writer_leaves_whole_products_only(tmp_path, after):
         writer.wait()
     project = Project.open(folder)
     try:
-        there = [k for k in range(40) if project.has(key_of("features", k))]
+        there = [k for k in range(40) if project.products.has(key_of("features", k))]
         for k in there:
-            product = project.load(key_of("features", k))
+            product = project.products.load(key_of("features", k))
             assert product is not None
             np.testing.assert_array_equal(product["a"], np.full(40_000, k))
             np.testing.assert_array_equal(product["b"], np.arange(k))
@@ -83,16 +83,16 @@ def test_a_killed_writer_leaves_whole_products_only(tmp_path, after):
 
 def test_a_write_that_is_broken_off_leaves_the_product_before_it(project, monkeypatch):
     key = key_of("start", 1)
-    project.store(key, {"a": np.arange(3)})
+    project.products.store(key, {"a": np.arange(3)})
 
     def broken(self, target):
         raise KeyboardInterrupt
 
     monkeypatch.setattr(Path, "replace", broken)
     with pytest.raises(KeyboardInterrupt):
-        project.store(key, {"a": np.arange(9)})
+        project.products.store(key, {"a": np.arange(9)})
     monkeypatch.undo()
-    np.testing.assert_array_equal(project.load(key)["a"], np.arange(3))
+    np.testing.assert_array_equal(project.products.load(key)["a"], np.arange(3))
     assert not leftovers(project.folder / "cache")
 
 
@@ -110,19 +110,19 @@ def damaged(whole):
 def test_a_damaged_product_is_never_taken_for_another(project):
     key = key_of("features", "x")
     product = {"xy": np.random.default_rng(1).normal(size=(60, 2)), "names": np.array(["a", "bc"])}
-    project.store(key, product)
+    project.products.store(key, product)
     path = project.products._path(key)
     whole = path.read_bytes()
     for what, data in damaged(whole):
         path.write_bytes(data)
-        found = project.load(key)
+        found = project.products.load(key)
         if found is not None:
             for name, a in product.items():
                 np.testing.assert_array_equal(found[name], a, err_msg=what)
         else:
             assert not path.exists(), what
-    project.store(key, product)
-    np.testing.assert_array_equal(project.load(key)["xy"], product["xy"])
+    project.products.store(key, product)
+    np.testing.assert_array_equal(project.products.load(key)["xy"], product["xy"])
 
 
 def test_a_product_is_never_unpickled(project):
@@ -131,13 +131,13 @@ def test_a_product_is_never_unpickled(project):
     path.parent.mkdir(parents=True, exist_ok=True)
     with path.open("wb") as file:
         np.savez(file, a=np.array([{"an": "object"}], dtype=object))
-    assert project.load(key) is None
+    assert project.products.load(key) is None
 
 
 @pytest.mark.parametrize("number", [errno.ENOSPC, errno.EACCES, errno.EROFS, errno.EIO])
 def test_a_write_that_fails_says_what_to_do_and_keeps_what_is_there(project, monkeypatch, number):
     key = key_of("start", 1)
-    project.store(key, {"a": np.arange(3)})
+    project.products.store(key, {"a": np.arange(3)})
 
     def failing(*_, **__):
         raise OSError(number, os.strerror(number))
@@ -145,11 +145,11 @@ def test_a_write_that_fails_says_what_to_do_and_keeps_what_is_there(project, mon
     monkeypatch.setattr(np.lib.format, "write_array", failing)
     text = "no space is left; free space" if number == errno.ENOSPC else "choose a folder that can be written"
     with pytest.raises(InputError, match=text) as caught:
-        project.store(key, {"a": np.arange(9)})
+        project.products.store(key, {"a": np.arange(9)})
     assert str(project.folder) in str(caught.value)
     assert caught.value.exit_status == 2
     monkeypatch.undo()
-    np.testing.assert_array_equal(project.load(key)["a"], np.arange(3))
+    np.testing.assert_array_equal(project.products.load(key)["a"], np.arange(3))
     assert not leftovers(project.folder)
 
 
@@ -246,8 +246,8 @@ def test_many_threads_may_write_one_product(project):
     def work(n):
         try:
             for _ in range(10):
-                project.store(key, {"a": np.full(1000, n)})
-                a = project.load(key)["a"]
+                project.products.store(key, {"a": np.full(1000, n)})
+                a = project.products.load(key)["a"]
                 assert (a == a[0]).all()
         except Exception as error:  # noqa: BLE001  (shown below)
             errors.append(error)
@@ -264,10 +264,10 @@ def test_many_threads_may_write_one_product(project):
 def test_a_kind_is_forgotten_and_the_others_stay(project):
     for kind in ("features", "start"):
         for k in range(3):
-            project.store(key_of(kind, k), {"a": np.zeros(1)})
+            project.products.store(key_of(kind, k), {"a": np.zeros(1)})
     project.forget_kind("features")
-    assert not any(project.has(key_of("features", k)) for k in range(3))
-    assert all(project.has(key_of("start", k)) for k in range(3))
+    assert not any(project.products.has(key_of("features", k)) for k in range(3))
+    assert all(project.products.has(key_of("start", k)) for k in range(3))
 
 
 def test_stages_of_a_later_run_replace_those_of_an_earlier_one(tmp_path):
@@ -319,7 +319,7 @@ def test_what_stands_where_a_product_is_to_be_is_named(tmp_path, where):
     if where == "product":
         at.mkdir(parents=True)
         with pytest.raises(InputError, match="move it away and run the same command again") as error:
-            project.store(key, {"a": np.zeros(3)})
+            project.products.store(key, {"a": np.zeros(3)})
         project.close()
     else:
         project.close()

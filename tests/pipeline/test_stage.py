@@ -128,7 +128,7 @@ def test_the_better_of_two_ways_goes_on(run, first, second, result):
     )  # fmt: skip
     steps.register_alternative(
         Alternative(
-            name="or", first=("give",), second=("give",), begin=begin,
+            first=("give",), second=("give",), begin=begin,
             better=lambda a, b: max(a, b, key=lambda s: s.doubled),
             only=lambda s: replace(s, doubled=-s.doubled), nothing=NoOrientation,
         )

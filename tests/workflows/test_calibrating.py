@@ -175,7 +175,7 @@ def test_marks_and_starts_are_kept_whole(photos, done):
     project = Project.open(done / "project", create=False)
     try:
         (start_file,) = (done / "project/cache").glob("*/start-*.npz")
-        a = project.load(start_file.stem)
+        a = project.products.load(start_file.stem)
     finally:
         project.close()
     begun = start.STAGE.codec.product(a)

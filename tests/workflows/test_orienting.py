@@ -11,6 +11,7 @@ from PIL import Image
 
 from raybundle.adjustment.result import Notice
 from raybundle.io.photos.photo import find_photos
+from raybundle.io.trajectories import read_trajectory
 from raybundle.matching.features import feature_method
 from raybundle.matching.reduced import Reduced
 from raybundle.pipeline.executors import Processes, Threads
@@ -22,6 +23,7 @@ from raybundle.workflows.orient import OrientOptions, orient, stages
 from raybundle.workflows.orient_state import ORIENT
 from raybundle.workflows.tie_points import find_features, match_pairs
 
+KEPT = {"features", "matching", "start", "precision"}
 PORTAL = Path(__file__).resolve().parents[2] / "demo_data/portal/photos"
 needs_portal = pytest.mark.skipif(not PORTAL.is_dir(), reason="demo_data/portal is part of the repository")
 
@@ -103,4 +105,24 @@ def test_a_photograph_that_lies_elsewhere_is_the_same(photos, tmp_path):
     for path in photos.iterdir():
         (moved / path.name).write_bytes(path.read_bytes())
     again = orient([moved], tmp_path / "p", options)
-    assert {r.name for r in again.stages if r.from_cache} == {"features", "matching", "start", "precision"}
+    assert {r.name for r in again.stages if r.from_cache} == KEPT
+
+
+@needs_portal
+def test_what_does_not_concern_a_stage_makes_nothing_again(photos, tmp_path):
+    """The project's name, and positions that come from a file beside the photographs."""
+    options = OrientOptions(feature_count=600, jobs=2)
+    first = orient([photos], tmp_path / "p", options)
+    assert first.adjustment.given.name == "p"
+    (tmp_path / "p").rename(tmp_path / "renamed")
+    again = orient([photos], tmp_path / "renamed", options)
+    assert {r.name for r in again.stages if r.from_cache} == KEPT
+    assert again.adjustment.given.name == "renamed"
+    assert again.adjustment.sigma0 == first.adjustment.sigma0
+    lines = [f"portal_{k:02d}.jpg,500{k}00.0,500{k % 3}000.0,10{k}.0,5,5,5" for k in (2, 3, 4)]
+    table = tmp_path / "positions.csv"
+    table.write_text("\n".join(["image,X,Y,Z,sX,sY,sZ", *lines]) + "\n", encoding="utf-8")
+    placed = orient(
+        [photos], tmp_path / "renamed", replace(options, crs="EPSG:32633"), positions=read_trajectory(table)
+    )
+    assert {r.name for r in placed.stages if r.from_cache} == KEPT

@@ -87,7 +87,7 @@ def orient_with(places):
     photos = [SimpleNamespace(name=f"p{k:02d}") for k in range(len(places))]
 
     def orient(tracks):
-        raw = block_of_tracks("tower", photos, [camera], np.zeros(len(photos), int), places, tracks)
+        raw = block_of_tracks(photos, [camera], np.zeros(len(photos), int), places, tracks)
         n = len(tracks.image)
         return start_parts(raw, np.full(n, 4.0), np.zeros(n), 1)
 

@@ -228,7 +228,7 @@ def test_two_runs_do_not_work_in_one_project(photos, tmp_path, capsys):
 def test_a_new_run_clears_away_what_a_killed_one_had_begun(tmp_path):
     project = Project.open(tmp_path)
     key = f"start-{'1' * 40}"
-    project.store(key, {"a": np.zeros(3)})
+    project.products.store(key, {"a": np.zeros(3)})
     project.close()
     begun = tmp_path / ".result.0123abcd.partial"
     begun.mkdir()
@@ -238,7 +238,7 @@ def test_a_new_run_clears_away_what_a_killed_one_had_begun(tmp_path):
     project = Project.open(tmp_path)
     try:
         assert not list(tmp_path.rglob(".*"))
-        assert project.load(key) is not None
+        assert project.products.load(key) is not None
     finally:
         project.close()
 

@@ -92,6 +92,8 @@ def known_wrong(block: Block) -> Mask:
 
 def given_rejections(block: Block) -> Rejections:
     """Why image observations take no part from the outset."""
+    if not block.rejected:
+        return (None,) * len(block.observations)
     given = Rejection(kind=RejectionKind.GIVEN)
     return tuple(given if wrong else None for wrong in known_wrong(block).tolist())
 

@@ -23,8 +23,6 @@ def command(project: Path) -> None:
     """  # noqa: D301
     from raybundle.pipeline.project import Project  # noqa: PLC0415
     from raybundle.report.result_folder import PROJECT  # noqa: PLC0415
-    from raybundle.workflows.calibrating import CALIBRATE  # noqa: PLC0415
-    from raybundle.workflows.orient import stages  # noqa: PLC0415
 
     of_calibration = (project / PROJECT / "project.db").is_file()
     opened = Project.open(project / PROJECT if of_calibration else project, create=False)
@@ -33,7 +31,7 @@ def command(project: Path) -> None:
     finally:
         opened.close()
     click.echo(f" {'stage':12s} {'seconds':>8s} {'CPU s':>8s} {'memory':>8s}  finished")
-    for name in CALIBRATE.titles() if of_calibration else stages():
+    for name in _stages(of_calibration=of_calibration):
         r = records.get(name)
         if r is None:
             click.echo(f" {name:12s} {'-':>8s} {'-':>8s} {'-':>8s}  not done")
@@ -41,3 +39,14 @@ def command(project: Path) -> None:
         source = "from cache" if r.from_cache else r.finished.replace("T", " ").rstrip("Z")
         figures = f"{r.seconds:8.1f} {r.cpu_seconds:8.1f} {r.peak_memory_mb:6.0f}MB"
         click.echo(f" {name:12s} {figures}  {source}  {r.summary}".rstrip())
+
+
+def _stages(*, of_calibration: bool) -> tuple[str, ...]:
+    """What the stages are called, in order."""
+    if of_calibration:
+        from raybundle.workflows.calibrating import CALIBRATE  # noqa: PLC0415
+
+        return CALIBRATE.titles()
+    from raybundle.workflows.orient import stages  # noqa: PLC0415
+
+    return stages()

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.commands.orient import NOISE_HELP
-from raybundle.commands.setting import NOT_NEGATIVE, POSITIVE, Range, made, setting
+from raybundle.commands.setting import NOT_NEGATIVE, POSITIVE, Range, asked, setting
 from raybundle.errors import InputError, NotSolvable
 from raybundle.numerics.progress import Progress, silent
 
@@ -89,9 +89,7 @@ def calibrate(
     What it does not tell: the calibration holds for the zoom and focus of the photographs, and for the part of the
     format in which targets were seen.
     """
-    inputs = (photos,) if isinstance(photos, str | Path) else photos
-    given = {"photos": tuple(Path(p) for p in inputs), "out": Path(out), **settings}
-    return run_calibrate(made(CalibrateSettings, given), progress)
+    return run_calibrate(asked(CalibrateSettings, photos, out, settings), progress)
 
 
 def run_calibrate(settings: CalibrateSettings, progress: Progress = silent) -> Calibration:

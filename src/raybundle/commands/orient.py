@@ -13,7 +13,7 @@ from raybundle.commands.setting import (
     NOT_NEGATIVE,
     POSITIVE,
     Range,
-    made,
+    asked,
     other_than_usual,
     setting,
     toml_lines,
@@ -179,9 +179,7 @@ def orient(
     What it does not tell: without control or scale bars the position, orientation and scale of the result are
     arbitrary; and a set of photographs whose parts look alike can be oriented wrongly with small residuals.
     """
-    inputs = (photos,) if isinstance(photos, str | Path) else photos
-    given = {"photos": tuple(Path(p) for p in inputs), "out": Path(out), **settings}
-    return run_orient(made(OrientSettings, given), progress)
+    return run_orient(asked(OrientSettings, photos, out, settings), progress)
 
 
 def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orientation:

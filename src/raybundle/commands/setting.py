@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 import json
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import MISSING, dataclass, field
 from functools import cache
 from pathlib import Path
@@ -163,6 +163,12 @@ def made(kind: type[T], given: Mapping[str, Any]) -> T:
         if name not in known and name not in own:
             raise InputError(f"{name} is no setting; known are {', '.join(known)}")
     return kind(**{n: known[n].of(v) if n in known else v for n, v in given.items()})
+
+
+def asked(kind: type[T], photos: str | Path | Sequence[str | Path], out: str | Path, given: Mapping[str, Any]) -> T:
+    """The settings of a command that takes photographs and writes a folder, as Python gives them."""
+    inputs = (photos,) if isinstance(photos, str | Path) else photos
+    return made(kind, {"photos": tuple(Path(p) for p in inputs), "out": Path(out), **given})
 
 
 def toml_lines(section: str, values: Any) -> Iterator[str]:

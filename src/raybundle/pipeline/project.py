@@ -143,18 +143,6 @@ class Project:
 
     # products
 
-    def has(self, key: str) -> bool:
-        """Whether a product is there and whole, by its check sums; a damaged one is removed."""
-        return self.products.has(key)
-
-    def load(self, key: str, names: Sequence[str] = ()) -> dict[str, Array] | None:
-        """A product, or only some of its arrays; None where it is missing or damaged."""
-        return self.products.load(key, names)
-
-    def store(self, key: str, product: Product) -> None:
-        """Keep a product; it appears whole or not at all."""
-        self.products.store(key, product)
-
     def forget_kind(self, kind: str) -> None:
         """Remove all products whose key begins with this word."""
         self.products.forget_kind(kind)

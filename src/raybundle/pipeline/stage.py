@@ -48,6 +48,7 @@ class Means:
     asked: int | None = None
     """tasks of this stage, and those of them that had to be done; None: it has no tasks"""
     made: int = 0
+    _small: dict[str, Product] = field(default_factory=dict[str, Product])
 
     @property
     def store(self) -> Folder:
@@ -57,11 +58,11 @@ class Means:
     def do(self, tasks: Sequence[Task], what: str) -> dict[str, str]:
         """Do the tasks whose products are not kept yet; keys of those that failed, and why.
 
-        what  the work in words, for the progress.  Products that are kept lie in the store, small ones in the project.
+        what  the work in words, for the progress.  Products lie in the store, small ones are at hand (`small`).
         """
         self.asked = (self.asked or 0) + len(tasks)
-        known = self.project.small([t.key for t in tasks if t.small])
-        missing = [t for t in tasks if (t.key not in known if t.small else not self.store.has(t.key))]
+        self._small |= self.project.small([t.key for t in tasks if t.small])
+        missing = [t for t in tasks if (t.key not in self._small if t.small else not self.store.has(t.key))]
         self.made += len(missing)
         failed: dict[str, str] = {}
         waiting: list[tuple[str, Product]] = []
@@ -74,6 +75,7 @@ class Means:
                     failed[done.task.key] = done.failed
                 elif done.task.small:
                     waiting.append((done.task.key, done.product))
+                    self._small[done.task.key] = done.product
                 if time.perf_counter() - saved > SAVE_EVERY_S:
                     self.project.store_small(waiting)
                     waiting, saved = [], time.perf_counter()
@@ -82,9 +84,9 @@ class Means:
             self.store.release()
         return failed
 
-    def small(self, keys: Sequence[str]) -> Mapping[str, Product]:
-        """The small products that are kept under these keys."""
-        return self.project.small(keys)
+    def small(self, key: str) -> Product:
+        """The product of a small task that was done."""
+        return self._small[key]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -101,7 +103,7 @@ class Stage(Generic[S, I, P]):
     """stages of the workflow behind which it stands, and those before which it does"""
     before: tuple[str, ...] = ()
     inputs: Callable[[S], I]
-    """everything that the product depends on, as `key_of` takes it"""
+    """everything that the product depends on; as `key_of` takes it where there is a codec"""
     function: Callable[[I, Means], P]
     """makes the product from the inputs alone"""
     put: Callable[[S, P], S]
@@ -109,7 +111,7 @@ class Stage(Generic[S, I, P]):
     told: Callable[[S], str] = lambda _: ""
     """what came of it, in a few words"""
     codec: Codec[P] | None = None
-    """None: the product is made each time, of tasks' products or of little work"""
+    """None: the product is made each time, as of products that tasks keep"""
     when: Callable[[S], bool] = lambda _: True
     """whether it has anything to do"""
     little: bool = False
@@ -125,7 +127,6 @@ class Stage(Generic[S, I, P]):
 class Alternative(Generic[S]):
     """Stages with another way that is tried where the first one gives nothing, or little."""
 
-    name: str
     first: tuple[str, ...]
     """stages of the first way, which stand together in the workflow"""
     second: tuple[str, ...]
@@ -242,24 +243,28 @@ class Run:
         raise trouble
 
     def _done(self, stage: Stage[S, Any, Any], state: S, timed: Timed) -> S:
-        inputs = stage.inputs(state)
-        key = key_of(stage.name, stage.version, inputs)
-        kept = None if stage.codec is None else self.project.load(key)
         means = Means(
             project=self.project, executor=self.executor, progress=self.progress, jobs=self.jobs, memory=self.memory
         )
-        if kept is not None and stage.codec is not None:
-            product = stage.codec.product(kept)
+        if stage.codec is None:
+            product = stage.function(stage.inputs(state), means)
+            timed.from_cache = stage.little or (means.asked is not None and not means.made)
         else:
-            product = stage.function(inputs, means)
-            if stage.codec is not None:  # what goes on is what the next run will read
-                arrays = stage.codec.arrays(product)
-                self.project.store(key, arrays)
-                product = stage.codec.product(arrays)
+            product, timed.key, timed.from_cache = self._kept(stage, stage.codec, stage.inputs(state), means)
         state = stage.put(state, product)
-        timed.key, timed.summary = key, stage.told(state)
-        timed.from_cache = stage.little or kept is not None or (means.asked is not None and not means.made)
+        timed.summary = stage.told(state)
         return state
+
+    def _kept(self, stage: Stage[S, I, P], codec: Codec[P], inputs: I, means: Means) -> tuple[P, str, bool]:
+        """The product of a stage, its key, and whether it was kept; one that is made is what the next run will read."""
+        store = self.project.products
+        key = key_of(stage.name, stage.version, inputs)
+        kept = store.load(key)
+        if kept is not None:
+            return codec.product(kept), key, True
+        arrays = codec.arrays(stage.function(inputs, means))
+        store.store(key, arrays)
+        return codec.product(arrays), key, False
 
     def forget(self, stages: Sequence[Stage[S, Any, Any]]) -> None:
         """Remove what is kept of these stages: they are done again."""

@@ -15,7 +15,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from threading import Lock
-from typing import BinaryIO, Protocol
+from typing import BinaryIO
 
 import numpy as np
 
@@ -34,22 +34,6 @@ DAMAGED = (
 FULL = {errno.ENOSPC, errno.EDQUOT} if hasattr(errno, "EDQUOT") else {errno.ENOSPC}
 HELD_BYTES = 200e6
 """Arrays that tasks of one process hold in memory, the latest ones."""
-
-
-class Store(Protocol):
-    """Products by their keys."""
-
-    def has(self, key: str) -> bool:
-        """Whether a product is there and whole; a damaged one is removed."""
-        ...
-
-    def load(self, key: str, names: Sequence[str] = ()) -> dict[str, Array] | None:
-        """A product, or only some of its arrays; None where it is missing or damaged."""
-        ...
-
-    def store(self, key: str, product: Product) -> None:
-        """Keep a product; it appears whole or not at all."""
-        ...
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,11 +17,9 @@ from raybundle.io.photos.photo import Found, Photo
 from raybundle.pipeline.stage import Workflow
 from raybundle.targets.marks import Marks, Target
 from raybundle.workflows.calibrate_options import CalibrateOptions
+from raybundle.workflows.kept import Reasons
 from raybundle.workflows.recognise import Recognised
 from raybundle.workflows.target_block import TargetBlock
-
-Reasons = tuple[tuple[str, str], ...]
-"""names of photographs and why each takes no part"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

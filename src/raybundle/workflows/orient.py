@@ -28,8 +28,7 @@ from raybundle.workflows.marks import Given
 from raybundle.workflows.orient_options import OrientOptions
 from raybundle.workflows.orient_state import Asked, OrientState
 from raybundle.workflows.orienting import ORIENT
-from raybundle.workflows.part_folder import part_folder
-from raybundle.workflows.parts import Part
+from raybundle.workflows.parts import Part, part_folder
 from raybundle.workflows.precise import Weights
 from raybundle.workflows.scene_images import SceneImage
 from raybundle.workflows.scene_ties import ScenePair
@@ -138,7 +137,8 @@ def orient(
     method = feature_method(options.features)
     project = Project.open(folder)
     jobs = options.jobs or os.cpu_count() or 1
-    run = Run(project=project, executor=Threads(jobs), progress=progress, jobs=jobs, memory=options.memory_gb * 1e9)
+    memory = options.memory_gb * 1e9
+    run = Run(project=project, executor=Threads(jobs, memory), progress=progress, jobs=jobs, memory=memory)
     asked = Asked(
         inputs=tuple(inputs), name=folder.name, options=options, calibration=tuple(calibration), given=given,
         positions=positions, method=method,

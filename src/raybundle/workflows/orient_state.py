@@ -17,6 +17,7 @@ from raybundle.matching.verify import VerifiedPair
 from raybundle.pipeline.stage import Workflow
 from raybundle.workflows.dropped import Dropped
 from raybundle.workflows.georeference import Georeferenced
+from raybundle.workflows.kept import Reasons
 from raybundle.workflows.marks import Given
 from raybundle.workflows.orient_options import OrientOptions
 from raybundle.workflows.parts import Part
@@ -27,9 +28,6 @@ from raybundle.workflows.scene_images import FoundScenes, SceneImage
 from raybundle.workflows.scene_ties import ScenePair
 from raybundle.workflows.tie_block import TieBlock
 from raybundle.workflows.tie_points import FeatureStore
-
-Refused = tuple[tuple[str, str], ...]
-"""names of images and the reason why each takes no part"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -51,7 +49,7 @@ class SceneState:
     """The satellite scenes of a run on their way to a block."""
 
     images: tuple[SceneImage, ...] = ()
-    lost: Refused = ()
+    lost: Reasons = ()
     """scenes that take no part though they could be read"""
     features: FeatureStore | None = None
     pairs: tuple[ScenePair, ...] = ()
@@ -60,12 +58,6 @@ class SceneState:
     weights: Weights | None = None
     measured: str = ""
     """what least-squares matching gave, in a few words"""
-
-    @property
-    def content(self) -> tuple[object, ...]:
-        """What they are known by: sensors are the scenes'."""
-        known = None if self.block is None else (self.block.points, self.block.observations)
-        return self.images, self.lost, self.features, known
 
     def set(self, options: OrientOptions) -> SceneSet:
         """The scenes that are left."""
@@ -87,8 +79,8 @@ class OrientState:
     method: FeatureMethod
     photos: tuple[Photo, ...] = ()
     """that take part"""
-    refused: Refused = ()
-    lost: Refused = ()
+    refused: Reasons = ()
+    lost: Reasons = ()
     """photographs that take no part though they could be read"""
     remarks: tuple[str, ...] = ()
     told: tuple[str, ...] = ()

@@ -193,6 +193,11 @@ def _numbers(block: Block, position: Mapping[str, int]) -> Index:
     return np.array([position[i] for i in block.points.ids], np.int32)
 
 
+def part_folder(k: int) -> str:
+    """Folder of the result of the k-th further part."""
+    return f"result-{k + 2}"
+
+
 def apart_notice(main: Block, apart: Sequence[Georeferenced], folders: Sequence[str]) -> Notice:
     """What the result of the main part says of the others."""
     names = [_names(p.block) for p in apart]

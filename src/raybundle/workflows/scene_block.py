@@ -118,14 +118,14 @@ def again(block: Block, scenes: SceneSet) -> Block:
 
 
 def started(
-    name: str, scenes: SceneSet, store: FeatureStore, pairs: Sequence[ScenePair], jobs: int, progress: Progress
+    scenes: SceneSet, store: FeatureStore, pairs: Sequence[ScenePair], jobs: int, progress: Progress
 ) -> TieBlock:
     """Tracks of the scenes with approximate coordinates, wrong ones left out."""
     n = len(scenes.images)
     features = [store.places(i) for i in range(n)]
     tracks: Tracks = tracks_of([p.pair for p in pairs], [f.xy_px for f in features])
     raw = block_of_tracks(
-        name, cast("Sequence[Photo]", scenes.images), scenes.cameras(), np.arange(n, dtype=np.int32),
+        cast("Sequence[Photo]", scenes.images), scenes.cameras(), np.arange(n, dtype=np.int32),
         [f.xy_px for f in features], tracks,
     )  # fmt: skip
     scale, angle = np.empty(len(tracks.image)), np.empty(len(tracks.image))

@@ -10,9 +10,10 @@ from raybundle.block import Block
 from raybundle.io.photos.photo import Photo
 from raybundle.matching.features import FeatureMethod
 from raybundle.workflows.georeference import Georeferenced, Surroundings
+from raybundle.workflows.kept import Reasons
 from raybundle.workflows.marks import Given, add_bars
 from raybundle.workflows.orient_options import OrientOptions
-from raybundle.workflows.orient_state import Refused, SceneState
+from raybundle.workflows.orient_state import SceneState
 from raybundle.workflows.parts import place_parts
 from raybundle.workflows.scene_joins import with_joins
 from raybundle.workflows.scene_place import (
@@ -35,7 +36,7 @@ NOT_JOINED = (
 def place_with_scenes(
     state: SceneState, options: OrientOptions, blocks: Sequence[Block], photos: Sequence[Photo], given: Given,
     store: FeatureStore, method: FeatureMethod,
-) -> tuple[Georeferenced, tuple[Georeferenced, ...], Refused]:  # fmt: skip
+) -> tuple[Georeferenced, tuple[Georeferenced, ...], Reasons]:  # fmt: skip
     """Scenes and photographs in one block in object space, photographs that nothing places there, and lost scenes."""
     assert state.block is not None
     assert state.features is not None

@@ -176,8 +176,7 @@ def match_scenes(
     ]  # fmt: skip
     for reason in means.do(tasks, "matching").values():
         raise InputError(reason)
-    found = means.small([t.key for t in tasks])
-    return [_scene_pair(p, found[t.key]) for t, p in zip(tasks, pairs, strict=True)]
+    return [_scene_pair(p, means.small(t.key)) for t, p in zip(tasks, pairs, strict=True)]
 
 
 OWN = ("shift_px", "scatter_px", "limit_px", "trouble")

@@ -65,14 +65,13 @@ def free_when_precise(camera: Camera) -> tuple[str, ...]:
 
 
 def block_of_tracks(
-    name: str,
     photos: Sequence[Photo],
     cameras: Sequence[Camera],
     camera_of_photo: Index,
     xy: Sequence[Array],
     t: Tracks,
 ) -> Block:
-    """A block without orientation and coordinates."""
+    """A block without orientation, coordinates and a name: what is made of it does not depend on the project's."""
     n, p = len(photos), t.points
     xy_px = np.empty((len(t.image), 2))
     for i in range(n):
@@ -80,7 +79,7 @@ def block_of_tracks(
         xy_px[mine] = xy[i][t.feature[mine]]
     nothing = np.full((p, 3), np.nan)
     return Block(
-        name=name,
+        name="",
         cameras=tuple(cameras),
         images=Images(
             ids=tuple(photo.name for photo in photos),

@@ -209,8 +209,7 @@ def match_pairs(
     ]  # fmt: skip
     for reason in means.do(tasks, "matching").values():
         raise InputError(reason)
-    found = means.small([t.key for t in tasks])
-    result = beyond_chance([pair_from(i, j, found[t.key]) for t, (i, j) in zip(tasks, pairs, strict=True)])
+    result = beyond_chance([pair_from(i, j, means.small(t.key)) for t, (i, j) in zip(tasks, pairs, strict=True)])
     good = sum(1 for p in result if len(p.matches))
     if good and from_one_spot(result, photos, store):
         raise NoOrientation(

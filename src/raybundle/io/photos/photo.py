@@ -72,9 +72,9 @@ class Photo:
     metadata: Metadata
 
     @property
-    def content(self) -> tuple[object, ...]:
-        """What a photograph is known by, wherever it lies."""
-        return self.sha256, self.name, self.metadata
+    def content(self) -> tuple[str, str]:
+        """What a photograph is known by, wherever it lies: its metadata are in its bytes, or come from another file."""
+        return self.sha256, self.name
 
     @property
     def upright_size(self) -> tuple[int, int]:

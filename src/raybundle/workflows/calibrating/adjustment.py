@@ -61,11 +61,6 @@ class Inputs:
     targets: tuple[Target, ...]
     options: CalibrateOptions
 
-    @property
-    def content(self) -> tuple[object, ...]:
-        """What it is known by."""
-        return self.start, self.groups, self.marks
-
 
 def _inputs(state: CalibrateState) -> Inputs:
     assert state.found is not None

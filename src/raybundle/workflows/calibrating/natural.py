@@ -25,11 +25,6 @@ class Inputs:
     noise: NoiseModel
     masks: Path | None
 
-    @property
-    def content(self) -> tuple[object, ...]:
-        """What it is known by; the project in which it is done keeps its own products."""
-        return self.shown.looked_at, self.separate, self.noise, self.masks
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Natural:

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-import numpy as np
-
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array
 from raybundle.pipeline.stage import Codec, Means, Stage
 from raybundle.targets.marks import target
 from raybundle.workflows.calibrate_state import CALIBRATE, CalibrateState
 from raybundle.workflows.calibrating.photographs import with_dots
+from raybundle.workflows.kept import texts
 from raybundle.workflows.recognise import Recognised, recognised
 
 
@@ -28,7 +27,7 @@ def _put(state: CalibrateState, shown: Recognised) -> CalibrateState:
 def _arrays(shown: Recognised) -> dict[str, Array]:
     families = tuple(t.family for t in shown.targets)
     names = {"targets": families, "looked_at": shown.looked_at, "few": shown.few}
-    return {name: np.array(values, dtype=np.str_) for name, values in names.items()}
+    return {name: texts(values) for name, values in names.items()}
 
 
 def _product(a: Mapping[str, Array]) -> Recognised:

@@ -9,7 +9,6 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.adjustment.result import Notice
-from raybundle.adjustment.severity import Severity
 from raybundle.block import Block, Role
 from raybundle.errors import InputError, NotSolvable
 from raybundle.io.block_arrays import arrays_of_block, block_of_arrays
@@ -24,6 +23,15 @@ from raybundle.targets.sidecar import PrintedSheet
 from raybundle.workflows.board_start import board_oriented
 from raybundle.workflows.calibrate_state import CALIBRATE, CalibrateState, Start
 from raybundle.workflows.calibration_defects import explained
+from raybundle.workflows.kept import (
+    notices_as_array,
+    notices_of_array,
+    packed,
+    reasons_as_array,
+    reasons_of_array,
+    texts,
+    unpacked,
+)
 from raybundle.workflows.model_choice import with_model
 from raybundle.workflows.target_block import FEWEST_TARGETS, TargetBlock, block_of_targets
 
@@ -45,7 +53,7 @@ class Inputs:
     @property
     def content(self) -> tuple[object, ...]:
         """What they are known by; what the targets are is in their marks."""
-        families = tuple((t.family, t.turns) for t in self.targets)
+        families = tuple((t.family, t.turns, t.objects) for t in self.targets)
         sheet = None if self.sheet is None else (self.sheet.family, self.sheet.targets)
         return self.photos, self.groups, families, self.marks, self.spacing, sheet, self.model, self.estimate
 
@@ -138,37 +146,34 @@ def _too_few(photos: Sequence[Photo], marks: Sequence[Sequence[Marks]], targets:
 
 
 def _arrays(s: Start) -> dict[str, Array]:
-    told = [(n.code, n.message, str(n.severity.value)) for n in s.notices]
     places = s.given.places
     return {
-        **{f"given:{name}": values for name, values in arrays_of_block(s.given.block).items()},
-        **{f"approximate:{name}": values for name, values in arrays_of_block(s.approximate).items()},
+        **packed({"given": arrays_of_block(s.given.block), "approximate": arrays_of_block(s.approximate)}),
         "radius_px": s.given.radius_px,
-        "not_used": np.array(s.given.not_used, dtype=np.str_).reshape(-1, 2),
-        "place_names": np.array([*places], dtype=np.str_),
+        "not_used": reasons_as_array(s.given.not_used),
+        "place_names": texts([*places]),
         "places": np.array([*places.values()], float).reshape(-1, 3),
-        "lost": np.array(s.lost, dtype=np.str_).reshape(-1, 2),
-        "notices": np.array(told, dtype=np.str_).reshape(-1, 3),
+        "lost": reasons_as_array(s.lost),
+        "notices": notices_as_array(s.notices),
     }
 
 
 def _product(a: Mapping[str, Array]) -> Start:
-    def block(prefix: str) -> Block:
-        return block_of_arrays({n.removeprefix(prefix): v for n, v in a.items() if n.startswith(prefix)})
-
+    blocks = {part: block_of_arrays(arrays) for part, arrays in unpacked(a).items()}
     given = TargetBlock(
-        block=block("given:"), radius_px=a["radius_px"], not_used=tuple((n, w) for n, w in a["not_used"].tolist()),
+        block=blocks["given"], radius_px=a["radius_px"], not_used=reasons_of_array(a["not_used"]),
         places=dict(zip(a["place_names"].tolist(), a["places"], strict=True)),
     )  # fmt: skip
     return Start(
-        given=given, approximate=block("approximate:"), lost=tuple((n, w) for n, w in a["lost"].tolist()),
-        notices=tuple(Notice(code=c, message=m, measured=Severity(s)) for c, m, s in a["notices"].tolist()),
+        given=given, approximate=blocks["approximate"], lost=reasons_of_array(a["lost"]),
+        notices=notices_of_array(a["notices"]),
     )  # fmt: skip
 
 
 STAGE = CALIBRATE.register(
     Stage(
         name="start",
+        version=2,
         after=("targets",),
         inputs=_inputs,
         function=begin,

@@ -18,11 +18,6 @@ class Inputs:
     photos: tuple[Photo, ...]
     targets: tuple[Target, ...]
 
-    @property
-    def content(self) -> tuple[object, ...]:
-        """What it is known by; tasks have keys of their own."""
-        return self.photos, tuple(t.family for t in self.targets)
-
 
 def measure(i: Inputs, means: Means) -> tuple[tuple[Marks, ...], ...]:
     """Each photograph is measured by a task of its own."""

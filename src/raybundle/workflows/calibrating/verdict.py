@@ -21,11 +21,6 @@ class Inputs:
     measured: Block | None
     """targets as they were measured; None for natural points"""
 
-    @property
-    def content(self) -> tuple[object, ...]:
-        """What it is known by."""
-        return (self.adjustment.given,)
-
 
 def _inputs(state: CalibrateState) -> Inputs:
     assert state.adjusted is not None

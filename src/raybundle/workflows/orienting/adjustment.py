@@ -20,11 +20,11 @@ from raybundle.pipeline.stage import Means, Stage
 from raybundle.workflows.dropped import Dropped
 from raybundle.workflows.final import adjusted_part, final_adjustment, undetermined_part
 from raybundle.workflows.georeference import Georeferenced
+from raybundle.workflows.kept import Reasons
 from raybundle.workflows.marks import Given
 from raybundle.workflows.orient_options import OrientOptions
-from raybundle.workflows.orient_state import ORIENT, OrientState, Refused, SceneState
-from raybundle.workflows.part_folder import part_folder
-from raybundle.workflows.parts import Part, apart_notice, joined_notice, place_parts
+from raybundle.workflows.orient_state import ORIENT, OrientState, SceneState
+from raybundle.workflows.parts import Part, apart_notice, joined_notice, part_folder, place_parts
 from raybundle.workflows.positions import GPS_M, flight_lines, without_idle
 from raybundle.workflows.read_out import with_cause
 from raybundle.workflows.same_camera import shared_sensors
@@ -37,6 +37,8 @@ from raybundle.workflows.told_positions import with_relative_precision
 class Inputs:
     """What the final adjustment depends on."""
 
+    name: str
+    """of the project"""
     options: OrientOptions
     given: Given
     photos: tuple[Photo, ...]
@@ -58,25 +60,26 @@ class Adjusted:
     parts: tuple[Part, ...]
     groups: tuple[CameraGroup, ...]
     placed: Georeferenced
-    lost: Refused
+    lost: Reasons
     """scenes that nothing places"""
 
 
 def _inputs(state: OrientState) -> Inputs:
     return Inputs(
-        options=state.asked.options, given=state.given, photos=state.photos, blocks=state.blocks, groups=state.groups,
-        features=state.found, method=state.method, remarks=(*state.remarks, *state.told), notices=state.notices,
-        dropped=state.dropped, scenes=state.scenes,
+        name=state.asked.name, options=state.asked.options, given=state.given, photos=state.photos,
+        blocks=state.blocks, groups=state.groups, features=state.found, method=state.method,
+        remarks=(*state.remarks, *state.told), notices=state.notices, dropped=state.dropped, scenes=state.scenes,
     )  # fmt: skip
 
 
 def adjust(i: Inputs, means: Means) -> Adjusted:
     """Bring everything to object space, adjust it, and say what there is to say."""
-    lost: Refused = ()
+    lost: Reasons = ()
     if i.scenes is None:
         placed, apart = place_parts(i.blocks, i.photos, i.given)
     else:
         placed, apart, lost = place_with_scenes(i.scenes, i.options, i.blocks, i.photos, i.given, i.features, i.method)
+    placed, *apart = (replace(p, block=replace(p.block, name=i.name)) for p in (placed, *apart))
     placed = _relative(placed, i.photos, i.options.relative)
     done = _adjusted(i, placed, apart, means)
     rows = sum(len(a.given.observations) for a in (done.adjustment, *(p.adjustment for p in done.parts)))

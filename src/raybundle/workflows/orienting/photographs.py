@@ -11,8 +11,9 @@ from raybundle.io.photos.photo import Found, Photo, find_photos
 from raybundle.io.trajectories import Trajectory, with_positions
 from raybundle.numerics.counting import counted
 from raybundle.pipeline.stage import Means, Stage
+from raybundle.workflows.kept import Reasons
 from raybundle.workflows.marks import under_kept_names
-from raybundle.workflows.orient_state import ORIENT, OrientState, Refused, SceneState
+from raybundle.workflows.orient_state import ORIENT, OrientState, SceneState
 from raybundle.workflows.scene_images import FoundScenes, find_scenes
 
 
@@ -56,7 +57,7 @@ def search(given: Inputs, means: Means) -> Searched:
     return Searched(found=found, scenes=scenes)
 
 
-def _refused(found: Found) -> Refused:
+def _refused(found: Found) -> Reasons:
     return tuple((p.name, r) for p, r in found.refused)
 
 

@@ -16,8 +16,8 @@ from raybundle.io.photos.photo import Photo
 from raybundle.matching.refine import pyramid, smoothed
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.pipeline.stage import Codec, Means, Stage
-from raybundle.workflows.orient_state import ORIENT, OrientState, Refused
-from raybundle.workflows.orienting.start import packed, unpacked
+from raybundle.workflows.kept import Reasons, numbered, reasons_as_array, reasons_of_array, texts, unpacked
+from raybundle.workflows.orient_state import ORIENT, OrientState
 from raybundle.workflows.precise import PreciseBlock, Visible, Weights, refine
 from raybundle.workflows.tie_block import TieBlock
 from raybundle.workflows.tie_points import grey_of
@@ -43,7 +43,7 @@ class Measured:
     added: int
     features_kept: int
     by_features: tuple[str, ...]
-    left_out: Refused
+    left_out: Reasons
 
 
 def _inputs(state: OrientState) -> Inputs:
@@ -135,27 +135,27 @@ class _GreyCache:
 def _arrays(m: Measured) -> dict[str, Array]:
     parts = [{**arrays_of_block(b), "weights": w.array()} for b, w in zip(m.blocks, m.weights, strict=True)]
     return {
-        **packed(parts),
+        **numbered(parts),
         "counts": np.array([m.offered, m.measured, m.added, m.features_kept]),
-        "by_features": np.array(m.by_features, dtype=np.str_),
-        "left_out": np.array(m.left_out, dtype=np.str_).reshape(-1, 2),
+        "by_features": texts(m.by_features),
+        "left_out": reasons_as_array(m.left_out),
     }
 
 
 def _product(a: Mapping[str, Array]) -> Measured:
-    parts = unpacked(a)
+    parts = [*unpacked(a).values()]
     offered, measured, added, kept = a["counts"].tolist()
     return Measured(
         blocks=tuple(block_of_arrays(p) for p in parts), weights=tuple(Weights.of(p["weights"]) for p in parts),
         offered=offered, measured=measured, added=added, features_kept=kept,
-        by_features=tuple(a["by_features"].tolist()), left_out=tuple((n, r) for n, r in a["left_out"].tolist()),
+        by_features=tuple(a["by_features"].tolist()), left_out=reasons_of_array(a["left_out"]),
     )  # fmt: skip
 
 
 STAGE = ORIENT.register(
     Stage(
         name="precision",
-        version=23,
+        version=24,
         after=("scene_start",),
         inputs=_inputs,
         function=measure,

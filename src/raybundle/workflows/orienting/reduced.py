@@ -41,7 +41,6 @@ def _said(state: OrientState, whole: int) -> OrientState:
 
 ALTERNATIVE = ORIENT.register_alternative(
     Alternative(
-        name="reduced",
         first=("matching", "scene_matching", "start", "scene_start"),
         second=("features", "matching", "start"),
         begin=_begin,

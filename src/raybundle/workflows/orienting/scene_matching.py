@@ -8,7 +8,8 @@ from raybundle.matching.features import FeatureMethod
 from raybundle.numerics.counting import counted
 from raybundle.pipeline.stage import Means, Stage
 from raybundle.scenes.bias import BiasKind
-from raybundle.workflows.orient_state import ORIENT, OrientState, Refused
+from raybundle.workflows.kept import Reasons
+from raybundle.workflows.orient_state import ORIENT, OrientState
 from raybundle.workflows.scene_geometry import place_of_scenes
 from raybundle.workflows.scene_images import SceneImage
 from raybundle.workflows.scene_ties import ScenePair, contradicting, match_scenes
@@ -32,7 +33,7 @@ class Matched:
     kept: tuple[int, ...]
     """scenes that are left"""
     pairs: tuple[ScenePair, ...]
-    lost: Refused
+    lost: Reasons
 
 
 def _inputs(state: OrientState) -> Inputs:

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from raybundle.numerics.arrays import Array
 from raybundle.numerics.counting import counted
 from raybundle.pipeline.stage import Codec, Means, Stage
+from raybundle.workflows.kept import arrays_of_tie, tie_of_arrays
 from raybundle.workflows.orient_state import ORIENT, OrientState
-from raybundle.workflows.orienting.start import arrays_of_tie, tie_of_arrays
 from raybundle.workflows.scene_block import SceneSet, again, plain, refuse_nothing_common, started
 from raybundle.workflows.scene_place import marks_in
 from raybundle.workflows.scene_ties import ScenePair
@@ -21,7 +19,6 @@ from raybundle.workflows.tie_points import FeatureStore
 class Inputs:
     """What approximate values of scenes depend on."""
 
-    name: str
     scenes: SceneSet
     features: FeatureStore
     pairs: tuple[ScenePair, ...]
@@ -34,12 +31,12 @@ def _inputs(state: OrientState) -> Inputs:
     inside = marks_in(state.given, [s.name for s in scenes.images], inside=True)
     marks = sum(len(c.measurements) for c in inside.control)
     refuse_nothing_common(wanted, scenes.pairs, marks, len(state.photos), [*state.refused, *scenes.lost])
-    return Inputs(name=state.asked.name, scenes=wanted, features=scenes.features, pairs=scenes.pairs)
+    return Inputs(scenes=wanted, features=scenes.features, pairs=scenes.pairs)
 
 
 def begin(i: Inputs, means: Means) -> TieBlock:
     """Tracks with approximate coordinates, wrong ones left out; the sensors apart, which are the scenes'."""
-    tie = started(i.name, i.scenes, i.features, i.pairs, means.jobs, means.progress)
+    tie = started(i.scenes, i.features, i.pairs, means.jobs, means.progress)
     return replace(tie, block=plain(tie.block))
 
 
@@ -57,21 +54,17 @@ def _told(state: OrientState) -> str:
     return "" if tie is None else f"{counted(len(tie.block.points), 'point')} of scenes"
 
 
-def _product(a: Mapping[str, Array]) -> TieBlock:
-    return tie_of_arrays(a)
-
-
 STAGE = ORIENT.register(
     Stage(
         name="scene_start",
         line="start",
-        version=3,
+        version=4,
         after=("start",),
         inputs=_inputs,
         function=begin,
         put=_put,
         told=_told,
-        codec=Codec(arrays=arrays_of_tie, product=_product),
+        codec=Codec(arrays=arrays_of_tie, product=tie_of_arrays),
         when=lambda s: s.scenes is not None,
     )
 )

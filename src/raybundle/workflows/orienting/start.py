@@ -9,9 +9,7 @@ from typing import Literal
 import numpy as np
 
 from raybundle.adjustment.result import Notice
-from raybundle.adjustment.severity import Severity
 from raybundle.block import Camera
-from raybundle.io.block_arrays import arrays_of_block, block_of_arrays
 from raybundle.io.photos.cameras import CameraGroup, camera_of, with_what_is_known
 from raybundle.io.photos.photo import Photo
 from raybundle.matching.tracks import Tracks
@@ -19,6 +17,14 @@ from raybundle.matching.verify import VerifiedPair, trusted
 from raybundle.numerics.arrays import Array, Index
 from raybundle.pipeline.stage import Codec, Means, Stage
 from raybundle.workflows.dropped import Dropped
+from raybundle.workflows.kept import (
+    arrays_of_tie,
+    notices_as_array,
+    notices_of_array,
+    numbered,
+    tie_of_arrays,
+    unpacked,
+)
 from raybundle.workflows.missing import missing_notices
 from raybundle.workflows.orient_state import ORIENT, OrientState
 from raybundle.workflows.parts import start_parts
@@ -31,7 +37,6 @@ from raybundle.workflows.tie_points import FeatureStore
 class Inputs:
     """What approximate values depend on."""
 
-    name: str
     photos: tuple[Photo, ...]
     cameras: tuple[Camera, ...]
     camera_of_photo: Index
@@ -53,7 +58,7 @@ class Started:
 def _inputs(state: OrientState) -> Inputs:
     cameras, of_photo = _cameras(state.groups, len(state.photos))
     return Inputs(
-        name=state.asked.name, photos=state.photos, cameras=cameras, camera_of_photo=of_photo, pairs=state.pairs,
+        photos=state.photos, cameras=cameras, camera_of_photo=of_photo, pairs=state.pairs,
         features=state.found, method=state.asked.options.start,
     )  # fmt: skip
 
@@ -76,7 +81,7 @@ def begin(i: Inputs, means: Means) -> Started:
     places = [f.xy_px for f in features]
 
     def oriented_by(tracks: Tracks) -> tuple[TieBlock, ...]:
-        raw = block_of_tracks(i.name, i.photos, i.cameras, i.camera_of_photo, places, tracks)
+        raw = block_of_tracks(i.photos, i.cameras, i.camera_of_photo, places, tracks)
         scale, angle = np.empty(len(tracks.image)), np.empty(len(tracks.image))
         for k, f in enumerate(features):
             mine = tracks.image == k
@@ -113,52 +118,24 @@ def _told(state: OrientState) -> str:
     return f"{oriented} of {len(state.photos)} photographs{split}, {points} points"
 
 
-def packed(parts: Sequence[Mapping[str, Array]]) -> dict[str, Array]:
-    """The arrays of some parts under names of their own."""
-    return {f"{k}:{name}": values for k, part in enumerate(parts) for name, values in part.items()}
-
-
-def unpacked(arrays: Mapping[str, Array]) -> list[dict[str, Array]]:
-    """The parts again."""
-    found: dict[int, dict[str, Array]] = {}
-    for key, values in arrays.items():
-        k, colon, name = key.partition(":")
-        if colon:
-            found.setdefault(int(k), {})[name] = values
-    return [found[k] for k in sorted(found)]
-
-
-def arrays_of_tie(tie: TieBlock) -> dict[str, Array]:
-    """Tie points as they are kept."""
-    lost = np.array(tie.not_oriented, dtype=np.str_).reshape(-1, 2)
-    return {**arrays_of_block(tie.block), "scale_px": tie.scale_px, "angle": tie.angle, "lost": lost}
-
-
-def tie_of_arrays(a: Mapping[str, Array]) -> TieBlock:
-    """The same again."""
-    lost = tuple((n, w) for n, w in a["lost"].tolist())
-    return TieBlock(block=block_of_arrays(a), scale_px=a["scale_px"], angle=a["angle"], not_oriented=lost)
-
-
 def _arrays(s: Started) -> dict[str, Array]:
-    told = [(n.code, n.message, str(n.severity.value)) for n in s.notices]
     return {
-        **packed([arrays_of_tie(t) for t in s.ties]),
+        **numbered([arrays_of_tie(t) for t in s.ties]),
         "counts": np.array([s.features, s.matched]),
-        "notices": np.array(told, dtype=np.str_).reshape(-1, 3),
+        "notices": notices_as_array(s.notices),
     }
 
 
 def _product(a: Mapping[str, Array]) -> Started:
     features, matched = a["counts"].tolist()
-    told = tuple(Notice(code=c, message=m, measured=Severity(s)) for c, m, s in a["notices"].tolist())
-    return Started(ties=tuple(tie_of_arrays(t) for t in unpacked(a)), features=features, matched=matched, notices=told)
+    ties = tuple(tie_of_arrays(t) for t in unpacked(a).values())
+    return Started(ties=ties, features=features, matched=matched, notices=notices_of_array(a["notices"]))
 
 
 STAGE = ORIENT.register(
     Stage(
         name="start",
-        version=16,
+        version=17,
         after=("scene_matching",),
         inputs=_inputs,
         function=begin,

@@ -1,0 +1,80 @@
+"""How what several stages give is kept as arrays: notices, reasons, tie points, and some of them under one roof."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from raybundle.adjustment.result import Notice
+from raybundle.adjustment.severity import Severity
+from raybundle.io.block_arrays import arrays_of_block, block_of_arrays
+from raybundle.io.reading.trees import own_json_of
+from raybundle.numerics.arrays import Array
+from raybundle.workflows.tie_block import TieBlock
+
+Reasons = tuple[tuple[str, str], ...]
+"""names of images and why each takes no part"""
+
+
+def texts(values: Sequence[str]) -> Array:
+    """Texts (n,)."""
+    return np.array(values, dtype=np.str_)
+
+
+def reasons_as_array(reasons: Sequence[tuple[str, str]]) -> Array:
+    """Names and reasons (n, 2)."""
+    return np.array(reasons, dtype=np.str_).reshape(-1, 2)
+
+
+def reasons_of_array(kept: Array) -> Reasons:
+    """The same again."""
+    return tuple((name, why) for name, why in kept.tolist())
+
+
+def notices_as_array(notices: Sequence[Notice]) -> Array:
+    """Code, message, severity and ids (n, 4)."""
+    rows = [(n.code, n.message, str(n.severity.value), json.dumps(n.ids)) for n in notices]
+    return np.array(rows, dtype=np.str_).reshape(-1, 4)
+
+
+def notices_of_array(kept: Array) -> tuple[Notice, ...]:
+    """The same again."""
+    return tuple(
+        Notice(code=code, message=message, measured=Severity(severity), ids=tuple(own_json_of(ids)))
+        for code, message, severity, ids in kept.tolist()
+    )
+
+
+def packed(parts: Mapping[str, Mapping[str, Array]]) -> dict[str, Array]:
+    """The arrays of some parts under names of their own."""
+    return {f"{part}:{name}": values for part, arrays in parts.items() for name, values in arrays.items()}
+
+
+def unpacked(arrays: Mapping[str, Array]) -> dict[str, dict[str, Array]]:
+    """The parts again, in their order; what is of no part is left."""
+    found: dict[str, dict[str, Array]] = {}
+    for key, values in arrays.items():
+        part, colon, name = key.partition(":")
+        if colon:
+            found.setdefault(part, {})[name] = values
+    return found
+
+
+def numbered(parts: Sequence[Mapping[str, Array]]) -> dict[str, Array]:
+    """As `packed`, of parts by their number."""
+    return packed({str(k): part for k, part in enumerate(parts)})
+
+
+def arrays_of_tie(tie: TieBlock) -> dict[str, Array]:
+    """Tie points as they are kept."""
+    lost = reasons_as_array(tie.not_oriented)
+    return {**arrays_of_block(tie.block), "scale_px": tie.scale_px, "angle": tie.angle, "lost": lost}
+
+
+def tie_of_arrays(a: Mapping[str, Array]) -> TieBlock:
+    """The same again."""
+    return TieBlock(
+        block=block_of_arrays(a), scale_px=a["scale_px"], angle=a["angle"], not_oriented=reasons_of_array(a["lost"])
+    )
