@@ -1,9 +1,10 @@
 """500 runs through the whole door: what `adjust` states of blocks as users give them, against their true errors.
 
-    python benchmarks/truth_door.py [--runs 500] [--case NAME] [--wrong 1.1]
+    python benchmarks/truth_door.py [--runs 500] [--case NAME] [--wrong 1.1] [--clean]
 
 Blocks without approximate values, with gross errors and standard deviations wrong by a factor, adjusted as
 `raybundle adjust --estimate auto --reject snooping` does; runs are kept under build/ and an interrupted series goes on.
+--clean: the same blocks without gross errors, with standard deviations as stated, and nothing decided.
 --wrong multiplies all stated standard deviations when the runs are judged: 1.1 must fail.
 """
 
@@ -38,9 +39,9 @@ def version() -> str:
 VERSION = version()
 
 
-def runs_of(name: str, count: int) -> list[dict]:
+def runs_of(name: str, count: int, *, clean: bool) -> list[dict]:
     """The first runs of a case: those that were made before, and the others."""
-    kept = ROOT / "build" / "truth_door" / VERSION / f"{name.replace(' ', '_')}.jsonl"
+    kept = ROOT / "build" / "truth_door" / VERSION / f"{name.replace(' ', '_')}{'_clean' * clean}.jsonl"
     kept.parent.mkdir(parents=True, exist_ok=True)
     lines = kept.read_text().splitlines() if kept.exists() else []
     runs = [json.loads(line) for line in lines][:count]
@@ -48,7 +49,7 @@ def runs_of(name: str, count: int) -> list[dict]:
     with kept.open("a") as out:
         for seed in range(len(runs), count):
             try:
-                run = score(case, seed)
+                run = score(case, seed, clean=clean)
             except RaybundleError as error:
                 run = {"refused": f"{type(error).__name__}: {error.headline}", "kinds": {}}
             runs.append(run)
@@ -102,11 +103,12 @@ def main() -> int:
     parser.add_argument("--runs", type=int, default=500)
     parser.add_argument("--case", choices=CASES, action="append")
     parser.add_argument("--wrong", type=float, default=1.0)
+    parser.add_argument("--clean", action="store_true")
     asked = parser.parse_args()
     names = asked.case or list(CASES)
     every: dict[str, list[dict]] = {}
     for k, name in enumerate(names):
-        every[name] = runs_of(name, asked.runs // len(names) + (k < asked.runs % len(names)))
+        every[name] = runs_of(name, asked.runs // len(names) + (k < asked.runs % len(names)), clean=asked.clean)
     rows = [row for name, runs in every.items() for row in rows_of(name, runs, asked.wrong)]
     rows += rows_of("all", [r for runs in every.values() for r in runs], asked.wrong)
     for r in rows:
@@ -118,7 +120,7 @@ def main() -> int:
             file=sys.stderr,
         )
     cases = {name: facts(runs) for name, runs in every.items()}
-    print(json.dumps({"wrong": asked.wrong, "cases": cases, "figures": rows}, indent=1))
+    print(json.dumps({"wrong": asked.wrong, "clean": asked.clean, "cases": cases, "figures": rows}, indent=1))
     return int(not all(r["inside"] for r in rows))
 
 

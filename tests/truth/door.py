@@ -23,12 +23,16 @@ from tests.truth.bands import assert_own_blocks, joint_cofactor, whitener
 from tests.truth.door_blocks import Case
 
 OPTIONS = AdjustmentOptions(estimate="auto", reject="snooping", noise="auto", threads=1)
+PLAIN = AdjustmentOptions(threads=1)
+"""Nothing is decided."""
 ROUNDS = 3
 
 
-def through_the_door(block: Block) -> list[Adjustment]:
+def through_the_door(block: Block, *, clean: bool = False) -> list[Adjustment]:
     """The results of a block: the first, and each after what its notices told was done; the last is the user's."""
-    results = [adjust(block, OPTIONS)]
+    results = [adjust(block, PLAIN if clean else OPTIONS)]
+    if clean:
+        return results
     for _ in range(ROUNDS):
         told = as_told(block, results[-1])
         if told is None:
@@ -117,10 +121,14 @@ def in_frame(result: Adjustment, truth: Block):
     return (X - middle) @ T.T * k + place, (C - middle) @ T.T * k + place, R @ T.T
 
 
-def score(case: Case, seed: int) -> dict:
-    """One run: squared errors after all, those of the first result, and the gross errors that were not found."""
+def score(case: Case, seed: int, *, clean: bool = False) -> dict:
+    """One run: squared errors after all, those of the first result, and the gross errors that were not found.
+
+    clean  blocks in which there is nothing to decide, and nothing is
+    """
+    case = case.clean if clean else case
     block, gross = case.given(seed)
-    results = through_the_door(block)
+    results = through_the_door(block, clean=clean)
     last = results[-1]
     used, kinds = last.image_observations.used, squares(last, case.truth)
     return {

@@ -32,6 +32,13 @@ class Case:
     """Share of the runs in which one control coordinate has a gross error"""
     wrong_bar: float = 0.0
     """Share of the runs in which one scale bar has"""
+    gross: float = GROSS_SHARE
+    """Share of the image points that have one"""
+
+    @property
+    def clean(self) -> Case:
+        """The same with nothing to decide: no gross errors, and standard deviations as stated."""
+        return Case(self.truth, gross=0.0)
 
     def given(self, seed: int) -> tuple[Block, np.ndarray]:
         """What a user brings, without orientations and tie points; and the gross errors (m,) of its image points.
@@ -56,7 +63,7 @@ class Case:
         o = self.truth.observations
         sigma = np.sqrt(o.cov_px2[:, :2]) * self.factor.get("image", 1.0)
         turn = rng.uniform(0, 2 * np.pi, len(o))
-        size = (rng.random(len(o)) < GROSS_SHARE) * rng.uniform(*GROSS_SIGMAS, len(o))
+        size = (rng.random(len(o)) < self.gross) * rng.uniform(*GROSS_SIGMAS, len(o))
         gross = size[:, None] * np.stack([np.cos(turn), np.sin(turn)], axis=1)
         return o.xy_px + sigma * (rng.normal(0, 1, sigma.shape) + gross), size
 

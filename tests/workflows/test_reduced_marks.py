@@ -7,7 +7,7 @@ import pytest
 
 from raybundle.workflows.georeference import georeference
 from raybundle.workflows.marks import Given
-from tests.workflows.test_georeference import codes, control, error, flight
+from tests.workflows.free_flight import codes, control, error, flight
 
 __all__ = ["flight"]
 

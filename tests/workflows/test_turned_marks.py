@@ -11,7 +11,7 @@ from raybundle.errors import InputError
 from raybundle.io.photos.photo import upright_from_stored
 from raybundle.workflows.georeference import georeference
 from raybundle.workflows.marks import Given, check_marks
-from tests.workflows.test_georeference import codes, control, error, flight
+from tests.workflows.free_flight import codes, control, error, flight
 
 __all__ = ["flight"]
 

@@ -1,0 +1,98 @@
+"""Onto positions of the photographs: flights with shifts of their own, lever arms, what is too near."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from raybundle.block.select import with_rows
+from raybundle.numerics.geodesy import LocalPlace
+from raybundle.workflows.georeference import georeference
+from raybundle.workflows.marks import Given
+from raybundle.workflows.parts import place_parts
+from tests.workflows.free_flight import PLACE, adjusted, codes, flight, in_degrees, with_gps
+
+__all__ = ["flight"]
+
+
+def test_gps_places_the_block(flight):
+    placed = georeference(flight.free, with_gps(flight), Given())
+    assert placed.frame is not None
+    assert "gps" in codes(placed)
+    assert not any(c.model == "antenna" for c in placed.block.cameras)
+    base = np.linalg.norm(placed.block.images.centre[0] - placed.block.images.centre[-1])
+    true = np.linalg.norm(flight.truth.images.centre[0] - flight.truth.images.centre[-1])
+    assert base == pytest.approx(true, rel=1e-3)
+
+
+def test_one_control_point_suffices_beside_positions_and_finds_their_shift(flight):
+    shift = np.array([0.8, -0.5, 1.7])
+    photos = with_gps(flight, shift=shift)
+    placed = georeference(flight.free, photos, Given(control=(in_degrees(flight, [0]),)))
+    assert placed.block.cameras[-1].estimate == ("sx", "sy", "sz")
+    result = adjusted(placed)
+    antenna = next(r for r in result.interior if r.camera == "gnss")
+    for s, true in zip(("sx", "sy", "sz"), shift, strict=True):
+        p = antenna.parameters[s]
+        assert abs(p.value - true) < 4 * p.std
+        assert p.std < 0.2
+    local = placed.frame.local_from_wgs84(LocalPlace(origin=PLACE).geographic_from_local(flight.truth.images.centre))
+    apart = result.adjusted.images.centre - local
+    assert np.all(np.abs(apart) < 5 * result.precision.image_std[:, :3])
+
+
+def test_every_flight_has_its_shift(flight):
+    photos = with_gps(flight, shift=(0.3, 0.2, 0.5), pause=10)
+    placed = georeference(flight.free, photos, Given(control=(in_degrees(flight, [0, 1, 2, 3]),)))
+    result = adjusted(placed)
+    found = {r.camera: r.parameters["sz"] for r in result.interior if r.camera.startswith("gnss")}
+    assert set(found) == {"gnss-1", "gnss-2"}
+    for name, true in (("gnss-1", 0.5), ("gnss-2", -0.5)):
+        assert abs(found[name].value - true) < 4 * found[name].std
+    without = georeference(flight.free, photos, Given(control=(in_degrees(flight, [0, 1, 2, 3]),), shift=False))
+    assert without.block.stations.antenna is None
+
+
+def part_of(block, mine):
+    """The block with these images (n,) oriented alone."""
+    images = replace(
+        block.images,
+        centre=np.where(mine[:, None], block.images.centre, np.nan),
+        rotation=np.where(mine[:, None, None], block.images.rotation, np.nan),
+    )
+    o = block.observations
+    rays = np.bincount(o.point[mine[o.image]], minlength=len(block.points))
+    thin = with_rows(block, mine[o.image] & (rays > 1)[o.point])
+    return replace(thin, images=images)
+
+
+def test_parts_of_two_flights_keep_their_antennas(flight):
+    photos = with_gps(flight, shift=(0.3, 0.2, 0.5), pause=10)
+    first = np.arange(len(photos)) < 10
+    blocks = (part_of(flight.free, first), part_of(flight.free, ~first))
+    given = Given(control=(in_degrees(flight, [0, 1, 2, 3, 4, 5]),))
+    whole, apart = place_parts(blocks, photos, given)
+    assert not apart
+    stations = whole.block.stations
+    names = [whole.block.cameras[a].id for a in stations.antenna.tolist()]
+    assert names == ["gnss-1" if first[i] else "gnss-2" for i in stations.image.tolist()]
+    alone, _ = place_parts(blocks[:1], photos, given)
+    assert [c.id for c in alone.block.cameras if c.model == "antenna"] == ["gnss-1"]
+
+
+def test_a_lever_arm_is_held_or_observed(flight):
+    given = Given(lever_arm=((0.1, -0.05, 0.3), 0.0))
+    (held,) = [c for c in georeference(flight.free, with_gps(flight), given).block.cameras if c.id == "gnss"]
+    assert held.estimate == ()
+    assert held.values["az"] == 0.3
+    given = replace(given, lever_arm=((0.1, -0.05, 0.3), 0.02))
+    (observed,) = [c for c in georeference(flight.free, with_gps(flight), given).block.cameras if c.id == "gnss"]
+    assert observed.sigma == {"ax": 0.02, "ay": 0.02, "az": 0.02}
+
+
+def test_positions_too_near_each_other_are_not_used(flight):
+    extent = np.ptp(flight.truth.images.centre, axis=0).max()
+    placed = georeference(flight.free, with_gps(flight, noise=float(extent)), Given())
+    assert "gps_too_near" in codes(placed)
+    assert placed.frame is None
+    assert len(placed.block.stations) == 0
