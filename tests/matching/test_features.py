@@ -5,7 +5,8 @@ import numpy as np
 import pytest
 
 from raybundle.errors import InputError
-from raybundle.matching.features import feature_method, spread
+from raybundle.matching.features import spread
+from raybundle.matching.methods import feature_method
 
 
 def texture(h, w, seed=1):

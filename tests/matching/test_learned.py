@@ -12,10 +12,11 @@ import pytest
 
 from raybundle.errors import InputError
 from raybundle.io.photos.photo import find_photos, upright, upright_from_stored
-from raybundle.matching import features as registry
+from raybundle.matching import methods as registry
 from raybundle.matching.descriptors import mutual_matches
-from raybundle.matching.features import Described, FeatureMethod, Features, feature_method, register
+from raybundle.matching.features import Described, FeatureMethod, Features, register
 from raybundle.matching.learned import chosen_features, from_bytes, reduced, to_bytes
+from raybundle.matching.methods import feature_method
 from raybundle.pipeline.executors import Threads
 from raybundle.pipeline.project import Project
 from raybundle.pipeline.stage import Means
@@ -68,7 +69,7 @@ class Corners(FeatureMethod):
 @pytest.fixture
 def stub(monkeypatch):
     method = Corners()
-    monkeypatch.setitem(registry._methods, method.name, method)
+    monkeypatch.setitem(registry.methods, method.name, method)
     return method
 
 

@@ -11,7 +11,7 @@ from raybundle.cli.main import main
 from raybundle.errors import InputError
 from raybundle.io.photos.masks import find_masks
 from raybundle.io.photos.photo import find_photos
-from raybundle.matching.features import feature_method
+from raybundle.matching.methods import feature_method
 from raybundle.workflows.mask_notices import mask_notices
 from raybundle.workflows.tie_points import detected, feature_key
 

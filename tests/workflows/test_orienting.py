@@ -12,7 +12,7 @@ from PIL import Image
 from raybundle.adjustment.result import Notice
 from raybundle.io.photos.photo import find_photos
 from raybundle.io.trajectories import read_trajectory
-from raybundle.matching.features import feature_method
+from raybundle.matching.methods import feature_method
 from raybundle.matching.reduced import Reduced
 from raybundle.pipeline.executors import Processes, Threads
 from raybundle.pipeline.project import Project

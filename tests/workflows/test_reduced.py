@@ -9,7 +9,8 @@ from PIL import Image
 
 from raybundle.errors import NoOrientation
 from raybundle.io.photos.photo import find_photos
-from raybundle.matching.features import feature_method, feature_number
+from raybundle.matching.features import feature_number
+from raybundle.matching.methods import feature_method
 from raybundle.matching.reduced import LONGEST_PX, Reduced, reduction
 from raybundle.pipeline.project import Project
 from raybundle.pipeline.stage import Run, Stage, Workflow

@@ -7,7 +7,8 @@ import pytest
 from PIL import Image
 
 from raybundle.io.photos.photo import find_photos
-from raybundle.matching.features import Described, feature_method
+from raybundle.matching.features import Described
+from raybundle.matching.methods import feature_method
 from raybundle.matching.verify import verify
 from raybundle.pipeline.project import Project
 from raybundle.pipeline.stage import Means

@@ -7,7 +7,7 @@ from PIL import Image
 from raybundle.errors import InputError
 from raybundle.io.photos.photo import find_photos
 from raybundle.io.scenes.rpc_text import write_rpc_text
-from raybundle.matching.features import feature_method
+from raybundle.matching.methods import feature_method
 from raybundle.matching.refine import halved
 from raybundle.workflows import scene_block, scene_images
 from raybundle.workflows.scene_images import ScenePixels, find_scenes, scene_features

@@ -8,17 +8,13 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from importlib import import_module
-from importlib.util import find_spec
 from typing import ClassVar
 
 import numpy as np
 
-from raybundle.errors import InputError
 from raybundle.matching.descriptors import mutual_matches
 from raybundle.numerics.arrays import Array, Index
 
-BUILT_IN = ("rootsift", "xfeat", "disk")
 PIXELS_EACH = 400
 """Pixels of a photograph for each feature: a third to a half of them is measured, by windows of 11 to 17 px."""
 ENOUGH, CLOSEST = 4000, 100
@@ -108,35 +104,12 @@ class FeatureMethod(ABC):
         return mutual_matches(self.vectors(first.descriptors), self.vectors(second.descriptors))[0]
 
 
-_methods: dict[str, FeatureMethod] = {}
+methods: dict[str, FeatureMethod] = {}
 
 
 def register(method: FeatureMethod) -> FeatureMethod:
     """Make a method known under its name."""
-    _methods[method.name] = method
-    return method
-
-
-def feature_method(name: str) -> FeatureMethod:
-    """The method of this name, also one that works on reduced copies.
-
-    raises  InputError that lists the known ones, or says what to install for this one
-    """
-    base, reduced, _ = name.partition(", at most ")
-    if reduced and name not in _methods:
-        _methods[name] = import_module("raybundle.matching.reduced").Reduced(feature_method(base))
-    if name not in _methods and name in BUILT_IN:
-        import_module(f"raybundle.matching.{name}")
-    if name not in _methods:
-        known = ", ".join(sorted({*_methods, *BUILT_IN}))
-        raise InputError(f"unknown feature method {name!r}; known: {known}")
-    method = _methods[name]
-    missing = [package for package in method.needs if find_spec(package) is None]
-    if missing:
-        raise InputError(
-            f"feature method {name!r} needs {', '.join(missing)}, not installed here.\n  {method.install}\n"
-            "  or leave --features out: rootsift needs nothing more."
-        )
+    methods[method.name] = method
     return method
 
 

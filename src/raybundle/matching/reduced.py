@@ -11,6 +11,8 @@ from raybundle.numerics.arrays import Array, Index
 
 LONGEST_PX = 1600
 """Longer side of the copies: three quarters of a megapixel and more, as photographs had before 2002, are enough."""
+SUFFIX = f", at most {LONGEST_PX} px"
+"""Of the names of such methods."""
 WORTH = 2.0
 """Reduction from which on another try is worth the time: the method itself begins at half the size."""
 
@@ -20,7 +22,7 @@ class Reduced(FeatureMethod):
 
     def __init__(self, method: FeatureMethod) -> None:
         self.method = method
-        self.name = f"{method.name}, at most {LONGEST_PX} px"
+        self.name = method.name + SUFFIX
         self.version = method.version
         self.upright = method.upright
 

@@ -16,7 +16,7 @@ from raybundle.io.coordinate_systems import LocalFrame
 from raybundle.io.photos.cameras import CameraGroup
 from raybundle.io.photos.photo import Photo
 from raybundle.io.trajectories import Trajectory
-from raybundle.matching.features import feature_method
+from raybundle.matching.methods import feature_method
 from raybundle.matching.verify import VerifiedPair
 from raybundle.numerics.progress import Progress, silent
 from raybundle.pipeline.executors import Threads

@@ -10,7 +10,8 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.matching.features import FeatureMethod, feature_method
+from raybundle.matching.features import FeatureMethod
+from raybundle.matching.methods import feature_method
 from raybundle.matching.strips import agreement, by_appearance, match_strips
 from raybundle.matching.verify import FEWEST, VerifiedPair, verify
 from raybundle.numerics.arrays import Array

@@ -11,7 +11,8 @@ from raybundle.errors import InputError, NoOrientation
 from raybundle.io.photos.cameras import camera_groups
 from raybundle.io.photos.masks import MaskFile, Masks
 from raybundle.io.photos.photo import Photo, read_grey, stored_from_upright, upright, upright_from_stored
-from raybundle.matching.features import Described, FeatureMethod, Features, feature_method, feature_number
+from raybundle.matching.features import Described, FeatureMethod, Features, feature_number
+from raybundle.matching.methods import feature_method
 from raybundle.matching.pairs import ALL, choose_pairs, codebook, signature
 from raybundle.matching.verify import VerifiedPair, beyond_chance, verify
 from raybundle.numerics.arrays import Array

@@ -1,0 +1,34 @@
+"""Feature methods by their names."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from importlib.util import find_spec
+
+from raybundle.errors import InputError
+from raybundle.matching.features import FeatureMethod, methods
+from raybundle.matching.reduced import SUFFIX, Reduced
+
+BUILT_IN = ("rootsift", "xfeat", "disk")
+
+
+def feature_method(name: str) -> FeatureMethod:
+    """The method of this name, also one that works on reduced copies.
+
+    raises  InputError that lists the known ones, or says what to install for this one
+    """
+    if name.endswith(SUFFIX):
+        return Reduced(feature_method(name.removesuffix(SUFFIX)))
+    if name not in methods and name in BUILT_IN:
+        import_module(f"raybundle.matching.{name}")
+    if name not in methods:
+        known = ", ".join(sorted({*methods, *BUILT_IN}))
+        raise InputError(f"unknown feature method {name!r}; known: {known}")
+    method = methods[name]
+    missing = [package for package in method.needs if find_spec(package) is None]
+    if missing:
+        raise InputError(
+            f"feature method {name!r} needs {', '.join(missing)}, not installed here.\n  {method.install}\n"
+            "  or leave --features out: rootsift needs nothing more."
+        )
+    return method
