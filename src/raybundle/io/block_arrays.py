@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
@@ -95,6 +95,16 @@ def block_of_arrays(a: Mapping[str, Array]) -> Block:
         points=Points(ids=tuple(a["point_ids"].tolist()), role=a["role"], xyz=a["xyz"], sigma=a["sigma"]),
         tables={name: kept for name, table in tables.items() if (kept := _table(table, a)) is not None},
     )
+
+
+def text_of_names(names: Sequence[str]) -> str:
+    """Names as one text, for an array of texts; `names_of_text` gives them back."""
+    return json.dumps(list(names))
+
+
+def names_of_text(text: str) -> tuple[str, ...]:
+    """The names that `text_of_names` was given."""
+    return tuple(own_json_of(text))
 
 
 def _table(table: type[Table], a: Mapping[str, Array]) -> Table | None:

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from raybundle.adjustment.result import Notice
 from raybundle.adjustment.severity import Severity
-from raybundle.io.block_arrays import arrays_of_block, block_of_arrays
-from raybundle.io.reading.trees import own_json_of
+from raybundle.io.block_arrays import arrays_of_block, block_of_arrays, names_of_text, text_of_names
 from raybundle.numerics.arrays import Array
 from raybundle.workflows.tie_block import TieBlock
 
@@ -35,14 +33,14 @@ def reasons_of_array(kept: Array) -> Reasons:
 
 def notices_as_array(notices: Sequence[Notice]) -> Array:
     """Code, message, severity and ids (n, 4)."""
-    rows = [(n.code, n.message, str(n.severity.value), json.dumps(n.ids)) for n in notices]
+    rows = [(n.code, n.message, str(n.severity.value), text_of_names(n.ids)) for n in notices]
     return np.array(rows, dtype=np.str_).reshape(-1, 4)
 
 
 def notices_of_array(kept: Array) -> tuple[Notice, ...]:
     """The same again."""
     return tuple(
-        Notice(code=code, message=message, measured=Severity(severity), ids=tuple(own_json_of(ids)))
+        Notice(code=code, message=message, measured=Severity(severity), ids=names_of_text(ids))
         for code, message, severity, ids in kept.tolist()
     )
 
