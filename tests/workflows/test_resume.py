@@ -44,7 +44,11 @@ def command(photos, out, *more):
 
 
 def begun(photos, out, *more, **pipes):
-    return subprocess.Popen([sys.executable, "-m", "raybundle", *command(photos, out, *more)], text=True, **pipes)
+    def listening():
+        signal.signal(signal.SIGINT, signal.SIG_DFL)  # where the tests run in the background, they ignore it
+
+    run = [sys.executable, "-m", "raybundle", *command(photos, out, *more)]
+    return subprocess.Popen(run, text=True, preexec_fn=listening, **pipes)
 
 
 @pytest.fixture(scope="module")
