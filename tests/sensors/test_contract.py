@@ -14,7 +14,7 @@ from raybundle.sensors import Parameter, ProjectionDiverged, SensorModel, sensor
 
 ROOT = Path(__file__).resolve().parents[2]
 FORMAT = 12.0, 8.0
-KINDS = {"harmonic", "scale", "principal point", "radial", "decentring", "affinity", "other"}
+KINDS = {"harmonic", "scale", "principal point", "radial", "decentring", "affinity", "read-out", "other"}
 models = pytest.mark.parametrize("model", sensor_models.values(), ids=str)
 
 

@@ -10,8 +10,11 @@ from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Notice
 from raybundle.adjustment.severity import Severity
+from raybundle.block import Stations
 from raybundle.block.simulate import AerialStrips, Survey, aerial_scene, brown_camera, measured, simulate
-from raybundle.workflows.read_out import _rolling, read_out, velocities, with_cause
+from raybundle.io.photos.metadata import Metadata
+from raybundle.io.photos.read_out_times import read_out_time
+from raybundle.workflows.read_out import _rolling, read_out, rolling_shutters, velocities, with_cause
 
 SECONDS = 0.030
 INTERVAL = 2.0
@@ -53,11 +56,88 @@ def flight(read_out_s=0.0, shear=0.0, seed=1):
 
 class _Photo:
     def __init__(self, name, taken):
-        self.name, self.metadata = name, type("M", (), {"taken": taken})()
+        self.name, self.metadata = name, Metadata(make="DJI", model="FC330", taken=taken)
+
+
+def photographs(when):
+    return [_Photo(n, t) for n, t in when.items()]
 
 
 def adjusted(block):
     return decide(block, AdjustmentOptions(threads=1))
+
+
+def placed(block, sigma=0.02):
+    """The block with observed projection centres, which fix its scale."""
+    n = len(block.images)
+    rng = np.random.default_rng(11)
+    xyz = block.images.centre + rng.normal(0, sigma, (n, 3))
+    return block.having(Stations(image=np.arange(n, dtype=np.int32), xyz=xyz, sigma=np.full((n, 3), sigma)))
+
+
+def test_a_rolling_shutter_that_is_told_stands_in_the_model():
+    block, when = flight(SECONDS)
+    block = placed(block)
+    plain = adjusted(block)
+    found = rolling_shutters(plain, block, photographs(when))
+    assert [n.code for n in found.notices] == ["read_out"]
+    assert "33 ms" in found.notices[0].message  # what others have measured with such a camera
+    assert found.block.cameras[0].model == "brown_rolling"
+    result = adjusted(found.block)
+    r = next(i.parameters["r"] for i in result.interior if i.image is None)
+    assert r.status == "estimated"
+    assert abs(r.value * 12.0 - SECONDS) < 4 * r.std * 12.0 + 0.02 * SECONDS  # velocities are those of the neighbours
+    assert result.weighted_square_sum < 0.8 * plain.weighted_square_sum
+    assert result.sigma0 == pytest.approx(1, abs=0.05)
+    assert not rolling_shutters(result, found.block, photographs(when)).notices  # it is there
+
+
+def test_a_known_read_out_is_observed():
+    block, when = flight(SECONDS)
+    block = placed(block)
+    found = rolling_shutters(adjusted(block), block, photographs(when), SECONDS)
+    camera = found.block.cameras[0]
+    assert camera.values["r"] * 12.0 == pytest.approx(SECONDS)
+    assert camera.sigma["r"] == pytest.approx(0.1 * camera.values["r"])
+    result = adjusted(found.block)
+    assert result.interior[0].parameters["r"].status == "observed"
+    assert not any(n.code == "parameter_suspect" for n in result.notices)
+    wrong = adjusted(rolling_shutters(adjusted(block), block, photographs(when), 2.5 * SECONDS).block)
+    assert any(n.code == "parameter_suspect" for n in wrong.notices)
+
+
+def test_no_camera_is_taken_for_rolling_without_evidence():
+    for seed, read_out_s, shear in ((1, 0.0, 0.0), (2, 0.0, 0.0), (3, 0.0, 1.5e-3)):
+        block, when = flight(read_out_s, shear, seed)
+        assert rolling_shutters(adjusted(placed(block)), placed(block), photographs(when)).block is None
+    block, when = flight(SECONDS)
+    result = adjusted(block)  # nothing fixes its scale: a velocity is no length there
+    assert rolling_shutters(result, block, photographs(when)).block is None
+    assert rolling_shutters(adjusted(placed(block)), placed(block), photographs(when), 0).block is None
+
+
+def test_a_known_read_out_that_is_of_no_use_says_why():
+    block, when = flight(SECONDS)
+    (notice,) = rolling_shutters(adjusted(block), block, photographs(when), SECONDS).notices
+    assert notice.code == "read_out_unused"
+    assert "nothing fixes the scale" in notice.message
+    (notice,) = rolling_shutters(
+        adjusted(placed(block)), placed(block), photographs(dict.fromkeys(when)), SECONDS
+    ).notices
+    assert "state no times" in notice.message
+
+
+@pytest.mark.parametrize(
+    ("make", "model", "seconds"),
+    [
+        ("DJI", "FC330", 0.033),
+        ("Hasselblad", "L1D-20c", 0.056),
+        ("NIKON CORPORATION", "NIKON D800", None),
+        ("", "", None),
+    ],
+)
+def test_read_out_times_of_known_cameras(make, model, seconds):
+    assert read_out_time(Metadata(make=make, model=model)) == seconds
 
 
 def test_a_rolling_shutter_is_named_with_its_read_out_time():
@@ -74,7 +154,7 @@ def test_a_rolling_shutter_is_named_with_its_read_out_time():
     assert "rolling_shutter" in codes
     assert "pixel_shape" not in codes
     notice = told.notices[codes.index("rolling_shutter")]
-    assert "brown_rolling" in notice.message
+    assert "photographs with the times" in notice.message
     assert notice.severity in {Severity.FAULT, Severity.CAUTION}
 
 

@@ -44,11 +44,9 @@ def command(photos, out, *more):
 
 
 def begun(photos, out, *more, **pipes):
-    def listening():
-        signal.signal(signal.SIGINT, signal.SIG_DFL)  # where the tests run in the background, they ignore it
-
-    run = [sys.executable, "-m", "raybundle", *command(photos, out, *more)]
-    return subprocess.Popen(run, text=True, preexec_fn=listening, **pipes)
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # tests in the background; the run would inherit it
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+    return subprocess.Popen([sys.executable, "-m", "raybundle", *command(photos, out, *more)], text=True, **pipes)
 
 
 @pytest.fixture(scope="module")

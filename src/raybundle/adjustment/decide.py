@@ -37,7 +37,7 @@ from raybundle.numerics.statistics import fisher_tail
 from raybundle.sensors import sensor_models
 
 ROUNDS = 40
-DROP_ORDER = ("harmonic", "affinity", "decentring", "radial", "principal point", "scale")
+DROP_ORDER = ("harmonic", "read-out", "affinity", "decentring", "radial", "principal point", "scale")
 """Which kind of parameter is held first where a block determines too few."""
 
 
@@ -226,8 +226,9 @@ def _choose(
         if camera.id in automatic:
             model = sensor_models[camera.model]
             named = () if camera.estimate == "auto" else camera.estimate  # of the other kinds, what is asked for
+            out = {"other"} if _moves(block, camera) else {"other", "read-out"}
             choices.free[camera.id] = tuple(
-                p.symbol for p in model.parameters if p.kind != "other" or p.symbol in named
+                p.symbol for p in model.parameters if p.kind not in out or p.symbol in named
             )
     result: Adjustment | None = None
     for _ in range(30):
@@ -264,6 +265,13 @@ def _choose(
         block = without
     assert result is not None
     return as_start(block, result.adjusted)
+
+
+def _moves(block: Block, camera: Camera) -> bool:
+    """Whether images of a camera are known to move while they are read out: without that no read-out time shows."""
+    own = block.images.interior
+    mine = np.flatnonzero([block.cameras[c].id == camera.id for c in block.images.camera.tolist()])
+    return any(own.get(int(i), {}).get(s, 0.0) for i in mine for s in camera.per_image)
 
 
 def _hold_shape(block: Block, choices: Decisions, told: Notice, limit: float) -> Block:

@@ -38,6 +38,7 @@ SUGGESTIONS = {
     "decentring": "hold it, or add images rolled by 90 degrees",
     "affinity": "hold it, or add images rolled by 90 degrees",
     "harmonic": "hold it, or measure points up to the edges of the format, in images rolled by 90 degrees",
+    "read-out": "hold it, or give the motion of the images (`per_image`) as held or observed values",
     "other": "hold it",
 }
 

@@ -57,7 +57,8 @@ Start = Literal["approximate", "adjusted"]
 def free_parameters(camera: Camera) -> tuple[str, ...]:
     """The parameters that an `estimate` frees; "auto" starts with all but affinity and shear."""
     if camera.estimate == "auto":
-        return tuple(p.symbol for p in camera.sensor.parameters if p.kind not in {"affinity", "harmonic", "other"})
+        later = {"affinity", "harmonic", "read-out", "other"}
+        return tuple(p.symbol for p in camera.sensor.parameters if p.kind not in later)
     return tuple(camera.estimate)
 
 

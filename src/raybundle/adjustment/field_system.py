@@ -85,7 +85,7 @@ def reason_against(system: System) -> str:
     images = np.flatnonzero(system.images_used)
     names = sorted({_model(system, int(i)).name for i in images if not _carries(system, int(i))})
     if names and not any(_carries(system, int(i)) for i in images):
-        return f"image coordinates of the sensor model {', '.join(names)} are no places in one exposure of one format"
+        return f"image coordinates of the sensor model {', '.join(names)} are no places on one plane format"
     return ""
 
 
@@ -94,10 +94,10 @@ def _model(system: System, image: int) -> Any:
 
 
 def _carries(system: System, image: int) -> bool:
-    """Whether an image has a field: a sensor of one exposure whose parameters all count at every place."""
+    """Whether an image has a field: a sensor with one format whose parameters all count at every place."""
     model = _model(system, image)
     scene = system.block.cameras[int(system.block.images.camera[image])].is_scene
-    return bool(model.has_images and model.one_exposure and not model.local_width and not scene)
+    return bool(model.one_format and not model.local_width and not scene)
 
 
 def field_system(base: Normals, state: State) -> FieldSystem:

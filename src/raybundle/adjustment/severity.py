@@ -35,14 +35,14 @@ _CODES = {
         "control_without_photograph coordinate_system correlation datum_lost global_test gps_too_near "
         "held_not_determinable identical_images image_left_out levelled little_redundancy mark_rejected "
         "marked_lost marked_once marks_reduced marks_turned mask_orientation mask_refused mask_uniform no_targets "
-        "one_ray_control outside_format parts_apart pixel_shape points_left_out rays_diverge relative_control "
-        "repeated_structure residual_structure rolling_shutter scale_unchecked scene_datum scene_prior "
-        "small_angle start_behind start_parallel static_background systematic_residuals target_without_normal "
-        "two_cameras unstable_camera up_ambiguous up_uncertain weak_photographs"
+        "one_ray_control outside_format parts_apart pixel_shape points_left_out rays_diverge read_out_unused "
+        "relative_control repeated_structure residual_structure rolling_shutter scale_unchecked scene_datum "
+        "scene_prior small_angle start_behind start_parallel static_background systematic_residuals "
+        "target_without_normal two_cameras unstable_camera up_ambiguous up_uncertain weak_photographs"
     ),
     Severity.REMARK: (
         "attitudes camera camera_joined check_points_open control_unchecked dropped given_rejected gps masks model "
-        "not_significant parallel_rays parts_joined photographs reduced_features rejected relative_positions "
+        "not_significant parallel_rays parts_joined photographs read_out reduced_features rejected relative_positions "
         "scene_joins stored_turned target_eccentricity target_radius up_by_edges up_without_edges"
     ),
 }

@@ -126,6 +126,10 @@ class OrientSettings:
     redo_from: str = setting(
         "", "Do this stage, as `raybundle status` lists them, and all after it again.", flag="--from", metavar="STAGE"
     )
+    read_out: float | None = setting(
+        None, "Time in which a rolling shutter reads a frame, where it is known; 0: there is none. Not given, "
+        "photographs that state their times are asked for it.", metavar="MS", limits=Range(low=0, high=1000),
+    )  # fmt: skip
     noise: Literal["white", "fields", "auto"] = setting("auto", NOISE_HELP)
     report: bool = setting(True, "Leave out report.html and network.html.", flag="--no-report")
 
@@ -139,7 +143,7 @@ class OrientSettings:
             jobs=self.jobs, memory_gb=self.memory, separate=self.separate, masks=self.masks,
             library=library_folder() if self.library else None, redo_from=self.redo_from, scene_bias=self.scene_bias,
             crs=self.crs, attitudes=self.attitudes, attitude_sigma_deg=self.attitude_sigma, relative=self.relative,
-            noise=self.noise,
+            noise=self.noise, read_out_s=None if self.read_out is None else self.read_out / 1000,
         )  # fmt: skip
 
     def given(self) -> Given:

@@ -28,6 +28,11 @@ class Carried(SensorModel, registered=False):
         """Parameters of the sensor."""
         return len(self.sensor.parameters)
 
+    @property
+    def one_format(self) -> bool:
+        """As of the sensor: read row by row or carried by a rig, its pixels stay where they are."""
+        return self.sensor.one_format
+
     @cached_property
     def condition_and_jacobian(self) -> Callable[..., tuple[Array, Array]]:
         """As of every model: that of the sensor at the point where the platform puts it."""

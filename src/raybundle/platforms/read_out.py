@@ -25,7 +25,7 @@ class ReadOut(Platform):
     uses_image = True
     looks_elsewhere = False
     parameters = (
-        Parameter("r", "s/mm", "read-out time over height of the format", typical=1.5e-3),
+        Parameter("r", "s/mm", "read-out time over height of the format", typical=1.5e-3, kind="read-out"),
         Parameter("vx", "length/s", "velocity to the right", typical=0.8),
         Parameter("vy", "length/s", "velocity upwards in the image", typical=-0.5),
         Parameter("vz", "length/s", "velocity backwards", typical=0.3),

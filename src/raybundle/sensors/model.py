@@ -19,7 +19,7 @@ import numpy as np
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.maths import Scalar
 
-Kind = Literal["scale", "principal point", "radial", "decentring", "affinity", "harmonic", "other"]
+Kind = Literal["scale", "principal point", "radial", "decentring", "affinity", "harmonic", "read-out", "other"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,6 +100,11 @@ class SensorModel:
     def __str__(self) -> str:
         """The registered name."""
         return self.name
+
+    @property
+    def one_format(self) -> bool:
+        """Whether image coordinates are places on one plane format, over which an image's errors may be smooth."""
+        return self.has_images and self.one_exposure
 
     @cached_property
     def symbols(self) -> tuple[str, ...]:

@@ -47,5 +47,7 @@ class OrientOptions:
     noise: NoiseModel = "auto"
     """errors of image coordinates: white; fields: smooth ones that differ from image to image, and a floor; auto:
     fields where there are five photographs or more"""
+    read_out_s: float | None = None
+    """read-out time of rolling shutters [s]; 0: there are none; None: what the photographs tell decisively"""
     redo_from: str = ""
     """stage, as `raybundle status` names it, from which on everything is done again"""

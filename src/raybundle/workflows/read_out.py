@@ -1,10 +1,11 @@
-"""A rolling shutter told from a shear of the pixels: which of the two explains what the residuals ask for.
+"""Rolling shutters: told by the photographs, or known, and then in the model of the camera.
 
 A frame that is read row by row from a moving place shows a shear (motion along the rows) and an affinity (across them)
 that change with the velocity in the camera's axes and with the distance of the object; those of the pixels do not.
 Both are adjusted: affinity and shear, one value each for the camera, and one read-out time for the camera with the
-velocity that each image has by the projection centres around it (model `brown_rolling`; Vautherin et al. 2016).  By how
+velocity that each image has by the projection centres around it (platform `rolling`; Vautherin et al. 2016).  By how
 much the weighted square sum falls is the likelihood ratio of each; the one with fewer parameters must explain as much.
+Where it does, and times and a scale are known, the camera is taken as one with a rolling shutter.
 """
 
 from __future__ import annotations
@@ -21,10 +22,14 @@ from raybundle.adjustment.severity import Severity
 from raybundle.block import Block, Camera, Distances
 from raybundle.errors import NotSolvable
 from raybundle.io.photos.photo import Photo
+from raybundle.io.photos.read_out_times import read_out_time
 from raybundle.numerics.arrays import Array
+from raybundle.numerics.counting import counted
 from raybundle.numerics.statistics import DECISIVE, chi_square_tails
+from raybundle.platforms import sensor_models
 
 VELOCITY = ("vx", "vy", "vz")
+MOTION = (*VELOCITY, "wx", "wy", "wz")
 SHAPE = ("A", "S")
 ALPHA = 1e-3
 GAP = 2.0
@@ -37,6 +42,8 @@ HELD = 1e-6
 """Standard deviation of a held distance by its length."""
 FEWEST = 4
 """Photographs with a velocity."""
+KNOWN = 0.1
+"""Relative standard deviation of a read-out time that is given: lamps that blink tell it to a few milliseconds."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -53,6 +60,8 @@ class ReadOut:
     """By how much chi-square falls with one read-out time"""
     by_shape: float
     """The same with the affinity and the shear of pixels"""
+    r: float = 0.0
+    """As the model has it, signed: negative where rows are read upwards [s/mm]"""
 
     @property
     def rolling(self) -> bool:
@@ -64,37 +73,129 @@ class ReadOut:
         """Whether one of the two is decisively likelier."""
         return abs(self.by_read_out - self.by_shape) > DECISIVE
 
-    def notice(self) -> Notice:
-        """What there is to say of it."""
+    @property
+    def figures(self) -> str:
+        """What speaks for it, in words."""
         time = (
             f"{1000 * self.seconds:.0f} ± {1000 * self.std:.0f} ms"
             if self.timed
             else (f"{self.seconds:.1%} of the interval between two photographs")
         )
-        figures = (
+        return (
             f"chi-square falls by {self.by_read_out:.0f} with one read-out time ({time}) and the velocities of the "
             f"flight, by {self.by_shape:.0f} with affinity and shear of the pixels"
         )
+
+    def notice(self) -> Notice:
+        """What there is to say of it where it is not in the model."""
         reason = (
-            f"affinity and shear are those of a rolling shutter: {figures}"
+            f"affinity and shear are those of a rolling shutter: {self.figures}"
             if self.rolling
-            else f"affinity and shear may be those of a rolling shutter: {figures}; these velocities in the camera's "
-            "axes are too alike to tell the two apart"
+            else f"affinity and shear may be those of a rolling shutter: {self.figures}; these velocities in the "
+            "camera's axes are too alike to tell the two apart"
         )
         reason += (
-            ". It is not in the model here, and standard deviations are too small; adjust the block of the result with "
-            "the model brown_rolling, where the block format has it, fly more slowly, or stop for each photograph"
+            ". It is not in the model here, and standard deviations are too small; "
+            + (
+                "photographs with the times of their exposures and something that fixes the scale (positions, control, "
+                "a scale bar) would bring it there, "
+                if self.rolling
+                else "give the read-out time if you know it (--read-out), "
+            )
+            + "or fly more slowly, or stop for each photograph"
         )
         return Notice(
             code="rolling_shutter", message=f"camera {self.camera}: {reason}", ids=(self.camera,), reason=reason
         )
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Rolling:
+    """A block in which cameras have a rolling shutter."""
+
+    block: Block | None
+    """None: no camera has"""
+    notices: tuple[Notice, ...] = ()
+    """What there is to say of these cameras"""
+
+
+def rolling_shutters(
+    result: Adjustment, block: Block, photos: Sequence[Photo], known_s: float | None = None
+) -> Rolling:
+    """The block, as it was given to the adjustment, with the read-out of the cameras that have a rolling shutter.
+
+    known_s  read-out time of all cameras [s]; 0: none has one; None: what the photographs tell decisively
+    What it does not tell: the rotation of a camera during the read-out, which shows as a velocity does.
+    """
+    if known_s == 0:
+        return Rolling(block=None)
+    when = {p.name: p.metadata.taken for p in photos}
+    scaled = "scale" not in result.datum_defect
+    notices, why = list[Notice](), list[str]()
+    for k, camera in enumerate(result.given.cameras):
+        at = next((n for n, c in enumerate(block.cameras) if c.id == camera.id), -1)
+        if at < 0 or f"{camera.model}_rolling" not in sensor_models:
+            continue
+        velocity, timed = velocities(result.adjusted, k, when)
+        count = int(np.isfinite(velocity).all(axis=1).sum())
+        if not timed or not scaled or count < FEWEST:
+            why.append(
+                f"camera {camera.id}: "
+                + ("its photographs state no times" if not timed else "nothing fixes the scale" if not scaled else
+                   f"{counted(count, 'photograph')} with a velocity, {FEWEST} are needed")
+            )  # fmt: skip
+            continue
+        found = read_out(result, camera.id, when)
+        if known_s is None and (found is None or not found.rolling):
+            continue
+        r = 0.0 if found is None else found.r
+        if known_s is not None:  # which way the rows are read, the photographs tell if they tell anything
+            r = float(np.copysign(known_s / float(camera.size_mm[1]), r))
+        block = _rolling(block, at, _of_images(block, result.adjusted, velocity), r, observed=known_s is not None)
+        images = int(((result.adjusted.images.camera == k) & result.adjusted.images.oriented).sum())
+        notices.append(_modelled(camera.id, found, known_s, images - count, _known(photos, result, k)))
+    changed = bool(notices)
+    if known_s is not None and why:
+        message = (
+            f"--read-out {1000 * known_s:g} is of no use for {'; '.join(why)}. Velocities follow from projection "
+            "centres and times: give photographs with the times of their exposures, and positions, control or "
+            "a scale bar"
+        )
+        notices.append(Notice(code="read_out_unused", message=message))
+    return Rolling(block=block if changed else None, notices=tuple(notices))
+
+
+def _modelled(camera: str, found: ReadOut | None, known_s: float | None, resting: int, table_s: float | None) -> Notice:
+    """What there is to say of a camera whose read-out is in the model."""
+    how = "" if found is None else found.figures
+    if known_s is not None:
+        how = f"{1000 * known_s:.3g} ms as given, observed with {KNOWN:.0%}" + (f"; without it {how}" if how else "")
+    table = "" if table_s is None else f". Others have measured {1000 * table_s:.0f} ms with such a camera"
+    still = f". {counted(resting, 'photograph')} without a velocity (turns, gaps) count as still"
+    return Notice(
+        code="read_out",
+        message=f"camera {camera}: the rolling shutter is in the model, {how}{table}. The velocity of each photograph "
+        f"is that of the projection centres before and after it{still if resting else ''}",
+        ids=(camera,),
+    )
+
+
+def _known(photos: Sequence[Photo], result: Adjustment, camera: int) -> float | None:
+    """The read-out time that is known of a camera's body [s]."""
+    mine = {n for n, c in zip(result.given.images.ids, result.given.images.camera.tolist(), strict=True) if c == camera}
+    return next((t for p in photos if p.name in mine and (t := read_out_time(p.metadata)) is not None), None)
+
+
+def _of_images(block: Block, adjusted: Block, velocity: Array) -> Array:
+    """Velocities (n, 3) of the adjusted block's images for those of another block, by their names."""
+    at = dict(zip(adjusted.images.ids, range(len(adjusted.images)), strict=True))
+    return np.array([velocity[at[n]] if n in at else np.full(3, np.nan) for n in block.images.ids]).reshape(-1, 3)
+
+
 def with_cause(result: Adjustment, photos: Sequence[Photo]) -> Adjustment:
     """The result in which an affinity or shear that no sensor has names a rolling shutter, where that is the cause.
 
-    What it does not tell: the rotation of the camera during the read-out, which shows as a velocity does; and where
-    photographs state no time, how long the read-out takes.
+    Of cameras whose read-out is not in the model: without times, or a scale, or where the two cannot be told apart.
     """
     strange = {n.ids[0] for n in result.notices if n.code == "pixel_shape"}
     when = {p.name: p.metadata.taken for p in photos}
@@ -143,7 +244,7 @@ def read_out(result: Adjustment, camera: str, when: Mapping[str, datetime | None
         return None
     return ReadOut(
         camera=camera, seconds=abs(seconds), std=(r.std or 0.0) * height * wider, timed=timed, by_read_out=by[0],
-        by_shape=by[1],
+        by_shape=by[1], r=r.value,
     )  # fmt: skip
 
 
@@ -192,12 +293,14 @@ def _alike(one: Array, two: Array) -> bool:
     return bool(lengths > 0 and one @ two > BEND * lengths)
 
 
-def _rolling(block: Block, at: int, velocity: Array) -> Block:
-    """The block with the model `brown_rolling` for a camera, the velocities of its images held; unknown ones are 0."""
+def _rolling(block: Block, at: int, velocity: Array, r: float = 0.0, *, observed: bool = False) -> Block:
+    """The block with a rolling shutter for a camera, the velocities of its images held; unknown ones are 0."""
     camera = block.cameras[at]
     moving: Camera = replace(
-        camera, model="brown_rolling", per_image=VELOCITY,
-        values={**camera.values, **dict.fromkeys((*VELOCITY, "wx", "wy", "wz"), 0.0), "r": 0.0},
+        camera, model=f"{camera.model}_rolling", per_image=VELOCITY,
+        values={**camera.values, **dict.fromkeys(MOTION, 0.0), "r": r},
+        sigma={**camera.sigma, "r": KNOWN * abs(r)} if observed else camera.sigma,
+        estimate=camera.estimate if camera.estimate == "auto" else (*camera.estimate, "r"),
     )  # fmt: skip
     mine = np.flatnonzero(block.images.camera == at)
     own = {int(i): dict(zip(VELOCITY, np.nan_to_num(velocity[i]).tolist(), strict=True)) for i in mine}

@@ -90,7 +90,7 @@ _MAKERS = {
     "eastman": "", "kodak": "kodak", "nikon": "nikon", "olympus": "olympus", "om": "olympus", "sony": "sony",
     "canon": "canon", "fujifilm": "fujifilm", "pentax": "pentax", "ricoh": "ricoh", "panasonic": "panasonic",
     "dji": "dji", "hasselblad": "hasselblad", "apple": "apple", "konica": "konica", "parrot": "parrot",
-    "micasense": "micasense", "sensefly": "sensefly",
+    "micasense": "micasense", "sensefly": "sensefly", "yuneec": "yuneec", "gopro": "gopro",
 }  # fmt: skip
 
 
@@ -99,12 +99,14 @@ def sensor_size(metadata: Metadata) -> tuple[float, float] | None:
 
     What it does not tell: whether the photograph shows the whole sensor.
     """
+    return next((_SIZES[name] for name in body_names(metadata) if name in _SIZES), None)
+
+
+def body_names(metadata: Metadata) -> tuple[str, ...]:
+    """Names by which a body may stand in a table: lower case, with its maker and without."""
     maker = next((_MAKERS[w] for w in _words(metadata.make) if _MAKERS.get(w)), "")
     model = " ".join(w for w in _words(metadata.model) if w != "corporation")
-    for name in (model, f"{maker} {model}", *((f"{maker} {model.removeprefix(maker + ' ')}",) if maker else ())):
-        if name in _SIZES:
-            return _SIZES[name]
-    return None
+    return (model, f"{maker} {model}", *((f"{maker} {model.removeprefix(maker + ' ')}",) if maker else ()))
 
 
 def _words(text: str) -> list[str]:

@@ -26,7 +26,7 @@ from raybundle.workflows.orient_options import OrientOptions
 from raybundle.workflows.orient_state import ORIENT, OrientState, SceneState
 from raybundle.workflows.parts import Part, apart_notice, joined_notice, part_folder, place_parts
 from raybundle.workflows.positions import GPS_M, flight_lines, without_idle
-from raybundle.workflows.read_out import with_cause
+from raybundle.workflows.read_out import rolling_shutters, with_cause
 from raybundle.workflows.same_camera import shared_sensors
 from raybundle.workflows.scene_placing import place_with_scenes
 from raybundle.workflows.tie_points import FeatureStore
@@ -133,8 +133,12 @@ def _adjusted(i: Inputs, placed: Georeferenced, apart: Sequence[Georeferenced], 
         groups = shared.grouped(groups)
         first = replace(first, block=shared.applied(first.block))
         adjustment = final_adjustment(first, groups, means.jobs, means.progress, i.remarks, noise, weights=weights)
+    moving = rolling_shutters(adjustment, first.block, i.photos, i.options.read_out_s)
+    if moving.block is not None:
+        first = replace(first, block=moving.block)
+        adjustment = final_adjustment(first, groups, means.jobs, means.progress, i.remarks, noise, weights=weights)
     adjustment = with_relative_precision(with_cause(adjustment, i.photos))
-    told = (*joined_notice(first.joined, adjustment.given), *shared.notices)
+    told = (*joined_notice(first.joined, adjustment.given), *shared.notices, *moving.notices)
     if kept:  # of what is left in the end: the adjustments leave photographs out
         left = [replace(k, block=p.adjustment.given) for k, p in zip(kept, parts, strict=True)]
         told = (apart_notice(adjustment.given, left, [part_folder(k) for k in range(len(kept))]), *told)
