@@ -17,11 +17,11 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.adjustment.calibration import uncertainty_of
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Camera
 from raybundle.block.boards import BoardViews, board_block, spline_camera, weighted_rms
+from raybundle.calibration.maps import uncertainty_of
 from raybundle.sensors import sensor_models
 
 ROOT = Path(__file__).resolve().parents[1]

@@ -51,7 +51,7 @@ def plans() -> list[SheetNetwork]:
 def first_order(work: Callable[[], Calibration]) -> Calibration:
     """A calibration with the closed form of first order."""
     with (
-        mock.patch("raybundle.adjustment.eccentricity.circle_images", first_order_images),
+        mock.patch("raybundle.calibration.eccentricity.circle_images", first_order_images),
         mock.patch("raybundle.workflows.target_block.circle_images", first_order_images),
     ):
         return work()

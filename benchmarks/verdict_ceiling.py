@@ -28,7 +28,7 @@ from scipy.stats import kstest
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from tests.truth.verdicts import GRADES, Judged, confusion, evenly, judged, network
 
-from raybundle.adjustment.calibration_quality import SURE
+from raybundle.calibration.quality import SURE
 
 ROOT = Path(__file__).resolve().parents[1]
 CERTAINTIES = (0.5, 0.7, 0.8, 0.9, SURE, 0.99)

@@ -10,11 +10,11 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.adjustment.calibration import projection_uncertainty
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block.calibration_networks import ROLLS, FlatField, flat_field_scene
 from raybundle.block.simulate import Scene, Survey, simulate
+from raybundle.calibration.maps import projection_uncertainty
 from raybundle.numerics.arrays import Array
 
 PICTURE = Path(__file__).resolve().parents[1] / "docs/images/calibration-networks.svg"

@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import pytest
 
-from raybundle.adjustment.calibration_quality import calibration_qualities
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.pixel_shape import shape_limit, under_its_noise
@@ -18,6 +17,7 @@ from raybundle.block.simulate import (
     ring_scene,
     simulate,
 )
+from raybundle.calibration.quality import calibration_qualities
 
 EVERY = ("c", "x0", "y0", "K1", "K2", "K3", "P1", "P2", "A", "S")
 

@@ -7,7 +7,6 @@ import pytest
 
 from raybundle.adjustment import dense, engine
 from raybundle.adjustment.assemble import assemble
-from raybundle.adjustment.calibration import projection_shifts, projection_uncertainty
 from raybundle.adjustment.defects import components, held_by_points
 from raybundle.adjustment.engine import adjust_block, expected_interior, free_parameters
 from raybundle.adjustment.normals import Normals
@@ -17,6 +16,7 @@ from raybundle.adjustment.structure import _neighbours
 from raybundle.block import Role
 from raybundle.block.rejection import Rejection, RejectionKind
 from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.calibration.maps import projection_shifts, projection_uncertainty
 from raybundle.numerics import native
 
 OPTIONS = AdjustmentOptions(threads=1, tolerance=1e-9)

@@ -5,11 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.adjustment.calibration import uncertainty_of
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Camera
 from raybundle.block.boards import BoardViews, board_block, spline_camera, weighted_rms
+from raybundle.calibration.maps import uncertainty_of
 from raybundle.sensors import sensor_models
 from tests.conftest import DATA
 

@@ -5,8 +5,8 @@ import re
 import numpy as np
 import pytest
 
-from raybundle.adjustment.calibration import projection_uncertainty
 from raybundle.block import Camera
+from raybundle.calibration.maps import projection_uncertainty
 from raybundle.report.distortion import balanced, interior_of, radial_curve
 from raybundle.report.figures_interior import MOST_CELLS, coarser, curves, uncertainty_figure
 from raybundle.report.figures_series import running, series_figure

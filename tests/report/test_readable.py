@@ -4,9 +4,9 @@ from dataclasses import replace
 
 import pytest
 
-from raybundle.adjustment.calibration_quality import calibration_qualities
 from raybundle.adjustment.result import Notice
 from raybundle.block import Role
+from raybundle.calibration.quality import calibration_qualities
 from raybundle.cli.summary import summary_lines
 from raybundle.report.document import write_report
 from raybundle.report.figures_photographs import KEY_CHARACTER, colour_key

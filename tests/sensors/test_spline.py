@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from raybundle.adjustment.assemble import assemble
-from raybundle.adjustment.calibration import calibration_difference, uncertainty_of
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block.boards import spline_camera
 from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.calibration.maps import calibration_difference, uncertainty_of
 from raybundle.errors import InputError
 from raybundle.numerics import native
 from raybundle.sensors import sensor_models

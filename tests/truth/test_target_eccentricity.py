@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from scipy.stats import chi2
 
-from raybundle.adjustment.eccentricity import EDGE, circle_images, ellipses_of_grey_values
 from raybundle.block import Role
 from raybundle.block.simulate import Scene, Survey, simulate
+from raybundle.calibration.eccentricity import EDGE, circle_images, ellipses_of_grey_values
 from raybundle.targets.centre import fit_dots
 from raybundle.workflows.calibrate import CalibrateOptions, calibrate
 from tests.targets.photographs import (
@@ -46,7 +46,7 @@ def test_the_camera_is_within_its_covariance(networks):
 
 
 def test_the_formula_of_first_order_would_be_noticed(networks, monkeypatch):
-    monkeypatch.setattr("raybundle.adjustment.eccentricity.circle_images", first_order_images)
+    monkeypatch.setattr("raybundle.calibration.eccentricity.circle_images", first_order_images)
     monkeypatch.setattr("raybundle.workflows.target_block.circle_images", first_order_images)
     error, degrees = squared_error(networks)
     assert error > 2 * chi2(degrees).interval(0.999)[1]

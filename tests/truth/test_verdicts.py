@@ -3,8 +3,8 @@
 import numpy as np
 from scipy.stats import kstest
 
-from raybundle.adjustment import calibration_quality
-from raybundle.adjustment.calibration_quality import GOOD_PX, USABLE_PX
+from raybundle.calibration import quality as calibration_quality
+from raybundle.calibration.quality import GOOD_PX, USABLE_PX
 from tests.truth.verdicts import GRADES, confusion, evenly, judged
 
 

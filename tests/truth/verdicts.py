@@ -7,12 +7,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from raybundle.adjustment.calibration import calibration_difference, projection_shifts
-from raybundle.adjustment.calibration_quality import SURE, CalibrationQuality, calibration_qualities
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
 from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+from raybundle.calibration.maps import calibration_difference, projection_shifts
+from raybundle.calibration.quality import SURE, CalibrationQuality, calibration_qualities
 from raybundle.errors import RaybundleError
 
 GRADES = ("good", "usable", "weak")

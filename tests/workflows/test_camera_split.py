@@ -7,10 +7,10 @@ from fnmatch import fnmatchcase
 import numpy as np
 import pytest
 
-from raybundle.adjustment.calibration_quality import calibration_qualities
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.calibration.quality import calibration_qualities
 from raybundle.numerics.progress import silent
 from raybundle.report.section_calibration import calibration_section
 from raybundle.workflows.camera_split import cameras_apart

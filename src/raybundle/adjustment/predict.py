@@ -6,9 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.adjustment.calibration import projected
 from raybundle.block import Block, Camera
-from raybundle.numerics.arrays import Array
+from raybundle.numerics.arrays import Array, Mask
 from raybundle.platforms.station import sensor_from_object
 
 
@@ -63,3 +62,25 @@ def image_points(camera: Camera, rotation: Array, centre: Array, xyz: Array) -> 
     found, seen = projected(camera, P[:, near], values, start[:, near])
     result[near] = np.where(seen[:, None], camera.pixel_from_image(found.T), np.nan)
     return result
+
+
+def projected(camera: Camera, points: Array, values: Array, start: Array) -> tuple[Array, Mask]:
+    """Images (2, n) of points (3, n) by Newton from `start`, and which (n,) of them there are.
+
+    values  (u,) parameters of all points, or (u, n) of each
+    """
+    model = camera.sensor
+    c = float(camera.size_mm.max()) if camera.is_scene else abs(float(np.ravel(values)[0]))
+    image, step = start.copy(), np.full_like(start, np.inf)
+    spread = np.repeat(values[:, None], image.shape[1], axis=1) if values.ndim == 1 else values
+    with np.errstate(all="ignore"):
+        for _ in range(30):
+            g, J = model.condition_and_jacobian(*image, *points, *spread)
+            det = J[0, 0] * J[1, 1] - J[0, 1] * J[1, 0]
+            step = np.stack([J[1, 1] * g[0] - J[0, 1] * g[1], J[0, 0] * g[1] - J[1, 0] * g[0]]) / det
+            image = image - step
+            if np.nanmax(np.abs(step), initial=0) < 1e-10 * c:  # it is squared by the step just taken
+                break
+        seen = np.isfinite(step).all(axis=0) & (np.abs(step).max(axis=0) < 1e-9 * c)
+        front = np.asarray(model.in_front(points, image, values))
+        return np.where(seen, image, start), seen & front

@@ -222,7 +222,7 @@ def compare(
     """  # noqa: D301
     import numpy as np  # noqa: PLC0415
 
-    from raybundle.adjustment.calibration import calibration_difference, projection_uncertainty, scaled  # noqa: PLC0415
+    from raybundle.calibration.maps import calibration_difference, projection_uncertainty, scaled  # noqa: PLC0415
 
     cameras: list[Camera] = []
     notes: list[str] = []
@@ -441,7 +441,7 @@ def zoom(
       raybundle calibrate 24mm/ --target aicon14 --estimate c,x0,y0,K1,K2,P1,P2 --out z24
       raybundle calibration zoom z24 z35 z50 z70 --out lens --keep
     """  # noqa: D301
-    from raybundle.adjustment.zoom import calibrate_zoom, zoom_residuals  # noqa: PLC0415
+    from raybundle.calibration.zoom import calibrate_zoom, zoom_residuals  # noqa: PLC0415
     from raybundle.io.camera_library import LibraryEntry, add_entry  # noqa: PLC0415
     from raybundle.io.folders import new_folder  # noqa: PLC0415
     from raybundle.io.zoom_files import write_zoom  # noqa: PLC0415

@@ -15,7 +15,7 @@ from raybundle.errors import InputError, NotSolvable
 from raybundle.numerics.progress import Progress, silent
 
 if TYPE_CHECKING:
-    from raybundle.adjustment.calibration_quality import CalibrationQuality
+    from raybundle.calibration.quality import CalibrationQuality
     from raybundle.targets.marks import Target
     from raybundle.workflows.calibrate import CalibrateOptions, Calibration
 

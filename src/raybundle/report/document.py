@@ -10,8 +10,8 @@ from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
-from raybundle.adjustment.calibration_quality import CalibrationQuality
 from raybundle.adjustment.result import Adjustment
+from raybundle.calibration.quality import CalibrationQuality
 from raybundle.io.folders import new_files
 from raybundle.numerics.progress import Progress, silent
 from raybundle.report.parts import Section

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from raybundle.adjustment.calibration import UncertaintyMap
 from raybundle.block import Camera
+from raybundle.calibration.maps import UncertaintyMap
 from raybundle.numerics.arrays import Array
 from raybundle.report.distortion import Curve, Interior, field
 from raybundle.report.numbers import fixed, significant

@@ -42,7 +42,7 @@ from raybundle.numerics.progress import Progress, silent
 from raybundle.observations import ObservationKind, in_order
 
 if TYPE_CHECKING:
-    from raybundle.adjustment.calibration_quality import CalibrationQuality
+    from raybundle.calibration.quality import CalibrationQuality
     from raybundle.io.coordinate_systems import LocalFrame
     from raybundle.report.section_photographs import PhotographFacts
 

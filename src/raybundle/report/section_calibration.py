@@ -7,8 +7,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from raybundle.adjustment.calibration_quality import CalibrationQuality, Grade
-from raybundle.adjustment.cross_validation import CrossValidation
+from raybundle.calibration.cross_validation import CrossValidation
+from raybundle.calibration.quality import CalibrationQuality, Grade
 from raybundle.report.numbers import NONE, fixed, grouped, per_cent, significant
 from raybundle.report.parts import Fact, Facts, Heading, Paragraph, Part, Section, Statements, number, table, text
 from raybundle.report.words import Grade as ReportGrade

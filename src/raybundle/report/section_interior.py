@@ -6,8 +6,8 @@ import math
 
 import numpy as np
 
-from raybundle.adjustment.calibration import projection_uncertainty
 from raybundle.adjustment.result import InteriorResult, ParameterResult
+from raybundle.calibration.maps import projection_uncertainty
 from raybundle.numerics.arrays import Array
 from raybundle.report.distortion import ADDITIONAL, Curve, Interior, balanced, decentring_curve, radial_curve
 from raybundle.report.figures_interior import correction_field, curves, heat_map, sigma_curve, uncertainty_figure

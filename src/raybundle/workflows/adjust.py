@@ -11,7 +11,6 @@ from raybundle.adjustment import defects
 from raybundle.adjustment.check_points import with_check_notice
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.entry import check_entry
-from raybundle.adjustment.given_calibration import calibration_notices, held_notices
 from raybundle.adjustment.identical_control import identical_notices
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment, Notice
@@ -21,6 +20,7 @@ from raybundle.adjustment.structure import structure_notice
 from raybundle.block import Block, Role
 from raybundle.block.points import automatic
 from raybundle.block.rejection import known_wrong
+from raybundle.calibration.given import calibration_notices, held_notices
 from raybundle.errors import InputError, NoConvergence, NoOrientation, NotSolvable, RankDefect
 from raybundle.numerics.arrays import Mask
 from raybundle.numerics.counting import counted_are

@@ -8,10 +8,10 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.adjustment.calibration_quality import CalibrationQuality
-from raybundle.adjustment.eccentricity import RadiusScale
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Block
+from raybundle.calibration.eccentricity import RadiusScale
+from raybundle.calibration.quality import CalibrationQuality
 from raybundle.io.photos.cameras import CameraGroup
 from raybundle.io.photos.photo import Found, Photo
 from raybundle.pipeline.stage import Workflow

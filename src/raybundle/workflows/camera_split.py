@@ -11,10 +11,10 @@ import numpy as np
 
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.one_camera import Split, find_splits
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Block, Camera
+from raybundle.calibration.one_camera import Split, find_splits
 from raybundle.errors import NotSolvable
 from raybundle.numerics.progress import Progress
 from raybundle.workflows.target_block import reweighted, with_values

@@ -10,12 +10,12 @@ import numpy as np
 
 from raybundle.adjustment.check_points import with_check_notice
 from raybundle.adjustment.decide import decide
-from raybundle.adjustment.given_calibration import calibration_notices, held_notices
 from raybundle.adjustment.options import FEWEST_IMAGES, AdjustmentOptions, NoiseModel, noise_of_photographs
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.structure import structure_notice
 from raybundle.block import Block, Camera, Role
 from raybundle.block.select import with_rows, without_images
+from raybundle.calibration.given import calibration_notices, held_notices
 from raybundle.errors import NoConvergence, NotSolvable
 from raybundle.io.photos.cameras import CameraGroup
 from raybundle.numerics.arrays import Mask

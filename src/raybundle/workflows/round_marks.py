@@ -11,8 +11,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.adjustment.eccentricity import eccentricity_px
 from raybundle.block import Block
+from raybundle.calibration.eccentricity import eccentricity_px
 from raybundle.io.control_files import ControlFile
 from raybundle.numerics.arrays import Array
 from raybundle.workflows.marks import Placing

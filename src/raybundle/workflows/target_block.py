@@ -7,10 +7,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from raybundle.adjustment.eccentricity import circle_images
 from raybundle.adjustment.predict import predicted_px
 from raybundle.block import Block, Camera, Images, Observations, Points
 from raybundle.block.select import with_rows
+from raybundle.calibration.eccentricity import circle_images
 from raybundle.errors import InputError
 from raybundle.io.photos.cameras import CameraGroup, camera_of
 from raybundle.io.photos.photo import Photo

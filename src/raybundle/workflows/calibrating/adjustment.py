@@ -8,7 +8,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from raybundle.adjustment.decide import decide
-from raybundle.adjustment.eccentricity import RadiusScale, eccentricity_px, radius_scale
 from raybundle.adjustment.options import AdjustmentOptions, noise_of_photographs
 from raybundle.adjustment.pixel_shape import under_its_noise
 from raybundle.adjustment.result import Adjustment, Notice
@@ -16,6 +15,7 @@ from raybundle.adjustment.under_noise import under_noise
 from raybundle.block import Block, Camera
 from raybundle.block.boards import spline_camera
 from raybundle.block.select import with_rows
+from raybundle.calibration.eccentricity import RadiusScale, eccentricity_px, radius_scale
 from raybundle.errors import InputError, NotSolvable
 from raybundle.io.photos.cameras import CameraGroup
 from raybundle.io.photos.photo import Found

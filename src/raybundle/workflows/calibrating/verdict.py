@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from raybundle.adjustment.calibration_quality import CalibrationQuality, calibration_qualities
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
+from raybundle.calibration.quality import CalibrationQuality, calibration_qualities
 from raybundle.errors import NotSolvable
 from raybundle.pipeline.stage import Means, Stage
 from raybundle.workflows.calibrate_state import CALIBRATE, CalibrateState

@@ -5,11 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.adjustment.calibration import calibration_difference, projection_uncertainty, scaled, uncertainty_of
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Camera
 from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+from raybundle.calibration.maps import calibration_difference, projection_uncertainty, scaled, uncertainty_of
 from raybundle.errors import InputError
 
 RUNS = 300

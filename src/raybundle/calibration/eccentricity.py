@@ -12,8 +12,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from raybundle.adjustment.calibration import projected
 from raybundle.adjustment.engine import adjust_block, as_start
+from raybundle.adjustment.predict import projected
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block, Camera
 from raybundle.numerics.arrays import Array, Index, Mask

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from scipy.stats import chi2
 
-from raybundle.adjustment.calibration import calibration_difference
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.zoom import calibrate_zoom, setting_of, zoom_residuals
 from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 from raybundle.block.zoom import between_focuses, focal_resolution, refocused
+from raybundle.calibration.maps import calibration_difference
+from raybundle.calibration.zoom import calibrate_zoom, setting_of, zoom_residuals
 from raybundle.errors import InputError
 from raybundle.io.zoom_files import read_zoom, write_zoom
 from raybundle.numerics.statistics import mahalanobis2

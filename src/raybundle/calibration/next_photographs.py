@@ -6,7 +6,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from raybundle.adjustment.calibration import ProjectionShifts, projection_shifts
 from raybundle.adjustment.engine import expected_interior
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.precision import interior_unknowns, node_cofactor
@@ -15,6 +14,7 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.adjustment.work import Work
 from raybundle.block import Block, Images, Observations
 from raybundle.block.rejection import Rejections
+from raybundle.calibration.maps import ProjectionShifts, projection_shifts
 from raybundle.errors import RaybundleError
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rotation import rotation_from_vector

@@ -11,9 +11,6 @@ from typing import Literal
 
 import numpy as np
 
-from raybundle.adjustment.calibration import projection_shifts
-from raybundle.adjustment.cross_validation import CrossValidation, cross_validation
-from raybundle.adjustment.next_photographs import Proposal, next_photographs
 from raybundle.adjustment.pixel_shape import UNTOLD
 from raybundle.adjustment.result import Adjustment, InteriorResult
 from raybundle.adjustment.severity import Severity
@@ -24,6 +21,9 @@ from raybundle.adjustment.structure import (
     residual_structure,
 )
 from raybundle.block import Camera
+from raybundle.calibration.cross_validation import CrossValidation, cross_validation
+from raybundle.calibration.maps import projection_shifts
+from raybundle.calibration.next_photographs import Proposal, next_photographs
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.sensors import sensor_models

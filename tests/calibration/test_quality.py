@@ -5,14 +5,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.adjustment.calibration_quality import calibration_qualities
-from raybundle.adjustment.cross_validation import cross_validation
 from raybundle.adjustment.decide import decide
-from raybundle.adjustment.next_photographs import next_photographs
-from raybundle.adjustment.one_camera import find_splits, own_interiors
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Observations
 from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.calibration.cross_validation import cross_validation
+from raybundle.calibration.next_photographs import next_photographs
+from raybundle.calibration.one_camera import find_splits, own_interiors
+from raybundle.calibration.quality import calibration_qualities
 
 ROLLS = (0.0, 90.0, 180.0, 270.0)
 
