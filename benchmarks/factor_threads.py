@@ -33,7 +33,7 @@ def network() -> tuple[Normals, np.ndarray]:
     n = len(block.images)
     own = tuple(replace(block.cameras[0], id=f"k{i}", estimate=("c", "K1", "K2")) for i in range(n))
     block = replace(block, cameras=own, images=replace(block.images, camera=np.arange(n, dtype=np.int32)))
-    free = {c.id: free_parameters(c) for c in block.cameras}
+    free = {c.id: free_parameters(c) for c in block.parametrised}
     system = assemble(block, AdjustmentOptions(), np.zeros(len(block.observations), bool), free)
     normals = Normals.of(system, 0)
     normals.reduce(system.initial_state(), damping=DAMPING)

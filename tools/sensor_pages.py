@@ -16,13 +16,11 @@ from typing import Any
 import sympy as sp
 from sympy.printing.mathml import mathml
 
-from raybundle.platforms import Carried, Platform, platforms, sensor_models
+from raybundle.platforms import Carried, InstrumentModel, Platform, instrument_models, platforms, sensor_models
 from raybundle.scenes.bias import BIAS_PARAMETERS
 from raybundle.scenes.empirical import empirical_models
 from raybundle.scenes.sensor import MEANINGS, LineSensor, RpcSensor
 from raybundle.scenes.trajectory import CorrectionModel
-from raybundle.sensors.antenna import ANTENNA
-from raybundle.sensors.imu import IMU
 from raybundle.sensors.model import Parameter, SensorModel
 
 MANY, LISTED = 60, 10
@@ -81,8 +79,7 @@ def pages() -> dict[str, str]:
     """Name of the page -> its text, for every model."""
     found = {n: model_page(n, m) for n, m in sorted(sensor_models.items()) if not isinstance(m, Carried)}
     found |= {name: platform_page(name, platform) for name, platform in sorted(platforms.items())}
-    found["antenna"] = plain_page("antenna", ANTENNA, "X_GNSS = X0 + Rᵀ a + s + d t + v dt")
-    found["imu"] = plain_page("imu", IMU, "R = exp([b]x) R_IMU")
+    found |= {name: instrument_page(name, model) for name, model in sorted(instrument_models.items())}
     found["rpc"] = rpc_page()
     found["linescan"] = line_page()
     found["empirical"] = empirical_page()
@@ -145,10 +142,10 @@ def platform_page(name: str, platform: Platform) -> str:
     ]) + "\n"  # fmt: skip
 
 
-def plain_page(name: str, model: SensorModel, formula: str) -> str:
-    """Page of what is adjusted like a camera and has no images."""
+def instrument_page(name: str, model: InstrumentModel) -> str:
+    """Page of what a platform carries beside sensors."""
     return "\n\n".join([
-        f"# {name}", inspect.getdoc(type(model)) or "", "## Formula", f"```text\n{formula}\n```", "## Parameters",
+        f"# {name}", inspect.getdoc(type(model)) or "", "## Formula", f"```text\n{model.formula}\n```", "## Parameters",
         parameter_table(model.parameters),
     ]) + "\n"  # fmt: skip
 

@@ -8,12 +8,12 @@ from scipy.stats import chi2
 
 from raybundle import adjust
 from raybundle.adjustment.engine import adjust_block
-from raybundle.block import Camera, Stations
+from raybundle.block import Instrument, Stations
 from raybundle.block.simulate import AerialStrips, Survey, aerial_scene, simulate
 from raybundle.errors import DatumDefect, InputError
 from raybundle.io.block_folder import read_block, write_block
+from raybundle.platforms import instrument_models
 from raybundle.report.result_folder import write_result
-from raybundle.sensors.antenna import ANTENNA
 from tests.truth.mixed_blocks import MonteCarlo
 
 LEVER = np.array([0.10, -0.05, 0.30])
@@ -28,20 +28,19 @@ def flight(estimate, control=4, sigma=None):
     shift = np.array([[0.5, -0.3, 0.2], [1.0, -0.6, 0.4], [-0.4, 0.2, 0.1]])
     drift = np.array([[0.0, 0.0, 0.0], [0.01, -0.02, 0.01], [0.02, 0.0, -0.01]])
     antennas = tuple(
-        Camera(
-            id=f"line{k + 1}", model="antenna", width_px=1, height_px=1, pixel_mm=(1.0, 1.0), scene=ANTENNA,
-            values=dict(zip(ANTENNA.symbols, (*LEVER, *shift[k], *drift[k], 0.0), strict=True)), estimate=estimate,
-            sigma=sigma or {},
+        Instrument(
+            id=f"line{k + 1}", model="antenna", estimate=estimate, sigma=sigma or {},
+            values=dict(zip(instrument_models["antenna"].symbols, (*LEVER, *shift[k], *drift[k], 0.0), strict=True)),
         )
         for k in range(3)
     )  # fmt: skip
     back = np.swapaxes(truth.images.rotation, 1, 2)
     xyz = truth.images.centre + back @ LEVER + shift[line] + time[:, None] * drift[line]
     stations = Stations(
-        image=np.arange(12, dtype=np.int32), xyz=xyz, sigma=np.full((12, 3), 0.03), antenna=(line + 1).astype(np.int32),
+        image=np.arange(12, dtype=np.int32), xyz=xyz, sigma=np.full((12, 3), 0.03), antenna=line.astype(np.int32),
         time=time,
     )  # fmt: skip
-    return replace(truth, cameras=(*truth.cameras, *antennas)).having(stations)
+    return replace(truth, instruments=antennas).having(stations)
 
 
 @pytest.mark.parametrize(
@@ -81,6 +80,7 @@ def test_antennas_go_through_folders(tmp_path):
     write_block(block, tmp_path / "block")
     again = read_block(tmp_path / "block")
     assert again.cameras == block.cameras
+    assert again.instruments == block.instruments
     np.testing.assert_array_equal(again.stations.antenna, block.stations.antenna)
     np.testing.assert_array_equal(again.stations.time, block.stations.time)
     result = adjust(again)

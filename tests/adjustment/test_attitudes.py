@@ -8,27 +8,20 @@ from scipy.stats import chi2
 
 from raybundle import adjust
 from raybundle.adjustment.engine import adjust_block
-from raybundle.block import Camera, Stations
+from raybundle.block import Instrument, Stations
 from raybundle.block.block import Attitudes
 from raybundle.block.simulate import AerialStrips, Survey, aerial_scene, measured, simulate
 from raybundle.errors import DatumDefect, InputError, RankDefect
 from raybundle.io.block_folder import read_block, write_block
 from raybundle.numerics.rotation import angles_from_rotation, left_jacobian, rotation_from_vector
-from raybundle.sensors.antenna import ANTENNA
-from raybundle.sensors.imu import IMU, told
+from raybundle.platforms.imu import told
 from tests.truth.mixed_blocks import MonteCarlo
 
+MISALIGNMENT = ("bx", "by", "bz")
 LEVER = np.array([0.10, -0.05, 0.30])
 BORESIGHT = np.array([0.008, -0.012, 0.015])
 LATE = 0.02
 SIGMA = np.radians([0.005, 0.005, 0.01])
-
-
-def carried(model, id_, values, estimate, sigma=None):
-    return Camera(
-        id=id_, model=model.name, width_px=1, height_px=1, pixel_mm=(1.0, 1.0), scene=model, estimate=tuple(estimate),
-        values=dict.fromkeys(model.symbols, 0.0) | values, sigma=sigma or {},
-    )  # fmt: skip
 
 
 def flight(
@@ -43,19 +36,24 @@ def flight(
     rotation = np.tile(truth.images.rotation[0], (12, 1, 1)) if alike else turn @ truth.images.rotation
     truth = measured(replace(truth, images=replace(truth.images, rotation=rotation)), 0.3)
     v = np.array(speed)[line][:, None] * np.array([1.0, 0.1, 0.02])
-    antenna = carried(ANTENNA, "gnss", dict(zip(("ax", "ay", "az", "dt"), (*LEVER, LATE), strict=True)),
-                      (*arm, *clock), arm_sigma)  # fmt: skip
-    imu = carried(IMU, "ins", dict(zip(IMU.symbols, BORESIGHT, strict=True)), boresight, boresight_sigma)
+    antenna = Instrument(
+        id="gnss", model="antenna", values=dict(zip(("ax", "ay", "az", "dt"), (*LEVER, LATE), strict=True)),
+        estimate=(*arm, *clock), sigma=arm_sigma or {},
+    )  # fmt: skip
+    imu = Instrument(
+        id="ins", model="imu", values=dict(zip(MISALIGNMENT, BORESIGHT, strict=True)), estimate=tuple(boresight),
+        sigma=boresight_sigma or {},
+    )  # fmt: skip
     xyz = truth.images.centre + np.swapaxes(rotation, 1, 2) @ LEVER + v * LATE
     stations = Stations(
         image=np.arange(12, dtype=np.int32), xyz=xyz, sigma=np.full((12, 3), 0.03), velocity=v if velocities else None,
-        antenna=np.full(12, 1, np.int32), time=np.arange(12.0),
+        antenna=np.zeros(12, np.int32), time=np.arange(12.0),
     )  # fmt: skip
     angles = angles_from_rotation(rotation_from_vector(-BORESIGHT) @ rotation)
     seen = Attitudes(
-        image=np.arange(12, dtype=np.int32), angles=angles, sigma=np.tile(SIGMA, (12, 1)), imu=np.full(12, 2, np.int32)
+        image=np.arange(12, dtype=np.int32), angles=angles, sigma=np.tile(SIGMA, (12, 1)), imu=np.ones(12, np.int32)
     )
-    truth = replace(truth, cameras=(*truth.cameras, antenna, imu))
+    truth = replace(truth, instruments=(antenna, imu))
     return truth.having(*([stations] if positions else []), *([seen] if attitudes else []))
 
 
@@ -73,7 +71,7 @@ def test_the_flight_is_consistent():
     result = adjust_block(block)
     assert result.sigma0 < 1e-6
     ins = next(i for i in result.interior if i.camera == "ins")
-    assert [ins.parameters[s].value for s in IMU.symbols] == pytest.approx(list(BORESIGHT), abs=1e-9)
+    assert [ins.parameters[s].value for s in MISALIGNMENT] == pytest.approx(list(BORESIGHT), abs=1e-9)
 
 
 def test_how_an_imu_follows_image_and_boresight():
@@ -190,6 +188,7 @@ def test_attitudes_and_imus_go_through_folders(tmp_path):
     write_block(block, tmp_path / "block")
     again = read_block(tmp_path / "block")
     assert again.cameras == block.cameras
+    assert again.instruments == block.instruments
     np.testing.assert_array_equal(again.attitudes.imu, block.attitudes.imu)
     np.testing.assert_allclose(again.attitudes.angles, block.attitudes.angles, rtol=0, atol=2e-14)
     np.testing.assert_allclose(again.attitudes.sigma, block.attitudes.sigma, rtol=1e-14)

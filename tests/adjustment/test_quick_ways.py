@@ -101,7 +101,7 @@ def test_brief_extents_say_less_and_the_same(block, adjusted):
 
 
 def test_the_covariance_that_a_network_promises_is_that_of_its_adjustment(block, adjusted):
-    free = {c.id: free_parameters(c) for c in block.cameras}
+    free = {c.id: free_parameters(c) for c in block.parametrised}
     Q = expected_interior(again(adjusted), OPTIONS, free, ("",) * len(block.observations), block.cameras[0].id)
     expected = adjusted.precision.interior[block.cameras[0].id]
     assert adjusted.sigma0**2 * Q == pytest.approx(expected, rel=1e-5, abs=1e-9 * np.abs(expected).max())
@@ -152,7 +152,7 @@ def test_small_matrices_take_one_thread_and_the_number_comes_back():
 def test_sparse_matrices_count_by_what_their_unknowns_meet(block):
     """Twelve images of one object are a full matrix; a chain of them is not."""
     options = AdjustmentOptions()
-    free = {c.id: free_parameters(c) for c in block.cameras}
+    free = {c.id: free_parameters(c) for c in block.parametrised}
     system = assemble(block, options, np.zeros(len(block.observations), bool), free)
     full = Normals.of(system, 1)
     assert 0.9 * len(full.right) <= full.meeting <= 1.1 * len(full.right) + 6

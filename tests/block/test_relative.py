@@ -8,7 +8,7 @@ from scipy.stats import chi2
 
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.block import Stations
+from raybundle.block import Instrument, Stations
 from raybundle.block.block import Attitudes, Role
 from raybundle.block.relative import relative_control
 from raybundle.block.simulate import measured
@@ -109,19 +109,13 @@ def test_lines_of_few_images_and_lever_arms(truth):
     short[5:9] = -1  # of the second line one image is left
     thin = relative_control(block, short)
     assert len(thin.stations) == len(thin.attitudes) == 10
-    assert [c.id for c in thin.cameras[1:]] == ["line-1", "line-3", "ins-line-1", "ins-line-3"]
-    from raybundle.block.block import Camera
-    from raybundle.sensors.antenna import ANTENNA
-
-    arm = Camera(
-        id="gnss", model="antenna", width_px=1, height_px=1, pixel_mm=(1.0, 1.0), scene=ANTENNA,
-        values=dict.fromkeys(ANTENNA.symbols, 0.0) | {"az": 0.3}, estimate=("az", "sz"), sigma={"az": 0.01},
-    )  # fmt: skip
-    station = replace(block.stations, antenna=np.full(15, 1, np.int32))
-    found = relative_control(replace(block, cameras=(*block.cameras, arm)).having(station), LINES)
-    assert found.cameras[2].values["az"] == 0.3
-    assert found.cameras[2].estimate == ("az", "sx", "sy", "sz")
-    assert found.cameras[2].sigma == {"az": 0.01}
+    assert [i.id for i in thin.instruments] == ["line-1", "line-3", "ins-line-1", "ins-line-3"]
+    arm = Instrument(id="gnss", model="antenna", values={"az": 0.3}, estimate=("az", "sz"), sigma={"az": 0.01})
+    station = replace(block.stations, antenna=np.zeros(15, np.int32))
+    found = relative_control(replace(block, instruments=(arm,)).having(station), LINES)
+    assert found.instruments[1].values["az"] == 0.3
+    assert found.instruments[1].estimate == ("az", "sx", "sy", "sz")
+    assert found.instruments[1].sigma == {"az": 0.01}
     with pytest.raises(InputError, match="no flight line has two observed images"):
         relative_control(block, np.arange(15))
     with pytest.raises(InputError, match="14 numbers of flight lines for 15 images"):

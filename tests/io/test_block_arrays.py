@@ -9,12 +9,13 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from raybundle.block import Block, Camera, Images, Observations, Points
+from raybundle.block import Block, Camera, Images, Instrument, Observations, Points
 from raybundle.block.block import Relation
 from raybundle.block.select import transformed, with_rows
 from raybundle.block.simulate import AerialStrips, Survey, TargetField, aerial_scene, field_scene, simulate
 from raybundle.io.block_arrays import arrays_of_block, block_of_arrays
 from raybundle.observations import tables
+from raybundle.platforms import instrument_models
 
 
 def through_a_file(block):
@@ -113,12 +114,20 @@ def blocks(draw):
     def index(count, below):
         return draw(arrays(np.int32, count, elements=st.integers(0, max(below - 1, 0))))
 
-    counts = {"point": p, "image": n, "camera": len(cameras)}
+    instruments = tuple(
+        Instrument(
+            id=f"i{k} {draw(name)}", model=draw(st.sampled_from(sorted(instrument_models))),
+            values=draw(st.dictionaries(st.sampled_from(["ax", "sx", "bx"]), number)),
+            estimate=draw(st.sampled_from([(), ("ax",), ("bx", "by")])), sigma=draw(symbols),
+        )
+        for k in range(draw(st.integers(0, 2)))
+    )  # fmt: skip
+    counts = {"point": p, "image": n, "instrument": len(instruments)}
     return Block(
         name=draw(name), about=draw(st.text(max_size=20)), source=draw(name), licence=draw(name),
         length_unit=draw(st.sampled_from(["m", "mm"])), sigma0_apriori=draw(number),
         residuals=draw(st.sampled_from(["measured", "corrected"])),
-        cameras=cameras,
+        cameras=cameras, instruments=instruments,
         images=Images(
             ids=tuple(f"{k} {draw(name)}" for k in range(n)), camera=index(n, len(cameras)),
             file=tuple(draw(st.one_of(st.just(""), name)) for _ in range(n)), centre=table(n, 3),

@@ -39,7 +39,7 @@ BLOCKS = {
 def setting(block, *, compiled, threads=2):
     """Normal equations and a state some tens of sigma from the block's values."""
     rejected = (np.arange(len(block.observations)) % 9 == 0) & (block.ray_count[block.observations.point] > 3)
-    free = {c.id: tuple(c.estimate) for c in block.cameras}
+    free = {c.id: tuple(c.estimate) for c in block.parametrised}
     system = assemble(block, AdjustmentOptions(), rejected, free)
     with pytest.MonkeyPatch.context() as patch:
         if not compiled:

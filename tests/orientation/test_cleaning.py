@@ -19,7 +19,7 @@ def test_wrong_rays_leave_whatever_the_weights(stated):
     block = replace(block, points=replace(block.points, xyz=simulation.truth.points.xyz + 0.002))
     o = block.observations
     block = replace(block, observations=replace(o, cov_px2=o.cov_px2 * stated**2))
-    free = {c.id: free_parameters(c) for c in block.cameras}
+    free = {c.id: free_parameters(c) for c in block.parametrised}
     found = clean(block, AdjustmentOptions(threads=1), free)
     assert found.rejected[simulation.gross].mean() > 0.98
     assert found.rejected[~simulation.gross].mean() < 0.02

@@ -45,7 +45,7 @@ class MonteCarlo:
 
     @classmethod
     def of(cls, truth: Block) -> MonteCarlo:
-        free = {c.id: free_parameters(c) for c in truth.cameras}
+        free = {c.id: free_parameters(c) for c in truth.parametrised}
         work, _ = carry_out(truth, OPTIONS, free, ("",) * len(truth.observations))
         return cls(truth, work)
 
@@ -67,10 +67,15 @@ class MonteCarlo:
                     own = interior.setdefault(int(i), {})
                     own[s] = own.get(s, camera.values[s]) + sigma_s * rng.normal()
             cameras.append(replace(camera, values=values))
+        instruments = tuple(
+            replace(i, values={**i.values, **{s: i.values[s] + v * rng.normal() for s, v in i.sigma.items()}})
+            for i in t.instruments
+        )
         shift = rng.normal(0, 1, t.stations.xyz.shape) * t.stations.sigma
         return replace(
             t,
             cameras=tuple(cameras),
+            instruments=instruments,
             images=replace(t.images, interior=interior),
             observations=replace(t.observations, xy_px=xy),
             points=replace(t.points, xyz=t.points.xyz + np.where(weighted, error, 0.0)),
@@ -78,7 +83,7 @@ class MonteCarlo:
 
     def run(self, block):
         """Adjusted state in the frame of the truth."""
-        free = {c.id: free_parameters(c) for c in block.cameras}
+        free = {c.id: free_parameters(c) for c in block.parametrised}
         system = assemble(block, OPTIONS, np.zeros(len(block.observations), bool), free)
         for part in system.extra.parts:
             if part.kind.name in {"control", "station"}:
@@ -133,7 +138,7 @@ class MonteCarlo:
                 turn = vector_from_rotation(state.rotation[i] @ truth.rotation[i].T)
                 add(f"image of {name}", np.concatenate([state.centre[i] - truth.centre[i], turn]), image_Q[i])
             for k, row in rows:
-                name = f"parameters of {block.cameras[row.camera].id}" + (" by image" if row.image >= 0 else "")
+                name = f"parameters of {row.owner(block).id}" + (" by image" if row.image >= 0 else "")
                 if row.image >= 0 and rng.random() > 1 / sum(r.camera == row.camera and r.image >= 0 for _, r in rows):
                     continue
                 e = (state.interior[k] - truth.interior[k])[list(row.free)]

@@ -44,7 +44,7 @@ class Network:
         truth = simulation.truth
         if kind == "resection":
             truth = replace(truth, cameras=tuple(replace(c, estimate=()) for c in truth.cameras))
-        free = {c.id: free_parameters(c) for c in truth.cameras}
+        free = {c.id: free_parameters(c) for c in truth.parametrised}
         # the errorless block: observations are exact projections of the truth
         work, _ = carry_out(truth, OPTIONS, free, ("",) * len(truth.observations))
         return cls(truth, known > 0, work, np.sqrt(truth.observations.cov_px2[:, :2]))
@@ -68,7 +68,7 @@ class Network:
 
     def run(self, block):
         """Adjusted state in the frame of the truth, and whitened residuals by row."""
-        free = {c.id: free_parameters(c) for c in block.cameras}
+        free = {c.id: free_parameters(c) for c in block.parametrised}
         system = assemble(block, OPTIONS, np.zeros(len(block.observations), bool), free)
         system.shift = self.work.system.shift
         normals = Normals.of(system, 1)

@@ -29,7 +29,7 @@ def free_network(block):
     """The block without control, positions and scale bars: what halves of it have in common is the datum alone."""
     points = block.points
     points = replace(points, role=np.full(len(points), Role.TIE, np.int32), sigma=np.full_like(points.xyz, np.nan))
-    cameras = tuple(replace(c, sigma={}, relations=()) for c in block.cameras if c.sensor.has_images)
+    cameras = tuple(replace(c, sigma={}, relations=()) for c in block.cameras)
     return replace(block, points=points, cameras=cameras).having(Stations.empty(), Distances.empty())
 
 

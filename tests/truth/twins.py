@@ -17,7 +17,7 @@ def assert_the_twin_agrees(block: Block, monkeypatch: pytest.MonkeyPatch) -> Non
     """Cost and step at the block's values, and sigma0, standard deviations and redundancy numbers of its adjustment."""
     options = AdjustmentOptions(threads=1)
     system = assemble(
-        block, options, np.zeros(len(block.observations), bool), {c.id: free_parameters(c) for c in block.cameras}
+        block, options, np.zeros(len(block.observations), bool), {c.id: free_parameters(c) for c in block.parametrised}
     )
     state = system.initial_state()
     steps = []

@@ -19,7 +19,7 @@ def test_gps_places_the_block(flight):
     placed = georeference(flight.free, with_gps(flight), Given())
     assert placed.frame is not None
     assert "gps" in codes(placed)
-    assert not any(c.model == "antenna" for c in placed.block.cameras)
+    assert not placed.block.instruments
     base = np.linalg.norm(placed.block.images.centre[0] - placed.block.images.centre[-1])
     true = np.linalg.norm(flight.truth.images.centre[0] - flight.truth.images.centre[-1])
     assert base == pytest.approx(true, rel=1e-3)
@@ -29,7 +29,7 @@ def test_one_control_point_suffices_beside_positions_and_finds_their_shift(fligh
     shift = np.array([0.8, -0.5, 1.7])
     photos = with_gps(flight, shift=shift)
     placed = georeference(flight.free, photos, Given(control=(in_degrees(flight, [0]),)))
-    assert placed.block.cameras[-1].estimate == ("sx", "sy", "sz")
+    assert placed.block.instruments[-1].estimate == ("sx", "sy", "sz")
     result = adjusted(placed)
     antenna = next(r for r in result.interior if r.camera == "gnss")
     for s, true in zip(("sx", "sy", "sz"), shift, strict=True):
@@ -74,19 +74,19 @@ def test_parts_of_two_flights_keep_their_antennas(flight):
     whole, apart = place_parts(blocks, photos, given)
     assert not apart
     stations = whole.block.stations
-    names = [whole.block.cameras[a].id for a in stations.antenna.tolist()]
+    names = [whole.block.instruments[a].id for a in stations.antenna.tolist()]
     assert names == ["gnss-1" if first[i] else "gnss-2" for i in stations.image.tolist()]
     alone, _ = place_parts(blocks[:1], photos, given)
-    assert [c.id for c in alone.block.cameras if c.model == "antenna"] == ["gnss-1"]
+    assert [i.id for i in alone.block.instruments] == ["gnss-1"]
 
 
 def test_a_lever_arm_is_held_or_observed(flight):
     given = Given(lever_arm=((0.1, -0.05, 0.3), 0.0))
-    (held,) = [c for c in georeference(flight.free, with_gps(flight), given).block.cameras if c.id == "gnss"]
+    (held,) = georeference(flight.free, with_gps(flight), given).block.instruments
     assert held.estimate == ()
     assert held.values["az"] == 0.3
     given = replace(given, lever_arm=((0.1, -0.05, 0.3), 0.02))
-    (observed,) = [c for c in georeference(flight.free, with_gps(flight), given).block.cameras if c.id == "gnss"]
+    (observed,) = georeference(flight.free, with_gps(flight), given).block.instruments
     assert observed.sigma == {"ax": 0.02, "ay": 0.02, "az": 0.02}
 
 

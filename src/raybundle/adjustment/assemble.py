@@ -110,7 +110,7 @@ class System:
         block = self.block
         interior = np.zeros((len(self.interior), self.stride))
         for i, row in enumerate(self.interior):
-            values: dict[str, float] = dict(block.cameras[row.camera].values)
+            values: dict[str, float] = dict(row.owner(block).values)
             if row.image >= 0:
                 own = block.images.interior.get(row.image, {})
                 carried = {row.model.symbols[k] for k in row.carries}

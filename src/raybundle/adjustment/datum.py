@@ -19,6 +19,7 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.errors import DatumDefect, InputError, NotSolvable
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.statistics import chi_square_tails
+from raybundle.sensors import SensorModel
 
 NAMES = ("position X", "position Y", "position Z", "rotation X", "rotation Y", "rotation Z", "scale")
 ABOUT_LINE = "rotation about a straight line"
@@ -222,11 +223,14 @@ def _folded(rows: Array) -> Array:
 
 def _left_open(system: System, basis: Array) -> str:
     """Why observations that carry a datum leave these directions (7, d) of it open: unknowns of their own; or ""."""
-    unknown = set(_open_without_images(system).tolist())
+    unknown = set(_open_of_instruments(system).tolist())
     for part in reversed(system.extra.parts):
-        cameras = part.kind.cameras(part.table, system.extra.scope)
+        named = part.kind.instruments(part.table, system.extra.scope)
         own = {
-            int(c) for r, row in enumerate(system.interior) if row.camera in cameras for c in system.interior_columns[r]
+            int(c)
+            for r, row in enumerate(system.interior)
+            if row.instrument in named
+            for c in system.interior_columns[r]
         }
         if part.kind.left_open and own & unknown and np.abs(basis[list(part.kind.hides)]).max() > 1e-6:
             return part.kind.left_open
@@ -293,7 +297,9 @@ def _fixing_rows(system: System, state: State, centre: Array, extent: float) -> 
         sigma.append(std)
     scaled = any(part.kind.fixes_scale for part in system.extra.parts)
     for r, row in enumerate(system.interior):
-        for position in row.carries if row.model.has_images else ():  # a lever arm alone measures nothing
+        if not isinstance(row.model, SensorModel):  # a lever arm alone measures nothing
+            continue
+        for position in row.carries:
             held = position not in row.free
             scaled |= is_length(row.model.parameters[position].unit) and held and state.interior[r, position] != 0
         scaled |= row.model.fixes_scale
@@ -310,7 +316,7 @@ def _observed_rows(system: System, state: State, centre: Array, extent: float) -
     """
     fixing, sigma, entries = list[Array](), list[Array](), list[tuple[int, int, float]]()
     own = [system.own_columns(p.kind).ravel() for p in system.extra.parts if p.kind.own_width]
-    start, unknown = 0, np.sort(np.concatenate([_open_without_images(system), *own]))
+    start, unknown = 0, np.sort(np.concatenate([_open_of_instruments(system), *own]))
     for part in system.extra.parts:
         if not part.kind.carries_datum or part.kind.name == "control":  # control stands in the fixed coordinates
             continue
@@ -340,14 +346,14 @@ def _observed_rows(system: System, state: State, centre: Array, extent: float) -
     return F - N @ np.linalg.lstsq(N, F, rcond=1e-9)[0] if len(unknown) else F, np.concatenate(sigma)
 
 
-def _open_without_images(system: System) -> Array:
-    """Unknowns of antennas and IMUs that are not observed themselves, in their order."""
+def _open_of_instruments(system: System) -> Array:
+    """Unknowns of instruments that are not observed themselves, in their order."""
     found = [
         system.interior_columns[r, k]
         for r, row in enumerate(system.interior)
-        if not row.model.has_images and row.node >= 0
+        if row.instrument >= 0 and row.node >= 0
         for k in row.free
-        if not system.block.cameras[row.camera].sigma.get(row.model.symbols[k], 0) > 0
+        if not row.owner(system.block).sigma.get(row.model.symbols[k], 0) > 0
     ]
     return np.sort(np.array(found, np.int64))
 

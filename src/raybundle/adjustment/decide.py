@@ -60,9 +60,9 @@ def decide(
     """Adjust a block with approximate values, with the decisions that the options and the block ask for."""
     began = time.perf_counter()
     choices = Decisions(
-        free={c.id: free_parameters(c) for c in block.cameras},
+        free={c.id: free_parameters(c) for c in block.parametrised},
         reasons=given_rejections(block),
-        known={c.id: {**c.values, **{s: v for s, v in c.known.items() if s in c.values}} for c in block.cameras},
+        known={c.id: {**c.values, **{s: v for s, v in c.known.items() if s in c.values}} for c in block.parametrised},
     )
     automatic = [
         c.id

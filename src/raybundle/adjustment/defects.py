@@ -310,7 +310,7 @@ def null_vectors(normals: Normals, count: int = 6) -> tuple[Array, Array]:
 
 def _of_parameter(block: Block, row: InteriorRow, position: int, share: float = 1.0) -> Undetermined:
     return Undetermined(
-        kind="parameter", name=block.cameras[row.camera].id, symbol=row.model.symbols[position],
+        kind="parameter", name=row.owner(block).id, symbol=row.model.symbols[position],
         image="" if row.image < 0 else block.images.ids[row.image], share=share,
     )  # fmt: skip
 
@@ -358,7 +358,7 @@ def _named(u: Undetermined) -> str:
 
 
 def _advice(system: System, u: Undetermined) -> str:
-    model = next(row.model for row in system.interior if system.block.cameras[row.camera].id == u.name)
+    model = next(row.model for row in system.interior if row.owner(system.block).id == u.name)
     return SUGGESTIONS[next(p.kind for p in model.parameters if p.symbol == u.symbol)]
 
 

@@ -43,7 +43,7 @@ from raybundle.adjustment.steady import steadied, told_by_network, without_prior
 from raybundle.adjustment.straight import check_turning
 from raybundle.adjustment.under_noise import under_noise
 from raybundle.adjustment.work import Work
-from raybundle.block import Block, Camera
+from raybundle.block import Block, Camera, Instrument
 from raybundle.block.rejection import Rejection, RejectionKind, Rejections
 from raybundle.errors import NoConvergence, RankDefect, TooFewObservations
 from raybundle.numerics.arrays import Array, Mask
@@ -54,7 +54,7 @@ Extent = Literal["report", "decisions", "tests"]
 Start = Literal["approximate", "adjusted"]
 
 
-def free_parameters(camera: Camera) -> tuple[str, ...]:
+def free_parameters(camera: Camera | Instrument) -> tuple[str, ...]:
     """The parameters that an `estimate` frees; "auto" starts with all but affinity and shear."""
     if camera.estimate == "auto":
         later = {"affinity", "harmonic", "read-out", "other"}
@@ -90,7 +90,7 @@ def adjust_block(
     """
     began = time.perf_counter()
     options = options or AdjustmentOptions()
-    free = free if free is not None else {c.id: free_parameters(c) for c in block.cameras}
+    free = free if free is not None else {c.id: free_parameters(c) for c in block.parametrised}
     reasons = rejected or (None,) * len(block.observations)
     try:
         work, found = carry_out(block, options, free, reasons, progress, start=start)
@@ -246,7 +246,7 @@ def expected_interior(
     state = system.initial_state()
     normals = Normals.of(system, options.threads)
     _factor(normals, state, analyse(system, state, options))
-    row = next(i for i in system.interior if i.image < 0 and block.cameras[i.camera].id == camera)
+    row = next(i for i in system.interior if i.image < 0 and i.owner(block).id == camera)
     # lengths apart, which nobody sees from afar, an interior orientation is the same in every datum
     mine = interior_unknowns(system, row)
     columns = np.zeros((len(normals.right), len(mine)))
@@ -447,17 +447,18 @@ def _adjusted_block(system: System, state: State) -> Block:
     xyz = np.where(system.points_used[:, None], state.xyz + system.shift, block.points.xyz)
     centre = np.where(system.images_used[:, None], state.centre + system.shift, block.images.centre)
     rotation = np.where(system.images_used[:, None, None], state.rotation, block.images.rotation)
-    cameras = list(block.cameras)
+    values_of = {c.id: dict(c.values) for c in block.parametrised}
     per_image = dict(block.images.interior)
     for r, row in enumerate(system.interior):
         values = {row.model.symbols[k]: float(state.interior[r, k]) for k in row.carries}
         if row.image >= 0:
             per_image[row.image] = values
         else:
-            cameras[row.camera] = replace(cameras[row.camera], values={**cameras[row.camera].values, **values})
+            values_of[row.owner(block).id] |= values
     return replace(
         block,
-        cameras=tuple(cameras),
+        cameras=tuple(replace(c, values=values_of[c.id]) for c in block.cameras),
+        instruments=tuple(replace(i, values=values_of[i.id]) for i in block.instruments),
         images=replace(block.images, centre=centre, rotation=rotation, interior=per_image),
         points=replace(block.points, xyz=xyz),
     )
@@ -466,13 +467,13 @@ def _adjusted_block(system: System, state: State) -> Block:
 def as_start(given: Block, adjusted: Block) -> Block:
     """Adjusted values as approximate values: what is observed (control, parameters with a sigma) stays as given."""
     xyz = np.where(given.points.is_control, given.points.xyz, adjusted.points.xyz)
-    cameras = tuple(
-        replace(a, values={**a.values, **{symbol: g.values[symbol] for symbol in g.sigma}})
-        for g, a in zip(given.cameras, adjusted.cameras, strict=True)
-    )
+    observed = {g.id: {symbol: g.values[symbol] for symbol in g.sigma} for g in given.parametrised}
+    cameras = tuple(replace(c, values={**c.values, **observed[c.id]}) for c in adjusted.cameras)
+    instruments = tuple(replace(i, values={**i.values, **observed[i.id]}) for i in adjusted.instruments)
     interior = {i: {**values, **_observed_own(given, i, values)} for i, values in adjusted.images.interior.items()}
     images = replace(adjusted.images, interior=interior)
-    return replace(adjusted, cameras=cameras, images=images, points=replace(adjusted.points, xyz=xyz))
+    points = replace(adjusted.points, xyz=xyz)
+    return replace(adjusted, cameras=cameras, instruments=instruments, images=images, points=points)
 
 
 def _observed_own(given: Block, image: int, values: Mapping[str, float]) -> dict[str, float]:

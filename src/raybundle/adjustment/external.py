@@ -22,9 +22,9 @@ def external_rows(system: System, state: State, mask: Mask) -> tuple[Array, Inde
     rows, xy = system.rows[mask], system.xy_mm[mask]
     image, point = o.image[rows], o.point[rows]
     of_row = system.interior_of_image[image]
-    models = [row.model for row in system.interior]
-    few = np.array([m.local_width > 0 for m in models])[of_row]
     outside = sorted(set(of_row.tolist()))
+    models = {r: system.interior[r].sensor for r in outside}
+    few = np.array([models[r].local_width > 0 for r in of_row.tolist()])
     w = max([1, *(models[r].local_width or len(models[r].symbols) for r in outside)])
     out, columns = np.zeros((len(rows), 9 + 2 * w)), np.full((len(rows), w), -1, np.int32)
     if not few.all():
@@ -36,7 +36,7 @@ def external_rows(system: System, state: State, mask: Mask) -> tuple[Array, Inde
     for r in (r for r in outside if models[r].local_width):
         mine, row, k = np.flatnonzero(of_row == r), system.interior[r], models[r].local_width
         P = sensor_from_object(state.rotation[image[mine]], state.centre[image[mine]], state.xyz[point[mine]])
-        v, D, touched, flags = local_residuals_and_partials(row.model, xy[mine], P, state.interior[r])
+        v, D, touched, flags = local_residuals_and_partials(row.sensor, xy[mine], P, state.interior[r])
         place = np.full(len(row.model.symbols), -1, np.int32)
         place[list(row.free)] = np.arange(len(row.free))
         at = place[touched]

@@ -11,7 +11,7 @@ from raybundle.adjustment.assemble import InteriorRow, State, System
 from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.precision import interior_unknowns
 from raybundle.adjustment.result import InteriorResult, ParameterResult, Precision
-from raybundle.block import Camera
+from raybundle.block import Camera, Instrument
 from raybundle.block.known import known_before
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.statistics import correlation, fisher_tail
@@ -57,23 +57,21 @@ def image_shifts(model: SensorModel, camera: Camera, values: Array, distance: fl
     return shift / np.array(camera.pixel_mm)[:, None]
 
 
-def plausible_std(
-    model: SensorModel, camera: Camera, values: Array, position: int, effects: Callable[[], Array]
-) -> float:
+def plausible_std(owner: Camera | Instrument, values: Array, position: int, effects: Callable[[], Array]) -> float:
     """Standard deviation of a parameter beyond which a block says less of it than one knows beforehand.
 
     effects  gives the largest shift [px] over the format per unit of each parameter (`image_effects`)
     """
-    parameter = model.parameters[position]
-    if not model.has_images:
+    parameter = owner.sensor.parameters[position]
+    if isinstance(owner, Instrument):
         # what is observed is known as well as stated; sigma0 may make a little more of it
-        stated = 1.5 * camera.sigma.get(parameter.symbol, 0.0)
+        stated = 1.5 * owner.sigma.get(parameter.symbol, 0.0)
         return max(PLAUSIBLE_CARRIED.get(parameter.unit, np.inf), stated)
     if parameter.kind == "scale":
         return PLAUSIBLE["scale"] * abs(float(values[position]))
     if parameter.kind == "principal point":
-        return PLAUSIBLE["principal point"] * float(camera.size_mm.max())
-    limit = PLAUSIBLE_SHIFT * 0.5 * float(np.hypot(camera.width_px, camera.height_px))
+        return PLAUSIBLE["principal point"] * float(owner.size_mm.max())
+    limit = PLAUSIBLE_SHIFT * 0.5 * float(np.hypot(owner.width_px, owner.height_px))
     return limit / max(float(effects()[position]), 1e-300)
 
 
@@ -84,9 +82,9 @@ def interior_results(
     system = normals.system
     results: list[InteriorResult] = []
     for r, row in enumerate(system.interior):
-        if not len(system.images_of(r)) and (row.node < 0 or row.model.has_images):
+        if not len(system.images_of(r)) and (row.node < 0 or row.camera >= 0):
             continue
-        lengths = row.model.has_images and any(p.unit.startswith("length") for p in row.model.parameters)
+        lengths = row.camera >= 0 and any(p.unit.startswith("length") for p in row.model.parameters)
         distance = _distance(system, state, system.images_of(r)) if lengths else 1.0
         results.append(_one(normals, row, state.interior[r], precision, sigma0, redundancy, distance))
     return tuple(results)
@@ -106,23 +104,24 @@ def _one(
     distance: float,
 ) -> InteriorResult:  # fmt: skip
     system: System = normals.system
-    camera = system.block.cameras[row.camera]
+    owner = row.owner(system.block)
     C = None if precision is None or row.node < 0 else precision.interior[row.key(system.block)]
     diagonal = normals.diagonal[interior_unknowns(system, row)] if row.node >= 0 else np.zeros(0)
     variance = sigma0**2 if np.isfinite(sigma0) and sigma0 > 0 else 1.0
     parameters: dict[str, ParameterResult] = {}
-    known = known_before(camera)
+    known = known_before(owner)
 
     @cache
     def effects() -> Array:
-        return image_effects(row.model, camera, values, distance)
+        assert isinstance(owner, Camera)
+        return image_effects(row.sensor, owner, values, distance)
 
     for position in row.carries:
         parameter = row.model.parameters[position]
         free = row.node >= 0 and position in row.free
         std = t = determinability = effect = effect_std = None
         status = "estimated" if free else "held"
-        if free and parameter.symbol in camera.sigma:
+        if free and parameter.symbol in owner.sigma:
             status = "observed"
         value = float(values[position])
         if parameter.kind not in {"scale", "other"}:
@@ -131,10 +130,10 @@ def _one(
             k = row.free.index(position)
             std = float(np.sqrt(C[k, k]))
             determinability = float(1 / max(C[k, k] / variance * diagonal[k], 1e-300))
-            effect_std = float(effects()[position]) * std if row.model.has_images else None
+            effect_std = float(effects()[position]) * std if row.camera >= 0 else None
             t = abs(value) / std if parameter.kind != "scale" and std > 0 else None
             # what was known of this camera is observed: `known_before` says whether the images add to it
-            if parameter.symbol not in known and std > plausible_std(row.model, camera, values, position, effects):
+            if parameter.symbol not in known and std > plausible_std(owner, values, position, effects):
                 status = "not determinable"
         parameters[parameter.symbol] = ParameterResult(
             symbol=parameter.symbol, unit=parameter.unit, meaning=parameter.meaning, value=value, std=std, t=t,
@@ -143,7 +142,7 @@ def _one(
     free_symbols = tuple(row.model.symbols[k] for k in row.free) if row.node >= 0 else ()
     image = None if row.image < 0 else system.block.images.ids[row.image]
     return InteriorResult(
-        camera=camera.id, image=image, parameters=parameters, free=free_symbols,
+        camera=owner.id, image=image, parameters=parameters, free=free_symbols,
         correlations=np.zeros((0, 0)) if C is None else correlation(C),
         joint_tests={} if C is None else joint_tests(row, values, C, redundancy),
     )  # fmt: skip

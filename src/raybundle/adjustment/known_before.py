@@ -30,7 +30,10 @@ def against_known(result: Adjustment) -> Adjustment:
     names = list[str]()
     leaning = list[tuple[Camera, InteriorResult, dict[str, Relation]]]()
     for interior in result.interior:
-        camera = next(c for c in result.given.cameras if c.id == interior.camera)
+        camera = next((c for c in result.given.cameras if c.id == interior.camera), None)
+        if camera is None:  # of an instrument nothing is known so
+            interiors.append(interior)
+            continue
         known = {s: r for s, r in known_before(camera).items() if s in interior.free}
         untold = [s for s, r in known.items() if not _told(interior, s, r, result.sigma0)]
         parameters = {s: replace(p, status="not determinable") for s, p in interior.parameters.items() if s in untold}

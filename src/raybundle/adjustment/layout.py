@@ -15,21 +15,23 @@ import numpy as np
 
 from raybundle.adjustment.extra import carried_points
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.block import Block
+from raybundle.block import Block, Camera, Instrument
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.observations import Interior, Scope, in_order
+from raybundle.platforms import InstrumentModel
 from raybundle.sensors import SensorModel
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class InteriorRow:
-    """One interior orientation that is adjusted."""
+    """One interior orientation, or the parameters of an instrument, as they are adjusted."""
 
     camera: int
+    """-1: of an instrument"""
     image: int
     """-1 where the camera's images share it."""
-    model: SensorModel
+    model: SensorModel | InstrumentModel
     free: tuple[int, ...]
     """Positions of the free parameters."""
     node: int
@@ -40,11 +42,23 @@ class InteriorRow:
     """Positions of the parameters that stand here: all, or those that each image has for itself, or the others."""
     parent: int = -1
     """Row of the parameters that the camera's images share, where this one carries only an image's own."""
+    instrument: int = -1
+    """-1: of a camera"""
+
+    @property
+    def sensor(self) -> SensorModel:
+        """The model of a camera's row."""
+        assert isinstance(self.model, SensorModel)
+        return self.model
+
+    def owner(self, block: Block) -> Camera | Instrument:
+        """Whose parameters these are."""
+        return block.cameras[self.camera] if self.instrument < 0 else block.instruments[self.instrument]
 
     def key(self, block: Block) -> str:
-        """Camera id, or camera id / image id."""
-        camera = block.cameras[self.camera].id
-        return camera if self.image < 0 else f"{camera}/{block.images.ids[self.image]}"
+        """Id of the camera or instrument, or camera id / image id."""
+        owner = self.owner(block).id
+        return owner if self.image < 0 else f"{owner}/{block.images.ids[self.image]}"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -164,8 +178,8 @@ def lay_out(block: Block, used: Used, free: dict[str, tuple[str, ...]]) -> tuple
         count = len(kind.own(tables[kind.name], scope))
         layout.own[kind.name] = (len(sizes) + np.arange(count)).astype(np.int32)
         sizes += [kind.own_width] * count
-    carried = set[int]().union(*(kind.cameras(tables[kind.name], scope) for kind in kinds))
-    _place_interior(layout, used, interior, alone, set() if used.datum_is_chosen else carried)
+    named = set[int]().union(*(kind.instruments(tables[kind.name], scope) for kind in kinds))
+    _place_interior(layout, used, interior, alone, set() if used.datum_is_chosen else named)
     return layout, scope, tables
 
 
@@ -190,7 +204,7 @@ def _image_nodes(
                 node[i] = len(sizes)
                 sizes.append(6)
             continue
-        own = len(interior[row].free) if users[row] == 1 and not interior[row].model.local_width else 0
+        own = len(interior[row].free) if users[row] == 1 and not interior[row].sensor.local_width else 0
         size = 6 * int(used.exterior_free[i]) + own
         if size:
             node[i] = len(sizes)
@@ -201,16 +215,19 @@ def _image_nodes(
 
 
 def _place_interior(
-    layout: Layout, used: Used, interior: list[InteriorRow], alone: dict[int, int], carried: set[int]
+    layout: Layout, used: Used, interior: list[InteriorRow], alone: dict[int, int], named: set[int]
 ) -> None:
-    """Give interior orientations their nodes: that of their only image, or one of their own."""
+    """Give interior orientations their nodes: that of their only image, or one of their own; instruments theirs.
+
+    named  instruments that observations name
+    """
     placed: list[InteriorRow] = []
     for r, row in enumerate(interior):
         node, start = -1, 0
         users = used.images & ((layout.interior_of_image == r) | (layout.parents == r))
         if row.free and r in alone:
             node, start = int(layout.image_node[alone[r]]), 6 * int(used.exterior_free[alone[r]])
-        elif row.free and (users.any() or row.camera in carried):
+        elif row.free and (users.any() or row.instrument in named):
             node = len(layout.sizes)
             layout.sizes.append(len(row.free))
             layout.shared_node[users] = node
@@ -296,21 +313,31 @@ def _interior_rows(
         else:
             of_image[block.images.camera == c] = len(rows)
             rows.append(InteriorRow(camera=c, image=-1, model=model, free=positions, node=-1, start=0, carries=every))
+    for k, instrument in enumerate(block.instruments):
+        symbols = instrument.sensor.symbols
+        stride = max(stride, len(symbols))
+        rows.append(
+            InteriorRow(
+                camera=-1, image=-1, instrument=k, model=instrument.sensor, node=-1, start=0,
+                free=tuple(n for n, s in enumerate(symbols) if s in free.get(instrument.id, ())),
+                carries=tuple(range(len(symbols))),
+            )
+        )  # fmt: skip
     return rows, of_image, stride
 
 
 def interior_of(block: Block, row: InteriorRow, free: tuple[int, ...]) -> Interior:
-    """An interior orientation as observations outside the images see it, with these positions free."""
-    camera = block.cameras[row.camera]
+    """A row as observations outside the images see it, with these positions free."""
+    owner = row.owner(block)
     return Interior(
         key=row.key(block),
         camera=row.camera,
+        instrument=row.instrument,
         image=row.image,
         symbols=row.model.symbols,
         free=free,
-        given={**camera.values, **block.images.interior.get(row.image, {})},
-        sigma=camera.sigma,
-        calibrated=camera.calibrated,
-        relations=camera.relations,
-        has_images=row.model.has_images,
+        given={**owner.values, **block.images.interior.get(row.image, {})},
+        sigma=owner.sigma,
+        calibrated=owner.calibrated,
+        relations=owner.relations,
     )

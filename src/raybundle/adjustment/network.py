@@ -107,7 +107,7 @@ def network_figures(system: System, state: State, std: Array | None, parts: int,
 
 def _camera_constant(system: System, state: State, image: int) -> float:
     r = int(system.interior_of_image[image])
-    return system.interior[r].model.camera_constant(state.interior[r])
+    return system.interior[r].sensor.camera_constant(state.interior[r])
 
 
 def _extent(xyz: Array) -> float:

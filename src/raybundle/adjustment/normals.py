@@ -349,8 +349,8 @@ def _fill(solver: Any, system: System, compiled: frozenset[str]) -> Mask:
     image = observations.image[system.rows].astype(np.int32)
     point = observations.point[system.rows].astype(np.int32)
     names = sorted(compiled)
-    models = [row.model for row in system.interior]
-    code_of_row = np.array([names.index(m.name) if m.native else -1 for m in models], np.int32)
+    models = [row.sensor if row.camera >= 0 else None for row in system.interior]
+    code_of_row = np.array([names.index(m.name) if m is not None and m.native else -1 for m in models], np.int32)
     model = code_of_row[system.interior_of_image]
     external = model[image] < 0
     external_row = np.where(external, np.cumsum(external) - 1, -1).astype(np.int32)
@@ -381,7 +381,9 @@ def _fill(solver: Any, system: System, compiled: frozenset[str]) -> Mask:
         pattern,
         system.image_node,
         system.shared_node,
-        np.array([m.local_width or len(m.symbols) for m in models], np.int32)[system.interior_of_image],
+        np.array([0 if m is None else m.local_width or len(m.symbols) for m in models], np.int32)[
+            system.interior_of_image
+        ],
         system.stride,
     )
     solver.set_patterns(patterns)

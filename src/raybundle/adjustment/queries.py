@@ -194,7 +194,7 @@ def design_row(system: System, state: State, row: int, axis: int) -> tuple[Array
     o = system.rows[row]
     image, point = int(block.observations.image[o]), int(block.observations.point[o])
     interior = system.interior[int(system.interior_of_image[image])]
-    model = interior.model
+    model = interior.sensor
     values = state.interior[int(system.interior_of_image[image]), : len(model.symbols)]
     R = state.rotation[image]
     P = sensor_from_object(R[None], state.centre[image][None], state.xyz[point][None])[:, 0]

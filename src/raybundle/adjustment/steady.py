@@ -54,8 +54,6 @@ def steadied(block: Block, free: dict[str, tuple[str, ...]], error: NotSolvable)
 def _priors(camera: Camera, free: tuple[str, ...]) -> dict[str, float]:
     """Standard deviations of the free parameters of a camera that are not observed already."""
     model = camera.sensor
-    if not model.has_images:
-        return {}
 
     @cache
     def effects() -> Array:
@@ -64,7 +62,7 @@ def _priors(camera: Camera, free: tuple[str, ...]) -> dict[str, float]:
     found: dict[str, float] = {}
     for position, symbol in enumerate(model.symbols):
         if symbol in free and symbol not in camera.sigma:
-            std = FAR * plausible_std(model, camera, camera.parameters, position, effects)
+            std = FAR * plausible_std(camera, camera.parameters, position, effects)
             if np.isfinite(std) and std > 0:
                 found[symbol] = std
     return found

@@ -105,8 +105,8 @@ def image_residuals(
     m = len(image)
     P = sensor_from_object(state.rotation[image], state.centre[image], state.xyz[point])
     v, D, flags = np.zeros((m, 2)), np.zeros((m, 2, 3 + system.stride)), np.zeros(m, np.uint8)
-    models = list(dict.fromkeys(row.model for row in system.interior))
-    model_of_row = np.array([models.index(row.model) for row in system.interior])
+    models = list(dict.fromkeys(row.sensor for row in system.interior if row.camera >= 0))
+    model_of_row = np.array([models.index(row.sensor) if row.camera >= 0 else -1 for row in system.interior])
     row = system.interior_of_image[image]
     corrected = system.corrected[system.block.images.camera[image]]
     for code, model in enumerate(models):

@@ -1,6 +1,6 @@
 """The data model of a photogrammetric block, and its simulation."""
 
-from raybundle.block.block import Block, Camera, Images, Observations, PixelFrame, Points, Role
+from raybundle.block.block import Block, Camera, Images, Instrument, Observations, PixelFrame, Points, Role
 from raybundle.observations.attitude import Attitudes
 from raybundle.observations.distance import Distances
 from raybundle.observations.relation import Relation
@@ -12,6 +12,7 @@ __all__ = [
     "Camera",
     "Distances",
     "Images",
+    "Instrument",
     "Observations",
     "PixelFrame",
     "Points",

@@ -23,7 +23,7 @@ from raybundle.observations.parameter import Calibrated
 from raybundle.observations.relation import Relation
 from raybundle.observations.station import Stations
 from raybundle.observations.table import Refers, Table
-from raybundle.platforms import sensor_models
+from raybundle.platforms import InstrumentModel, instrument_models, sensor_models
 from raybundle.sensors import SensorModel
 
 T = TypeVar("T", bound=Table)
@@ -42,26 +42,18 @@ class Role(IntEnum):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Camera:
-    """One interior orientation and the image format it belongs to."""
+class Parametrised:
+    """What has parameters that are held, free or observed: a camera, an instrument."""
 
     id: str
     model: str
-    """Name of a registered sensor model."""
-    width_px: int
-    height_px: int
-    pixel_mm: tuple[float, float]
-    """Width and height of a pixel."""
+    """Name of a registered model."""
     values: Mapping[str, float]
-    """Interior orientation by symbol, in the model's units (mm, mm^-2, ...); complete."""
+    """By symbol, in the model's units (mm, mm^-2, ...); complete."""
     estimate: tuple[str, ...] | Literal["auto"] = ()
     """Symbols of the free parameters; () holds all; "auto" leaves the choice to the adjustment."""
     sigma: Mapping[str, float] = field(default_factory=dict[str, float])
     """Symbols that are observed (their value in `values`) with this standard deviation."""
-    interior: Literal["shared", "per_image"] = "shared"
-    """Whether the images of this camera share one interior orientation or have one each."""
-    per_image: tuple[str, ...] = ()
-    """Symbols of which each image has its own value while the others are shared: motion during a read-out."""
     calibrated: Calibrated | None = None
     """Parameters that a calibration knows with their covariance; those of them that are free are observed"""
     relations: tuple[Relation, ...] = ()
@@ -69,6 +61,44 @@ class Camera:
     known: Mapping[str, float] = field(default_factory=dict[str, float])
     """Values that were known before anything was measured, where `values` have moved since: what the observations do
     not determine is held there.  Not written to files: what a file gives is what is known."""
+
+    @property
+    def sensor(self) -> SensorModel | InstrumentModel:
+        """The model."""
+        raise NotImplementedError
+
+    @property
+    def parameters(self) -> Array:
+        """(k,) values of the model's parameters, in its order; its defaults where `values` has none."""
+        return np.array([self.values.get(p.symbol, p.default) for p in self.sensor.parameters])
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Instrument(Parametrised):
+    """A GNSS antenna with its lever arm, shift and drift, or an IMU with its misalignment; values not given are 0."""
+
+    def __post_init__(self) -> None:
+        """Complete the values."""
+        object.__setattr__(self, "values", {s: float(self.values.get(s, 0.0)) for s in self.sensor.symbols})
+
+    @property
+    def sensor(self) -> InstrumentModel:
+        """The model."""
+        return instrument_models[self.model]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Camera(Parametrised):
+    """One interior orientation and the image format it belongs to; its model is that of a sensor."""
+
+    width_px: int
+    height_px: int
+    pixel_mm: tuple[float, float]
+    """Width and height of a pixel."""
+    interior: Literal["shared", "per_image"] = "shared"
+    """Whether the images of this camera share one interior orientation or have one each."""
+    per_image: tuple[str, ...] = ()
+    """Symbols of which each image has its own value while the others are shared: motion during a read-out."""
     scene: SensorModel | None = None
     """A satellite scene, which is the sensor of one image alone; None: the registered model of that name."""
 
@@ -78,14 +108,9 @@ class Camera:
         return self.scene or sensor_models[self.model]
 
     @property
-    def parameters(self) -> Array:
-        """(k,) values of the sensor model's parameters, in its order; its defaults where `values` has none."""
-        return np.array([self.values.get(p.symbol, p.default) for p in self.sensor.parameters])
-
-    @property
     def is_scene(self) -> bool:
         """Whether this is a satellite scene."""
-        return self.scene is not None and self.scene.has_images
+        return self.scene is not None
 
     @property
     def own_symbols(self) -> tuple[str, ...]:
@@ -232,8 +257,15 @@ class Block:
     images: Images
     observations: Observations
     points: Points
+    instruments: tuple[Instrument, ...] = ()
+    """GNSS antennas and IMUs, which observed positions and attitudes name"""
     tables: Mapping[str, Table] = field(default_factory=dict[str, Table])
     """Observations outside the images, by the names of their tables; `having` puts one in."""
+
+    @property
+    def parametrised(self) -> tuple[Camera | Instrument, ...]:
+        """All that has parameters: the cameras, then the instruments."""
+        return (*self.cameras, *self.instruments)
 
     def table(self, kind: type[T]) -> T:
         """The table of a kind; one without rows where there is none."""

@@ -120,7 +120,7 @@ def _without_camera(block: Block, gone: int) -> Block:
         block,
         cameras=tuple(c for k, c in enumerate(block.cameras) if k != gone),
         images=replace(block.images, camera=new[block.images.camera]),
-    ).of_tables(lambda t: t.renumbered("camera", new))
+    )
 
 
 def _moved(block: Block, which: Mapping[int, tuple[Camera, PixelFrame]], direction: Direction) -> Block:

@@ -15,7 +15,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.block.block import Camera, Relation
+from raybundle.block.block import Camera, Instrument, Relation
 
 
 def observed_as_known(camera: Camera, sigma: Mapping[str, float]) -> Camera:
@@ -36,6 +36,6 @@ def observed_as_known(camera: Camera, sigma: Mapping[str, float]) -> Camera:
     return replace(camera, relations=(*camera.relations, *added), known=dict(camera.values))
 
 
-def known_before(camera: Camera) -> dict[str, Relation]:
+def known_before(camera: Camera | Instrument) -> dict[str, Relation]:
     """By symbol, how what was known of a camera before is observed."""
     return {next(iter(r.terms)): r for r in camera.relations if r.origin == "known before"}

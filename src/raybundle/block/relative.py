@@ -14,14 +14,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.block.block import Block, Camera
+from raybundle.block.block import Block, Instrument
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
-from raybundle.sensors.antenna import ANTENNA
-from raybundle.sensors.imu import IMU
-from raybundle.sensors.model import SensorModel
+from raybundle.platforms import instrument_models
 
 SHIFT, DRIFT = ("sx", "sy", "sz"), ("dx", "dy", "dz")
+MISALIGNMENT = ("bx", "by", "bz")
 
 
 def relative_control(
@@ -45,26 +44,26 @@ def relative_control(
         raise InputError(
             f"no flight line has {'three' if drift else 'two'} observed images; differences need that many"
         )
-    cameras = list(block.cameras)
-    taken = {c.id for c in cameras}
+    instruments = list(block.instruments)
+    taken = {c.id for c in block.parametrised}
     of_station = line[stations.image]
     antenna, imu = np.full(len(stations), -1, np.int32), np.full(len(attitudes), -1, np.int32)
     for n in np.unique(of_station).tolist():
         mine = of_station == n
         before = None if stations.antenna is None else stations.antenna[mine]
-        antenna[mine] = len(cameras)
+        antenna[mine] = len(instruments)
         free = (*SHIFT, *(DRIFT if drift else ()))
-        cameras.append(_own(block, ANTENNA, before, _free(f"line-{n + 1}", taken), free, shift_sigma))
+        instruments.append(_own(block, "antenna", before, _free(f"line-{n + 1}", taken), free, shift_sigma))
     of_attitude = line[attitudes.image]
     for n in np.unique(of_attitude).tolist():
         mine = of_attitude == n
         before = None if attitudes.imu is None else attitudes.imu[mine]
-        imu[mine] = len(cameras)
-        cameras.append(_own(block, IMU, before, _free(f"ins-line-{n + 1}", taken), IMU.symbols))
+        imu[mine] = len(instruments)
+        instruments.append(_own(block, "imu", before, _free(f"ins-line-{n + 1}", taken), MISALIGNMENT))
     time = stations.time
     if drift:
         time = _times(of_station) if time is None else _centred(time, of_station)
-    return replace(block, cameras=tuple(cameras)).having(
+    return replace(block, instruments=tuple(instruments)).having(
         replace(stations, antenna=antenna if len(stations) else None, time=time),
         replace(attitudes, imu=imu if len(attitudes) else None),
     )
@@ -77,20 +76,17 @@ def _enough(line: Index, least: int) -> Array:
 
 
 def _own(
-    block: Block, model: SensorModel, before: Index | None, name: str, free: tuple[str, ...],
+    block: Block, model: str, before: Index | None, name: str, free: tuple[str, ...],
     shift_sigma: tuple[float, float, float] | None = None,
-) -> Camera:  # fmt: skip
+) -> Instrument:  # fmt: skip
     """The antenna or IMU of a line, with the values and the lever arm of the one that the line had."""
-    start = Camera(
-        id=name, model=model.name, width_px=1, height_px=1, pixel_mm=(1.0, 1.0), scene=model,
-        values=dict.fromkeys(model.symbols, 0.0), estimate=(),
-    )  # fmt: skip
+    start = Instrument(id=name, model=model, values=dict.fromkeys(instrument_models[model].symbols, 0.0))
     used = set() if before is None else set(before.tolist())
     if len(used) > 1:
-        names = ", ".join(sorted(block.cameras[k].id if k >= 0 else "none" for k in used))
+        names = ", ".join(sorted(block.instruments[k].id if k >= 0 else "none" for k in used))
         raise InputError(f"{name}: its images were observed by several carriers ({names}); give each its own line")
     if used and (k := used.pop()) >= 0:
-        start = replace(block.cameras[k], id=name)
+        start = replace(block.instruments[k], id=name)
     known = tuple(s for s in start.estimate if s not in free) if isinstance(start.estimate, tuple) else ()
     sigma = {s: v for s, v in start.sigma.items() if s not in {*SHIFT, *DRIFT}}
     observed = {s: v for s, v in zip(SHIFT, shift_sigma or (), strict=False) if v > 0}

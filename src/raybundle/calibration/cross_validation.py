@@ -209,7 +209,7 @@ def _left_out(block: Block, kept: Block, own: _Adjusted, rows: Mask) -> Block:
     n = len(part.points)
     cameras = [replace(c, estimate=(), sigma={}) for c in kept.cameras]
     for r, row in enumerate(own.system.interior):
-        if row.image < 0:
+        if row.image < 0 <= row.camera:
             values = {row.model.symbols[k]: float(own.state.interior[r, k]) for k in row.carries}
             cameras[row.camera] = replace(cameras[row.camera], values={**cameras[row.camera].values, **values})
     points = replace(part.points, xyz=xyz, sigma=np.zeros((n, 3)), role=np.full(n, Role.CONTROL, np.int32))

@@ -30,12 +30,12 @@ TOLD = 1e-6
 
 def calibration_notices(result: Adjustment) -> tuple[Notice, ...]:
     """What there is to say of cameras that were given with the covariance of their calibration."""
-    cameras = {c.id: c for c in result.given.cameras}
+    owners = {c.id: c for c in result.given.cameras}
     found: list[Notice] = []
     for interior in result.interior:
-        camera = cameras[interior.camera]
-        symbols, covariance = joint_covariance(camera)
-        if covariance is None or interior.image is not None:
+        camera = owners.get(interior.camera)
+        symbols, covariance = ((), None) if camera is None else joint_covariance(camera)
+        if camera is None or covariance is None or interior.image is not None:
             continue
         found += _contradicted(result, camera, interior)
         found += _outweighed(
@@ -81,7 +81,7 @@ def held_notices(result: Adjustment, cameras: Sequence[str]) -> tuple[Notice, ..
     points by more than their standard deviation.
     What it does not tell: which of them is wrong where photographs determine only several parameters together.
     """
-    found = [_contradicted_held(result, c) for c in result.given.cameras if c.id in cameras and c.sensor.has_images]
+    found = [_contradicted_held(result, c) for c in result.given.cameras if c.id in cameras]
     return tuple(n for n in found if n is not None)
 
 

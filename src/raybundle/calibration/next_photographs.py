@@ -91,9 +91,9 @@ def _seen(block: Block, used: Mask) -> Mask:
 
 def _free(result: Adjustment) -> dict[str, tuple[str, ...]]:
     """The free parameters of each camera, with those that were held for want of determinability."""
-    free: dict[str, tuple[str, ...]] = {c.id: () for c in result.given.cameras}
+    free: dict[str, tuple[str, ...]] = {c.id: () for c in result.given.parametrised}
     for i in result.interior:
-        model = sensor_models[next(c.model for c in result.given.cameras if c.id == i.camera)]
+        model = next(c.sensor for c in result.given.parametrised if c.id == i.camera)
         wanted = {s for s, p in i.parameters.items() if p.status == "not determinable"} | set(i.free)
         free[i.camera] = tuple(s for s in model.symbols if s in wanted)
     return free

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from raybundle.block import Block, Camera, Images, Observations, Points
+from raybundle.block import Block, Camera, Images, Instrument, Observations, Points
 from raybundle.block.block import PixelFrame, Relation
 from raybundle.io.reading.trees import own_json_of
 from raybundle.numerics.arrays import Array
@@ -34,6 +34,10 @@ def arrays_of_block(block: Block) -> dict[str, Array]:
         "cameras": [
             {**asdict(c), "values": dict(c.values), "sigma": dict(c.sigma), "known": dict(c.known)}
             for c in block.cameras
+        ],
+        "instruments": [
+            {**asdict(c), "values": dict(c.values), "sigma": dict(c.sigma), "known": dict(c.known)}
+            for c in block.instruments
         ],
         "interior": {str(k): dict(v) for k, v in block.images.interior.items()},
         "held": block.images.held is not None,
@@ -78,6 +82,7 @@ def block_of_arrays(a: Mapping[str, Array]) -> Block:
         datum_over=head["datum_over"],
         rejected=tuple((i, p) for i, p in a["rejected"].tolist()),
         cameras=tuple(_camera(c) for c in head["cameras"]),
+        instruments=tuple(Instrument(**_parameters(c)) for c in head["instruments"]),
         images=Images(
             ids=tuple(a["image_ids"].tolist()),
             camera=a["image_camera"],
@@ -116,20 +121,27 @@ def _table(table: type[Table], a: Mapping[str, Array]) -> Table | None:
 
 def _camera(values: dict[str, Any]) -> Camera:
     return Camera(
-        id=values["id"],
-        model=values["model"],
+        **_parameters(values),
         width_px=values["width_px"],
         height_px=values["height_px"],
         pixel_mm=(values["pixel_mm"][0], values["pixel_mm"][1]),
-        values=values["values"],
-        estimate="auto" if values["estimate"] == "auto" else tuple(values["estimate"]),
-        sigma=values["sigma"],
         interior=values["interior"],
         per_image=tuple(values["per_image"]),
-        calibrated=_calibrated(values["calibrated"]),
-        relations=tuple(Relation(**r) for r in values["relations"]),
-        known=values["known"],
     )
+
+
+def _parameters(values: dict[str, Any]) -> dict[str, Any]:
+    """What cameras and instruments have in common."""
+    return {
+        "id": values["id"],
+        "model": values["model"],
+        "values": values["values"],
+        "estimate": "auto" if values["estimate"] == "auto" else tuple(values["estimate"]),
+        "sigma": values["sigma"],
+        "calibrated": _calibrated(values["calibrated"]),
+        "relations": tuple(Relation(**r) for r in values["relations"]),
+        "known": values["known"],
+    }
 
 
 def _calibrated(values: dict[str, Any] | None) -> Calibrated | None:

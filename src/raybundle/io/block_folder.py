@@ -74,7 +74,8 @@ def read_block(path: str | Path, *, progress: Progress = silent) -> Block:
         images=replace(images, interior=interior),
         observations=observations,
         points=points,
-        tables=read_observation_tables(folder, image_ids, point_ids, head.cameras),
+        instruments=head.instruments,
+        tables=read_observation_tables(folder, image_ids, point_ids, head.instruments),
     )
     progress("reading", 1.0)
     return block
@@ -107,7 +108,7 @@ def _read_images(path: Path, cameras: tuple[Camera, ...]) -> tuple[Images, dict[
             Column(
                 name="camera",
                 kind="reference",
-                known={c.id: k for k, c in enumerate(cameras) if c.sensor.has_images},
+                known={c.id: k for k, c in enumerate(cameras)},
                 where="the cameras of block.toml",
             ),
             Column(name="file", kind="text", empty=True),

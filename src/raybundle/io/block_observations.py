@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from raybundle.block import Block, Camera
+from raybundle.block import Block, Instrument
 from raybundle.errors import InputError
 from raybundle.io.block_tables import columns_of, named, problems_of, require
 from raybundle.io.reading.files import stands
@@ -20,9 +20,11 @@ from raybundle.numerics.arrays import Array
 from raybundle.observations import tables
 from raybundle.observations.table import Cells, Table
 
+Instruments = tuple[Instrument, ...]
+
 
 def read_observation_tables(
-    folder: Path, images: dict[str, int], points: dict[str, int], cameras: tuple[Camera, ...]
+    folder: Path, images: dict[str, int], points: dict[str, int], instruments: Instruments
 ) -> dict[str, Table]:
     """The tables that stand in a block folder, by their names.
 
@@ -31,10 +33,12 @@ def read_observation_tables(
     """
     paths = {name: folder / f"{name}.csv" for name in tables}
     known: Mapping[str, dict[str, int]] = {"image": images, "point": points}
-    return {name: _read(paths[name], table, known, cameras) for name, table in tables.items() if stands(paths[name])}
+    return {
+        name: _read(paths[name], table, known, instruments) for name, table in tables.items() if stands(paths[name])
+    }
 
 
-def _read(path: Path, table: type[Table], known: Mapping[str, dict[str, int]], cameras: tuple[Camera, ...]) -> Table:
+def _read(path: Path, table: type[Table], known: Mapping[str, dict[str, int]], instruments: Instruments) -> Table:
     where = {"image": "images.csv", "point": "points.csv or observations.csv"}
     gon = _in_gon(path, table)
     columns = [
@@ -53,7 +57,7 @@ def _read(path: Path, table: type[Table], known: Mapping[str, dict[str, int]], c
     read = read_table(path, columns)
     read = replace(read, number={**read.number, **{deg: 0.9 * read.number[name] for deg, name in gon.items()}})
     problems = list[Problem]()
-    made = table(**{field: _field(path, c, read, cameras, problems) for field, c in table.cells()})
+    made = table(**{field: _field(path, c, read, instruments, problems) for field, c in table.cells()})
     require(path, *(problems_of(w.rows, w.column, w.message) for w in made.wrong()), problems)
     return made
 
@@ -69,18 +73,18 @@ def _in_gon(path: Path, table: type[Table]) -> dict[str, str]:
     return {name: gon for name, gon in both.items() if name not in header and gon in header}
 
 
-def _field(path: Path, c: Cells, read: Read, cameras: tuple[Camera, ...], problems: list[Problem]) -> Any:
+def _field(path: Path, c: Cells, read: Read, instruments: Instruments, problems: list[Problem]) -> Any:
     """A field of a table as it was read; None where its columns are lacking."""
     first = c.names[0]
     if c.of in {"image", "point"}:
         return read.index.get(first)
     if c.of == "text":
         return read.text.get(first)
-    if c.of == "camera":
+    if c.of == "instrument":
         names = read.text.get(first, ())
         if not any(names):
             return None
-        at = {camera.id: k for k, camera in enumerate(cameras) if camera.sensor.name == c.model}
+        at = {i.id: k for k, i in enumerate(instruments) if i.model == c.model}
         strange = np.array([bool(n) and n not in at for n in names], bool)
         problems += problems_of(strange, first, lambda k: f"{quoted(names[k])} is none of the {c.model}s of block.toml")
         return np.array([at.get(n, -1) for n in names], np.int32)
@@ -104,7 +108,7 @@ def write_observation_tables(folder: Path, block: Block) -> None:
 
 
 def table_columns(table: Table, block: Block) -> dict[str, Sequence[str] | Array]:
-    """The columns of a table as they stand in a file, with the names of the block's points, images and cameras."""
+    """The columns of a table as they stand in a file, with the names of the block's points, images and instruments."""
     columns: dict[str, Sequence[str] | Array] = {}
     for field, c in table.cells():
         values = getattr(table, field)
@@ -117,7 +121,8 @@ def _columns(c: Cells, values: Any, block: Block) -> Mapping[str, Sequence[str] 
     if c.of == "text":
         return {c.names[0]: values}
     if c.of != "number":
-        ids = {"image": block.images.ids, "point": block.points.ids, "camera": [x.id for x in block.cameras]}[c.of]
+        instruments = [i.id for i in block.instruments]
+        ids = {"image": block.images.ids, "point": block.points.ids, "instrument": instruments}[c.of]
         return {c.names[0]: [ids[k] if k >= 0 else "" for k in values.tolist()] if c.empty else named(ids, values)}
     shown = values.reshape(len(values), len(c.names))
     if c.unit == "deg":

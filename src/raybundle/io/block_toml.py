@@ -12,7 +12,7 @@ from typing import Any, Literal, NoReturn, cast
 
 import numpy as np
 
-from raybundle.block import Block, Camera
+from raybundle.block import Block, Camera, Instrument
 from raybundle.block.block import LengthUnit, Relation, Residuals
 from raybundle.block.stored import without_relations_of_calibration
 from raybundle.errors import InputError, UnknownSensorModel
@@ -22,12 +22,9 @@ from raybundle.io.reading import trees
 from raybundle.io.reading.words import finite, quoted
 from raybundle.numerics.places import Place
 from raybundle.observations.parameter import Calibrated
+from raybundle.platforms import InstrumentModel, instrument_models
 from raybundle.sensors import SensorModel, sensor_models
-from raybundle.sensors.antenna import ANTENNA
-from raybundle.sensors.imu import IMU
 
-CARRIED: tuple[tuple[str, str, SensorModel], ...] = (("antennas", "antenna", ANTENNA), ("imus", "IMU", IMU))
-"""Tables of block.toml for what has no images, what one of them is, and its parameters."""
 SCALES = ("fixed", "free")
 RELATION = {"name", "terms", "observed", "sigma", "logarithm", "origin"}
 """What a table of `relations` may hold."""
@@ -51,6 +48,7 @@ class Head:
     residuals: Residuals
     place: Place | None
     cameras: tuple[Camera, ...]
+    instruments: tuple[Instrument, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -158,7 +156,8 @@ def read_head(path: Path) -> Head:
         noise=cast("Any", top.choice("noise", ("", "white", "fields"), "")),
         datum_over=cast("Any", top.choice("datum_over", ("", "all", "good"), "")),
         place=place,
-        cameras=(*(_camera(cameras, id_, place) for id_ in cameras.values), *_carried(top)),
+        cameras=tuple(_camera(cameras, id_, place) for id_ in cameras.values),
+        instruments=tuple(_instruments(top)),
     )
 
 
@@ -223,11 +222,11 @@ def _camera(cameras: Section, id_: str, place: Place | None = None) -> Camera:
     return camera if camera.calibrated is not None else without_relations_of_calibration(camera)
 
 
-def _carried(top: Section) -> Iterator[Camera]:
-    """The tables [antennas.*] and [imus.*]: what GNSS and INS need is adjusted like cameras that have no images."""
+def _instruments(top: Section) -> Iterator[Instrument]:
+    """The tables [antennas.*] and [imus.*]."""
     taken = dict.fromkeys(top.section("cameras").values, "camera")
-    for group, what, model in CARRIED:
-        section = top.section(group)
+    for model in instrument_models.values():
+        what, section = model.noun, top.section(model.section)
         for id_ in section.values:
             own = section.section(id_)
             if id_ in taken:
@@ -237,10 +236,9 @@ def _carried(top: Section) -> Iterator[Camera]:
             estimate = _estimate(own, model)
             if estimate == "auto":
                 own.fail("estimate", f"give a list of {', '.join(model.symbols)}; these are not chosen by themselves")
-            yield Camera(
-                id=id_, model=model.name, width_px=1, height_px=1, pixel_mm=(1.0, 1.0),
-                values={s: own.number(s, 0.0) for s in model.symbols}, estimate=estimate,
-                sigma=_sigma(own, model), scene=model,
+            yield Instrument(
+                id=id_, model=model.name, values={s: own.number(s, 0.0) for s in model.symbols}, estimate=estimate,
+                sigma=_sigma(own, model),
             )  # fmt: skip
 
 
@@ -266,7 +264,7 @@ def _values(section: Section, model: SensorModel) -> dict[str, float]:
     return values
 
 
-def _estimate(section: Section, model: SensorModel) -> tuple[str, ...] | Literal["auto"]:
+def _estimate(section: Section, model: SensorModel | InstrumentModel) -> tuple[str, ...] | Literal["auto"]:
     value = section.values.get("estimate", [])
     if value == "auto":
         return "auto"
@@ -292,7 +290,7 @@ def _per_image(section: Section, model: SensorModel, interior: str) -> tuple[str
     return tuple(cast("list[str]", value))
 
 
-def _sigma(section: Section, model: SensorModel) -> dict[str, float]:
+def _sigma(section: Section, model: SensorModel | InstrumentModel) -> dict[str, float]:
     sigma = section.section("sigma")
     values: dict[str, float] = {}
     for symbol in sigma.values:
@@ -406,20 +404,19 @@ def head_text(block: Block) -> str:
     lines += frame_lines(block.place)
     for number, camera in enumerate(block.cameras, 1):
         key = camera.id if _BARE.fullmatch(camera.id) else _quoted(camera.id)
-        if camera.scene is not None and not camera.scene.has_images:
-            group = next(name for name, _, model in CARRIED if model.name == camera.model)
-            lines += ["", f"[{group}.{key}]", *_carried_lines(camera)]
-            continue
         own = _camera_lines(camera) if camera.scene is None else scene_lines(camera, number)
         lines += ["", f"[cameras.{key}]", *own]
+    for instrument in block.instruments:
+        key = instrument.id if _BARE.fullmatch(instrument.id) else _quoted(instrument.id)
+        lines += ["", f"[{instrument.sensor.section}.{key}]", *_instrument_lines(instrument)]
     return "\n".join(lines) + "\n"
 
 
-def _carried_lines(camera: Camera) -> list[str]:
-    lines = [f"{s} = {float(camera.values.get(s, 0.0))!r}" for s in camera.sensor.symbols]
-    lines.append(f"estimate = [{', '.join(_quoted(s) for s in camera.estimate)}]")
-    if camera.sigma:
-        lines.append("sigma = {" + ", ".join(f"{s} = {float(v)!r}" for s, v in camera.sigma.items()) + "}")
+def _instrument_lines(instrument: Instrument) -> list[str]:
+    lines = [f"{s} = {float(instrument.values.get(s, 0.0))!r}" for s in instrument.sensor.symbols]
+    lines.append(f"estimate = [{', '.join(_quoted(s) for s in instrument.estimate)}]")
+    if instrument.sigma:
+        lines.append("sigma = {" + ", ".join(f"{s} = {float(v)!r}" for s, v in instrument.sigma.items()) + "}")
     return lines
 
 

@@ -13,7 +13,7 @@ from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rotation import angle_derivatives, angles_from_rotation
 from raybundle.observations.kind import Named, ObservationKind, Observed, Rows, Scope, Values, partials
 from raybundle.observations.table import Table, Wrong, again, cells
-from raybundle.sensors.imu import told
+from raybundle.platforms.imu import told
 
 STEEP = 0.01
 """Cosine of phi below which omega and kappa cannot be observed one by one."""
@@ -30,8 +30,8 @@ class Attitudes(Table):
     """(k, 3) omega, phi, kappa [rad] as the IMU tells them."""
     sigma: Array = cells("number", "somega_deg", "sphi_deg", "skappa_deg", unit="deg", empty=True, limit="> 0")
     """(k, 3) [rad]; NaN where an angle was not observed."""
-    imu: Index | None = cells("camera", "imu", model="imu", empty=True, optional=True)
-    """(k,) position in `Block.cameras` of the IMU with its misalignment, -1 or None: the image's own rotation."""
+    imu: Index | None = cells("instrument", "imu", model="imu", empty=True, optional=True)
+    """(k,) position in `Block.instruments` of the IMU with its misalignment, -1 or None: the image's own rotation."""
 
     def wrong(self) -> Sequence[Wrong]:
         blind: Mask = np.asarray(np.isnan(self.sigma).all(axis=1), bool)
@@ -42,7 +42,7 @@ class Attitudes(Table):
 
 
 class Attitude(ObservationKind):
-    """v = omega, phi, kappa of exp(-[b]x) R - those observed, see `raybundle.sensors.imu`; of R without an IMU."""
+    """v = omega, phi, kappa of exp(-[b]x) R - those observed, see `raybundle.platforms.imu`; of R without an IMU."""
 
     name = "attitude"
     group = "attitudes"
@@ -67,7 +67,7 @@ class Attitude(ObservationKind):
                 "deg is within 0.6 deg of a right angle, where omega and kappa turn about the same axis; leave it out"
             )
 
-    def cameras(self, table: Attitudes, scope: Scope) -> set[int]:
+    def instruments(self, table: Attitudes, scope: Scope) -> set[int]:
         return set() if table.imu is None else {a for a in table.imu[scope.images[table.image]].tolist() if a >= 0}
 
     def rows(self, table: Attitudes, scope: Scope) -> Rows:

@@ -42,12 +42,14 @@ class Values(Protocol):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Interior:
-    """An interior orientation, or what else has parameters of that kind (antennas, IMUs), as observations see it."""
+    """The parameters of an interior orientation, or of an instrument, as observations see them."""
 
     key: str
-    """Camera id, or camera id / image id."""
+    """Camera id, or camera id / image id; of an instrument its id."""
     camera: int
-    """Position in the block's cameras."""
+    """Position in the block's cameras; -1: of an instrument."""
+    instrument: int = -1
+    """Position in the block's instruments; -1: of a camera."""
     image: int = -1
     """Position of the image whose own parameters these are; -1: those that images share"""
     symbols: tuple[str, ...]
@@ -61,7 +63,6 @@ class Interior:
     """`raybundle.observations.parameter.Calibrated`: parameters that are observed together"""
     relations: tuple[Any, ...] = ()
     """`raybundle.observations.relation.Relation`s"""
-    has_images: bool = True
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -86,10 +87,10 @@ class Scope:
     datum_is_chosen: bool = False
     """Whether the datum is free by choice, so that nothing is observed that would carry it."""
 
-    def parameters_of(self, cameras: Index) -> Index:
-        """Positions in `interior` of cameras without images (antennas, IMUs), given theirs in the block; -1: none."""
-        at = {i.camera: r for r, i in enumerate(self.interior) if not i.has_images}
-        return np.array([at.get(c, -1) for c in np.asarray(cameras).tolist()], np.int32)
+    def parameters_of(self, instruments: Index) -> Index:
+        """Positions in `interior` of instruments, given theirs in the block; -1: none."""
+        at = {i.instrument: r for r, i in enumerate(self.interior) if i.instrument >= 0}
+        return np.array([at.get(c, -1) for c in np.asarray(instruments).tolist()], np.int32)
 
 
 @dataclass(frozen=True, slots=True)
@@ -230,8 +231,8 @@ class ObservationKind(ABC):
         """Object points that its rows touch beside image observations: they cannot be eliminated one by one."""
         return np.zeros(0, np.int32)
 
-    def cameras(self, table: Any, scope: Scope) -> set[int]:
-        """Cameras without images (antennas, IMUs) whose parameters its rows touch."""
+    def instruments(self, table: Any, scope: Scope) -> set[int]:
+        """Instruments (antennas, IMUs) whose parameters its rows touch."""
         return set()
 
     own_width: ClassVar[int] = 0

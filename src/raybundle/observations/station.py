@@ -26,8 +26,8 @@ class Stations(Table):
     """(k, 3); NaN where a coordinate was not observed."""
     sigma: Array = cells("number", "sX", "sY", "sZ", empty=True, limit="> 0")
     """(k, 3)"""
-    antenna: Index | None = cells("camera", "antenna", model="antenna", empty=True, optional=True)
-    """(k,) position in `Block.cameras` of the antenna that was observed, -1 or None: the projection centre itself."""
+    antenna: Index | None = cells("instrument", "antenna", model="antenna", empty=True, optional=True)
+    """(k,) position in `Block.instruments` of the antenna that was observed, -1 or None: the projection centre."""
     time: Array | None = cells("number", "time_s", empty=True, optional=True, fill=0.0)
     """(k,) [s] for an antenna's drift; None: zero."""
     velocity: Array | None = cells("number", "vX", "vY", "vZ", empty=True, optional=True)
@@ -71,7 +71,7 @@ class Stations(Table):
 
 
 class Station(ObservationKind):
-    """v = X0 + R' a + s + d t + v dt - observed, see `raybundle.sensors.antenna`; X0 alone without an antenna."""
+    """v = X0 + R' a + s + d t + v dt - observed, see `raybundle.platforms.antenna`; X0 alone without an antenna."""
 
     name = "station"
     group = "stations"
@@ -92,7 +92,7 @@ class Station(ObservationKind):
         if table.antenna is None:
             return
         late = {
-            i.camera
+            i.instrument
             for i in scope.interior
             if i.given.get("dt", 0.0) != 0 or ("dt" in i.symbols and i.symbols.index("dt") in i.free)
         }
@@ -105,7 +105,7 @@ class Station(ObservationKind):
                 "velocities, or times with a neighbour before or after on the same flight line, or hold dt at 0"
             )
 
-    def cameras(self, table: Stations, scope: Scope) -> set[int]:
+    def instruments(self, table: Stations, scope: Scope) -> set[int]:
         return (
             set() if table.antenna is None else {a for a in table.antenna[scope.images[table.image]].tolist() if a >= 0}
         )

@@ -14,15 +14,15 @@ import numpy as np
 
 from raybundle.numerics.arrays import Array, Index, Mask
 
-Refers = Literal["point", "image", "camera"]
+Refers = Literal["point", "image", "instrument"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Cells:
     """What a field of a table holds."""
 
-    of: Literal["number", "text", "point", "image", "camera"]
-    """Numbers, texts, or positions of object points, images or cameras of the block."""
+    of: Literal["number", "text", "point", "image", "instrument"]
+    """Numbers, texts, or positions of object points, images or instruments of the block."""
     names: tuple[str, ...]
     """Names of its columns in a file; of more than one the field is (k, len(names))"""
     unit: Literal["", "deg"] = ""
@@ -35,10 +35,10 @@ class Cells:
     fill: float = float("nan")
     """What a row holds whose table lacks the columns, beside rows that have them"""
     model: str = ""
-    """Of a camera: its sensor model"""
+    """Of an instrument: its model"""
 
 
-def cells(of: Literal["number", "text", "point", "image", "camera"], *names: str, **how: Any) -> Any:
+def cells(of: Literal["number", "text", "point", "image", "instrument"], *names: str, **how: Any) -> Any:
     """A field of a table, see `Cells`."""
     made = Cells(of=of, names=names, **how)
     return field(metadata={"cells": made}, default=None) if made.optional else field(metadata={"cells": made})
@@ -89,19 +89,19 @@ class Table:
         return replace(self, **{name: some(getattr(self, name)) for name, _ in self.cells()})
 
     def refers(self, to: Refers) -> Index:
-        """Positions of the object points, images or cameras that its rows name, each once."""
+        """Positions of the object points, images or instruments that its rows name, each once."""
         found = [getattr(self, name) for name, c in self.cells() if c.of == to]
         used = np.unique(np.concatenate([np.zeros(0, np.int32), *(f for f in found if f is not None)]))
         return used[used >= 0].astype(np.int32)
 
     def pairs(self, to: Refers) -> Index:
-        """(k, 2) points, images or cameras that stand in one row."""
+        """(k, 2) points, images or instruments that stand in one row."""
         found = [f for name, c in self.cells() if c.of == to and (f := getattr(self, name)) is not None]
         pairs = [np.stack([a, b], axis=1) for a, b in combinations(found, 2)]
         return np.concatenate([np.zeros((0, 2), np.int32), *pairs])
 
     def renumbered(self, to: Refers, new: Index) -> Self:
-        """With new positions of points, images or cameras, given for each old one; rows that name a -1 leave."""
+        """With new positions of points, images or instruments, given for each old one; rows that name a -1 leave."""
         named = [(name, c) for name, c in self.cells() if c.of == to and getattr(self, name) is not None]
         if not named:
             return self

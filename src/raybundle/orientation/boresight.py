@@ -8,7 +8,7 @@ the adjusted R and X0 of the photographs:
 
 Both are least-squares fits after the adjustment; the orientation is taken as free of error against GNSS and INS, so
 where its own standard deviations come near theirs, the stated ones are too small: adjust them together
-(`sensors.antenna`, `sensors.imu`).
+(`platforms.antenna`, `platforms.imu`).
 Skaloud and Lichti 2006; Hutton and Mostafa 2005.
 """
 

@@ -128,7 +128,6 @@ def carried(sensor: SensorModel, platform: Platform) -> Carried:
         "platform": platform,
         "condition": staticmethod(condition),
         "explicit": False if platform.uses_image else sensor.explicit,
-        "has_images": sensor.has_images,
         "frame": sensor.frame,
         "local_width": sensor.local_width + len(platform.parameters) if sensor.local_width else 0,
     }

@@ -57,6 +57,10 @@ def fingerprints(block: Block) -> list[tuple[str, str, str]]:
     held = np.zeros(len(i), bool) if i.held is None else i.held
     own = [json.dumps([k, sorted(v.items())]) for k, v in sorted(i.interior.items())]
     own += [json.dumps([k, f.turned, f.width_px, f.height_px]) for k, f in sorted(i.frames.items())]
+    instruments = [
+        json.dumps([c.id, c.model, sorted(c.values.items()), c.estimate, sorted(c.sigma.items())])
+        for c in block.instruments
+    ]
     rows = [
         ("cameras", len(block.cameras), fingerprint([block.length_unit, block.residuals], cameras)),
         ("images", len(i), fingerprint(i.ids, i.camera, i.centre, i.rotation, held, own)),
@@ -67,6 +71,8 @@ def fingerprints(block: Block) -> list[tuple[str, str, str]]:
         rows.append(
             (name, len(table), fingerprint(*(v for f, _ in table.cells() if (v := getattr(table, f)) is not None)))
         )
+    if block.instruments:
+        rows.append(("antennas and IMUs", len(block.instruments), fingerprint(instruments)))
     if i.station is not None:
         rows.append(("rig stations", len(i), fingerprint(i.station)))
     return [(name, grouped(count), print_) for name, count, print_ in rows]

@@ -172,8 +172,8 @@ def _unit(view: View, g: ObservationGroup) -> tuple[float, str]:
 
 def _row_units(view: View, g: ObservationGroup) -> list[tuple[float, str]]:
     """Factor and unit in print of each row of a group that holds parameters."""
-    units = {(c.id, p.symbol): p.unit for c in view.given.cameras for p in c.sensor.parameters}
-    for c in view.given.cameras:
+    units = {(c.id, p.symbol): p.unit for c in view.given.parametrised for p in c.sensor.parameters}
+    for c in view.given.parametrised:
         units |= {(c.id, r.name): units[c.id, s] for s, r in known_before(c).items() if not r.logarithm}
     pairs = zip(g.ids, g.component, strict=True)
     return [printed(view, units.get((i.partition("/")[0], s), "1")) for i, s in pairs]
@@ -181,7 +181,7 @@ def _row_units(view: View, g: ObservationGroup) -> list[tuple[float, str]]:
 
 def _quantities(view: View, g: ObservationGroup) -> tuple[list[str], str]:
     """What is observed in each row, and what is to be said of logarithms."""
-    logarithms = {(c.id, r.name): s for c in view.given.cameras for s, r in known_before(c).items() if r.logarithm}
+    logarithms = {(c.id, r.name): s for c in view.given.parametrised for s, r in known_before(c).items() if r.logarithm}
     if g.kind != "relation" or not logarithms:
         return list(g.component), ""
     symbols = [logarithms.get((i.partition("/")[0], name)) for i, name in zip(g.ids, g.component, strict=True)]

@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from raybundle.adjustment.result import InteriorResult, ParameterResult
+from raybundle.block import Instrument
 from raybundle.calibration.maps import projection_uncertainty
 from raybundle.numerics.arrays import Array
 from raybundle.report.distortion import ADDITIONAL, Curve, Interior, balanced, decentring_curve, radial_curve
@@ -74,11 +75,11 @@ def _is_scene(view: View, result: InteriorResult) -> bool:
 
 
 def _title(view: View, result: InteriorResult) -> str:
-    camera = next(c for c in view.given.cameras if c.id == result.camera)
+    camera = next(c for c in view.given.parametrised if c.id == result.camera)
+    if isinstance(camera, Instrument):
+        return f"{camera.sensor.noun[0].upper()}{camera.sensor.noun[1:]} {result.camera}"
     width, height = camera.size_mm
     name = name_of(result)
-    if not camera.sensor.has_images:
-        return f"{'Antenna' if camera.model == 'antenna' else 'IMU'} {result.camera}"
     return (
         f"{name[0].upper()}{name[1:]}: model {camera.model}, {grouped(camera.width_px)} × "
         f"{grouped(camera.height_px)} px, {significant(width, 4)} × {significant(height, 4)} mm, pixel "
@@ -160,8 +161,8 @@ def _details(view: View, result: InteriorResult) -> list[Part]:
             )
         )
     parts += _correlations(view, result)
-    camera = next(c for c in view.given.cameras if c.id == result.camera)
-    if camera.scene is not None or len(result.parameters) < len(camera.sensor.symbols):
+    camera = next((c for c in view.given.cameras if c.id == result.camera), None)  # none: an instrument
+    if camera is None or camera.is_scene or len(result.parameters) < len(camera.sensor.symbols):
         return parts  # a scene has no distortion; with parameters of single images no figure stands for all
     parts += _uncertainty(view, result)
     interior = adjusted_interior(view, result)

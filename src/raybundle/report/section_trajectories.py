@@ -78,8 +78,7 @@ def _name(view: View, component: str) -> str:
 
 
 def _is_carried(view: View, result: InteriorResult) -> bool:
-    camera = next((c for c in view.given.cameras if c.id == result.camera), None)
-    return camera is not None and not camera.sensor.has_images
+    return any(i.id == result.camera for i in view.given.instruments)
 
 
 def _about(view: View) -> str:
@@ -174,7 +173,7 @@ def _lines(view: View, groups: dict[str, ObservationGroup]) -> list[Line]:
     key: dict[int, tuple[str, float]] = {}
     for row, image in enumerate(stations.image.tolist()):
         antenna = -1 if stations.antenna is None else int(stations.antenna[row])
-        name = f"Antenna {block.cameras[antenna].id}" if antenna >= 0 else "Positions"
+        name = f"Antenna {block.instruments[antenna].id}" if antenna >= 0 else "Positions"
         key[image] = name, math.nan if stations.time is None else float(stations.time[row])
     members: dict[str, list[int]] = {}
     for image in sorted(seen):

@@ -65,8 +65,6 @@ class SensorModel:
     condition: ClassVar[Callable[..., tuple[Scalar, Scalar]]]
     explicit: ClassVar[bool | None] = None
     """Whether the condition reads x - f(X, Y, Z, parameters); None: found out from the condition."""
-    has_images: ClassVar[bool] = True
-    """False for what is adjusted like a camera but sees nothing: a GNSS antenna."""
     fixes_scale: ClassVar[bool] = False
     """Whether the model itself knows lengths in object space, as a satellite scene does."""
     followers: ClassVar[list[Callable[[SensorModel], None]]] = []
@@ -104,7 +102,7 @@ class SensorModel:
     @property
     def one_format(self) -> bool:
         """Whether image coordinates are places on one plane format, over which an image's errors may be smooth."""
-        return self.has_images and self.one_exposure
+        return self.one_exposure
 
     @cached_property
     def symbols(self) -> tuple[str, ...]:

@@ -13,7 +13,7 @@ from typing import Literal
 
 import numpy as np
 
-from raybundle.block import Block, Camera
+from raybundle.block import Block, Instrument
 from raybundle.block.block import Attitudes
 from raybundle.errors import InputError
 from raybundle.io.coordinate_systems import LocalFrame
@@ -29,7 +29,7 @@ from raybundle.numerics.rotation import (
     rotation_from_vector,
     vector_from_rotation,
 )
-from raybundle.sensors.imu import IMU
+from raybundle.platforms.imu import Imu
 from raybundle.workflows.marks import Given, Placing
 
 Convention = Literal["auto", "none", "opk", "rpy-ned", "gimbal"]
@@ -167,8 +167,8 @@ def observe_attitudes(state: Placing, photos: Sequence[Photo], given: Given, fra
         covariance=told.covariance[mine], angles=told.angles[mine],
         against_enu=told.against_enu[mine] @ enu_from_local,
     )  # fmt: skip
-    taken = {c.id for c in block.cameras}
-    imus: list[Camera] = []
+    taken = {c.id for c in block.parametrised}
+    imus: list[Instrument] = []
     used: list[_Mounted] = []
     nominal = _in_a_line(block) and given.misalignment
     for n, c in enumerate(cameras.tolist()):
@@ -202,11 +202,11 @@ class _Mounted:
     """(3,) [rad] at the start"""
 
 
-def _observe(state: Placing, told: PhotoAttitudes, image: Index, used: list[_Mounted], imus: list[Camera]) -> None:
+def _observe(state: Placing, told: PhotoAttitudes, image: Index, used: list[_Mounted], imus: list[Instrument]) -> None:
     """Attitudes and IMUs into the block; the block of every part gets all IMUs, so that they are numbered alike."""
     block = state.block
-    first = len(block.cameras)
-    state.block = block = replace(block, cameras=(*block.cameras, *imus))
+    first = len(block.instruments)
+    state.block = block = replace(block, instruments=(*block.instruments, *imus))
     if not used:
         return
     rows = np.concatenate([m.rows for m in used])
@@ -372,11 +372,11 @@ def _listed(names: Sequence[str]) -> str:
     return ", ".join(names[:5]) + (f" and {len(names) - 5} more" if len(names) > 5 else "")
 
 
-def _imu(name: str, misalignment: Array, sigma: float | None) -> Camera:
+def _imu(name: str, misalignment: Array, sigma: float | None) -> Instrument:
     """The IMU of a camera; its misalignment free, or observed to be none with a standard deviation [rad]."""
+    symbols = tuple(p.symbol for p in Imu.parameters)
     start = misalignment if sigma is None else np.zeros(3)
-    return Camera(
-        id=name, model=IMU.name, width_px=1, height_px=1, pixel_mm=(1.0, 1.0), estimate=IMU.symbols, scene=IMU,
-        values=dict(zip(IMU.symbols, start.tolist(), strict=True)),
-        sigma={} if sigma is None else dict.fromkeys(IMU.symbols, sigma),
+    return Instrument(
+        id=name, model=Imu.name, estimate=symbols, values=dict(zip(symbols, start.tolist(), strict=True)),
+        sigma={} if sigma is None else dict.fromkeys(symbols, sigma),
     )  # fmt: skip

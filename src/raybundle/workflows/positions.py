@@ -12,12 +12,12 @@ from datetime import UTC
 
 import numpy as np
 
-from raybundle.block import Block, Camera, Stations
+from raybundle.block import Block, Instrument, Stations
 from raybundle.io.coordinate_systems import LocalFrame
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.counting import counted
-from raybundle.sensors.antenna import ANTENNA
+from raybundle.platforms.antenna import Antenna
 from raybundle.workflows.marks import Given, Placing
 
 GPS_M = (5.0, 5.0, 10.0)
@@ -177,12 +177,12 @@ def observe(state: Placing, positions: Positions, given: Given) -> None:
     told = f"the positions of {counted(len(positions), 'photograph')} are observed"
     if shift or arm is not None:
         count = positions.flights
-        taken = {c.id for c in block.cameras}
+        taken = {c.id for c in block.parametrised}
         names = [_name("gnss" if count == 1 else f"gnss-{k + 1}", taken) for k in range(count)]
         apart = positions.xyz - block.images.centre[positions.image]
         antennas = [_antenna(n, apart[positions.flight == k], shift, given) for k, n in enumerate(names)]
-        block = replace(block, cameras=(*block.cameras, *antennas))
-        first = len(block.cameras) - count
+        first = len(block.instruments)
+        block = replace(block, instruments=(*block.instruments, *antennas))
         stations = replace(stations, antenna=(first + positions.flight).astype(np.int32))
         if shift:
             told += ", with a shift of their own" + (f" for each of {count} flights" if count > 1 else "")
@@ -191,17 +191,14 @@ def observe(state: Placing, positions: Positions, given: Given) -> None:
 
 
 def without_idle(block: Block) -> Block:
-    """The block without antennas and IMUs of which nothing is observed, as those of flights that are not oriented."""
-    used = {int(k) for t in block.tables.values() for k in t.refers("camera")}
-    keep = np.array([c.sensor.has_images or k in used for k, c in enumerate(block.cameras)], bool)
+    """The block without instruments of which nothing is observed, as antennas of flights that are not oriented."""
+    used = {int(k) for t in block.tables.values() for k in t.refers("instrument")}
+    keep = np.array([k in used for k in range(len(block.instruments))], bool)
     if keep.all():
         return block
     number: Index = np.where(keep, np.cumsum(keep) - 1, -1).astype(np.int32)
-    return replace(
-        block,
-        cameras=tuple(c for c, k in zip(block.cameras, keep, strict=True) if k),
-        images=replace(block.images, camera=number[block.images.camera]),
-    ).of_tables(lambda t: t.renumbered("camera", number))
+    kept = tuple(i for i, k in zip(block.instruments, keep, strict=True) if k)
+    return replace(block, instruments=kept).of_tables(lambda t: t.renumbered("instrument", number))
 
 
 def _name(name: str, taken: set[str]) -> str:
@@ -210,15 +207,14 @@ def _name(name: str, taken: set[str]) -> str:
     return name
 
 
-def _antenna(name: str, apart: Array, shift: tuple[str, ...], given: Given) -> Camera:
+def _antenna(name: str, apart: Array, shift: tuple[str, ...], given: Given) -> Instrument:
     """The antenna of one flight; `apart` (k, 3): its positions minus the projection centres at the start."""
     offset, sigma = given.lever_arm or ((0.0, 0.0, 0.0), 0.0)
     arm = dict(zip(("ax", "ay", "az"), offset, strict=True))
     middle = np.array([float(np.median(v[np.isfinite(v)])) if np.isfinite(v).any() else 0.0 for v in apart.T])
     start = {s: float(middle["xyz".index(s[1])]) for s in shift}
     free = (*(tuple(arm) if sigma > 0 else ()), *shift)
-    return Camera(
-        id=name, model=ANTENNA.name, width_px=1, height_px=1, pixel_mm=(1.0, 1.0),
-        values={**dict.fromkeys(ANTENNA.symbols, 0.0), **arm, **start}, estimate=free,
-        sigma=dict.fromkeys(arm, sigma) if sigma > 0 else {}, scene=ANTENNA,
+    return Instrument(
+        id=name, model=Antenna.name, values={**{p.symbol: 0.0 for p in Antenna.parameters}, **arm, **start},
+        estimate=free, sigma=dict.fromkeys(arm, sigma) if sigma > 0 else {},
     )  # fmt: skip

@@ -143,7 +143,7 @@ def started(
             block=with_cameras(raw, raw.cameras, scenes.place), scale_px=scale, angle=angle, not_oriented=lost
         )
     block = with_scene_points(with_cameras(raw, raw.cameras, scenes.place))
-    free = {c.id: tuple(c.estimate) for c in block.cameras}
+    free = {c.id: tuple(c.estimate) for c in block.parametrised}
     cleaned = clean(block, AdjustmentOptions(threads=jobs, statistics=False), free, progress=progress)
     keep = ~cleaned.rejected & ~flat_points(cleaned.block)[cleaned.block.observations.point]
     block = weighed(with_rows(cleaned.block, keep), jobs)
@@ -228,7 +228,7 @@ def joined(scenes: Block, photographs: Block | None) -> Block:
             xyz[shared[k]] = b.points.xyz[k]
     keep = ~same
     o, q = a.observations, b.observations
-    images, lenses = n + np.arange(len(b.images)), cameras + np.arange(len(b.cameras))
+    images = n + np.arange(len(b.images))
     return replace(
         b,
         name=a.name,
@@ -259,7 +259,7 @@ def joined(scenes: Block, photographs: Block | None) -> Block:
             xyz=np.vstack([xyz, b.points.xyz[keep]]),
             sigma=np.vstack([a.points.sigma, b.points.sigma[keep]]),
         ),
-    ).of_tables(lambda t: t.renumbered("point", new).renumbered("image", images).renumbered("camera", lenses))
+    ).of_tables(lambda t: t.renumbered("point", new).renumbered("image", images))
 
 
 def _held(block: Block) -> Array:

@@ -2,32 +2,29 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
-
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.rotation import left_jacobian, rotation_from_vector
-from raybundle.sensors.model import Parameter, SensorModel
+from raybundle.platforms.instrument import InstrumentModel
+from raybundle.sensors.model import Parameter
 
 
-class Imu(SensorModel, registered=False):
+class Imu(InstrumentModel):
     """Misalignment (boresight) of an IMU against the images that are taken with it.
 
     R = exp([b]x) R_observed, with b a small rotation about the axes of the image and R_observed that of omega, phi,
-    kappa as the IMU tells them for the nominal mounting.  It has no images; b is adjusted with the cameras' parameters.
-    A constant error of the IMU's roll and pitch hides in b; with one heading alone that of its yaw as well.
+    kappa as the IMU tells them for the nominal mounting.  A constant error of the IMU's roll and pitch hides in b; with
+    one heading alone that of its yaw as well.
     """
 
     name = "imu"
-    one_exposure = False
-    has_images: ClassVar[bool] = False
+    section = "imus"
+    noun = "IMU"
+    formula = "R = exp([b]x) R_IMU"
     parameters = (
         Parameter("bx", "rad", "misalignment about the image's x axis"),
         Parameter("by", "rad", "misalignment about the image's y axis"),
         Parameter("bz", "rad", "misalignment about the viewing axis"),
     )
-
-
-IMU = Imu()
 
 
 def told(rotation: Array, boresight: Array) -> tuple[Array, Array, Array]:

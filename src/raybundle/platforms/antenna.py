@@ -2,22 +2,22 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
+from raybundle.platforms.instrument import InstrumentModel
+from raybundle.sensors.model import Parameter
 
-from raybundle.sensors.model import Parameter, SensorModel
 
-
-class Antenna(SensorModel, registered=False):
+class Antenna(InstrumentModel):
     """Lever arm of an antenna, shift and drift of the positions of one flight line, and the offset of its clock.
 
     observed = X0 + R' a + s + d t + v dt, with a in the axes of the image, s and d in those of the object, v the
-    velocity of the image.  It has no images; its parameters are adjusted with those of the cameras.  With all images
-    level and heads alike, a and s are one; at one speed dt and the lever arm along the flight are.
+    velocity of the image.  With all images level and heads alike, a and s are one; at one speed dt and the lever arm
+    along the flight are.
     """
 
     name = "antenna"
-    one_exposure = False
-    has_images: ClassVar[bool] = False
+    section = "antennas"
+    noun = "antenna"
+    formula = "X_GNSS = X0 + Rᵀ a + s + d t + v dt"
     parameters = (
         Parameter("ax", "length", "lever arm to the right in the image"),
         Parameter("ay", "length", "lever arm upwards in the image"),
@@ -30,6 +30,3 @@ class Antenna(SensorModel, registered=False):
         Parameter("dz", "length/s", "drift of Z"),
         Parameter("dt", "s", "time of the positions minus that of the exposures"),
     )
-
-
-ANTENNA = Antenna()

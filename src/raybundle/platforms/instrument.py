@@ -1,0 +1,35 @@
+"""What a platform carries beside sensors: instruments that tell where it is and how it is turned, by their parameters.
+
+A module in this folder that states an `InstrumentModel` registers it on import.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import ClassVar
+
+from raybundle.sensors.model import Parameter
+
+
+class InstrumentModel:
+    """Parameters between what an instrument tells and the exterior orientation of the images that are taken with it."""
+
+    registry: ClassVar[dict[str, InstrumentModel]] = {}
+
+    name: ClassVar[str]
+    section: ClassVar[str]
+    """Of block.toml, with one table for each of these instruments"""
+    noun: ClassVar[str]
+    """What people call one"""
+    formula: ClassVar[str]
+    """What it tells, for people"""
+    parameters: tuple[Parameter, ...]
+
+    def __init_subclass__(cls) -> None:
+        """Register it."""
+        InstrumentModel.registry[cls.name] = cls()
+
+    @cached_property
+    def symbols(self) -> tuple[str, ...]:
+        """Symbols of the parameters in their order."""
+        return tuple(p.symbol for p in self.parameters)
