@@ -6,6 +6,8 @@
     result = rb.adjust(block, rb.AdjustmentOptions(datum="inner"))
     rb.write_result(result, "camcal21-result")
 
+    rb.show(result)  # the report in a browser; rb.plot_residuals(result), rb.table(result, "points")
+
     done = rb.orient("facade/", "facade-project", control="marks.csv")
     rb.calibrate("board/", "calibration", target="chessboard-9x6")
 
@@ -18,7 +20,8 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from raybundle.adjustment.options import AdjustmentOptions
     from raybundle.adjustment.result import Adjustment
-    from raybundle.block import Block, Camera, Distances, Images, Observations, Points, Role, Stations
+    from raybundle.block import Block, Camera, Distances, Images, Instrument, Observations, Points, Role, Stations
+    from raybundle.block.uav_networks import Flight
     from raybundle.commands.calibrate import CalibrateSettings, calibrate
     from raybundle.commands.orient import OrientSettings, orient
     from raybundle.commands.targets import detect_targets
@@ -26,10 +29,21 @@ if TYPE_CHECKING:
     from raybundle.io.block_folder import read_block, write_block
     from raybundle.report.compare import write_comparison
     from raybundle.report.document import write_report
+    from raybundle.report.network_page import write_network_page
+    from raybundle.report.pictures import (
+        plot_control,
+        plot_interior,
+        plot_network,
+        plot_reliability,
+        plot_residuals,
+    )
     from raybundle.report.result_folder import read_result, write_result
+    from raybundle.report.show import show
+    from raybundle.report.tables import table, table_names
     from raybundle.workflows.adjust import adjust
     from raybundle.workflows.calibrate_state import Calibration
     from raybundle.workflows.orient import Orientation
+    from raybundle.workflows.plan_flight import plan_flight
 
     __version__: str
 
@@ -41,8 +55,10 @@ _HOME = {
     "Calibration": "workflows.calibrate_state",
     "Camera": "block",
     "Distances": "block",
+    "Flight": "block.uav_networks",
     "Images": "block",
     "InputError": "errors",
+    "Instrument": "block",
     "NotSolvable": "errors",
     "Observations": "block",
     "OrientSettings": "commands.orient",
@@ -55,10 +71,20 @@ _HOME = {
     "calibrate": "commands.calibrate",
     "detect_targets": "commands.targets",
     "orient": "commands.orient",
+    "plan_flight": "workflows.plan_flight",
+    "plot_control": "report.pictures",
+    "plot_interior": "report.pictures",
+    "plot_network": "report.pictures",
+    "plot_reliability": "report.pictures",
+    "plot_residuals": "report.pictures",
     "read_block": "io.block_folder",
     "read_result": "report.result_folder",
+    "show": "report.show",
+    "table": "report.tables",
+    "table_names": "report.tables",
     "write_block": "io.block_folder",
     "write_comparison": "report.compare",
+    "write_network_page": "report.network_page",
     "write_report": "report.document",
     "write_result": "report.result_folder",
 }
@@ -71,8 +97,10 @@ __all__ = [
     "Calibration",
     "Camera",
     "Distances",
+    "Flight",
     "Images",
     "InputError",
+    "Instrument",
     "NotSolvable",
     "Observations",
     "OrientSettings",
@@ -86,10 +114,20 @@ __all__ = [
     "calibrate",
     "detect_targets",
     "orient",
+    "plan_flight",
+    "plot_control",
+    "plot_interior",
+    "plot_network",
+    "plot_reliability",
+    "plot_residuals",
     "read_block",
     "read_result",
+    "show",
+    "table",
+    "table_names",
     "write_block",
     "write_comparison",
+    "write_network_page",
     "write_report",
     "write_result",
 ]

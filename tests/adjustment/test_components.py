@@ -77,8 +77,8 @@ def test_named_points_beside_found_ones_are_a_group():
 
 def test_components_of_images_are_sums_over_their_points():
     result = adjust(network(1, 0.001), OPTIONS)
-    system, state = result.work.system, result.work.solution.state
-    squares = np.sum(result.work.normals.residuals(state)[0] ** 2, axis=1)
+    system, state = result.handle.work.system, result.handle.work.solution.state
+    squares = np.sum(result.handle.work.normals.residuals(state)[0] ** 2, axis=1)
     image = result.given.observations.image[system.rows]
     redundancy = result.image_observations.redundancy[system.rows].sum(axis=1)
     told = {c.group: c for c in result.variance_components if c.kind == "image"}

@@ -11,6 +11,7 @@ from raybundle.adjustment import noise
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.field_system import field_system, reason_against
 from raybundle.adjustment.fields import Components, Scores, variance_components
+from raybundle.adjustment.handle import Handle
 from raybundle.adjustment.noise import spread_in_datum, spread_of
 from raybundle.adjustment.options import AdjustmentOptions, noise_of_photographs
 from raybundle.adjustment.precision import angle_form, image_unknowns, interior_unknowns, precision
@@ -104,18 +105,18 @@ def adjusted(name):
     o = block.observations
     cov = np.array([0.01, 0.02, 0.006]) * (1 + 0.3 * np.arange(len(o.image)) / len(o.image))[:, None]
     result = adjust_block(replace(block, observations=replace(o, cov_px2=cov)), options)
-    w = result.work
+    w = result.handle.work
     fields = field_system(w.normals, w.state)
     spread = spread_of(fields, w.found, PHI, NOISE.root(1.0))
     found = spread_in_datum(spread, w.found, w.datum)
-    return replace(result, work=replace(w, under_noise=found, spread=spread))
+    return replace(result, handle=Handle(replace(w, under_noise=found, spread=spread)))
 
 
 @functools.cache
 def dense(name):
     """Covariance of all unknowns (nodes, then points) by the formula, in units of s0^2, and where the points begin."""
     result = adjusted(name)
-    w = result.work
+    w = result.handle.work
     system, state, block = w.system, w.state, result.given
     n, p, m = int(system.offsets[-1]), len(system.points_used), len(system.rows)
     A = np.zeros((2 * m + len(system.extra), n + 3 * p))
@@ -195,7 +196,7 @@ def close(found, expected, rows=None, columns=None):
 def test_covariances_equal_the_dense_formula(name):
     result = adjusted(name)
     C, n = dense(name)
-    w = result.work
+    w = result.handle.work
     system, state = w.system, w.state
     told = precision(w.normals, state, w.under_noise, 1.0)
     fixed = system.held if w.datum.kind == "minimal" else system.control_held
@@ -222,7 +223,7 @@ def test_covariances_equal_the_dense_formula(name):
 def test_every_question_is_answered_by_the_same_covariance(name):
     result = adjusted(name)
     C, n = dense(name)
-    w = result.work
+    w = result.handle.work
     system, ids = w.system, result.given.points.ids
     rows = {f"point:{ids[p]}": (n + 3 * p + np.arange(3), np.eye(3)) for p in (0, 5, 11)}
     bars = result.given.distances
@@ -294,11 +295,11 @@ def test_a_length_that_one_bar_fixes_keeps_the_standard_deviation_of_the_bar():
         block.distances, start=block.distances.start[:1], end=block.distances.end[:1],
         length=block.distances.length[:1], sigma=block.distances.sigma[:1],
     ))  # fmt: skip
-    w = adjust_block(with_fields(one, 0.3), options).work
+    w = adjust_block(with_fields(one, 0.3), options).handle.work
     spread = spread_of(field_system(w.normals, w.state), w.found, 30.0, NOISE.root(1.0))
     result = adjust_block(with_fields(one, 0.3), options)
     found = spread_in_datum(spread, w.found, w.datum)
-    result = replace(result, work=replace(w, under_noise=found, spread=spread))
+    result = replace(result, handle=Handle(replace(w, under_noise=found, spread=spread)))
     start, end = (int(e[0]) for e in (one.distances.start, one.distances.end))
     a, b = (f"point:{one.points.ids[k]}" for k in (start, end))
     aa, ab, bb = (covariance_between(result, *pair) / result.sigma0**2 for pair in ((a, a), (a, b), (b, b)))
@@ -331,7 +332,11 @@ def test_what_can_be_estimated_has_one_covariance_in_every_datum():
 def test_the_whole_covariance_is_positive_definite(name):
     C, n = dense(name)
     result = adjusted(name)
-    fixed = result.work.system.held if result.work.datum.kind == "minimal" else np.zeros_like(result.work.system.held)
+    fixed = (
+        result.handle.work.system.held
+        if result.handle.work.datum.kind == "minimal"
+        else np.zeros_like(result.handle.work.system.held)
+    )
     s = np.sqrt(np.diagonal(C))
     free = s > 1e-9 * s.max()
     values = np.linalg.eigvalsh((C / np.outer(s, s).clip(1e-300))[np.ix_(free, free)])
@@ -433,7 +438,7 @@ def test_images_of_a_rig_keep_white_noise():
     n = len(block.images)
     station = np.arange(n, dtype=np.int32) // 2
     result = adjusted("free")
-    system = result.work.system
+    system = result.handle.work.system
     shared = replace(system, image_node=system.image_node[2 * station])
     assert "rig" in reason_against(shared)
     assert not reason_against(system)

@@ -27,7 +27,7 @@ def adjusted(**survey):
 def dense(scale_bars):
     """Cofactor of all unknowns (nodes, points) by the bordered normal matrix with inner constraints over all points."""
     result = adjusted(scale_bars=scale_bars)
-    work = result.work
+    work = result.handle.work
     system, state = work.system, work.state
     n, p = int(system.offsets[-1]), len(system.points_used)
     A = np.zeros((2 * len(system.rows) + len(system.extra), n + 3 * p))
@@ -63,7 +63,7 @@ def dense(scale_bars):
 @pytest.mark.parametrize("scale_bars", [0, 2])
 def test_every_covariance_equals_the_bordered_inverse(scale_bars):
     result, Q, n = dense(scale_bars)
-    system = result.work.system
+    system = result.handle.work.system
     ids = result.given.points.ids
     points = [f"point:{ids[i]}" for i in (0, 5, 11)]
     for a in points:
@@ -127,7 +127,7 @@ def test_weak_points_do_not_carry_the_datum_if_asked():
     block = with_rows(block, keep)
     everything = adjust_block(block, AdjustmentOptions())
     good = adjust_block(block, AdjustmentOptions(datum_over="good"))
-    carriers = np.flatnonzero(good.work.datum.carriers)
+    carriers = np.flatnonzero(good.handle.work.datum.carriers)
     assert not np.isin(weak, carriers).any()
     assert f"over the {len(carriers)} object points that are well determined" in good.datum
     there = precision_in_datum(everything, tuple(block.points.ids[k] for k in carriers))

@@ -176,7 +176,7 @@ def test_free_networks_are_factored_once_where_they_will_stand(block, monkeypatc
     xyz = block.points.xyz * 1.01 + rng.normal(0, 0.01 * np.ptp(block.points.xyz), block.points.xyz.shape)
     result = adjust_block(replace(block, points=replace(block.points, xyz=xyz)), OPTIONS)
     assert calls == ["_factor", "cofactors"]
-    work = result.work
+    work = result.handle.work
     assert work.datum.kind == "inner"
     assert work.datum.defect > 0
     assert np.abs(work.state.xyz - work.solution.state.xyz).max() > 1e-4 * work.datum.extent

@@ -105,7 +105,7 @@ def test_a_wrong_redundancy_number_is_a_fault():
     numbers = result.image_observations.redundancy.copy()
     numbers[0] += 1e-3
     wrong = replace(result.image_observations, redundancy=numbers)
-    work = result.work
+    work = result.handle.work
     for statistics, told in ((result.image_observations, False), (wrong, True)):
         found = redundancy_sum(work, work.state, work.found, statistics, result.groups, result.redundancy)
         assert ("redundancy_sum" in {n.code for n in notices_of(result, found)}) == told

@@ -36,8 +36,8 @@ def both(block, monkeypatch, options=TIGHT):
     monkeypatch.setattr(normals_module.native, "sensor_models", frozenset)
     twin = adjust_block(block, options)
     monkeypatch.undo()
-    assert type(twin.work.normals.solver).__module__ == "raybundle.adjustment.twin"
-    assert type(compiled.work.normals.solver).__module__ != "raybundle.adjustment.twin"
+    assert type(twin.handle.work.normals.solver).__module__ == "raybundle.adjustment.twin"
+    assert type(compiled.handle.work.normals.solver).__module__ != "raybundle.adjustment.twin"
     return compiled, twin
 
 

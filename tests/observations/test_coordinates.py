@@ -89,7 +89,7 @@ def test_it_is_the_dense_adjustment():
     _, block, xyz = drawn(3)
     C = covariance()
     result = adjust(block.having(table(xyz, C)), ONE)
-    work = result.work
+    work = result.handle.work
     system, state = work.system, work.state
     e = work.normals.extra(state)
     assert len(e.residual) == 3 * len(KNOWN)

@@ -6,10 +6,10 @@ import json
 import pytest
 
 from raybundle.adjustment.counts import counts
-from raybundle.cli.summary import summary_lines
 from raybundle.numerics.counting import counted
 from raybundle.report.numbers import grouped
 from raybundle.report.result_folder import write_result
+from raybundle.report.summary import summary_lines
 
 
 @pytest.mark.parametrize("name", ["rich", "rejected", "unused_rows"])

@@ -10,7 +10,6 @@ import pytest
 
 from raybundle import adjust
 from raybundle.adjustment.engine import adjust_block
-from raybundle.cli.summary import summary_lines
 from raybundle.report.document import write_report
 from raybundle.report.figures_corrections import correction_figures
 from raybundle.report.figures_series import running
@@ -20,6 +19,7 @@ from raybundle.report.section_panoramas import panorama_section
 from raybundle.report.section_result import result_section
 from raybundle.report.section_scenes import scene_section, strip_section
 from raybundle.report.section_trajectories import trajectory_section
+from raybundle.report.summary import summary_lines
 from raybundle.report.view import view_of
 from raybundle.report.words import verdict
 from tests.adjustment.test_antennas import SHIFT, flight

@@ -72,7 +72,7 @@ class Unknowns:
 
 def unknowns_of(result: Adjustment, truth: Block) -> dict[str, Unknowns]:
     """Points, images and interior orientations of a result, their errors after the similarity that stays open."""
-    work = result.work
+    work = result.handle.work
     system, datum = work.system, work.datum
     X, C, R = in_frame(result, truth)
     a = result.adjusted
@@ -105,7 +105,7 @@ def unknowns_of(result: Adjustment, truth: Block) -> dict[str, Unknowns]:
 def in_frame(result: Adjustment, truth: Block):
     """True points, centres and rotations in the frame of the result, moved within its open datum."""
     X, C, R = truth.points.xyz, truth.images.centre, truth.images.rotation
-    work = result.work
+    work = result.handle.work
     if work.datum.defect == 0:
         return X, C, R
     if work.datum.defect not in (6, 7):
@@ -149,9 +149,9 @@ def squares(result: Adjustment, truth: Block) -> dict[str, dict]:
     for kind, u in unknowns_of(result, truth).items():
         if not u.at:
             continue
-        Q = variance * joint_cofactor(result.work, u.at)
+        Q = variance * joint_cofactor(result.handle.work, u.at)
         if kind == "points":
-            assert_own_blocks(Q, result.precision.object_points[result.work.system.points_used])
+            assert_own_blocks(Q, result.precision.object_points[result.handle.work.system.points_used])
         s, z = np.sqrt(np.diagonal(Q)), whitener(Q, u.defect) @ u.error
         by: dict[str, list[float]] = {}
         for name, ratio in zip(u.names, u.error / s, strict=True):

@@ -100,7 +100,7 @@ class Stated:
 
 def stated(result, points):
     """The interior orientations and these points (names) with both covariances."""
-    w = result.work
+    w = result.handle.work
     system, normals = w.system, w.normals
     rows = [r for r in system.interior if r.node >= 0 and r.image < 0]
     unknowns = np.concatenate([interior_unknowns(system, r) for r in rows])
@@ -250,7 +250,7 @@ def with_smooth_errors(block, rng, degree, tau_px, *, common_px=0.0, focus=0.0):
 
 def interior_error(result, truth):
     """Chi-square per parameter of the interior orientation against the truth: white, fields."""
-    w = result.work
+    w = result.handle.work
     row = next(r for r in w.system.interior if r.node >= 0)
     mine = interior_unknowns(w.system, row)
     symbols = [row.model.symbols[k] for k in row.free]

@@ -59,9 +59,9 @@ def test_the_stated_precision_is_the_scatter_of_the_points():
     for seed in range(12):
         block = flight_block(Flight(seed=seed, alternating=True, cross_tilt_deg=30.0, points=8))
         result = adjust_block(block, OPTIONS)
-        points, W = points_together(result.work)
+        points, W = points_together(result.handle.work)
         stated = result.precision.object_points[points] / result.sigma0**2
-        np.testing.assert_allclose(stated, result.work.found.points[points], rtol=1e-9, atol=1e-15)
+        np.testing.assert_allclose(stated, result.handle.work.found.points[points], rtol=1e-9, atol=1e-15)
         error = (result.adjusted.points.xyz - block.points.xyz)[points].ravel()
         d2.append(float(np.sum((W @ error) ** 2)))
         degrees = len(W)

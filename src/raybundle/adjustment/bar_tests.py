@@ -41,7 +41,7 @@ def wrong_bar(result: Adjustment, limit: float) -> WrongBar | None:
     the redundancy of each other observation c (Cook and Weisberg 1982, sec. 2.2).  That explains it where control and
     the bars that are doubted fit worse than all other observations, and no longer without this one.
     """
-    work, bars = result.work, next((g for g in result.groups if g.kind == "distance"), None)
+    work, bars = result.handle.work, next((g for g in result.groups if g.kind == "distance"), None)
     control = next((g for g in result.groups if g.kind == "control"), None)
     part = None if work is None else work.system.extra.of("distance")
     if work is None or work.found is None or bars is None or control is None or part is None:

@@ -46,10 +46,10 @@ def _determined(a: Adjustment) -> Mask:
     """(p, 3) coordinates that no open part of the datum moves beyond STILL of their standard deviation in a radian."""
     if not a.datum_defect:
         return np.ones((len(a.given.points), 3), bool)
-    if a.work is None or a.precision is None:
+    if a.handle.work is None or a.precision is None:
         return np.zeros((len(a.given.points), 3), bool)
-    datum = a.work.datum
-    moves = np.linalg.norm(point_generators(a.work.state.xyz, datum.centre, datum.extent) @ datum.basis, axis=2)
+    datum = a.handle.work.datum
+    moves = np.linalg.norm(point_generators(a.handle.work.state.xyz, datum.centre, datum.extent) @ datum.basis, axis=2)
     return np.isfinite(moves) & (moves <= STILL * np.nan_to_num(a.precision.object_point_std))
 
 

@@ -111,7 +111,7 @@ class ControlTests:
         self.result = result
         self.tests = _tests(result)
         self.level = result.options.significance / max(self.tests, 1)
-        work = result.work
+        work = result.handle.work
         usable = work is not None and work.found is not None and result.redundancy >= 2
         seen = _seen(work) if usable and work is not None else []
         self.count = len(seen)
@@ -119,7 +119,7 @@ class ControlTests:
 
     @cached_property
     def _joint(self) -> _Joint:
-        work = self.result.work
+        work = self.result.handle.work
         assert work is not None
         assert work.found is not None
         seen = [_with_rows(work, s) for s in self._seen]
@@ -273,7 +273,7 @@ def control_tests(result: Adjustment) -> tuple[ControlTest, ...]:
 
 def _tests(result: Adjustment) -> int:
     """Number of tests among which a false alarm is to be rare: all of the adjustment."""
-    rows = 0 if result.work is None else 2 * len(result.work.system.rows)
+    rows = 0 if result.handle.work is None else 2 * len(result.handle.work.system.rows)
     return rows + sum(len(g.ids) for g in result.groups)
 
 

@@ -17,6 +17,7 @@ from raybundle.adjustment.assemble import State, System, assemble
 from raybundle.adjustment.cell_means import systematic_notices
 from raybundle.adjustment.components import Found, settled_components, variance_components
 from raybundle.adjustment.datum import Datum, analyse, fit_to_given, hold_minimal, open_names
+from raybundle.adjustment.handle import EMPTY, Handle
 from raybundle.adjustment.interior import interior_results
 from raybundle.adjustment.network import network_figures
 from raybundle.adjustment.normals import Normals, held_bits
@@ -383,7 +384,7 @@ def result_of(
         else suspects(work, state, observations, family_wise_tau(options.significance, tests, redundancy)),
         notices=notices,
         condition=1 / max(normals.solver.smallest_pivot, 1e-300),
-        work=work if found is not None else None,
+        handle=Handle(work) if found is not None else EMPTY,
     )
     if not solution.converged:
         message = (

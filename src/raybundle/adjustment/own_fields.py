@@ -72,7 +72,7 @@ def own_field_notices(result: Adjustment) -> list[Notice]:
     """
     if any(n.severity is Severity.FAULT and n.code.startswith("control") for n in result.notices):
         return []  # wrong control bends the images that show it
-    work = result.work
+    work = result.handle.work
     tested = work.spread.own_fields if work is not None and work.spread is not None else ()
     T, left, n = np.zeros(len(result.given.images)), np.zeros(len(result.given.images)), len(result.given.images)
     rms = np.zeros(n)

@@ -93,9 +93,12 @@ def precision_in_datum(result: Adjustment, datum_points: tuple[str, ...]) -> Pre
 
 
 def _work(result: Adjustment) -> tuple[Work, State]:
-    if result.work is None:
-        raise InputError("the adjustment was made without statistics; adjust with AdjustmentOptions(statistics=True)")
-    return result.work, result.work.state
+    if result.handle.work is None:
+        raise InputError(
+            "the adjustment was made without statistics, or this is a copy of its result, which answers no questions; "
+            "ask the result itself, or adjust with AdjustmentOptions(statistics=True)"
+        )
+    return result.handle.work, result.handle.work.state
 
 
 def _variance(result: Adjustment) -> float:

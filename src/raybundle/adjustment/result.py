@@ -9,11 +9,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any
 
 from raybundle.adjustment.fields import WHITE, Noise
+from raybundle.adjustment.handle import EMPTY, Handle
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.severity import SEVERITY, Severity
+from raybundle.adjustment.shown import html_of, line_of
 from raybundle.block import Block
 from raybundle.block.rejection import Rejections
 from raybundle.numerics.arrays import Array, Index, Mask
@@ -282,7 +283,7 @@ class NetworkFigures:
     """Connected parts of the network."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class Adjustment:
     """The result of an adjustment."""
 
@@ -327,5 +328,13 @@ class Adjustment:
     """Condition number of the scaled reduced normal matrix (estimate)."""
     noise: Noise = WHITE
     """What standard deviations rest on; tests and smallest detectable blunders rest on white noise in any case."""
-    work: Any = field(default=None, repr=False, compare=False)
-    """The factored normal equations, for `raybundle.adjustment.queries`; None without statistics."""
+    handle: Handle = field(default=EMPTY, compare=False)
+    """For `raybundle.adjustment.queries`; empty without statistics, and in copies"""
+
+    def __repr__(self) -> str:
+        """One line."""
+        return line_of(self)
+
+    def _repr_html_(self) -> str:
+        """For notebooks: what was adjusted, interior orientations, the gravest notices."""
+        return html_of(self)

@@ -9,6 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from raybundle.adjustment.handle import Handle
 from raybundle.adjustment.interior import joint_tests
 from raybundle.adjustment.noise import noise_of
 from raybundle.adjustment.precision import Cofactors, interior_unknowns, node_cofactor, precision
@@ -33,7 +34,7 @@ def under_noise(result: Adjustment) -> Adjustment:
 
     result.noise says what was found, or why white noise was kept.
     """
-    work: Work | None = result.work
+    work: Work | None = result.handle.work
     white = result.precision
     if work is None or work.found is None or white is None:
         return replace(result, noise=replace(WHITE, reason="the adjustment was made without statistics"))
@@ -53,7 +54,7 @@ def under_noise(result: Adjustment) -> Adjustment:
         network=_network(result.network, white, widened),
         options=replace(result.options, noise="fields"),
         noise=noise,
-        work=replace(work, under_noise=found, spread=spread),
+        handle=Handle(replace(work, under_noise=found, spread=spread)),
     )
 
 

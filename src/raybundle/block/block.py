@@ -15,6 +15,7 @@ from typing import Any, Literal, TypeVar
 import numpy as np
 
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.counting import counted
 from raybundle.numerics.places import Place
 from raybundle.numerics.rotation import angles_from_rotation
 from raybundle.observations.attitude import Attitudes
@@ -232,7 +233,7 @@ class Points:
         return given & (np.asarray(self.role) == Role.CHECK)[:, None]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class Block:
     """Everything that is adjusted together."""
 
@@ -261,6 +262,14 @@ class Block:
     """GNSS antennas and IMUs, which observed positions and attitudes name"""
     tables: Mapping[str, Table] = field(default_factory=dict[str, Table])
     """Observations outside the images, by the names of their tables; `having` puts one in."""
+
+    def __repr__(self) -> str:
+        """One line."""
+        of = [(self.cameras, "camera"), (self.images, "image"), (self.points, "object point")]
+        of += [(self.observations, "image observation"), (self.instruments, "instrument")]
+        parts = [counted(len(rows), noun) for rows, noun in of if len(rows) or noun != "instrument"]
+        parts += [f"{len(t)} {t.name.replace('_', ' ')}" for t in self.tables.values()]
+        return f"<Block {', '.join([repr(self.name), *parts])}>"
 
     @property
     def parametrised(self) -> tuple[Camera | Instrument, ...]:

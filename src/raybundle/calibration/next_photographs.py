@@ -11,7 +11,6 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.precision import interior_unknowns, node_cofactor
 from raybundle.adjustment.predict import image_points
 from raybundle.adjustment.result import Adjustment
-from raybundle.adjustment.work import Work
 from raybundle.block import Block, Images, Observations
 from raybundle.block.rejection import Rejections
 from raybundle.calibration.maps import ProjectionShifts, projection_shifts
@@ -79,7 +78,8 @@ def next_photographs(result: Adjustment, camera: str) -> tuple[Proposal, ...]:
 
 def _white(result: Adjustment, camera: str) -> Array:
     """Covariance of the interior orientation for white noise."""
-    work: Work = result.work
+    work = result.handle.work
+    assert work is not None
     assert work.found is not None
     row = next(r for r in work.system.interior if r.image < 0 and result.given.cameras[r.camera].id == camera)
     return result.sigma0**2 * node_cofactor(work.normals, work.found, interior_unknowns(work.system, row))

@@ -8,7 +8,7 @@ from typing import Any, Literal, cast
 
 import click
 
-from raybundle.numerics.counting import counted, grouped
+from raybundle.numerics.counting import counted, grouped, significant
 
 __all__ = [
     "APPROXIMATE", "COMMAND_SETTINGS", "FOLDER", "FREE_SCALE", "NEW_FILE", "NEW_FILE_OR_FOLDER", "NEW_FOLDER", "Output",
@@ -73,8 +73,3 @@ def noise_option(function: Callable[..., Any]) -> Callable[..., Any]:
         "differ from image to image, and a floor, both told by the residuals; auto: fields for five photographs or "
         "more that are measured here, white for a block that is given.",
     )(function)
-
-
-def significant(value: float, digits: int = 3) -> str:
-    """A number with so many significant digits, without an exponent where it can be read without."""
-    return f"{value:#.{digits}g}".rstrip(".") if 1e-4 <= abs(value) < 1e6 else f"{value:.{digits - 1}e}"

@@ -16,3 +16,8 @@ def counted(number: int, noun: str) -> str:
 def counted_are(number: int, noun: str) -> str:
     """The same as the subject of a sentence: "1 image is", "3 images are"."""
     return f"{counted(number, noun)} {'is' if number == 1 else 'are'}"
+
+
+def significant(value: float, digits: int = 3) -> str:
+    """A number with so many significant digits, without an exponent where it can be read without."""
+    return f"{value:#.{digits}g}".rstrip(".") if 1e-4 <= abs(value) < 1e6 else f"{value:.{digits - 1}e}"

@@ -14,6 +14,7 @@ from raybundle.calibration.eccentricity import RadiusScale
 from raybundle.calibration.quality import CalibrationQuality
 from raybundle.io.photos.cameras import CameraGroup
 from raybundle.io.photos.photo import Found, Photo
+from raybundle.numerics.counting import counted
 from raybundle.pipeline.stage import Workflow
 from raybundle.targets.marks import Marks, Target
 from raybundle.workflows.calibrate_options import CalibrateOptions
@@ -22,7 +23,7 @@ from raybundle.workflows.recognise import Recognised
 from raybundle.workflows.target_block import TargetBlock
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class Calibration:
     """What came of the photographs."""
 
@@ -48,6 +49,15 @@ class Calibration:
     """what became of each camera in the camera library, in words, where that was asked for"""
     seconds: Mapping[str, float] = field(default_factory=dict[str, float])
     """what each stage took, in their order"""
+
+    def __repr__(self) -> str:
+        """One line."""
+        told = "; ".join(f"camera {q.camera}: {q.headline}" for q in self.quality) or repr(self.adjustment)
+        return f"<Calibration by {self.used} of {counted(len(self.photos), 'photograph')}: {told}>"
+
+    def _repr_html_(self) -> str:
+        """For notebooks: that of its adjustment."""
+        return self.adjustment._repr_html_()  # pyright: ignore[reportPrivateUsage]
 
     @property
     def used(self) -> int:

@@ -18,6 +18,7 @@ from raybundle.io.photos.photo import Photo
 from raybundle.io.trajectories import Trajectory
 from raybundle.matching.methods import feature_method
 from raybundle.matching.verify import VerifiedPair
+from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Progress, silent
 from raybundle.pipeline.executors import Threads
 from raybundle.pipeline.project import Project, StageRecord
@@ -38,7 +39,7 @@ from raybundle.workflows.upright import Upright
 __all__ = ["OrientOptions", "Orientation", "orient", "part_folder", "stages"]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class Orientation:
     """What came of the photographs."""
 
@@ -66,6 +67,17 @@ class Orientation:
     """how the vertical was found, where neither control nor positions tell it"""
     dropped: Dropped | None = None
     """what became of the photographs' features before the adjustment"""
+
+    def __repr__(self) -> str:
+        """One line."""
+        parts = f" in {1 + len(self.parts)} parts" if self.parts else ""
+        return (
+            f"<Orientation of {self.oriented} of {counted(len(self.photos), 'photograph')}{parts}: {self.adjustment!r}>"
+        )
+
+    def _repr_html_(self) -> str:
+        """For notebooks: that of its adjustment."""
+        return self.adjustment._repr_html_()  # pyright: ignore[reportPrivateUsage]
 
     @property
     def oriented(self) -> int:

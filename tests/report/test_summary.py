@@ -9,7 +9,7 @@ from raybundle import adjust
 from raybundle.adjustment.result import WHITE, Noise
 from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.cli.calibrate import lines
-from raybundle.cli.summary import noise_lines
+from raybundle.report.summary import noise_lines
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""The few lines that a command prints about an adjustment."""
+"""A result in a few lines, as commands print it."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from raybundle.adjustment.network import classed
 from raybundle.adjustment.result import Adjustment, Notice, as_told
 from raybundle.adjustment.spread import few_hold
 from raybundle.block import Block
-from raybundle.cli.common import counted, grouped, significant
 from raybundle.numerics.arrays import Array
+from raybundle.numerics.counting import counted, grouped, significant
 from raybundle.report.view import length_unit, printed_lengths
 
 SHOWN = 15

@@ -1,0 +1,133 @@
+"""A result as Python and notebooks see it: lines, tables, pictures, pages."""
+
+import copy
+import pickle
+import xml.etree.ElementTree as ET
+from dataclasses import fields, is_dataclass, replace
+
+import numpy as np
+import pytest
+
+import raybundle as rb
+from raybundle.adjustment.queries import covariance_between
+from raybundle.adjustment.result import Notice
+from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.errors import InputError
+from raybundle.report.result_folder import result_tables
+from raybundle.report.show import show
+from raybundle.report.tables import table, table_names
+
+
+@pytest.fixture(scope="module")
+def result():
+    scene = field_scene(TargetField(rows=4, columns=5, stations=4, frontal=1))
+    near = {"points": "exact", "orientation": "exact", "interior": "exact"}
+    return rb.adjust(simulate(scene, Survey(scale_bars=2, **near)).observed)
+
+
+def test_a_result_is_plain_data(result):
+    for again in (pickle.loads(pickle.dumps(result)), copy.deepcopy(result)):  # noqa: S301
+        assert again.sigma0 == result.sigma0
+        np.testing.assert_array_equal(again.precision.object_points, result.precision.object_points)
+        assert again.handle.work is None
+        with pytest.raises(InputError, match="a copy of its result"):
+            covariance_between(again, "point:1", "point:2")
+    assert result.handle.work is not None  # whoever copies it takes nothing from it
+    assert len(pickle.dumps(result)) < 400_000
+
+
+def test_nothing_of_a_solver_stands_in_it_but_behind_its_handle(result):
+    def modules(value, seen):
+        if id(value) in seen or not is_dataclass(value):
+            return
+        seen.add(id(value))
+        yield type(value).__module__
+        for f in fields(value):
+            yield from modules(getattr(value, f.name), seen)
+
+    assert not {m for m in modules(result, set()) if m.endswith(("work", "normals", "assemble", "solve"))}
+
+
+def test_it_shows_itself(result):
+    line = repr(result)
+    assert line.startswith("<Adjustment 'testfield', 5 images, 16 object points, sigma0 ")
+    assert "\n" not in line
+    odd = replace(result, notices=(Notice(code="x", message="<script>alert(1)</script>"),) * 9)
+    page = odd._repr_html_()
+    assert "<script>" not in page
+    assert "&lt;script&gt;" in page
+    c = result.interior[0].parameters["c"]
+    assert f"{c.value:.6g}" in page
+    assert repr(result.given).startswith("<Block 'testfield', 1 camera, ")
+    assert "2 distances" in repr(result.given)
+
+
+def test_tables_are_those_of_the_result_folder(result, tmp_path):
+    rb.write_result(result, tmp_path / "result", report="none")
+    for name in table_names(result):
+        found = table(result, name)
+        columns = result_tables(result)[name]
+        header = (tmp_path / "result" / f"{name}.csv").read_text(encoding="utf-8").splitlines()
+        assert list(found.dtype.names) == header[0].split(",")
+        assert len(found) == len(header) - 1 == len(next(iter(columns.values())))
+    points = table(result, "points")
+    np.testing.assert_array_equal(points["sX"], result.precision.object_point_std[:, 0])
+    with pytest.raises(InputError, match="no table of this result; it has images, points"):
+        table(result, "pints")
+    with pytest.raises(InputError, match="none of numpy"):
+        table(result, "points", to="excel")
+
+
+@pytest.mark.parametrize("library", ["pandas", "polars"])
+def test_data_frames_where_a_library_is_there(result, library, monkeypatch):
+    import sys
+    from types import ModuleType
+
+    stand_in = ModuleType(library)
+    stand_in.DataFrame = dict
+    monkeypatch.setitem(sys.modules, library, stand_in)
+    frame = table(result, "points", to=library)
+    assert frame["point"] == list(result.given.points.ids)
+    monkeypatch.setitem(sys.modules, library, None)
+    with pytest.raises(InputError, match=f"{library} is not installed"):
+        table(result, "points", to=library)
+
+
+@pytest.mark.parametrize("name", ["network", "residuals", "interior", "reliability", "control"])
+def test_pictures_are_drawings_of_their_own(result, name, tmp_path):
+    pictures = getattr(rb, f"plot_{name}")(result)
+    assert len(pictures) > 0 or name == "control"
+    for k, picture in enumerate(pictures):
+        root = ET.fromstring(picture.svg)  # noqa: S314
+        assert root.tag == "{http://www.w3.org/2000/svg}svg"
+        assert picture.caption
+        picture.save(tmp_path / f"{k}.svg")
+        assert (tmp_path / f"{k}.svg").read_text(encoding="utf-8") == picture.svg
+        with pytest.raises(InputError, match=r"written as \.svg"):
+            picture.save(tmp_path / f"{k}.png")
+    assert pictures._repr_html_().count("<figure>") == len(pictures)
+
+
+def test_a_page_is_written_and_opened(result, tmp_path, monkeypatch):
+    opened = []
+    monkeypatch.setattr("webbrowser.open", opened.append)
+    page = show(result, tmp_path / "report.html")
+    assert opened == [(tmp_path / "report.html").resolve().as_uri()]
+    assert "iframe" in page._repr_html_()
+    network = show(result, what="network")
+    assert network.path.name == "network.html"
+    assert "Network of testfield" in network.path.read_text(encoding="utf-8")
+    import sys
+    from types import ModuleType
+
+    monkeypatch.setitem(sys.modules, "ipykernel", ModuleType("ipykernel"))
+    show(result, tmp_path / "again.html")
+    assert len(opened) == 2  # a notebook shows it within itself
+
+
+def test_an_adjustment_without_statistics_shows_itself_too(result):
+    plain = rb.adjust(result.given, rb.AdjustmentOptions(statistics=False))
+    assert "sigma0" in repr(plain)
+    assert plain._repr_html_()
+    assert rb.plot_network(plain)
+    assert np.isnan(table(plain, "points")["sX"]).all()
