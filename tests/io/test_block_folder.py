@@ -9,11 +9,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from tests.block.any_blocks import always_as_by_default
 
-from raybundle.block import Block, Role
+from raybundle.block import Block, Instrument, PixelFrame, Relation, Role
 from raybundle.block.simulate import SinglePhoto, Survey, TargetField, field_scene, simulate, single_scene
 from raybundle.errors import InputError, UnknownSensorModel
 from raybundle.io.block_folder import read_block, write_block
+from raybundle.observations import tables
+from raybundle.observations.parameter import Calibrated
 
 DATA = Path(os.environ.get("RAYBUNDLE_DATA", Path(__file__).parents[3] / "shared" / "data")) / "blocks"
 BLOCKS = sorted(p.name for p in DATA.iterdir() if p.is_dir()) if DATA.is_dir() else []
@@ -150,6 +153,18 @@ def rich_block() -> Block:
         sigma={"c": 0.05, "K1": 1e-7},
         estimate=("c", "K1"),
     )
+    other = replace(
+        block.cameras[0], id="other", estimate="auto", per_image=("x0", "y0"),
+        relations=(
+            Relation(name="smooth", terms={"K1": 2.0, "K2": -1.0}, sigma=0.1, observed=3.0),
+            Relation(name="scale", terms={"c": 1.0}, sigma=0.02, observed=3.1, logarithm=True, origin="known before"),
+        ),
+        calibrated=Calibrated(
+            symbols=("c", "K1"), values=(20.1, 1e-5), sigma=(0.01, 1e-7), correlations=((1.0,), (0.25, 1.0))
+        ),
+    )  # fmt: skip
+    antenna = Instrument(id="gnss", model="antenna", values={"az": 0.3}, estimate=("az", "sz"), sigma={"az": 0.01})
+    imu = Instrument(id="ins", model="imu", values={"bx": 1e-3}, estimate=("bx", "by", "bz"))
     held = np.zeros(len(block.images), bool)
     held[2] = True
     images = replace(
@@ -157,7 +172,9 @@ def rich_block() -> Block:
         ids=("a,b", 'say "x"', *block.images.ids[2:]),
         file=("übung.jpg", "a, b.jpg", *block.images.file[2:]),
         held=held,
-        interior={1: {"c": 20.123456789012345, "K1": -1.2345678901234567e-5}},
+        interior={1: {"c": 20.123456789012345, "K1": -1.2345678901234567e-5}, 3: {"x0": 0.25, "y0": -0.125}},
+        camera=np.where(np.arange(len(block.images)) == 3, 1, 0).astype(np.int32),
+        frames={0: PixelFrame(turned=180, width_px=camera.width_px // 2, height_px=camera.height_px // 2)},
     )
     cov = block.observations.cov_px2.copy()
     cov[:, 2] = 0.3 * cov[:, 0]
@@ -167,7 +184,13 @@ def rich_block() -> Block:
         length_unit="mm",
         sigma0_apriori=0.1,
         residuals="corrected",
-        cameras=(camera,),
+        licence="CC0",
+        noise="fields",
+        datum_over="good",
+        free_scale=True,
+        rejected=((images.ids[0], block.points.ids[0]),),
+        cameras=(camera, other),
+        instruments=(antenna, imu),
         images=images,
         observations=replace(block.observations, cov_px2=cov),
     )
@@ -175,6 +198,10 @@ def rich_block() -> Block:
 
 def test_everything_the_format_knows_reads_back_equal(tmp_path):
     block = rich_block()
+    of_tables = {f"{t.__name__}.{f.name}" for t in tables.values() for f in fields(t)}  # tests/observations reads them
+    # rigs share no parameters of their own; the format says of instruments only what is free or observed
+    elsewhere = {f"Instrument.{name}" for name in ("known", "calibrated", "relations")} | {"Images.station"}
+    assert always_as_by_default([block]) - of_tables == elsewhere | {"Camera.known"}
     write_block(block, tmp_path / "b")
     assert_same(block, read_block(tmp_path / "b"))
 

@@ -13,7 +13,8 @@ from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Relation
 from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
-from raybundle.observations import in_order, observation_kinds
+from raybundle.io.block_folder import read_block, write_block
+from raybundle.observations import in_order, observation_kinds, tables
 from raybundle.observations.alignment import Levels, Lines, Planes, PlumbLines
 from raybundle.observations.coordinates import Coordinates
 from raybundle.observations.deviation import Deviations
@@ -95,7 +96,7 @@ EXAMPLES = {
 
 
 def system_of(block):
-    free = {c.id: c.sensor.symbols if c.estimate == "auto" else c.estimate for c in block.cameras}
+    free = {c.id: c.sensor.symbols if c.estimate == "auto" else c.estimate for c in block.parametrised}
     return assemble(block, AdjustmentOptions(), np.zeros(len(block.observations), bool), free)
 
 
@@ -172,3 +173,25 @@ def test_rows_have_names_and_weights(parts, kind):
 def test_orders_and_groups_are_each_kinds_own():
     kinds = in_order()
     assert len({k.order for k in kinds}) == len({k.group for k in kinds}) == len({k.name for k in kinds}) == len(kinds)
+
+
+def test_tables_of_every_kind_read_back_equal(tmp_path):
+    there = set()
+    for example, make in EXAMPLES.items():
+        block = make()
+        if any(c.is_scene for c in block.cameras):
+            continue
+        write_block(block, tmp_path / example)
+        again = read_block(tmp_path / example)
+        assert again.tables.keys() == block.tables.keys()
+        for name, found in block.tables.items():
+            there.add(name)
+            for field, c in found.cells():
+                mine, read = getattr(found, field), getattr(again.tables[name], field)
+                if c.unit == "deg":  # written in degrees, to their last figure
+                    np.testing.assert_allclose(read, mine, rtol=1e-11, atol=1e-14)
+                elif mine is None or isinstance(mine, tuple):
+                    assert read == mine
+                else:
+                    np.testing.assert_array_equal(read, mine)
+    assert there == set(tables)
