@@ -24,6 +24,7 @@ from raybundle.cli.numbers import NUMBER
 from raybundle.errors import InputError
 from raybundle.io.coordinate_systems import LocalFrame, frame_from_mapping, local_frame
 from raybundle.io.formats import Export, check_deviation, formats, read_format, write_format
+from raybundle.io.one_instant import at_one_instant
 from raybundle.io.reading.files import opened
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress
@@ -137,6 +138,10 @@ def command(
             remarks += more
         if target != BLOCK:
             export = replace(export, block=with_adjusted_cameras(export.block, source))
+        if target not in {BLOCK, RPC} or undistort:
+            block, more = at_one_instant(export.block)
+            export = replace(export, block=block)
+            remarks += more
         if target != BLOCK or undistort:
             export = replace(export, block=in_file_frames(export.block))
         coloured = target not in {BLOCK, RPC} and formats[target].colours
