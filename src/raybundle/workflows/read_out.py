@@ -228,19 +228,23 @@ def read_out(result: Adjustment, camera: str, when: Mapping[str, datetime | None
     free = {i.camera: i.free for i in result.interior if i.image is None}
     plain = tuple(s for s in free.get(camera, ()) if s not in SHAPE)
     start = _with(as_start(result.given, result.adjusted), at, dict.fromkeys(SHAPE, 0.0))
+    scale, rolling = _variance(result), _with_scale(_rolling(start, at, velocity), result)
     neither = _adjusted(result, start, {**free, camera: plain})
-    shape = _adjusted(result, start, {**free, camera: (*plain, *SHAPE)})
-    rolling = _with_scale(_rolling(start, at, velocity), result)
-    moving = _adjusted(result, rolling, {**free, camera: (*plain, "r")}, statistics=True)
-    if neither is None or shape is None or moving is None:
+    moving = _adjusted(result, rolling, {**free, camera: (*plain, "r")})
+    if neither is None or moving is None:
         return None
-    scale = _variance(result)
+    if chi_square_tails((neither.weighted_square_sum - moving.weighted_square_sum) / scale, 1)[1] > ALPHA:
+        return None
+    shape = _adjusted(result, start, {**free, camera: (*plain, *SHAPE)})
+    moving = _adjusted(result, rolling, {**free, camera: (*plain, "r")}, statistics=True)
+    if shape is None or moving is None:
+        return None
     by = [(neither.weighted_square_sum - a.weighted_square_sum) / scale for a in (moving, shape)]
     height = float(result.given.cameras[at].size_mm[1])
     r = next(i.parameters["r"] for i in moving.interior if i.camera == camera and i.image is None)
     wider = np.sqrt(scale) / max(result.sigma0, 1e-12)
     seconds = r.value * height
-    if chi_square_tails(by[0], 1)[1] > ALPHA or (timed and abs(seconds) > LONGEST_S):
+    if timed and abs(seconds) > LONGEST_S:
         return None
     return ReadOut(
         camera=camera, seconds=abs(seconds), std=(r.std or 0.0) * height * wider, timed=timed, by_read_out=by[0],
