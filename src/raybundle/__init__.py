@@ -37,9 +37,10 @@ if TYPE_CHECKING:
         plot_reliability,
         plot_residuals,
     )
-    from raybundle.report.result_folder import read_result, write_result
     from raybundle.report.show import show
     from raybundle.report.tables import table, table_names
+    from raybundle.report.write import write_result
+    from raybundle.results.folder import read_result
     from raybundle.workflows.adjust import adjust
     from raybundle.workflows.calibrate_state import Calibration
     from raybundle.workflows.orient import Orientation
@@ -78,7 +79,7 @@ _HOME = {
     "plot_reliability": "report.pictures",
     "plot_residuals": "report.pictures",
     "read_block": "io.block_folder",
-    "read_result": "report.result_folder",
+    "read_result": "results.folder",
     "show": "report.show",
     "table": "report.tables",
     "table_names": "report.tables",
@@ -86,7 +87,7 @@ _HOME = {
     "write_comparison": "report.compare",
     "write_network_page": "report.network_page",
     "write_report": "report.document",
-    "write_result": "report.result_folder",
+    "write_result": "report.write",
 }
 
 __all__ = [

@@ -13,7 +13,7 @@ from raybundle.block.simulate import AerialStrips, Survey, aerial_scene, simulat
 from raybundle.errors import DatumDefect, InputError
 from raybundle.io.block_folder import read_block, write_block
 from raybundle.platforms import instrument_models
-from raybundle.report.result_folder import write_result
+from raybundle.report.write import write_result
 from tests.truth.mixed_blocks import MonteCarlo
 
 LEVER = np.array([0.10, -0.05, 0.30])

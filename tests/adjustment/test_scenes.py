@@ -15,7 +15,8 @@ from raybundle.errors import InputError
 from raybundle.io.block_folder import read_block, write_block
 from raybundle.io.block_scenes import projected
 from raybundle.numerics.places import Geocentric, Local
-from raybundle.report.result_folder import read_result, write_result
+from raybundle.report.write import write_result
+from raybundle.results.folder import read_result
 from raybundle.scenes.sensor import LineSensor, RpcSensor, scene_camera, view_of
 from raybundle.scenes.trajectory import CorrectionModel
 from tests.conftest import DATA

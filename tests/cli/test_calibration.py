@@ -14,7 +14,7 @@ from raybundle.cli.calibration import command
 from raybundle.cli.main import main
 from raybundle.errors import InputError
 from raybundle.io.camera_library import read_library
-from raybundle.report.result_folder import write_result
+from raybundle.report.write import write_result
 
 TEXT = """[cameras.left]
 model = "brown"

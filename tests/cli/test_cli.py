@@ -100,7 +100,7 @@ def test_internal_errors_are_1_and_one_line(field, tmp_path, capsys, monkeypatch
 
 
 def test_interruption_is_130_and_leaves_nothing(field, tmp_path, capsys, monkeypatch):
-    monkeypatch.setattr("raybundle.report.result_folder.result_table", raising(KeyboardInterrupt()))
+    monkeypatch.setattr("raybundle.results.folder.result_table", raising(KeyboardInterrupt()))
     assert run("adjust", field, "--out", tmp_path / "r", "--no-report") == 130
     assert capsys.readouterr().err.strip() == "interrupted; nothing was written"
     assert list(tmp_path.iterdir()) == []

@@ -23,7 +23,7 @@ from raybundle.block.simulate import (
 from raybundle.cli.convert import command
 from raybundle.errors import InputError
 from raybundle.io.block_folder import read_block, write_block
-from raybundle.report.result_folder import write_result
+from raybundle.report.write import write_result
 
 LENS = {"K1": 3e-5, "K2": -4e-8, "K3": 0.0, "P1": 2e-6, "P2": -1e-6}
 FIELD = TargetField(camera=brown_camera(values=LENS), stations=4, frontal=1, rows=4, columns=5)

@@ -14,7 +14,7 @@ from raybundle.block.simulate import Survey, TargetField, brown_camera, field_sc
 from raybundle.cli.main import main
 from raybundle.io.undistort import camera_plane
 from raybundle.numerics.planes import plane_of_most
-from raybundle.report.result_folder import write_result
+from raybundle.report.write import write_result
 from raybundle.workflows.rectify import plane_of
 
 WALL = (-2.0, -1.5, 2.0, 1.5)

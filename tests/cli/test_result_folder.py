@@ -14,7 +14,9 @@ from raybundle.block.rejection import Rejection, RejectionKind
 from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.errors import InputError
 from raybundle.io.block_folder import read_block
-from raybundle.report.result_folder import TABLES, check_target, read_result, write_result
+from raybundle.report.write import write_result
+from raybundle.results.folder import check_target, read_result
+from raybundle.results.tables import TABLES
 
 SURVEY = Survey(
     control=5,
@@ -167,7 +169,7 @@ def test_a_check_point_without_rays_has_no_difference(adjustment, tmp_path):
 
 def test_a_result_is_replaced_only_by_a_complete_one(folder, adjustment, monkeypatch):
     before = (folder / "result.json").read_bytes()
-    monkeypatch.setattr("raybundle.report.result_folder.result_json", broken)
+    monkeypatch.setattr("raybundle.results.folder.result_json", broken)
     with pytest.raises(InputError, match="No space left"):
         write_result(adjustment, folder, report="none")
     assert (folder / "result.json").read_bytes() == before

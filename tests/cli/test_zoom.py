@@ -13,7 +13,7 @@ from raybundle.io.camera_library import find_calibrations, read_library, with_li
 from raybundle.io.photos.cameras import camera_groups
 from raybundle.io.photos.metadata import Metadata
 from raybundle.io.photos.photo import Photo
-from raybundle.report.result_folder import write_result
+from raybundle.report.write import write_result
 
 EXIF = {"make": "Nikon", "model": "D850", "serial": "7", "lens": "24-70", "focus_m": None}
 

@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from raybundle.report.result_folder import PROJECT
+from raybundle.results.folder import PROJECT
 
 ROOT = Path(__file__).resolve().parents[2]
 PORTAL = ROOT / "demo_data/portal/photos"

@@ -317,7 +317,7 @@ def test_a_full_disk_is_named_and_what_is_finished_is_kept(photos, tmp_path, siz
 
 
 def test_a_disk_that_fills_while_the_result_is_written_keeps_the_old_one(orient, photos, tmp_path, monkeypatch):
-    from raybundle.report import result_folder
+    from raybundle.results import folder as result_folder
 
     assert orient(photos).status == 0
     before = {p.name: p.read_bytes() for p in (tmp_path / "project/result").glob("*.csv")}

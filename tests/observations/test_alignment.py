@@ -15,7 +15,8 @@ from raybundle.io.block_folder import read_block, write_block
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.numerics.transform import similarity
 from raybundle.observations.alignment import Levels, Lines, Planes, PlumbLines
-from raybundle.report.result_folder import read_result, write_result
+from raybundle.report.write import write_result
+from raybundle.results.folder import read_result
 
 SIGMA, PX = 2e-4, 0.5
 SCENE = field_scene(TargetField(rows=6, columns=7, depth=0.3, size=(0.8, 0.6), stations=6, frontal=1))

@@ -13,7 +13,8 @@ from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.errors import InputError
 from raybundle.io.block_folder import read_block, write_block
 from raybundle.observations.coordinates import Coordinates
-from raybundle.report.result_folder import read_result, write_result
+from raybundle.report.write import write_result
+from raybundle.results.folder import read_result
 
 SCENE = field_scene(TargetField(rows=5, columns=6, depth=0.4, size=(0.8, 0.6), stations=6, frontal=1))
 KNOWN = np.array([0, 5, 8, 14, 21, 24, 29], np.int32)

@@ -12,7 +12,8 @@ from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.errors import InputError
 from raybundle.io.block_folder import read_block, write_block
 from raybundle.observations.deviation import Deviations
-from raybundle.report.result_folder import read_result, write_result
+from raybundle.report.write import write_result
+from raybundle.results.folder import read_result
 
 SCENE = field_scene(TargetField(rows=5, columns=6, depth=0.5, size=(0.8, 0.6), stations=8, frontal=2))
 FREE = ("c", "x0", "y0", "K1")

@@ -10,7 +10,8 @@ from raybundle.errors import InputError
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.report.common_points import common_points, common_rows
 from raybundle.report.compare import basis_words, point_differences, taken_otherwise, write_comparison
-from raybundle.report.result_folder import read_result, write_result
+from raybundle.report.write import write_result
+from raybundle.results.folder import read_result
 from tests.report.test_document import parsed
 
 RNG = np.random.default_rng(3)

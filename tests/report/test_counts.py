@@ -8,8 +8,8 @@ import pytest
 from raybundle.adjustment.counts import counts
 from raybundle.numerics.counting import counted
 from raybundle.report.numbers import grouped
-from raybundle.report.result_folder import write_result
 from raybundle.report.summary import summary_lines
+from raybundle.report.write import write_result
 
 
 @pytest.mark.parametrize("name", ["rich", "rejected", "unused_rows"])

@@ -3,8 +3,8 @@
 import numpy as np
 
 from raybundle.io.coordinate_systems import local_frame
-from raybundle.report.map_table import map_table
-from raybundle.report.result_folder import write_result
+from raybundle.report.write import write_result
+from raybundle.results.map_table import map_table
 
 
 def test_coordinates_go_there_and_back_and_sigmas_are_scaled(free_case):

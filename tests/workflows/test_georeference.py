@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from raybundle.adjustment.accuracy import accuracy
+from raybundle.adjustment.check_points import check_differences
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Role
@@ -13,8 +14,8 @@ from raybundle.errors import InputError
 from raybundle.io.control_files import Measurements
 from raybundle.numerics.progress import silent
 from raybundle.numerics.transform import similarity
-from raybundle.report.result_folder import check_differences, write_result
 from raybundle.report.summary import summary_lines
+from raybundle.report.write import write_result
 from raybundle.workflows.control_apart import check_apart
 from raybundle.workflows.final import final_adjustment
 from raybundle.workflows.georeference import georeference

@@ -15,7 +15,7 @@ from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.cli.main import main
 from raybundle.io.block_folder import read_block, write_block
 from raybundle.io.block_tables import named
-from raybundle.report.result_folder import write_result
+from raybundle.report.write import write_result
 from raybundle.workflows.adjust import adjust
 from raybundle.workflows.parts import merged
 

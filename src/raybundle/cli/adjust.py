@@ -98,8 +98,9 @@ def run(block: Path, out: Path, options: AdjustmentOptions, report: Literal["htm
     """Read, adjust, write, and print the summary."""
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.io.block_folder import read_block  # noqa: PLC0415
-    from raybundle.report.result_folder import check_target, write_result  # noqa: PLC0415
     from raybundle.report.summary import summary_lines  # noqa: PLC0415
+    from raybundle.report.write import write_result  # noqa: PLC0415
+    from raybundle.results.folder import check_target  # noqa: PLC0415
     from raybundle.workflows.adjust import adjust  # noqa: PLC0415
 
     check_target(out)

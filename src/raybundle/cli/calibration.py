@@ -134,7 +134,7 @@ def _of_result(folder: Path) -> list[tuple[Calibration, dict[str, Any]]]:
     import numpy as np  # noqa: PLC0415  (nothing numeric is loaded for the help)
 
     from raybundle.io.calibrations import Calibration  # noqa: PLC0415
-    from raybundle.report.result_folder import read_result  # noqa: PLC0415
+    from raybundle.results.folder import read_result  # noqa: PLC0415
 
     result = read_result(folder)
     images = result.block.images
@@ -482,7 +482,7 @@ def _zoom_settings(results: tuple[Path, ...], focal: tuple[float, ...]) -> tuple
     """The settings and EXIF keys of all cameras in some result folders."""
     from raybundle.block.zoom import ZoomSetting  # noqa: PLC0415
     from raybundle.io.camera_library import CameraKey  # noqa: PLC0415
-    from raybundle.report.result_folder import read_result  # noqa: PLC0415
+    from raybundle.results.folder import read_result  # noqa: PLC0415
 
     settings: list[ZoomSetting] = []
     keys: list[CameraKey] = []

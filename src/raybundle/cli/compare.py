@@ -33,7 +33,7 @@ def command(first: Path, second: Path, out: Path, progress: str) -> None:
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.errors import InputError  # noqa: PLC0415
     from raybundle.report.compare import write_comparison  # noqa: PLC0415
-    from raybundle.report.result_folder import read_result  # noqa: PLC0415
+    from raybundle.results.folder import read_result  # noqa: PLC0415
 
     if out.is_dir() or out.suffix.lower() not in {".html", ".htm"}:
         raise InputError("is not a name for an HTML file; give --out NAME.html", file=out)

@@ -223,7 +223,7 @@ def recognised(source: Path) -> str:
 
 def _read_result(folder: Path) -> tuple[Export, tuple[str, ...]]:
     """The adjusted values of a result folder, without rejected observations."""
-    from raybundle.report.result_folder import read_result  # noqa: PLC0415
+    from raybundle.results.folder import read_result  # noqa: PLC0415
 
     result = read_result(folder)
     block = result.block
@@ -268,7 +268,7 @@ def with_adjusted_cameras(block: Block, source: Path) -> Block:
     if not (source / "result.json").is_file():
         return block
     from raybundle.io.reading.trees import Json  # noqa: PLC0415
-    from raybundle.report.result_folder import read_result  # noqa: PLC0415
+    from raybundle.results.folder import read_result  # noqa: PLC0415
 
     told = Json(source / "result.json", read_result(source).result).get("cameras")
     own = {c.id: told.get(c.id) for c in block.cameras if told.has(c.id)}

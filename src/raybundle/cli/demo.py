@@ -49,8 +49,9 @@ def command(out: Path, photographs: Path | None, seed: int, progress: str) -> No
         return
     from raybundle.block import simulate as s  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.cli.progress import reporting  # noqa: PLC0415
-    from raybundle.report.result_folder import check_target, write_result  # noqa: PLC0415
     from raybundle.report.summary import summary_lines  # noqa: PLC0415
+    from raybundle.report.write import write_result  # noqa: PLC0415
+    from raybundle.results.folder import check_target  # noqa: PLC0415
     from raybundle.workflows.adjust import adjust  # noqa: PLC0415
 
     survey = s.Survey(seed=seed, image_sigma_px=0.1, scale_bars=1, scale_bar_sigma=2e-5, orientation="absent")

@@ -27,8 +27,8 @@ def run(folder: Path, out: Path, progress: str) -> None:
     from raybundle.commands.orient import write_orientation  # noqa: PLC0415
     from raybundle.errors import InputError  # noqa: PLC0415
     from raybundle.io.block_folder import read_block  # noqa: PLC0415
-    from raybundle.report.result_folder import check_target  # noqa: PLC0415
     from raybundle.report.summary import summary_lines  # noqa: PLC0415
+    from raybundle.results.folder import check_target  # noqa: PLC0415
     from raybundle.workflows.orient import orient  # noqa: PLC0415
 
     for name in ("photos", "measured.csv", "truth"):

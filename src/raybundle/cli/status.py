@@ -22,7 +22,7 @@ def command(project: Path) -> None:
       raybundle status facade-project
     """  # noqa: D301
     from raybundle.pipeline.project import Project  # noqa: PLC0415
-    from raybundle.report.result_folder import PROJECT  # noqa: PLC0415
+    from raybundle.results.folder import PROJECT  # noqa: PLC0415
 
     of_calibration = (project / PROJECT / "project.db").is_file()
     opened = Project.open(project / PROJECT if of_calibration else project, create=False)

@@ -12,7 +12,7 @@ from raybundle.block.frames import stored_ways
 from raybundle.cli.common import counted
 from raybundle.errors import InputError
 from raybundle.io.calibrations import Calibration, Conversion
-from raybundle.report.result_folder import read_result
+from raybundle.results.folder import read_result
 
 
 def calibrations_of_files(folder: Path) -> tuple[Calibration, ...]:

@@ -95,7 +95,8 @@ def calibrate(
 def run_calibrate(settings: CalibrateSettings, progress: Progress = silent) -> Calibration:
     """Calibrate what the settings ask for, and write the result; a folder that was begun for nothing is deleted."""
     from raybundle.pipeline.project import discard_empty  # noqa: PLC0415
-    from raybundle.report.result_folder import PROJECT, check_target, write_result  # noqa: PLC0415
+    from raybundle.report.write import write_result  # noqa: PLC0415
+    from raybundle.results.folder import PROJECT, check_target  # noqa: PLC0415
     from raybundle.workflows.calibrate import calibrate as calibrated  # noqa: PLC0415
 
     out, options = settings.out, settings.options()

@@ -192,7 +192,7 @@ def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orienta
     from raybundle.io.photos.photo import shown  # noqa: PLC0415
     from raybundle.io.trajectories import read_trajectory  # noqa: PLC0415
     from raybundle.pipeline.project import discard_empty  # noqa: PLC0415
-    from raybundle.report.result_folder import check_target  # noqa: PLC0415
+    from raybundle.results.folder import check_target  # noqa: PLC0415
     from raybundle.workflows.earlier_result import less_fixed  # noqa: PLC0415
     from raybundle.workflows.orient import orient as oriented  # noqa: PLC0415
 
@@ -260,7 +260,7 @@ def write_orientation(
 
     settings  what was asked for beside the defaults, for the report
     """
-    from raybundle.report.result_folder import write_result  # noqa: PLC0415
+    from raybundle.report.write import write_result  # noqa: PLC0415
     from raybundle.workflows.orient import part_folder  # noqa: PLC0415
 
     facts = replace(facts_of(done), settings=tuple((settings or {}).items()))
@@ -301,7 +301,7 @@ def _remove_older(project: Path, parts: int) -> None:
     """Remove results of parts that an earlier run had and this one has not."""
     import shutil  # noqa: PLC0415
 
-    from raybundle.report.result_folder import check_target  # noqa: PLC0415
+    from raybundle.results.folder import check_target  # noqa: PLC0415
     from raybundle.workflows.orient import part_folder  # noqa: PLC0415
 
     older = project / part_folder(parts)

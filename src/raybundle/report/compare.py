@@ -32,8 +32,8 @@ from raybundle.report.numbers import (
     with_sigma,
 )
 from raybundle.report.parts import Folded, Heading, Paragraph, Part, Section, Table, number, pick, table, text
-from raybundle.report.result_folder import ResultFolder
 from raybundle.report.view import rms
+from raybundle.results.folder import ResultFolder
 
 LIMIT = 3.29
 """Differences beyond so many combined standard deviations stand out."""

@@ -10,7 +10,7 @@ import numpy as np
 
 from raybundle.adjustment.result import Adjustment
 from raybundle.errors import InputError
-from raybundle.report.result_folder import result_tables
+from raybundle.results.tables import result_tables
 
 
 def table(result: Adjustment, name: str, to: Literal["numpy", "pandas", "polars"] = "numpy") -> Any:

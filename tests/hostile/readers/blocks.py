@@ -81,7 +81,7 @@ def read_a_format(name: str):
 
 
 def result_seeds(top: Path) -> None:
-    from raybundle.report.result_folder import write_result
+    from raybundle.report.write import write_result
     from raybundle.workflows.adjust import adjust
 
     write_result(adjust(small_block().observed), place(top) / "r", report="none")

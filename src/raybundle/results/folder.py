@@ -1,0 +1,189 @@
+"""Result folders: written whole or not at all, and read again."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Generator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any, cast
+
+import numpy as np
+
+from raybundle.adjustment.result import Adjustment
+from raybundle.block import Block, Camera
+from raybundle.block.rejection import found_wrong
+from raybundle.errors import InputError
+from raybundle.io.block_folder import FILES, read_block, write_block_files
+from raybundle.io.folders import check_place, new_folder
+from raybundle.io.reading.trees import read_json
+from raybundle.io.reading.words import quoted
+from raybundle.io.tables import Column, Table, read_table, write_table
+from raybundle.numerics.progress import Progress, silent
+from raybundle.results.contents import clean, result_json
+from raybundle.results.tables import ALWAYS, TABLES, result_table
+
+PROJECT = "project"
+"""Folder in a result folder where `raybundle calibrate` keeps what is finished"""
+ENTRIES = {
+    "block",
+    "result.json",
+    "report.html",
+    "network.html",
+    "map.csv",
+    "calibration.toml",
+    *(f"{name}.csv" for name in TABLES),
+}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ResultFolder:
+    """A result folder as it was read: `table.text["point"]`, `table.number["sX"]` (NaN where empty)."""
+
+    path: Path
+    result: Mapping[str, Any]
+    """result.json: sigma0, redundancy, cameras, correlations, warnings ...; see the reference of the format."""
+    block: Block
+    """RESULT/block: the adjusted values."""
+    images: Table
+    """text image, camera, file; number X ... kappa_deg, sX ... skappa_deg"""
+    points: Table
+    """text point, role; number X, Y, Z, sX, sY, sZ, rays"""
+    observations: Table
+    """text image, point, rejected; number x_px ... mdby_px"""
+    control: Table
+    check: Table
+    distances: Table
+    stations: Table
+    attitudes: Table | None
+    """None in results of versions before observed attitudes."""
+    others: Mapping[str, Table] = field(default_factory=dict[str, Table])
+    """Tables of further kinds of observations, by their names: "planes" ..."""
+
+
+def check_target(path: str | Path) -> None:
+    """Raise InputError where a result must not be written: over anything but a result folder."""
+    folder = Path(path)
+    check_place(folder)
+    if not folder.exists():
+        return
+    if not folder.is_dir():
+        raise InputError("stands there already and is no folder; choose another name for the result", file=folder)
+    present = {entry.name for entry in folder.iterdir()}
+    if (folder / PROJECT / "project.db").is_file():
+        present -= {PROJECT}  # of a run that is to be continued, or of one that ended
+    if not present:
+        return
+    if "result.json" not in present or not _is_ours(folder / "result.json"):
+        raise InputError("is not a result folder and is not overwritten; choose another name", file=folder)
+    inner = {entry.name for entry in (folder / "block").iterdir()} if (folder / "block").is_dir() else set[str]()
+    foreign = sorted(present - ENTRIES) + sorted(f"block/{name}" for name in inner - set(FILES))
+    if foreign:
+        raise InputError(
+            f"holds files that no adjustment wrote ({', '.join(foreign[:3])}); move them, or choose another name",
+            file=folder,
+        )
+
+
+def _is_ours(path: Path) -> bool:
+    try:
+        content = read_json(path).value
+    except InputError:
+        return False
+    return isinstance(content, dict) and {"sigma0", "redundancy", "cameras"} <= cast("dict[str, Any]", content).keys()
+
+
+@contextmanager
+def written_folder(
+    adjustment: Adjustment, path: str | Path, additions: Mapping[str, object] | None = None, progress: Progress = silent
+) -> Generator[Path]:
+    """A new result folder with its tables, block and result.json; what is put in it before the end stands beside them.
+
+    adjustment  what is written
+    path        where; an older result there is replaced when the new one is complete
+    additions   further keys of result.json
+    raises      InputError where something else stands at `path`
+    """
+    check_target(path)
+    with new_folder(Path(path)) as folder:
+        progress("writing tables", 0.0)
+        (folder / "block").mkdir()
+        write_block_files(_block_again(adjustment), folder / "block")
+        progress("writing tables", 0.2)
+        for name in TABLES:  # one after the other: those of the image observations are large
+            write_table(folder / f"{name}.csv", result_table(adjustment, name))
+        contents = {**result_json(adjustment), **(additions or {})}
+        text = json.dumps(clean(contents), indent=1, ensure_ascii=False, allow_nan=False)
+        (folder / "result.json").write_text(text + "\n", encoding="utf-8")
+        progress("writing tables", 1.0)
+        yield folder
+        if (Path(path) / PROJECT / "project.db").is_file():  # stays for the next run
+            (Path(path) / PROJECT).rename(folder / PROJECT)
+
+
+def _block_again(adjustment: Adjustment) -> Block:
+    """The given block with adjusted values as approximations; what was observed or held stays as it was given."""
+    given, adjusted = adjustment.given, adjustment.adjusted
+    stays = given.points.is_control | given.points.is_check
+    xyz = np.where(stays, given.points.xyz, adjusted.points.xyz)
+    cameras: list[Camera] = []
+    for before, after in zip(given.cameras, adjusted.cameras, strict=True):
+        observed = {s: before.values[s] for s in before.sigma if s in before.values}
+        cameras.append(replace(before, values={**after.values, **observed}))
+    return replace(
+        given,
+        free_scale="scale" in adjustment.datum_defect,
+        noise="" if adjustment.options.noise == "auto" else adjustment.options.noise,
+        datum_over="" if adjustment.options.datum_over == "all" else adjustment.options.datum_over,
+        rejected=found_wrong(given, adjustment.image_observations.rejected),
+        cameras=tuple(cameras),
+        images=replace(adjusted.images, held=given.images.held),
+        points=replace(given.points, xyz=xyz),
+    )
+
+
+def read_result(path: str | Path) -> ResultFolder:
+    """A result folder's tables and result.json; raises InputError where it is not one."""
+    folder = Path(path)
+    if not (folder / "result.json").is_file():
+        raise InputError("is not a result folder, it holds no result.json; give what --out named", file=folder)
+    if not _is_ours(folder / "result.json"):
+        raise InputError("is not the result.json of an adjustment; adjust again", file=folder / "result.json")
+    result = cast("dict[str, Any]", read_json(folder / "result.json").value)
+    block = read_block(folder / "block")
+    known = {"image": frozenset(block.images.ids), "point": frozenset(block.points.ids)}
+    tables: dict[str, Table] = {}
+    for name, (first, numbers, last) in TABLES.items():
+        if (name == "attitudes" or name not in ALWAYS) and not (folder / f"{name}.csv").is_file():
+            continue
+        columns = (
+            *(Column(name=n, kind="text", empty=True) for n in first),
+            *(Column(name=n, kind="number", empty=True) for n in numbers),
+            *(Column(name=n, kind="text", empty=True) for n in last),
+        )
+        tables[name] = read_table(folder / f"{name}.csv", columns, least_rows=0)
+        for column, ids in known.items():
+            _check_ids(folder / f"{name}.csv", column, tables[name].text.get(column, ()), ids)
+    return ResultFolder(
+        path=folder,
+        result=result,
+        block=block,
+        images=tables["images"],
+        points=tables["points"],
+        observations=tables["observations"],
+        control=tables["control"],
+        check=tables["check"],
+        distances=tables["distances"],
+        stations=tables["stations"],
+        attitudes=tables.get("attitudes"),
+        others={name: tables[name] for name in tables if name not in ALWAYS},
+    )
+
+
+def _check_ids(path: Path, column: str, ids: Sequence[str], known: frozenset[str]) -> None:
+    """Raise where a table names what the block beside it does not hold."""
+    for row, id_ in enumerate(ids):
+        if id_ not in known:
+            message = f"{quoted(id_)} does not stand in block/{column}s.csv; the result is damaged: adjust again"
+            raise InputError(message, file=path, line=row + 2, column=column)
