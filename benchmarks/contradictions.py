@@ -1,4 +1,4 @@
-"""What share of all matches contradicts others (`workflows/repeated.py`), on ordinary and on repeated things.
+"""What share of all matches contradicts others (`ties/repeated.py`), on ordinary and on repeated things.
 
     python benchmarks/contradictions.py FOLDER ...
 
@@ -16,7 +16,7 @@ import tempfile
 from pathlib import Path
 
 from raybundle.matching.tracks import tracks_of
-from raybundle.workflows import repeated
+from raybundle.ties import repeated
 from raybundle.workflows.orient import orient
 from raybundle.workflows.orienting import start
 

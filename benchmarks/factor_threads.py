@@ -20,8 +20,8 @@ from raybundle.adjustment.assemble import assemble
 from raybundle.adjustment.engine import free_parameters
 from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.block.simulate import Survey, simulate
-from raybundle.block.uav_networks import Flight, flight_scene
+from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.uav_networks import Flight, flight_scene
 
 DAMPING = 1e-4
 

@@ -1,4 +1,4 @@
-"""By what share of barren cells (`workflows/missing.py`) photographs hang together.
+"""By what share of barren cells (`ties/missing.py`) photographs hang together.
 
     python benchmarks/missing.py PROJECT ...
 
@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.block import Block
-from raybundle.workflows import missing
+from raybundle.ties import missing
 from raybundle.workflows.kept import tie_of_arrays, unpacked
 
 RESULTS = Path(__file__).resolve().parent / "results/missing.json"

@@ -3,7 +3,7 @@
     python benchmarks/nearest_rays.py RESULT [RESULT ...]
 
 For every photograph of result folders the median angle between its rays and the nearest other ray of their points
-(`workflows/far_apart.py`): features of one place do not look alike from too far apart, so that a large median of few
+(`ties/far_apart.py`): features of one place do not look alike from too far apart, so that a large median of few
 points says that the matches are wrong.  Prints JSON: the largest medians of all photographs, and of those with at most
 `FEW` points.
 """
@@ -16,8 +16,8 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.io.block_folder import read_block
-from raybundle.workflows.far_apart import APART, FEW, nearest_rays
+from raybundle.io.block.folder import read_block
+from raybundle.ties.far_apart import APART, FEW, nearest_rays
 
 LARGEST = 5
 

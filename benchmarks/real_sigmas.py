@@ -28,7 +28,9 @@ from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.under_noise import under_noise
 from raybundle.block.select import with_rows
-from raybundle.block.simulate import (
+from raybundle.errors import RaybundleError
+from raybundle.io.block.folder import read_block
+from raybundle.planning.simulate import (
     AerialStrips,
     Ring,
     Survey,
@@ -38,9 +40,7 @@ from raybundle.block.simulate import (
     ring_scene,
     simulate,
 )
-from raybundle.block.uav_networks import Flight, flight_scene
-from raybundle.errors import RaybundleError
-from raybundle.io.block_folder import read_block
+from raybundle.planning.uav_networks import Flight, flight_scene
 
 FREE = ("c", "x0", "y0", "K1", "K2", "K3", "P1", "P2")
 

@@ -92,7 +92,7 @@ def errors(images: dict[str, dict], truth: dict[str, dict]) -> dict:
 
 def of_block(folder: Path) -> dict[str, dict]:
     """The images of a block folder, rotations as computer vision has them: y down, z forward."""
-    from raybundle.io.block_folder import read_block
+    from raybundle.io.block.folder import read_block
 
     images = read_block(folder).images
     down = np.diag([1.0, -1.0, -1.0])

@@ -20,7 +20,7 @@ import numpy as np
 from raybundle.adjustment.predict import residuals_px
 from raybundle.errors import NoOrientation
 from raybundle.numerics.progress import silent
-from raybundle.workflows import tie_start
+from raybundle.ties import start as tie_start
 from raybundle.workflows.orient import OrientOptions, orient
 from raybundle.workflows.orienting import start as stage
 

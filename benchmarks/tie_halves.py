@@ -38,7 +38,7 @@ def main() -> None:
     from raybundle.adjustment.engine import adjust_block
     from raybundle.adjustment.options import AdjustmentOptions
     from raybundle.block.select import with_rows
-    from raybundle.io.block_folder import read_block
+    from raybundle.io.block.folder import read_block
 
     parser = argparse.ArgumentParser()
     parser.add_argument("--project", type=Path)

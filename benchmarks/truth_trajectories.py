@@ -17,7 +17,7 @@ from tests.adjustment.test_attitudes import Carried, flight
 from tests.scenes.test_airborne import strips
 from tests.scenes.test_corrections import FIXES, SIGMA, pair
 
-from raybundle.block.simulate import measured
+from raybundle.planning.simulate import measured
 from raybundle.scenes.corrections import Fixes, Pieces
 from raybundle.scenes.trajectory import CorrectionModel
 

@@ -13,8 +13,8 @@ import numpy as np
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
-from raybundle.block.uav_networks import Flight, flight_block
 from raybundle.numerics.arrays import Array
+from raybundle.planning.uav_networks import Flight, flight_block
 
 
 def adjusted(plan: Flight) -> Adjustment:

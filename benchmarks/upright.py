@@ -26,7 +26,7 @@ from tests.orientation.test_upright import found
 from tests.orientation.upright_cases import nadir, oblique, one_strip
 
 from raybundle.block import Block
-from raybundle.io.block_folder import read_block
+from raybundle.io.block.folder import read_block
 
 HERE = Path(__file__).resolve().parent
 DATA = Path(os.environ.get("RAYBUNDLE_DATA", HERE.parents[1] / "shared" / "data")) / "photos"

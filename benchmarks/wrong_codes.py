@@ -33,7 +33,7 @@ from scipy.stats import beta
 
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.targets.codes import sectors
 from raybundle.targets.detect import DetectionOptions, detect_targets
 from raybundle.targets.families import families

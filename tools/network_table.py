@@ -12,8 +12,8 @@ import numpy as np
 
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.block.calibration_networks import ROLLS, FlatField, flat_field_scene
-from raybundle.block.simulate import Survey, simulate
+from raybundle.planning.calibration_networks import ROLLS, FlatField, flat_field_scene
+from raybundle.planning.simulate import Survey, simulate
 
 PAGE = Path(__file__).resolve().parents[1] / "docs/explanation/calibration-networks.md"
 BEGIN, END = "<!-- table: tools/network_table.py -->\n", "<!-- end of the table -->\n"

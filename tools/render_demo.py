@@ -39,7 +39,7 @@ from PIL import Image, TiffImagePlugin
 from scipy.special import ndtri
 
 from raybundle.block import Block, Camera, Distances, Images, Observations, Points, Role
-from raybundle.io.block_folder import write_block
+from raybundle.io.block.folder import write_block
 from raybundle.numerics.arrays import Array
 
 BLUR_PX = 0.5

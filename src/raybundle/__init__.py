@@ -21,12 +21,13 @@ if TYPE_CHECKING:
     from raybundle.adjustment.options import AdjustmentOptions
     from raybundle.adjustment.result import Adjustment
     from raybundle.block import Block, Camera, Distances, Images, Instrument, Observations, Points, Role, Stations
-    from raybundle.block.uav_networks import Flight
     from raybundle.commands.calibrate import CalibrateSettings, calibrate
     from raybundle.commands.orient import OrientSettings, orient
     from raybundle.commands.targets import detect_targets
     from raybundle.errors import InputError, NotSolvable, RaybundleError
-    from raybundle.io.block_folder import read_block, write_block
+    from raybundle.io.block.folder import read_block, write_block
+    from raybundle.planning.flight import plan_flight
+    from raybundle.planning.uav_networks import Flight
     from raybundle.report.compare import write_comparison
     from raybundle.report.document import write_report
     from raybundle.report.network_page import write_network_page
@@ -44,7 +45,6 @@ if TYPE_CHECKING:
     from raybundle.workflows.adjust import adjust
     from raybundle.workflows.calibrate_state import Calibration
     from raybundle.workflows.orient import Orientation
-    from raybundle.workflows.plan_flight import plan_flight
 
     __version__: str
 
@@ -56,7 +56,7 @@ _HOME = {
     "Calibration": "workflows.calibrate_state",
     "Camera": "block",
     "Distances": "block",
-    "Flight": "block.uav_networks",
+    "Flight": "planning.uav_networks",
     "Images": "block",
     "InputError": "errors",
     "Instrument": "block",
@@ -72,18 +72,18 @@ _HOME = {
     "calibrate": "commands.calibrate",
     "detect_targets": "commands.targets",
     "orient": "commands.orient",
-    "plan_flight": "workflows.plan_flight",
+    "plan_flight": "planning.flight",
     "plot_control": "report.pictures",
     "plot_interior": "report.pictures",
     "plot_network": "report.pictures",
     "plot_reliability": "report.pictures",
     "plot_residuals": "report.pictures",
-    "read_block": "io.block_folder",
+    "read_block": "io.block.folder",
     "read_result": "results.folder",
     "show": "report.show",
     "table": "report.tables",
     "table_names": "report.tables",
-    "write_block": "io.block_folder",
+    "write_block": "io.block.folder",
     "write_comparison": "report.compare",
     "write_network_page": "report.network_page",
     "write_report": "report.document",

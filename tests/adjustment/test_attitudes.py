@@ -10,10 +10,10 @@ from raybundle import adjust
 from raybundle.adjustment.engine import adjust_block
 from raybundle.block import Instrument, Stations
 from raybundle.block.block import Attitudes
-from raybundle.block.simulate import AerialStrips, Survey, aerial_scene, measured, simulate
 from raybundle.errors import DatumDefect, InputError, RankDefect
-from raybundle.io.block_folder import read_block, write_block
+from raybundle.io.block.folder import read_block, write_block
 from raybundle.numerics.rotation import angles_from_rotation, left_jacobian, rotation_from_vector
+from raybundle.planning.simulate import AerialStrips, Survey, aerial_scene, measured, simulate
 from raybundle.platforms.imu import told
 from tests.truth.mixed_blocks import MonteCarlo
 

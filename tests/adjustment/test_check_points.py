@@ -10,9 +10,9 @@ from raybundle import adjust
 from raybundle.adjustment.check_points import check_differences
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Role
-from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+from raybundle.planning.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+from raybundle.report.text.words import verdict
 from raybundle.report.view import view_of
-from raybundle.report.words import verdict
 
 OPTIONS = AdjustmentOptions(threads=1)
 SIGMA = 1e-4

@@ -7,7 +7,7 @@ import pytest
 
 from raybundle import adjust
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+from raybundle.planning.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 
 OPTIONS = AdjustmentOptions(threads=1)
 CAMERA = brown_camera(estimate=("c",))

@@ -8,8 +8,8 @@ import pytest
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.severity import Severity
-from raybundle.block.calibration_networks import ROLLS, FlatField, flat_field_scene
-from raybundle.block.simulate import Survey, simulate
+from raybundle.planning.calibration_networks import ROLLS, FlatField, flat_field_scene
+from raybundle.planning.simulate import Survey, simulate
 
 GIVEN = {"x0": 0.02, "y0": -0.03, "K1": 2e-6, "K2": 0.0, "K3": 0.0, "P1": 1e-6, "P2": 0.0, "A": 0.0, "S": 0.0}
 

@@ -9,12 +9,12 @@ from scipy.stats import chi2
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.severity import Severity
-from raybundle.block.calibration_networks import ROLLS, FlatField, flat_field_scene
 from raybundle.block.known import known_before, observed_as_known
-from raybundle.block.simulate import Survey, simulate
 from raybundle.errors import InputError
-from raybundle.io.block_folder import read_block, write_block
-from raybundle.io.block_toml import head_text
+from raybundle.io.block.folder import read_block, write_block
+from raybundle.io.block.toml import head_text
+from raybundle.planning.calibration_networks import ROLLS, FlatField, flat_field_scene
+from raybundle.planning.simulate import Survey, simulate
 
 SIGMA = {"c": 0.05, "x0": 0.4, "y0": 0.4}
 """Of ln c, and mm: 2 % of a format of 20 mm"""

@@ -13,10 +13,10 @@ from raybundle.adjustment.decide import decide
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Camera
-from raybundle.block.simulate import look_at, measured
 from raybundle.errors import InputError, RankDefect
-from raybundle.io.block_folder import read_block, write_block
+from raybundle.io.block.folder import read_block, write_block
 from raybundle.numerics import native
+from raybundle.planning.simulate import look_at, measured
 from raybundle.platforms.rig import mounting_of, orientation_of
 from raybundle.sensors import sensor_models
 from tests.truth.bands import assert_true_to_ten_percent

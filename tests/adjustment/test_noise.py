@@ -17,8 +17,8 @@ from raybundle.adjustment.options import AdjustmentOptions, noise_of_photographs
 from raybundle.adjustment.precision import angle_form, image_unknowns, interior_unknowns, precision
 from raybundle.adjustment.queries import covariance_between, design_row, precision_in_datum
 from raybundle.block.select import with_rows
-from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.numerics import native
+from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.platforms.station import sensor_from_object
 from raybundle.sensors import sensor_models
 from raybundle.workflows.adjust import adjust

@@ -4,9 +4,9 @@ from dataclasses import replace
 
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.block.simulate import Ring, Survey, ring_scene, simulate
+from raybundle.planning.simulate import Ring, Survey, ring_scene, simulate
+from raybundle.report.text.words import verdict
 from raybundle.report.view import view_of
-from raybundle.report.words import verdict
 
 
 def too_small(weights):

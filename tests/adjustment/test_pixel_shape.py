@@ -8,7 +8,8 @@ from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.pixel_shape import shape_limit, under_its_noise
 from raybundle.adjustment.severity import Severity
-from raybundle.block.simulate import (
+from raybundle.calibration.quality import calibration_qualities
+from raybundle.planning.simulate import (
     Ring,
     Survey,
     TargetField,
@@ -17,7 +18,6 @@ from raybundle.block.simulate import (
     ring_scene,
     simulate,
 )
-from raybundle.calibration.quality import calibration_qualities
 
 EVERY = ("c", "x0", "y0", "K1", "K2", "K3", "P1", "P2", "A", "S")
 

@@ -15,9 +15,9 @@ from raybundle.adjustment.precision import cofactors, precision
 from raybundle.adjustment.structure import _neighbours
 from raybundle.block import Role
 from raybundle.block.rejection import Rejection, RejectionKind
-from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.calibration.maps import projection_shifts, projection_uncertainty
 from raybundle.numerics import native
+from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
 
 OPTIONS = AdjustmentOptions(threads=1, tolerance=1e-9)
 

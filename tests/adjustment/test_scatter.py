@@ -8,8 +8,8 @@ import pytest
 from raybundle import adjust
 from raybundle.adjustment.defects import SCATTERED
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 from raybundle.errors import NoConvergence
+from raybundle.planning.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 
 
 def field(share, gross=0.0):

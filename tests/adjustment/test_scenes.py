@@ -10,11 +10,11 @@ from raybundle import adjust
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.predict import residuals_px
 from raybundle.block import Role
-from raybundle.block.simulate import measured
 from raybundle.errors import InputError
-from raybundle.io.block_folder import read_block, write_block
-from raybundle.io.block_scenes import projected
+from raybundle.io.block.folder import read_block, write_block
+from raybundle.io.block.scenes import projected
 from raybundle.numerics.places import Geocentric, Local
+from raybundle.planning.simulate import measured
 from raybundle.report.write import write_result
 from raybundle.results.folder import read_result
 from raybundle.scenes.sensor import LineSensor, RpcSensor, scene_camera, view_of

@@ -7,7 +7,7 @@ import numpy as np
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block.rejection import RejectionKind
-from raybundle.block.simulate import (
+from raybundle.planning.simulate import (
     AerialStrips,
     Survey,
     TargetField,

@@ -8,8 +8,8 @@ import pytest
 from raybundle import adjust
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Stations
-from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 from raybundle.errors import RankDefect
+from raybundle.planning.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 
 OPTIONS = AdjustmentOptions(threads=1)
 

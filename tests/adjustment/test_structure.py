@@ -10,9 +10,9 @@ from raybundle.adjustment.decide import decide
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.structure import repeated_residuals, residual_structure, structure_notice
-from raybundle.block.calibration_networks import ROLLS, FlatField, flat_field_scene
 from raybundle.block.select import with_rows
-from raybundle.block.simulate import AerialStrips, Survey, aerial_scene, simulate
+from raybundle.planning.calibration_networks import ROLLS, FlatField, flat_field_scene
+from raybundle.planning.simulate import AerialStrips, Survey, aerial_scene, simulate
 from raybundle.sensors import sensor_models
 from raybundle.workflows.model_choice import choose_models
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from raybundle import adjust
-from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+from raybundle.planning.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 
 FIELD = TargetField(camera=brown_camera(size_px=(3000, 2000), pixel_mm=0.008), stations=4, rows=5, columns=5)
 

@@ -8,10 +8,10 @@ import pytest
 from raybundle.adjustment.predict import residuals_px
 from raybundle.block import PixelFrame, Role
 from raybundle.block.frames import TURNS, camera_from_file, file_from_camera, in_file_frames, joined, size_ratio
-from raybundle.block.simulate import Ring, Survey, brown_camera, ring_scene, simulate
 from raybundle.errors import InputError
-from raybundle.io.block_arrays import arrays_of_block, block_of_arrays
-from raybundle.io.block_folder import read_block, write_block
+from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
+from raybundle.io.block.folder import read_block, write_block
+from raybundle.planning.simulate import Ring, Survey, brown_camera, ring_scene, simulate
 from raybundle.report.fingerprint import fingerprints
 
 

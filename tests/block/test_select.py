@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 from raybundle.block import Role
 from raybundle.block.select import with_points, with_rows, without_images
 from raybundle.observations import tables
+from raybundle.placing.positions import without_idle
 from raybundle.workflows.parts import merged
-from raybundle.workflows.positions import without_idle
 from tests.block.any_blocks import blocks
 
 CHECKED = settings(max_examples=60, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))

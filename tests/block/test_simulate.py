@@ -7,7 +7,8 @@ import pytest
 from scipy import stats
 
 from raybundle.block import Role
-from raybundle.block.simulate import (
+from raybundle.errors import InputError
+from raybundle.planning.simulate import (
     AerialStrips,
     Ring,
     SinglePhoto,
@@ -21,7 +22,6 @@ from raybundle.block.simulate import (
     simulate,
     single_scene,
 )
-from raybundle.errors import InputError
 from raybundle.sensors import sensor_models
 
 SCENES = {

@@ -7,9 +7,9 @@ import numpy as np
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.predict import predicted_px
-from raybundle.block.calibration_networks import ROLLS, FlatField, flat_field_scene
-from raybundle.block.simulate import Survey, simulate
 from raybundle.calibration.eccentricity import eccentricity_px, radius_scale
+from raybundle.planning.calibration_networks import ROLLS, FlatField, flat_field_scene
+from raybundle.planning.simulate import Survey, simulate
 
 EXACT = Survey(orientation="exact", points="exact", interior="exact", image_sigma_px=1e-6)
 

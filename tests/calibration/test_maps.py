@@ -8,9 +8,9 @@ import pytest
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Camera
-from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 from raybundle.calibration.maps import calibration_difference, projection_uncertainty, scaled, uncertainty_of
 from raybundle.errors import InputError
+from raybundle.planning.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 
 RUNS = 300
 

@@ -8,11 +8,11 @@ import pytest
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Observations
-from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.calibration.cross_validation import cross_validation
-from raybundle.calibration.next_photographs import next_photographs
 from raybundle.calibration.one_camera import find_splits, own_interiors
 from raybundle.calibration.quality import calibration_qualities
+from raybundle.planning.next_photographs import advised, next_photographs
+from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
 
 ROLLS = (0.0, 90.0, 180.0, 270.0)
 
@@ -47,7 +47,7 @@ def test_a_good_network_is_called_good(good):
 
 
 def test_a_narrow_network_is_not_and_what_helps_is_named_first(narrow):
-    (q,) = calibration_qualities(narrow)
+    q = advised(calibration_qualities(narrow)[0], narrow)
     assert q.grade in {"usable", "weak"}
     assert any("hardly converge" in r for r in q.reasons)
     assert any("never rolled" in r for r in q.reasons)
@@ -66,7 +66,7 @@ def test_the_predicted_effect_is_what_such_photographs_bring(narrow):
 
 def test_what_is_not_determinable_stands_before_any_number():
     a = calibrated(stations=4, frontal=0, roll_deg=(0.0,), depth=0.0, tilt_deg=0.02)
-    (q,) = calibration_qualities(a)
+    q = advised(calibration_qualities(a)[0], a)
     assert q.grade in {"not determinable", "weak"}
     assert a.not_determinable or q.uncertainty_px > 3 * q.image_sigma_px
     assert q.advice

@@ -9,11 +9,11 @@ from PIL import Image
 
 from raybundle import adjust
 from raybundle.block.frames import stored_turned
-from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 from raybundle.cli.calibration import command
 from raybundle.cli.main import main
 from raybundle.errors import InputError
-from raybundle.io.camera_library import read_library
+from raybundle.io.cameras.library import read_library
+from raybundle.planning.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 from raybundle.report.write import write_result
 
 TEXT = """[cameras.left]

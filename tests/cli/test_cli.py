@@ -8,10 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.cli.main import COMMANDS, main
 from raybundle.errors import NoConvergence
-from raybundle.io.block_folder import read_block, write_block
+from raybundle.io.block.folder import read_block, write_block
+from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
 
 BLOCKS = Path(os.environ.get("RAYBUNDLE_DATA", Path(__file__).parents[3] / "shared" / "data")) / "blocks"
 

@@ -11,7 +11,10 @@ import pytest
 
 from raybundle import adjust
 from raybundle.block import Distances
-from raybundle.block.simulate import (
+from raybundle.cli.convert import command
+from raybundle.errors import InputError
+from raybundle.io.block.folder import read_block, write_block
+from raybundle.planning.simulate import (
     AerialStrips,
     Survey,
     TargetField,
@@ -20,9 +23,6 @@ from raybundle.block.simulate import (
     field_scene,
     simulate,
 )
-from raybundle.cli.convert import command
-from raybundle.errors import InputError
-from raybundle.io.block_folder import read_block, write_block
 from raybundle.report.write import write_result
 
 LENS = {"K1": 3e-5, "K2": -4e-8, "K3": 0.0, "P1": 2e-6, "P2": -1e-6}
@@ -172,7 +172,7 @@ def test_photographs_without_distortion(photographs, tmp_path, capsys):
     straight = np.asarray(Image.open(tmp_path / "dense" / "images" / "1.png")).astype(float)
     assert straight.shape[:2] == (int(cameras[3]), int(cameras[2]))
     # a pixel of the new image shows what its ray showed in the photograph
-    from raybundle.io.undistort import undistorted
+    from raybundle.io.pictures.undistort import undistorted
 
     change = undistorted(photographs.cameras[0])
     for row, column in ((5, 7), (200, 300), (380, 590)):

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from raybundle.block.simulate import brown_camera
 from raybundle.cli.demo import rigid_difference, together
 from raybundle.cli.main import main
 from raybundle.numerics.rotation import rotation_from_vector
+from raybundle.planning.simulate import brown_camera
 
 
 def demo(out, *more):

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from raybundle.cli.main import main
-from raybundle.io.coordinate_systems import local_frame
+from raybundle.io.geo.coordinate_systems import local_frame
 from raybundle.io.trajectories import Trajectory, write_trajectory
 from raybundle.numerics.rotation import rotation_from_angles, rotation_from_vector
+from raybundle.placing.marks import Given
 from raybundle.workflows.asked import check_asked
-from raybundle.workflows.marks import Given
 
 PORTAL = Path(__file__).resolve().parents[2] / "demo_data/portal/photos"
 needs_portal = pytest.mark.skipif(

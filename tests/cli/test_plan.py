@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from raybundle.block import Role
-from raybundle.block.uav_networks import Flight, flight_block
 from raybundle.cli.main import main
-from raybundle.io.block_folder import read_block
-from raybundle.workflows.plan_flight import forecast, plan_flight
+from raybundle.io.block.folder import read_block
+from raybundle.planning.flight import forecast, plan_flight
+from raybundle.planning.uav_networks import Flight, flight_block
 
 PUBLISHED = ("--base", "16", "--spacing", "48", "--ground", "120", "--points", "9")
 

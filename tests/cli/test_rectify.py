@@ -10,10 +10,10 @@ from PIL import Image
 
 from raybundle import adjust
 from raybundle.block import Role
-from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 from raybundle.cli.main import main
-from raybundle.io.undistort import camera_plane
+from raybundle.io.pictures.undistort import camera_plane
 from raybundle.numerics.planes import plane_of_most
+from raybundle.planning.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 from raybundle.report.write import write_result
 from raybundle.workflows.rectify import plane_of
 

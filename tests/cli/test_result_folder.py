@@ -11,9 +11,9 @@ from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Notice
 from raybundle.block.rejection import Rejection, RejectionKind
-from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.errors import InputError
-from raybundle.io.block_folder import read_block
+from raybundle.io.block.folder import read_block
+from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.report.write import write_result
 from raybundle.results.folder import check_target, read_result
 from raybundle.results.tables import TABLES

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 from raybundle.block.stored import joint_covariance
 from raybundle.cli.main import main
-from raybundle.io.camera_library import find_calibrations, read_library, with_library
+from raybundle.io.cameras.library import find_calibrations, read_library, with_library
 from raybundle.io.photos.cameras import camera_groups
 from raybundle.io.photos.metadata import Metadata
 from raybundle.io.photos.photo import Photo
+from raybundle.planning.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 from raybundle.report.write import write_result
 
 EXIF = {"make": "Nikon", "model": "D850", "serial": "7", "lens": "24-70", "focus_m": None}

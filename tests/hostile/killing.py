@@ -189,7 +189,7 @@ def orient_job(folder: Path) -> Job | None:
 
 def adjust_job(folder: Path) -> Job:
     """Two blocks that are adjusted into the same folder in turns."""
-    from raybundle.io.block_folder import write_block
+    from raybundle.io.block.folder import write_block
     from tests.hostile.readers.blocks import small_block
 
     block = small_block().observed

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.errors import InputError
 from raybundle.io.calibrations.base import write_whole
 from raybundle.io.scenes.rpc_text import write_rpc
+from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.report.document import write_report
 from raybundle.report.network_page import write_network_page
 from raybundle.scenes.rpc import Rpc

@@ -11,8 +11,8 @@ from tests.block.any_blocks import always_as_by_default, blocks
 
 from raybundle.block.block import Relation
 from raybundle.block.select import transformed, with_rows
-from raybundle.block.simulate import AerialStrips, Survey, TargetField, aerial_scene, field_scene, simulate
-from raybundle.io.block_arrays import arrays_of_block, block_of_arrays
+from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
+from raybundle.planning.simulate import AerialStrips, Survey, TargetField, aerial_scene, field_scene, simulate
 
 DRAWN = []
 

@@ -12,11 +12,11 @@ import pytest
 from tests.block.any_blocks import always_as_by_default
 
 from raybundle.block import Block, Instrument, PixelFrame, Relation, Role
-from raybundle.block.simulate import SinglePhoto, Survey, TargetField, field_scene, simulate, single_scene
 from raybundle.errors import InputError, UnknownSensorModel
-from raybundle.io.block_folder import read_block, write_block
+from raybundle.io.block.folder import read_block, write_block
 from raybundle.observations import tables
 from raybundle.observations.parameter import Calibrated
+from raybundle.planning.simulate import SinglePhoto, Survey, TargetField, field_scene, simulate, single_scene
 
 DATA = Path(os.environ.get("RAYBUNDLE_DATA", Path(__file__).parents[3] / "shared" / "data")) / "blocks"
 BLOCKS = sorted(p.name for p in DATA.iterdir() if p.is_dir()) if DATA.is_dir() else []
@@ -235,7 +235,7 @@ def test_an_existing_folder_is_not_overwritten(small):
 
 def test_a_failed_write_leaves_nothing(small, tmp_path, monkeypatch):
     block = read_block(small)
-    monkeypatch.setattr("raybundle.io.block_folder._write_observations", broken_write)
+    monkeypatch.setattr("raybundle.io.block.folder._write_observations", broken_write)
     target = tmp_path / "new" / "block"
     with pytest.raises(InputError, match="No space left"):
         write_block(block, target)

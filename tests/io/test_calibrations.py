@@ -23,8 +23,15 @@ from raybundle.io.calibrations import (
     write_calibrations,
 )
 from raybundle.io.calibrations.validity import validity
-from raybundle.io.conversions import camera_rays, forward_fit, grid_px
-from raybundle.io.forward_camera import TERMS, ForwardCamera, distorted, first_limit, forward_pixels, forward_rays
+from raybundle.io.cameras.conversions import camera_rays, forward_fit, grid_px
+from raybundle.io.cameras.forward_camera import (
+    TERMS,
+    ForwardCamera,
+    distorted,
+    first_limit,
+    forward_pixels,
+    forward_rays,
+)
 
 BROWN = {
     "c": 28.1, "x0": 0.11, "y0": -0.07, "K1": 7e-5, "K2": -9e-8, "K3": 2e-11, "P1": 5e-6, "P2": -8e-6, "A": 3e-4,

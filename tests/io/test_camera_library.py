@@ -8,8 +8,8 @@ import pytest
 
 from raybundle.block import Camera
 from raybundle.errors import InputError
-from raybundle.io.block_toml import read_cameras
-from raybundle.io.camera_library import (
+from raybundle.io.block.toml import read_cameras
+from raybundle.io.cameras.library import (
     CameraKey,
     LibraryEntry,
     add_entry,

@@ -6,12 +6,12 @@ from PIL import Image
 from tests.conftest import DATA
 
 from raybundle.block import Role
-from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.errors import InputError
-from raybundle.io.block_folder import write_block
-from raybundle.io.control_files import ControlDefaults, named_apart, read_control
+from raybundle.io.block.folder import write_block
+from raybundle.io.geo.control_files import ControlDefaults, named_apart, read_control
+from raybundle.placing.marks import Given, ScaleBar
+from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.workflows import orient as workflow
-from raybundle.workflows.marks import Given, ScaleBar
 
 COPR = DATA / "photos" / "copr-uav" / "gcp_list.txt"
 GCP = """\

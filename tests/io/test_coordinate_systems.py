@@ -5,8 +5,8 @@ import pytest
 from pyproj import Transformer
 
 from raybundle.errors import InputError
-from raybundle.io import coordinate_systems
-from raybundle.io.coordinate_systems import LocalFrame, _vertical, frame_from_mapping, local_frame, parse_crs
+from raybundle.io.geo import coordinate_systems
+from raybundle.io.geo.coordinate_systems import LocalFrame, _vertical, frame_from_mapping, local_frame, parse_crs
 
 BONN = (7.0, 50.7, 100.0)
 SYSTEMS = {
@@ -244,7 +244,7 @@ def test_an_undulation_of_zero_is_a_statement():
 
 def test_heights_go_through_the_geoid_where_it_is(monkeypatch):
     """A vertical grid of its own making: 40 m everywhere."""
-    from raybundle.io import coordinate_systems
+    from raybundle.io.geo import coordinate_systems
 
     class Grid:
         def transform(self, x, y, z, direction=None):

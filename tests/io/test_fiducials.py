@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
-from raybundle.block.simulate import brown_camera
 from raybundle.cli.film import command
 from raybundle.errors import InputError
-from raybundle.io.block_toml import read_cameras
+from raybundle.io.block.toml import read_cameras
 from raybundle.io.calibrations.ours import cameras_text
-from raybundle.io.fiducials import (
+from raybundle.io.film.certificate import Certificate, certificate_camera
+from raybundle.io.film.fiducials import (
     Calibrated,
     Marks,
     film_of,
@@ -21,7 +21,7 @@ from raybundle.io.fiducials import (
     straight_points,
     suspects,
 )
-from raybundle.io.film_certificate import Certificate, certificate_camera
+from raybundle.planning.simulate import brown_camera
 
 PIXEL = 0.0125
 EIGHT = np.array([[-106, 0], [106, 0], [0, 106], [0, -106], [-106, -106], [106, 106], [-106, 106], [106, -106]], float)

@@ -14,10 +14,17 @@ from raybundle.io.calibrations import (
     read_calibrations,
     write_calibrations,
 )
-from raybundle.io.conversions import LIMIT_PX, camera_from_forward, exact_forward, grid_px, parameter_vector, rays_of
+from raybundle.io.cameras.conversions import (
+    LIMIT_PX,
+    camera_from_forward,
+    exact_forward,
+    grid_px,
+    parameter_vector,
+    rays_of,
+)
+from raybundle.io.cameras.forward_camera import ForwardCamera, forward_pixels
 from raybundle.io.formats import Export, formats, read_format, write_format
 from raybundle.io.formats.base import EXACT_PX
-from raybundle.io.forward_camera import ForwardCamera, forward_pixels
 from raybundle.sensors import sensor_models
 
 CAMERAS = {

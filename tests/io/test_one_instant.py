@@ -8,8 +8,8 @@ from tests.truth.mixed_blocks import two_camera_rig
 from tests.truth.platform_blocks import platform_block
 
 from raybundle.adjustment.predict import predicted_px, residuals_px
-from raybundle.block.simulate import measured
-from raybundle.io.one_instant import at_one_instant
+from raybundle.io.cameras.one_instant import at_one_instant
+from raybundle.planning.simulate import measured
 
 
 def whole(block):

@@ -20,7 +20,7 @@ from raybundle.matching.methods import feature_method
 from raybundle.pipeline.executors import Threads
 from raybundle.pipeline.project import Project
 from raybundle.pipeline.stage import Means
-from raybundle.workflows.tie_points import detected, find_features, match_pairs
+from raybundle.ties.points import detected, find_features, match_pairs
 from tests.matching.test_features import texture
 
 LEARNED = ("xfeat", "disk")
@@ -163,7 +163,7 @@ def test_features_are_found_upright_and_kept_as_stored(tmp_path, stub):
 
 
 def test_a_method_matches_in_its_own_way_and_sees_upright_places(tmp_path, stub, monkeypatch):
-    monkeypatch.setattr("raybundle.workflows.tie_points.from_one_spot", lambda *_: False)
+    monkeypatch.setattr("raybundle.ties.points.from_one_spot", lambda *_: False)
     photos = photographs(tmp_path, (1, 8))
     project = Project.open(tmp_path / "project")
     register(stub)

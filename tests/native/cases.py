@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.sensors import Parameter, SensorModel, sensor_models
 
 SCENE = field_scene(TargetField(rows=4, columns=5, stations=4, frontal=1))

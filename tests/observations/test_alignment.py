@@ -9,12 +9,12 @@ from raybundle import adjust
 from raybundle.adjustment.assemble import assemble
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Distances, Role
-from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.errors import DatumDefect, InputError
-from raybundle.io.block_folder import read_block, write_block
+from raybundle.io.block.folder import read_block, write_block
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.numerics.transform import similarity
 from raybundle.observations.alignment import Levels, Lines, Planes, PlumbLines
+from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.report.write import write_result
 from raybundle.results.folder import read_result
 

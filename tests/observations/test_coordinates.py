@@ -9,10 +9,10 @@ from raybundle import adjust
 from raybundle.adjustment.field_system import sparse_normals
 from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.errors import InputError
-from raybundle.io.block_folder import read_block, write_block
+from raybundle.io.block.folder import read_block, write_block
 from raybundle.observations.coordinates import Coordinates
+from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.report.write import write_result
 from raybundle.results.folder import read_result
 

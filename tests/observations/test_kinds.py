@@ -12,12 +12,12 @@ from raybundle.adjustment.assemble import assemble
 from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Relation
-from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
-from raybundle.io.block_folder import read_block, write_block
+from raybundle.io.block.folder import read_block, write_block
 from raybundle.observations import in_order, observation_kinds, tables
 from raybundle.observations.alignment import Levels, Lines, Planes, PlumbLines
 from raybundle.observations.coordinates import Coordinates
 from raybundle.observations.deviation import Deviations
+from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
 
 
 def a_field():

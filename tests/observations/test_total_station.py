@@ -8,10 +8,10 @@ from scipy.stats import chi2
 
 from raybundle import adjust
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.errors import InputError
-from raybundle.io.block_folder import read_block, write_block
+from raybundle.io.block.folder import read_block, write_block
 from raybundle.observations.total_station import Differences, Directions, SlopeDistances, ZenithAngles
+from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.report.write import write_result
 from raybundle.results.folder import read_result
 

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from raybundle.block.select import with_rows
-from raybundle.block.simulate import AerialStrips, Ring, Survey, aerial_scene, brown_camera, ring_scene, simulate
 from raybundle.errors import NoOrientation
 from raybundle.numerics.transform import similarity
 from raybundle.orientation.averaging import average_start
 from raybundle.orientation.camera_constant import checked_by_pairs
+from raybundle.planning.simulate import AerialStrips, Ring, Survey, aerial_scene, brown_camera, ring_scene, simulate
 from tests.orientation.scenes import room
 
 NOTHING = Survey(

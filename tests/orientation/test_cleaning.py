@@ -7,8 +7,8 @@ import pytest
 
 from raybundle.adjustment.engine import free_parameters
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.orientation.cleaning import clean, sizes
+from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
 
 
 @pytest.mark.parametrize("stated", [1.0, 7.0])

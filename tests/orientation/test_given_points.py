@@ -9,10 +9,10 @@ from raybundle import adjust
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.severity import Severity
 from raybundle.block import Role
-from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.numerics.progress import silent
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.orientation.given_points import intersected_where_better
+from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.workflows.final import _decided
 
 SNOOPING = AdjustmentOptions(threads=1, reject="snooping")

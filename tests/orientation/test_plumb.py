@@ -7,12 +7,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from raybundle.io.block_folder import read_block
+from raybundle.io.block.folder import read_block
 from raybundle.io.photos.photo import read_photo
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.orientation.plumb import LEAN, plumb_vertical
-from raybundle.workflows.plumb_lines import vertical_by_edges
-from raybundle.workflows.upright import doubts, upright
+from raybundle.placing.plumb_lines import vertical_by_edges
+from raybundle.placing.upright import doubts, upright
 
 PORTAL = Path(__file__).resolve().parents[2] / "demo_data" / "portal"
 VIEWS = 8

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from raybundle import adjust
-from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.errors import NoOrientation
 from raybundle.orientation import approximate_values, self_calibration
+from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
 
 FIELD = TargetField(rows=6, columns=8, stations=5, frontal=1)
 

@@ -6,7 +6,10 @@ import numpy as np
 import pytest
 
 from raybundle.block.select import with_rows
-from raybundle.block.simulate import (
+from raybundle.errors import NoOrientation
+from raybundle.orientation import approximate_values, possible_values
+from raybundle.orientation.skeleton import PER_PAIR, skeleton
+from raybundle.planning.simulate import (
     AerialStrips,
     Survey,
     TargetField,
@@ -15,9 +18,6 @@ from raybundle.block.simulate import (
     field_scene,
     simulate,
 )
-from raybundle.errors import NoOrientation
-from raybundle.orientation import approximate_values, possible_values
-from raybundle.orientation.skeleton import PER_PAIR, skeleton
 from tests.orientation.scenes import errors, facade, ring, tie_block
 
 

@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 
 from raybundle.block.select import with_rows
-from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.orientation.unnamed import link_unnamed
+from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
 
 
 def test_every_dot_finds_its_own():

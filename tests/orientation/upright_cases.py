@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from raybundle.block.simulate import look_at
 from raybundle.numerics.rotation import rotation_from_vector
+from raybundle.planning.simulate import look_at
 
 UP = np.array([0.0, 0.0, 1.0])
 

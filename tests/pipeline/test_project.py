@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.errors import InputError
-from raybundle.io.block_arrays import arrays_of_block, block_of_arrays
+from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.project import Project
 from raybundle.pipeline.store import writing
+from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
 
 
 @pytest.fixture

@@ -9,7 +9,7 @@ import pytest
 
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.errors import InputError
-from raybundle.io.block_folder import read_block
+from raybundle.io.block.folder import read_block
 from raybundle.numerics.rotation import angles_from_rotation
 from raybundle.numerics.transform import similarity
 from raybundle.workflows.adjust import adjust

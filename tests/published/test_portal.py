@@ -7,7 +7,7 @@ import pytest
 from scipy.stats import chi2
 
 from raybundle.cli.demo_set import errors, given_of, normalised
-from raybundle.io.block_folder import read_block
+from raybundle.io.block.folder import read_block
 from raybundle.workflows.orient import OrientOptions, orient
 
 PORTAL = Path(__file__).resolve().parents[2] / "demo_data/portal"

@@ -8,7 +8,7 @@ import pytest
 
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.report.section_reliability import controlled_share, reliability_section
+from raybundle.report.sections.reliability import controlled_share, reliability_section
 from raybundle.report.view import view_of
 from tests.report.conftest import field
 

@@ -7,8 +7,8 @@ import pytest
 
 from raybundle.adjustment.counts import counts
 from raybundle.numerics.counting import counted
-from raybundle.report.numbers import grouped
-from raybundle.report.summary import summary_lines
+from raybundle.report.text.numbers import grouped
+from raybundle.report.text.summary import summary_lines
 from raybundle.report.write import write_result
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from raybundle.block import Camera
-from raybundle.report.distortion import (
+from raybundle.report.figures.distortion import (
     balanced,
     correction,
     decentring_curve,

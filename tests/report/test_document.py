@@ -8,12 +8,12 @@ from html.parser import HTMLParser
 import numpy as np
 import pytest
 
-from raybundle.io.block_folder import read_block
+from raybundle.io.block.folder import read_block
 from raybundle.report.document import write_report
-from raybundle.report.numbers import fixed, grouped, significant
 from raybundle.report.parts import MOST_ROWS
-from raybundle.report.section_control import control_section
-from raybundle.report.section_tables import tables_section
+from raybundle.report.sections.control import control_section
+from raybundle.report.sections.tables import tables_section
+from raybundle.report.text.numbers import fixed, grouped, significant
 from raybundle.report.view import view_of
 from raybundle.workflows.adjust import adjust
 from tests.report.conftest import HOSTILE

@@ -3,7 +3,7 @@
 import numpy as np
 
 from raybundle.block import Role
-from raybundle.report.figures_control import MOST_IMAGES, marked_images, marks_figure
+from raybundle.report.figures.control import MOST_IMAGES, marked_images, marks_figure
 from raybundle.report.view import view_of
 
 

@@ -7,10 +7,10 @@ import pytest
 
 from raybundle.block import Camera
 from raybundle.calibration.maps import projection_uncertainty
-from raybundle.report.distortion import balanced, interior_of, radial_curve
-from raybundle.report.figures_interior import MOST_CELLS, coarser, curves, uncertainty_figure
-from raybundle.report.figures_series import running, series_figure
-from raybundle.report.numbers import significant
+from raybundle.report.figures.distortion import balanced, interior_of, radial_curve
+from raybundle.report.figures.interior import MOST_CELLS, coarser, curves, uncertainty_figure
+from raybundle.report.figures.series import running, series_figure
+from raybundle.report.text.numbers import significant
 from raybundle.sensors import sensor_models
 
 VALUES = {"c": 20.0, "x0": 0.3, "y0": -0.2, "K1": 2.1e-4, "K2": -4.2e-7, "K3": 3e-10, "P1": 3e-5, "P2": -4e-5}

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.report.figures_network import network_views
+from raybundle.report.figures.network import network_views
 from raybundle.report.view import view_of
 
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from raybundle.io.coordinate_systems import local_frame
+from raybundle.io.geo.coordinate_systems import local_frame
 from raybundle.report.write import write_result
 from raybundle.results.map_table import map_table
 

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from raybundle.report.numbers import (
+from raybundle.report.text.numbers import (
     cells,
     column_decimals,
     decimals_for,

@@ -8,11 +8,11 @@ from raybundle.adjustment.result import Notice
 from raybundle.block import Role
 from raybundle.calibration.quality import calibration_qualities
 from raybundle.report.document import write_report
-from raybundle.report.figures_photographs import KEY_CHARACTER, colour_key
-from raybundle.report.numbers import plain
-from raybundle.report.section_control import control_section
-from raybundle.report.summary import summary_lines
-from raybundle.report.svg import CHARACTER, labels_apart
+from raybundle.report.figures.photographs import KEY_CHARACTER, colour_key
+from raybundle.report.figures.svg import CHARACTER, labels_apart
+from raybundle.report.sections.control import control_section
+from raybundle.report.text.numbers import plain
+from raybundle.report.text.summary import summary_lines
 from raybundle.report.view import FREE_UNIT, view_of
 
 BOX = (0.0, 0.0, 300.0, 200.0)

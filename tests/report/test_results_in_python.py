@@ -11,8 +11,8 @@ import pytest
 import raybundle as rb
 from raybundle.adjustment.queries import covariance_between
 from raybundle.adjustment.result import Notice
-from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.errors import InputError
+from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.report.show import show
 from raybundle.report.tables import table, table_names
 from raybundle.results.tables import result_tables

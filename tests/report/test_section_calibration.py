@@ -2,7 +2,7 @@
 
 from types import SimpleNamespace
 
-from raybundle.report.section_calibration import calibration_section
+from raybundle.report.sections.calibration import calibration_section
 
 
 def advised(grade="usable"):

@@ -11,17 +11,17 @@ import pytest
 from raybundle import adjust
 from raybundle.adjustment.engine import adjust_block
 from raybundle.report.document import write_report
-from raybundle.report.figures_corrections import correction_figures
-from raybundle.report.figures_series import running
-from raybundle.report.section_control import control_section
-from raybundle.report.section_interior import interior_section
-from raybundle.report.section_panoramas import panorama_section
-from raybundle.report.section_result import result_section
-from raybundle.report.section_scenes import scene_section, strip_section
-from raybundle.report.section_trajectories import trajectory_section
-from raybundle.report.summary import summary_lines
+from raybundle.report.figures.corrections import correction_figures
+from raybundle.report.figures.series import running
+from raybundle.report.sections.control import control_section
+from raybundle.report.sections.interior import interior_section
+from raybundle.report.sections.panoramas import panorama_section
+from raybundle.report.sections.result import result_section
+from raybundle.report.sections.scenes import scene_section, strip_section
+from raybundle.report.sections.trajectories import trajectory_section
+from raybundle.report.text.summary import summary_lines
+from raybundle.report.text.words import verdict
 from raybundle.report.view import view_of
-from raybundle.report.words import verdict
 from tests.adjustment.test_antennas import SHIFT, flight
 from tests.adjustment.test_moving_sensors import SIGMA, rolling
 from tests.report.conftest import free

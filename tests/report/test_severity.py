@@ -12,10 +12,10 @@ from raybundle.adjustment.components import NAMES
 from raybundle.adjustment.notices import notices_of
 from raybundle.adjustment.result import Notice, as_told, gravest_first
 from raybundle.adjustment.severity import SEVERITY, Severity
-from raybundle.report.section_result import result_section
-from raybundle.report.summary import SHOWN, summary_lines
+from raybundle.report.sections.result import result_section
+from raybundle.report.text.summary import SHOWN, summary_lines
+from raybundle.report.text.words import verdict
 from raybundle.report.view import view_of
-from raybundle.report.words import verdict
 from raybundle.results.contents import result_json
 
 SOURCE = Path(raybundle.__file__).parent

@@ -7,9 +7,9 @@ import pytest
 
 from raybundle import adjust
 from raybundle.adjustment.result import WHITE, Noise
-from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.cli.calibrate import lines
-from raybundle.report.summary import noise_lines
+from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.report.text.summary import noise_lines
 
 
 @pytest.mark.parametrize(

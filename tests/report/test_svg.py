@@ -5,7 +5,7 @@ import re
 import numpy as np
 import pytest
 
-from raybundle.report.svg import (
+from raybundle.report.figures.svg import (
     Plot,
     axes,
     coordinates,

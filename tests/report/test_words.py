@@ -7,10 +7,10 @@ import pytest
 from raybundle import adjust
 from raybundle.adjustment.result import Notice
 from raybundle.adjustment.severity import Severity
-from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
-from raybundle.report.numbers import grouped, significant
+from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.report.text.numbers import grouped, significant
+from raybundle.report.text.words import datum_of_sigmas, expected_check_std, free_std, not_told, open_datum, verdict
 from raybundle.report.view import rms, view_of
-from raybundle.report.words import datum_of_sigmas, expected_check_std, free_std, not_told, open_datum, verdict
 
 
 def told(adjustment):

@@ -8,9 +8,8 @@ from scipy.integrate import trapezoid
 from scipy.stats import chi2
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.block.simulate import measured
 from raybundle.errors import InputError, RankDefect
-from raybundle.io.block_folder import read_block, write_block
+from raybundle.io.block.folder import read_block, write_block
 from raybundle.io.scenes import read_scene
 from raybundle.io.scenes.airborne import companions
 from raybundle.io.tables import write_table
@@ -23,6 +22,7 @@ from raybundle.numerics.geodesy import (
 )  # fmt: skip
 from raybundle.numerics.places import Local
 from raybundle.numerics.rotation import rotation_from_vector
+from raybundle.planning.simulate import measured
 from raybundle.scenes.corrections import Fixes
 from raybundle.scenes.linescan import refraction_shift
 from raybundle.scenes.sensor import LineSensor, scene_camera, view_of
@@ -425,7 +425,7 @@ def test_tables_with_mistakes(tmp_path):
 
 def test_a_grid_and_true_north_are_told_apart(tmp_path):
     """The same flight in UTM coordinates with roll, pitch, yaw against true north."""
-    from raybundle.io.coordinate_systems import local_frame
+    from raybundle.io.geo.coordinate_systems import local_frame
     from raybundle.numerics.attitude import rpy_from_rotation
 
     one = read_scene(write_strip(tmp_path, "one", 30.0)).line

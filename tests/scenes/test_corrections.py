@@ -10,10 +10,10 @@ from raybundle.adjustment import solve
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.precision import interior_unknowns, node_cofactor
-from raybundle.block.simulate import measured
 from raybundle.errors import InputError, NoConvergence, RankDefect
 from raybundle.numerics.places import Local
 from raybundle.numerics.rotation import rotation_from_vector
+from raybundle.planning.simulate import measured
 from raybundle.scenes.corrections import Fixes, FixesAt, Pieces, bends
 from raybundle.scenes.linescan import observe_line
 from raybundle.scenes.sensor import LineSensor, scene_camera, view_of

@@ -9,10 +9,10 @@ from raybundle.adjustment.assemble import assemble
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block.boards import spline_camera
-from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.calibration.maps import calibration_difference, uncertainty_of
 from raybundle.errors import InputError
 from raybundle.numerics import native
+from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.sensors import sensor_models
 from tests.native.cases import block_of, close, correlated
 from tests.native.test_adjustments import both

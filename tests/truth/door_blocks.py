@@ -11,11 +11,11 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from raybundle.block import Block, Camera
-from raybundle.block.simulate import Scene, Survey, TargetField, brown_camera, field_scene, measured, simulate
-from raybundle.block.uav_networks import Flight, flight_block
 from raybundle.observations.distance import Distances
 from raybundle.observations.station import Stations
 from raybundle.observations.total_station import Directions, SlopeDistances, ZenithAngles
+from raybundle.planning.simulate import Scene, Survey, TargetField, brown_camera, field_scene, measured, simulate
+from raybundle.planning.uav_networks import Flight, flight_block
 from tests.truth.platform_blocks import camera_of
 
 GROSS_SHARE, GROSS_SIGMAS = 0.01, (5.0, 50.0)

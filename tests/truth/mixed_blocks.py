@@ -19,9 +19,9 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.precision import image_unknowns, interior_unknowns, node_cofactor
 from raybundle.adjustment.solve import solve
 from raybundle.block import Block, Camera, Images, Observations, Points, Role
-from raybundle.block.simulate import brown_camera, look_at, measured
 from raybundle.numerics.places import Local
 from raybundle.numerics.rotation import rotation_from_angles, rotation_from_vector, vector_from_rotation
+from raybundle.planning.simulate import brown_camera, look_at, measured
 from raybundle.scenes.rpc_fit import fit_rpc
 from raybundle.scenes.sensor import LineSensor, RpcSensor, scene_camera, view_of
 from raybundle.scenes.simulate import OrbitPlan, orbit_scene

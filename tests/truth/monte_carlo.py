@@ -18,9 +18,9 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.precision import image_unknowns, interior_unknowns, node_cofactor
 from raybundle.adjustment.solve import solve
 from raybundle.block import Role
-from raybundle.block.simulate import SinglePhoto, Survey, TargetField, field_scene, simulate, single_scene
 from raybundle.numerics.rotation import vector_from_rotation
 from raybundle.numerics.statistics import CRITICAL_W, DELTA0
+from raybundle.planning.simulate import SinglePhoto, Survey, TargetField, field_scene, simulate, single_scene
 
 SMALL = TargetField(rows=5, columns=6, stations=5, frontal=1)
 OPTIONS = AdjustmentOptions(threads=1, tolerance=1e-5)

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from raybundle.block import Block, Camera
-from raybundle.block.simulate import look_at, measured
+from raybundle.planning.simulate import look_at, measured
 from raybundle.platforms import Carried, sensor_models
 from tests.truth.mixed_blocks import block_of, control_table
 

@@ -12,9 +12,9 @@ import pytest
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.under_noise import under_noise
-from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
-from raybundle.block.uav_networks import Flight, flight_scene
-from raybundle.io.block_folder import read_block
+from raybundle.io.block.folder import read_block
+from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.uav_networks import Flight, flight_scene
 from raybundle.workflows.adjust import adjust
 from tests.truth.real_noise import adjusted, halves, interior_error, with_smooth_errors
 

@@ -6,8 +6,8 @@ import pytest
 from scipy.interpolate import RectBivariateSpline
 from scipy.stats import chi2
 
-from raybundle.block.simulate import brown_camera, look_at
 from raybundle.cli.main import main
+from raybundle.planning.simulate import brown_camera, look_at
 from raybundle.sensors import sensor_models
 from raybundle.targets.sidecar import read_sidecar
 from raybundle.workflows.calibrate import CalibrateOptions, calibrate

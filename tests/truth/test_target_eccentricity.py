@@ -5,8 +5,8 @@ import pytest
 from scipy.stats import chi2
 
 from raybundle.block import Role
-from raybundle.block.simulate import Scene, Survey, simulate
 from raybundle.calibration.eccentricity import EDGE, circle_images, ellipses_of_grey_values
+from raybundle.planning.simulate import Scene, Survey, simulate
 from raybundle.targets.centre import fit_dots
 from raybundle.workflows.calibrate import CalibrateOptions, calibrate
 from tests.targets.photographs import (

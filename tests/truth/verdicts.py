@@ -10,10 +10,10 @@ import numpy as np
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
-from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 from raybundle.calibration.maps import calibration_difference, projection_shifts
 from raybundle.calibration.quality import SURE, CalibrationQuality, calibration_qualities
 from raybundle.errors import RaybundleError
+from raybundle.planning.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 
 GRADES = ("good", "usable", "weak")
 GOOD_PX, USABLE_PX = 0.1, 0.3

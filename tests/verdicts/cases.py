@@ -12,10 +12,10 @@ import numpy as np
 from raybundle import adjust
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Block, Role
-from raybundle.block.calibration_networks import FlatField, flat_field_scene
-from raybundle.block.simulate import Scene, Survey, TargetField, brown_camera, field_scene, look_at, simulate
-from raybundle.block.uav_networks import Flight, flight_block
 from raybundle.errors import RaybundleError
+from raybundle.planning.calibration_networks import FlatField, flat_field_scene
+from raybundle.planning.simulate import Scene, Survey, TargetField, brown_camera, field_scene, look_at, simulate
+from raybundle.planning.uav_networks import Flight, flight_block
 from tests.truth.mixed_blocks import room
 
 EXACT = Survey(seed=1, orientation="exact", points="exact", interior="exact", image_sigma_px=0.05)

@@ -12,10 +12,10 @@ from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Role
 from raybundle.block.select import transformed
-from raybundle.block.simulate import AerialStrips, Survey, aerial_scene, simulate
-from raybundle.io.control_files import ControlFile, Measurements
+from raybundle.io.geo.control_files import ControlFile, Measurements
 from raybundle.numerics.geodesy import LocalPlace
 from raybundle.numerics.rotation import rotation_from_angles
+from raybundle.planning.simulate import AerialStrips, Survey, aerial_scene, simulate
 
 NAMES = ("A", "B", "C", "D", "E", "F")
 

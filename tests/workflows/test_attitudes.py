@@ -9,20 +9,20 @@ from scipy.stats import chi2
 
 from raybundle.adjustment.engine import adjust_block
 from raybundle.block.block import Camera
-from raybundle.block.simulate import measured
-from raybundle.block.uav_networks import Flight, flight_block, uav_camera
 from raybundle.errors import InputError
-from raybundle.io.coordinate_systems import local_frame
+from raybundle.io.geo.coordinate_systems import local_frame
 from raybundle.io.trajectories import Trajectory, read_trajectory, with_positions, write_trajectory
 from raybundle.io.trajectories.base import WGS84_HEIGHT
 from raybundle.numerics.attitude import gimbal_from_rotation, opk_from_rotation, rotation_from_opk
 from raybundle.numerics.geodesy import LocalPlace
 from raybundle.numerics.rotation import rotation_from_vector
-from raybundle.report.section_trajectories import trajectory_section
+from raybundle.placing.attitudes import find_attitudes
+from raybundle.placing.georeference import georeference
+from raybundle.placing.marks import Given
+from raybundle.planning.simulate import measured
+from raybundle.planning.uav_networks import Flight, flight_block, uav_camera
+from raybundle.report.sections.trajectories import trajectory_section
 from raybundle.report.view import view_of
-from raybundle.workflows.attitudes import find_attitudes
-from raybundle.workflows.georeference import georeference
-from raybundle.workflows.marks import Given
 
 PLACE = (11.2, 48.0, 500.0)
 """2.2 degrees east of the middle of its UTM zone: the meridians converge by 1.6 degrees."""

@@ -10,7 +10,7 @@ import pytest
 from raybundle.block.stored import joint_covariance
 from raybundle.cli.main import main
 from raybundle.errors import InputError
-from raybundle.io.block_toml import read_cameras
+from raybundle.io.block.toml import read_cameras
 from raybundle.workflows.calibrate import CalibrateOptions, calibrate
 from raybundle.workflows.recognise import recognised
 from tests.conftest import DATA

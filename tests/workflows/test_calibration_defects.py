@@ -5,9 +5,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from raybundle.block.calibration_networks import ROLLS, FlatField, flat_field_scene
-from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.errors import NotSolvable, RankDefect
+from raybundle.planning.calibration_networks import ROLLS, FlatField, flat_field_scene
+from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.workflows.calibrate import CalibrateOptions, calibrate
 from raybundle.workflows.calibration_defects import check_spline, explained, flat_only
 from tests.workflows.flat_views import patched

@@ -6,7 +6,7 @@ import pytest
 
 from raybundle import adjust
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.report.write import write_result
 from raybundle.workflows.earlier_result import less_fixed
 

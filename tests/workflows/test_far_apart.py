@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from raybundle.block.select import with_rows
-from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
-from raybundle.workflows.far_apart import APART, FEW, nearest_rays, not_too_far
+from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.ties.far_apart import APART, FEW, nearest_rays, not_too_far
 
 
 @pytest.fixture

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.block.uav_networks import Flight, flight_block, uav_camera
-from raybundle.workflows.georeference import Georeferenced
+from raybundle.placing.georeference import Georeferenced
+from raybundle.placing.positions import flight_lines
+from raybundle.planning.uav_networks import Flight, flight_block, uav_camera
 from raybundle.workflows.orienting.adjustment import _relative
-from raybundle.workflows.positions import flight_lines
 
 
 @dataclass

@@ -11,15 +11,15 @@ from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Role
 from raybundle.errors import InputError
-from raybundle.io.control_files import Measurements
+from raybundle.io.geo.control_files import Measurements
 from raybundle.numerics.progress import silent
 from raybundle.numerics.transform import similarity
-from raybundle.report.summary import summary_lines
+from raybundle.placing.control_apart import check_apart
+from raybundle.placing.georeference import georeference
+from raybundle.placing.marks import Given, ScaleBar
+from raybundle.report.text.summary import summary_lines
 from raybundle.report.write import write_result
-from raybundle.workflows.control_apart import check_apart
 from raybundle.workflows.final import final_adjustment
-from raybundle.workflows.georeference import georeference
-from raybundle.workflows.marks import Given, ScaleBar
 from tests.workflows.free_flight import NAMES, codes, control, error, flight
 
 __all__ = ["flight"]
@@ -326,7 +326,7 @@ def test_the_report_has_leave_one_out_and_asprs_figures(flight, tmp_path):
 
 def test_a_robust_similarity_passes_over_triples_in_one_line():
     """Two photographs that state one position, as a receiver without a new fix writes it."""
-    from raybundle.workflows.georeference import _robust
+    from raybundle.placing.georeference import _robust
 
     rng = np.random.default_rng(4)
     source = rng.normal(0, 10, (6, 3))

@@ -7,8 +7,8 @@ import pytest
 
 from raybundle.block.select import with_rows
 from raybundle.numerics.geodesy import LocalPlace
-from raybundle.workflows.georeference import georeference
-from raybundle.workflows.marks import Given
+from raybundle.placing.georeference import georeference
+from raybundle.placing.marks import Given
 from raybundle.workflows.parts import place_parts
 from tests.workflows.free_flight import PLACE, adjusted, codes, flight, in_degrees, with_gps
 

@@ -4,8 +4,8 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.io.control_files import ControlFile, Measurements
-from raybundle.workflows.marks import under_kept_names
+from raybundle.io.geo.control_files import ControlFile, Measurements
+from raybundle.placing.marks import under_kept_names
 
 
 def test_marks_in_a_copy_count_in_the_photograph_that_stays():

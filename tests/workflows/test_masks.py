@@ -12,8 +12,8 @@ from raybundle.errors import InputError
 from raybundle.io.photos.masks import find_masks
 from raybundle.io.photos.photo import find_photos
 from raybundle.matching.methods import feature_method
+from raybundle.ties.points import detected, feature_key
 from raybundle.workflows.mask_notices import mask_notices
-from raybundle.workflows.tie_points import detected, feature_key
 
 WIDTH, HEIGHT, C = 640, 480, 800.0
 STEP = np.radians(9)
@@ -75,7 +75,7 @@ def orient(scene, out, *more):
 
 def turns(out):
     """Angles [rad] between the photographs and the first."""
-    from raybundle.io.block_folder import read_block
+    from raybundle.io.block.folder import read_block
 
     images = read_block(out / "result/block").images
     relative = images.rotation @ images.rotation[0].T

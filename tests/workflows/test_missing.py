@@ -6,7 +6,7 @@ import pytest
 from raybundle.adjustment.predict import predicted_px
 from raybundle.block import Block, Camera, Images, Observations, Points
 from raybundle.sensors import sensor_models
-from raybundle.workflows.missing import groups, missing_notices
+from raybundle.ties.missing import groups, missing_notices
 
 SIDE, PANEL = 10.0, 3.0
 

@@ -10,17 +10,18 @@ from raybundle.adjustment.options import noise_of_photographs
 from raybundle.adjustment.severity import Severity
 from raybundle.block import Role
 from raybundle.block.select import with_rows, without_images
-from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 from raybundle.errors import NotSolvable, Undetermined
 from raybundle.matching.refine import LEVELS, CandidateMatches, Refined, choose_references
 from raybundle.numerics.progress import silent
-from raybundle.workflows import final, precise
+from raybundle.placing.georeference import Georeferenced
+from raybundle.planning.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+from raybundle.ties import precise
+from raybundle.ties.block import TieBlock
+from raybundle.ties.precise import refine
+from raybundle.workflows import final
 from raybundle.workflows.final import _with_block, final_adjustment, independent_notices, left_out
-from raybundle.workflows.georeference import Georeferenced
 from raybundle.workflows.orient_options import OrientOptions
 from raybundle.workflows.orienting.adjustment import _adjusted
-from raybundle.workflows.precise import refine
-from raybundle.workflows.tie_block import TieBlock
 
 CAMERA = brown_camera(estimate=("c", "K1"))
 FEATURE_PX, MATCH_PX = 0.6, 0.1

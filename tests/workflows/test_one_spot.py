@@ -9,7 +9,7 @@ from raybundle.io.photos.metadata import Metadata
 from raybundle.io.photos.photo import Photo
 from raybundle.matching.features import Features
 from raybundle.matching.verify import VerifiedPair
-from raybundle.workflows.tie_points import from_one_spot
+from raybundle.ties.points import from_one_spot
 
 WIDTH, HEIGHT, N = 1600, 1200, 400
 

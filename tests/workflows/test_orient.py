@@ -12,12 +12,12 @@ import pytest
 
 from raybundle.cli.main import main
 from raybundle.errors import InputError
-from raybundle.io.block_folder import read_block
-from raybundle.io.camera_library import LibraryEntry, add_entry, key_of
+from raybundle.io.block.folder import read_block
+from raybundle.io.cameras.library import LibraryEntry, add_entry, key_of
 from raybundle.io.photos.cameras import camera_groups, camera_of
 from raybundle.io.photos.photo import find_photos
 from raybundle.pipeline.project import Project
-from raybundle.workflows import tie_points
+from raybundle.ties import points as tie_points
 from raybundle.workflows.orient import OrientOptions, orient
 from raybundle.workflows.orienting import matching
 

@@ -13,12 +13,13 @@ from scipy.stats import chi2
 
 from raybundle.cli.main import main
 from raybundle.errors import InputError
-from raybundle.io.block_folder import read_block
+from raybundle.io.block.folder import read_block
 from raybundle.io.scenes import Scene
 from raybundle.io.scenes.rpc_text import write_rpc_text
 from raybundle.scenes.simulate import OrbitPlan, orbit_scene
-from raybundle.workflows import scene_block, scene_ties
 from raybundle.workflows.orient import OrientOptions, orient
+from raybundle.workflows.scenes import block as scene_block
+from raybundle.workflows.scenes import ties as scene_ties
 from tests.scenes.render import ORIGIN, PLACE, Terrain, render_scene, scene_rpc
 from tests.scenes.render_sets import MARK_PX, PITCH, SHIFTS, Made, make_photos, make_scenes, write_control
 
@@ -307,7 +308,7 @@ def test_control_whose_coordinates_are_exchanged(pair, tmp_path, project, capsys
 
 
 def test_heights_above_a_geoid_whose_grid_is_missing(pair, project, capsys, monkeypatch):
-    from raybundle.io import coordinate_systems
+    from raybundle.io.geo import coordinate_systems
 
     monkeypatch.setattr(coordinate_systems, "_vertical", lambda _: (None, "some_geoid.tif"))
     status, said = quick(pair[0], project, capsys, "--control", str(pair[1]), "--crs", "EPSG:4326+5773")
@@ -402,7 +403,7 @@ def test_rigorous_scenes_without_an_rpc(terrain, tmp_path, monkeypatch):
         Image.fromarray(pixels).save(folder / f"{name}.tif")
         write_rpc_text(scene_rpc(PITCH[name], SIZE), folder / f"{name}_RPC.TXT")
     monkeypatch.setattr(
-        "raybundle.workflows.scene_images.read_scene",
+        "raybundle.workflows.scenes.images.read_scene",
         lambda path: Scene(file=path, format="orbit", line=lines[path.name.split("_")[0]]),
     )
     result = orient([folder], tmp_path / "project", OrientOptions(feature_count=700, jobs=2))

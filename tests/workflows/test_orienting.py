@@ -17,11 +17,11 @@ from raybundle.matching.reduced import Reduced
 from raybundle.pipeline.executors import Processes, Threads
 from raybundle.pipeline.project import Project
 from raybundle.pipeline.stage import Means, Stage, Workflow
+from raybundle.ties.points import find_features, match_pairs
 from raybundle.workflows import orient as module
 from raybundle.workflows import orienting
 from raybundle.workflows.orient import OrientOptions, orient, stages
 from raybundle.workflows.orient_state import ORIENT
-from raybundle.workflows.tie_points import find_features, match_pairs
 
 KEPT = {"features", "matching", "start", "precision"}
 PORTAL = Path(__file__).resolve().parents[2] / "demo_data/portal/photos"

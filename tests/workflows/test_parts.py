@@ -11,11 +11,12 @@ from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Role
 from raybundle.block.select import transformed, with_rows
-from raybundle.block.simulate import AerialStrips, Survey, aerial_scene, simulate
-from raybundle.io.control_files import ControlFile, Measurements
+from raybundle.io.geo.control_files import ControlFile, Measurements
 from raybundle.numerics.rotation import rotation_from_angles
-from raybundle.workflows.georeference import Georeferenced
-from raybundle.workflows.marks import Given
+from raybundle.placing.georeference import Georeferenced
+from raybundle.placing.marks import Given
+from raybundle.placing.positions import Positions, turn_sigma
+from raybundle.planning.simulate import AerialStrips, Survey, aerial_scene, simulate
 from raybundle.workflows.parts import (
     FEWEST_IMAGES,
     apart_notice,
@@ -25,7 +26,6 @@ from raybundle.workflows.parts import (
     place_parts,
     start_parts,
 )
-from raybundle.workflows.positions import Positions, turn_sigma
 
 
 @pytest.fixture(scope="module")

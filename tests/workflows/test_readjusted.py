@@ -11,10 +11,10 @@ import pytest
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block.rejection import RejectionKind, found_wrong, given_rejections, known_wrong
 from raybundle.block.select import with_rows
-from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.cli.main import main
-from raybundle.io.block_folder import read_block, write_block
-from raybundle.io.block_tables import named
+from raybundle.io.block.folder import read_block, write_block
+from raybundle.io.block.tables import named
+from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.report.write import write_result
 from raybundle.workflows.adjust import adjust
 from raybundle.workflows.parts import merged

@@ -14,7 +14,7 @@ from raybundle.matching.methods import feature_method
 from raybundle.matching.reduced import LONGEST_PX, Reduced, reduction
 from raybundle.pipeline.project import Project
 from raybundle.pipeline.stage import Run, Stage, Workflow
-from raybundle.workflows.marks import Given
+from raybundle.placing.marks import Given
 from raybundle.workflows.orient_options import OrientOptions
 from raybundle.workflows.orient_state import Asked, OrientState
 from raybundle.workflows.orienting.reduced import ALTERNATIVE

@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.workflows.georeference import georeference
-from raybundle.workflows.marks import Given
+from raybundle.placing.georeference import georeference
+from raybundle.placing.marks import Given
 from tests.workflows.free_flight import codes, control, error, flight
 
 __all__ = ["flight"]

@@ -10,9 +10,9 @@ from raybundle.errors import NoOrientation
 from raybundle.matching.tracks import tracks_of
 from raybundle.matching.verify import VerifiedPair
 from raybundle.sensors import sensor_models
+from raybundle.ties.block import block_of_tracks
+from raybundle.ties.repeated import CONTRADICTED, contradicted, sound_pairs, spanning
 from raybundle.workflows.parts import start_parts
-from raybundle.workflows.repeated import CONTRADICTED, contradicted, sound_pairs, spanning
-from raybundle.workflows.tie_block import block_of_tracks
 
 SIDES, PHOTOGRAPHS, C_PX, WIDTH, HEIGHT = 6, 18, 1100.0, 1200, 900
 DIAGONALS = np.full(PHOTOGRAPHS, np.hypot(WIDTH, HEIGHT))

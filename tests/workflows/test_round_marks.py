@@ -10,13 +10,13 @@ from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Role
 from raybundle.block.select import transformed
-from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 from raybundle.errors import InputError
-from raybundle.io.control_files import read_control
+from raybundle.io.geo.control_files import read_control
 from raybundle.numerics.rotation import rotation_from_angles
+from raybundle.placing.georeference import georeference
+from raybundle.placing.marks import Given
+from raybundle.planning.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 from raybundle.sensors import sensor_models
-from raybundle.workflows.georeference import georeference
-from raybundle.workflows.marks import Given
 
 SIGMA_PX, RADIUS_M = 0.01, 0.009
 CONTROL_M = 1e-6

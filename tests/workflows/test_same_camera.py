@@ -12,10 +12,10 @@ from raybundle.adjustment.predict import predicted_px
 from raybundle.adjustment.result import Notice
 from raybundle.block import PixelFrame
 from raybundle.block.frames import in_file_frames
-from raybundle.block.simulate import AerialStrips, Ring, Survey, aerial_scene, brown_camera, ring_scene, simulate
 from raybundle.io.photos.cameras import camera_groups
 from raybundle.io.photos.metadata import Metadata
 from raybundle.io.photos.photo import Photo
+from raybundle.planning.simulate import AerialStrips, Ring, Survey, aerial_scene, brown_camera, ring_scene, simulate
 from raybundle.workflows.same_camera import against_gimbal, shared_sensors
 
 BODY = Metadata(make="Canon", model="Canon EOS 5D Mark II", focal_mm=20.0, serial="1")

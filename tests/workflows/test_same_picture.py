@@ -12,9 +12,9 @@ from raybundle.matching.methods import feature_method
 from raybundle.matching.verify import verify
 from raybundle.pipeline.project import Project
 from raybundle.pipeline.stage import Means
-from raybundle.workflows.same_picture import same_picture_notice, same_pictures
-from raybundle.workflows.static_background import still_and_moving
-from raybundle.workflows.tie_points import find_features
+from raybundle.ties.points import find_features
+from raybundle.ties.same_picture import same_picture_notice, same_pictures
+from raybundle.ties.static_background import still_and_moving
 
 
 def picture(shift=0, seed=3):

@@ -9,8 +9,9 @@ from raybundle.io.photos.photo import find_photos
 from raybundle.io.scenes.rpc_text import write_rpc_text
 from raybundle.matching.methods import feature_method
 from raybundle.matching.refine import halved
-from raybundle.workflows import scene_block, scene_images
-from raybundle.workflows.scene_images import ScenePixels, find_scenes, scene_features
+from raybundle.workflows.scenes import block as scene_block
+from raybundle.workflows.scenes import images as scene_images
+from raybundle.workflows.scenes.images import ScenePixels, find_scenes, scene_features
 from tests.scenes.render import octave, scene_rpc, write_scene
 
 SIZE = 400

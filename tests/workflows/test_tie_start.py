@@ -7,8 +7,8 @@ import pytest
 
 from raybundle.block.known import observed_as_known
 from raybundle.block.select import with_rows
-from raybundle.block.simulate import Survey, TargetField, field_scene, simulate
-from raybundle.workflows import tie_start
+from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.ties import start as tie_start
 
 
 @pytest.fixture

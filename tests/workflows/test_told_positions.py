@@ -7,12 +7,12 @@ import pytest
 
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.network import classed
-from raybundle.block.simulate import AerialStrips, Survey, aerial_scene, simulate
 from raybundle.io.photos.cameras import camera_groups
 from raybundle.io.photos.metadata import Metadata
 from raybundle.io.photos.photo import Photo
-from raybundle.report.summary import summary_lines
-from raybundle.workflows.told_positions import camera_notices, with_relative_precision
+from raybundle.placing.told_positions import camera_notices, with_relative_precision
+from raybundle.planning.simulate import AerialStrips, Survey, aerial_scene, simulate
+from raybundle.report.text.summary import summary_lines
 
 
 def flight(real, stated, shift=0.0):

@@ -9,8 +9,8 @@ import pytest
 
 from raybundle.errors import InputError
 from raybundle.io.photos.photo import upright_from_stored
-from raybundle.workflows.georeference import georeference
-from raybundle.workflows.marks import Given, check_marks
+from raybundle.placing.georeference import georeference
+from raybundle.placing.marks import Given, check_marks
 from tests.workflows.free_flight import codes, control, error, flight
 
 __all__ = ["flight"]

@@ -9,14 +9,14 @@ from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Role
 from raybundle.block.select import with_rows
-from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 from raybundle.errors import NoOrientation
 from raybundle.matching.refine import TrackPoints
-from raybundle.workflows import precise
-from raybundle.workflows.match_weights import FEWEST, Weights, estimate_weights
-from raybundle.workflows.precise import candidates
-from raybundle.workflows.tie_block import flat_points, image_sigma_px
-from raybundle.workflows.tie_start import start
+from raybundle.planning.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+from raybundle.ties import precise
+from raybundle.ties.block import flat_points, image_sigma_px
+from raybundle.ties.match_weights import FEWEST, Weights, estimate_weights
+from raybundle.ties.precise import candidates
+from raybundle.ties.start import start
 
 OPTIONS = AdjustmentOptions(threads=1)
 CAMERA = brown_camera(estimate=("c", "K1"))

@@ -28,6 +28,9 @@ EDGE = 24
 steps begin at the harmonic EDGE - 4."""
 ROUNDS = 3
 """Steps of the fit of an ellipse; each squares its relative error, which begins at some hundredths."""
+FLAT = 0.15
+"""Thickness of the nearest targets, in their extent, up to which they lie in a plane that gives the normal."""
+NEAREST = 8
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -190,3 +193,20 @@ def _weighted(column: Array, cov: Array) -> Array:
     a, b, c = cov.T
     x, y = column.T
     return np.stack([b * x - c * y, a * y - c * x], axis=1) / (a * b - c * c)[:, None]
+
+
+def target_normals(xyz: Array) -> Array:
+    """(p, 3) unit normals of the surface on which targets stand; NaN where the nearest ones lie in no plane."""
+    from scipy.spatial import KDTree  # noqa: PLC0415
+
+    normal = np.full(xyz.shape, np.nan)
+    known = np.flatnonzero(np.isfinite(xyz).all(axis=1))
+    if len(known) < 4:
+        return normal
+    _, near = KDTree(xyz[known]).query(xyz[known], k=min(NEAREST + 1, len(known)))
+    for k, rows in zip(known.tolist(), np.asarray(near), strict=True):
+        group = xyz[known[rows]]
+        _, size, axes = np.linalg.svd(group - group.mean(axis=0))
+        if size[2] <= FLAT * size[1] and size[1] > 0.05 * size[0]:
+            normal[k] = axes[2]
+    return normal

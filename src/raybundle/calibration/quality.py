@@ -23,7 +23,6 @@ from raybundle.adjustment.structure import (
 from raybundle.block import Camera
 from raybundle.calibration.cross_validation import CrossValidation, cross_validation
 from raybundle.calibration.maps import projection_shifts
-from raybundle.calibration.next_photographs import Proposal, next_photographs
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.sensors import sensor_models
@@ -57,6 +56,18 @@ TILT_SPREAD = np.radians(20)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Proposal:
+    """Photographs that could be added, and what they would bring."""
+
+    words: str
+    """What to photograph, as an instruction"""
+    uncertainty_px: float
+    """Largest standard deviation of projection over the format that is to be expected with them"""
+    ratio: float
+    """The same over that without them"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class CalibrationQuality:
     """What the calibration of one camera is worth."""
 
@@ -67,7 +78,7 @@ class CalibrationQuality:
     reasons: tuple[str, ...]
     """What speaks against it, the gravest first"""
     advice: tuple[Proposal, ...]
-    """What to photograph next, with its predicted effect; the best first.  None where the camera was not stable"""
+    """What to photograph next, with its predicted effect; the best first (`planning.next_photographs`)"""
     unstable: bool
     """The photographs had not the same interior orientation: more of them would not help"""
     photographs: int
@@ -102,7 +113,6 @@ def calibration_quality(
     camera: str,
     validation: CrossValidation | None,
     structure: ResidualStructure | None,
-    progress: Progress = silent,
 ) -> CalibrationQuality:
     """The verdict on the calibration of one camera; the adjustment must have statistics.
 
@@ -121,11 +131,8 @@ def calibration_quality(
     reach, coverage = _format(result, k, mine)
     rolls, convergence = _views(result, images)
     couplings = _couplings(result, interior)
-    progress("proposals", 0.0)
     doubtful = [n for n in result.notices if n.code in UNSTEADY and camera in n.ids]
     unstable = any(n.code == UNSTABLE for n in doubtful)
-    advice = () if unstable else next_photographs(result, camera)
-    progress("proposals", 1.0)
     # knots of surfaces in corners that no point reaches say nothing, and are none the worse for it
     surfaces = adjusted.sensor.local_width > 0
     lacking = () if surfaces else tuple(s for s, p in interior.parameters.items() if p.status == "not determinable")
@@ -147,7 +154,7 @@ def calibration_quality(
         grade = "usable"
     return CalibrationQuality(
         camera=camera, grade=grade, headline=_headline(grade, vital, error, sigma, reach),
-        reasons=tuple(reasons), advice=advice, unstable=unstable, photographs=len(images), image_sigma_px=sigma,
+        reasons=tuple(reasons), advice=(), unstable=unstable, photographs=len(images), image_sigma_px=sigma,
         uncertainty_px=error.largest, typical_px=error.typical, worst_px=error.sure, likely_px=error.likely,
         reach=reach, coverage=coverage, rolls=rolls, convergence=convergence,
         couplings=couplings, validation=validation, structure=structure, repeated=repeated,
@@ -351,6 +358,6 @@ def calibration_qualities(result: Adjustment, progress: Progress = silent) -> tu
         return ()
     structure = residual_structure(result) if result.noise.kind == "white" else None  # else the covariance carries it
     return tuple(
-        calibration_quality(result, c, cross_validation(result, c, progress=progress), structure, progress)
+        calibration_quality(result, c, cross_validation(result, c, progress=progress), structure)
         for c in wanted
     )

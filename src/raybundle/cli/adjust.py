@@ -97,8 +97,8 @@ def command(
 def run(block: Path, out: Path, options: AdjustmentOptions, report: Literal["html", "none"], progress: str) -> None:
     """Read, adjust, write, and print the summary."""
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.io.block_folder import read_block  # noqa: PLC0415
-    from raybundle.report.summary import summary_lines  # noqa: PLC0415
+    from raybundle.io.block.folder import read_block  # noqa: PLC0415
+    from raybundle.report.text.summary import summary_lines  # noqa: PLC0415
     from raybundle.report.write import write_result  # noqa: PLC0415
     from raybundle.results.folder import check_target  # noqa: PLC0415
     from raybundle.workflows.adjust import adjust  # noqa: PLC0415

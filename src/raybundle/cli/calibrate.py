@@ -65,7 +65,7 @@ def command(photos: tuple[Path, ...], out: Path, progress: str, **given: Any) ->
 
 def lines(done: Calibration) -> list[str]:
     """What the command prints."""
-    from raybundle.report.summary import noise_lines, notice_lines  # noqa: PLC0415
+    from raybundle.report.text.summary import noise_lines, notice_lines  # noqa: PLC0415
 
     read = sum(int(m.named.sum()) for sets in done.marks for m in sets)
     extra = f", {done.completed} without a readable code found by prediction" if done.completed else ""

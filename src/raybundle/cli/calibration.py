@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from raybundle.block import Camera
     from raybundle.block.zoom import ZoomSetting
     from raybundle.io.calibrations import Calibration, Conversion
-    from raybundle.io.camera_library import CameraKey, LibraryEntry
+    from raybundle.io.cameras.library import CameraKey, LibraryEntry
 
 TRACEBACK = click.option(
     "--traceback", is_flag=True, expose_value=False, help="After an error, show where in the program it arose."
@@ -310,7 +310,7 @@ def add(
     """  # noqa: D301
     from dataclasses import replace  # noqa: PLC0415
 
-    from raybundle.io.camera_library import CameraKey, LibraryEntry, add_entry, key_of  # noqa: PLC0415
+    from raybundle.io.cameras.library import CameraKey, LibraryEntry, add_entry, key_of  # noqa: PLC0415
     from raybundle.io.photos.photo import read_photo  # noqa: PLC0415
 
     calibration = _one(source, given, size, camera)
@@ -366,7 +366,7 @@ def list_(library: Path | None, *, as_json: bool) -> None:
     Example:
       raybundle calibration list
     """  # noqa: D301
-    from raybundle.io.camera_library import as_table, read_library  # noqa: PLC0415
+    from raybundle.io.cameras.library import as_table, read_library  # noqa: PLC0415
 
     found = read_library(library)
     if as_json:
@@ -395,7 +395,7 @@ def find(photo: Path, out: Path | None, library: Path | None) -> int:
     """  # noqa: D301
     from raybundle.io.calibrations.base import write_whole  # noqa: PLC0415
     from raybundle.io.calibrations.ours import cameras_text  # noqa: PLC0415
-    from raybundle.io.camera_library import find_calibrations, key_of  # noqa: PLC0415
+    from raybundle.io.cameras.library import find_calibrations, key_of  # noqa: PLC0415
     from raybundle.io.photos.photo import read_photo  # noqa: PLC0415
 
     taken = read_photo(photo)
@@ -442,9 +442,9 @@ def zoom(
       raybundle calibration zoom z24 z35 z50 z70 --out lens --keep
     """  # noqa: D301
     from raybundle.calibration.zoom import calibrate_zoom, zoom_residuals  # noqa: PLC0415
-    from raybundle.io.camera_library import LibraryEntry, add_entry  # noqa: PLC0415
+    from raybundle.io.cameras.library import LibraryEntry, add_entry  # noqa: PLC0415
+    from raybundle.io.cameras.zoom_files import write_zoom  # noqa: PLC0415
     from raybundle.io.folders import new_folder  # noqa: PLC0415
-    from raybundle.io.zoom_files import write_zoom  # noqa: PLC0415
 
     settings, keys = _zoom_settings(results, focal)
     lens = calibrate_zoom(sorted(settings, key=lambda s: s.focal_mm), resolution_mm=resolution)
@@ -481,7 +481,7 @@ def _any_focal(key: CameraKey) -> CameraKey:
 def _zoom_settings(results: tuple[Path, ...], focal: tuple[float, ...]) -> tuple[list[ZoomSetting], list[CameraKey]]:
     """The settings and EXIF keys of all cameras in some result folders."""
     from raybundle.block.zoom import ZoomSetting  # noqa: PLC0415
-    from raybundle.io.camera_library import CameraKey  # noqa: PLC0415
+    from raybundle.io.cameras.library import CameraKey  # noqa: PLC0415
     from raybundle.results.folder import read_result  # noqa: PLC0415
 
     settings: list[ZoomSetting] = []

@@ -22,9 +22,9 @@ from raybundle.cli.common import (
 )
 from raybundle.cli.numbers import NUMBER
 from raybundle.errors import InputError
-from raybundle.io.coordinate_systems import LocalFrame, frame_from_mapping, local_frame
+from raybundle.io.cameras.one_instant import at_one_instant
 from raybundle.io.formats import Export, check_deviation, formats, read_format, write_format
-from raybundle.io.one_instant import at_one_instant
+from raybundle.io.geo.coordinate_systems import LocalFrame, frame_from_mapping, local_frame
 from raybundle.io.reading.files import opened
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress
@@ -146,7 +146,7 @@ def command(
             export = replace(export, block=in_file_frames(export.block))
         coloured = target not in {BLOCK, RPC} and formats[target].colours
         if folders := (photos,) if photos is not None else photographs_of(source) if coloured else ():
-            from raybundle.io.undistort import point_colours  # noqa: PLC0415
+            from raybundle.io.pictures.undistort import point_colours  # noqa: PLC0415
 
             colours, more = point_colours(export.block, folders, progress=tell)
             export = replace(export, colours=colours)
@@ -187,7 +187,7 @@ def read_source(source: Path, given: str | None, *, approximate: bool = False) -
         return Export(block=imported.block, colours=imported.colours), imported.remarks
     if (source / "result.json").is_file():
         return _read_result(source)
-    from raybundle.io.block_folder import read_block  # noqa: PLC0415
+    from raybundle.io.block.folder import read_block  # noqa: PLC0415
 
     return Export(block=read_block(source)), ()
 
@@ -349,7 +349,7 @@ def straightened(
 ) -> tuple[Export, tuple[str, ...]]:
     """The block with pinhole cameras, its photographs without distortion in a new folder."""
     from raybundle.io.folders import new_folder  # noqa: PLC0415
-    from raybundle.io.undistort import undistorted_block, write_undistorted  # noqa: PLC0415
+    from raybundle.io.pictures.undistort import undistorted_block, write_undistorted  # noqa: PLC0415
 
     if folder.exists():
         raise InputError("stands there already and is not overwritten; give --out in another folder", file=folder)
@@ -377,7 +377,7 @@ def written(
         result = write_format(target, export, out, approximate=approximate, free_scale=free_scale)
         result = replace(result, remarks=(*more, *result.remarks))
         return len(result.files), result.remarks, result.deviation_px
-    from raybundle.io.block_folder import write_block  # noqa: PLC0415
+    from raybundle.io.block.folder import write_block  # noqa: PLC0415
 
     _check_block(export.block)
     write_block(export.block, out)

@@ -14,8 +14,8 @@ from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER, common_op
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
-    from raybundle.block.simulate import Simulation
     from raybundle.numerics.arrays import Array
+    from raybundle.planning.simulate import Simulation
 
 
 @click.command("demo", context_settings=COMMAND_SETTINGS)
@@ -47,9 +47,9 @@ def command(out: Path, photographs: Path | None, seed: int, progress: str) -> No
 
         run(photographs, out, progress)
         return
-    from raybundle.block import simulate as s  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.cli.progress import reporting  # noqa: PLC0415
-    from raybundle.report.summary import summary_lines  # noqa: PLC0415
+    from raybundle.planning import simulate as s  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.report.text.summary import summary_lines  # noqa: PLC0415
     from raybundle.report.write import write_result  # noqa: PLC0415
     from raybundle.results.folder import check_target  # noqa: PLC0415
     from raybundle.workflows.adjust import adjust  # noqa: PLC0415
@@ -72,7 +72,7 @@ def command(out: Path, photographs: Path | None, seed: int, progress: str) -> No
 def _write_input(simulation: Simulation, out: Path) -> None:
     """Write block and truth; those of an earlier demo stay if they are the same."""
     from raybundle.errors import InputError  # noqa: PLC0415
-    from raybundle.io.block_folder import write_block, write_block_files  # noqa: PLC0415
+    from raybundle.io.block.folder import write_block, write_block_files  # noqa: PLC0415
 
     for name, block in (("block", simulation.observed), ("truth", simulation.truth)):
         folder = out / name

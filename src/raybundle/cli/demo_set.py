@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
     from raybundle.block import Block
     from raybundle.numerics.arrays import Array
-    from raybundle.workflows.marks import Given
+    from raybundle.placing.marks import Given
 
 
 def run(folder: Path, out: Path, progress: str) -> None:
@@ -26,8 +26,8 @@ def run(folder: Path, out: Path, progress: str) -> None:
     from raybundle.cli.progress import reporting  # noqa: PLC0415
     from raybundle.commands.orient import write_orientation  # noqa: PLC0415
     from raybundle.errors import InputError  # noqa: PLC0415
-    from raybundle.io.block_folder import read_block  # noqa: PLC0415
-    from raybundle.report.summary import summary_lines  # noqa: PLC0415
+    from raybundle.io.block.folder import read_block  # noqa: PLC0415
+    from raybundle.report.text.summary import summary_lines  # noqa: PLC0415
     from raybundle.results.folder import check_target  # noqa: PLC0415
     from raybundle.workflows.orient import orient  # noqa: PLC0415
 
@@ -56,10 +56,10 @@ def given_of(folder: Path, truth: Block) -> Given:
     import numpy as np  # noqa: PLC0415
 
     from raybundle.block import Role  # noqa: PLC0415
-    from raybundle.io.control_files import ControlFile, read_measurements  # noqa: PLC0415
+    from raybundle.io.geo.control_files import ControlFile, read_measurements  # noqa: PLC0415
     from raybundle.io.reading.files import read_lines  # noqa: PLC0415
     from raybundle.io.reading.rows import cells_of  # noqa: PLC0415
-    from raybundle.workflows.marks import Given, ScaleBar  # noqa: PLC0415
+    from raybundle.placing.marks import Given, ScaleBar  # noqa: PLC0415
 
     marks = folder / "measured.csv"
     rows = [next(cells_of([line])) for _, line in read_lines(marks) if line]

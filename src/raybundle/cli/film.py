@@ -13,7 +13,7 @@ from raybundle.errors import InputError
 
 if TYPE_CHECKING:
     from raybundle.block import Camera
-    from raybundle.io.fiducials import Film, Marks, Model, Reseau
+    from raybundle.io.film.fiducials import Film, Marks, Model, Reseau
 
 LARGE_SHRINKAGE = 0.01
 
@@ -63,7 +63,7 @@ def command(
       raybundle film fiducials.csv --calibrated certificate.csv --camera rmk.toml --points points.csv --out film
     """  # noqa: D301  (\b is click's mark for a paragraph that keeps its lines)
     del progress
-    from raybundle.io.fiducials import film_of, read_calibrated, read_marks, straight_points  # noqa: PLC0415
+    from raybundle.io.film.fiducials import film_of, read_calibrated, read_marks, straight_points  # noqa: PLC0415
 
     if out.exists() and (not out.is_dir() or any(out.iterdir())):
         raise InputError("stands there already and is not overwritten; choose another name", file=out)
@@ -97,7 +97,7 @@ def command(
 
 
 def _camera(path: Path) -> Camera:
-    from raybundle.io.block_toml import read_cameras  # noqa: PLC0415
+    from raybundle.io.block.toml import read_cameras  # noqa: PLC0415
 
     cameras = read_cameras(path)
     if len(cameras) != 1:
@@ -158,7 +158,7 @@ def _write(
 def _print(films: dict[str, Film], points: Marks | None) -> None:
     import numpy as np  # noqa: PLC0415
 
-    from raybundle.io.fiducials import suspects  # noqa: PLC0415
+    from raybundle.io.film.fiducials import suspects  # noqa: PLC0415
 
     measured = "" if points is None else f", {counted(len(points.image), 'image point')}"
     click.echo(f" {counted(len(films), 'scan')}{measured}")

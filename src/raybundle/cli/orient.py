@@ -72,7 +72,7 @@ def command(photos: tuple[Path, ...], out: Path, progress: str, **given: Any) ->
 
 def _lines(done: Orientation, settings: OrientSettings) -> list[str]:
     """What the command prints."""
-    from raybundle.report.summary import summary_lines  # noqa: PLC0415
+    from raybundle.report.text.summary import summary_lines  # noqa: PLC0415
     from raybundle.workflows.orient import part_folder  # noqa: PLC0415
 
     result = settings.out / "result"

@@ -36,7 +36,7 @@ def command(inputs: tuple[Path, ...], calibration: Path | None, as_json: bool, p
       raybundle photos images/ --json
     """  # noqa: D301
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.io.block_toml import read_cameras  # noqa: PLC0415
+    from raybundle.io.block.toml import read_cameras  # noqa: PLC0415
     from raybundle.io.photos.cameras import camera_groups  # noqa: PLC0415
     from raybundle.io.photos.photo import find_photos  # noqa: PLC0415
 

@@ -13,8 +13,8 @@ from raybundle.cli.numbers import METRES, PIXELS, Number
 from raybundle.errors import InputError
 
 if TYPE_CHECKING:
-    from raybundle.block.uav_networks import Flight
-    from raybundle.workflows.plan_flight import Forecast
+    from raybundle.planning.flight import Forecast
+    from raybundle.planning.uav_networks import Flight
 
 
 FORMAT = click.IntRange(100, 100_000)
@@ -85,9 +85,9 @@ def flight(
     """  # noqa: D301
     from dataclasses import replace  # noqa: PLC0415  (what computes is loaded after the help)
 
-    from raybundle.block.uav_networks import FREE, Flight, flight_block, uav_camera  # noqa: PLC0415
-    from raybundle.io.block_folder import write_block  # noqa: PLC0415
-    from raybundle.workflows.plan_flight import plan_flight  # noqa: PLC0415
+    from raybundle.io.block.folder import write_block  # noqa: PLC0415
+    from raybundle.planning.flight import plan_flight  # noqa: PLC0415
+    from raybundle.planning.uav_networks import FREE, Flight, flight_block, uav_camera  # noqa: PLC0415
 
     if out is not None and out.exists():
         raise InputError("stands there already and is not overwritten; choose another folder or delete it", file=out)

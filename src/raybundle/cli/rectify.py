@@ -12,7 +12,7 @@ from raybundle.cli.numbers import NUMBER, POSITIVE, Number
 from raybundle.errors import InputError
 
 if TYPE_CHECKING:
-    from raybundle.io.rectified import Rectified
+    from raybundle.io.pictures.rectified import Rectified
     from raybundle.numerics.progress import Progress
     from raybundle.workflows.rectify import Grid, SinglePhoto
 
@@ -75,7 +75,7 @@ def command(
       raybundle rectify wall.jpg --control marks.csv --out wall.tif
     """  # noqa: D301  (\b is click's mark for a paragraph that keeps its lines)
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.io.rectified import check_picture  # noqa: PLC0415
+    from raybundle.io.pictures.rectified import check_picture  # noqa: PLC0415
 
     check_picture(out)
     if not source.exists():
@@ -164,7 +164,7 @@ def _of_photo(
 ) -> list[str]:  # fmt: skip
     import numpy as np  # noqa: PLC0415
 
-    from raybundle.io.block_toml import read_cameras  # noqa: PLC0415
+    from raybundle.io.block.toml import read_cameras  # noqa: PLC0415
     from raybundle.io.photos.photo import read_photo  # noqa: PLC0415
     from raybundle.workflows.rectify import fit_photo, grid_over, rectify_photo  # noqa: PLC0415
 
@@ -213,7 +213,7 @@ def _marks(control: Path, photo: Path) -> tuple[list[str], Any, Any]:
     """Names, coordinates (n, 3) and pixels (n, 2) of the control points marked in this photograph."""
     import numpy as np  # noqa: PLC0415
 
-    from raybundle.io.control_files import read_control  # noqa: PLC0415
+    from raybundle.io.geo.control_files import read_control  # noqa: PLC0415
 
     file = read_control(control)
     m = file.measurements

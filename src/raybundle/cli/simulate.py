@@ -11,7 +11,7 @@ from raybundle.cli.common import COMMAND_SETTINGS, NEW_FOLDER, common_options, c
 from raybundle.cli.numbers import METRES, PIXELS, Number
 
 if TYPE_CHECKING:
-    from raybundle.block.simulate import Scene, Simulation
+    from raybundle.planning.simulate import Scene, Simulation
 
 
 @click.command("simulate", context_settings=COMMAND_SETTINGS)
@@ -61,7 +61,7 @@ def command(scene: str, out: Path, progress: str, seed: int, noise: float, **sur
       raybundle adjust field/block --out field-result --reject snooping
     """  # noqa: D301
     del progress
-    from raybundle.block.simulate import Survey, simulate  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.planning.simulate import Survey, simulate  # noqa: PLC0415  (what computes is loaded after the help)
 
     control = cast("int", survey["control"])
     sigma = cast("float", survey["control_sigma"])
@@ -91,7 +91,7 @@ def command(scene: str, out: Path, progress: str, seed: int, noise: float, **sur
 
 def scene_of(name: str) -> Scene:
     """The scene of a name on the command line, with its standard plan."""
-    from raybundle.block import simulate as s  # noqa: PLC0415
+    from raybundle.planning import simulate as s  # noqa: PLC0415
 
     scenes = {
         "testfield": lambda: s.field_scene(s.TargetField()),
@@ -106,7 +106,7 @@ def scene_of(name: str) -> Scene:
 def write_simulation(simulation: Simulation, out: Path) -> None:
     """Write FOLDER/block, FOLDER/truth and FOLDER/gross.csv, whole or not at all."""
     from raybundle.errors import InputError  # noqa: PLC0415
-    from raybundle.io.block_folder import named, write_block_files  # noqa: PLC0415
+    from raybundle.io.block.folder import named, write_block_files  # noqa: PLC0415
     from raybundle.io.folders import new_folder  # noqa: PLC0415
     from raybundle.io.tables import write_table  # noqa: PLC0415
 

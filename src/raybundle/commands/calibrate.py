@@ -152,7 +152,7 @@ def additions(done: Calibration) -> dict[str, object]:
 
 def _exif(done: Calibration, camera: str) -> dict[str, Any]:
     """What a camera's first photograph says of it: by this its calibration is found again."""
-    from raybundle.io.camera_library import key_of  # noqa: PLC0415
+    from raybundle.io.cameras.library import key_of  # noqa: PLC0415
 
     key = key_of(done.photos[_first_image(done, camera)])
     return {
@@ -187,7 +187,7 @@ def _kept(done: Calibration, q: CalibrationQuality, out: Path) -> str:
     """Put a calibration into the camera library; what came of it, in words."""
     from datetime import UTC, datetime  # noqa: PLC0415
 
-    from raybundle.io.camera_library import LibraryEntry, add_entry, key_of  # noqa: PLC0415
+    from raybundle.io.cameras.library import LibraryEntry, add_entry, key_of  # noqa: PLC0415
 
     if q.grade not in {"good", "usable"}:
         return f"camera {q.camera} is not kept in the library: its calibration is {q.grade}"

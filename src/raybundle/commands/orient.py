@@ -23,8 +23,8 @@ from raybundle.numerics.progress import Progress, silent
 
 if TYPE_CHECKING:
     from raybundle.pipeline.project import StageRecord
-    from raybundle.report.section_photographs import PhotographFacts
-    from raybundle.workflows.marks import Given
+    from raybundle.placing.marks import Given
+    from raybundle.report.sections.photographs import PhotographFacts
     from raybundle.workflows.orient import Orientation
     from raybundle.workflows.orient_options import OrientOptions
 
@@ -135,7 +135,7 @@ class OrientSettings:
 
     def options(self) -> OrientOptions:
         """What the workflow is asked for."""
-        from raybundle.io.camera_library import library_folder  # noqa: PLC0415
+        from raybundle.io.cameras.library import library_folder  # noqa: PLC0415
         from raybundle.workflows.orient_options import OrientOptions  # noqa: PLC0415
 
         return OrientOptions(
@@ -148,13 +148,13 @@ class OrientSettings:
 
     def given(self) -> Given:
         """What is known of object space, read from the files; raises InputError."""
-        from raybundle.io.control_files import (  # noqa: PLC0415
+        from raybundle.io.geo.control_files import (  # noqa: PLC0415
             DEFAULTS,
             ControlDefaults,
             named_apart,
             read_control,
         )
-        from raybundle.workflows.marks import Given, ScaleBar  # noqa: PLC0415
+        from raybundle.placing.marks import Given, ScaleBar  # noqa: PLC0415
 
         plan, height = self.control_sigma or (DEFAULTS.plan, DEFAULTS.height)
         usual = ControlDefaults(plan=plan, height=height)
@@ -188,7 +188,7 @@ def orient(
 
 def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orientation:
     """Orient what the settings ask for, and write the result."""
-    from raybundle.io.block_toml import read_cameras  # noqa: PLC0415
+    from raybundle.io.block.toml import read_cameras  # noqa: PLC0415
     from raybundle.io.photos.photo import shown  # noqa: PLC0415
     from raybundle.io.trajectories import read_trajectory  # noqa: PLC0415
     from raybundle.pipeline.project import discard_empty  # noqa: PLC0415
@@ -276,7 +276,7 @@ def write_orientation(
 def facts_of(done: Orientation) -> PhotographFacts:
     """What the report says of photographs and scenes; a scene is a photograph with a camera of its own."""
     from raybundle.commands.photograph_facts import photograph_facts  # noqa: PLC0415
-    from raybundle.report.section_photographs import PairFact, PhotoFact  # noqa: PLC0415
+    from raybundle.report.sections.photographs import PairFact, PhotoFact  # noqa: PLC0415
 
     facts = photograph_facts(done)
     names = [s.name for s in done.scenes]

@@ -19,7 +19,8 @@ from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.rotation import rotation_from_angles
 from raybundle.numerics.transform import Similarity, similarity
 from raybundle.report.common_points import Common, common_points, common_rows
-from raybundle.report.numbers import (
+from raybundle.report.parts import Folded, Heading, Paragraph, Part, Section, Table, number, pick, table, text
+from raybundle.report.text.numbers import (
     NONE,
     cells,
     column_decimals,
@@ -31,7 +32,6 @@ from raybundle.report.numbers import (
     unit_text,
     with_sigma,
 )
-from raybundle.report.parts import Folded, Heading, Paragraph, Part, Section, Table, number, pick, table, text
 from raybundle.report.view import rms
 from raybundle.results.folder import ResultFolder
 

@@ -15,22 +15,22 @@ from raybundle.calibration.quality import CalibrationQuality
 from raybundle.io.folders import new_files
 from raybundle.numerics.progress import Progress, silent
 from raybundle.report.parts import Section
-from raybundle.report.section_accuracy import accuracy_section
-from raybundle.report.section_calibration import calibration_section, graver, headline, worst
-from raybundle.report.section_control import control_section
-from raybundle.report.section_interior import interior_section
-from raybundle.report.section_network import network_section, precision_section
-from raybundle.report.section_noise import noise_section
-from raybundle.report.section_panoramas import panorama_section
-from raybundle.report.section_photographs import PhotographFacts, photograph_sections
-from raybundle.report.section_reliability import reliability_section
-from raybundle.report.section_residuals import residual_section
-from raybundle.report.section_result import result_section, summary_section
-from raybundle.report.section_scenes import scene_section, strip_section, with_near_viewpoints
-from raybundle.report.section_tables import provenance_section, tables_section
-from raybundle.report.section_trajectories import trajectory_section
+from raybundle.report.sections.accuracy import accuracy_section
+from raybundle.report.sections.calibration import calibration_section, graver, headline, worst
+from raybundle.report.sections.control import control_section
+from raybundle.report.sections.interior import interior_section
+from raybundle.report.sections.network import network_section, precision_section
+from raybundle.report.sections.noise import noise_section
+from raybundle.report.sections.panoramas import panorama_section
+from raybundle.report.sections.photographs import PhotographFacts, photograph_sections
+from raybundle.report.sections.reliability import reliability_section
+from raybundle.report.sections.residuals import residual_section
+from raybundle.report.sections.result import result_section, summary_section
+from raybundle.report.sections.scenes import scene_section, strip_section, with_near_viewpoints
+from raybundle.report.sections.tables import provenance_section, tables_section
+from raybundle.report.sections.trajectories import trajectory_section
+from raybundle.report.text.words import unsettled, verdict
 from raybundle.report.view import view_of
-from raybundle.report.words import unsettled, verdict
 
 
 @cache

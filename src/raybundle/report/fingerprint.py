@@ -15,7 +15,7 @@ from raybundle.block import Block, Camera
 from raybundle.numerics import native
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.observations import tables
-from raybundle.report.numbers import grouped
+from raybundle.report.text.numbers import grouped
 
 
 def fingerprint(*parts: Array | Index | Mask | Sequence[str]) -> str:

@@ -17,12 +17,12 @@ from raybundle.block import Role
 from raybundle.io.folders import new_files
 from raybundle.numerics.arrays import Array, Index
 from raybundle.report.document import environment
-from raybundle.report.figures_network import frusta
-from raybundle.report.numbers import counted, grouped
-from raybundle.report.section_scenes import with_near_viewpoints
-from raybundle.report.svg import spread_rows
+from raybundle.report.figures.network import frusta
+from raybundle.report.figures.svg import spread_rows
+from raybundle.report.sections.scenes import with_near_viewpoints
+from raybundle.report.text.numbers import counted, grouped
+from raybundle.report.text.words import datum_words
 from raybundle.report.view import View, view_of
-from raybundle.report.words import datum_words
 
 MOST_POINTS, MOST_ELLIPSOIDS, MOST_IMAGES = 50_000, 2_000, 5_000
 """Points, error ellipsoids and images that a page holds; control and check points are all there."""

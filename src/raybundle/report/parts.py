@@ -6,8 +6,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
-from raybundle.report.numbers import grouped
-from raybundle.report.svg import Drawing
+from raybundle.report.figures.svg import Drawing
+from raybundle.report.text.numbers import grouped
 
 MOST_ROWS = 2000
 """Rows of a table that a report shows; the rest stands in the result folder."""

@@ -14,11 +14,11 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.errors import InputError
 from raybundle.io.folders import new_files
 from raybundle.report.parts import Figures, Folded, Part, Section
-from raybundle.report.section_control import control_section
-from raybundle.report.section_interior import interior_section
-from raybundle.report.section_network import network_section
-from raybundle.report.section_reliability import reliability_section
-from raybundle.report.section_residuals import residual_section
+from raybundle.report.sections.control import control_section
+from raybundle.report.sections.interior import interior_section
+from raybundle.report.sections.network import network_section
+from raybundle.report.sections.reliability import reliability_section
+from raybundle.report.sections.residuals import residual_section
 from raybundle.report.view import View, view_of
 
 

@@ -11,7 +11,7 @@ from raybundle.adjustment.check_points import check_differences, used_rays
 from raybundle.adjustment.result import Adjustment, InteriorResult
 from raybundle.block import Block, Role
 from raybundle.numerics.arrays import Array, Index, Mask
-from raybundle.report.distortion import Interior, interior_of
+from raybundle.report.figures.distortion import Interior, interior_of
 
 FREE_UNIT = "units"
 """Unit of lengths in print where nothing fixes the scale: neither metres nor millimetres."""

@@ -13,8 +13,8 @@ from raybundle.results.folder import written_folder
 
 if TYPE_CHECKING:
     from raybundle.calibration.quality import CalibrationQuality
-    from raybundle.io.coordinate_systems import LocalFrame
-    from raybundle.report.section_photographs import PhotographFacts
+    from raybundle.io.geo.coordinate_systems import LocalFrame
+    from raybundle.report.sections.photographs import PhotographFacts
 
 
 def write_result(

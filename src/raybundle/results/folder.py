@@ -15,7 +15,7 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block, Camera
 from raybundle.block.rejection import found_wrong
 from raybundle.errors import InputError
-from raybundle.io.block_folder import FILES, read_block, write_block_files
+from raybundle.io.block.folder import FILES, read_block, write_block_files
 from raybundle.io.folders import check_place, new_folder
 from raybundle.io.reading.trees import read_json
 from raybundle.io.reading.words import quoted

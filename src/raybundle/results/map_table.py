@@ -8,7 +8,7 @@ import numpy as np
 
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Role
-from raybundle.io.coordinate_systems import LocalFrame
+from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.numerics.arrays import Array
 
 

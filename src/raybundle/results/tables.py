@@ -12,8 +12,8 @@ from raybundle.adjustment.check_points import check_differences, used_rays
 from raybundle.adjustment.result import Adjustment, ObservationGroup
 from raybundle.block import Role
 from raybundle.block.rejection import words
-from raybundle.io.block_folder import ANGLES, SIGMA_XYZ, XYZ, angles_deg, columns_of, named, point_columns
-from raybundle.io.block_observations import table_columns
+from raybundle.io.block.folder import ANGLES, SIGMA_XYZ, XYZ, angles_deg, columns_of, named, point_columns
+from raybundle.io.block.observations import table_columns
 from raybundle.numerics.arrays import Array
 from raybundle.observations import ObservationKind, in_order
 

@@ -26,7 +26,7 @@ from raybundle.numerics.arrays import Mask
 from raybundle.numerics.counting import counted_are
 from raybundle.numerics.progress import Progress, silent
 from raybundle.orientation.given_points import intersected_where_better, without_given_ties
-from raybundle.workflows.control_doubts import doubted_control, notice, words
+from raybundle.placing.control_doubts import doubted_control, notice, words
 
 LOOKED_AT = 500_000
 """Image observations up to which residuals are looked at for structure, and held calibrations are tested, without being

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from raybundle.errors import InputError
-from raybundle.io.coordinate_systems import parse_crs
+from raybundle.io.geo.coordinate_systems import parse_crs
 from raybundle.io.photos.photo import Photo
 from raybundle.io.trajectories import Trajectory
-from raybundle.workflows.marks import Given
+from raybundle.placing.marks import Given
 
 MISSING = "give --positions, or photographs that state theirs, or leave {} out"
 

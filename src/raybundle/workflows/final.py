@@ -22,10 +22,10 @@ from raybundle.numerics.arrays import Mask
 from raybundle.numerics.counting import counted, counted_are
 from raybundle.numerics.progress import Progress
 from raybundle.orientation.given_points import intersected_where_better
-from raybundle.workflows.georeference import Georeferenced, rejected_marks
+from raybundle.placing.georeference import Georeferenced, rejected_marks
+from raybundle.placing.told_positions import camera_notices
+from raybundle.ties.block import flat_points
 from raybundle.workflows.parts import Part
-from raybundle.workflows.tie_block import flat_points
-from raybundle.workflows.told_positions import camera_notices
 
 FINAL = 1e-4
 """Last step of the final adjustment, in standard deviations of the unknowns."""

@@ -8,9 +8,9 @@ import numpy as np
 
 from raybundle.adjustment.result import Notice
 from raybundle.adjustment.severity import Severity
-from raybundle.io.block_arrays import arrays_of_block, block_of_arrays, names_of_text, text_of_names
+from raybundle.io.block.arrays import arrays_of_block, block_of_arrays, names_of_text, text_of_names
 from raybundle.numerics.arrays import Array
-from raybundle.workflows.tie_block import TieBlock
+from raybundle.ties.block import TieBlock
 
 Reasons = tuple[tuple[str, str], ...]
 """names of images and why each takes no part"""

@@ -12,7 +12,7 @@ from raybundle.adjustment.accuracy import accuracy
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Camera
 from raybundle.errors import InputError
-from raybundle.io.coordinate_systems import LocalFrame
+from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.io.photos.cameras import CameraGroup
 from raybundle.io.photos.photo import Photo
 from raybundle.io.trajectories import Trajectory
@@ -23,18 +23,18 @@ from raybundle.numerics.progress import Progress, silent
 from raybundle.pipeline.executors import Threads
 from raybundle.pipeline.project import Project, StageRecord
 from raybundle.pipeline.stage import Run, Stage
+from raybundle.placing.marks import Given
+from raybundle.placing.upright import Upright
+from raybundle.ties.block import image_sigma_px
+from raybundle.ties.precise import Weights
 from raybundle.workflows.dropped import Dropped
 from raybundle.workflows.final import left_out
-from raybundle.workflows.marks import Given
 from raybundle.workflows.orient_options import OrientOptions
 from raybundle.workflows.orient_state import Asked, OrientState
 from raybundle.workflows.orienting import ORIENT
 from raybundle.workflows.parts import Part, part_folder
-from raybundle.workflows.precise import Weights
-from raybundle.workflows.scene_images import SceneImage
-from raybundle.workflows.scene_ties import ScenePair
-from raybundle.workflows.tie_block import image_sigma_px
-from raybundle.workflows.upright import Upright
+from raybundle.workflows.scenes.images import SceneImage
+from raybundle.workflows.scenes.ties import ScenePair
 
 __all__ = ["OrientOptions", "Orientation", "orient", "part_folder", "stages"]
 

@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Literal
 
 from raybundle.adjustment.options import NoiseModel
+from raybundle.placing.attitudes import Convention
 from raybundle.scenes.bias import BiasKind
-from raybundle.workflows.attitudes import Convention
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -15,19 +15,19 @@ from raybundle.io.trajectories import Trajectory
 from raybundle.matching.features import FeatureMethod
 from raybundle.matching.verify import VerifiedPair
 from raybundle.pipeline.stage import Workflow
+from raybundle.placing.georeference import Georeferenced
+from raybundle.placing.marks import Given
+from raybundle.ties.block import TieBlock
+from raybundle.ties.points import FeatureStore
+from raybundle.ties.precise import Weights
 from raybundle.workflows.dropped import Dropped
-from raybundle.workflows.georeference import Georeferenced
 from raybundle.workflows.kept import Reasons
-from raybundle.workflows.marks import Given
 from raybundle.workflows.orient_options import OrientOptions
 from raybundle.workflows.parts import Part
-from raybundle.workflows.precise import Weights
-from raybundle.workflows.scene_block import SceneSet
-from raybundle.workflows.scene_geometry import place_of_scenes
-from raybundle.workflows.scene_images import FoundScenes, SceneImage
-from raybundle.workflows.scene_ties import ScenePair
-from raybundle.workflows.tie_block import TieBlock
-from raybundle.workflows.tie_points import FeatureStore
+from raybundle.workflows.scenes.block import SceneSet
+from raybundle.workflows.scenes.geometry import place_of_scenes
+from raybundle.workflows.scenes.images import FoundScenes, SceneImage
+from raybundle.workflows.scenes.ties import ScenePair
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

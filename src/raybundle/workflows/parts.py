@@ -16,11 +16,11 @@ from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.progress import Progress, silent
 from raybundle.observations.table import Table
-from raybundle.workflows.georeference import Georeferenced, Surroundings, georeference
-from raybundle.workflows.marks import Given
-from raybundle.workflows.positions import without_idle
-from raybundle.workflows.tie_block import TieBlock
-from raybundle.workflows.tie_start import start
+from raybundle.placing.georeference import Georeferenced, Surroundings, georeference
+from raybundle.placing.marks import Given
+from raybundle.placing.positions import without_idle
+from raybundle.ties.block import TieBlock
+from raybundle.ties.start import start
 
 FEWEST_IMAGES = 3
 """Photographs of a part that is worth a result of its own."""

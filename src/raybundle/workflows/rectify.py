@@ -18,8 +18,8 @@ import numpy as np
 from raybundle.adjustment.predict import predicted_px
 from raybundle.block import Block, Camera
 from raybundle.errors import InputError
-from raybundle.io.rectified import Rectified
-from raybundle.io.undistort import camera_plane, pixels_of_plane
+from raybundle.io.pictures.rectified import Rectified
+from raybundle.io.pictures.undistort import camera_plane, pixels_of_plane
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.planes import plane_of_most
 from raybundle.numerics.progress import Progress, silent

@@ -24,9 +24,6 @@ OPTIMISM, FLOOR_PX = 3.0, 0.01
 """Standard deviation of a centre: that from grey values times OPTIMISM, and FLOOR_PX; from photographs of a panel."""
 FEWEST_TARGETS = 6
 """Targets of a photograph that takes part."""
-FLAT = 0.15
-"""Thickness of the nearest targets, in their extent, up to which they lie in a plane that gives the normal."""
-NEAREST = 8
 REACH_PX = 2.5
 """Distance from its predicted place up to which a dot without a name is taken for a point."""
 
@@ -279,23 +276,6 @@ def target_radii(block: Block, radius_px: Array, normal: Array, used: Mask) -> A
     for p in np.unique(o.point[good]).tolist():
         radius[p] = np.median(size[good & (o.point == p)])
     return radius
-
-
-def target_normals(xyz: Array) -> Array:
-    """(p, 3) unit normals of the surface on which targets stand; NaN where the nearest ones lie in no plane."""
-    from scipy.spatial import KDTree  # noqa: PLC0415
-
-    normal = np.full(xyz.shape, np.nan)
-    known = np.flatnonzero(np.isfinite(xyz).all(axis=1))
-    if len(known) < 4:
-        return normal
-    _, near = KDTree(xyz[known]).query(xyz[known], k=min(NEAREST + 1, len(known)))
-    for k, rows in zip(known.tolist(), np.asarray(near), strict=True):
-        group = xyz[known[rows]]
-        _, size, axes = np.linalg.svd(group - group.mean(axis=0))
-        if size[2] <= FLAT * size[1] and size[1] > 0.05 * size[0]:
-            normal[k] = axes[2]
-    return normal
 
 
 def oriented_part(block: Block) -> tuple[Block, Index]:

@@ -12,7 +12,7 @@ from tests.hostile.readers.registry import command, place, target, wrong_in_bloc
 
 @functools.cache
 def small_block():
-    from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+    from raybundle.planning.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 
     camera = brown_camera(values=dict.fromkeys(("K2", "K3", "P1", "P2"), 0.0))
     plan = TargetField(camera=camera, stations=3, frontal=2, rows=3, columns=4)
@@ -20,7 +20,7 @@ def small_block():
 
 
 def block_seeds(top: Path) -> None:
-    from raybundle.io.block_folder import write_block
+    from raybundle.io.block.folder import write_block
 
     write_block(small_block().observed, place(top) / "b")
     for file in (top / "0" / "b").iterdir():
@@ -29,7 +29,7 @@ def block_seeds(top: Path) -> None:
 
 
 def scene_block_seeds(top: Path) -> None:
-    from raybundle.io.block_folder import write_block
+    from raybundle.io.block.folder import write_block
     from tests.truth.mixed_blocks import ikonos_pair, two_camera_rig
 
     for k, block in enumerate((ikonos_pair(points=12, check=2), two_camera_rig(stations=2))):
@@ -38,7 +38,7 @@ def scene_block_seeds(top: Path) -> None:
 
 
 def read_a_block(folder: Path) -> list[str]:
-    from raybundle.io.block_folder import read_block
+    from raybundle.io.block.folder import read_block
 
     return wrong_in_block(read_block(folder))
 

@@ -25,7 +25,7 @@ SHEET = (
 
 
 def read_the_cameras(folder: Path) -> list[str]:
-    from raybundle.io.block_toml import read_cameras
+    from raybundle.io.block.toml import read_cameras
 
     return [s for c in read_cameras(only(folder)) for s in not_finite(**c.values)]
 
@@ -37,13 +37,13 @@ def library_seeds(top: Path) -> None:
 
 
 def read_the_library(folder: Path) -> list[str]:
-    from raybundle.io.camera_library import read_library
+    from raybundle.io.cameras.library import read_library
 
     return [s for e in read_library(folder).entries for s in not_finite(**e.camera.values)]
 
 
 def read_a_zoom(folder: Path) -> list[str]:
-    from raybundle.io.zoom_files import read_zoom
+    from raybundle.io.cameras.zoom_files import read_zoom
 
     found = read_zoom(folder)
     return not_finite(coefficients=found.coefficients, covariance=found.covariance)

@@ -14,7 +14,7 @@ def control_seeds(top: Path) -> None:
 
 
 def read_the_control(folder: Path) -> list[str]:
-    from raybundle.io.control_files import read_control
+    from raybundle.io.geo.control_files import read_control
 
     found = read_control(only(folder, but="-measurements.csv"))
     return (["xyz"] if np.isinf(found.xyz).any() else []) + (["sigma"] if np.isinf(found.sigma).any() else [])
@@ -28,7 +28,7 @@ def fiducial_seeds(top: Path) -> None:
 
 
 def read_the_fiducials(folder: Path) -> list[str]:
-    from raybundle.io.fiducials import read_calibrated
+    from raybundle.io.film.fiducials import read_calibrated
 
     return not_finite(xy=read_calibrated(only(folder)).xy_mm)
 
@@ -41,7 +41,7 @@ def mark_seeds(top: Path) -> None:
 
 
 def read_the_marks(folder: Path) -> list[str]:
-    from raybundle.io.fiducials import read_marks
+    from raybundle.io.film.fiducials import read_marks
     from tests.io.test_fiducials import FIDUCIALS
 
     read_marks(only(folder), "mark", FIDUCIALS)
@@ -53,7 +53,7 @@ def crs_seeds(top: Path) -> None:
 
 
 def read_a_crs(folder: Path) -> list[str]:
-    from raybundle.io.coordinate_systems import local_frame, parse_crs
+    from raybundle.io.geo.coordinate_systems import local_frame, parse_crs
 
     text = only(folder).read_bytes().decode("utf-8", "surrogateescape")
     parse_crs(text)

@@ -7,12 +7,12 @@ import pytest
 from click.testing import CliRunner
 
 from raybundle.block import Role
-from raybundle.block.simulate import AerialStrips, Survey, aerial_scene, brown_camera, simulate
 from raybundle.cli.convert import command
 from raybundle.errors import InputError
-from raybundle.io.block_folder import read_block, write_block
+from raybundle.io.block.folder import read_block, write_block
 from raybundle.io.formats import Export, read_format, write_format
 from raybundle.numerics.rotation import rotation_from_angles
+from raybundle.planning.simulate import AerialStrips, Survey, aerial_scene, brown_camera, simulate
 
 BOTH = ("patb", "bingo")
 # two photographs 1000 m above three points, c 150 mm, without turns: x = 150 mm * dX / 1000 m

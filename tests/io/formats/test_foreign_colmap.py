@@ -6,12 +6,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.block.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 from raybundle.errors import InputError
-from raybundle.io.conversions import camera_from_forward, camera_rays
+from raybundle.io.cameras.conversions import camera_from_forward, camera_rays
+from raybundle.io.cameras.forward_camera import forward_pixels, forward_rays
 from raybundle.io.formats import Export, read_format, write_format
 from raybundle.io.formats.colmap import MODELS, forward_of
-from raybundle.io.forward_camera import forward_pixels, forward_rays
+from raybundle.planning.simulate import Survey, TargetField, brown_camera, field_scene, simulate
 
 SIZE = (640, 480)
 PARAMETERS = {

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from raybundle.io.block_folder import read_block
+from raybundle.io.block.folder import read_block
 from raybundle.io.photos.cameras import camera_groups
 from raybundle.io.photos.photo import find_photos, read_grey
 from raybundle.sensors import sensor_models

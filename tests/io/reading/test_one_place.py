@@ -76,14 +76,14 @@ def test_no_reader_converts_words_itself():
         for p in modules()
         if p.relative_to(SOURCE).parts[0] in READERS
     }
-    assert {p: what for p, what in found.items() if what} == {"report/numbers.py": ["line 39: float(text)"]}
+    assert {p: what for p, what in found.items() if what} == {"report/text/numbers.py": ["line 39: float(text)"]}
 
 
 def test_what_the_program_wrote_itself_is_read_in_one_module():
     users = [
         p for p in modules() if OWN & {n.id for n in ast.walk(ast.parse(p.read_text())) if isinstance(n, ast.Name)}
     ]
-    assert [str(p.relative_to(SOURCE)) for p in users] == ["io/block_arrays.py"]
+    assert [str(p.relative_to(SOURCE)) for p in users] == ["io/block/arrays.py"]
 
 
 @pytest.mark.parametrize(

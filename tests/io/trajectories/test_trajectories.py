@@ -8,7 +8,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from raybundle.errors import InputError
-from raybundle.io.coordinate_systems import local_frame
+from raybundle.io.geo.coordinate_systems import local_frame
 from raybundle.io.photos.metadata import Gps, Metadata
 from raybundle.io.photos.photo import Photo
 from raybundle.io.trajectories import (

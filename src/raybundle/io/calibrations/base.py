@@ -12,7 +12,7 @@ import numpy as np
 from raybundle.block import Camera
 from raybundle.errors import InputError
 from raybundle.io.calibrations.validity import Validity, validity
-from raybundle.io.conversions import (
+from raybundle.io.cameras.conversions import (
     CLOSE_PX,
     LIMIT_PX,
     NOMINAL_SIDE_MM,
@@ -22,8 +22,8 @@ from raybundle.io.conversions import (
     forward_fit,
     measured_fit,
 )
+from raybundle.io.cameras.forward_camera import TERMS, ForwardCamera, Projection
 from raybundle.io.folders import make_parent, new_files
-from raybundle.io.forward_camera import TERMS, ForwardCamera, Projection
 from raybundle.io.reading.files import guarded, read_bytes
 from raybundle.numerics.arrays import Array
 from raybundle.sensors import sensor_models

@@ -8,8 +8,8 @@ from pathlib import Path
 
 from raybundle.errors import InputError
 from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, Variant, register
+from raybundle.io.cameras.forward_camera import ForwardCamera
 from raybundle.io.formats.colmap import MODELS, NUMBERS, forward_of
-from raybundle.io.forward_camera import ForwardCamera
 from raybundle.io.reading.files import read_text
 from raybundle.io.reading.words import numbers_of, quoted
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, Variant, register
 from raybundle.io.calibrations.opencv import HALF
 from raybundle.io.calibrations.yaml_text import read_yaml
-from raybundle.io.forward_camera import ForwardCamera
+from raybundle.io.cameras.forward_camera import ForwardCamera
 from raybundle.io.reading.trees import Json
 from raybundle.io.reading.words import quoted
 

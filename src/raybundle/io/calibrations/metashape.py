@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, Variant, register
-from raybundle.io.forward_camera import ForwardCamera, Projection
+from raybundle.io.cameras.forward_camera import ForwardCamera, Projection
 from raybundle.io.reading.words import quoted
 from raybundle.io.reading.xml import Element, read_xml
 

@@ -13,7 +13,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, Variant, register
-from raybundle.io.forward_camera import ForwardCamera
+from raybundle.io.cameras.forward_camera import ForwardCamera
 from raybundle.io.reading.words import quoted
 from raybundle.io.reading.xml import Element, read_xml
 from raybundle.numerics.arrays import Array

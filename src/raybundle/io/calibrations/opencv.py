@@ -16,7 +16,7 @@ import numpy as np
 
 from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, Variant, register
 from raybundle.io.calibrations.yaml_text import read_yaml
-from raybundle.io.forward_camera import ForwardCamera
+from raybundle.io.cameras.forward_camera import ForwardCamera
 from raybundle.io.reading.trees import Json, read_json
 from raybundle.numerics.arrays import Array
 

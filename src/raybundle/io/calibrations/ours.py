@@ -11,7 +11,7 @@ import numpy as np
 from raybundle.block import Block, Camera, Images, Observations, Points
 from raybundle.block.stored import joint_covariance, observed_jointly
 from raybundle.errors import InputError
-from raybundle.io.block_toml import head_text, read_cameras, read_head
+from raybundle.io.block.toml import head_text, read_cameras, read_head
 from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, register
 
 

@@ -21,10 +21,10 @@ import numpy as np
 from raybundle.block import Camera, Images, Role
 from raybundle.block.block import Distances, Stations
 from raybundle.errors import InputError
-from raybundle.io.block_toml import read_cameras
+from raybundle.io.block.toml import read_cameras
 from raybundle.io.calibrations.ours import cameras_text
-from raybundle.io.control_files import DEFAULTS
 from raybundle.io.formats.base import Export, Import, Scene, Tracks, block_of
+from raybundle.io.geo.control_files import DEFAULTS
 from raybundle.io.reading.files import read_lines
 from raybundle.io.reading.words import no_number, number_of, quoted
 from raybundle.io.tables import Column, Table, read_table, write_table

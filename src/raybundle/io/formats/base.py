@@ -11,9 +11,9 @@ import numpy as np
 
 from raybundle.block import Block, Camera, Images, Observations, Points, Role
 from raybundle.errors import InputError
-from raybundle.io.conversions import LIMIT_PX, CameraFit, interiors, parameter_vector
-from raybundle.io.coordinate_systems import LocalFrame
+from raybundle.io.cameras.conversions import LIMIT_PX, CameraFit, interiors, parameter_vector
 from raybundle.io.folders import make_parent, new_files, new_folder
+from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.io.reading.files import guarded
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.sensors import ProjectionDiverged, sensor_models

@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.io.conversions import forward_fit
+from raybundle.io.cameras.conversions import forward_fit
 from raybundle.io.formats.base import Draft, Export, Format, Scene, deviation_remark, register, scene
 
 

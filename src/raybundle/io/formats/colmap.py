@@ -16,7 +16,8 @@ import numpy as np
 
 from raybundle.block import Camera, Images
 from raybundle.errors import InputError
-from raybundle.io.conversions import camera_from_forward, opencv_fit
+from raybundle.io.cameras.conversions import camera_from_forward, opencv_fit
+from raybundle.io.cameras.forward_camera import ForwardCamera
 from raybundle.io.formats.base import (
     SENSOR_FROM_CV,
     Draft,
@@ -32,7 +33,6 @@ from raybundle.io.formats.base import (
     register,
     scene,
 )  # fmt: skip
-from raybundle.io.forward_camera import ForwardCamera
 from raybundle.io.reading.binary import Binary
 from raybundle.io.reading.files import read_text
 from raybundle.io.reading.words import no_number, number_of, numbers_of, quoted, whole_of

@@ -27,7 +27,7 @@ def write(export: Export, path: Path) -> Draft:
     remarks = list(s.remarks)
     header: Any = laspy.LasHeader(point_format=7, version="1.4")
     if export.frame is not None:
-        from raybundle.io.coordinate_systems import parse_crs  # noqa: PLC0415
+        from raybundle.io.geo.coordinate_systems import parse_crs  # noqa: PLC0415
 
         xyz = export.frame.crs_from_local(xyz * metres)
         header.add_crs(parse_crs(export.frame.crs))

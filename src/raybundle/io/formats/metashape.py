@@ -14,7 +14,8 @@ from pathlib import Path, PurePosixPath
 import numpy as np
 
 from raybundle.block import Block, Camera, Images, Role
-from raybundle.io.conversions import camera_from_forward, forward_fit, terms_for
+from raybundle.io.cameras.conversions import camera_from_forward, forward_fit, terms_for
+from raybundle.io.cameras.forward_camera import ForwardCamera
 from raybundle.io.formats.base import (
     SENSOR_FROM_CV,
     Draft,
@@ -29,7 +30,6 @@ from raybundle.io.formats.base import (
     register,
     scene,
 )
-from raybundle.io.forward_camera import ForwardCamera
 from raybundle.io.reading.words import quoted
 from raybundle.io.reading.xml import Element, read_xml
 from raybundle.numerics.arrays import Array

@@ -14,7 +14,8 @@ import numpy as np
 
 from raybundle.block import Block, Camera, Images
 from raybundle.errors import InputError
-from raybundle.io.conversions import FISHEYE, camera_from_forward, forward_fit, pinhole_of, terms_for
+from raybundle.io.cameras.conversions import FISHEYE, camera_from_forward, forward_fit, pinhole_of, terms_for
+from raybundle.io.cameras.forward_camera import ForwardCamera
 from raybundle.io.formats.base import (
     Draft,
     Export,
@@ -28,7 +29,6 @@ from raybundle.io.formats.base import (
     scene,
 )  # fmt: skip
 from raybundle.io.formats.ply import write_vertices
-from raybundle.io.forward_camera import ForwardCamera
 from raybundle.io.reading.trees import Json, read_json
 from raybundle.io.reading.words import quoted
 from raybundle.numerics.arrays import Array

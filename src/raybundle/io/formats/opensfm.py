@@ -17,7 +17,8 @@ import numpy as np
 
 from raybundle.block import Camera, Images
 from raybundle.errors import InputError
-from raybundle.io.conversions import FISHEYE, camera_from_forward, forward_fit, terms_for
+from raybundle.io.cameras.conversions import FISHEYE, camera_from_forward, forward_fit, terms_for
+from raybundle.io.cameras.forward_camera import ForwardCamera
 from raybundle.io.formats.base import (
     SENSOR_FROM_CV,
     Draft,
@@ -33,7 +34,6 @@ from raybundle.io.formats.base import (
     register,
     scene,
 )  # fmt: skip
-from raybundle.io.forward_camera import ForwardCamera
 from raybundle.io.reading.files import read_text
 from raybundle.io.reading.trees import Json, read_json
 from raybundle.io.reading.words import number_of, quoted

@@ -18,7 +18,8 @@ import numpy as np
 
 from raybundle.block import Camera, Images
 from raybundle.errors import InputError
-from raybundle.io.conversions import camera_from_forward, forward_fit
+from raybundle.io.cameras.conversions import camera_from_forward, forward_fit
+from raybundle.io.cameras.forward_camera import ForwardCamera
 from raybundle.io.formats.base import (
     Draft,
     Export,
@@ -32,7 +33,6 @@ from raybundle.io.formats.base import (
     register,
     scene,
 )
-from raybundle.io.forward_camera import ForwardCamera
 from raybundle.io.reading.files import read_bytes
 from raybundle.io.reading.trees import Json, read_json
 from raybundle.io.reading.words import quoted

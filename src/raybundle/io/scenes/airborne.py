@@ -38,8 +38,8 @@ from typing import Any, Literal, cast
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.io.block_toml import Section, read_toml
-from raybundle.io.coordinate_systems import local_frame
+from raybundle.io.block.toml import Section, read_toml
+from raybundle.io.geo.coordinate_systems import local_frame
 from raybundle.io.scenes.base import Scene, SceneFormat, register
 from raybundle.io.tables import Column, Table, read_table, times_in_order
 from raybundle.io.trajectories.angle_csv import GEOGRAPHIC, GRID, SIGMA, UNITS

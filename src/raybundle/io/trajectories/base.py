@@ -11,8 +11,8 @@ import numpy as np
 
 from raybundle.block import Stations
 from raybundle.errors import InputError
-from raybundle.io.coordinate_systems import LocalFrame, local_frame
 from raybundle.io.folders import make_parent, new_files
+from raybundle.io.geo.coordinate_systems import LocalFrame, local_frame
 from raybundle.io.reading.files import guarded, opened
 from raybundle.io.reading.words import whole_of
 from raybundle.numerics.arrays import Array, Index

@@ -15,13 +15,14 @@ from raybundle.adjustment.under_noise import under_noise
 from raybundle.block import Block, Camera
 from raybundle.block.boards import spline_camera
 from raybundle.block.select import with_rows
-from raybundle.calibration.eccentricity import RadiusScale, eccentricity_px, radius_scale
+from raybundle.calibration.eccentricity import RadiusScale, eccentricity_px, radius_scale, target_normals
 from raybundle.errors import InputError, NotSolvable
 from raybundle.io.photos.cameras import CameraGroup
 from raybundle.io.photos.photo import Found
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress
 from raybundle.pipeline.stage import Means, Stage
+from raybundle.placing.told_positions import camera_notices
 from raybundle.targets.marks import Marks, Target
 from raybundle.workflows.calibrate_options import CalibrateOptions
 from raybundle.workflows.calibrate_state import CALIBRATE, Adjusted, CalibrateState, Start
@@ -36,13 +37,11 @@ from raybundle.workflows.target_block import (
     completed,
     oriented_part,
     reweighted,
-    target_normals,
     target_radii,
     with_coordinates,
     with_dots,
     with_values,
 )
-from raybundle.workflows.told_positions import camera_notices
 
 SETTLED_PX = 0.003
 """Change of a circle centre's correction below which it is not repeated."""

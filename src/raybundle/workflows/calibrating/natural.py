@@ -42,7 +42,7 @@ def _inputs(state: CalibrateState) -> Inputs:
 
 def orient_natural(i: Inputs, means: Means) -> Natural:
     """Orient the photographs by their natural points, in a project of its own."""
-    from raybundle.workflows.marks import Given  # noqa: PLC0415  (loaded only where they are used, as features are)
+    from raybundle.placing.marks import Given  # noqa: PLC0415  (loaded only where they are used, as features are)
     from raybundle.workflows.orient import OrientOptions, orient  # noqa: PLC0415
 
     done = orient(

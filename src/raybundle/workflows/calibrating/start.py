@@ -11,7 +11,7 @@ import numpy as np
 from raybundle.adjustment.result import Notice
 from raybundle.block import Block, Role
 from raybundle.errors import InputError, NotSolvable
-from raybundle.io.block_arrays import arrays_of_block, block_of_arrays
+from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
 from raybundle.io.photos.cameras import CameraGroup
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array

@@ -9,6 +9,7 @@ from raybundle.block import Block
 from raybundle.calibration.quality import CalibrationQuality, calibration_qualities
 from raybundle.errors import NotSolvable
 from raybundle.pipeline.stage import Means, Stage
+from raybundle.planning.next_photographs import advised
 from raybundle.workflows.calibrate_state import CALIBRATE, CalibrateState
 from raybundle.workflows.calibration_defects import CANNOT, flat_only
 
@@ -35,7 +36,10 @@ def judge(i: Inputs, means: Means) -> tuple[CalibrationQuality, ...]:
         why = flat_only(i.measured)
         if why:
             raise NotSolvable(f"{CANNOT}: {why}")
-    return quality
+    means.progress("proposals", 0.0)
+    found = tuple(advised(q, i.adjustment) for q in quality)
+    means.progress("proposals", 1.0)
+    return found
 
 
 STAGE = CALIBRATE.register(

@@ -17,20 +17,20 @@ from raybundle.io.photos.photo import Photo
 from raybundle.matching.features import FeatureMethod
 from raybundle.numerics.counting import counted
 from raybundle.pipeline.stage import Means, Stage
+from raybundle.placing.georeference import Georeferenced
+from raybundle.placing.marks import Given
+from raybundle.placing.positions import GPS_M, flight_lines, without_idle
+from raybundle.placing.told_positions import with_relative_precision
+from raybundle.ties.points import FeatureStore
 from raybundle.workflows.dropped import Dropped
 from raybundle.workflows.final import adjusted_part, final_adjustment, undetermined_part
-from raybundle.workflows.georeference import Georeferenced
 from raybundle.workflows.kept import Reasons
-from raybundle.workflows.marks import Given
 from raybundle.workflows.orient_options import OrientOptions
 from raybundle.workflows.orient_state import ORIENT, OrientState, SceneState
 from raybundle.workflows.parts import Part, apart_notice, joined_notice, part_folder, place_parts
-from raybundle.workflows.positions import GPS_M, flight_lines, without_idle
 from raybundle.workflows.read_out import rolling_shutters, with_cause
 from raybundle.workflows.same_camera import shared_sensors
-from raybundle.workflows.scene_placing import place_with_scenes
-from raybundle.workflows.tie_points import FeatureStore
-from raybundle.workflows.told_positions import with_relative_precision
+from raybundle.workflows.scenes.placing import place_with_scenes
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

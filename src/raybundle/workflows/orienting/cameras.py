@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from raybundle.block import Camera
-from raybundle.io.camera_library import with_library
+from raybundle.io.cameras.library import with_library
 from raybundle.io.photos.cameras import CameraGroup, camera_groups
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.counting import counted

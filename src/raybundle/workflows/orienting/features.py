@@ -9,9 +9,9 @@ from raybundle.io.photos.masks import Masks
 from raybundle.io.photos.photo import Photo
 from raybundle.matching.features import FeatureMethod
 from raybundle.pipeline.stage import Means, Stage
+from raybundle.ties.points import FeatureStore, find_features
 from raybundle.workflows.orient_state import ORIENT, OrientState
 from raybundle.workflows.orienting.photographs import check_number
-from raybundle.workflows.tie_points import FeatureStore, find_features
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 from raybundle.io.photos.masks import Masks, find_masks
 from raybundle.io.photos.photo import Photo
 from raybundle.pipeline.stage import Means, Stage
+from raybundle.placing.attitudes import find_attitudes
+from raybundle.placing.control_apart import check_apart
+from raybundle.placing.georeference import frame_of
+from raybundle.placing.marks import Given, check_marks, check_names
 from raybundle.workflows.asked import check_asked
-from raybundle.workflows.attitudes import find_attitudes
-from raybundle.workflows.control_apart import check_apart
-from raybundle.workflows.georeference import frame_of
-from raybundle.workflows.marks import Given, check_marks, check_names
 from raybundle.workflows.mask_notices import mask_notices
 from raybundle.workflows.orient_state import ORIENT, Asked, OrientState
 

@@ -15,10 +15,10 @@ from raybundle.matching.verify import VerifiedPair
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.counting import counted
 from raybundle.pipeline.stage import Means, Stage
+from raybundle.ties.points import FeatureStore, match_pairs, pairs_of
+from raybundle.ties.same_picture import same_picture_notice, same_pictures
+from raybundle.ties.static_background import FEWEST_PHOTOGRAPHS, RING_PX, static_background
 from raybundle.workflows.orient_state import ORIENT, OrientState
-from raybundle.workflows.same_picture import same_picture_notice, same_pictures
-from raybundle.workflows.static_background import FEWEST_PHOTOGRAPHS, RING_PX, static_background
-from raybundle.workflows.tie_points import FeatureStore, match_pairs, pairs_of
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -11,10 +11,10 @@ from raybundle.io.photos.photo import Found, Photo, find_photos
 from raybundle.io.trajectories import Trajectory, with_positions
 from raybundle.numerics.counting import counted
 from raybundle.pipeline.stage import Means, Stage
+from raybundle.placing.marks import under_kept_names
 from raybundle.workflows.kept import Reasons
-from raybundle.workflows.marks import under_kept_names
 from raybundle.workflows.orient_state import ORIENT, OrientState, SceneState
-from raybundle.workflows.scene_images import FoundScenes, find_scenes
+from raybundle.workflows.scenes.images import FoundScenes, find_scenes
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -10,17 +10,17 @@ from threading import Lock
 import numpy as np
 
 from raybundle.block import Block
-from raybundle.io.block_arrays import arrays_of_block, block_of_arrays
+from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
 from raybundle.io.photos.masks import Masks
 from raybundle.io.photos.photo import Photo
 from raybundle.matching.refine import pyramid, smoothed
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.pipeline.stage import Codec, Means, Stage
+from raybundle.ties.block import TieBlock
+from raybundle.ties.points import grey_of
+from raybundle.ties.precise import PreciseBlock, Visible, Weights, refine
 from raybundle.workflows.kept import Reasons, numbered, reasons_as_array, reasons_of_array, texts, unpacked
 from raybundle.workflows.orient_state import ORIENT, OrientState
-from raybundle.workflows.precise import PreciseBlock, Visible, Weights, refine
-from raybundle.workflows.tie_block import TieBlock
-from raybundle.workflows.tie_points import grey_of
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

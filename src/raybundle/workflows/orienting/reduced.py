@@ -12,8 +12,8 @@ from raybundle.adjustment.result import Notice
 from raybundle.errors import NoOrientation
 from raybundle.matching.reduced import LONGEST_PX, WORTH, Reduced, reduction
 from raybundle.pipeline.stage import Alternative
+from raybundle.ties.start import LEFT
 from raybundle.workflows.orient_state import ORIENT, OrientState
-from raybundle.workflows.tie_start import LEFT
 
 
 def _begin(before: OrientState, first: OrientState | None) -> OrientState | None:

@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 from raybundle.matching.features import FeatureMethod
 from raybundle.numerics.counting import counted
 from raybundle.pipeline.stage import Means, Stage
+from raybundle.ties.points import FeatureStore
 from raybundle.workflows.orient_state import ORIENT, OrientState
 from raybundle.workflows.orienting.photographs import check_number
-from raybundle.workflows.scene_images import SceneImage
-from raybundle.workflows.scene_ties import find_scene_features
-from raybundle.workflows.tie_points import FeatureStore
+from raybundle.workflows.scenes.images import SceneImage
+from raybundle.workflows.scenes.ties import find_scene_features
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -8,12 +8,12 @@ from raybundle.matching.features import FeatureMethod
 from raybundle.numerics.counting import counted
 from raybundle.pipeline.stage import Means, Stage
 from raybundle.scenes.bias import BiasKind
+from raybundle.ties.points import FeatureStore
 from raybundle.workflows.kept import Reasons
 from raybundle.workflows.orient_state import ORIENT, OrientState
-from raybundle.workflows.scene_geometry import place_of_scenes
-from raybundle.workflows.scene_images import SceneImage
-from raybundle.workflows.scene_ties import ScenePair, contradicting, match_scenes
-from raybundle.workflows.tie_points import FeatureStore
+from raybundle.workflows.scenes.geometry import place_of_scenes
+from raybundle.workflows.scenes.images import SceneImage
+from raybundle.workflows.scenes.ties import ScenePair, contradicting, match_scenes
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -8,13 +8,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from raybundle.block import Block
-from raybundle.io.block_arrays import arrays_of_block, block_of_arrays
+from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
 from raybundle.numerics.arrays import Array
 from raybundle.pipeline.stage import Codec, Means, Stage
+from raybundle.ties.block import TieBlock
+from raybundle.ties.precise import Weights
 from raybundle.workflows.orient_state import ORIENT, OrientState
-from raybundle.workflows.precise import Weights
-from raybundle.workflows.scene_block import SceneSet, again, plain, refined
-from raybundle.workflows.tie_block import TieBlock
+from raybundle.workflows.scenes.block import SceneSet, again, plain, refined
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

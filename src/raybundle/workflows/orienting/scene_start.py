@@ -6,13 +6,13 @@ from dataclasses import dataclass, replace
 
 from raybundle.numerics.counting import counted
 from raybundle.pipeline.stage import Codec, Means, Stage
+from raybundle.ties.block import TieBlock
+from raybundle.ties.points import FeatureStore
 from raybundle.workflows.kept import arrays_of_tie, tie_of_arrays
 from raybundle.workflows.orient_state import ORIENT, OrientState
-from raybundle.workflows.scene_block import SceneSet, again, plain, refuse_nothing_common, started
-from raybundle.workflows.scene_place import marks_in
-from raybundle.workflows.scene_ties import ScenePair
-from raybundle.workflows.tie_block import TieBlock
-from raybundle.workflows.tie_points import FeatureStore
+from raybundle.workflows.scenes.block import SceneSet, again, plain, refuse_nothing_common, started
+from raybundle.workflows.scenes.place import marks_in
+from raybundle.workflows.scenes.ties import ScenePair
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -16,6 +16,10 @@ from raybundle.matching.tracks import Tracks
 from raybundle.matching.verify import VerifiedPair, trusted
 from raybundle.numerics.arrays import Array, Index
 from raybundle.pipeline.stage import Codec, Means, Stage
+from raybundle.ties.block import TieBlock, block_of_tracks
+from raybundle.ties.missing import missing_notices
+from raybundle.ties.points import FeatureStore
+from raybundle.ties.repeated import sound_pairs
 from raybundle.workflows.dropped import Dropped
 from raybundle.workflows.kept import (
     arrays_of_tie,
@@ -25,12 +29,8 @@ from raybundle.workflows.kept import (
     tie_of_arrays,
     unpacked,
 )
-from raybundle.workflows.missing import missing_notices
 from raybundle.workflows.orient_state import ORIENT, OrientState
 from raybundle.workflows.parts import start_parts
-from raybundle.workflows.repeated import sound_pairs
-from raybundle.workflows.tie_block import TieBlock, block_of_tracks
-from raybundle.workflows.tie_points import FeatureStore
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

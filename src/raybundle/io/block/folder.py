@@ -1,0 +1,465 @@
+"""Block folders: block.toml and CSV tables, read strictly and written so that they read back equal.
+
+The format stands in docs/reference/block-format.md.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from raybundle.block import Block, Camera, Images, Observations, Points, Role
+from raybundle.block.block import PixelFrame, Turn
+from raybundle.block.frames import TURNS, size_ratio
+from raybundle.block.rejection import known_wrong
+from raybundle.errors import InputError
+from raybundle.io.block.observations import read_observation_tables, write_observation_tables
+from raybundle.io.block.scenes import FOLDER as SCENES
+from raybundle.io.block.scenes import with_views, write_scene_files
+from raybundle.io.block.tables import ANGLES, SIGMA_XYZ, XYZ, columns_of, named, problems_of, require
+from raybundle.io.block.toml import head_text, read_head
+from raybundle.io.folders import new_folder
+from raybundle.io.reading.files import stands
+from raybundle.io.reading.words import quoted
+from raybundle.io.tables import SHOWN, Column, Problem, Table, read_table, write_table
+from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.progress import Progress, silent
+from raybundle.numerics.rotation import rotation_from_angles
+from raybundle.observations import tables
+
+TABLES = ("images", "observations", "points", *tables, "interior")
+FILES = ("block.toml", *(f"{name}.csv" for name in TABLES), SCENES)
+FRAME = ("turned_deg", "file_width_px", "file_height_px")
+"""Of images whose files are stored turned or reduced."""
+NEEDED = "give another folder: a block needs it"
+ROLES = {"tie": Role.TIE, "control": Role.CONTROL, "check": Role.CHECK}
+
+
+def read_block(path: str | Path, *, progress: Progress = silent) -> Block:
+    """The block in a folder.
+
+    raises  InputError with file, line and column for anything the format does not allow
+    What it does not tell: whether the block can be adjusted; points without rays and images without
+    orientation are well-formed.
+    """
+    folder = Path(path)
+    _check_folder(folder)
+    progress("reading", 0.0)
+    head = read_head(folder / "block.toml")
+    images, image_ids = _read_images(folder / "images.csv", head.cameras)
+    points, point_ids = _read_points(folder / "points.csv")
+    progress("reading", 0.1)
+    observations, rejected = _read_observations(folder / "observations.csv", image_ids, point_ids)
+    progress("reading", 0.9)
+    new = tuple(point_ids)[len(points) :]
+    points = _with_tie_points(points, new)
+    interior = _read_interior(folder / "interior.csv", image_ids, images, head.cameras)
+    block = Block(
+        name=head.name,
+        about=head.about,
+        source=head.source,
+        licence=head.licence,
+        length_unit=head.length_unit,
+        free_scale=head.free_scale,
+        sigma0_apriori=head.sigma0_apriori,
+        residuals=head.residuals,
+        noise=head.noise,
+        datum_over=head.datum_over,
+        rejected=rejected,
+        place=head.place,
+        cameras=head.cameras,
+        images=replace(images, interior=interior),
+        observations=observations,
+        points=points,
+        instruments=head.instruments,
+        tables=read_observation_tables(folder, image_ids, point_ids, head.instruments),
+    )
+    progress("reading", 1.0)
+    return block
+
+
+def _check_folder(folder: Path) -> None:
+    if not folder.is_dir():
+        what = "is a file, not a block folder" if folder.exists() else "there is no such folder"
+        raise InputError(f"{what}; give a folder with block.toml, images.csv and observations.csv", file=folder)
+    if not stands(folder / "block.toml"):
+        hint = (
+            f"; this is a result folder, its block is {folder / 'block'}" if (folder / "result.json").exists() else ""
+        )
+        raise InputError(f"not a block folder, it holds no block.toml{hint}", file=folder)
+    for table in ("images.csv", "observations.csv"):
+        if not stands(folder / table):
+            raise InputError("the file is missing; a block needs it", file=folder / table)
+    known = {name.lower().rstrip("s"): name for name in TABLES}
+    for entry in sorted(folder.iterdir()):
+        meant = known.get(entry.stem.lower().rstrip("s"))
+        if entry.suffix.lower() == ".csv" and meant is not None and entry.name != f"{meant}.csv":
+            raise InputError(f"is not read; rename it to {meant}.csv, or take it out of the folder", file=entry)
+
+
+def _read_images(path: Path, cameras: tuple[Camera, ...]) -> tuple[Images, dict[str, int]]:
+    table = read_table(
+        path,
+        (
+            Column(name="image", kind="id"),
+            Column(
+                name="camera",
+                kind="reference",
+                known={c.id: k for k, c in enumerate(cameras)},
+                where="the cameras of block.toml",
+            ),
+            Column(name="file", kind="text", empty=True),
+            *(Column(name=n, kind="number", empty=True) for n in (*XYZ, *ANGLES)),
+            Column(name="held", kind="number", optional=True, empty=True),
+            Column(name="station", kind="text", optional=True, empty=True),
+            *(Column(name=n, kind="number", optional=True, empty=True) for n in FRAME),
+        ),
+        without=NEEDED,
+    )
+    ids = table.text["image"]
+    centre = table.numbers(*XYZ)
+    angles = table.numbers(*ANGLES)
+    held = table.number.get("held", np.full(len(ids), np.nan))
+    known = np.isfinite(angles).sum(axis=1)
+    camera = table.index["camera"]
+    is_scene = np.array([c.is_scene for c in cameras])[camera]
+    given = np.isfinite(np.concatenate([centre, angles, held[:, None]], axis=1)).any(axis=1)
+    first = np.ones(len(ids), bool)
+    first[np.unique(camera, return_index=True)[1]] = False
+    oriented = (known == 3) & np.isfinite(centre).all(axis=1)
+    require(
+        path,
+        problems_of(
+            (known != 0) & (known != 3),
+            "omega_deg",
+            lambda k: f"image {quoted(ids[k])} has {known[k]} of 3 angles; give all three or none",
+        ),
+        problems_of(np.isfinite(held) & (held != 1), "held", lambda k: f"{held[k]:g} is neither 1 nor empty"),
+        problems_of(
+            (held == 1) & ~oriented,
+            "held",
+            lambda k: f"image {quoted(ids[k])} is held but its exterior orientation is not complete; fill it",
+        ),
+        problems_of(
+            is_scene & given,
+            "X",
+            lambda k: f"image {quoted(ids[k])} is a satellite scene, whose file tells its orientation; leave it empty",
+        ),
+        problems_of(
+            is_scene & first,
+            "camera",
+            lambda k: f"camera {cameras[camera[k]].id} is a satellite scene and has an image already; a scene has one",
+        ),
+    )
+    rotation = rotation_from_angles(np.radians(angles))
+    if is_scene.any():
+        centre, rotation, _ = with_views(centre, rotation, cameras, camera)
+    return Images(
+        ids=ids,
+        camera=camera,
+        file=table.text["file"],
+        centre=centre,
+        rotation=rotation,
+        held=(held == 1) | is_scene if ((held == 1) | is_scene).any() else None,
+        station=_stations_of(table.text.get("station")),
+        frames=_frames_of(path, table, cameras, camera),
+    ), {image: k for k, image in enumerate(ids)}
+
+
+def _frames_of(path: Path, table: Table, cameras: tuple[Camera, ...], camera: Index) -> dict[int, PixelFrame]:
+    """How the files of images lie that are stored turned or reduced."""
+    ids = table.text["image"]
+    columns = np.stack([table.number.get(n, np.full(len(ids), np.nan)) for n in FRAME], axis=1)
+    given = np.isfinite(columns)
+    turns = {float(t) for t in TURNS}
+    strange = np.array([bool(np.isfinite(t)) and t not in turns for t in columns[:, 0].tolist()], bool)
+
+    def fits(k: int) -> bool:
+        one, (turned, width, height) = cameras[camera[k]], columns[k]
+        same = size_ratio((one.width_px, one.height_px), (int(width), int(height)))
+        return same is not None and (one.width_px == one.height_px or same[1] == (turned in {90, 270}))
+
+    require(
+        path,
+        problems_of(
+            np.asarray(given.any(axis=1) & ~given.all(axis=1), bool),
+            FRAME[0],
+            lambda k: f"image {quoted(ids[k])} has {given[k].sum()} of {', '.join(FRAME)}; give all three or none",
+        ),
+        problems_of(
+            strange,
+            FRAME[0],
+            lambda k: f"{columns[k, 0]:g} is none of {', '.join(map(str, TURNS))}",
+        ),
+    )
+    whole = np.flatnonzero(given.all(axis=1))
+    wrong = np.zeros(len(ids), bool)
+    wrong[[k for k in whole.tolist() if min(columns[k, 1:]) < 1 or not fits(k)]] = True
+    require(
+        path,
+        problems_of(
+            wrong,
+            FRAME[1],
+            lambda k: (
+                f"a file of {columns[k, 1]:g} x {columns[k, 2]:g} px, turned by {columns[k, 0]:g}, is no copy of "
+                f"the {cameras[camera[k]].width_px} x {cameras[camera[k]].height_px} px of its camera"
+            ),
+        ),
+    )
+    turned: dict[float, Turn] = {float(t): t for t in TURNS}
+    return {
+        k: PixelFrame(turned=turned[t], width_px=int(w), height_px=int(h))
+        for k, (t, w, h) in zip(whole.tolist(), columns[whole].tolist(), strict=True)
+    }
+
+
+def _stations_of(names: tuple[str, ...] | None) -> Index | None:
+    """Numbers of the rigs' stations; images without a name have one each."""
+    if names is None or not any(names):
+        return None
+    index = {name: k for k, name in enumerate(dict.fromkeys(n for n in names if n))}
+    return np.array([index[n] if n else len(index) + k for k, n in enumerate(names)], np.int32)
+
+
+def _read_points(path: Path) -> tuple[Points, dict[str, int]]:
+    if not stands(path):
+        empty = np.zeros((0, 3))
+        return Points(ids=(), role=np.zeros(0, np.int32), xyz=empty, sigma=empty), {}
+    table = read_table(
+        path,
+        (
+            Column(name="point", kind="id"),
+            Column(name="role", kind="text"),
+            *(Column(name=n, kind="number", empty=True) for n in XYZ),
+            *(Column(name=n, kind="number", empty=True, limit=">= 0") for n in SIGMA_XYZ),
+        ),
+    )
+    ids, roles = table.text["point"], table.text["role"]
+    unknown = np.array([r not in ROLES for r in roles])
+    require(path, problems_of(unknown, "role", lambda k: f"{quoted(roles[k])} is not one of tie, control, check"))
+    role = np.fromiter((ROLES[r] for r in roles), np.int32, len(roles))
+    xyz, sigma = table.numbers(*XYZ), table.numbers(*SIGMA_XYZ)
+    given, weighted = np.isfinite(xyz), np.isfinite(sigma)
+    problems: list[Problem] = []
+    for axis, s in zip(XYZ, SIGMA_XYZ, strict=True):
+        k = XYZ.index(axis)
+        problems += problems_of(
+            weighted[:, k] & ~given[:, k],
+            s,
+            lambda row, axis=axis, s=s: f"point {quoted(ids[row])} has {s} but no {axis}; give the coordinate too",
+        )
+    problems += problems_of(
+        (role == Role.TIE) & weighted.any(axis=1),
+        "sX",
+        lambda k: f"tie point {quoted(ids[k])} has a sigma; make its role control, or leave the sigma empty",
+    )
+    problems += problems_of(
+        (role == Role.CONTROL) & ~(given & weighted).any(axis=1),
+        "sX",
+        lambda k: f"control point {quoted(ids[k])} has no coordinate with a sigma; 0 = held, or make its role tie",
+    )
+    problems += problems_of(
+        (role == Role.CHECK) & ~given.any(axis=1),
+        "X",
+        lambda k: f"check point {quoted(ids[k])} has no coordinate; give one or make its role tie",
+    )
+    require(path, problems)
+    points = Points(ids=ids, role=role, xyz=xyz, sigma=sigma)
+    return points, {point: k for k, point in enumerate(ids)}
+
+
+def _with_tie_points(points: Points, new: tuple[str, ...]) -> Points:
+    """The points with those that only the observations know."""
+    unknown = np.full((len(new), 3), np.nan)
+    return Points(
+        ids=points.ids + new,
+        role=np.concatenate([points.role, np.full(len(new), Role.TIE, np.int32)]),
+        xyz=np.concatenate([points.xyz, unknown]),
+        sigma=np.concatenate([points.sigma, unknown]),
+    )
+
+
+def _read_observations(
+    path: Path, images: dict[str, int], points: dict[str, int]
+) -> tuple[Observations, tuple[tuple[str, str], ...]]:
+    """The table, and image and point of rows that are known as wrong; points not yet known are added to `points`."""
+    table = read_table(
+        path,
+        (
+            Column(name="image", kind="reference", known=images, where="images.csv"),
+            Column(name="point", kind="new_reference", known=points),
+            Column(name="x_px", kind="number"),
+            Column(name="y_px", kind="number"),
+            Column(name="sx_px", kind="number", limit="> 0"),
+            Column(name="sy_px", kind="number", limit="> 0"),
+            Column(name="sxy_px2", kind="number", optional=True, empty=True),
+            Column(name="rejected", kind="number", optional=True, empty=True),
+        ),
+        unique=("image", "point"),
+        without=NEEDED,
+    )
+    sx, sy = table.number["sx_px"], table.number["sy_px"]
+    sxy = np.nan_to_num(table.number.get("sxy_px2", np.zeros(table.rows)))
+    wrong = np.nan_to_num(table.number.get("rejected", np.zeros(table.rows)))
+    limit = sx * sy
+    require(
+        path,
+        problems_of((wrong != 0) & (wrong != 1), "rejected", lambda k: f"{wrong[k]:g} is neither 1 nor 0 nor empty"),
+        problems_of(
+            np.abs(sxy) >= limit * (1 - 1e-9),
+            "sxy_px2",
+            lambda k: f"{sxy[k]:g} is not between -sx sy and sx sy = {limit[k]:g}; it is a covariance in px^2",
+        ),
+        problems_of(
+            (sx < 1e-150) | (sy < 1e-150) | (sx > 1e150) | (sy > 1e150),
+            "sx_px",
+            lambda k: f"a standard deviation of {sx[k]:g}, {sy[k]:g} px cannot be meant; give it in px",
+        ),
+    )
+    found = Observations(
+        image=table.index["image"],
+        point=table.index["point"],
+        xy_px=np.stack([table.number["x_px"], table.number["y_px"]], axis=1),
+        cov_px2=np.stack([sx * sx, sy * sy, sxy], axis=1),
+    )
+    image, point = [*images], [*points]
+    rows = np.flatnonzero(wrong == 1).tolist()
+    return found, tuple((image[int(found.image[k])], point[int(found.point[k])]) for k in rows)
+
+
+def _read_interior(
+    path: Path, images: dict[str, int], table_of_images: Images, cameras: tuple[Camera, ...]
+) -> dict[int, dict[str, float]]:
+    """Interior orientations of single images; what is not listed is the camera's."""
+    if not stands(path):
+        return {}
+    table = read_table(
+        path,
+        (
+            Column(name="image", kind="reference", known=images, where="images.csv"),
+            Column(name="parameter", kind="text"),
+            Column(name="value", kind="number"),
+        ),
+    )
+    result: dict[int, dict[str, float]] = {}
+    problems: list[Problem] = []
+    rows = zip(table.index["image"].tolist(), table.text["parameter"], table.number["value"].tolist(), strict=True)
+    for line, (image, key, value) in enumerate(rows, 2):
+        camera = cameras[int(table_of_images.camera[image])]
+        parameter = {p.key: p for p in camera.sensor.parameters}.get(key)
+        own = result.setdefault(image, {})
+        if not camera.own_symbols or (parameter is not None and parameter.symbol not in camera.own_symbols):
+            what = f"{key} is shared" if camera.own_symbols else "has one interior orientation"
+            message = f'camera {camera.id}: {what}; set interior = "per_image" in block.toml, or name it in per_image'
+            problems.append(Problem(line, "image", message))
+        elif parameter is None:
+            known = ", ".join(p.key for p in camera.sensor.parameters)
+            problems.append(Problem(line, "parameter", f"{quoted(key)} is no key of {camera.model}; known: {known}"))
+        elif parameter.symbol in own:
+            problems.append(Problem(line, "parameter", f"{key} of this image stands already above"))
+        elif parameter.kind == "scale" and value <= 0:
+            problems.append(Problem(line, "value", f"{key} is {value:g}; it must be greater than 0"))
+        else:
+            own[parameter.symbol] = value
+        if len(problems) > SHOWN:
+            break
+    require(path, problems)
+    return result
+
+
+def write_block(block: Block, path: str | Path) -> None:
+    """Write a block folder, whole or not at all.
+
+    path    a new folder, or an empty one; a block that stands there is never overwritten
+    raises  InputError where something stands at `path` already
+    Numbers are written so that they read back equal; angles of the exterior orientation to 1e-12 degrees.
+    """
+    folder = Path(path)
+    if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+        raise InputError("stands there already and is not overwritten; choose another folder or delete it", file=folder)
+    with new_folder(folder) as temporary:
+        write_block_files(block, temporary)
+
+
+def write_block_files(block: Block, folder: Path) -> None:
+    """Write the files of a block into an existing folder."""
+    (folder / "block.toml").write_text(head_text(block), encoding="utf-8", newline="\n")
+    images, points = block.images, block.points
+    is_scene = np.array([c.is_scene for c in block.cameras])[images.camera]
+    if is_scene.any():
+        write_scene_files(block, folder)
+    blank = np.where(is_scene, np.nan, 0.0)[:, None]
+    columns: dict[str, Sequence[str] | Array] = {
+        "image": images.ids,
+        "camera": [block.cameras[c].id for c in images.camera],
+        "file": images.file,
+        **columns_of(XYZ, images.centre + blank),
+        **columns_of(ANGLES, angles_deg(images) + blank),
+    }
+    if images.held is not None and (images.held & ~is_scene).any():
+        columns["held"] = np.where(images.held & ~is_scene, 1.0, np.nan)
+    if images.station is not None:
+        shared = np.bincount(images.station)[images.station] > 1
+        columns["station"] = [f"{s}" if many else "" for s, many in zip(images.station, shared, strict=True)]
+    if images.frames:
+        rows = [images.frames.get(k) for k in range(len(images))]
+        none = (np.nan,) * 3
+        frames = np.array([none if f is None else (f.turned, f.width_px, f.height_px) for f in rows], float)
+        columns |= columns_of(FRAME, frames)
+    write_table(folder / "images.csv", columns)
+    _write_observations(folder / "observations.csv", block)
+    if len(points):
+        write_table(
+            folder / "points.csv",
+            {**point_columns(points), **columns_of(XYZ, points.xyz), **columns_of(SIGMA_XYZ, points.sigma)},
+        )
+    write_observation_tables(folder, block)
+    _write_interior(folder / "interior.csv", block)
+
+
+def _write_observations(path: Path, block: Block) -> None:
+    o = block.observations
+    columns: dict[str, Sequence[str] | Array] = {
+        "image": named(block.images.ids, o.image),
+        "point": named(block.points.ids, o.point),
+        **columns_of(("x_px", "y_px"), o.xy_px),
+        **columns_of(("sx_px", "sy_px"), np.sqrt(o.cov_px2[:, :2])),
+    }
+    if o.cov_px2[:, 2].any():
+        columns["sxy_px2"] = o.cov_px2[:, 2]
+    if (wrong := known_wrong(block)).any():
+        columns["rejected"] = ["1" if w else "" for w in wrong.tolist()]
+    write_table(path, columns)
+
+
+def _write_interior(path: Path, block: Block) -> None:
+    image: list[str] = []
+    parameter: list[str] = []
+    value: list[float] = []
+    for k, values in block.images.interior.items():
+        model = block.cameras[int(block.images.camera[k])].sensor
+        for p in model.parameters:
+            if p.symbol in values:
+                image.append(block.images.ids[k])
+                parameter.append(p.key)
+                value.append(values[p.symbol])
+    if image:
+        write_table(path, {"image": image, "parameter": parameter, "value": np.array(value)})
+
+
+def angles_deg(images: Images) -> Array:
+    """Omega, phi, kappa (n, 3) [deg], rounded to 1e-12 degrees; NaN where not known."""
+    known = np.isfinite(images.rotation).all(axis=(1, 2))
+    angles: Array = np.full((len(images), 3), np.nan)
+    if known.any():
+        angles[known] = np.round(np.degrees(images.angles[known]), 12) + 0.0  # no -0
+    return angles
+
+
+def point_columns(points: Points) -> dict[str, Sequence[str] | Array]:
+    """The columns `point` and `role`."""
+    names = {int(role): name for name, role in ROLES.items()}
+    return {"point": points.ids, "role": [names[r] for r in np.asarray(points.role).tolist()]}

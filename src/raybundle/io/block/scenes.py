@@ -1,0 +1,349 @@
+"""Satellite scenes in a block folder: the table [frame] and the cameras that are scenes.
+
+A scene is a camera of one image.  Its table names the file of the scene; that file is copied to `scenes/` of every
+block folder that is written, so that the folder stands for itself.
+"""
+
+from __future__ import annotations
+
+import json
+import shutil
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal, cast
+
+import numpy as np
+
+from raybundle.block import Block, Camera
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array
+from raybundle.numerics.geodesy import geocentric_from_geographic, geographic_from_geocentric
+from raybundle.numerics.places import Geocentric, Local, Place, Projected
+
+if TYPE_CHECKING:
+    from raybundle.io.block.scene_fixes import GivenFixes
+    from raybundle.io.block.toml import Section
+    from raybundle.scenes.linescan import LineScene
+    from raybundle.scenes.sensor import LineSensor, RpcSensor
+
+MODELS = ("rpc", "linescan")
+FOLDER = "scenes"
+KEYS = ("model", "scene", "width_px", "height_px", "estimate", "sigma")
+LINE_KEYS = (
+    "position_degree", "attitude_degree", "position_fixes", "attitude_fixes", "position_pieces", "attitude_pieces",
+    "time_offset", "lever_arm", "smooth", "height_m",
+)  # fmt: skip
+
+
+def read_frame(section: Section) -> Place | None:
+    """Where the object frame stands on the earth; None where block.toml does not say."""
+    if not section.values:
+        return None
+    section.allow(("kind", "origin", "crs"))
+    kind = section.choice("kind", ("local", "geocentric", "projected"), "local")
+    if kind == "geocentric":
+        section.allow(("kind",))
+        return Geocentric()
+    origin = section.values.get("origin")
+    if not isinstance(origin, list) or len(cast("list[Any]", origin)) != 3:
+        what = "[longitude_deg, latitude_deg, height_m]" if kind == "local" else "[east_m, north_m, height_m]"
+        section.fail("origin", f"give the origin of the frame: origin = {what}")
+    x, y, z = (section.checked("origin", v) for v in cast("list[Any]", origin))
+    if kind == "local":
+        if not (-180 <= x <= 360 and -90 <= y <= 90):
+            section.fail("origin", f"longitude {x:g}, latitude {y:g} are no degrees; the order is longitude, latitude")
+        return Local(origin=(x, y, z))
+    if not (crs := section.text("crs", "")):
+        section.fail("crs", 'a projected frame needs its coordinate system: crs = "EPSG:32633"')
+    return projected(crs, (x, y, z))
+
+
+def projected(crs: str, origin: tuple[float, float, float]) -> Projected:
+    """The frame of a projected coordinate system near an origin (east, north, height); raises InputError."""
+    from raybundle.io.geo.coordinate_systems import local_frame  # noqa: PLC0415  (pyproj only where it is used)
+
+    frame = local_frame(crs, origin)
+    centre, R = frame._place  # noqa: SLF001
+
+    def to_geographic(xyz: Array) -> Array:
+        return geographic_from_geocentric(frame.local_from_crs(xyz) @ R + centre)
+
+    def from_geographic(geographic: Array) -> Array:
+        return frame.crs_from_local((geocentric_from_geographic(geographic) - centre) @ R.T)
+
+    return Projected(name=crs, origin=origin, to_geographic=to_geographic, from_geographic=from_geographic)
+
+
+def frame_lines(place: Place | None) -> list[str]:
+    """The table [frame] of a block.toml."""
+    if place is None:
+        return []
+    if isinstance(place, Geocentric):
+        return ["", "[frame]", 'kind = "geocentric"']
+    if isinstance(place, Projected):
+        return [
+            "",
+            "[frame]",
+            'kind = "projected"',
+            f"crs = {json.dumps(place.name)}",
+            f"origin = {_list(place.origin)}",
+        ]
+    return ["", "[frame]", 'kind = "local"', f"origin = {_list(cast('Local', place).origin)}"]
+
+
+def _list(values: tuple[float, ...]) -> str:
+    return "[" + ", ".join(repr(float(v)) for v in values) + "]"
+
+
+def read_scene_camera(section: Section, id_: str, place: Place | None) -> Camera:
+    """The camera of a scene; raises InputError with file and line."""
+    from raybundle.io.scenes import read_scene, rpc_of_image  # noqa: PLC0415  (only where there are scenes)
+    from raybundle.scenes.sensor import scene_camera  # noqa: PLC0415
+
+    if place is None:
+        section.fail(
+            "model",
+            "a satellite scene needs a frame whose place on the earth is known; add a table [frame] with "
+            'kind = "local" and origin = [longitude_deg, latitude_deg, height_m]',
+        )
+    file = section.file.parent / section.text("scene", "")
+    if "scene" not in section.values:
+        section.fail("scene", "key 'scene' is missing; give the file of the scene, seen from this folder")
+    found = read_scene(file)
+    size = tuple(section.whole(k) if k in section.values else v for k, v in _sizes(found).items())
+    if size[0] is None or size[1] is None:
+        section.fail("width_px", "the scene's file does not tell the size of the image; give width_px and height_px")
+    width, height = (int(cast("int", v)) for v in size)
+    model = section.text("model", "")
+    if model == "rpc":
+        if found.rpc is None:
+            section.fail("model", f'{file.name} holds no RPC; give model = "linescan"')
+        rpc = rpc_of_image(found.rpc, width, height, file)
+        sensor, known = _rpc_sensor(section, rpc, place, (width, height), file), list["GivenFixes"]()
+    else:
+        if found.line is None:
+            section.fail("model", f'{file.name} holds no rigorous model that is understood; give model = "rpc"')
+        sensor, known = _line_sensor(section, found.line, place, file)
+    estimate = section.values.get("estimate")
+    if estimate is not None and not isinstance(estimate, list):
+        section.fail("estimate", "give a list of parameters; a scene's are not chosen by themselves")
+    stated = section.section("sigma") if "sigma" in section.values else None
+    sigma = None if stated is None else _sigma(stated, sensor)
+    told = {s: v for g in known for s, v in g.sigma.items()}
+    if told:  # what block.toml states stands before what the file of the fixes does
+        sigma = told | (sensor.priors() | told if sigma is None else sigma)
+    before = {s: v for g in known for s, v in g.values.items()}
+    values = {s: section.number(s, before.get(s, 0.0)) for s in sensor.symbols}
+    named = None if estimate is None else [m for s in cast("list[Any]", estimate) for m in _members(sensor, str(s))]
+    if named is not None:
+        order = {s: k for k, s in enumerate(sensor.symbols)}
+        named = tuple(sorted(dict.fromkeys(named), key=lambda s: order.get(s, -1)))
+    try:
+        return scene_camera(id_, sensor, estimate=named, sigma=sigma, values=values)
+    except InputError as error:
+        section.fail("estimate", str(error))
+
+
+def _members(sensor: RpcSensor | LineSensor, name: str) -> tuple[str, ...]:
+    """The parameters that a name stands for: "rx" for those of a curve about the x axis, else the one."""
+    from raybundle.scenes.sensor import RpcSensor  # noqa: PLC0415
+
+    return (name,) if isinstance(sensor, RpcSensor) else sensor.corrections.members(name)
+
+
+def _sigma(stated: Section, sensor: RpcSensor | LineSensor) -> dict[str, float]:
+    """Standard deviations by parameter; that of a single one stands before that of its curve."""
+    given = {s: stated.checked(s, v, above=0) for s, v in stated.values.items()}
+    wide = {m: v for s, v in given.items() for m in _members(sensor, s)}
+    return wide | {s: v for s, v in given.items() if s in wide}
+
+
+def _sizes(found: Any) -> dict[str, int | None]:
+    line = found.line
+    return {
+        "width_px": found.width_px or (line.width_px if line is not None else None),
+        "height_px": found.height_px or (line.height_px if line is not None else None),
+    }
+
+
+def _rpc_sensor(section: Section, rpc: Any, place: Place, size: tuple[int, int], file: Path) -> RpcSensor:
+    from raybundle.scenes.bias import BIAS_PARAMETERS  # noqa: PLC0415
+    from raybundle.scenes.sensor import RpcSensor  # noqa: PLC0415
+
+    bias = section.choice("bias", tuple(BIAS_PARAMETERS), "shift")
+    section.allow((*KEYS, "bias", *BIAS_PARAMETERS[cast("Any", bias)]))
+    return RpcSensor(rpc, place, size, cast("Any", bias), file)
+
+
+def _line_sensor(section: Section, line: Any, place: Place, file: Path) -> tuple[LineSensor, list[GivenFixes]]:
+    from raybundle.scenes.sensor import LineSensor  # noqa: PLC0415
+    from raybundle.scenes.trajectory import CorrectionModel  # noqa: PLC0415
+
+    degrees: list[int] = []
+    given = [_curve(section, part, line) for part in ("position", "attitude")]
+    curves = [None if g is None else g.curve for g in given]
+    for part, curve in zip(("position", "attitude"), curves, strict=True):
+        value = section.number(f"{part}_degree", 0 if curve is None else -1)
+        if value not in {-1, 0, 1, 2}:
+            section.fail(f"{part}_degree", f"{value:g} is not one of -1 (none), 0, 1, 2")
+        degrees.append(int(value))
+    corrections = CorrectionModel(
+        position_degree=degrees[0], attitude_degree=degrees[1], position_curve=curves[0], attitude_curve=curves[1],
+        time_offset=_flag(section, "time_offset"), lever_arm=_flag(section, "lever_arm"),
+    )  # fmt: skip
+    section.allow((*KEYS, *LINE_KEYS, *corrections.symbols))
+    smooth = section.section("smooth")
+    stated = {s: smooth.checked(s, v, above=0) for s, v in smooth.values.items()}
+    try:
+        sensor = LineSensor(line, place, corrections, section.number("height_m", 0.0), file, stated)
+    except InputError as error:
+        section.fail("smooth" if stated else "scene", str(error))
+    return sensor, [g for g in given if g is not None]
+
+
+def _flag(section: Section, key: str) -> bool:
+    value = section.values.get(key, False)
+    if not isinstance(value, bool):
+        section.fail(key, f"{value!r} is neither true nor false")
+    return value
+
+
+def _curve(section: Section, part: Literal["position", "attitude"], line: LineScene) -> GivenFixes | None:
+    """The curve of position_... or attitude_...: fixes, or pieces of polynomials."""
+    from raybundle.io.block.scene_fixes import GivenFixes, read_fixes  # noqa: PLC0415
+    from raybundle.scenes.corrections import Pieces  # noqa: PLC0415
+
+    fixes, pieces = f"{part}_fixes", f"{part}_pieces"
+    if fixes in section.values and pieces in section.values:
+        section.fail(pieces, f"{fixes} stands there as well; take one of the two away")
+    if fixes in section.values:
+        return read_fixes(section, part, line)
+    if pieces not in section.values:
+        return None
+    try:
+        own = section.section(pieces)
+        own.allow(("count", "degree", "continuity"))
+        degree = own.whole("degree") if "degree" in own.values else 3
+        continuity = own.number("continuity", degree - 1)
+        if continuity != int(continuity):
+            own.fail("continuity", f"{continuity:g} is not a whole number")
+        return GivenFixes(curve=Pieces(count=own.whole("count"), degree=degree, continuity=int(continuity)))
+    except InputError as error:
+        if error.file is not None:
+            raise
+        section.fail(pieces, str(error))
+
+
+def scene_lines(camera: Camera, number: int) -> list[str]:
+    """The table of a scene's camera, without its head; `number` counts the block's cameras."""
+    from raybundle.scenes.sensor import RpcSensor  # noqa: PLC0415
+
+    sensor = cast("RpcSensor | LineSensor", camera.scene)
+    lines = [
+        f"model = {json.dumps(camera.model)}",
+        f"scene = {json.dumps(f'{FOLDER}/{_file_name(sensor, number)}', ensure_ascii=False)}",
+        f"width_px = {camera.width_px}",
+        f"height_px = {camera.height_px}",
+    ]
+    if isinstance(sensor, RpcSensor):
+        lines.append(f'bias = "{sensor.bias}"')
+    else:
+        lines += _correction_lines(sensor)
+    groups = {} if isinstance(sensor, RpcSensor) else sensor.corrections.groups
+    lines += [f"{s} = {float(camera.values.get(s, 0.0))!r}" for s in sensor.symbols]
+    lines.append(f"estimate = [{', '.join(json.dumps(s) for s in _short_names(camera.estimate, groups))}]")
+    sigma = ", ".join(f"{s} = {float(v)!r}" for s, v in _short_sigma(camera.sigma, groups).items())
+    lines.append("sigma = {" + sigma + "}")
+    return lines
+
+
+def _correction_lines(sensor: LineSensor) -> list[str]:
+    from raybundle.io.block.scene_fixes import fixes_text  # noqa: PLC0415
+    from raybundle.scenes.corrections import Pieces  # noqa: PLC0415
+
+    c = sensor.corrections
+    lines: list[str] = []
+    for part, degree, curve in (
+        ("position", c.position_degree, c.position_curve),
+        ("attitude", c.attitude_degree, c.attitude_curve),
+    ):
+        lines.append(f"{part}_degree = {degree}")
+        if curve is not None and not isinstance(curve, Pieces):
+            lines.append(f"{part}_fixes = {fixes_text(curve, sensor.scene)}")
+        elif curve is not None:
+            continuity = curve.degree - curve.new
+            lines.append(
+                f"{part}_pieces = {{count = {curve.count}, degree = {curve.degree}, continuity = {continuity}}}"
+            )
+    lines += [f"{key} = true" for key in ("time_offset", "lever_arm") if getattr(c, key)]
+    if sensor.smooth:
+        lines.append("smooth = {" + ", ".join(f"{s} = {float(v)!r}" for s, v in sensor.smooth.items()) + "}")
+    return [*lines, f"height_m = {float(sensor.height_m)!r}"]
+
+
+def _short_names(names: Sequence[str], groups: Mapping[str, tuple[str, ...]]) -> list[str]:
+    """The names, those of a whole curve's axis as one."""
+    whole = {axis: members for axis, members in groups.items() if set(members) <= set(names)}
+    inside = {m: axis for axis, members in whole.items() for m in members}
+    return list(dict.fromkeys(inside.get(n, n) for n in names))
+
+
+def _short_sigma(sigma: Mapping[str, float], groups: Mapping[str, tuple[str, ...]]) -> dict[str, float]:
+    """The standard deviations, one that holds for a whole curve's axis once."""
+    even = {a: members for a, members in groups.items() if len({sigma.get(m, 0.0) for m in members} - {0.0}) == 1}
+    even = {axis: members for axis, members in even.items() if set(members) <= set(sigma)}
+    inside = {m: axis for axis, members in even.items() for m in members}
+    return {inside.get(s, s): v for s, v in sigma.items()}
+
+
+def _file_name(sensor: RpcSensor | LineSensor, number: int) -> str:
+    from raybundle.scenes.sensor import RpcSensor  # noqa: PLC0415
+
+    if isinstance(sensor, RpcSensor):
+        return f"{number}_RPC.TXT"
+    if sensor.file is not None and sensor.file.suffix.lower() == ".toml":  # it names other files; they stay together
+        return f"{number}/{sensor.file.name}"
+    return f"{number}{'' if sensor.file is None else sensor.file.suffix}"
+
+
+def write_scene_files(block: Block, folder: Path) -> None:
+    """The scenes' files in `scenes/` of a block folder; an RPC as text, a rigorous scene's file as it is."""
+    from raybundle.io.scenes.airborne import companions  # noqa: PLC0415  (only where there are scenes)
+    from raybundle.io.scenes.rpc_text import write_rpc_text  # noqa: PLC0415
+    from raybundle.scenes.sensor import RpcSensor  # noqa: PLC0415
+
+    (folder / FOLDER).mkdir()
+    for number, camera in enumerate(block.cameras, 1):
+        if not camera.is_scene:
+            continue
+        sensor = cast("RpcSensor | LineSensor", camera.scene)
+        target = folder / FOLDER / _file_name(sensor, number)
+        if isinstance(sensor, RpcSensor):
+            write_rpc_text(sensor.rpc, target)
+        elif sensor.file is None or not sensor.file.is_file():
+            raise InputError(
+                f"camera {camera.id}: the rigorous scene comes from no file ({sensor.file}) and cannot be written; "
+                "keep its file where it was read"
+            )
+        else:
+            files = companions(sensor.file) if sensor.file.suffix.lower() == ".toml" else ()
+            target.parent.mkdir(exist_ok=True)
+            shutil.copyfile(sensor.file, target)
+            for file in files:
+                if not file.is_file():
+                    raise InputError(f"camera {camera.id}: {sensor.file.name} names it, and it is gone", file=file)
+                shutil.copyfile(file, target.parent / file.name)
+
+
+def with_views(
+    centre: Array, rotation: Array, cameras: tuple[Camera, ...], camera: Array
+) -> tuple[Array, Array, Array]:
+    """Centres and rotations with the nominal viewpoints of the scenes, and which images are scenes (n,)."""
+    from raybundle.scenes.sensor import view_of  # noqa: PLC0415  (only where there are scenes)
+
+    centre, rotation = centre.copy(), rotation.copy()
+    is_scene = np.array([c.is_scene for c in cameras])[camera]
+    for i in np.flatnonzero(is_scene):
+        view = view_of(cameras[int(camera[i])])
+        centre[i], rotation[i] = view.centre, view.rotation
+    return centre, rotation, is_scene

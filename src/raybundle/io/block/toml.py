@@ -1,0 +1,468 @@
+"""block.toml: the head of a block folder, cameras included."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Literal, NoReturn, cast
+
+import numpy as np
+
+from raybundle.block import Block, Camera, Instrument
+from raybundle.block.block import LengthUnit, Relation, Residuals
+from raybundle.block.stored import without_relations_of_calibration
+from raybundle.errors import InputError, UnknownSensorModel
+from raybundle.io.block.scenes import MODELS as SCENE_MODELS
+from raybundle.io.block.scenes import frame_lines, read_frame, read_scene_camera, scene_lines
+from raybundle.io.reading import trees
+from raybundle.io.reading.words import finite, quoted
+from raybundle.numerics.places import Place
+from raybundle.observations.parameter import Calibrated
+from raybundle.platforms import InstrumentModel, instrument_models
+from raybundle.sensors import SensorModel, sensor_models
+
+SCALES = ("fixed", "free")
+RELATION = {"name", "terms", "observed", "sigma", "logarithm", "origin"}
+"""What a table of `relations` may hold."""
+ORIGINS: tuple[Literal["known before", "calibration"], ...] = ("known before", "calibration")
+_BARE = re.compile(r"[A-Za-z0-9_-]+")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Head:
+    """What block.toml says."""
+
+    name: str
+    about: str
+    source: str
+    licence: str
+    length_unit: LengthUnit
+    free_scale: bool
+    sigma0_apriori: float
+    noise: Literal["", "white", "fields"]
+    datum_over: Literal["", "all", "good"]
+    residuals: Residuals
+    place: Place | None
+    cameras: tuple[Camera, ...]
+    instruments: tuple[Instrument, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Section:
+    """One TOML table, with the way to it for messages."""
+
+    file: Path
+    lines: Mapping[tuple[str, ...], int]
+    at: tuple[str, ...]
+    values: Mapping[str, Any]
+
+    def fail(self, key: str, message: str) -> NoReturn:
+        """Raise at the line of a key, or of the section."""
+        place = (*self.at, key)
+        line = self.lines.get(place, self.lines.get(self.at))
+        raise InputError(message, file=self.file, line=line, column=".".join(place))
+
+    def allow(self, keys: Sequence[str]) -> None:
+        """Raise where another key stands."""
+        for key in self.values:
+            if key not in keys:
+                self.fail(key, f"unknown key {quoted(key)}; known: {', '.join(keys)}")
+
+    def text(self, key: str, default: str) -> str:
+        """A string."""
+        value = self.values.get(key, default)
+        if not isinstance(value, str):
+            self.fail(key, f"{quoted(value)} is not a text; put it in quotes")
+        return value
+
+    def choice(self, key: str, options: Sequence[str], default: str) -> str:
+        """One of some words."""
+        value = self.text(key, default)
+        if value not in options:
+            self.fail(key, f"{quoted(value)} is not one of {', '.join(options)}")
+        return value
+
+    def number(self, key: str, default: float | None = None, *, above: float = -math.inf) -> float:
+        """A finite number greater than `above`."""
+        value = self.values.get(key, default)
+        if value is None:
+            self.fail(key, f"key {key!r} is missing; give a number")
+        return self.checked(key, value, above=above)
+
+    def checked(self, key: str, value: object, *, above: float = -math.inf) -> float:
+        """The value as a finite number greater than `above`."""
+        if isinstance(value, bool) or not isinstance(value, int | float):
+            self.fail(key, f"{quoted(value)} is not a number")
+        number = finite(value)
+        if number is None:
+            self.fail(key, f"{quoted(value)} is not a finite number")
+        if number <= above:
+            self.fail(key, f"{number:g} must be greater than {above:g}")
+        return number
+
+    def whole(self, key: str) -> int:
+        """A whole number greater than 0."""
+        number = self.number(key, above=0)
+        if number > 1e7 or number != int(number):
+            self.fail(key, f"{number:g} is not a whole number of pixels, at most 10 000 000")
+        return int(number)
+
+    def section(self, key: str) -> Section:
+        """A table within this one; empty where there is none."""
+        value = self.values.get(key, {})
+        if not isinstance(value, dict):
+            self.fail(key, f"{quoted(value)} is not a table")
+        return Section(self.file, self.lines, (*self.at, key), cast("dict[str, Any]", value))
+
+
+def read_head(path: Path) -> Head:
+    """The contents of a block.toml; raises InputError with the line of the key at fault."""
+    top = read_toml(path)
+    top.allow(
+        (
+            "name",
+            "about",
+            "source",
+            "licence",
+            "length_unit",
+            "scale",
+            "sigma0_apriori",
+            "residuals",
+            "noise",
+            "datum_over",
+            "frame",
+            "cameras",
+            "antennas",
+            "imus",
+        ),
+    )
+    place = read_frame(top.section("frame"))
+    cameras = top.section("cameras")
+    if not cameras.values:
+        top.fail("cameras", "no camera; a block needs a table [cameras.ID] for every camera")
+    return Head(
+        name=top.text("name", path.parent.name or "block"),
+        about=top.text("about", ""),
+        source=top.text("source", ""),
+        licence=top.text("licence", ""),
+        length_unit=cast("LengthUnit", top.choice("length_unit", ("m", "mm"), "m")),
+        free_scale=top.choice("scale", SCALES, "fixed") == "free",
+        sigma0_apriori=top.number("sigma0_apriori", 1.0, above=0),
+        residuals=cast("Residuals", top.choice("residuals", ("measured", "corrected"), "measured")),
+        noise=cast("Any", top.choice("noise", ("", "white", "fields"), "")),
+        datum_over=cast("Any", top.choice("datum_over", ("", "all", "good"), "")),
+        place=place,
+        cameras=tuple(_camera(cameras, id_, place) for id_ in cameras.values),
+        instruments=tuple(_instruments(top)),
+    )
+
+
+def read_cameras(path: Path) -> tuple[Camera, ...]:
+    """The `[cameras.*]` tables of a TOML file that holds nothing else."""
+    top = read_toml(path)
+    top.allow(("cameras",))
+    cameras = top.section("cameras")
+    return tuple(_camera(cameras, id_) for id_ in cameras.values)
+
+
+def read_toml(path: Path) -> Section:
+    """The top table of a TOML file; raises InputError with the line of a mistake."""
+    top = trees.read_toml(path)
+    return Section(path, top.lines, (), top.values)
+
+
+def _camera(cameras: Section, id_: str, place: Place | None = None) -> Camera:
+    section = cameras.section(id_)
+    if not id_ or id_ != id_.strip() or not id_.isprintable():
+        cameras.fail(id_, f"{quoted(id_)} is no camera id: it is empty, has blanks at its ends or cannot be printed")
+    if "model" not in section.values:
+        section.fail("model", "key 'model' is missing; give the name of a sensor model")
+    model_name = section.text("model", "")
+    if model_name in SCENE_MODELS:
+        return read_scene_camera(section, id_, place)
+    model = sensor_models.get(model_name)
+    if model is None:
+        line = section.lines.get((*section.at, "model"), 0)
+        raise UnknownSensorModel(model_name, known=(*sensor_models, *SCENE_MODELS), file=f"{section.file}, line {line}")
+    keys = [p.key for p in model.parameters]
+    section.allow(
+        (
+            "model",
+            "width_px",
+            "height_px",
+            "pixel_mm",
+            *keys,
+            "estimate",
+            "sigma",
+            "calibration",
+            "relations",
+            "interior",
+            "per_image",
+        )
+    )
+    interior = section.choice("interior", ("shared", "per_image"), "shared")
+    camera = Camera(
+        id=id_,
+        model=model_name,
+        width_px=section.whole("width_px"),
+        height_px=section.whole("height_px"),
+        pixel_mm=_pixel(section),
+        values=_values(section, model),
+        estimate=_estimate(section, model),
+        sigma=_sigma(section, model),
+        interior=cast("Literal['shared', 'per_image']", interior),
+        per_image=_per_image(section, model, interior),
+        calibrated=_calibration(section, model),
+        relations=_relations(section, model),
+    )
+    return camera if camera.calibrated is not None else without_relations_of_calibration(camera)
+
+
+def _instruments(top: Section) -> Iterator[Instrument]:
+    """The tables [antennas.*] and [imus.*]."""
+    taken = dict.fromkeys(top.section("cameras").values, "camera")
+    for model in instrument_models.values():
+        what, section = model.noun, top.section(model.section)
+        for id_ in section.values:
+            own = section.section(id_)
+            if id_ in taken:
+                section.fail(id_, f"{id_!r} is {_a(taken[id_])} already; give {_a(what)} another name")
+            taken[id_] = what
+            own.allow((*model.symbols, "estimate", "sigma"))
+            estimate = _estimate(own, model)
+            if estimate == "auto":
+                own.fail("estimate", f"give a list of {', '.join(model.symbols)}; these are not chosen by themselves")
+            yield Instrument(
+                id=id_, model=model.name, values={s: own.number(s, 0.0) for s in model.symbols}, estimate=estimate,
+                sigma=_sigma(own, model),
+            )  # fmt: skip
+
+
+def _a(word: str) -> str:
+    return f"an {word}" if word[0] in "aeiouI" else f"a {word}"
+
+
+def _pixel(section: Section) -> tuple[float, float]:
+    value = section.values.get("pixel_mm")
+    if not isinstance(value, list) or len(cast("list[Any]", value)) != 2:
+        section.fail("pixel_mm", "give the width and the height of a pixel in mm: pixel_mm = [0.005, 0.005]")
+    width, height = (section.checked("pixel_mm", v, above=0) for v in cast("list[Any]", value))
+    return width, height
+
+
+def _values(section: Section, model: SensorModel) -> dict[str, float]:
+    values: dict[str, float] = {}
+    for p in model.parameters:
+        if p.kind == "scale":
+            values[p.symbol] = section.number(p.key, above=0)
+        else:
+            values[p.symbol] = section.number(p.key, p.default if p.unit.startswith("length") else 0.0)
+    return values
+
+
+def _estimate(section: Section, model: SensorModel | InstrumentModel) -> tuple[str, ...] | Literal["auto"]:
+    value = section.values.get("estimate", [])
+    if value == "auto":
+        return "auto"
+    known = ", ".join(model.symbols)
+    if not isinstance(value, list):
+        section.fail("estimate", f'{quoted(value)} is neither "auto" nor a list of {known}')
+    symbols = cast("list[Any]", value)
+    for position, symbol in enumerate(symbols):
+        if symbol not in model.symbols:
+            section.fail("estimate", f"{quoted(symbol)} is no parameter of {model.name}; known: {known}")
+        if symbol in symbols[:position]:
+            section.fail("estimate", f"{symbol!r} stands twice")
+    return tuple(symbols)
+
+
+def _per_image(section: Section, model: SensorModel, interior: str) -> tuple[str, ...]:
+    """Symbols that each image has for itself."""
+    value = section.values.get("per_image", [])
+    if not isinstance(value, list) or any(s not in model.symbols for s in cast("list[Any]", value)):
+        section.fail("per_image", f"{quoted(value)} is no list of {', '.join(model.symbols)}")
+    if value and interior == "per_image":
+        section.fail("per_image", 'with interior = "per_image" every parameter is; take one of the two away')
+    return tuple(cast("list[str]", value))
+
+
+def _sigma(section: Section, model: SensorModel | InstrumentModel) -> dict[str, float]:
+    sigma = section.section("sigma")
+    values: dict[str, float] = {}
+    for symbol in sigma.values:
+        if symbol not in model.symbols:
+            known = ", ".join(model.symbols)
+            section.fail("sigma", f"{quoted(symbol)} is no parameter of {model.name}; known: {known}")
+        value = sigma.checked(symbol, sigma.values[symbol])
+        if value <= 0:
+            section.fail(
+                "sigma",
+                f"sigma of {symbol} is {value:g}; give a positive one, or leave {symbol} out of estimate to hold it",
+            )
+        values[symbol] = value
+    estimate = section.values.get("estimate", [])
+    idle = [s for s in values if estimate != "auto" and s not in estimate]
+    if idle:
+        section.fail("sigma", f"{idle[0]} has a sigma but is held; add it to estimate, or take its sigma away")
+    return values
+
+
+def _calibration(section: Section, model: SensorModel) -> Calibrated | None:
+    """Parameters that are observed with their covariance."""
+    value = section.values.get("calibration")
+    if value is None:
+        return None
+    what = "{parameter, value, sigma, correlations = [with those before]}"
+    if not isinstance(value, list) or not value:
+        section.fail("calibration", f"{quoted(value)} is no list of tables {what}")
+    symbols, values, sigma, rows = list[str](), list[float](), list[float](), list[tuple[float, ...]]()
+    for number, given in enumerate(cast("list[Any]", value), 1):
+        table = cast("dict[str, Any]", given) if isinstance(given, dict) else {}
+        before = table.get("correlations", [])
+        if set(table) - {"correlations"} != {"parameter", "value", "sigma"} or not isinstance(before, list):
+            section.fail("calibration", f"number {number} is no table {what}")
+        if table["parameter"] not in model.symbols or table["parameter"] in symbols:
+            problem = "stands twice" if table["parameter"] in symbols else f"is no parameter of {model.name}"
+            section.fail("calibration", f"{quoted(table['parameter'])} {problem}")
+        if len(cast("list[Any]", before)) != len(symbols):
+            section.fail("calibration", f"number {number}: {len(cast('list[Any]', before))} correlations, with the "
+                         f"{len(symbols)} parameters before it are wanted")  # fmt: skip
+        symbols.append(table["parameter"])
+        values.append(section.checked("calibration", table["value"]))
+        sigma.append(section.checked("calibration", table["sigma"], above=0))
+        rows.append((*(section.checked("calibration", r) for r in cast("list[Any]", before)), 1.0))
+    known = Calibrated(symbols=tuple(symbols), values=tuple(values), sigma=tuple(sigma), correlations=tuple(rows))
+    try:
+        np.linalg.cholesky(known.correlation)
+    except np.linalg.LinAlgError:
+        section.fail("calibration", "the correlations are not those of a covariance matrix (not positive definite)")
+    return known
+
+
+def _relations(section: Section, model: SensorModel) -> tuple[Relation, ...]:
+    """What is observed of several parameters together."""
+    value = section.values.get("relations", [])
+    if not isinstance(value, list):
+        section.fail("relations", f"{quoted(value)} is no list of tables {{name, terms, observed, sigma}}")
+    found: list[Relation] = []
+    for number, given in enumerate(cast("list[Any]", value), 1):
+        table = cast("dict[str, Any]", given) if isinstance(given, dict) else {}
+        terms = cast("dict[str, Any]", table.get("terms")) if isinstance(table.get("terms"), dict) else {}
+        if not terms or set(table) - RELATION or "sigma" not in table:
+            section.fail(
+                "relations", f"number {number} is no table {{name, terms = {{symbol = factor}}, observed, sigma}}"
+            )
+        unknown = [s for s in terms if s not in model.symbols]
+        if unknown:
+            known = ", ".join(model.symbols)
+            section.fail("relations", f"{quoted(unknown[0])} is no parameter of {model.name}; known: {known}")
+        found.append(
+            Relation(
+                name=str(table.get("name", f"relation {number}")),
+                terms={s: section.checked("relations", f) for s, f in terms.items()},
+                observed=section.checked("relations", table.get("observed", 0.0)),
+                sigma=section.checked("relations", table["sigma"], above=0),
+                logarithm=_flag(section, table.get("logarithm", False)),
+                origin=_origin(section, table),
+            )
+        )
+    return tuple(found)
+
+
+def _origin(section: Section, table: dict[str, Any]) -> Literal["", "known before", "calibration"]:
+    """Where a relation comes from; files written before this was a key say it at the beginning of its name."""
+    given = table.get("origin")
+    for origin in ORIGINS:
+        if given == origin or (given is None and str(table.get("name", "")).startswith(f"{origin}: ")):
+            return origin
+    if given is not None:
+        section.fail("relations", f"origin {quoted(given)} is none of {', '.join(ORIGINS)}")
+    return ""
+
+
+def _flag(section: Section, value: object) -> bool:
+    if not isinstance(value, bool):
+        section.fail("relations", f"logarithm {quoted(value)} is neither true nor false")
+    return value
+
+
+def head_text(block: Block) -> str:
+    """The block.toml of a block; reads back equal."""
+    lines = [f"{key} = {_quoted(getattr(block, key))}" for key in ("name", "about", "source", "licence", "length_unit")]
+    if block.free_scale:
+        lines.append('scale = "free"')
+    lines.append(f"sigma0_apriori = {block.sigma0_apriori!r}")
+    lines.append(f"residuals = {_quoted(block.residuals)}")
+    if block.noise:
+        lines.append(f"noise = {_quoted(block.noise)}")
+    if block.datum_over:
+        lines.append(f"datum_over = {_quoted(block.datum_over)}")
+    lines += frame_lines(block.place)
+    for number, camera in enumerate(block.cameras, 1):
+        key = camera.id if _BARE.fullmatch(camera.id) else _quoted(camera.id)
+        own = _camera_lines(camera) if camera.scene is None else scene_lines(camera, number)
+        lines += ["", f"[cameras.{key}]", *own]
+    for instrument in block.instruments:
+        key = instrument.id if _BARE.fullmatch(instrument.id) else _quoted(instrument.id)
+        lines += ["", f"[{instrument.sensor.section}.{key}]", *_instrument_lines(instrument)]
+    return "\n".join(lines) + "\n"
+
+
+def _instrument_lines(instrument: Instrument) -> list[str]:
+    lines = [f"{s} = {float(instrument.values.get(s, 0.0))!r}" for s in instrument.sensor.symbols]
+    lines.append(f"estimate = [{', '.join(_quoted(s) for s in instrument.estimate)}]")
+    if instrument.sigma:
+        lines.append("sigma = {" + ", ".join(f"{s} = {float(v)!r}" for s, v in instrument.sigma.items()) + "}")
+    return lines
+
+
+def _camera_lines(camera: Camera) -> list[str]:
+    model = sensor_models[camera.model]
+    width, height = (float(p) for p in camera.pixel_mm)
+    lines = [
+        f"model = {_quoted(camera.model)}",
+        f"width_px = {camera.width_px}",
+        f"height_px = {camera.height_px}",
+        f"pixel_mm = [{width!r}, {height!r}]",
+    ]
+    lines += [f"{p.key} = {float(camera.values.get(p.symbol, 0.0))!r}" for p in model.parameters]
+    if camera.estimate == "auto":
+        lines.append('estimate = "auto"')
+    else:
+        lines.append(f"estimate = [{', '.join(_quoted(s) for s in camera.estimate)}]")
+    if camera.sigma:
+        lines.append("sigma = {" + ", ".join(f"{s} = {float(v)!r}" for s, v in camera.sigma.items()) + "}")
+    if camera.calibrated is not None:
+        lines += ["calibration = [", *(f"    {text}," for text in _calibration_texts(camera.calibrated)), "]"]
+    if camera.relations:
+        lines += ["relations = [", *(f"    {_relation_text(r)}," for r in camera.relations), "]"]
+    if camera.interior != "shared":
+        lines.append(f"interior = {_quoted(camera.interior)}")
+    if camera.per_image:
+        lines.append(f"per_image = [{', '.join(_quoted(s) for s in camera.per_image)}]")
+    return lines
+
+
+def _calibration_texts(known: Calibrated) -> list[str]:
+    rows = zip(known.symbols, known.values, known.sigma, known.correlations, strict=True)
+    return [
+        f"{{parameter = {_quoted(s)}, value = {v!r}, sigma = {std!r}, "
+        f"correlations = [{', '.join(map(repr, row[:-1]))}]}}"
+        for s, v, std, row in rows
+    ]
+
+
+def _relation_text(relation: Relation) -> str:
+    terms = ", ".join(f"{s} = {float(f)!r}" for s, f in relation.terms.items())
+    tail = f"observed = {float(relation.observed)!r}, sigma = {float(relation.sigma)!r}"
+    tail += ", logarithm = true" if relation.logarithm else ""
+    tail += f", origin = {_quoted(relation.origin)}" if relation.origin else ""
+    return f"{{name = {_quoted(relation.name)}, terms = {{{terms}}}, {tail}}}"
+
+
+def _quoted(text: str) -> str:
+    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")

@@ -1,0 +1,1 @@
+"""Cameras: of computer vision, in the library of the user, of zoom lenses, and their conversions."""

@@ -1,0 +1,1 @@
+"""Scanned film: fiducial marks, certificates of metric cameras."""

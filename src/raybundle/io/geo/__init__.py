@@ -1,0 +1,1 @@
+"""Coordinate systems of the earth, and control in them."""

@@ -1,0 +1,426 @@
+"""Control and check points from files: gcp_list.txt (OpenDroneMap), CSV, or the points of a block folder.
+
+gcp_list.txt    first line the coordinate system, then  X Y Z x_px y_px image [name]  a line, separated by tabs or
+                blanks; '#' begins a comment; pixels count from the outer corner of the first one
+CSV             point,X,Y,Z[,sX,sY,sZ][,role][,radius][,nX,nY,nZ], and beside it or in a second file
+                image,point,x_px,y_px; radius [m] of a round target, n a vector square to it
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+
+from raybundle.block import Role
+from raybundle.block.frames import in_file_frames
+from raybundle.errors import InputError
+from raybundle.io.block.folder import ROLES
+from raybundle.io.geo.coordinate_systems import parse_crs
+from raybundle.io.reading.files import read_lines
+from raybundle.io.reading.words import no_number, number_of, quoted
+from raybundle.io.tables import SHOWN, Column, Problem, fail, read_table
+from raybundle.numerics.arrays import Array, Index, Mask
+
+FILE_BYTES = 1 << 28
+XYZ, SIGMA, NORMAL = ("X", "Y", "Z"), ("sX", "sY", "sZ"), ("nX", "nY", "nZ")
+GCP_COLUMNS = ("X", "Y", "Z", "x_px", "y_px", "image")
+CHANCE = 0.01
+"""Probability below which heights that agree to the last digit are not taken for measured."""
+MEASUREMENTS = "measurements"
+"""What a second CSV is called if it lies beside the first: NAME-measurements.csv."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Measurements:
+    """Image measurements of control and check points, one row each."""
+
+    image: tuple[str, ...]
+    """(m,) names as they stand in the file."""
+    point: Index
+    """(m,) position in `ControlFile.ids`."""
+    xy_px: Array
+    """(m, 2) pixel frame of BLOCK_FORMAT; NaN nowhere."""
+    line: Index
+    """(m,) line of the file, for messages."""
+
+    def __len__(self) -> int:
+        return len(self.image)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ControlFile:
+    """What a file says about control and check points."""
+
+    path: Path
+    crs: str | None
+    """Coordinate system as the file names it; None where it names none."""
+    ids: tuple[str, ...]
+    xyz: Array
+    """(n, 3) in that system, x east or longitude; NaN where not known."""
+    sigma: Array
+    """(n, 3) 0 = held; NaN where the coordinate is not known."""
+    role: Index
+    """(n,) `Role`; CONTROL unless the file says otherwise."""
+    measurements: Measurements
+    remarks: tuple[str, ...] = ()
+    """What was assumed."""
+    radius: Array | None = None
+    """(n,) of round targets, whose measured centres are those of ellipses [m]; NaN: no round target."""
+    normal: Array | None = None
+    """(n, 3) unit vectors square to round targets, in the axes of the coordinates; NaN: not known."""
+    stated: Mask | None = None
+    """(n,) whose standard deviations in plan stand in the file; None: of no point"""
+    stem: str = ""
+    """What names that were made for points without any begin with; empty where they are the file's"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ControlDefaults:
+    """Standard deviations where a file tells none, in the unit of its coordinates."""
+
+    plan: float = 0.01
+    height: float = 0.02
+    role: Literal["control", "check"] = "control"
+
+
+DEFAULTS = ControlDefaults()
+
+
+def read_control(
+    path: str | Path, *, measurements: str | Path | None = None, defaults: ControlDefaults = DEFAULTS
+) -> ControlFile:
+    """Control and check points of a file.
+
+    path          gcp_list.txt, a CSV file, or a block folder (its points.csv and observations.csv)
+    measurements  a CSV of image measurements; None: NAME-measurements.csv beside a CSV, if there is one
+    raises        InputError with file, line and column
+    What it does not tell: whether the images exist; names are as they stand there.
+    """
+    path = Path(path)
+    if path.is_dir():
+        return _read_block_points(path, defaults)
+    if path.suffix.lower() == ".csv":
+        return _read_csv(path, None if measurements is None else Path(measurements), defaults)
+    if measurements is not None:
+        raise InputError(
+            f"a file of measurements ({measurements}) belongs to a CSV; this file holds its own", file=path
+        )
+    return read_gcp_list(path, defaults=defaults)
+
+
+def read_gcp_list(path: str | Path, *, defaults: ControlDefaults = DEFAULTS) -> ControlFile:
+    """A gcp_list.txt: lines with the same name are one point; without names, lines with the same X Y Z.
+
+    Heights that are 0 throughout, or all the same, are taken as unknown, and a remark says so.
+    """
+    path = Path(path)
+    lines = _content(path)
+    first, crs = next(lines, (0, ""))
+    if not crs:
+        raise InputError(
+            "the file is empty; its first line names the coordinate system, each other one X Y Z x y image",
+            file=path,
+            line=1,
+        )
+    if len(crs.split()) >= len(GCP_COLUMNS) and number_of(crs.split()[0]) is not None:
+        raise InputError(
+            "the first line must name the coordinate system: EPSG:32611, WGS84 UTM 11N or a PROJ string",
+            file=path,
+            line=first,
+        )
+    try:
+        parse_crs(crs)
+    except InputError as error:
+        raise InputError(str(error), file=path, line=first) from None
+    rows, problems = _gcp_rows(lines)
+    if problems:
+        fail(path, problems)
+    if not rows:
+        raise InputError("there is no point after the first line; add lines X Y Z x y image", file=path, line=first)
+    result = _grouped(path, crs, rows, defaults)
+    return _with_unknown_heights(result, np.zeros(len(result.ids), bool))
+
+
+@dataclass(frozen=True, slots=True)
+class _Row:
+    line: int
+    xyz: tuple[float, float, float]
+    xy: tuple[float, float]
+    image: str
+    name: str
+
+
+def _content(path: Path) -> Iterator[tuple[int, str]]:
+    """Lines that are neither empty nor comments, with their numbers."""
+    for number, line in read_lines(path, FILE_BYTES):
+        content = line.strip()
+        if content and not content.startswith("#"):
+            yield number, content
+
+
+def _gcp_rows(lines: Iterator[tuple[int, str]]) -> tuple[list[_Row], list[Problem]]:
+    rows: list[_Row] = []
+    problems: list[Problem] = []
+    for line, text in lines:
+        if len(problems) > SHOWN:
+            break
+        # with tabs a name of an image may hold blanks
+        words = [w.strip() for w in text.split("\t")] if text.count("\t") >= 5 else text.split()
+        if len(words) < len(GCP_COLUMNS):
+            message = f"{len(words)} columns, {', '.join(GCP_COLUMNS)} and perhaps a name are needed: {quoted(text)}"
+            problems.append(Problem(line, None, message))
+            continue
+        bad = [
+            (c, w) for c, w in zip(GCP_COLUMNS[:5], words, strict=False) if number_of(w) is None and not _unknown(c, w)
+        ]
+        if bad:
+            hint = " (the decimal sign is a point)" if "," in bad[0][1] else ""
+            problems.append(Problem(line, bad[0][0], f"{no_number(bad[0][1])}{hint}"))
+            continue
+        if not words[5] or not "".join(words[5:7]).isprintable():
+            problems.append(Problem(line, "image", f"{quoted(words[5])} is no name of an image"))
+            continue
+        X, Y, Z, x, y = (float(w) for w in words[:5])
+        rows.append(_Row(line, (X, Y, Z), (x, y), words[5], words[6] if len(words) > 6 else ""))
+    return rows, problems
+
+
+def _unknown(column: str, word: str) -> bool:
+    """A height may be given as NaN."""
+    return column == "Z" and word.lower() == "nan"
+
+
+def _grouped(path: Path, crs: str, rows: Sequence[_Row], defaults: ControlDefaults) -> ControlFile:
+    named = [bool(r.name) for r in rows]
+    if any(named) and not all(named):
+        row = rows[named.index(False)]
+        message = "this line has no name of a point, others have; give all of them one, or none"
+        raise InputError(message, file=path, line=row.line, column="name")
+    points: dict[object, int] = {}
+    first: list[_Row] = []
+    index: list[int] = []
+    problems: list[Problem] = []
+    seen: dict[tuple[int, str], int] = {}
+    for row in rows:
+        key: object = row.name or repr(row.xyz)
+        k = points.setdefault(key, len(points))
+        if k == len(first):
+            first.append(row)
+        elif not np.array_equal(first[k].xyz, row.xyz, equal_nan=True):
+            message = f"point {quoted(row.name)} has other coordinates in line {first[k].line}; correct one of the two"
+            problems.append(Problem(row.line, "X", message))
+        if (k, row.image) in seen:
+            message = (
+                f"this point stands in image {quoted(row.image)} already, in line {seen[k, row.image]}; delete one"
+            )
+            problems.append(Problem(row.line, "image", message))
+        seen[k, row.image] = row.line
+        index.append(k)
+    if problems:
+        fail(path, problems)
+    xyz = np.array([r.xyz for r in first])
+    stem = "check" if defaults.role == "check" else "gcp"  # files of both may come without names
+    return ControlFile(
+        path=path,
+        crs=crs,
+        ids=tuple(r.name or f"{stem}{k:02d}" for k, r in enumerate(first)),
+        xyz=xyz,
+        sigma=_default_sigma(xyz, defaults),
+        role=np.full(len(first), ROLES[defaults.role], np.int32),
+        measurements=Measurements(
+            image=tuple(r.image for r in rows),
+            point=np.array(index, np.int32),
+            xy_px=np.array([r.xy for r in rows]),
+            line=np.array([r.line for r in rows], np.int32),
+        ),
+        remarks=() if any(named) else (_nameless(stem, 0),),
+        stem="" if any(named) else stem,
+    )
+
+
+def _nameless(stem: str, first: int) -> str:
+    return (
+        f"the file has no names; lines with the same X Y Z are one point: {stem}{first:02d}, {stem}{first + 1:02d} ..."
+    )
+
+
+def named_apart(files: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
+    """The files, of which those without names have names that no other file has: made ones count on."""
+    taken = {name for f in files if not f.stem for name in f.ids}
+    found: list[ControlFile] = []
+    for f in files:
+        first = 0
+        while f.stem and taken & {f"{f.stem}{first + k:02d}" for k in range(len(f.ids))}:
+            first += 1
+        if first:
+            remarks = tuple(_nameless(f.stem, first) if r == _nameless(f.stem, 0) else r for r in f.remarks)
+            f = replace(f, ids=tuple(f"{f.stem}{first + k:02d}" for k in range(len(f.ids))), remarks=remarks)  # noqa: PLW2901
+        taken.update(f.ids)
+        found.append(f)
+    return tuple(found)
+
+
+def _default_sigma(xyz: Array, defaults: ControlDefaults) -> Array:
+    sigma = np.tile([defaults.plan, defaults.plan, defaults.height], (len(xyz), 1))
+    return np.where(np.isfinite(xyz), sigma, np.nan)
+
+
+def _with_unknown_heights(control: ControlFile, stated: Mask) -> ControlFile:
+    """Control whose heights are believed: a column of equal heights beside points that differ is no measurement.
+
+    stated  (n,) heights whose standard deviation stands in the file: they are believed, whatever they are
+    Heights that are exactly 0 at all of several points are what programs write where nothing is known.  Others that are
+    equal: of level ground, heights measured with the standard deviation s and written in steps of d agree to the last
+    digit by chance with the probability (d / (2 sqrt(pi) s))^(n - 1), the density of a difference of two at 0 times the
+    step; below CHANCE that is not believed.
+    """
+    z = control.xyz[:, 2]
+    asked = np.isfinite(z) & ~stated
+    heights, n = z[asked], int(asked.sum())
+    if n < 2 or np.ptp(heights) > 0 or not np.ptp(control.xyz[asked, :2], axis=0).any():
+        return control
+    if heights[0] == 0:
+        what = f"all {n} heights are exactly 0"
+    else:
+        step = 10.0 ** -len(repr(float(heights[0])).partition(".")[2].rstrip("0"))
+        s = float(np.max(control.sigma[asked, 2]))
+        chance = (step / (2 * np.sqrt(np.pi) * s)) ** (n - 1) if s > 0 else 1.0
+        if chance >= CHANCE:
+            return control
+        what = f"all {n} heights are {heights[0]:g}, to the last digit"
+    unknown = np.where(asked, np.nan, 1.0)
+    xyz, sigma = control.xyz.copy(), control.sigma.copy()
+    xyz[:, 2] *= unknown
+    sigma[:, 2] *= unknown
+    remark = (
+        f"{control.path.name}: {what} and are taken as unknown, not measured: the points control or check plan alone. "
+        "If they were measured, a CSV with a column sZ says so"
+    )
+    return replace(control, xyz=xyz, sigma=sigma, remarks=(*control.remarks, remark))
+
+
+def _read_csv(path: Path, measurements: Path | None, defaults: ControlDefaults) -> ControlFile:
+    table = read_table(
+        path,
+        (
+            Column(name="point", kind="id"),
+            *(Column(name=n, kind="number", empty=True) for n in XYZ),
+            *(Column(name=n, kind="number", empty=True, optional=True, limit=">= 0") for n in SIGMA),
+            Column(name="role", kind="text", optional=True, empty=True),
+            Column(name="radius", kind="number", empty=True, optional=True, limit="> 0"),
+            *(Column(name=n, kind="number", empty=True, optional=True) for n in NORMAL),
+        ),
+    )
+    ids, xyz, sigma = table.text["point"], table.numbers(*XYZ), table.numbers(*SIGMA)
+    roles = table.text.get("role", ("",) * len(ids))
+    known = {"": ROLES[defaults.role], **ROLES}
+    problems = [
+        Problem(k + 2, "role", f"{quoted(r)} is not one of control, check, tie")
+        for k, r in enumerate(roles)
+        if r not in known
+    ]
+    bare = np.isfinite(sigma) & ~np.isfinite(xyz)
+    problems += [
+        Problem(int(k) + 2, SIGMA[a], f"point {quoted(ids[k])} has {SIGMA[a]} but no {XYZ[a]}; give the coordinate too")
+        for k, a in np.argwhere(bare)
+    ]
+    empty = np.flatnonzero(~np.isfinite(xyz).any(axis=1))
+    problems += [
+        Problem(int(k) + 2, "X", f"point {quoted(ids[k])} has no coordinate; give one, or delete the line")
+        for k in empty
+        if known.get(roles[k]) != Role.TIE
+    ]
+    normal = table.numbers(*NORMAL)
+    length = np.linalg.norm(normal, axis=1)
+    problems += [
+        Problem(int(k) + 2, NORMAL[0], f"point {quoted(ids[k])}: nX, nY, nZ are one vector; give all three, not all 0")
+        for k in np.flatnonzero(np.isfinite(normal).any(axis=1) & ~(length > 0))
+    ]
+    if problems:
+        fail(path, problems[: SHOWN + 1])
+    given = np.isfinite(sigma)
+    remarks: tuple[str, ...] = ()
+    if (np.isfinite(xyz) & ~given).any():
+        remarks = (f"coordinates without a sigma get {defaults.plan:g} in plan and {defaults.height:g} in height",)
+    beside = path.with_name(f"{path.stem}-{MEASUREMENTS}.csv")
+    file = measurements or (beside if beside.is_file() else None)
+    control = ControlFile(
+        path=path,
+        crs=None,
+        ids=ids,
+        xyz=xyz,
+        sigma=np.where(given, sigma, _default_sigma(xyz, defaults)),
+        role=np.array([known[r] for r in roles], np.int32),
+        measurements=_no_measurements() if file is None else read_measurements(file, ids, str(path)),
+        remarks=remarks,
+        radius=table.numbers("radius")[:, 0],
+        normal=normal / np.where(length > 0, length, np.nan)[:, None],
+        stated=np.asarray(given[:, :2].any(axis=1), bool),
+    )
+    return _with_unknown_heights(control, given[:, 2])
+
+
+def _no_measurements() -> Measurements:
+    none = np.zeros(0, np.int32)
+    return Measurements(image=(), point=none, xy_px=np.zeros((0, 2)), line=none)
+
+
+def read_measurements(path: str | Path, ids: Sequence[str], where: str) -> Measurements:
+    """The image measurements `image,point,x_px,y_px` of a CSV file.
+
+    ids     names of the points that it may refer to; where: the file that holds them, for the message
+    raises  InputError with line and column, also where a point stands twice in an image
+    """
+    images: dict[str, int] = {}
+    table = read_table(
+        Path(path),
+        (
+            Column(name="image", kind="new_reference", known=images),
+            Column(name="point", kind="reference", known={p: k for k, p in enumerate(ids)}, where=where),
+            Column(name="x_px", kind="number"),
+            Column(name="y_px", kind="number"),
+        ),
+        unique=("image", "point"),
+    )
+    names = list(images)
+    return Measurements(
+        image=tuple(names[k] for k in table.index["image"].tolist()),
+        point=table.index["point"],
+        xy_px=table.numbers("x_px", "y_px"),
+        line=np.arange(table.rows, dtype=np.int32) + 2,
+    )
+
+
+def _read_block_points(folder: Path, defaults: ControlDefaults) -> ControlFile:
+    """Control and check points of a block folder, with their image observations."""
+    from raybundle.io.block.folder import read_block  # noqa: PLC0415  (a whole block, which the other ways do not need)
+
+    del defaults  # a block says everything
+    block = in_file_frames(read_block(folder))
+    named = np.flatnonzero(block.points.role != Role.TIE)
+    if len(named) == 0:
+        raise InputError("the block holds neither control nor check points", file=folder / "points.csv")
+    position = np.full(len(block.points), -1, np.int32)
+    position[named] = np.arange(len(named))
+    o = block.observations
+    rows = np.flatnonzero(position[o.point] >= 0)
+    files = [f or i for f, i in zip(block.images.file, block.images.ids, strict=True)]
+    return ControlFile(
+        path=folder,
+        crs=None,
+        ids=tuple(block.points.ids[k] for k in named.tolist()),
+        xyz=block.points.xyz[named],
+        sigma=block.points.sigma[named],
+        role=np.asarray(block.points.role)[named],
+        measurements=Measurements(
+            image=tuple(files[k] for k in o.image[rows].tolist()),
+            point=position[o.point[rows]],
+            xy_px=o.xy_px[rows],
+            line=rows.astype(np.int32) + 2,
+        ),
+        stated=np.ones(len(named), bool),
+    )

@@ -1,0 +1,1 @@
+"""Pictures made of photographs: without distortion, or of a plane to scale."""

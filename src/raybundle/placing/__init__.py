@@ -1,0 +1,1 @@
+"""Where a block stands: control, scale, positions, attitudes, coordinate systems, and what contradicts them."""

@@ -1,0 +1,382 @@
+"""Attitudes that an INS or a gimbal tells of photographs: whether they are used, whether they are what they are called.
+
+They are observed with a misalignment (boresight) for each camera.  A misalignment is one small rotation for all
+photographs, so that a wrong convention shows: after the best mounting the turns of the photographs against what was
+told scatter by far more than the standard deviations.  Such attitudes are left out and the reading that fits is named.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+
+from raybundle.block import Block, Instrument
+from raybundle.block.block import Attitudes
+from raybundle.errors import InputError
+from raybundle.io.geo.coordinate_systems import LocalFrame
+from raybundle.io.photos.photo import Photo
+from raybundle.io.trajectories import PhotoAttitudes, Trajectory, attitudes_of_file, attitudes_of_gimbals
+from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.attitude import rotation_from_gimbal, rotation_from_opk, rotation_from_pok, rotation_from_rpy
+from raybundle.numerics.counting import counted
+from raybundle.numerics.rotation import (
+    angle_derivatives,
+    angles_from_rotation,
+    nearest_rotation,
+    rotation_from_vector,
+    vector_from_rotation,
+)
+from raybundle.placing.marks import Given, Placing
+from raybundle.platforms.imu import Imu
+
+Convention = Literal["auto", "none", "opk", "rpy-ned", "gimbal"]
+GROSS, LEAST, MOST = 6.0, np.radians(3.0), np.radians(15.0)
+"""Median scatter beyond which attitudes do not fit: so many standard deviations, at least and at most so much."""
+DOUBT = 4.0
+"""The same in standard deviations where another reading of the angles leaves a third of it."""
+BETTER = 3.0
+MOUNTED = np.radians(20.0)
+"""How far the camera may stand from a whole number of quarter turns in its mount."""
+SINGLE = 10.0
+"""Distance of one attitude from the others, in standard deviations, from which it is left out; at least LEAST."""
+STEEP = 0.02
+"""Cosine of phi below which omega, phi, kappa do not describe an attitude well."""
+ENOUGH = 4
+"""Attitudes from which their scatter tells a convention."""
+SAMPLE = 200
+ACROSS, NOMINAL = 10.0, float(np.radians(1.0))
+"""Spread of the positions across their line, in their standard deviations, below which they tell no turn about it;
+and what the mounting of the camera is then taken to be good to."""
+
+READINGS: dict[str, Callable[[Array], Array]] = {
+    "omega, phi, kappa": rotation_from_opk,
+    "phi, omega, kappa with phi the primary angle": lambda a: rotation_from_pok(a[:, [1, 0, 2]]),
+    "omega, phi, kappa of the inverse rotation (camera to object)": lambda a: np.swapaxes(rotation_from_opk(a), 1, 2),
+    "omega, phi, kappa with omega and phi reversed": lambda a: rotation_from_opk(a * [-1, -1, 1]),
+    "omega, phi, kappa with kappa reversed": lambda a: rotation_from_opk(a * [1, 1, -1]),
+    "roll, pitch, yaw against north, east, down": rotation_from_rpy,
+    "roll, pitch, yaw with roll reversed": lambda a: rotation_from_rpy(a * [-1, 1, 1]),
+    "roll, pitch, yaw with pitch reversed": lambda a: rotation_from_rpy(a * [1, -1, 1]),
+    "roll, pitch, yaw with roll and pitch reversed": lambda a: rotation_from_rpy(a * [-1, -1, 1]),
+    "pitch, roll, yaw (the first two exchanged)": lambda a: rotation_from_rpy(a[:, [1, 0, 2]]),
+    "roll, pitch, yaw with yaw counted from east, counterclockwise": lambda a: rotation_from_rpy(
+        np.stack([a[:, 0], a[:, 1], np.pi / 2 - a[:, 2]], axis=1)
+    ),
+    "yaw, pitch, roll of the camera (gimbal)": rotation_from_gimbal,
+    "yaw, pitch, roll of the aircraft": lambda a: rotation_from_rpy(a[:, ::-1]),
+    "roll, pitch, yaw of the camera (gimbal)": lambda a: rotation_from_gimbal(a[:, ::-1]),
+}
+"""What three angles may mean besides what they are called, in words."""
+CALLED = {
+    "opk": "omega, phi, kappa",
+    "rpy-ned": "roll, pitch, yaw against north, east, down",
+    "gimbal": "yaw, pitch, roll of the camera (gimbal)",
+}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Fit:
+    """How attitudes fit the photographs with one mounting of the camera."""
+
+    mount: Array
+    """(3, 3) told to image axes"""
+    apart: Array
+    """(n,) angles of the photographs from it [rad]"""
+
+    @property
+    def scatter(self) -> float:
+        """Median of the angles [rad]."""
+        return float(np.median(self.apart))
+
+    @property
+    def quarter(self) -> int:
+        """Quarter turns about the view, -1 to 2, that are nearest to the mounting."""
+        angle = np.arctan2(self.mount[1, 0] - self.mount[0, 1], self.mount[0, 0] + self.mount[1, 1])
+        return (round(float(angle) / (np.pi / 2)) + 1) % 4 - 1
+
+    @property
+    def quarters(self) -> Array:
+        """(3, 3) those turns."""
+        return rotation_from_vector(np.array([0.0, 0.0, self.quarter * np.pi / 2]))
+
+    @property
+    def askew(self) -> float:
+        """Angle that the mounting is away from them [rad]."""
+        return float(np.linalg.norm(_vector(self.mount @ self.quarters.T)))
+
+
+def find_attitudes(
+    photos: Sequence[Photo], positions: Trajectory | None, *, use: Convention, sigma_deg: tuple[float, float] | None,
+    crs: str | None,
+) -> tuple[PhotoAttitudes | None, tuple[str, ...]]:  # fmt: skip
+    """The attitudes to be observed, and remarks.
+
+    use        the convention that is expected; auto: whatever there is, where standard deviations are known
+    sigma_deg  about level axes and the vertical, where none are stated
+    raises     InputError where a convention is asked for that is not there, or one without standard deviations
+    """
+    if use == "none":
+        return None, ()
+    a, b = (float(np.radians(v)) for v in sigma_deg or (0.0, 0.0))
+    sigma = (a, b) if sigma_deg is not None else None
+    found = None if positions is None else attitudes_of_file(positions, photos, crs=crs, sigma=sigma)
+    if found is None and (use == "gimbal" or sigma is not None):
+        found = attitudes_of_gimbals(photos, sigma=sigma)
+    if found is None:
+        if use != "auto" or sigma is not None:
+            raise InputError(
+                "attitudes are asked for, and neither --positions nor the photographs have any; give a CSV with "
+                "omega_deg, phi_deg, kappa_deg or roll_deg, pitch_deg, yaw_deg"
+            )
+        return None, ()
+    if use not in {"auto", found.convention}:
+        raise InputError(f"{found.source} has attitudes as {found.convention}, not as {use}; give --attitudes auto")
+    if found.stated == 0:
+        told = f"{found.source} has attitudes without standard deviations"
+        if use != "auto":
+            raise InputError(f"{told}; give --attitude-sigma TILT HEADING [deg]")
+        return None, (f"{told}: they are not used. --attitude-sigma TILT HEADING observes them",)
+    return _with_covariance(found), ()
+
+
+def _with_covariance(a: PhotoAttitudes) -> PhotoAttitudes:
+    keep = np.asarray(np.isfinite(a.covariance).all(axis=(1, 2)), bool)
+    return replace(
+        a, names=tuple(n for n, k in zip(a.names, keep, strict=True) if k), rotation=a.rotation[keep],
+        covariance=a.covariance[keep], angles=a.angles[keep], against_enu=a.against_enu[keep],
+    )  # fmt: skip
+
+
+def observe_attitudes(state: Placing, photos: Sequence[Photo], given: Given, frame: LocalFrame) -> None:
+    """Observe the attitudes in a placed block, with a misalignment of each camera; or say why not."""
+    told = given.attitudes
+    if told is None:
+        return
+    number = {p.name: i for i, p in enumerate(photos)}
+    image = np.array([number.get(n, -1) for n in told.names], np.int32)  # -1: a photograph that is not used
+    block = state.block
+    cameras = np.unique(block.images.camera[image[image >= 0]])
+    mine = np.flatnonzero((image >= 0) & np.asarray(block.images.oriented)[image])
+    image = image[mine]
+    R, enu_from_local = block.images.rotation[image], _enu_from_local(block.images.centre[image], frame)
+    part = replace(
+        told, names=tuple(told.names[k] for k in mine), rotation=told.rotation[mine] @ enu_from_local,
+        covariance=told.covariance[mine], angles=told.angles[mine],
+        against_enu=told.against_enu[mine] @ enu_from_local,
+    )  # fmt: skip
+    taken = {c.id for c in block.parametrised}
+    imus: list[Instrument] = []
+    used: list[_Mounted] = []
+    nominal = _in_a_line(block) and given.misalignment
+    for n, c in enumerate(cameras.tolist()):
+        mounted = _mounted(state, part, np.flatnonzero(block.images.camera[image] == c), R, n)
+        name = "ins" if len(cameras) == 1 else f"ins-{block.cameras[c].id}"
+        while name in taken:
+            name += "_"
+        imus.append(_imu(name, mounted.misalignment, NOMINAL if nominal else None))
+        if len(mounted.rows):
+            used.append(mounted)
+            _tell_convergence(state, block, part, mounted, frame)
+    if used and nominal:
+        state.tell(
+            "attitudes_nominal",
+            "the positions lie in a line and no control tells how the block is turned about it: the attitudes do, with "
+            f"a camera taken to be mounted as stated to {np.degrees(NOMINAL):g} deg; fly a line across, or give "
+            "control",
+        )
+    _observe(state, part, image, used, imus if given.misalignment else [])
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Mounted:
+    """The attitudes of one camera that are used."""
+
+    rows: Index
+    imu: int
+    turn: Array
+    """(3, 3) whole quarter turns of the camera about its view, by which it is mounted"""
+    misalignment: Array
+    """(3,) [rad] at the start"""
+
+
+def _observe(state: Placing, told: PhotoAttitudes, image: Index, used: list[_Mounted], imus: list[Instrument]) -> None:
+    """Attitudes and IMUs into the block; the block of every part gets all IMUs, so that they are numbered alike."""
+    block = state.block
+    first = len(block.instruments)
+    state.block = block = replace(block, instruments=(*block.instruments, *imus))
+    if not used:
+        return
+    rows = np.concatenate([m.rows for m in used])
+    turn = np.concatenate([np.tile(m.turn, (len(m.rows), 1, 1)) for m in used])
+    imu = np.concatenate([np.full(len(m.rows), first + m.imu) for m in used])
+    R = turn @ told.rotation[rows]
+    angles = angles_from_rotation(R)
+    steep = np.abs(np.cos(angles[:, 1])) < STEEP
+    if steep.any():
+        names = [told.names[k] for k in rows[steep]]
+        state.tell(
+            "attitudes_steep", f"attitudes of {_listed(names)} are not used: they look along the X axis, where omega "
+            "and kappa turn about one axis", *names,
+        )  # fmt: skip
+    order = np.flatnonzero(~steep)[np.argsort(image[rows[~steep]], kind="stable")]
+    rows, turn, imu, R, angles = rows[order], turn[order], imu[order], R[order], angles[order]
+    D = angle_derivatives(R) @ turn
+    variance = np.diagonal(D @ told.covariance[rows] @ np.swapaxes(D, 1, 2), axis1=1, axis2=2)
+    state.block = block.having(
+        Attitudes(image=image[rows], angles=angles, sigma=np.sqrt(variance), imu=imu.astype(np.int32) if imus else None)
+    )
+    message = (
+        f"the attitudes of {counted(len(rows), 'photograph')} are observed ({told.convention}, from {told.source})"
+    )
+    state.tell("attitudes", message + (f", with the misalignment of {counted(len(imus), 'camera')}" if imus else ""))
+
+
+def _mounted(state: Placing, told: PhotoAttitudes, rows: Index, R: Array, imu: int) -> _Mounted:
+    """The attitudes of one camera (rows of `told`) against its photographs' rotations R; none where they contradict."""
+    nothing = _Mounted(rows=rows[:0], imu=imu, turn=np.eye(3), misalignment=np.zeros(3))
+    if not len(rows):
+        return nothing
+    fit = fit_mount(R[rows], told.rotation[rows])
+    sigma = float(np.sqrt(np.median(np.trace(told.covariance[rows], axis1=1, axis2=2))))
+    limit = min(max(GROSS * sigma, LEAST), MOST)
+    other = _better_reading(told, rows, R, fit)
+    doubt = other is not None and (fit.scatter > DOUBT * sigma or fit.askew > MOUNTED)
+    alone = fit.askew > MOUNTED and (fit.scatter > DOUBT * sigma or _one_heading(told, rows))
+    if fit.scatter > limit or doubt or alone:
+        state.tell("attitudes_contradict", _contradiction(told, fit, sigma, other))
+        return nothing
+    turn = fit.mount if fit.askew > MOUNTED else fit.quarters
+    if fit.askew > MOUNTED or fit.quarter:
+        state.tell("attitudes_mount", _mounting(told, rows, fit))
+    far = fit.apart > max(SINGLE * sigma, LEAST)
+    if far.any():
+        names = [told.names[k] for k in rows[far]]
+        state.tell(
+            "attitude_wrong", f"attitudes of {_listed(names)} are left out: they miss the photographs by "
+            f"{np.degrees(fit.apart[far].max()):.1f} deg where the others scatter by {np.degrees(fit.scatter):.2f} deg",
+            *names,
+        )  # fmt: skip
+    return _Mounted(rows=rows[~far], imu=imu, turn=turn, misalignment=_vector(fit.mount @ turn.T))
+
+
+def _mounting(told: PhotoAttitudes, rows: Index, fit: Fit) -> str:
+    angle = np.linalg.norm(_vector(fit.mount))
+    turned = f"{90 * fit.quarter} deg about its view" if fit.askew <= MOUNTED else f"{np.degrees(angle):.0f} deg"
+    return (
+        f"the camera is turned by {turned} against the attitudes of {told.source}; that is taken for its mounting"
+        + ("; all headings are alike, so that a wrong yaw would look the same" if _one_heading(told, rows) else "")
+    )
+
+
+def _contradiction(told: PhotoAttitudes, fit: Fit, sigma: float, other: tuple[str, Fit] | None) -> str:
+    message = (
+        f"the attitudes of {told.source}, read as {CALLED[told.convention]}, contradict the photographs and are left "
+        f"out: after the best mounting of the camera they scatter by {np.degrees(fit.scatter):.2f} deg (median), their "
+        f"standard deviation is {np.degrees(sigma):.2g} deg"
+    )
+    if fit.askew > MOUNTED and fit.scatter < MOST:
+        message += f", and the mounting is {np.degrees(fit.askew):.0f} deg away from a whole number of quarter turns"
+    if other is not None:
+        name, found = other
+        return f"{message}. Read as {name} they scatter by {np.degrees(found.scatter):.2f} deg: name the columns so"
+    return (
+        f"{message}. Look at their convention, at the times of the exposures, and whether the rows belong to these "
+        "photographs"
+    )
+
+
+def fit_mount(R: Array, told: Array) -> Fit:
+    """The one mounting M of R = M told (n, 3, 3) that most of them share, and how far each is from it.
+
+    Robust: of the mountings that single photographs give, the one that has the least median distance to the others.
+    """
+    M = R @ np.swapaxes(told, 1, 2)
+    some = M[np.linspace(0, len(M) - 1, min(len(M), SAMPLE)).astype(int)]
+    # trace of A B' = 1 + 2 cos(angle)
+    apart = _angles(np.einsum("aij,bij->ab", some, M))
+    best = some[int(np.median(apart, axis=1).argmin())]
+    near = _angles(np.einsum("ij,bij->b", best, M))
+    close = M[near <= 3 * max(float(np.median(near)), 1e-9)]
+    mount = nearest_rotation(close.mean(axis=0))
+    return Fit(mount=mount, apart=_angles(np.einsum("ij,bij->b", mount, M)))
+
+
+def _angles(trace: Array) -> Array:
+    return np.arccos(np.clip((trace - 1) / 2, -1.0, 1.0))
+
+
+def _better_reading(told: PhotoAttitudes, rows: Index, R: Array, fit: Fit) -> tuple[str, Fit] | None:
+    """Another reading of the angles that fits clearly better, or as well without a mounting askew; None: there is none.
+
+    Fewer than ENOUGH attitudes tell nothing: with one mounting to choose, many readings fit a few of them.
+    """
+    if len(rows) < ENOUGH:
+        return None
+    fits = {
+        name: fit_mount(R[rows], make(told.angles[rows]) @ told.against_enu[rows])
+        for name, make in READINGS.items() if name != CALLED[told.convention]
+    }  # fmt: skip
+    name = min(fits, key=lambda n: (fits[n].scatter > 1.1 * min(f.scatter for f in fits.values()), fits[n].askew))
+    found = fits[name]
+    straight = fit.askew > MOUNTED >= found.askew and found.scatter < 1.5 * fit.scatter
+    return (name, found) if found.scatter < fit.scatter / BETTER or straight else None
+
+
+def _vector(rotation: Array) -> Array:
+    return vector_from_rotation(rotation[None])[0]
+
+
+def _one_heading(told: PhotoAttitudes, rows: Index) -> bool:
+    """Whether the attitudes differ too little to tell a mounting from a wrong zero of their angles."""
+    return bool(_angles(np.einsum("ij,bij->b", told.rotation[rows[0]], told.rotation[rows])).max() < MOUNTED)
+
+
+def _tell_convergence(state: Placing, block: Block, told: PhotoAttitudes, mounted: _Mounted, frame: LocalFrame) -> None:
+    """Say so where the misalignment about the vertical is what true north and grid north differ by."""
+    oriented = block.images.centre[block.images.oriented]
+    lon, lat, _ = frame.wgs84_from_local(oriented.mean(axis=0)[None])[0]
+    middle = 6 * np.floor(lon / 6) + 3
+    convergence = float(np.arctan(np.tan(np.radians(lon - middle)) * np.sin(np.radians(lat))))
+    up = np.mean(mounted.turn @ told.rotation[mounted.rows], axis=0)[:, 2]
+    about = float(mounted.misalignment @ up)
+    sigma = float(np.sqrt(np.median(told.covariance[mounted.rows, 2, 2]) / len(mounted.rows)))
+    tolerance = max(3 * sigma, np.radians(0.05))
+    if abs(convergence) > 3 * tolerance and abs(abs(about) - abs(convergence)) < tolerance:
+        state.tell(
+            "attitudes_convergence",
+            f"the attitudes are turned by {np.degrees(about):+.2f} deg about the vertical, which is what grid north "
+            f"and true north differ by here in UTM ({np.degrees(convergence):+.2f} deg): look to which of the two they "
+            "refer; the misalignment has taken the difference",
+        )
+
+
+def _enu_from_local(centre: Array, frame: LocalFrame) -> Array:
+    """(n, 3, 3) from the axes of the block to east, north, up at local places (n, 3)."""
+    return np.swapaxes(frame.local_from_enu(frame.crs_from_local(centre)), 1, 2)
+
+
+def _in_a_line(block: Block) -> bool:
+    """Whether nothing but attitudes tells how the block is turned about the line of its positions."""
+    xyz, sigma = block.stations.xyz, block.stations.sigma
+    known = np.isfinite(xyz).all(axis=1)
+    if block.points.is_control.all(axis=1).sum() >= 3 or known.sum() < 2:
+        return False
+    across = np.linalg.svd(xyz[known] - xyz[known].mean(axis=0), compute_uv=False)[1] / np.sqrt(known.sum())
+    return bool(across < ACROSS * np.sqrt(np.mean(sigma[known] ** 2)))
+
+
+def _listed(names: Sequence[str]) -> str:
+    return ", ".join(names[:5]) + (f" and {len(names) - 5} more" if len(names) > 5 else "")
+
+
+def _imu(name: str, misalignment: Array, sigma: float | None) -> Instrument:
+    """The IMU of a camera; its misalignment free, or observed to be none with a standard deviation [rad]."""
+    symbols = tuple(p.symbol for p in Imu.parameters)
+    start = misalignment if sigma is None else np.zeros(3)
+    return Instrument(
+        id=name, model=Imu.name, estimate=symbols, values=dict(zip(symbols, start.tolist(), strict=True)),
+        sigma={} if sigma is None else dict.fromkeys(symbols, sigma),
+    )  # fmt: skip

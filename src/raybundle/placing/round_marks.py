@@ -1,0 +1,68 @@
+"""Marks that are centres of round targets: what is measured is the centre of an ellipse, not the image of the centre.
+
+Radii stand in the control file, normals there or in the neighbours: targets on a wall or a floor lie in a plane.  The
+offset depends on the orientation to second order only, so that it is taken off once, in the block as it was placed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from raybundle.block import Block
+from raybundle.calibration.eccentricity import eccentricity_px, target_normals
+from raybundle.io.geo.control_files import ControlFile
+from raybundle.numerics.arrays import Array
+from raybundle.placing.marks import Placing
+
+
+def take_eccentricity_off(state: Placing, control: Sequence[ControlFile]) -> None:
+    """Move measured centres of round targets to the images of their centres; the block stands in metres.
+
+    Targets whose normal nothing tells stay as measured, and are told.
+    """
+    block = state.block
+    radius, stated = _as_given(block, control)
+    o = block.observations
+    rows = np.flatnonzero((radius[o.point] > 0) & block.images.oriented[o.image])
+    if not len(rows):
+        return
+    round_ = np.flatnonzero(radius > 0)
+    normal = np.full(block.points.xyz.shape, np.nan)
+    normal[round_] = target_normals(block.points.xyz[round_])
+    given = np.isfinite(stated).all(axis=1)
+    normal[given] = stated[given]
+    unknown = [block.points.ids[k] for k in round_ if not np.isfinite(normal[k]).all()]
+    placed = np.isfinite(block.points.xyz).all(axis=1)
+    shift = eccentricity_px(block, np.where(placed, radius, 0.0), normal)
+    state.block = replace(block, observations=replace(o, xy_px=o.xy_px - shift))
+    largest = float(np.linalg.norm(shift[rows], axis=1).max())
+    done = len(round_) - len(unknown)
+    if done:
+        state.tell(
+            "target_eccentricity",
+            f"the measured centres of {done} round targets were moved to the images of their centres, by "
+            f"{largest:.2g} px at most",
+        )
+    if unknown:
+        state.tell(
+            "target_without_normal",
+            f"round targets whose centres stay as measured, since nothing tells which way they face (columns nX, nY, "
+            f"nZ, or four targets of one plane): {', '.join(unknown[:5])}",
+            *unknown,
+        )
+
+
+def _as_given(block: Block, control: Sequence[ControlFile]) -> tuple[Array, Array]:
+    """Radii (p,) and normals (p, 3) of the points of a block; NaN where nothing is stated."""
+    index = {name: k for k, name in enumerate(block.points.ids)}
+    radius, normal = np.full(len(index), np.nan), np.full((len(index), 3), np.nan)
+    for file in control:
+        for k, name in enumerate(file.ids):
+            if name in index and file.radius is not None:
+                radius[index[name]] = file.radius[k]
+            if name in index and file.normal is not None:
+                normal[index[name]] = file.normal[k]
+    return radius, normal

@@ -1,0 +1,100 @@
+"""Figures of what corrects the trajectory of a line scanner: position and attitude against time, with their sigma."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, cast
+
+import numpy as np
+
+from raybundle.block import Camera
+from raybundle.numerics.arrays import Array
+from raybundle.report.figures.svg import Plot, axes, band, drawing, fitted, line, span
+from raybundle.report.parts import Figure
+from raybundle.report.text.numbers import significant, with_sigma
+from raybundle.report.view import View
+
+if TYPE_CHECKING:
+    from raybundle.scenes.sensor import LineSensor
+    from raybundle.scenes.trajectory import Shape
+
+TIMES = 201
+"""At which a curve is drawn."""
+NAMES = {
+    "position": ("position along track", "position across track", "height"),
+    "attitude": ("attitude about x", "attitude about y", "attitude about z"),
+}
+
+
+def correction_figures(view: View, camera: Camera) -> tuple[Figure, ...]:
+    """The corrections of position and attitude against time, each about its mean; none where all are constant."""
+    sensor = cast("LineSensor", camera.scene)
+    model, covariance = sensor.corrections, _covariance(view, camera)
+    values = model.split(camera.parameters)
+    tau = np.linspace(-1.0, 1.0, TIMES)
+    time = (tau + 1) * abs(sensor.scene.middle_and_half[1])
+    found: list[Figure] = []
+    start = 0
+    for part, shape, coefficients, factor, unit in (
+        ("position", model.shapes(tau)[0], values.position, view.factor, view.unit),
+        ("attitude", model.shapes(tau)[1], values.attitude, math.degrees(1), "°"),
+    ):
+        if len(coefficients) > 1:
+            for axis, name in enumerate(NAMES[part]):
+                design = _design(shape, start + axis, len(camera.parameters))
+                found.append(_figure(time, design, camera.parameters, covariance, factor, unit, name))
+        start += coefficients.size
+    return tuple(found)
+
+
+def _covariance(view: View, camera: Camera) -> Array:
+    """(k, k) of all parameters of a camera; zero where one is held, NaN without statistics."""
+    symbols, precision = camera.sensor.symbols, view.adjustment.precision
+    full = np.zeros((len(symbols), len(symbols)))
+    own = None if precision is None else precision.interior.get(camera.id)
+    if precision is None or own is None:
+        return full * np.nan if precision is None else full
+    at = [symbols.index(s) for s in precision.parameters[camera.id]]
+    full[np.ix_(at, at)] = own
+    return full
+
+
+def _design(shape: Shape, first: int, count: int) -> Array:
+    """(n, count) derivatives of the correction of an axis at each time by all parameters."""
+    design = np.zeros((len(shape.touched), count))
+    np.add.at(design, (np.arange(len(design))[:, None], first + 3 * shape.touched), shape.values)
+    return design
+
+
+def _figure(
+    time: Array, design: Array, parameters: Array, covariance: Array, factor: float, unit: str, name: str
+) -> Figure:
+    mean = design.mean(axis=0)
+    about = design - mean
+    value = about @ parameters * factor
+    sigma = np.sqrt(np.maximum(np.einsum("ni,ij,nj->n", about, covariance, about), 0)) * factor
+    middle, spread = float(mean @ parameters) * factor, float(np.sqrt(max(mean @ covariance @ mean, 0))) * factor
+    banded = bool(np.isfinite(sigma).all())
+    low, high = (value - sigma, value + sigma) if banded else (value, value)
+    plot = fitted(
+        Plot(
+            width=285,
+            height=200,
+            right=14,
+            x_range=(float(time[0]), float(time[-1])),
+            y_range=span(low, high, zero=True),
+        )
+    )
+    parts = [
+        axes(plot, "time from the first line [s]", f"correction [{unit}]"),
+        band(plot, time, low, high, "band first") if banded else "",
+        line(plot, np.array([time[0], time[-1]]), np.zeros(2), "zero"),
+        line(plot, time, value, "curve first"),
+    ]
+    told = " ± ".join(with_sigma(middle, spread)) if banded and spread > 0 else significant(middle, 3)
+    largest = float(np.abs(value).max())
+    return Figure(
+        drawing=drawing(plot.width, plot.height, parts, f"correction of the {name} against time"),
+        caption=f"Correction of the {name} about its mean of {told} {unit}: at most {significant(largest, 2)} {unit}"
+        + ("; band: one sigma." if banded else "."),
+    )

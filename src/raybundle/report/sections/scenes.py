@@ -1,0 +1,411 @@
+"""Sections: satellite scenes, and strips of aerial line scanners: corrections, residuals along the track, jitter."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import TYPE_CHECKING, cast
+
+import numpy as np
+
+from raybundle.adjustment.result import InteriorResult
+from raybundle.block import Camera
+from raybundle.numerics.arrays import Array, Index
+from raybundle.report.figures.corrections import correction_figures
+from raybundle.report.figures.interior import format_plot, scale_bar
+from raybundle.report.figures.residuals import exaggeration, image_vectors
+from raybundle.report.figures.series import Running, line_figure, running, series_figure
+from raybundle.report.figures.svg import Drawing, drawing, round_below, vectors
+from raybundle.report.parts import (
+    Column,
+    Figure,
+    Figures,
+    Folded,
+    Heading,
+    Paragraph,
+    Part,
+    Section,
+    Statements,
+    Table,
+    number,
+    table,
+    text,
+)
+from raybundle.report.residuals import normalised
+from raybundle.report.text.numbers import NONE, counted, fixed, grouped, listed, probability, significant, with_sigma
+from raybundle.report.text.words import printed
+from raybundle.report.view import View, rms
+
+if TYPE_CHECKING:
+    from raybundle.scenes.sensor import LineSensor, SceneSensor
+
+OPEN_ROWS = 60
+"""Longer tables are folded."""
+MOST_DRAWN = 6
+"""Scenes with figures of their own."""
+GRID = 8
+"""Bias vectors along the longer side of a scene."""
+LINES, COLUMNS = 240, 5
+"""Lines and columns at which a rigorous scene is compared with its RPC."""
+RELIEF_M = 300.0
+BELIEVED = 0.001
+"""Probability by chance below which a wave along the track counts as seen."""
+SMOOTH_PX = 0.001
+"""A rigorous model that is nearer than that to its RPC has no jitter to draw."""
+AWAY = 1.0
+"""Distance from its ground at which a scene is drawn, in extents of the block."""
+WIDTH = 300.0
+
+
+def scene_section(view: View) -> Section | None:
+    """Bias, residuals along the track and jitter of every satellite scene; None for a block without any."""
+    images = [i for i in _images(view) if not is_strip(_camera(view, i))]
+    if not images:
+        return None
+    about = (
+        f"{counted(len(images), 'scene')} with the geometry of their vendors; what the adjustment adds is listed here. "
+        "A bias is added to what the geometry projects, in pixels of the scene. Maps and figures of the network show a "
+        "scene near its ground, in the direction from which it was taken."
+    )
+    known = (
+        "Stated sigma: what was known before, as the vendor's ERR_BIAS. Marked: more than three times as large, which "
+        "says that the file, the control or its coordinate system deserves a second look."
+    )
+    parts = [Paragraph(text=about), _bias_table(view, images, known), *_figures_and_words(view, images, "scene")]
+    return Section(anchor="scenes", title="Satellite scenes", parts=tuple(parts))
+
+
+def strip_section(view: View) -> Section | None:
+    """Corrections of position and attitude of aerial line scanners over time; None for a block without any."""
+    images = [i for i in _images(view) if is_strip(_camera(view, i))]
+    if not images:
+        return None
+    about = (
+        f"{counted(len(images), 'strip')} of line scanners, whose lines were placed by GNSS and INS. What the "
+        "adjustment adds to these positions and attitudes is listed and drawn here: along track, across track and in "
+        "height; about the axes of the line; and where they were estimated, the offset of the clocks and the lever arm."
+    )
+    known = (
+        "Stated sigma: that of positions and attitudes as their table tells it; – where nothing was known, as of the "
+        "misalignment of the INS. Marked: more than three times as large, which says that the table, the control or "
+        "its coordinate system deserves a second look."
+    )
+    body = _bias_table(view, images, known)
+    shown: list[Part] = [body] if len(body.rows) <= OPEN_ROWS else [Folded(summary="Every parameter", parts=(body,))]
+    parts = [Paragraph(text=about), *shown, *_figures_and_words(view, images, "strip")]
+    return Section(anchor="strips", title="Strips of line scanners", parts=tuple(parts))
+
+
+def is_strip(camera: Camera) -> bool:
+    """Whether a camera is a line scanner on an aircraft: below the height of any satellite."""
+    from raybundle.numerics.geodesy import geographic_from_geocentric  # noqa: PLC0415  (only where there are scenes)
+    from raybundle.scenes.sensor import LOW_M  # noqa: PLC0415
+
+    if camera.model != "linescan":
+        return False
+    line = cast("LineSensor", camera.scene).scene
+    sensor = line.rays(np.array([[line.width_px, line.height_px]], float) / 2)[0]
+    return bool(geographic_from_geocentric(sensor, line.ellipsoid)[0, 2] < LOW_M)
+
+
+def _images(view: View) -> list[int]:
+    return [i for i, c in enumerate(view.given.images.camera) if view.given.cameras[int(c)].is_scene]
+
+
+def _figures_and_words(view: View, images: list[int], noun: str) -> list[Part]:
+    found = {i: _track(view, i) for i in images}
+    parts: list[Part] = [Statements(statements=_words(view, images, found, noun))]
+    for n, i in enumerate(images[:MOST_DRAWN]):
+        own = _scene_parts(view, i, found[i])
+        name = f"{noun.capitalize()} {view.given.images.ids[i]}"
+        parts += [Heading(text=name), *own] if n < 2 else [Folded(summary=name, parts=tuple(own))]
+    if len(images) > MOST_DRAWN:
+        parts.append(
+            Paragraph(text=f"Figures are drawn for {MOST_DRAWN} of {grouped(len(images))} {noun}s.", note=True)
+        )
+    return parts
+
+
+def _camera(view: View, image: int) -> Camera:
+    return view.adjusted.cameras[int(view.adjusted.images.camera[image])]
+
+
+def _result(view: View, camera: Camera) -> InteriorResult | None:
+    return next((r for r in view.adjustment.interior if r.camera == camera.id), None)
+
+
+def _rows(view: View, image: int) -> Index:
+    return np.flatnonzero(view.used & (view.given.observations.image == image)).astype(np.int32)
+
+
+def _bias_table(view: View, images: list[int], note: str) -> Table:
+    """A row for every parameter of every scene."""
+    ground = any(_camera(view, i).model == "rpc" for i in images)
+    columns: tuple[Column, ...] = (
+        text("strip" if is_strip(_camera(view, images[0])) else "scene"), text("model"), number("image points"),
+        text("parameter"), number("value"), number("sigma"), *([number("on the ground", "m")] if ground else []),
+        number("stated sigma"), number("value / stated sigma"), number("r"), number("w"),
+    )  # fmt: skip
+    rows: list[list[str]] = []
+    marked: list[int] = []
+    for i in images:
+        camera = _camera(view, i)
+        result = _result(view, camera)
+        first = [view.given.images.ids[i], _kind(camera), grouped(len(_rows(view, i)))]
+        symbols = camera.sensor.symbols
+        if not symbols or result is None:
+            rows.append([*first, *[NONE] * (len(columns) - 3)])
+            continue
+        for s in symbols:
+            p = result.parameters.get(s)
+            sigma = next(c.sigma.get(s, math.nan) for c in view.given.cameras if c.id == camera.id)
+            value, std = (camera.values[s], None) if p is None else (p.value, p.std)
+            factor, unit = printed(view, camera.sensor.parameters[symbols.index(s)].unit)
+            shown = with_sigma(value * factor, std * factor) if std else (significant(value * factor, 4), "held")
+            ratio = abs(value) / sigma if sigma > 0 else math.nan
+            if ratio > 3:
+                marked.append(len(rows))
+            rows.append([*first, f"{s} [{unit}]", *shown, *([_on_ground(camera, s, value)] if ground else []),
+                         significant(sigma * factor, 3), fixed(ratio, 1), *_tested(view, camera, s)])  # fmt: skip
+            first = ["", "", ""]
+    return table(
+        columns,
+        zip(*rows, strict=True),
+        note=note,
+        marked=marked,
+        rest="result.json",
+    )
+
+
+def _kind(camera: Camera) -> str:
+    sensor = cast("SceneSensor", camera.scene)
+    if camera.model == "rpc":
+        return f"RPC, {getattr(sensor, 'bias', '')}"
+    return "GNSS and INS" if is_strip(camera) else "orbit and attitude"
+
+
+def _tested(view: View, camera: Camera, symbol: str) -> tuple[str, str]:
+    """Redundancy number and test value of an observed parameter."""
+    for g in view.adjustment.groups:
+        if g.kind == "parameter":
+            for k, pair in enumerate(zip(g.ids, g.component, strict=True)):
+                if pair == (camera.id, symbol):
+                    return fixed(float(g.redundancy[k]), 3), fixed(float(g.w[k]), 2)
+    return NONE, NONE
+
+
+def _on_ground(camera: Camera, symbol: str, value: float) -> str:
+    """A bias of an RPC in metres on the ground."""
+    if camera.model != "rpc":
+        return NONE
+    rpc = getattr(camera.scene, "rpc", None)
+    if rpc is None:
+        return NONE
+    gsd = np.linalg.norm(rpc.pixel_on_ground(), axis=1)
+    return fixed(value * float(gsd[int(symbol[0] == "B")]), 2)
+
+
+def _track(view: View, image: int) -> tuple[Index, Running, Running] | None:
+    """Used rows of a scene and the running means of its residuals in x and y along its lines; None with too few."""
+    rows = _rows(view, image)
+    if len(rows) < 40:
+        return None
+    at = view.given.observations.xy_px[rows, 1]
+    v = view.adjustment.image_observations.residuals_px[rows]
+    height = float(_camera(view, image).height_px)
+    windows = int(np.clip(len(rows) // 12, 12, 60))
+    sigma = np.sqrt(view.given.observations.cov_px2[rows, :2])
+    x, y = (running(at, v[:, k], 0.0, height, windows, sigma[:, k]) for k in (0, 1))
+    return rows, x, y
+
+
+def _words(
+    view: View, images: list[int], found: dict[int, tuple[Index, Running, Running] | None], noun: str
+) -> tuple[tuple[str, str], ...]:
+    """What the residuals along the track say, and what they do not."""
+    ids = view.given.images.ids
+    waves: list[str] = []
+    for i in images:
+        track = found[i]
+        if track is None:
+            continue
+        for axis, curve in zip("xy", track[1:], strict=True):
+            if curve.probability < BELIEVED:
+                size = float(np.nanmax(np.abs(curve.mean)))
+                waves.append(f"{ids[i]} in {axis} by up to {significant(size, 2)} px")
+    remedy = (
+        "Jitter of the attitude or a drift that the bias does not have looks like this; a bias of the kind drift, or a "
+        "curve for a rigorous scene, takes it up."
+        if noun == "scene"
+        else "Movements of the aircraft between the fixes of the corrections look like this; more fixes take them up."
+    )
+    words = [
+        (
+            "along track",
+            f"The mean residual changes with the line: {listed(waves)}, which is less than 0.1 % likely by chance. "
+            f"{remedy}"
+            if waves
+            else "No mean residual changes with the line by more than chance allows: no jitter is seen.",
+        )
+    ]
+    rays = view.rays[view.given.observations.point]
+    two = [i for i in images if found[i] is not None and float(np.median(rays[_rows(view, i)])) < 3]
+    if two:
+        words.append(
+            (
+                "not seen",
+                (
+                    f"Most points are seen by two {noun}s. An error along the plane of their two rays goes into "
+                    "heights and leaves no residual: jitter along the track of a stereo pair shows here only in part."
+                ),
+            )
+        )
+    return tuple(words)
+
+
+def _scene_parts(view: View, image: int, track: tuple[Index, Running, Running] | None) -> list[Part]:
+    """The figures of one scene."""
+    camera, parts = _camera(view, image), list[Part]()
+    figures: list[Figure] = []
+    bias = _bias_figure(camera)
+    if bias is not None:
+        figures.append(bias)
+    rows = np.flatnonzero(view.given.observations.image == image).astype(np.int32)
+    v = view.adjustment.image_observations.residuals_px
+    if len(rows):
+        scale = exaggeration(v[_rows(view, image)], WIDTH)
+        drawn = image_vectors(view, image, rows, normalised(view), scale, WIDTH)
+        length = round_below(WIDTH / 8 / scale)
+        figures.append(
+            Figure(
+                drawing=drawn,
+                caption=f"Residuals as vectors, {significant(length, 1)} px drawn as {fixed(length * scale, 0)} px of "
+                f"this page; rms {significant(rms(v[_rows(view, image)].ravel()))} px. Rejected points are crossed.",
+            )
+        )
+    if figures:
+        parts.append(Figures(figures=tuple(figures)))
+    if track is not None:
+        parts.append(Figures(figures=_track_figures(view, image, track)))
+    if camera.model == "linescan":
+        drawn_over_time = correction_figures(view, camera)
+        parts += [Figures(figures=drawn_over_time)] if drawn_over_time else []
+    if camera.model == "linescan" and not is_strip(camera):
+        jitter = _jitter(camera)
+        parts += [jitter] if jitter is not None else []
+    return parts
+
+
+def _bias_figure(camera: Camera) -> Figure | None:
+    """The bias of an RPC over the scene."""
+    if camera.model != "rpc" or not camera.sensor.symbols:
+        return None
+    from raybundle.scenes.bias import bias_design  # noqa: PLC0415  (only where there are scenes)
+    from raybundle.scenes.sensor import RpcSensor  # noqa: PLC0415
+
+    sensor = cast("RpcSensor", camera.scene)
+    size = np.array([camera.width_px, camera.height_px], float)
+    steps = np.maximum(np.round(GRID * size / size.max()), 2).astype(int)
+    nodes = [(np.arange(n) + 0.5) / n * s for n, s in zip(steps.tolist(), size.tolist(), strict=True)]
+    xy = np.stack([a.ravel() for a in np.meshgrid(*nodes)], axis=1)
+    uv = (xy - sensor.rpc.image_offset) / sensor.rpc.image_scale
+    shift = bias_design(sensor.bias, uv) @ camera.parameters
+    largest = float(np.linalg.norm(shift, axis=1).max())
+    plot, parts = format_plot(camera.size_mm, WIDTH)
+    x0, y0, w, h = plot.box
+    x, y = x0 + xy[:, 0] / size[0] * w, y0 + xy[:, 1] / size[1] * h
+    if largest > 0:
+        scale = 0.7 * min(w / steps[0], h / steps[1]) / largest
+        x, y = x - shift[:, 0] * scale / 2, y - shift[:, 1] * scale / 2
+        parts.append(vectors(x, y, shift[:, 0] * scale, shift[:, 1] * scale, "vector bold"))
+        parts += [
+            f'<circle class="dot" cx="{a:.1f}" cy="{b:.1f}" r="1.6"/>'
+            for a, b in zip(x.tolist(), y.tolist(), strict=True)
+        ]
+        unit = round_below(1.6 * largest)
+        parts.append(scale_bar(plot, unit * scale, f"{significant(unit, 1)} px", "vector bold"))
+    words = "the same everywhere" if sensor.bias == "shift" else "it changes over the scene"
+    return Figure(
+        drawing=drawing(plot.width, plot.height, parts, "bias of the RPC over the scene"),
+        caption=f"Bias over the scene, {words}; to be added to what the RPC projects. The dot is the beginning.",
+    )
+
+
+def _track_figures(view: View, image: int, track: tuple[Index, Running, Running]) -> tuple[Figure, ...]:
+    rows, *curves = track
+    at = view.given.observations.xy_px[rows, 1]
+    v = view.adjustment.image_observations.residuals_px[rows]
+    height = float(_camera(view, image).height_px)
+    figures: list[Figure] = []
+    for k, (axis, curve) in enumerate(zip("xy", curves, strict=True)):
+        p = f"; by chance with probability {probability(curve.probability)}" if math.isfinite(curve.probability) else ""
+        figures.append(
+            Figure(
+                drawing=series_figure(
+                    at, v[:, k], curve, "line [px]", f"residual in {axis} [px]", f"residuals in {axis} along the track",
+                    x_range=(0.0, height),
+                ),
+                caption=f"Residuals in {axis} along the track and their running mean; band: 95 % of the means if there "
+                f"is nothing{p}.",
+            )
+        )  # fmt: skip
+    return tuple(figures)
+
+
+def _jitter(camera: Camera) -> Part | None:
+    """A rigorous scene minus the RPC that stands for it, along the lines."""
+    from raybundle.errors import RaybundleError  # noqa: PLC0415  (only for rigorous scenes)
+    from raybundle.scenes.rpc_fit import fit_rpc  # noqa: PLC0415
+
+    sensor, values = cast("LineSensor", camera.scene), camera.parameters
+
+    def localise(xy: Array, height: Array) -> Array:
+        return sensor.place.geographic_from_block(sensor.localise(xy, height, values))
+
+    middle = sensor.height_m
+    try:
+        fit = fit_rpc(localise, sensor.size_px, (middle - RELIEF_M, middle + RELIEF_M))
+        lines = np.linspace(0, sensor.size_px[1], LINES)
+        xs = (np.arange(COLUMNS) + 0.5) / COLUMNS * sensor.size_px[0]
+        xy = np.stack([a.ravel() for a in np.meshgrid(xs, lines)], axis=1)
+        miss = (xy - fit.rpc.project(localise(xy, np.full(len(xy), middle)))).reshape(LINES, COLUMNS, 2).mean(axis=1)
+    except RaybundleError as error:
+        return Paragraph(text=f"No RPC stands for this scene, and no jitter plot is drawn: {error}", note=True)
+    size = [rms(miss[:, k]) for k in (0, 1)]
+    if max(size) < SMOOTH_PX:
+        return Paragraph(
+            text=f"The adjusted rigorous model is as smooth as an RPC: one fitted to it agrees along the lines within "
+            f"{significant(SMOOTH_PX)} px (rms). It holds no jitter."
+        )
+    drawn: Drawing = line_figure(
+        lines, (("x", miss[:, 0], None), ("y", miss[:, 1], None)), "line [px]", "rigorous − RPC [px]",
+        "rigorous model minus its RPC along the lines", width=860,
+    )  # fmt: skip
+    return Figures(
+        figures=(
+            Figure(
+                drawing=drawn,
+                caption=f"The adjusted rigorous model minus the RPC fitted to it, mean over the columns: rms "
+                f"{significant(size[0], 2)} px in x, {significant(size[1], 2)} px in y. An RPC is too smooth for "
+                "jitter: this is what it leaves of it.",
+            ),
+        )
+    )
+
+
+def with_near_viewpoints(view: View) -> View:
+    """The view with scenes drawn near their ground: at their true height maps and networks would show nothing else."""
+    block = view.adjusted
+    scenes = [i for i, c in enumerate(block.images.camera) if block.cameras[int(c)].is_scene]
+    known = np.isfinite(block.points.xyz).all(axis=1) & (view.rays > 0)
+    if not scenes or not known.any():
+        return view
+    xyz = block.points.xyz[known]
+    extent = float(np.max(np.ptp(np.percentile(xyz[:, :2], [2, 98], axis=0), axis=0)))
+    centre = block.images.centre.copy()
+    for i in scenes:
+        seen = _rows(view, i)
+        own = block.points.xyz[view.given.observations.point[seen]] if len(seen) else xyz
+        centre[i] = np.nanmedian(own, axis=0) + AWAY * extent * block.images.rotation[i, 2]
+    adjusted = replace(block, images=replace(block.images, centre=centre))
+    return replace(view, adjustment=replace(view.adjustment, adjusted=adjusted))

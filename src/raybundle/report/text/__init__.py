@@ -1,0 +1,1 @@
+"""Numbers and sentences of reports and command lines."""

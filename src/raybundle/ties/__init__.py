@@ -1,0 +1,1 @@
+"""Tie points: found, freed of what is wrong, measured precisely; steps over blocks."""

@@ -1,0 +1,126 @@
+"""Variances of tie points measured by least-squares matching, from the residuals of the block they belong to."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from raybundle.adjustment.result import Adjustment
+from raybundle.matching.refine import LEVELS
+from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.ties.block import FEATURE_SIGMA_PX
+
+MOST_FEATURE_PX = 5.0
+"""Largest standard deviation that the residuals can give a feature: verification leaves none beyond 6 px."""
+CLASSES = 10
+"""Of equal number in each level of the pyramid, where that leaves each `FEWEST` points."""
+FEWEST = 20
+LEAST_FLOOR_PX2 = 0.01**2
+CONTROLLED = 0.2
+"""Redundancy of a point from which on its residuals tell of its variance."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Weights:
+    """Variance of a least-squares match: factor * (covariance from grey values) + floor; of references; of features.
+
+    Grey values alone are true where windows are plane (`with_noisy_gradients`); a window at a coarse level covers more
+    of the relief, so that every level has a factor and a floor of its own.
+    """
+
+    factors: tuple[float, ...] = (1.0, 1.7, 2.6, 4.0)
+    """of the levels, finest first; to begin with what a rendered facade shows, of which the truth is known"""
+    floors_px2: tuple[float, ...] = (0.03**2, 0.06**2, 0.12**2, 0.24**2)
+    reference_px2: float = 0.1**2
+    feature_px2: float = FEATURE_SIGMA_PX**2
+
+    @classmethod
+    def of(cls, values: Array) -> Weights:
+        """The weights that `array` gave."""
+        reference, feature, *levels = values.tolist()
+        factors, floors = tuple(levels[:LEVELS]), tuple(levels[LEVELS:])
+        return cls(factors=factors, floors_px2=floors, reference_px2=reference, feature_px2=feature)
+
+    def array(self) -> Array:
+        """The values, to be stored."""
+        return np.array([self.reference_px2, self.feature_px2, *self.factors, *self.floors_px2])
+
+    def covariance(self, grey: Array, level: Index, reference: Mask, feature: Mask | None = None) -> Array:
+        """(m, 3) variances and covariances [px^2].
+
+        grey   (m, 3) from grey values alone
+        level  (m,) of the pyramid
+        """
+        of = np.minimum(level, LEVELS - 1)
+        cov = np.array(self.factors)[of][:, None] * grey
+        cov[:, :2] += np.array(self.floors_px2)[of][:, None]
+        cov[reference] = self.reference_px2, self.reference_px2, 0.0
+        if feature is not None:
+            cov[feature] = self.feature_px2, self.feature_px2, 0.0
+        return cov
+
+
+def estimate_weights(
+    result: Adjustment, grey: Array, level: Index, reference: Mask, before: Weights, feature: Mask | None = None
+) -> Weights:
+    """Variance components by the precision that the grey values promise.
+
+    In classes of equal number, sum v^2 / sum r estimates the variance of an image coordinate (Förstner 1979); what the
+    classes of a level have in common gives its factor and its floor (non-negative least squares in relative errors).
+    References and features are classes of their own.  A level with too few points keeps its ratios to the finer one.
+    """
+    other = np.zeros(len(reference), bool) if feature is None else feature
+    s = result.image_observations
+    v2 = (s.residuals_px**2).sum(axis=1)
+    r = np.nan_to_num(s.redundancy.sum(axis=1))
+    told = s.used & (r > CONTROLLED)
+
+    def component(mine: Mask, instead: float, least: float, most: float) -> float:
+        return float(np.clip(v2[mine].sum() / r[mine].sum(), least, most)) if mine.sum() > FEWEST else instead
+
+    features = component(told & other, before.feature_px2, 0.02**2, MOST_FEATURE_PX**2)
+    mine = told & ~reference & ~other
+    if mine.sum() < FEWEST * CLASSES:
+        return replace(before, feature_px2=features)
+    factors, floors = _levels(v2[mine], r[mine], (grey[mine, 0] + grey[mine, 1]) / 2, level[mine], before)
+    return Weights(
+        factors=factors,
+        floors_px2=floors,
+        reference_px2=component(told & reference, before.reference_px2, 0.02**2, 1.0),
+        feature_px2=features,
+    )
+
+
+def _levels(
+    v2: Array, r: Array, grey: Array, level: Index, before: Weights
+) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    """A factor and a floor [px^2] for each level."""
+    factors, floors = list[float](), list[float]()
+    for k in range(LEVELS):
+        mine = np.flatnonzero(level == k)
+        if len(mine) >= FEWEST * CLASSES / 2:
+            order = mine[np.argsort(grey[mine], kind="stable")]
+            factor, floor = _line(
+                [(v2[p], r[p], grey[p]) for p in np.array_split(order, min(CLASSES, len(mine) // FEWEST))]
+            )
+        elif k == 0:
+            factor, floor = before.factors[0], before.floors_px2[0]
+        else:
+            factor = factors[-1] * before.factors[k] / max(before.factors[k - 1], 1e-9)
+            floor = floors[-1] * before.floors_px2[k] / before.floors_px2[k - 1]
+        factors.append(factor)
+        floors.append(max(floor, LEAST_FLOOR_PX2))
+    return tuple(factors), tuple(floors)
+
+
+def _line(classes: Sequence[tuple[Array, Array, Array]]) -> tuple[float, float]:
+    """Factor and floor through classes of squared residuals, redundancy and variances from grey values."""
+    from scipy.optimize import nnls  # noqa: PLC0415
+
+    grey = np.array([g.mean() for _, _, g in classes])
+    variance = np.array([v.sum() / max(r.sum(), 1e-9) for v, r, _ in classes])
+    weight = np.sqrt([len(g) for _, _, g in classes]) / np.maximum(variance, 1e-12)  # known to a share of itself
+    (factor, floor), _ = nnls(np.stack([grey, np.ones(len(grey))], axis=1) * weight[:, None], variance * weight)
+    return float(factor), float(floor)

@@ -1,0 +1,296 @@
+"""Approximate values of tracks: orientation by growing or averaging, without wrong rays and images that do not hold."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from itertools import combinations
+from typing import Literal
+
+import numpy as np
+
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.predict import residuals_px
+from raybundle.block import Block, Camera
+from raybundle.block.known import known_before
+from raybundle.block.select import with_rows
+from raybundle.errors import NoOrientation
+from raybundle.io.photos.start import BY_FACTOR
+from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.counting import counted
+from raybundle.numerics.progress import Progress, silent
+from raybundle.orientation.assembly import approximate_values, possible_values
+from raybundle.orientation.averaging import average_start
+from raybundle.orientation.camera_constant import LEAST_PAIRS, checked_by_pairs
+from raybundle.orientation.cleaning import clean
+from raybundle.ties.block import FEWEST_POINTS, TieBlock, flat_points, free_at_start
+from raybundle.ties.far_apart import not_too_far
+
+FEWEST_TRIPLE = 4
+"""Points that three images must share to carry the scale from two of them to the third."""
+MOST_RAYS = 8
+"""Rays of a point that are looked at for that."""
+LEFT = 0.1
+"""Share of the images left by a start from which on another kind is tried."""
+KEPT = 0.75
+"""Share of the rays that a start keeps, below which another kind is tried."""
+RAYLEIGH = 1.1774
+"""Median distance of normally distributed points of the plane, in standard deviations of a coordinate."""
+FINDING_PX = 0.1
+"""Standard deviation below which features are not found: less is chance."""
+NARROW = 2.0
+"""Camera constant in longer sides of the format from which on both kinds are tried: the view is within 28 degrees.
+
+The poses of an image of which depth is told by little but the perspective come in twos, mirrored about the line of
+sight (Schweighofer and Pinz 2006), and a free camera constant takes up what tells them apart: an image that is added
+to others may take the wrong one, and the rays that contradict it leave.  All pairs at once outvote it.
+"""
+
+
+def start(
+    raw: Block,
+    scale_px: Array,
+    angle: Array,
+    threads: int,
+    progress: Progress = silent,
+    method: Literal["auto", "growing", "averaging"] = "auto",
+) -> TieBlock:
+    """Approximate values of a block of tracks; wrong rays and images that cannot be oriented leave.
+
+    method  growing: image by image; averaging: all pairs at once; auto: growing, and others where images or many
+            rays are left or the view is narrow: averaging, then growing with the camera constants that nothing tells
+            one standard deviation shorter or longer; the likeliest is taken (see `likelihood`)
+    """
+    block = replace(raw, cameras=tuple(replace(c, estimate=free_at_start(c)) for c in raw.cameras))
+    ways: list[Callable[[], tuple[Block, Index, dict[str, str]]]] = []
+    if method in ("growing", "auto"):
+        ways.append(lambda: by_growing(block, progress))
+    if method in ("averaging", "auto"):
+        ways.append(lambda: by_averaging(block, progress))
+    if method == "auto" and (untold := untold_constants(raw)):
+        ways += [lambda sign=sign: by_growing(_scaled(block, untold, sign), progress) for sign in (-1, 1)]
+    loose: dict[str, str] = {}
+    _connected(block, loose)
+    best: tuple[Block, Index, dict[str, str]] | None = None
+    problem: NoOrientation | None = None
+    for way in ways:
+        try:
+            found = cleaned(raw, way(), threads, progress)
+        except NoOrientation as error:
+            problem = problem or error
+            continue
+        if best is None or likelihood(found) > likelihood(best):
+            best = found
+        # no kind of start orients what has too little in common with the others
+        complete = len(best[2].keys() - loose.keys()) <= LEFT * len(raw.images)
+        if complete and len(best[1]) >= KEPT * len(raw.observations) and not _narrow(found[0]):
+            break
+    if best is None:
+        assert problem is not None
+        try:
+            raise problem
+        finally:
+            del problem  # it holds this frame, which would hold it
+    result, rows, failed = best
+    result = replace(result, cameras=_with_estimate(result.cameras, raw.cameras))
+    return TieBlock(
+        block=result,
+        scale_px=scale_px[rows],
+        angle=angle[rows],
+        not_oriented=tuple((n, failed[n]) for n in raw.images.ids if n in failed),
+    )
+
+
+def likelihood(found: tuple[Block, Index, dict[str, str]]) -> float:
+    """Logarithm of the likelihood of all rays, but for what is the same for every start of a block.
+
+    Rays that are kept are normally distributed about where they should be, with the standard deviation that their
+    median tells; the others lie anywhere in the format (Torr and Zisserman 2000, section 4).  A start that keeps a few
+    rays less, each far nearer, is the better one: the limit up to which rays are kept follows from their residuals.
+    """
+    block = found[0]
+    o = block.observations
+    off = np.linalg.norm(residuals_px(block, np.arange(len(o))), axis=1)
+    sigma = max(FINDING_PX, float(np.median(off[np.isfinite(off)])) / RAYLEIGH)
+    seen = block.images.camera[o.image]
+    area = np.array([c.width_px * c.height_px for c in block.cameras], float)[seen]
+    return float(np.log(area / (2 * np.pi * np.e * sigma**2)).sum())
+
+
+def untold_constants(raw: Block) -> frozenset[str]:
+    """Cameras of which nothing tells the constant: nothing is stated, and pairs of their own images are too few."""
+    seen = np.bincount(raw.images.camera[np.unique(raw.observations.image)], minlength=len(raw.cameras))
+    return frozenset(
+        c.id
+        for c, n in zip(raw.cameras, seen.tolist(), strict=True)
+        if n * (n - 1) // 2 < LEAST_PAIRS and (r := known_before(c).get(c.sensor.symbols[0])) and r.sigma >= BY_FACTOR
+    )
+
+
+def _scaled(block: Block, names: frozenset[str], sign: int) -> Block:
+    """The block with these cameras' constants one standard deviation off."""
+    factor = float(np.exp(sign * BY_FACTOR))
+    cameras = tuple(
+        replace(c, values={**c.values, (s := c.sensor.symbols[0]): c.values[s] * factor}) if c.id in names else c
+        for c in block.cameras
+    )
+    return replace(block, cameras=cameras)
+
+
+def _narrow(block: Block) -> bool:
+    """Whether a camera's view is narrow, so that its images' poses come in twos."""
+    seen = np.unique(block.images.camera[block.images.oriented])
+    cameras = [block.cameras[k] for k in seen.tolist()]
+    scales = [(c, c.sensor.scale_symbol) for c in cameras]
+    return any(symbol and c.values[symbol] > NARROW * float(c.size_mm.max()) for c, symbol in scales)
+
+
+def by_growing(block: Block, progress: Progress) -> tuple[Block, Index, dict[str, str]]:
+    """Orientations image by image; the block, its rows, and the images that are left with the reasons."""
+    rows = np.arange(len(block.observations))
+    failed: dict[str, str] = {}
+    while True:
+        block, rows = _kept(block, rows, failed)
+        try:
+            return approximate_values(block, progress).block, rows, failed
+        except NoOrientation as error:
+            new = {n: r for n, r in error.images.items() if n not in failed}
+            if not new:
+                raise
+            failed.update(new)
+
+
+def by_averaging(block: Block, progress: Progress) -> tuple[Block, Index, dict[str, str]]:
+    """Orientations of all images at once; as `by_growing`."""
+    rows = np.arange(len(block.observations))
+    failed: dict[str, str] = {}
+    block, rows = _kept(block, rows, failed)
+    found = average_start(checked_by_pairs(block), progress)
+    seen = np.bincount(block.observations.image, minlength=len(block.images)) > 0
+    for i in np.flatnonzero(seen & ~found.images.oriented):
+        failed[found.images.ids[i]] = "its relative orientations contradict those of the other photographs"
+    found, rows = _kept(found, rows, failed)
+    return possible_values(found, progress).block, rows, failed
+
+
+def _kept(block: Block, rows: Index, failed: dict[str, str]) -> tuple[Block, Index]:
+    """The largest connected part of a block and its rows."""
+    keep = _connected(block, failed)
+    block, rows = with_rows(block, keep), rows[keep]
+    if len(np.unique(block.observations.image)) < 2:
+        raise NoOrientation(
+            "no two photographs could be oriented to each other: too few points are common to them.\n"
+            "  Take photographs that overlap by 60 % or more and differ little in direction, and look whether "
+            "they are sharp."
+        )
+    return block, rows
+
+
+def cleaned(
+    raw: Block, found: tuple[Block, Index, dict[str, str]], threads: int, progress: Progress
+) -> tuple[Block, Index, dict[str, str]]:
+    """The block without wrong rays, points without depth, and images that lose all of theirs."""
+    block, rows, failed = found
+    options = AdjustmentOptions(threads=threads, statistics=False)
+    free = {c.id: free_at_start(c) for c in raw.cameras}
+    left = clean(block, options, free, progress=progress)
+    keep = ~left.rejected & ~flat_points(left.block)[left.block.observations.point]
+    block, rows = with_rows(left.block, keep), rows[keep]
+    # what wrong rays joined has fallen apart
+    for part in (not_too_far, _connected, rigid_part):
+        keep = part(block, failed)
+        block, rows = with_rows(block, keep), rows[keep]
+    names = {block.images.ids[i] for i in np.unique(block.observations.image)}
+    if len(names) < 2:
+        raise NoOrientation("no two photographs hold together once wrong matches are left out: too few points fit")
+    out = np.array([n not in names for n in block.images.ids])
+    for name in raw.images.ids:
+        if name not in names:
+            failed.setdefault(name, "its points contradict those of the other photographs")
+    images = replace(
+        block.images,
+        centre=np.where(out[:, None], np.nan, block.images.centre),
+        rotation=np.where(out[:, None, None], np.nan, block.images.rotation),
+    )
+    return replace(block, images=images), rows, failed
+
+
+def rigid_part(block: Block, failed: dict[str, str]) -> Mask:
+    """(m,) rows of the largest part whose scale is one; names the images that are left.
+
+    Two images and their common points have a scale of their own.  It is carried on to a third image only by points
+    that all three see.
+    """
+    o, n = block.observations, len(block.images)
+    order = np.lexsort((o.image, o.point))
+    rows = np.split(o.image[order], np.flatnonzero(np.diff(o.point[order])) + 1) if len(o) else []
+    triples: dict[tuple[int, int, int], int] = {}
+    for images in rows:
+        for triple in combinations(images[:MOST_RAYS].tolist(), 3):
+            triples[triple] = triples.get(triple, 0) + 1
+    root = {pair: pair for triple in triples for pair in combinations(triple, 2)}
+
+    def find(pair: tuple[int, int]) -> tuple[int, int]:
+        while root[pair] != pair:
+            root[pair] = root[root[pair]]
+            pair = root[pair]
+        return pair
+
+    for (a, b, c), count in triples.items():
+        if count >= FEWEST_TRIPLE:
+            first = find((a, b))
+            root[find((a, c))] = first
+            root[find((b, c))] = first
+    members: dict[tuple[int, int], set[int]] = {}
+    for pair in root:
+        members.setdefault(find(pair), set()).update(pair)
+    largest = max(members.values(), key=len, default=set[int]())
+    used = np.unique(o.image)
+    if len(used) < 3 or len(largest) < 3:
+        return np.ones(len(o), bool)
+    inside = np.zeros(n, bool)
+    inside[list(largest)] = True
+    for i in used[~inside[used]]:
+        failed[block.images.ids[i]] = (
+            f"fewer than {FEWEST_TRIPLE} of its points are in two other photographs: its distance from them is not "
+            "determined; overlap by 60 % or more"
+        )
+    return inside[o.image]
+
+
+def _with_estimate(values: Sequence[Camera], wishes: Sequence[Camera]) -> tuple[Camera, ...]:
+    return tuple(replace(v, estimate=w.estimate) for v, w in zip(values, wishes, strict=True))
+
+
+def _connected(block: Block, failed: dict[str, str]) -> Mask:
+    """Rows of images that belong to the largest connected part and have enough points; names the others."""
+    from scipy.sparse import coo_matrix  # noqa: PLC0415
+    from scipy.sparse.csgraph import connected_components  # noqa: PLC0415
+
+    o, n = block.observations, len(block.images)
+    out = np.array([name in failed for name in block.images.ids])
+    while True:
+        keep = ~out[o.image]
+        rays = np.bincount(o.point[keep], minlength=len(block.points))
+        keep &= rays[o.point] > 1
+        count = np.bincount(o.image[keep], minlength=n)
+        weak = ~out & (count < FEWEST_POINTS)
+        if not weak.any():
+            break
+        for i in np.flatnonzero(weak):
+            few = "no point" if not count[i] else f"only {counted(int(count[i]), 'point')}"
+            failed[block.images.ids[i]] = f"{few} in common with other photographs ({FEWEST_POINTS} are needed)"
+        out |= weak
+    a, b = o.image[keep], o.point[keep]
+    graph = coo_matrix((np.ones(len(a)), (a, n + b)), shape=(n + len(block.points),) * 2)
+    _, part = connected_components(graph, directed=False)
+    used = np.bincount(a, minlength=n) > 0
+    if not used.any():
+        return keep
+    sizes_ = np.bincount(part[:n][used])
+    largest = int(sizes_.argmax())
+    for i in np.flatnonzero(used & (part[:n] != largest)):
+        failed[block.images.ids[i]] = (
+            f"not connected with the largest part ({sizes_[largest]} photographs); its own part has {sizes_[part[i]]}"
+        )
+    return keep & (part[:n] == largest)[o.image]

@@ -1,0 +1,1 @@
+"""Satellite scenes on their way through `orient`."""
