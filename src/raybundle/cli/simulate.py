@@ -11,7 +11,8 @@ from raybundle.cli.common import COMMAND_SETTINGS, NEW_FOLDER, common_options, c
 from raybundle.cli.numbers import METRES, PIXELS, Number
 
 if TYPE_CHECKING:
-    from raybundle.planning.simulate import Scene, Simulation
+    from raybundle.planning.scenes import Scene
+    from raybundle.planning.simulate import Simulation
 
 
 @click.command("simulate", context_settings=COMMAND_SETTINGS)
@@ -91,7 +92,7 @@ def command(scene: str, out: Path, progress: str, seed: int, noise: float, **sur
 
 def scene_of(name: str) -> Scene:
     """The scene of a name on the command line, with its standard plan."""
-    from raybundle.planning import simulate as s  # noqa: PLC0415
+    from raybundle.planning import scenes as s  # noqa: PLC0415
 
     scenes = {
         "testfield": lambda: s.field_scene(s.TargetField()),
