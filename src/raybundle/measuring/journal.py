@@ -21,6 +21,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from pathlib import Path
+from time import sleep
 from typing import Any, Self
 
 from raybundle.errors import InputError
@@ -94,7 +95,7 @@ class Journal:
             db = sqlite3.connect(path, timeout=30, isolation_level=None, check_same_thread=False)
             try:
                 db.execute("PRAGMA trusted_schema=OFF")
-                db.execute("PRAGMA journal_mode=WAL")
+                _write_ahead(db)
                 db.execute("PRAGMA synchronous=FULL")
                 _with_schema(db, path)
             except BaseException:
@@ -234,14 +235,25 @@ def _json(action: Action) -> str:
         raise InputError(f"{action.verb}: a number is not finite; give finite numbers") from None
 
 
+def _write_ahead(db: sqlite3.Connection) -> None:
+    """Turn the write-ahead log on; while another process does the same, SQLite does not wait by itself."""
+    for attempt in range(100):
+        try:
+            db.execute("PRAGMA journal_mode=WAL")
+        except sqlite3.OperationalError as error:
+            if "locked" not in str(error) or attempt == 99:
+                raise
+            sleep(0.02)
+        else:
+            return
+
+
 def _with_schema(db: sqlite3.Connection, path: Path) -> None:
     tables = {r[0] for r in db.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
     if tables and not {"about", "actions"} <= tables:
         raise InputError("is a database, but no journal of measuring; move it away", file=path)
     if not tables:
-        db.executescript(
-            f"BEGIN IMMEDIATE; {_TABLES} INSERT OR IGNORE INTO about VALUES ('schema', '{SCHEMA}'); COMMIT;"
-        )
+        db.executescript(_TABLES)
     found = db.execute("SELECT value FROM about WHERE name = 'schema'").fetchone()
     if found is None or found[0] != SCHEMA:
         was = "none" if found is None else found[0]
