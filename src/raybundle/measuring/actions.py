@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass, replace
-from typing import Any, ClassVar, Literal, cast
+from typing import Any, ClassVar, Literal
 
 import msgspec
 
@@ -152,7 +152,7 @@ class Point(Action):
         return self
 
     def apply(self, draft: Draft) -> None:
-        draft.points[self.point] = MeasuredPoint(role=self.role, xyz=self.xyz, sigma=self.sigma)
+        draft.points[self.point] = MeasuredPoint(role=self.role, xyz=self.xyz, sigma=self.sigma, told=True)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -409,7 +409,7 @@ def action_of(verb: str, arguments: Mapping[str, Any]) -> Action:
         known = ", ".join(kind.__dataclass_fields__) or "none"
         raise InputError(f"{verb}: argument {quoted(foreign[0])} is unknown; known are {known}")
     try:
-        return cast("Action", msgspec.convert(dict(arguments), kind))
+        return msgspec.convert(dict(arguments), kind)
     except msgspec.ValidationError as error:
         raise InputError(f"{verb}: {error}; give the arguments as documented") from None
 

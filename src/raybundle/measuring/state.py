@@ -41,6 +41,8 @@ class MeasuredPoint:
     """given coordinates [length unit of the block]; None: not known"""
     sigma: tuple[float | None, float | None, float | None] = (None, None, None)
     """0: held"""
+    told: bool = False
+    """whether role and coordinates were given, not only the point marked"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
