@@ -27,6 +27,7 @@ COMMANDS = {
     "adjust": "Adjust a block and write a result folder with its report.",
     "compare": "Put two results side by side.",
     "convert": "Convert to and from the formats of other programs.",
+    "studio": "Look, measure and adjust in the browser.",
     "rectify": "A picture to scale of a plane object: facade, floor, wall painting.",
     "calibration": "Convert and compare calibrations; keep them in the camera library.",
     "datasets": "Fetch public sets of photographs, checked file by file.",
