@@ -1,6 +1,7 @@
 """One data class of settings a command: the command line, Python and the project file say the same."""
 
 import dataclasses
+import re
 import tomllib
 from pathlib import Path
 
@@ -9,30 +10,51 @@ import pytest
 from click.testing import CliRunner
 
 import raybundle as rb
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.cli.adjust import command as adjust_command
 from raybundle.cli.calibrate import command as calibrate_command
 from raybundle.cli.orient import command as orient_command
 from raybundle.cli.settings import options_of, values_of
+from raybundle.commands.adjust import AdjustSettings, run_adjust
 from raybundle.commands.calibrate import CalibrateSettings
 from raybundle.commands.orient import OrientSettings
-from raybundle.commands.setting import made, other_than_usual, setting, settings_of, toml_lines
 from raybundle.errors import InputError
+from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.settings import made, other_than_usual, setting, settings_of, toml_lines
 
-BOTH = [(OrientSettings, orient_command), (CalibrateSettings, calibrate_command)]
-ASKED = {"photos": (Path("a"),), "out": Path("b")}
+PHOTOS = {"photos": (Path("a"),), "out": Path("b")}
+COMMANDS = [
+    (OrientSettings, orient_command, PHOTOS),
+    (CalibrateSettings, calibrate_command, PHOTOS),
+    (AdjustSettings, adjust_command, {"block": Path("a"), "out": Path("b")}),
+]
+PYTHON_ALONE = {
+    AdjustSettings: {
+        "datum_over",
+        "pixel_shape",
+        "weights",
+        "statistics",
+        "max_iterations",
+        "tolerance",
+        "significance",
+    }
+}  # fmt: skip
+"""Fields that are no options of the command line."""
 
 
-@pytest.mark.parametrize(("kind", "command"), BOTH)
-def test_every_setting_is_an_option_with_help_and_every_option_a_setting(kind, command):
+@pytest.mark.parametrize(("kind", "command", "asked"), COMMANDS)
+def test_every_setting_is_an_option_with_help_and_every_option_a_setting(kind, command, asked):
     options = {p.name: p for p in command.params if isinstance(p, click.Option)}
     for s in settings_of(kind):
         assert options[s.name].help == s.about.help
         assert len(s.about.help) > 10
-    assert options.keys() - {s.name for s in settings_of(kind)} == {"out", "progress", "traceback"}
-    assert {f.name for f in dataclasses.fields(kind)} == {s.name for s in settings_of(kind)} | {"photos", "out"}
+    named = {s.name for s in settings_of(kind)}
+    assert options.keys() - named <= {"out", "progress", "traceback"}
+    assert {f.name for f in dataclasses.fields(kind)} == named | asked.keys() | PYTHON_ALONE.get(kind, set())
 
 
-@pytest.mark.parametrize(("kind", "command"), BOTH)
-def test_nothing_asked_for_on_the_command_line_is_the_default(kind, command):
+@pytest.mark.parametrize(("kind", "command", "asked"), COMMANDS)
+def test_nothing_asked_for_on_the_command_line_is_the_default(kind, command, asked):
     seen = {}
 
     @click.command()
@@ -42,8 +64,8 @@ def test_nothing_asked_for_on_the_command_line_is_the_default(kind, command):
 
     del command
     assert CliRunner().invoke(probe, []).exit_code == 0
-    assert made(kind, {**ASKED, **seen}) == made(kind, ASKED) == kind(**ASKED)
-    assert not other_than_usual(made(kind, {**ASKED, **seen}))
+    assert made(kind, {**asked, **seen}) == made(kind, asked) == kind(**asked)
+    assert not other_than_usual(made(kind, {**asked, **seen}))
 
 
 def test_the_command_line_and_python_ask_for_the_same():
@@ -59,9 +81,9 @@ def test_the_command_line_and_python_ask_for_the_same():
         "--lever-arm 0.1 -0.2 0 0.01 --relative drift --feature-count 500 --camera left_* --no-library --no-report"
     )
     assert CliRunner().invoke(probe, words.split()).exit_code == 0
-    by_words = made(OrientSettings, {**ASKED, **seen})
+    by_words = made(OrientSettings, {**PHOTOS, **seen})
     by_names = made(OrientSettings, {
-        **ASKED, "control": ["g.csv", Path("h.csv")], "control_sigma": [0.01, 0.02],
+        **PHOTOS, "control": ["g.csv", Path("h.csv")], "control_sigma": [0.01, 0.02],
         "scale_bar": [("A", "B", 1.2, 1e-4)], "gps": False, "precise": False, "lever_arm": (0.1, -0.2, 0, 0.01),
         "relative": "drift", "feature_count": 500, "separate": "left_*", "library": False, "report": False,
     })  # fmt: skip
@@ -96,7 +118,44 @@ def test_the_command_line_and_python_ask_for_the_same():
 )
 def test_what_cannot_be_is_named_with_its_limit(given, told):
     with pytest.raises(InputError, match=told):
-        made(OrientSettings, {**ASKED, **given})
+        made(OrientSettings, {**PHOTOS, **given})
+
+
+def test_an_adjustment_is_asked_for_alike():
+    seen = {}
+
+    @click.command()
+    @options_of(AdjustSettings)
+    def probe(**given):
+        seen.update(values_of(AdjustSettings, given))
+
+    asked = {"block": Path("a"), "out": Path("b")}
+    assert CliRunner().invoke(probe, []).exit_code == 0
+    assert made(AdjustSettings, {**asked, **seen}).options() == AdjustmentOptions()
+    words = "--datum inner --datum-points a,b --residuals corrected --robust-start --threads 2 --no-report"
+    assert CliRunner().invoke(probe, words.split()).exit_code == 0
+    by_words = made(AdjustSettings, {**asked, **seen})
+    by_names = made(AdjustSettings, {
+        **asked, "datum": "inner", "datum_points": ["a", "b"], "residuals": "corrected", "robust_start": True,
+        "threads": 2, "report": False,
+    })  # fmt: skip
+    assert by_words == by_names
+    assert by_words.options() == AdjustmentOptions(
+        datum="inner", datum_points=("a", "b"), residuals="corrected", robust_start=True, threads=2
+    )
+    assert CliRunner().invoke(probe, ["--residuals", "as_block"]).exit_code == 2
+
+
+def test_the_report_shows_what_an_adjustment_was_asked_for(tmp_path):
+    rb.write_block(simulate(field_scene(TargetField(stations=3)), Survey(scale_bars=1)).observed, tmp_path / "block")
+    run_adjust(made(AdjustSettings, {
+        "block": tmp_path / "block", "out": tmp_path / "result", "datum": "inner", "reject": "snooping",
+    }))  # fmt: skip
+    report = (tmp_path / "result" / "report.html").read_text(encoding="utf-8")
+    rows = [re.sub(r"<[^>]*>", " ", row).split() for row in report.split("<tr")]
+    changed = {row[1]: row[2] for row in rows if row[-3:] == ["not", "the", "default"]}
+    changed.pop("datum_over", None)  # what it came to, where nothing was asked for
+    assert changed == {"datum": "inner", "reject": "snooping"}
 
 
 def test_a_setting_of_ones_own_needs_nothing_else():

@@ -12,7 +12,7 @@ from raybundle.numerics.counting import counted, grouped, significant
 
 __all__ = [
     "APPROXIMATE", "COMMAND_SETTINGS", "FOLDER", "FREE_SCALE", "NEW_FILE", "NEW_FILE_OR_FOLDER", "NEW_FOLDER", "Output",
-    "common_options", "counted", "grouped", "noise_option", "significant",
+    "common_options", "counted", "grouped", "significant",
 ]  # fmt: skip
 COMMAND_SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
 FOLDER = click.Path(path_type=Path)
@@ -59,17 +59,4 @@ def common_options(function: Callable[..., Any]) -> Callable[..., Any]:
         default="auto",
         show_default=True,
         help="auto: a bar on a terminal, nothing when piped; json: a JSON object a line on stderr.",
-    )(function)
-
-
-def noise_option(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Add --noise."""
-    return click.option(
-        "--noise",
-        type=click.Choice(["white", "fields", "auto"]),
-        default="auto",
-        show_default=True,
-        help="Errors of image coordinates, for standard deviations: white: independent; fields: smooth ones that "
-        "differ from image to image, and a floor, both told by the residuals; auto: fields for five photographs or "
-        "more that are measured here, white for a block that is given.",
     )(function)
