@@ -3,6 +3,7 @@
 import dataclasses
 import re
 import tomllib
+from dataclasses import MISSING
 from pathlib import Path
 
 import click
@@ -13,11 +14,15 @@ import raybundle as rb
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.cli.adjust import command as adjust_command
 from raybundle.cli.calibrate import command as calibrate_command
+from raybundle.cli.convert import command as convert_command
 from raybundle.cli.orient import command as orient_command
+from raybundle.cli.rectify import command as rectify_command
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.adjust import AdjustSettings, run_adjust
 from raybundle.commands.calibrate import CalibrateSettings
+from raybundle.commands.convert import ConvertSettings
 from raybundle.commands.orient import OrientSettings
+from raybundle.commands.rectify import RectifySettings
 from raybundle.errors import InputError
 from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.settings import made, other_than_usual, setting, settings_of, toml_lines
@@ -27,6 +32,8 @@ COMMANDS = [
     (OrientSettings, orient_command, PHOTOS),
     (CalibrateSettings, calibrate_command, PHOTOS),
     (AdjustSettings, adjust_command, {"block": Path("a"), "out": Path("b")}),
+    (ConvertSettings, convert_command, {"source": Path("a")}),
+    (RectifySettings, rectify_command, {"source": Path("a")}),
 ]
 PYTHON_ALONE = {
     AdjustSettings: {
@@ -63,9 +70,12 @@ def test_nothing_asked_for_on_the_command_line_is_the_default(kind, command, ask
         seen.update(values_of(kind, given))
 
     del command
-    assert CliRunner().invoke(probe, []).exit_code == 0
-    assert made(kind, {**asked, **seen}) == made(kind, asked) == kind(**asked)
-    assert not other_than_usual(made(kind, {**asked, **seen}))
+    needed = {s.name: Path("b") if s.kind is Path else "b" for s in settings_of(kind) if s.default is MISSING}
+    words = [word for name in needed for word in (f"--{name}", "b")]
+    assert CliRunner().invoke(probe, words).exit_code == 0
+    assert made(kind, {**asked, **seen}) == made(kind, {**asked, **needed}) == kind(**asked, **needed)
+    assert other_than_usual(made(kind, {**asked, **seen})) == needed
+    assert not needed or CliRunner().invoke(probe, []).exit_code == 2
 
 
 def test_the_command_line_and_python_ask_for_the_same():
@@ -181,3 +191,31 @@ def test_python_says_what_the_command_line_says(tmp_path):
     assert not (tmp_path / "calibration").exists()
     with pytest.raises(InputError, match="unknown target family"):
         rb.detect_targets(tmp_path, "nothing-7")
+
+
+def test_a_conversion_from_python_is_that_of_the_command_line(tmp_path):
+    block = simulate(field_scene(TargetField(stations=3)), Survey()).truth
+    rb.write_block(block, tmp_path / "block")
+    done = rb.convert(tmp_path / "block", tmp_path / "python", to="colmap-text", approximate=True)
+    words = [tmp_path / "block", "--to", "colmap-text", "--out", tmp_path / "line", "--approximate"]
+    assert CliRunner().invoke(convert_command, [str(w) for w in words]).exit_code == 0
+    assert done.files == 3
+    assert contents(tmp_path / "python") == contents(tmp_path / "line") != {}
+    assert len(done.block.observations) == len(block.observations)
+    with pytest.raises(InputError, match="unknown format 'colmapp'"):
+        rb.convert(tmp_path / "block", tmp_path / "other", to="colmapp")
+    with pytest.raises(InputError, match="crsystem is no setting"):
+        rb.convert(tmp_path / "block", tmp_path / "other", to="ply", crsystem="EPSG:25832")
+
+
+def test_a_folder_that_looks_like_two_formats_is_asked_for(tmp_path):
+    rb.write_block(simulate(field_scene(TargetField(stations=3)), Survey()).truth, tmp_path / "block")
+    rb.convert(tmp_path / "block", tmp_path / "model", to="colmap-text", approximate=True)
+    (tmp_path / "model" / "transforms.json").write_text("{}")
+    with pytest.raises(InputError, match="looks like colmap and nerfstudio; give --from"):
+        rb.convert(tmp_path / "model", tmp_path / "again", to="block")
+    assert rb.convert(tmp_path / "model", tmp_path / "again", to="block", read_as="colmap").files == 1
+
+
+def contents(folder):
+    return {p.name: p.read_bytes() for p in sorted(folder.iterdir())}

@@ -8,10 +8,11 @@ from typing import Any, Literal, cast
 
 import click
 
+from raybundle.commands.convert import APPROXIMATE_HELP
 from raybundle.numerics.counting import counted, grouped, significant
 
 __all__ = [
-    "APPROXIMATE", "COMMAND_SETTINGS", "FOLDER", "FREE_SCALE", "NEW_FILE", "NEW_FILE_OR_FOLDER", "NEW_FOLDER", "Output",
+    "APPROXIMATE", "COMMAND_SETTINGS", "FOLDER", "NEW_FILE", "NEW_FILE_OR_FOLDER", "NEW_FOLDER", "Output",
     "common_options", "counted", "grouped", "significant",
 ]  # fmt: skip
 COMMAND_SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
@@ -38,14 +39,7 @@ class Output(click.Path):
 NEW_FILE, NEW_FOLDER, NEW_FILE_OR_FOLDER = Output("file"), Output("folder"), Output("either")
 
 
-APPROXIMATE = click.option(
-    "--approximate", is_flag=True, help="Write cameras too that deviate from the given ones by more than 0.1 px."
-)
-
-
-FREE_SCALE = click.option(
-    "--free-scale", is_flag=True, help="Also where nothing fixes the scale: lengths are then in no unit."
-)
+APPROXIMATE = click.option("--approximate", is_flag=True, help=APPROXIMATE_HELP)
 
 
 def common_options(function: Callable[..., Any]) -> Callable[..., Any]:

@@ -30,13 +30,14 @@ def _option(s: Setting, own: click.ParamType | None) -> Callable[[Callable[..., 
     if s.kind is bool:
         # a flag says the opposite of the default
         return click.option(flag, s.name, is_flag=True, flag_value=not s.default, default=s.default, help=s.about.help)
-    needed = s.default is MISSING
-    shown = not needed and not s.about.unsaid and s.default not in {None, "", ()}
     more: dict[str, Any] = {"metavar": s.about.metavar} if s.about.metavar else {}
-    return click.option(
-        flag, s.name, type=own or _type(s), multiple=s.many and not s.about.joined, required=needed,
-        default=s.default if shown else None, show_default=shown, help=s.about.help, **more,
-    )  # fmt: skip
+    if s.default is MISSING:
+        more["required"] = True
+    else:
+        shown = not s.about.unsaid and s.default not in {None, "", ()}
+        more |= {"default": s.default if shown else None, "show_default": shown}
+    many = s.many and not s.about.joined
+    return click.option(flag, s.name, type=own or _type(s), multiple=many, help=s.about.help, **more)
 
 
 def _type(s: Setting) -> Any:
