@@ -37,6 +37,10 @@ class Range:
 
 
 ANY, POSITIVE, NOT_NEGATIVE = Range(), Range(low=0, above=True), Range(low=0)
+PIXELS = Range(low=0, high=1e5, above=True)
+"""A standard deviation of image points [px]: no format is wider."""
+METRES = Range(low=0, high=1e6, above=True)
+"""A length of a flight [m]: farther away the Earth is not flat, and nothing flies."""
 Part = Range | Literal["text"]
 
 

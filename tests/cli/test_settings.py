@@ -16,13 +16,17 @@ from raybundle.cli.adjust import command as adjust_command
 from raybundle.cli.calibrate import command as calibrate_command
 from raybundle.cli.convert import command as convert_command
 from raybundle.cli.orient import command as orient_command
+from raybundle.cli.plan import flight as flight_command
 from raybundle.cli.rectify import command as rectify_command
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.simulate import command as simulate_command
 from raybundle.commands.adjust import AdjustSettings, run_adjust
 from raybundle.commands.calibrate import CalibrateSettings
 from raybundle.commands.convert import ConvertSettings
 from raybundle.commands.orient import OrientSettings
+from raybundle.commands.plan import FlightSettings
 from raybundle.commands.rectify import RectifySettings
+from raybundle.commands.simulate import SimulateSettings
 from raybundle.errors import InputError
 from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
 from raybundle.settings import made, other_than_usual, setting, settings_of, toml_lines
@@ -34,6 +38,8 @@ COMMANDS = [
     (AdjustSettings, adjust_command, {"block": Path("a"), "out": Path("b")}),
     (ConvertSettings, convert_command, {"source": Path("a")}),
     (RectifySettings, rectify_command, {"source": Path("a")}),
+    (FlightSettings, flight_command, {}),
+    (SimulateSettings, simulate_command, {"scene": "ring", "out": Path("b")}),
 ]
 PYTHON_ALONE = {
     AdjustSettings: {

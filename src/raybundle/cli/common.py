@@ -12,8 +12,18 @@ from raybundle.commands.convert import APPROXIMATE_HELP
 from raybundle.numerics.counting import counted, grouped, significant
 
 __all__ = [
-    "APPROXIMATE", "COMMAND_SETTINGS", "FOLDER", "NEW_FILE", "NEW_FILE_OR_FOLDER", "NEW_FOLDER", "Output",
-    "common_options", "counted", "grouped", "significant",
+    "APPROXIMATE",
+    "COMMAND_SETTINGS",
+    "FOLDER",
+    "NEW_FILE",
+    "NEW_FILE_OR_FOLDER",
+    "NEW_FOLDER",
+    "TRACEBACK",
+    "Output",
+    "common_options",
+    "counted",
+    "grouped",
+    "significant",
 ]  # fmt: skip
 COMMAND_SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
 FOLDER = click.Path(path_type=Path)
@@ -42,11 +52,14 @@ NEW_FILE, NEW_FOLDER, NEW_FILE_OR_FOLDER = Output("file"), Output("folder"), Out
 APPROXIMATE = click.option("--approximate", is_flag=True, help=APPROXIMATE_HELP)
 
 
+TRACEBACK = click.option(
+    "--traceback", is_flag=True, expose_value=False, help="After an error, show where in the program it arose."
+)
+
+
 def common_options(function: Callable[..., Any]) -> Callable[..., Any]:
     """Add --progress (an argument `progress`) and --traceback (looked up by `main`)."""
-    function = click.option(
-        "--traceback", is_flag=True, expose_value=False, help="After an error, show where in the program it arose."
-    )(function)
+    function = TRACEBACK(function)
     return click.option(
         "--progress",
         type=click.Choice(["auto", "json", "none"]),

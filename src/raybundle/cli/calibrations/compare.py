@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from raybundle.cli.calibrations.given import CAMERA, SIZE, TRACEBACK, one_of, our_camera
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, significant
+from raybundle.cli.calibrations.given import CAMERA, SIZE, one_of, our_camera
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, TRACEBACK, significant
 from raybundle.cli.numbers import POSITIVE
 
 if TYPE_CHECKING:

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from raybundle.cli.calibrations.given import CAMERA, GIVEN, SIZE, TRACEBACK, calibrations_of, chosen_of
-from raybundle.cli.common import APPROXIMATE, COMMAND_SETTINGS, FOLDER, NEW_FILE, significant
+from raybundle.cli.calibrations.given import CAMERA, GIVEN, SIZE, calibrations_of, chosen_of
+from raybundle.cli.common import APPROXIMATE, COMMAND_SETTINGS, FOLDER, NEW_FILE, TRACEBACK, significant
 from raybundle.cli.numbers import POSITIVE
 
 if TYPE_CHECKING:

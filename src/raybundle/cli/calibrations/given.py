@@ -14,9 +14,6 @@ if TYPE_CHECKING:
     from raybundle.block import Camera
     from raybundle.io.calibrations import Calibration
 
-TRACEBACK = click.option(
-    "--traceback", is_flag=True, expose_value=False, help="After an error, show where in the program it arose."
-)
 SIZE = click.option(
     "--size", nargs=2, type=click.IntRange(1), metavar="WIDTH HEIGHT", help="Format [px], where the file lacks it."
 )

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.calibrations.given import CAMERA, GIVEN, LIBRARY, SIZE, TRACEBACK, of_result, one_of, our_camera
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FILE, counted, significant
+from raybundle.cli.calibrations.given import CAMERA, GIVEN, LIBRARY, SIZE, of_result, one_of, our_camera
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FILE, TRACEBACK, counted, significant
 from raybundle.cli.numbers import POSITIVE
 from raybundle.errors import InputError
 

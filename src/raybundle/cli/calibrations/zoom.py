@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.calibrations.given import LIBRARY, TRACEBACK, of_result, our_camera
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER
+from raybundle.cli.calibrations.given import LIBRARY, of_result, our_camera
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER, TRACEBACK
 from raybundle.cli.numbers import NOT_NEGATIVE, POSITIVE
 from raybundle.errors import InputError
 
