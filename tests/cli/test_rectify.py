@@ -15,7 +15,8 @@ from raybundle.cli.main import main
 from raybundle.errors import InputError
 from raybundle.io.pictures.undistort import camera_plane
 from raybundle.numerics.planes import plane_of_most
-from raybundle.planning.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+from raybundle.planning.scenes import TargetField, brown_camera, field_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.report.write import write_result
 from raybundle.workflows.rectify import plane_of
 

@@ -28,7 +28,8 @@ from raybundle.commands.plan import FlightSettings
 from raybundle.commands.rectify import RectifySettings
 from raybundle.commands.simulate import SimulateSettings
 from raybundle.errors import InputError
-from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.settings import made, other_than_usual, setting, settings_of, toml_lines
 
 PHOTOS = {"photos": (Path("a"),), "out": Path("b")}

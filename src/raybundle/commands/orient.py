@@ -25,7 +25,7 @@ from raybundle.settings import (
 if TYPE_CHECKING:
     from raybundle.pipeline.project import StageRecord
     from raybundle.placing.marks import Given
-    from raybundle.report.sections.photographs import PhotographFacts
+    from raybundle.report.facts import PhotographFacts
     from raybundle.workflows.orient import Orientation
     from raybundle.workflows.orient_options import OrientOptions
 
@@ -271,7 +271,7 @@ def write_orientation(
 def facts_of(done: Orientation) -> PhotographFacts:
     """What the report says of photographs and scenes; a scene is a photograph with a camera of its own."""
     from raybundle.commands.photograph_facts import photograph_facts  # noqa: PLC0415
-    from raybundle.report.sections.photographs import PairFact, PhotoFact  # noqa: PLC0415
+    from raybundle.report.facts import PairFact, PhotoFact  # noqa: PLC0415
 
     facts = photograph_facts(done)
     names = [s.name for s in done.scenes]

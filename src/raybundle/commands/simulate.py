@@ -11,7 +11,8 @@ from raybundle.errors import InputError
 from raybundle.settings import METRES, NOT_NEGATIVE, PIXELS, Range, setting
 
 if TYPE_CHECKING:
-    from raybundle.planning.simulate import Scene, Simulation, Survey
+    from raybundle.planning.scenes import Scene
+    from raybundle.planning.simulate import Simulation, Survey
 
 SceneName = Literal["testfield", "flat", "aerial", "ring", "single"]
 
@@ -67,7 +68,7 @@ def run_simulate(settings: SimulateSettings) -> Simulation:
 
 def scene_of(name: SceneName) -> Scene:
     """The scene of a name on the command line, with its standard plan."""
-    from raybundle.planning import simulate as s  # noqa: PLC0415
+    from raybundle.planning import scenes as s  # noqa: PLC0415
 
     scenes: dict[SceneName, Callable[[], Scene]] = {
         "testfield": lambda: s.field_scene(s.TargetField()),

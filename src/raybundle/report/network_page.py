@@ -19,10 +19,9 @@ from raybundle.numerics.arrays import Array, Index
 from raybundle.report.document import environment
 from raybundle.report.figures.network import frusta
 from raybundle.report.figures.svg import spread_rows
-from raybundle.report.sections.scenes import with_near_viewpoints
 from raybundle.report.text.numbers import counted, grouped
 from raybundle.report.text.words import datum_words
-from raybundle.report.view import View, view_of
+from raybundle.report.view import View, view_of, with_near_viewpoints
 
 MOST_POINTS, MOST_ELLIPSOIDS, MOST_IMAGES = 50_000, 2_000, 5_000
 """Points, error ellipsoids and images that a page holds; control and check points are all there."""
