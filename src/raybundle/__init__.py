@@ -10,6 +10,8 @@
 
     done = rb.orient("facade/", "facade-project", control="marks.csv")
     rb.calibrate("board/", "calibration", target="chessboard-9x6")
+    rb.convert("facade-project/result", "model", to="colmap")
+    rb.rectify("facade-project", "facade.tif", pixel=0.002)
 
 Names are loaded when they are first used: `import raybundle` alone loads neither NumPy nor SciPy.
 """
@@ -22,7 +24,9 @@ if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
     from raybundle.block import Block, Camera, Distances, Images, Instrument, Observations, Points, Role, Stations
     from raybundle.commands.calibrate import CalibrateSettings, calibrate
+    from raybundle.commands.convert import Converted, ConvertSettings, convert
     from raybundle.commands.orient import OrientSettings, orient
+    from raybundle.commands.rectify import Rectification, RectifySettings, rectify
     from raybundle.commands.targets import detect_targets
     from raybundle.errors import InputError, NotSolvable, RaybundleError
     from raybundle.io.block.folder import read_block, write_block
@@ -55,6 +59,8 @@ _HOME = {
     "CalibrateSettings": "commands.calibrate",
     "Calibration": "workflows.calibrate_state",
     "Camera": "block",
+    "ConvertSettings": "commands.convert",
+    "Converted": "commands.convert",
     "Distances": "block",
     "Flight": "planning.uav_networks",
     "Images": "block",
@@ -66,10 +72,13 @@ _HOME = {
     "Orientation": "workflows.orient",
     "Points": "block",
     "RaybundleError": "errors",
+    "Rectification": "commands.rectify",
+    "RectifySettings": "commands.rectify",
     "Role": "block",
     "Stations": "block",
     "adjust": "workflows.adjust",
     "calibrate": "commands.calibrate",
+    "convert": "commands.convert",
     "detect_targets": "commands.targets",
     "orient": "commands.orient",
     "plan_flight": "planning.flight",
@@ -80,6 +89,7 @@ _HOME = {
     "plot_residuals": "report.pictures",
     "read_block": "io.block.folder",
     "read_result": "results.folder",
+    "rectify": "commands.rectify",
     "show": "report.show",
     "table": "report.tables",
     "table_names": "report.tables",
@@ -97,6 +107,8 @@ __all__ = [
     "CalibrateSettings",
     "Calibration",
     "Camera",
+    "ConvertSettings",
+    "Converted",
     "Distances",
     "Flight",
     "Images",
@@ -108,11 +120,14 @@ __all__ = [
     "Orientation",
     "Points",
     "RaybundleError",
+    "Rectification",
+    "RectifySettings",
     "Role",
     "Stations",
     "__version__",
     "adjust",
     "calibrate",
+    "convert",
     "detect_targets",
     "orient",
     "plan_flight",
@@ -123,6 +138,7 @@ __all__ = [
     "plot_residuals",
     "read_block",
     "read_result",
+    "rectify",
     "show",
     "table",
     "table_names",
