@@ -17,9 +17,10 @@ sys.path.insert(0, str(ROOT))
 
 
 def main():
+    from tests.studio.killed import measure_under_kills
+
     from raybundle.commands.orient import orient
     from raybundle.io.block.folder import read_block
-    from tests.studio.killed import measure_under_kills
 
     kills = int(sys.argv[1]) if len(sys.argv) > 1 else 100
     with tempfile.TemporaryDirectory() as folder:
