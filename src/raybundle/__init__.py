@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
     from raybundle.block import Block, Camera, Distances, Images, Instrument, Observations, Points, Role, Stations
     from raybundle.commands.calibrate import CalibrateSettings, calibrate
+    from raybundle.commands.measure import adjust_marks, export_marks, mark, marks, query, transform_to_points
     from raybundle.commands.orient import OrientSettings, orient
     from raybundle.commands.targets import detect_targets
     from raybundle.errors import InputError, NotSolvable, RaybundleError
@@ -69,8 +70,12 @@ _HOME = {
     "Role": "block",
     "Stations": "block",
     "adjust": "workflows.adjust",
+    "adjust_marks": "commands.measure",
     "calibrate": "commands.calibrate",
     "detect_targets": "commands.targets",
+    "export_marks": "commands.measure",
+    "mark": "commands.measure",
+    "marks": "commands.measure",
     "orient": "commands.orient",
     "plan_flight": "planning.flight",
     "plot_control": "report.pictures",
@@ -78,11 +83,13 @@ _HOME = {
     "plot_network": "report.pictures",
     "plot_reliability": "report.pictures",
     "plot_residuals": "report.pictures",
+    "query": "commands.measure",
     "read_block": "io.block.folder",
     "read_result": "results.folder",
     "show": "report.show",
     "table": "report.tables",
     "table_names": "report.tables",
+    "transform_to_points": "commands.measure",
     "write_block": "io.block.folder",
     "write_comparison": "report.compare",
     "write_network_page": "report.network_page",
@@ -112,8 +119,12 @@ __all__ = [
     "Stations",
     "__version__",
     "adjust",
+    "adjust_marks",
     "calibrate",
     "detect_targets",
+    "export_marks",
+    "mark",
+    "marks",
     "orient",
     "plan_flight",
     "plot_control",
@@ -121,11 +132,13 @@ __all__ = [
     "plot_network",
     "plot_reliability",
     "plot_residuals",
+    "query",
     "read_block",
     "read_result",
     "show",
     "table",
     "table_names",
+    "transform_to_points",
     "write_block",
     "write_comparison",
     "write_network_page",
