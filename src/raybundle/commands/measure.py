@@ -22,9 +22,10 @@ from raybundle.measuring.journal import Entry, Journal, entries_of, journal_path
 from raybundle.measuring.known import Known
 from raybundle.measuring.merge import Merged, merge
 from raybundle.measuring.query import Answer, Quantity, ask, in_axes
-from raybundle.measuring.session import block_folder, readjusted
+from raybundle.measuring.session import block_folder
 from raybundle.measuring.state import State
 from raybundle.numerics.progress import Progress, silent
+from raybundle.workflows.adjust import adjust
 
 
 def query(result: Adjustment | str | Path, **given: Any) -> list[Answer]:
@@ -49,7 +50,7 @@ def query(result: Adjustment | str | Path, **given: Any) -> list[Answer]:
     ]
     if not questions:
         raise InputError("nothing is asked; give coordinates, distance, angle or area")
-    adjustment = result if isinstance(result, Adjustment) else readjusted(read_block(block_folder(result)))
+    adjustment = result if isinstance(result, Adjustment) else adjust(read_block(block_folder(result)))
     return [ask(adjustment, quantity, points) for quantity, points in questions]
 
 
@@ -66,7 +67,7 @@ def transform_to_points(result: Adjustment | str | Path, out: str | Path, **give
     out = Path(out)
     if out.exists() and (not out.is_dir() or {p.name for p in out.iterdir()} - {"points.csv", "transformation.json"}):
         raise InputError("stands there already and is not overwritten; choose another name", file=out)
-    adjustment = result if isinstance(result, Adjustment) else readjusted(read_block(block_folder(result)))
+    adjustment = result if isinstance(result, Adjustment) else adjust(read_block(block_folder(result)))
     moved = in_axes(adjustment, s.origin, s.axis, s.plane)
     C, std = moved.covariance, np.sqrt(np.maximum(np.diagonal(moved.covariance, axis1=1, axis2=2), 0))
     names = {int(role): name for name, role in ROLES.items()}
@@ -119,8 +120,6 @@ def merged(folder: str | Path) -> Merged:
 
 def adjust_marks(folder: str | Path, progress: Progress = silent, **given: Any) -> tuple[Adjustment, Mapping[str, str]]:
     """Adjust the block of a folder with what was measured by hand; also what was left out, and why."""
-    from raybundle.workflows.adjust import adjust  # noqa: PLC0415
-
     s = made(MarkAdjustSettings, given)
     found = merged(folder)
     options = AdjustmentOptions(reject=s.reject, estimate=s.estimate)
