@@ -74,13 +74,22 @@ def _do(folder: Path, verb: str, author: str, **arguments: Any) -> None:
     click.echo(f" action {mark(folder, verb, author=author, **arguments)}: {verb}")
 
 
-def _place(folder: Path, verb: str, author: str, sigma: float, **given: Any) -> None:
-    _do(folder, verb, author, covariance=(sigma**2, sigma**2, 0.0), **given)
+Covariance = tuple[float, float, float]
 
 
-SIGMA = click.option(
-    "--sigma", type=PIXELS, default=0.5, show_default=True, metavar="PX", help="Standard deviation of the mark."
-)
+def _place(folder: Path, verb: str, author: str, sigma: float, covariance: Covariance | None, **given: Any) -> None:
+    _do(folder, verb, author, covariance=covariance or (sigma**2, sigma**2, 0.0), **given)
+
+
+def _precision(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Add --sigma and --covariance."""
+    whole = click.option(
+        "--covariance", type=(POSITIVE, POSITIVE, NUMBER), metavar="XX YY XY",
+        help="Variances of x and y and their covariance [px^2], in place of --sigma.",
+    )  # fmt: skip
+    return click.option(
+        "--sigma", type=PIXELS, default=0.5, show_default=True, metavar="PX", help="Standard deviation of the mark."
+    )(whole(function))
 
 
 @_verb("put")
@@ -88,15 +97,18 @@ SIGMA = click.option(
 @click.argument("point")
 @click.argument("x_px", type=NUMBER, metavar="X")
 @click.argument("y_px", type=NUMBER, metavar="Y")
-@SIGMA
-def put(folder: Path, image: str, point: str, x_px: float, y_px: float, sigma: float, author: str) -> None:
+@_precision
+def put(
+    folder: Path, image: str, point: str, x_px: float, y_px: float, sigma: float, covariance: Covariance | None,
+    author: str,
+) -> None:  # fmt: skip
     """Mark a point in an image; a name that is new makes a tie point.
 
     \b
     Example:
       raybundle mark put facade-project IMG_3.jpg gate 1204.3 880.1
     """  # noqa: D301
-    _place(folder, "put", author, sigma, image=image, point=point, x_px=x_px, y_px=y_px)
+    _place(folder, "put", author, sigma, covariance, image=image, point=point, x_px=x_px, y_px=y_px)
 
 
 @_verb("move")
@@ -104,15 +116,18 @@ def put(folder: Path, image: str, point: str, x_px: float, y_px: float, sigma: f
 @click.argument("point")
 @click.argument("x_px", type=NUMBER, metavar="X")
 @click.argument("y_px", type=NUMBER, metavar="Y")
-@SIGMA
-def move(folder: Path, image: str, point: str, x_px: float, y_px: float, sigma: float, author: str) -> None:
+@_precision
+def move(
+    folder: Path, image: str, point: str, x_px: float, y_px: float, sigma: float, covariance: Covariance | None,
+    author: str,
+) -> None:  # fmt: skip
     """Move a mark.
 
     \b
     Example:
       raybundle mark move facade-project IMG_3.jpg gate 1204.6 880.0 --sigma 0.2
     """  # noqa: D301
-    _place(folder, "move", author, sigma, image=image, point=point, x_px=x_px, y_px=y_px)
+    _place(folder, "move", author, sigma, covariance, image=image, point=point, x_px=x_px, y_px=y_px)
 
 
 @_verb("remove")
@@ -357,7 +372,8 @@ def adjust_(folder: Path, out: Path | None, no_report: bool, progress: str, **gi
       raybundle mark adjust facade-project --out facade-with-control --reject snooping
     """  # noqa: D301
     from raybundle.cli.progress import reporting  # noqa: PLC0415
-    from raybundle.commands.measure import adjust_marks, measured_result  # noqa: PLC0415
+    from raybundle.commands.measure import adjust_marks  # noqa: PLC0415
+    from raybundle.measuring.journal import measured_result  # noqa: PLC0415
     from raybundle.report.text.summary import summary_lines  # noqa: PLC0415
     from raybundle.report.write import write_result  # noqa: PLC0415
     from raybundle.results.folder import check_target  # noqa: PLC0415

@@ -126,15 +126,6 @@ def adjust_marks(folder: str | Path, progress: Progress = silent, **given: Any) 
     return adjust(found.block, options, progress), found.left_out
 
 
-def measured_result(folder: str | Path) -> Path:
-    """Where the result of `adjust_marks` is written by default: in a project, beside any other folder."""
-    folder = Path(folder)
-    if (folder / "project.db").is_file():
-        return folder / "measured-result"
-    whole = folder.resolve()
-    return whole.with_name(f"{whole.name}-measured")
-
-
 def export_marks(folder: str | Path, out: str | Path, *, crs: str = "") -> tuple[Path, ...]:
     """Write what was measured: NAME.csv as `--control` reads it, NAME.txt as gcp_list (with `crs`), else a block."""
     out, state = Path(out), marks(folder)
