@@ -358,6 +358,5 @@ def calibration_qualities(result: Adjustment, progress: Progress = silent) -> tu
         return ()
     structure = residual_structure(result) if result.noise.kind == "white" else None  # else the covariance carries it
     return tuple(
-        calibration_quality(result, c, cross_validation(result, c, progress=progress), structure)
-        for c in wanted
+        calibration_quality(result, c, cross_validation(result, c, progress=progress), structure) for c in wanted
     )

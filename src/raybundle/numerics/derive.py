@@ -144,6 +144,9 @@ def cxx_source(name: str, derived: Derived) -> str:
     image = [0, 1, 2, 3, 2 + k, 3 + k]  # g1, g2, dg1/dx, dg1/dy, dg2/dx, dg2/dy
     short = [(to, derived.outputs[i]) for to, i in enumerate(image)]
     reduced = _lanes(derived, show, _needed(derived.shared, [e for _, e in short]), short)
+    ends = [0, 1, *range(2, 7), *range(2 + k, 7 + k)]  # the same by x, y, X, Y, Z
+    some = [(to, derived.outputs[i]) for to, i in enumerate(ends)]
+    by_point = _lanes(derived, show, _needed(derived.shared, [e for _, e in some]), some)
     explicit = [derived.outputs[i] for i in image[2:]] == [1, 0, 0, 1]
     return (
         f"struct {name} {{\n"
@@ -154,6 +157,8 @@ def cxx_source(name: str, derived: Derived) -> str:
         f"{full}  }}\n"
         "  static RB_INLINE void by_image(const double (*in)[V], double (*out)[V]) {\n"
         f"{reduced}  }}\n"
+        "  static RB_INLINE void by_point(const double (*in)[V], double (*out)[V]) {\n"
+        f"{by_point}  }}\n"
         "};\n"
     )
 
@@ -164,6 +169,13 @@ def cxx_platform_source(name: str, derived: Derived, *, uses_image: bool) -> str
     k = len(derived.names)
     point = list(enumerate(derived.outputs[:3]))
     few = _needed(derived.shared, [e for _, e in point])
+    by_image = ""
+    if uses_image:
+        moving = [*point, *((3 + 2 * c + e, derived.outputs[3 + k * c + e]) for c in range(3) for e in range(2))]
+        by_image = (
+            "  static RB_INLINE void by_image(const double (*in)[V], double (*out)[V]) {\n"
+            f"{_lanes(derived, show, _needed(derived.shared, [e for _, e in moving]), moving)}  }}\n"
+        )
     used: set[Any] = set().union(*(e.free_symbols for _, e in [*few, *point]))
     alone = [f"    const double {n} = in[{i}];\n" for i, n in enumerate(derived.names) if sp.Symbol(n) in used]
     alone += [f"    const double {n} = {show(e)};\n" for n, e in few]
@@ -176,6 +188,7 @@ def cxx_platform_source(name: str, derived: Derived, *, uses_image: bool) -> str
         f"{_lanes(derived, show, derived.shared, list(enumerate(derived.outputs)))}  }}\n"
         "  static RB_INLINE void place(const double (*in)[V], double (*out)[V]) {\n"
         f"{_lanes(derived, show, few, point)}  }}\n"
+        f"{by_image}"
         "  static RB_INLINE void place_one(const double* in, double* out) {\n"
         f"{''.join(alone)}  }}\n"
         "};\n"
