@@ -3,18 +3,18 @@
 struct mounted {
   static constexpr int parameters = 6;
   static constexpr bool uses_image = false;
-  static RB_INLINE void evaluate(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double bx = in[5][l];
-      const double by = in[6][l];
-      const double bz = in[7][l];
-      const double om = in[8][l];
-      const double ph = in[9][l];
-      const double ka = in[10][l];
+      const double bx = own[0][l];
+      const double by = own[1][l];
+      const double bz = own[2][l];
+      const double om = own[3][l];
+      const double ph = own[4][l];
+      const double ka = own[5][l];
       const double t0 = X - bx;
       const double t1 = std::cos(ph);
       const double t2 = Y - by;
@@ -82,18 +82,18 @@ struct mounted {
       out[35][l] = 0;
     }
   }
-  static RB_INLINE void place(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void place(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double bx = in[5][l];
-      const double by = in[6][l];
-      const double bz = in[7][l];
-      const double om = in[8][l];
-      const double ph = in[9][l];
-      const double ka = in[10][l];
+      const double bx = own[0][l];
+      const double by = own[1][l];
+      const double bz = own[2][l];
+      const double om = own[3][l];
+      const double ph = own[4][l];
+      const double ka = own[5][l];
       const double t0 = X - bx;
       const double t1 = std::cos(ph);
       const double t2 = Y - by;
@@ -114,16 +114,16 @@ struct mounted {
       out[2][l] = t14;
     }
   }
-  static RB_INLINE void place_one(const double* in, double* out) {
+  static RB_INLINE void place_one(const double* in, const double* own, double* out) {
     const double X = in[2];
     const double Y = in[3];
     const double Z = in[4];
-    const double bx = in[5];
-    const double by = in[6];
-    const double bz = in[7];
-    const double om = in[8];
-    const double ph = in[9];
-    const double ka = in[10];
+    const double bx = own[0];
+    const double by = own[1];
+    const double bz = own[2];
+    const double om = own[3];
+    const double ph = own[4];
+    const double ka = own[5];
     const double t0 = X - bx;
     const double t1 = std::cos(ph);
     const double t2 = Y - by;
@@ -148,20 +148,20 @@ struct mounted {
 struct rolling {
   static constexpr int parameters = 7;
   static constexpr bool uses_image = true;
-  static RB_INLINE void evaluate(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double y = in[1][l];
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double r = in[5][l];
-      const double vx = in[6][l];
-      const double vy = in[7][l];
-      const double vz = in[8][l];
-      const double wx = in[9][l];
-      const double wy = in[10][l];
-      const double wz = in[11][l];
+      const double r = own[0][l];
+      const double vx = own[1][l];
+      const double vy = own[2][l];
+      const double vz = own[3][l];
+      const double wx = own[4][l];
+      const double wy = own[5][l];
+      const double wz = own[6][l];
       const double t0 = ((wx)*(wx));
       const double t1 = ((r)*(r));
       const double t2 = ((y)*(y));
@@ -289,20 +289,20 @@ struct rolling {
       out[38][l] = -t67 - t75*t85;
     }
   }
-  static RB_INLINE void place(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void place(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double y = in[1][l];
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double r = in[5][l];
-      const double vx = in[6][l];
-      const double vy = in[7][l];
-      const double vz = in[8][l];
-      const double wx = in[9][l];
-      const double wy = in[10][l];
-      const double wz = in[11][l];
+      const double r = own[0][l];
+      const double vx = own[1][l];
+      const double vy = own[2][l];
+      const double vz = own[3][l];
+      const double wx = own[4][l];
+      const double wy = own[5][l];
+      const double wz = own[6][l];
       const double t0 = ((wx)*(wx));
       const double t1 = ((r)*(r));
       const double t2 = ((y)*(y));
@@ -339,20 +339,20 @@ struct rolling {
       out[2][l] = t13*t30;
     }
   }
-  static RB_INLINE void by_image(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_image(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double y = in[1][l];
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double r = in[5][l];
-      const double vx = in[6][l];
-      const double vy = in[7][l];
-      const double vz = in[8][l];
-      const double wx = in[9][l];
-      const double wy = in[10][l];
-      const double wz = in[11][l];
+      const double r = own[0][l];
+      const double vx = own[1][l];
+      const double vy = own[2][l];
+      const double vz = own[3][l];
+      const double wx = own[4][l];
+      const double wy = own[5][l];
+      const double wz = own[6][l];
       const double t0 = ((wx)*(wx));
       const double t1 = ((r)*(r));
       const double t2 = ((y)*(y));
@@ -419,18 +419,18 @@ struct rolling {
       out[8][l] = t13*(r*t17*vz + r*t18*wx + t1*vy*wx*y - t15*t40 + t23*t34 - t25*t35 - t43*vx - t44*t84) + t34*t85;
     }
   }
-  static RB_INLINE void place_one(const double* in, double* out) {
+  static RB_INLINE void place_one(const double* in, const double* own, double* out) {
     const double y = in[1];
     const double X = in[2];
     const double Y = in[3];
     const double Z = in[4];
-    const double r = in[5];
-    const double vx = in[6];
-    const double vy = in[7];
-    const double vz = in[8];
-    const double wx = in[9];
-    const double wy = in[10];
-    const double wz = in[11];
+    const double r = own[0];
+    const double vx = own[1];
+    const double vy = own[2];
+    const double vz = own[3];
+    const double wx = own[4];
+    const double wy = own[5];
+    const double wz = own[6];
     const double t0 = ((wx)*(wx));
     const double t1 = ((r)*(r));
     const double t2 = ((y)*(y));
@@ -471,25 +471,25 @@ struct rolling {
 struct trajectory {
   static constexpr int parameters = 12;
   static constexpr bool uses_image = true;
-  static RB_INLINE void evaluate(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double y = in[1][l];
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double vx = in[5][l];
-      const double vy = in[6][l];
-      const double vz = in[7][l];
-      const double ax = in[8][l];
-      const double ay = in[9][l];
-      const double az = in[10][l];
-      const double wx = in[11][l];
-      const double wy = in[12][l];
-      const double wz = in[13][l];
-      const double qx = in[14][l];
-      const double qy = in[15][l];
-      const double qz = in[16][l];
+      const double vx = own[0][l];
+      const double vy = own[1][l];
+      const double vz = own[2][l];
+      const double ax = own[3][l];
+      const double ay = own[4][l];
+      const double az = own[5][l];
+      const double wx = own[6][l];
+      const double wy = own[7][l];
+      const double wz = own[8][l];
+      const double qx = own[9][l];
+      const double qy = own[10][l];
+      const double qz = own[11][l];
       const double t0 = ((y)*(y));
       const double t1 = qx*t0;
       const double t2 = (1.0/2.0)*wx;
@@ -633,25 +633,25 @@ struct trajectory {
       out[53][l] = -t11*t86 - t67;
     }
   }
-  static RB_INLINE void place(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void place(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double y = in[1][l];
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double vx = in[5][l];
-      const double vy = in[6][l];
-      const double vz = in[7][l];
-      const double ax = in[8][l];
-      const double ay = in[9][l];
-      const double az = in[10][l];
-      const double wx = in[11][l];
-      const double wy = in[12][l];
-      const double wz = in[13][l];
-      const double qx = in[14][l];
-      const double qy = in[15][l];
-      const double qz = in[16][l];
+      const double vx = own[0][l];
+      const double vy = own[1][l];
+      const double vz = own[2][l];
+      const double ax = own[3][l];
+      const double ay = own[4][l];
+      const double az = own[5][l];
+      const double wx = own[6][l];
+      const double wy = own[7][l];
+      const double wz = own[8][l];
+      const double qx = own[9][l];
+      const double qy = own[10][l];
+      const double qz = own[11][l];
       const double t0 = ((y)*(y));
       const double t1 = qx*t0;
       const double t2 = (1.0/2.0)*wx;
@@ -686,25 +686,25 @@ struct trajectory {
       out[2][l] = t15*t28;
     }
   }
-  static RB_INLINE void by_image(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_image(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double y = in[1][l];
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double vx = in[5][l];
-      const double vy = in[6][l];
-      const double vz = in[7][l];
-      const double ax = in[8][l];
-      const double ay = in[9][l];
-      const double az = in[10][l];
-      const double wx = in[11][l];
-      const double wy = in[12][l];
-      const double wz = in[13][l];
-      const double qx = in[14][l];
-      const double qy = in[15][l];
-      const double qz = in[16][l];
+      const double vx = own[0][l];
+      const double vy = own[1][l];
+      const double vz = own[2][l];
+      const double ax = own[3][l];
+      const double ay = own[4][l];
+      const double az = own[5][l];
+      const double wx = own[6][l];
+      const double wy = own[7][l];
+      const double wz = own[8][l];
+      const double qx = own[9][l];
+      const double qy = own[10][l];
+      const double qz = own[11][l];
       const double t0 = ((y)*(y));
       const double t1 = qx*t0;
       const double t2 = (1.0/2.0)*wx;
@@ -762,23 +762,23 @@ struct trajectory {
       out[8][l] = t15*(t11*t41 + t17*t34 - t18*t74 + t19*t32 + t20*t42 + t22*t37 + t24*t40 - t26*t39) + t28*t44;
     }
   }
-  static RB_INLINE void place_one(const double* in, double* out) {
+  static RB_INLINE void place_one(const double* in, const double* own, double* out) {
     const double y = in[1];
     const double X = in[2];
     const double Y = in[3];
     const double Z = in[4];
-    const double vx = in[5];
-    const double vy = in[6];
-    const double vz = in[7];
-    const double ax = in[8];
-    const double ay = in[9];
-    const double az = in[10];
-    const double wx = in[11];
-    const double wy = in[12];
-    const double wz = in[13];
-    const double qx = in[14];
-    const double qy = in[15];
-    const double qz = in[16];
+    const double vx = own[0];
+    const double vy = own[1];
+    const double vz = own[2];
+    const double ax = own[3];
+    const double ay = own[4];
+    const double az = own[5];
+    const double wx = own[6];
+    const double wy = own[7];
+    const double wz = own[8];
+    const double qx = own[9];
+    const double qy = own[10];
+    const double qz = own[11];
     const double t0 = ((y)*(y));
     const double t1 = qx*t0;
     const double t2 = (1.0/2.0)*wx;
@@ -818,7 +818,7 @@ struct aicon {
   static constexpr const char* label = "aicon";
   static constexpr int parameters = 10;
   static constexpr bool explicit_image = true;
-  static RB_INLINE void evaluate(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -826,16 +826,16 @@ struct aicon {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double x0 = in[6][l];
-      const double y0 = in[7][l];
-      const double K1 = in[8][l];
-      const double K2 = in[9][l];
-      const double P1 = in[10][l];
-      const double P2 = in[11][l];
-      const double C1 = in[12][l];
-      const double C2 = in[13][l];
-      const double R0 = in[14][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
+      const double P1 = own[5][l];
+      const double P2 = own[6][l];
+      const double C1 = own[7][l];
+      const double C2 = own[8][l];
+      const double R0 = own[9][l];
       const double t0 = ((Y)*(Y));
       const double t1 = (1.0/((Z)*(Z)));
       const double t2 = ((c)*(c));
@@ -922,7 +922,7 @@ struct aicon {
       out[31][l] = t11*t50;
     }
   }
-  static RB_INLINE void by_image(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_image(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -930,16 +930,16 @@ struct aicon {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double x0 = in[6][l];
-      const double y0 = in[7][l];
-      const double K1 = in[8][l];
-      const double K2 = in[9][l];
-      const double P1 = in[10][l];
-      const double P2 = in[11][l];
-      const double C1 = in[12][l];
-      const double C2 = in[13][l];
-      const double R0 = in[14][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
+      const double P1 = own[5][l];
+      const double P2 = own[6][l];
+      const double C1 = own[7][l];
+      const double C2 = own[8][l];
+      const double R0 = own[9][l];
       const double t0 = ((Y)*(Y));
       const double t1 = (1.0/((Z)*(Z)));
       const double t2 = ((c)*(c));
@@ -970,7 +970,7 @@ struct aicon {
       out[5][l] = 1;
     }
   }
-  static RB_INLINE void by_point(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_point(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -978,16 +978,16 @@ struct aicon {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double x0 = in[6][l];
-      const double y0 = in[7][l];
-      const double K1 = in[8][l];
-      const double K2 = in[9][l];
-      const double P1 = in[10][l];
-      const double P2 = in[11][l];
-      const double C1 = in[12][l];
-      const double C2 = in[13][l];
-      const double R0 = in[14][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
+      const double P1 = own[5][l];
+      const double P2 = own[6][l];
+      const double C1 = own[7][l];
+      const double C2 = own[8][l];
+      const double R0 = own[9][l];
       const double t0 = ((Y)*(Y));
       const double t1 = (1.0/((Z)*(Z)));
       const double t2 = ((c)*(c));
@@ -1050,7 +1050,7 @@ struct brown {
   static constexpr const char* label = "brown";
   static constexpr int parameters = 10;
   static constexpr bool explicit_image = false;
-  static RB_INLINE void evaluate(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -1058,16 +1058,16 @@ struct brown {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double x0 = in[6][l];
-      const double y0 = in[7][l];
-      const double K1 = in[8][l];
-      const double K2 = in[9][l];
-      const double K3 = in[10][l];
-      const double P1 = in[11][l];
-      const double P2 = in[12][l];
-      const double A = in[13][l];
-      const double S = in[14][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
+      const double K3 = own[5][l];
+      const double P1 = own[6][l];
+      const double P2 = own[7][l];
+      const double A = own[8][l];
+      const double S = own[9][l];
       const double t0 = x - x0;
       const double t1 = 2*x - 2*x0;
       const double t2 = t0*t1;
@@ -1141,7 +1141,7 @@ struct brown {
       out[31][l] = 0;
     }
   }
-  static RB_INLINE void by_image(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_image(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -1149,16 +1149,16 @@ struct brown {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double x0 = in[6][l];
-      const double y0 = in[7][l];
-      const double K1 = in[8][l];
-      const double K2 = in[9][l];
-      const double K3 = in[10][l];
-      const double P1 = in[11][l];
-      const double P2 = in[12][l];
-      const double A = in[13][l];
-      const double S = in[14][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
+      const double K3 = own[5][l];
+      const double P1 = own[6][l];
+      const double P2 = own[7][l];
+      const double A = own[8][l];
+      const double S = own[9][l];
       const double t0 = x - x0;
       const double t1 = 2*x - 2*x0;
       const double t2 = t0*t1;
@@ -1199,7 +1199,7 @@ struct brown {
       out[5][l] = P2*t37 + t10*t15 + t26*t36 + t38;
     }
   }
-  static RB_INLINE void by_point(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_point(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -1207,16 +1207,16 @@ struct brown {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double x0 = in[6][l];
-      const double y0 = in[7][l];
-      const double K1 = in[8][l];
-      const double K2 = in[9][l];
-      const double K3 = in[10][l];
-      const double P1 = in[11][l];
-      const double P2 = in[12][l];
-      const double A = in[13][l];
-      const double S = in[14][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
+      const double K3 = own[5][l];
+      const double P1 = own[6][l];
+      const double P2 = own[7][l];
+      const double A = own[8][l];
+      const double S = own[9][l];
       const double t0 = x - x0;
       const double t1 = 2*x - 2*x0;
       const double t2 = t0*t1;
@@ -1270,7 +1270,7 @@ struct brown_harmonic {
   static constexpr const char* label = "brown_harmonic";
   static constexpr int parameters = 16;
   static constexpr bool explicit_image = false;
-  static RB_INLINE void evaluate(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -1278,22 +1278,22 @@ struct brown_harmonic {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double x0 = in[6][l];
-      const double y0 = in[7][l];
-      const double K1 = in[8][l];
-      const double K2 = in[9][l];
-      const double K3 = in[10][l];
-      const double P1 = in[11][l];
-      const double P2 = in[12][l];
-      const double A = in[13][l];
-      const double S = in[14][l];
-      const double B1 = in[15][l];
-      const double B2 = in[16][l];
-      const double T1 = in[17][l];
-      const double T2 = in[18][l];
-      const double Q1 = in[19][l];
-      const double Q2 = in[20][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
+      const double K3 = own[5][l];
+      const double P1 = own[6][l];
+      const double P2 = own[7][l];
+      const double A = own[8][l];
+      const double S = own[9][l];
+      const double B1 = own[10][l];
+      const double B2 = own[11][l];
+      const double T1 = own[12][l];
+      const double T2 = own[13][l];
+      const double Q1 = own[14][l];
+      const double Q2 = own[15][l];
       const double t0 = x - x0;
       const double t1 = 2*x - 2*x0;
       const double t2 = t0*t1;
@@ -1408,7 +1408,7 @@ struct brown_harmonic {
       out[43][l] = t28;
     }
   }
-  static RB_INLINE void by_image(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_image(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -1416,22 +1416,22 @@ struct brown_harmonic {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double x0 = in[6][l];
-      const double y0 = in[7][l];
-      const double K1 = in[8][l];
-      const double K2 = in[9][l];
-      const double K3 = in[10][l];
-      const double P1 = in[11][l];
-      const double P2 = in[12][l];
-      const double A = in[13][l];
-      const double S = in[14][l];
-      const double B1 = in[15][l];
-      const double B2 = in[16][l];
-      const double T1 = in[17][l];
-      const double T2 = in[18][l];
-      const double Q1 = in[19][l];
-      const double Q2 = in[20][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
+      const double K3 = own[5][l];
+      const double P1 = own[6][l];
+      const double P2 = own[7][l];
+      const double A = own[8][l];
+      const double S = own[9][l];
+      const double B1 = own[10][l];
+      const double B2 = own[11][l];
+      const double T1 = own[12][l];
+      const double T2 = own[13][l];
+      const double Q1 = own[14][l];
+      const double Q2 = own[15][l];
       const double t0 = x - x0;
       const double t1 = 2*x - 2*x0;
       const double t2 = t0*t1;
@@ -1499,7 +1499,7 @@ struct brown_harmonic {
       out[5][l] = P2*t43 + T2*t40 + t20*t25 + t24*t27 - t30 - t36 + t38 - t40*t63 + t44*t66 + t47*t58 - t64 + t65;
     }
   }
-  static RB_INLINE void by_point(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_point(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -1507,22 +1507,22 @@ struct brown_harmonic {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double x0 = in[6][l];
-      const double y0 = in[7][l];
-      const double K1 = in[8][l];
-      const double K2 = in[9][l];
-      const double K3 = in[10][l];
-      const double P1 = in[11][l];
-      const double P2 = in[12][l];
-      const double A = in[13][l];
-      const double S = in[14][l];
-      const double B1 = in[15][l];
-      const double B2 = in[16][l];
-      const double T1 = in[17][l];
-      const double T2 = in[18][l];
-      const double Q1 = in[19][l];
-      const double Q2 = in[20][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
+      const double K3 = own[5][l];
+      const double P1 = own[6][l];
+      const double P2 = own[7][l];
+      const double A = own[8][l];
+      const double S = own[9][l];
+      const double B1 = own[10][l];
+      const double B2 = own[11][l];
+      const double T1 = own[12][l];
+      const double T2 = own[13][l];
+      const double Q1 = own[14][l];
+      const double Q2 = own[15][l];
       const double t0 = x - x0;
       const double t1 = 2*x - 2*x0;
       const double t2 = t0*t1;
@@ -1603,7 +1603,7 @@ struct fisheye {
   static constexpr const char* label = "fisheye";
   static constexpr int parameters = 8;
   static constexpr bool explicit_image = false;
-  static RB_INLINE void evaluate(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -1611,14 +1611,14 @@ struct fisheye {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double x0 = in[6][l];
-      const double y0 = in[7][l];
-      const double K1 = in[8][l];
-      const double K2 = in[9][l];
-      const double K3 = in[10][l];
-      const double P1 = in[11][l];
-      const double P2 = in[12][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
+      const double K3 = own[5][l];
+      const double P1 = own[6][l];
+      const double P2 = own[7][l];
       const double t0 = x - x0;
       const double t1 = 2*x - 2*x0;
       const double t2 = t0*t1;
@@ -1693,7 +1693,7 @@ struct fisheye {
       out[27][l] = t20;
     }
   }
-  static RB_INLINE void by_image(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_image(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -1701,14 +1701,14 @@ struct fisheye {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double x0 = in[6][l];
-      const double y0 = in[7][l];
-      const double K1 = in[8][l];
-      const double K2 = in[9][l];
-      const double K3 = in[10][l];
-      const double P1 = in[11][l];
-      const double P2 = in[12][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
+      const double K3 = own[5][l];
+      const double P1 = own[6][l];
+      const double P2 = own[7][l];
       const double t0 = x - x0;
       const double t1 = 2*x - 2*x0;
       const double t2 = t0*t1;
@@ -1752,7 +1752,7 @@ struct fisheye {
       out[5][l] = P2*t42 + t19*t8 + t29*t41 + t43;
     }
   }
-  static RB_INLINE void by_point(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_point(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -1760,14 +1760,14 @@ struct fisheye {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double x0 = in[6][l];
-      const double y0 = in[7][l];
-      const double K1 = in[8][l];
-      const double K2 = in[9][l];
-      const double K3 = in[10][l];
-      const double P1 = in[11][l];
-      const double P2 = in[12][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
+      const double K3 = own[5][l];
+      const double P1 = own[6][l];
+      const double P2 = own[7][l];
       const double t0 = x - x0;
       const double t1 = 2*x - 2*x0;
       const double t2 = t0*t1;
@@ -1826,18 +1826,18 @@ struct line {
   static constexpr const char* label = "line";
   static constexpr int parameters = 5;
   static constexpr bool explicit_image = false;
-  static RB_INLINE void evaluate(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double x0 = in[6][l];
-      const double y0 = in[7][l];
-      const double K1 = in[8][l];
-      const double K2 = in[9][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
       const double t0 = x - x0;
       const double t1 = ((t0)*(t0)*(t0));
       const double t2 = ((t0)*(t0));
@@ -1871,18 +1871,18 @@ struct line {
       out[21][l] = 0;
     }
   }
-  static RB_INLINE void by_image(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_image(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double x0 = in[6][l];
-      const double y0 = in[7][l];
-      const double K1 = in[8][l];
-      const double K2 = in[9][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
       const double t0 = x - x0;
       const double t1 = ((t0)*(t0)*(t0));
       const double t2 = ((t0)*(t0));
@@ -1899,18 +1899,18 @@ struct line {
       out[5][l] = 0;
     }
   }
-  static RB_INLINE void by_point(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_point(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double x0 = in[6][l];
-      const double y0 = in[7][l];
-      const double K1 = in[8][l];
-      const double K2 = in[9][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
       const double t0 = x - x0;
       const double t1 = ((t0)*(t0)*(t0));
       const double t2 = ((t0)*(t0));
@@ -1940,7 +1940,7 @@ struct panorama {
   static constexpr const char* label = "panorama";
   static constexpr int parameters = 11;
   static constexpr bool explicit_image = false;
-  static RB_INLINE void evaluate(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -1948,17 +1948,17 @@ struct panorama {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double y0 = in[6][l];
-      const double e = in[7][l];
-      const double K1 = in[8][l];
-      const double K2 = in[9][l];
-      const double d = in[10][l];
-      const double T = in[11][l];
-      const double I = in[12][l];
-      const double A = in[13][l];
-      const double u1 = in[14][l];
-      const double u2 = in[15][l];
+      const double c = own[0][l];
+      const double y0 = own[1][l];
+      const double e = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
+      const double d = own[5][l];
+      const double T = own[6][l];
+      const double I = own[7][l];
+      const double A = own[8][l];
+      const double u1 = own[9][l];
+      const double u2 = own[10][l];
       const double t0 = y - y0;
       const double t1 = (1.0/(c));
       const double t2 = A + 1;
@@ -2058,7 +2058,7 @@ struct panorama {
       out[33][l] = -t30*(-t15*t8 - t22*t6) + t62*t8;
     }
   }
-  static RB_INLINE void by_image(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_image(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -2066,17 +2066,17 @@ struct panorama {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double y0 = in[6][l];
-      const double e = in[7][l];
-      const double K1 = in[8][l];
-      const double K2 = in[9][l];
-      const double d = in[10][l];
-      const double T = in[11][l];
-      const double I = in[12][l];
-      const double A = in[13][l];
-      const double u1 = in[14][l];
-      const double u2 = in[15][l];
+      const double c = own[0][l];
+      const double y0 = own[1][l];
+      const double e = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
+      const double d = own[5][l];
+      const double T = own[6][l];
+      const double I = own[7][l];
+      const double A = own[8][l];
+      const double u1 = own[9][l];
+      const double u2 = own[10][l];
       const double t0 = y - y0;
       const double t1 = (1.0/(c));
       const double t2 = A + 1;
@@ -2131,7 +2131,7 @@ struct panorama {
       out[5][l] = t57 + t58*t59 - t61 + 1;
     }
   }
-  static RB_INLINE void by_point(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_point(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -2139,17 +2139,17 @@ struct panorama {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double y0 = in[6][l];
-      const double e = in[7][l];
-      const double K1 = in[8][l];
-      const double K2 = in[9][l];
-      const double d = in[10][l];
-      const double T = in[11][l];
-      const double I = in[12][l];
-      const double A = in[13][l];
-      const double u1 = in[14][l];
-      const double u2 = in[15][l];
+      const double c = own[0][l];
+      const double y0 = own[1][l];
+      const double e = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
+      const double d = own[5][l];
+      const double T = own[6][l];
+      const double I = own[7][l];
+      const double A = own[8][l];
+      const double u1 = own[9][l];
+      const double u2 = own[10][l];
       const double t0 = y - y0;
       const double t1 = (1.0/(c));
       const double t2 = A + 1;
@@ -2217,7 +2217,7 @@ struct radial {
   static constexpr const char* label = "radial";
   static constexpr int parameters = 3;
   static constexpr bool explicit_image = true;
-  static RB_INLINE void evaluate(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -2225,9 +2225,9 @@ struct radial {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double k1 = in[6][l];
-      const double k2 = in[7][l];
+      const double c = own[0][l];
+      const double k1 = own[1][l];
+      const double k2 = own[2][l];
       const double t0 = (1.0/(Z));
       const double t1 = ((X)*(X));
       const double t2 = (1.0/((Z)*(Z)));
@@ -2272,7 +2272,7 @@ struct radial {
       out[17][l] = t22*t23;
     }
   }
-  static RB_INLINE void by_image(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_image(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -2280,9 +2280,9 @@ struct radial {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double k1 = in[6][l];
-      const double k2 = in[7][l];
+      const double c = own[0][l];
+      const double k1 = own[1][l];
+      const double k2 = own[2][l];
       const double t0 = (1.0/(Z));
       const double t1 = ((X)*(X));
       const double t2 = (1.0/((Z)*(Z)));
@@ -2301,7 +2301,7 @@ struct radial {
       out[5][l] = 1;
     }
   }
-  static RB_INLINE void by_point(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_point(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -2309,9 +2309,9 @@ struct radial {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double k1 = in[6][l];
-      const double k2 = in[7][l];
+      const double c = own[0][l];
+      const double k1 = own[1][l];
+      const double k2 = own[2][l];
       const double t0 = (1.0/(Z));
       const double t1 = ((X)*(X));
       const double t2 = (1.0/((Z)*(Z)));
@@ -2355,7 +2355,7 @@ struct rational {
   static constexpr const char* label = "rational";
   static constexpr int parameters = 12;
   static constexpr bool explicit_image = true;
-  static RB_INLINE void evaluate(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -2363,18 +2363,18 @@ struct rational {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double x0 = in[6][l];
-      const double y0 = in[7][l];
-      const double k1 = in[8][l];
-      const double k2 = in[9][l];
-      const double k3 = in[10][l];
-      const double k4 = in[11][l];
-      const double k5 = in[12][l];
-      const double k6 = in[13][l];
-      const double p1 = in[14][l];
-      const double p2 = in[15][l];
-      const double A = in[16][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double k1 = own[3][l];
+      const double k2 = own[4][l];
+      const double k3 = own[5][l];
+      const double k4 = own[6][l];
+      const double k5 = own[7][l];
+      const double k6 = own[8][l];
+      const double p1 = own[9][l];
+      const double p2 = own[10][l];
+      const double A = own[11][l];
       const double t0 = ((Y)*(Y));
       const double t1 = (1.0/((Z)*(Z)));
       const double t2 = t0*t1;
@@ -2468,7 +2468,7 @@ struct rational {
       out[35][l] = -c*t25;
     }
   }
-  static RB_INLINE void by_image(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_image(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -2476,18 +2476,18 @@ struct rational {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double x0 = in[6][l];
-      const double y0 = in[7][l];
-      const double k1 = in[8][l];
-      const double k2 = in[9][l];
-      const double k3 = in[10][l];
-      const double k4 = in[11][l];
-      const double k5 = in[12][l];
-      const double k6 = in[13][l];
-      const double p1 = in[14][l];
-      const double p2 = in[15][l];
-      const double A = in[16][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double k1 = own[3][l];
+      const double k2 = own[4][l];
+      const double k3 = own[5][l];
+      const double k4 = own[6][l];
+      const double k5 = own[7][l];
+      const double k6 = own[8][l];
+      const double p1 = own[9][l];
+      const double p2 = own[10][l];
+      const double A = own[11][l];
       const double t0 = ((Y)*(Y));
       const double t1 = (1.0/((Z)*(Z)));
       const double t2 = t0*t1;
@@ -2523,7 +2523,7 @@ struct rational {
       out[5][l] = 1;
     }
   }
-  static RB_INLINE void by_point(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_point(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -2531,18 +2531,18 @@ struct rational {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double x0 = in[6][l];
-      const double y0 = in[7][l];
-      const double k1 = in[8][l];
-      const double k2 = in[9][l];
-      const double k3 = in[10][l];
-      const double k4 = in[11][l];
-      const double k5 = in[12][l];
-      const double k6 = in[13][l];
-      const double p1 = in[14][l];
-      const double p2 = in[15][l];
-      const double A = in[16][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double k1 = own[3][l];
+      const double k2 = own[4][l];
+      const double k3 = own[5][l];
+      const double k4 = own[6][l];
+      const double k5 = own[7][l];
+      const double k6 = own[8][l];
+      const double p1 = own[9][l];
+      const double p2 = own[10][l];
+      const double A = own[11][l];
       const double t0 = ((Y)*(Y));
       const double t1 = (1.0/((Z)*(Z)));
       const double t2 = t0*t1;
@@ -2610,7 +2610,7 @@ struct spherical {
   static constexpr const char* label = "spherical";
   static constexpr int parameters = 2;
   static constexpr bool explicit_image = false;
-  static RB_INLINE void evaluate(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -2618,8 +2618,8 @@ struct spherical {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double y0 = in[6][l];
+      const double c = own[0][l];
+      const double y0 = own[1][l];
       const double t0 = (1.0/(c));
       const double t1 = t0*x;
       const double t2 = std::sin(t1);
@@ -2677,7 +2677,7 @@ struct spherical {
       out[15][l] = -t30*t35 + t33*t36;
     }
   }
-  static RB_INLINE void by_image(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_image(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -2685,8 +2685,8 @@ struct spherical {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double y0 = in[6][l];
+      const double c = own[0][l];
+      const double y0 = own[1][l];
       const double t0 = (1.0/(c));
       const double t1 = t0*x;
       const double t2 = std::sin(t1);
@@ -2729,7 +2729,7 @@ struct spherical {
       out[5][l] = t30*t35 - t33*t36;
     }
   }
-  static RB_INLINE void by_point(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_point(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -2737,8 +2737,8 @@ struct spherical {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double y0 = in[6][l];
+      const double c = own[0][l];
+      const double y0 = own[1][l];
       const double t0 = (1.0/(c));
       const double t1 = t0*x;
       const double t2 = std::sin(t1);

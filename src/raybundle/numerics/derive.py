@@ -153,11 +153,11 @@ def cxx_source(name: str, derived: Derived) -> str:
         f'  static constexpr const char* label = "{name}";\n'
         f"  static constexpr int parameters = {k - 5};\n"
         f"  static constexpr bool explicit_image = {'true' if explicit else 'false'};\n"
-        "  static RB_INLINE void evaluate(const double (*in)[V], double (*out)[V]) {\n"
+        "  static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {\n"
         f"{full}  }}\n"
-        "  static RB_INLINE void by_image(const double (*in)[V], double (*out)[V]) {\n"
+        "  static RB_INLINE void by_image(const double (*in)[V], const double (*own)[V], double (*out)[V]) {\n"
         f"{reduced}  }}\n"
-        "  static RB_INLINE void by_point(const double (*in)[V], double (*out)[V]) {\n"
+        "  static RB_INLINE void by_point(const double (*in)[V], const double (*own)[V], double (*out)[V]) {\n"
         f"{by_point}  }}\n"
         "};\n"
     )
@@ -173,23 +173,23 @@ def cxx_platform_source(name: str, derived: Derived, *, uses_image: bool) -> str
     if uses_image:
         moving = [*point, *((3 + 2 * c + e, derived.outputs[3 + k * c + e]) for c in range(3) for e in range(2))]
         by_image = (
-            "  static RB_INLINE void by_image(const double (*in)[V], double (*out)[V]) {\n"
+            "  static RB_INLINE void by_image(const double (*in)[V], const double (*own)[V], double (*out)[V]) {\n"
             f"{_lanes(derived, show, _needed(derived.shared, [e for _, e in moving]), moving)}  }}\n"
         )
     used: set[Any] = set().union(*(e.free_symbols for _, e in [*few, *point]))
-    alone = [f"    const double {n} = in[{i}];\n" for i, n in enumerate(derived.names) if sp.Symbol(n) in used]
+    alone = [f"    const double {n} = {_argument(i)};\n" for i, n in enumerate(derived.names) if sp.Symbol(n) in used]
     alone += [f"    const double {n} = {show(e)};\n" for n, e in few]
     alone += [f"    out[{i}] = {show(e)};\n" for i, e in point]
     return (
         f"struct {name} {{\n"
         f"  static constexpr int parameters = {k - 5};\n"
         f"  static constexpr bool uses_image = {'true' if uses_image else 'false'};\n"
-        "  static RB_INLINE void evaluate(const double (*in)[V], double (*out)[V]) {\n"
+        "  static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {\n"
         f"{_lanes(derived, show, derived.shared, list(enumerate(derived.outputs)))}  }}\n"
-        "  static RB_INLINE void place(const double (*in)[V], double (*out)[V]) {\n"
+        "  static RB_INLINE void place(const double (*in)[V], const double (*own)[V], double (*out)[V]) {\n"
         f"{_lanes(derived, show, few, point)}  }}\n"
         f"{by_image}"
-        "  static RB_INLINE void place_one(const double* in, double* out) {\n"
+        "  static RB_INLINE void place_one(const double* in, const double* own, double* out) {\n"
         f"{''.join(alone)}  }}\n"
         "};\n"
     )
@@ -198,10 +198,18 @@ def cxx_platform_source(name: str, derived: Derived, *, uses_image: bool) -> str
 def _lanes(derived: Derived, show: Any, shared: Sequence[tuple[Any, Any]], outputs: Sequence[tuple[int, Any]]) -> str:
     used: set[Any] = set().union(*(e.free_symbols for _, e in [*shared, *outputs]))
     lines = ["    RB_SIMD\n    for (int l = 0; l < V; ++l) {\n"]
-    lines += [f"      const double {n} = in[{i}][l];\n" for i, n in enumerate(derived.names) if sp.Symbol(n) in used]
+    lines += [
+        f"      const double {n} = {_argument(i)}[l];\n" for i, n in enumerate(derived.names) if sp.Symbol(n) in used
+    ]
     lines += [f"      const double {n} = {show(e)};\n" for n, e in shared]
     lines += [f"      out[{i}][l] = {show(e)};\n" for i, e in outputs]
     return "".join([*lines, "    }\n"])
+
+
+def _argument(position: int) -> str:
+    """Image and object point stand in `in`, parameters in `own`: a platform's among those of a combination."""
+    k = len(POINT)
+    return f"in[{position}]" if position < k else f"own[{position - k}]"
 
 
 def _needed(shared: Sequence[tuple[Any, Any]], outputs: Sequence[Any]) -> list[tuple[Any, Any]]:
