@@ -33,7 +33,8 @@ from scipy.stats import beta
 
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.targets.codes import sectors
 from raybundle.targets.detect import DetectionOptions, detect_targets
 from raybundle.targets.families import families

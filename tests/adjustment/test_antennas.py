@@ -11,7 +11,8 @@ from raybundle.adjustment.engine import adjust_block
 from raybundle.block import Instrument, Stations
 from raybundle.errors import DatumDefect, InputError
 from raybundle.io.block.folder import read_block, write_block
-from raybundle.planning.simulate import AerialStrips, Survey, aerial_scene, simulate
+from raybundle.planning.scenes import AerialStrips, aerial_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.platforms import instrument_models
 from raybundle.report.write import write_result
 from tests.truth.mixed_blocks import MonteCarlo

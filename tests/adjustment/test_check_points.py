@@ -10,7 +10,8 @@ from raybundle import adjust
 from raybundle.adjustment.check_points import check_differences
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Role
-from raybundle.planning.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+from raybundle.planning.scenes import TargetField, brown_camera, field_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.report.text.words import verdict
 from raybundle.report.view import view_of
 

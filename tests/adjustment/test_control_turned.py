@@ -8,7 +8,8 @@ from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Observations, Role
 from raybundle.block.rejection import RejectionKind
-from raybundle.planning.simulate import AerialStrips, Survey, aerial_scene, simulate
+from raybundle.planning.scenes import AerialStrips, aerial_scene
+from raybundle.planning.simulate import Survey, simulate
 
 
 def test_a_wrong_control_point_with_a_single_ray_ends_nothing():

@@ -11,7 +11,8 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.predict import predicted_px
 from raybundle.block import Role
 from raybundle.block.rejection import RejectionKind
-from raybundle.planning.simulate import AerialStrips, Simulation, Survey, aerial_scene, simulate
+from raybundle.planning.scenes import AerialStrips, aerial_scene
+from raybundle.planning.simulate import Simulation, Survey, simulate
 
 RAYS = np.array([[0.0, 0.0, 10.0], [3.0, -4.0, 0.0], [1.0, 1.0, 1.0]])
 

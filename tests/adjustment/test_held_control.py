@@ -9,7 +9,8 @@ from raybundle import adjust
 from raybundle.adjustment.control_tests import control_tests
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Role, Stations
-from raybundle.planning.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+from raybundle.planning.scenes import TargetField, brown_camera, field_scene
+from raybundle.planning.simulate import Survey, simulate
 
 OPTIONS = AdjustmentOptions(threads=1)
 

@@ -16,7 +16,8 @@ from raybundle.block import Camera
 from raybundle.errors import InputError, RankDefect
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.numerics import native
-from raybundle.planning.simulate import look_at, measured
+from raybundle.planning.scenes import look_at
+from raybundle.planning.simulate import measured
 from raybundle.platforms.rig import mounting_of, orientation_of
 from raybundle.sensors import sensor_models
 from tests.truth.bands import assert_true_to_ten_percent

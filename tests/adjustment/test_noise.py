@@ -18,7 +18,8 @@ from raybundle.adjustment.precision import angle_form, image_unknowns, interior_
 from raybundle.adjustment.queries import covariance_between, design_row, precision_in_datum
 from raybundle.block.select import with_rows
 from raybundle.numerics import native
-from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.platforms.station import sensor_from_object
 from raybundle.sensors import sensor_models
 from raybundle.workflows.adjust import adjust

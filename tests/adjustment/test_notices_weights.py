@@ -4,7 +4,8 @@ from dataclasses import replace
 
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.planning.simulate import Ring, Survey, ring_scene, simulate
+from raybundle.planning.scenes import Ring, ring_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.report.text.words import verdict
 from raybundle.report.view import view_of
 

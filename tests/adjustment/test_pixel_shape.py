@@ -9,15 +9,8 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.pixel_shape import shape_limit, under_its_noise
 from raybundle.adjustment.severity import Severity
 from raybundle.calibration.quality import calibration_qualities
-from raybundle.planning.simulate import (
-    Ring,
-    Survey,
-    TargetField,
-    brown_camera,
-    field_scene,
-    ring_scene,
-    simulate,
-)
+from raybundle.planning.scenes import Ring, TargetField, brown_camera, field_scene, ring_scene
+from raybundle.planning.simulate import Survey, simulate
 
 EVERY = ("c", "x0", "y0", "K1", "K2", "K3", "P1", "P2", "A", "S")
 

@@ -10,7 +10,8 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.queries import covariance_between, design_row, precision_in_datum
 from raybundle.block.select import with_rows
 from raybundle.errors import InputError
-from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.sensors.model import ProjectionDiverged, SensorModel
 from raybundle.workflows.adjust import adjust
 

@@ -17,7 +17,8 @@ from raybundle.block import Role
 from raybundle.block.rejection import Rejection, RejectionKind
 from raybundle.calibration.maps import projection_shifts, projection_uncertainty
 from raybundle.numerics import native
-from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.planning.simulate import Survey, simulate
 
 OPTIONS = AdjustmentOptions(threads=1, tolerance=1e-9)
 

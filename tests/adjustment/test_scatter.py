@@ -9,7 +9,8 @@ from raybundle import adjust
 from raybundle.adjustment.defects import SCATTERED
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.errors import NoConvergence
-from raybundle.planning.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+from raybundle.planning.scenes import TargetField, brown_camera, field_scene
+from raybundle.planning.simulate import Survey, simulate
 
 
 def field(share, gross=0.0):

@@ -7,15 +7,8 @@ import numpy as np
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block.rejection import RejectionKind
-from raybundle.planning.simulate import (
-    AerialStrips,
-    Survey,
-    TargetField,
-    aerial_scene,
-    brown_camera,
-    field_scene,
-    simulate,
-)
+from raybundle.planning.scenes import AerialStrips, TargetField, aerial_scene, brown_camera, field_scene
+from raybundle.planning.simulate import Survey, simulate
 
 SNOOPING = AdjustmentOptions(threads=1, reject="snooping")
 EXACT = Survey(orientation="exact", points="exact", interior="exact", image_sigma_px=0.3)

@@ -12,7 +12,8 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.structure import repeated_residuals, residual_structure, structure_notice
 from raybundle.block.select import with_rows
 from raybundle.planning.calibration_networks import ROLLS, FlatField, flat_field_scene
-from raybundle.planning.simulate import AerialStrips, Survey, aerial_scene, simulate
+from raybundle.planning.scenes import AerialStrips, aerial_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.sensors import sensor_models
 from raybundle.workflows.model_choice import choose_models
 

@@ -9,7 +9,8 @@ from raybundle.adjustment import decide
 from raybundle.adjustment.notices import _behind
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block.select import with_rows
-from raybundle.planning.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+from raybundle.planning.scenes import TargetField, brown_camera, field_scene
+from raybundle.planning.simulate import Survey, simulate
 
 OPTIONS = AdjustmentOptions(threads=1)
 

@@ -11,7 +11,8 @@ from raybundle.adjustment.notices import notices_of
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.reliability import redundancy_sum
 from raybundle.block import Stations
-from raybundle.planning.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+from raybundle.planning.scenes import TargetField, brown_camera, field_scene
+from raybundle.planning.simulate import Survey, simulate
 from tests.verdicts.cases import CASES
 
 SIGMA = 0.02

@@ -11,7 +11,8 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import ObservationGroup
 from raybundle.adjustment.wrong_control import WrongControl, kept_notice, suspected
 from raybundle.block import Role
-from raybundle.planning.simulate import AerialStrips, Survey, aerial_scene, simulate
+from raybundle.planning.scenes import AerialStrips, aerial_scene
+from raybundle.planning.simulate import Survey, simulate
 
 OPTIONS = AdjustmentOptions(threads=1, reject="snooping")
 CORNERS = ((-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0))

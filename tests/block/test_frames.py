@@ -11,7 +11,8 @@ from raybundle.block.frames import TURNS, camera_from_file, file_from_camera, in
 from raybundle.errors import InputError
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
 from raybundle.io.block.folder import read_block, write_block
-from raybundle.planning.simulate import Ring, Survey, brown_camera, ring_scene, simulate
+from raybundle.planning.scenes import Ring, brown_camera, ring_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.report.fingerprint import fingerprints
 
 

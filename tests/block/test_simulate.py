@@ -8,20 +8,19 @@ from scipy import stats
 
 from raybundle.block import Role
 from raybundle.errors import InputError
-from raybundle.planning.simulate import (
+from raybundle.planning.scenes import (
     AerialStrips,
     Ring,
     SinglePhoto,
-    Survey,
     TargetField,
     aerial_scene,
     brown_camera,
     field_scene,
     look_at,
     ring_scene,
-    simulate,
     single_scene,
 )
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.sensors import sensor_models
 
 SCENES = {

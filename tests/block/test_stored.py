@@ -16,7 +16,8 @@ from raybundle.io.block.toml import read_cameras
 from raybundle.io.calibrations.ours import cameras_text
 from raybundle.io.photos.cameras import CameraGroup, with_calibration
 from raybundle.planning.calibration_networks import ROLLS, FlatField, flat_field_scene
-from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.planning.simulate import Survey, simulate
 
 FREE = ("c", "x0", "y0", "K1", "K2", "P1", "P2")
 

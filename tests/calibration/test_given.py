@@ -10,7 +10,8 @@ from raybundle import adjust
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block.stored import observed_jointly
 from raybundle.calibration.given import calibration_notices, held_notices
-from raybundle.planning.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+from raybundle.planning.scenes import TargetField, brown_camera, field_scene
+from raybundle.planning.simulate import Survey, simulate
 from tests.adjustment.test_noise import with_fields
 
 FREE = ("c", "x0", "y0")

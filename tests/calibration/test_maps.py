@@ -10,7 +10,8 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Camera
 from raybundle.calibration.maps import calibration_difference, projection_uncertainty, scaled, uncertainty_of
 from raybundle.errors import InputError
-from raybundle.planning.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+from raybundle.planning.scenes import TargetField, brown_camera, field_scene
+from raybundle.planning.simulate import Survey, simulate
 
 RUNS = 300
 

@@ -12,7 +12,8 @@ from raybundle.calibration.cross_validation import cross_validation
 from raybundle.calibration.one_camera import find_splits, own_interiors
 from raybundle.calibration.quality import calibration_qualities
 from raybundle.planning.next_photographs import advised, next_photographs
-from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.planning.simulate import Survey, simulate
 
 ROLLS = (0.0, 90.0, 180.0, 270.0)
 

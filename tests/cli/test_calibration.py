@@ -13,7 +13,8 @@ from raybundle.cli.calibration import command
 from raybundle.cli.main import main
 from raybundle.errors import InputError
 from raybundle.io.cameras.library import read_library
-from raybundle.planning.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+from raybundle.planning.scenes import TargetField, brown_camera, field_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.report.write import write_result
 
 TEXT = """[cameras.left]

@@ -6,7 +6,7 @@ import pytest
 from raybundle.cli.demo import rigid_difference, together
 from raybundle.cli.main import main
 from raybundle.numerics.rotation import rotation_from_vector
-from raybundle.planning.simulate import brown_camera
+from raybundle.planning.scenes import brown_camera
 
 
 def demo(out, *more):

@@ -13,7 +13,8 @@ from raybundle.adjustment.result import Notice
 from raybundle.block.rejection import Rejection, RejectionKind
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block
-from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.report.write import write_result
 from raybundle.results.folder import check_target, read_result
 from raybundle.results.tables import TABLES

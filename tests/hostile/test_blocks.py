@@ -8,7 +8,8 @@ import pytest
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Images, Observations, Points, Role
 from raybundle.errors import DatumDefect, InputError, NotSolvable, RankDefect
-from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.workflows.adjust import adjust
 
 SCENE = field_scene(TargetField(rows=6, columns=8, stations=6, frontal=2))

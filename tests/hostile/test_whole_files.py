@@ -12,7 +12,8 @@ from raybundle.adjustment.engine import adjust_block
 from raybundle.errors import InputError
 from raybundle.io.calibrations.base import write_whole
 from raybundle.io.scenes.rpc_text import write_rpc
-from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.report.document import write_report
 from raybundle.report.network_page import write_network_page
 from raybundle.scenes.rpc import Rpc

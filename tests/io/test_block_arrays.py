@@ -12,7 +12,8 @@ from tests.block.any_blocks import always_as_by_default, blocks
 from raybundle.block.block import Relation
 from raybundle.block.select import transformed, with_rows
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
-from raybundle.planning.simulate import AerialStrips, Survey, TargetField, aerial_scene, field_scene, simulate
+from raybundle.planning.scenes import AerialStrips, TargetField, aerial_scene, field_scene
+from raybundle.planning.simulate import Survey, simulate
 
 DRAWN = []
 

@@ -10,7 +10,8 @@ from raybundle.errors import InputError
 from raybundle.io.block.folder import write_block
 from raybundle.io.geo.control_files import ControlDefaults, named_apart, read_control
 from raybundle.placing.marks import Given, ScaleBar
-from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.workflows import orient as workflow
 
 COPR = DATA / "photos" / "copr-uav" / "gcp_list.txt"

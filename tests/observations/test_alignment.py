@@ -14,7 +14,8 @@ from raybundle.io.block.folder import read_block, write_block
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.numerics.transform import similarity
 from raybundle.observations.alignment import Levels, Lines, Planes, PlumbLines
-from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.report.write import write_result
 from raybundle.results.folder import read_result
 

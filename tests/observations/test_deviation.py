@@ -11,7 +11,8 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.observations.deviation import Deviations
-from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.report.write import write_result
 from raybundle.results.folder import read_result
 

@@ -17,7 +17,8 @@ from raybundle.observations import in_order, observation_kinds, tables
 from raybundle.observations.alignment import Levels, Lines, Planes, PlumbLines
 from raybundle.observations.coordinates import Coordinates
 from raybundle.observations.deviation import Deviations
-from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.planning.simulate import Survey, simulate
 
 
 def a_field():

@@ -9,7 +9,8 @@ from raybundle.block import Distances, Stations
 from raybundle.block.select import with_points, without_images
 from raybundle.observations import observation_kinds, tables
 from raybundle.observations.table import Table
-from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.planning.simulate import Survey, simulate
 
 ROWS, POINTS = 7, 5
 

@@ -8,7 +8,8 @@ import pytest
 from raybundle.adjustment.engine import free_parameters
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.orientation.cleaning import clean, sizes
-from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.planning.simulate import Survey, simulate
 
 
 @pytest.mark.parametrize("stated", [1.0, 7.0])

@@ -8,7 +8,8 @@ import pytest
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Role
 from raybundle.orientation.cleaning import _rejected, _without_single_rays, clean, sizes
-from raybundle.planning.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+from raybundle.planning.scenes import TargetField, brown_camera, field_scene
+from raybundle.planning.simulate import Survey, simulate
 
 OPTIONS = AdjustmentOptions(threads=1)
 CAMERA = brown_camera(estimate=("c", "K1"))

@@ -12,7 +12,8 @@ from raybundle.block import Role
 from raybundle.numerics.progress import silent
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.orientation.given_points import intersected_where_better
-from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.workflows.final import _decided
 
 SNOOPING = AdjustmentOptions(threads=1, reject="snooping")

@@ -6,7 +6,8 @@ import numpy as np
 
 from raybundle.orientation.assembly import possible_values
 from raybundle.orientation.growth import OFTEN, Growth
-from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.planning.simulate import Survey, simulate
 
 
 def test_an_image_that_adjustments_take_back_again_and_again_is_left(monkeypatch):

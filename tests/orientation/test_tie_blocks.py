@@ -9,15 +9,8 @@ from raybundle.block.select import with_rows
 from raybundle.errors import NoOrientation
 from raybundle.orientation import approximate_values, possible_values
 from raybundle.orientation.skeleton import PER_PAIR, skeleton
-from raybundle.planning.simulate import (
-    AerialStrips,
-    Survey,
-    TargetField,
-    aerial_scene,
-    brown_camera,
-    field_scene,
-    simulate,
-)
+from raybundle.planning.scenes import AerialStrips, TargetField, aerial_scene, brown_camera, field_scene
+from raybundle.planning.simulate import Survey, simulate
 from tests.orientation.scenes import errors, facade, ring, tie_block
 
 

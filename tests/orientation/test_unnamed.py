@@ -6,7 +6,8 @@ import numpy as np
 
 from raybundle.block.select import with_rows
 from raybundle.orientation.unnamed import link_unnamed
-from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.planning.simulate import Survey, simulate
 
 
 def test_every_dot_finds_its_own():

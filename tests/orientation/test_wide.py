@@ -10,7 +10,8 @@ from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.orientation import approximate_values
 from raybundle.orientation.bearings import is_wide, relative_bearings, resect_bearings
 from raybundle.orientation.rays import camera_rays
-from raybundle.planning.simulate import Survey, brown_camera, simulate
+from raybundle.planning.scenes import brown_camera
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.sensors import sensor_models
 from raybundle.workflows.adjust import adjust
 from tests.orientation.scenes import both, errors, fisheye, panorama, room

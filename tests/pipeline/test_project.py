@@ -8,7 +8,8 @@ from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.project import Project
 from raybundle.pipeline.store import writing
-from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.planning.simulate import Survey, simulate
 
 
 @pytest.fixture

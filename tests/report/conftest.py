@@ -10,15 +10,8 @@ from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Notice
 from raybundle.block import Camera
-from raybundle.planning.simulate import (
-    SinglePhoto,
-    Survey,
-    TargetField,
-    brown_camera,
-    field_scene,
-    simulate,
-    single_scene,
-)
+from raybundle.planning.scenes import SinglePhoto, TargetField, brown_camera, field_scene, single_scene
+from raybundle.planning.simulate import Survey, simulate
 
 EXACT = {"orientation": "exact", "points": "exact", "interior": "exact"}
 FIELD = TargetField(rows=5, columns=6, stations=6, frontal=2)

@@ -9,7 +9,8 @@ from raybundle.block.rejection import Rejection, RejectionKind
 from raybundle.errors import InputError
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.report.common_points import common_points, common_rows
-from raybundle.report.compare import basis_words, point_differences, taken_otherwise, write_comparison
+from raybundle.report.compare import write_comparison
+from raybundle.report.differences import basis_words, point_differences, taken_otherwise
 from raybundle.report.write import write_result
 from raybundle.results.folder import read_result
 from tests.report.test_document import parsed

@@ -8,7 +8,8 @@ import pytest
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.structure import structure_notice
-from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.report.text.summary import summary_lines
 from raybundle.report.write import write_result
 from tests.adjustment.test_noise import with_fields

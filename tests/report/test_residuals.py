@@ -8,7 +8,8 @@ import pytest
 from raybundle import adjust
 from raybundle.adjustment.cell_means import between_images, cell_means, systematic_notices
 from raybundle.adjustment.severity import Severity
-from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.report.residuals import image_rows, normalised, radial_profile, rows_of_images
 from raybundle.report.view import view_of
 

@@ -8,7 +8,8 @@ import pytest
 from raybundle import adjust
 from raybundle.adjustment.result import WHITE, Noise
 from raybundle.cli.calibrate import lines
-from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.report.text.summary import noise_lines
 
 

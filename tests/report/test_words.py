@@ -7,7 +7,8 @@ import pytest
 from raybundle import adjust
 from raybundle.adjustment.result import Notice
 from raybundle.adjustment.severity import Severity
-from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.report.text.numbers import grouped, significant
 from raybundle.report.text.words import datum_of_sigmas, expected_check_std, free_std, not_told, open_datum, verdict
 from raybundle.report.view import rms, view_of

@@ -199,7 +199,8 @@ assert new == {"division", *("division_" + p for p in (
     "mounted", "rolling", "rolling_mounted", "trajectory", "trajectory_mounted"
 ))}, new
 from dataclasses import replace
-from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.adjustment.engine import adjust_block
 scene = field_scene(TargetField(rows=4, columns=5, stations=4, frontal=1))
 camera = replace(scene.camera, model="division", values={"c": 20.4, "L": 2e-4}, estimate=("c", "L"))

@@ -12,7 +12,8 @@ from raybundle.block.boards import spline_camera
 from raybundle.calibration.maps import calibration_difference, uncertainty_of
 from raybundle.errors import InputError
 from raybundle.numerics import native
-from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.sensors import sensor_models
 from tests.native.cases import block_of, close, correlated
 from tests.native.test_adjustments import both

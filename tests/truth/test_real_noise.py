@@ -13,7 +13,8 @@ from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.under_noise import under_noise
 from raybundle.io.block.folder import read_block
-from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.uav_networks import Flight, flight_scene
 from raybundle.workflows.adjust import adjust
 from tests.truth.real_noise import adjusted, halves, interior_error, with_smooth_errors

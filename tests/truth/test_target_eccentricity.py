@@ -6,7 +6,8 @@ from scipy.stats import chi2
 
 from raybundle.block import Role
 from raybundle.calibration.eccentricity import EDGE, circle_images, ellipses_of_grey_values
-from raybundle.planning.simulate import Scene, Survey, simulate
+from raybundle.planning.scenes import Scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.targets.centre import fit_dots
 from raybundle.workflows.calibrate import CalibrateOptions, calibrate
 from tests.targets.photographs import (

@@ -13,7 +13,8 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.calibration.maps import calibration_difference, projection_shifts
 from raybundle.calibration.quality import SURE, CalibrationQuality, calibration_qualities
 from raybundle.errors import RaybundleError
-from raybundle.planning.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+from raybundle.planning.scenes import TargetField, brown_camera, field_scene
+from raybundle.planning.simulate import Survey, simulate
 
 GRADES = ("good", "usable", "weak")
 GOOD_PX, USABLE_PX = 0.1, 0.3

@@ -3,7 +3,7 @@
 import cv2
 import numpy as np
 
-from raybundle.planning.simulate import brown_camera, look_at
+from raybundle.planning.scenes import brown_camera, look_at
 from raybundle.targets.marks import Marks
 from raybundle.workflows.calibrating import targets as module
 

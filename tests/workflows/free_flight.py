@@ -15,7 +15,8 @@ from raybundle.block.select import transformed
 from raybundle.io.geo.control_files import ControlFile, Measurements
 from raybundle.numerics.geodesy import LocalPlace
 from raybundle.numerics.rotation import rotation_from_angles
-from raybundle.planning.simulate import AerialStrips, Survey, aerial_scene, simulate
+from raybundle.planning.scenes import AerialStrips, aerial_scene
+from raybundle.planning.simulate import Survey, simulate
 
 NAMES = ("A", "B", "C", "D", "E", "F")
 

@@ -11,7 +11,8 @@ from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.calibration.quality import calibration_qualities
 from raybundle.numerics.progress import silent
-from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.report.sections.calibration import calibration_section
 from raybundle.workflows.camera_split import cameras_apart
 from raybundle.workflows.target_block import reweighted, with_values

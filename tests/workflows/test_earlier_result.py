@@ -6,7 +6,8 @@ import pytest
 
 from raybundle import adjust
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.report.write import write_result
 from raybundle.workflows.earlier_result import less_fixed
 

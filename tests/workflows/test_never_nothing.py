@@ -14,7 +14,8 @@ from raybundle.errors import NotSolvable, Undetermined
 from raybundle.matching.refine import LEVELS, CandidateMatches, Refined, choose_references
 from raybundle.numerics.progress import silent
 from raybundle.placing.georeference import Georeferenced
-from raybundle.planning.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+from raybundle.planning.scenes import TargetField, brown_camera, field_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.ties import precise
 from raybundle.ties.block import TieBlock
 from raybundle.ties.precise import refine

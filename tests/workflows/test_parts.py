@@ -16,7 +16,8 @@ from raybundle.numerics.rotation import rotation_from_angles
 from raybundle.placing.georeference import Georeferenced
 from raybundle.placing.marks import Given
 from raybundle.placing.positions import Positions, turn_sigma
-from raybundle.planning.simulate import AerialStrips, Survey, aerial_scene, simulate
+from raybundle.planning.scenes import AerialStrips, aerial_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.workflows.parts import (
     FEWEST_IMAGES,
     apart_notice,

@@ -13,7 +13,8 @@ from raybundle.adjustment.severity import Severity
 from raybundle.block import Stations
 from raybundle.io.photos.metadata import Metadata
 from raybundle.io.photos.read_out_times import read_out_time
-from raybundle.planning.simulate import AerialStrips, Survey, aerial_scene, brown_camera, measured, simulate
+from raybundle.planning.scenes import AerialStrips, aerial_scene, brown_camera
+from raybundle.planning.simulate import Survey, measured, simulate
 from raybundle.workflows.read_out import _rolling, read_out, rolling_shutters, velocities, with_cause
 
 SECONDS = 0.030

@@ -14,7 +14,8 @@ from raybundle.block.select import with_rows
 from raybundle.cli.main import main
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.io.block.tables import named
-from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.report.write import write_result
 from raybundle.workflows.adjust import adjust
 from raybundle.workflows.parts import merged

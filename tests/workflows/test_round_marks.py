@@ -15,7 +15,8 @@ from raybundle.io.geo.control_files import read_control
 from raybundle.numerics.rotation import rotation_from_angles
 from raybundle.placing.georeference import georeference
 from raybundle.placing.marks import Given
-from raybundle.planning.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+from raybundle.planning.scenes import TargetField, brown_camera, field_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.sensors import sensor_models
 
 SIGMA_PX, RADIUS_M = 0.01, 0.009

@@ -15,7 +15,8 @@ from raybundle.block.frames import in_file_frames
 from raybundle.io.photos.cameras import camera_groups
 from raybundle.io.photos.metadata import Metadata
 from raybundle.io.photos.photo import Photo
-from raybundle.planning.simulate import AerialStrips, Ring, Survey, aerial_scene, brown_camera, ring_scene, simulate
+from raybundle.planning.scenes import AerialStrips, Ring, aerial_scene, brown_camera, ring_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.workflows.same_camera import against_gimbal, shared_sensors
 
 BODY = Metadata(make="Canon", model="Canon EOS 5D Mark II", focal_mm=20.0, serial="1")

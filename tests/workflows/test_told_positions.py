@@ -11,7 +11,8 @@ from raybundle.io.photos.cameras import camera_groups
 from raybundle.io.photos.metadata import Metadata
 from raybundle.io.photos.photo import Photo
 from raybundle.placing.told_positions import camera_notices, with_relative_precision
-from raybundle.planning.simulate import AerialStrips, Survey, aerial_scene, simulate
+from raybundle.planning.scenes import AerialStrips, aerial_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.report.text.summary import summary_lines
 
 

@@ -11,7 +11,8 @@ from raybundle.block import Role
 from raybundle.block.select import with_rows
 from raybundle.errors import NoOrientation
 from raybundle.matching.refine import TrackPoints
-from raybundle.planning.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+from raybundle.planning.scenes import TargetField, brown_camera, field_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.ties import precise
 from raybundle.ties.block import flat_points, image_sigma_px
 from raybundle.ties.match_weights import FEWEST, Weights, estimate_weights

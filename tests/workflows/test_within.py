@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from raybundle.block import Camera
-from raybundle.planning.simulate import Survey, TargetField, field_scene, simulate
+from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.ties.precise import _within
 from tests.orientation.scenes import fisheye
 from tests.truth.mixed_blocks import mixed

@@ -8,13 +8,12 @@ points that carry the datum.  Residuals do not depend on it.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from raybundle.adjustment.assemble import State, System
-from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.errors import DatumDefect, InputError, NotSolvable
 from raybundle.numerics.arrays import Array, Mask
@@ -27,6 +26,10 @@ STRAIGHT = 1e-2
 """Share of a radian by which a rotation may also shift along its axis or scale, as control is off a line by errors."""
 GOOD = 2.0
 """Times the median standard deviation up to which a point counts as well determined."""
+SPREAD = 0.05
+"""Of the best held coordinate's part in the datum the last one has at least, or points of other observations are tried.
+
+Points nearly in a line make the undamped factor lose digits by the inverse of it."""
 FEWEST_CARRIERS = 10
 """Well-determined points below which all points carry the datum."""
 
@@ -391,122 +394,3 @@ def hold_minimal(system: System, state: State, datum: Datum) -> Mask:
         raise DatumDefect("the object points lie so that they cannot carry the datum (all in one place or in a line)")
     chosen[found[:, 0], found[:, 1]] = True
     return chosen
-
-
-SPREAD = 0.05
-"""Of the best held coordinate's part in the datum the last one has at least, or points of other observations are tried.
-
-Points nearly in a line make the undamped factor lose digits by the inverse of it."""
-
-
-@dataclass(slots=True)
-class Transformation:
-    """Everything an S-transformation of selected blocks needs: Q' = Q - G M H' - H M' G' + G M K M' G'."""
-
-    nodes: Array
-    """G (N, d)"""
-    points: Array
-    """G (p, 3, d)"""
-    given: Array
-    """B G (p, 3, d)"""
-    nodes_h: Array
-    """H = Q B G (N, d)"""
-    points_h: Array
-    """(p, 3, d)"""
-    middle: Array
-    """M = (G'BG)^-1 (d, d)"""
-    inner: Array
-    """K = G'BH (d, d)"""
-
-    def with_points(self, points_h: Array) -> Transformation:
-        """The transformation with H of the points, which the statistics bring."""
-        d = len(self.middle)
-        inner = self.given.reshape(-1, d).T @ points_h.reshape(-1, d)
-        return replace(self, points_h=points_h, inner=(inner + inner.T) / 2)
-
-    def apply(self, block: Array, Ga: Array, Ha: Array, Gb: Array, Hb: Array) -> Array:
-        """Transform cofactor blocks (..., a, b) with the rows of G and H that belong to their unknowns."""
-        first = Ga @ np.swapaxes(self._half(Gb, Hb), -1, -2)
-        second = self._half(Ga, Ha) @ np.swapaxes(Gb, -1, -2)
-        return block - first - second
-
-    def apply_own(self, block: Array) -> Array:
-        """Transform the (p, 3, 3) cofactors of the object points; the same as `apply`, with half the work."""
-        first = self.points @ np.swapaxes(self._half(self.points, self.points_h), -1, -2)
-        return block - first - np.swapaxes(first, -1, -2)
-
-    def _half(self, G: Array, H: Array) -> Array:
-        """H M' - 1/2 G M K M', the factor that stands beside G in either half of the symmetric form."""
-        d = len(self.middle)
-        flat = H.reshape(-1, d) @ self.middle.T - G.reshape(-1, d) @ (self.middle @ self.inner @ self.middle.T / 2)
-        return flat.reshape(H.shape)
-
-
-def transformation(normals: Normals, state: State, datum: Datum) -> Transformation | None:
-    """The S-transformation from the minimal datum of the factor to inner constraints over the carriers.
-
-    H of the points and K are still missing: `with_points`.
-    """
-    if datum.defect == 0 or datum.kind != "inner":
-        return None
-    system = normals.system
-    used = system.points_used
-    d = datum.defect
-    G = point_generators(state.xyz, datum.centre, datum.extent)
-    if d < 7:
-        G = (G.reshape(-1, 7) @ datum.basis).reshape(-1, 3, d)
-    if not used.all():
-        G[~used] = 0
-    if system.control_held.any():
-        G[system.control_held] = 0
-    BG = G if datum.carriers.all() else G * datum.carriers[:, None, None]
-    nodes = node_generators(system, state, datum)
-    # what is given for retained points is added to their nodes
-    nodes_h = normals.solve_nodes(state, np.zeros_like(nodes), BG)
-    middle = np.linalg.inv(BG.reshape(-1, d).T @ G.reshape(-1, d))
-    none = np.zeros((0, 3, d))
-    return Transformation(nodes, G, BG, nodes_h, none, middle, np.zeros((d, d)))
-
-
-def fit_to_given(system: System, state: State, given: State, datum: Datum) -> State:
-    """Move the adjusted block, within the open datum, onto the given coordinates of the carriers.
-
-    Small transformations of the open generators are repeated until nothing moves: the inner
-    constraints G'B (x - x_given) = 0 then hold for the adjusted coordinates themselves.
-    """
-    if datum.defect == 0 or datum.kind != "inner":
-        return state
-    from scipy.linalg import expm  # noqa: PLC0415
-
-    new = state.copy()
-    carriers = np.flatnonzero(datum.carriers & system.points_used)
-    for _ in range(50):
-        G = point_generators(new.xyz[carriers], datum.centre, datum.extent).reshape(-1, 7) @ datum.basis
-        gap = (given.xyz[carriers] - new.xyz[carriers]).reshape(-1)
-        step = datum.basis @ np.linalg.lstsq(G, gap, rcond=None)[0]
-        step /= max(1.0, np.abs(step).max())  # in parts, where a block is to become many times larger
-        t, w, s = step[:3] * datum.extent, step[3:6], step[6]
-        generator = np.zeros((4, 4))
-        generator[:3, :3] = np.array([[s, -w[2], w[1]], [w[2], s, -w[0]], [-w[1], w[0], s]])
-        generator[:3, 3] = t
-        T = expm(generator)
-        scale = np.cbrt(np.linalg.det(T[:3, :3]))
-        for values in (new.xyz, new.centre):
-            values[:] = (values - datum.centre) @ T[:3, :3].T + T[:3, 3] + datum.centre
-        new.rotation = new.rotation @ (T[:3, :3].T / scale)
-        shift = T[:3, 3] + datum.centre - T[:3, :3] @ datum.centre
-        new.own = {
-            p.kind.name: p.kind.own_placed(new.own[p.kind.name], float(scale), T[:3, :3] / scale, shift)
-            for p in system.extra.parts
-            if p.kind.own_width
-        }
-        for r, row in enumerate(system.interior):
-            for position in row.free:
-                if is_length(row.model.parameters[position].unit):
-                    new.interior[r, position] *= scale
-        system.share(new)
-        if np.abs(step).max() < 1e-13:
-            break
-    held = system.control_held
-    new.xyz[held] = state.xyz[held]
-    return new

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from raybundle.adjustment.assemble import State, System
-from raybundle.adjustment.twin import BEHIND, LOST, image_residuals, inverse2, project_from
+from raybundle.adjustment.twin_images import BEHIND, LOST, image_residuals, inverse2, project_from
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.platforms.station import sensor_from_object
 from raybundle.sensors import SensorModel

@@ -15,7 +15,7 @@ import numpy as np
 from raybundle.adjustment.assemble import InteriorRow, State, System
 from raybundle.adjustment.fields import COLUMNS, WithFields
 from raybundle.adjustment.normals import Normals
-from raybundle.adjustment.twin import inverse2
+from raybundle.adjustment.twin_images import inverse2
 from raybundle.numerics.arrays import Array, Index
 from raybundle.platforms.station import sensor_from_object
 

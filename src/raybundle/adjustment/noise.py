@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 from raybundle.adjustment.assemble import State, System
-from raybundle.adjustment.datum import Datum, Transformation, node_generators, point_generators, transformation
+from raybundle.adjustment.datum import Datum, node_generators, point_generators
 from raybundle.adjustment.field_system import (
     FieldSystem,
     entries,
@@ -41,6 +41,7 @@ from raybundle.adjustment.fields import (
 from raybundle.adjustment.normals import Normals, held_bits
 from raybundle.adjustment.own_fields import OwnField, own_fields
 from raybundle.adjustment.precision import Cofactors
+from raybundle.adjustment.transformation import Transformation, transformation
 from raybundle.numerics.arrays import Array, Index
 
 WHOLE = 150

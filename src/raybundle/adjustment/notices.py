@@ -12,6 +12,7 @@ from raybundle.adjustment.components import NAMES, differs, without_known_before
 from raybundle.adjustment.control_notices import control_notices
 from raybundle.adjustment.control_tests import Contradiction, ControlTests
 from raybundle.adjustment.datum import ABOUT_LINE
+from raybundle.adjustment.interior_notices import interior_notices
 from raybundle.adjustment.network import FEW as FIRM
 from raybundle.adjustment.network import weak_images
 from raybundle.adjustment.reliability import UNCONTROLLED, RedundancySum
@@ -22,12 +23,10 @@ from raybundle.block import Role
 from raybundle.block.frames import stored_ways
 from raybundle.block.points import automatic
 from raybundle.block.rejection import WORDS, RejectionKind, counts
-from raybundle.numerics.arrays import Array
 from raybundle.numerics.counting import counted, counted_are
 from raybundle.numerics.statistics import global_test
 from raybundle.observations import observation_kinds
 
-STRONG = 0.95
 UNCHECKED = 0.01
 """Redundancy number below which an observation is not checked by the others (Förstner 1987): an error of forty
 standard deviations may pass."""
@@ -55,7 +54,7 @@ def notices_of(result: Adjustment, redundancy_sum: RedundancySum | None) -> tupl
             )
         )
     control = _control(result)
-    found += _outside(result) + _fit(result) + _interior(result) + _rejected(result) + _points(result) + control
+    found += _outside(result) + _fit(result) + interior_notices(result) + _rejected(result) + _points(result) + control
     if not any(n.severity is Severity.FAULT for n in control):  # wrong control bends the images that show it
         found += wrong_image_notices(result)
     found += _photographs(result) + _stored_ways(result) + _open_beside_given(result) + _unchecked_scale(result)
@@ -121,63 +120,6 @@ def _meaning(result: Adjustment, *, more: bool) -> str:
     if result.options.weights == "residuals":
         return "the residuals are smaller than when the weights were taken from them, no merit of the observations"
     return "the observations are more precise than stated"
-
-
-def _interior(result: Adjustment) -> list[Notice]:
-    found: list[Notice] = []
-    for interior in result.interior:
-        who = f"camera {interior.camera}" + ("" if interior.image is None else f", image {interior.image}")
-        found += [
-            Notice(
-                code="not_determinable",
-                message=f"{who}: {p.symbol} is not determinable: its standard deviation {p.std_words} says less "
-                f"than is known beforehand. {_remedy(result, p.symbol)}",
-                ids=(interior.camera, p.symbol),
-            )
-            for p in interior.parameters.values()
-            if p.status == "not determinable"
-        ]
-        found += _correlations(result, who, interior.camera, interior.free, interior.correlations)
-    return found
-
-
-def _remedy(result: Adjustment, symbol: str) -> str:
-    if symbol in {"c", "f"}:
-        return "Hold it, or add images that converge by 45 degrees or more, or points at different depths."
-    if symbol in {"x0", "y0", "P1", "P2", "A", "S"}:
-        return _roll_advice(result) or "Hold it, or add convergent images."
-    return "Hold it, or measure points up to the corners of the format."
-
-
-def _roll_advice(result: Adjustment) -> str:
-    network = result.network
-    if network is None:
-        return ""
-    roll = network.roll[np.isfinite(network.roll)]
-    turned = int(np.sum(np.abs(np.abs(roll) - np.pi / 2) < np.pi / 6))
-    if turned:
-        return ""
-    return "No image is rolled by 90 degrees: add two rolled images."
-
-
-def _correlations(result: Adjustment, who: str, camera: str, free: tuple[str, ...], R: Array) -> list[Notice]:
-    """Strong correlations other than among the radial terms, whose correlation is no harm."""
-    found: list[Notice] = []
-    if len(R) != len(free):
-        return found
-    for i, a in enumerate(free):
-        for j in range(i):
-            b = free[j]
-            if abs(R[i, j]) > STRONG and not {a[0], b[0]} <= {"K", "k"}:
-                advice = _roll_advice(result) if {a, b} & {"x0", "y0", "P1", "P2"} else ""
-                found.append(
-                    Notice(
-                        code="correlation",
-                        message=f"{who}: {b} and {a} correlate by {abs(R[i, j]):.2f}. {advice}".rstrip(),
-                        ids=(camera, b, a),
-                    )
-                )
-    return found
 
 
 def _behind(result: Adjustment, rows: Sequence[int]) -> Notice:

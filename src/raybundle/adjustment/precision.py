@@ -7,9 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from raybundle.adjustment.assemble import InteriorRow, State, System
-from raybundle.adjustment.datum import Datum, Transformation, transformation
+from raybundle.adjustment.datum import Datum
 from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.result import Precision
+from raybundle.adjustment.transformation import Transformation, transformation
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.rotation import angle_derivatives
 

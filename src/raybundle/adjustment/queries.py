@@ -10,10 +10,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from raybundle.adjustment.assemble import State, System
-from raybundle.adjustment.datum import Datum, Transformation, transformation
+from raybundle.adjustment.datum import Datum
 from raybundle.adjustment.noise import spread_in_datum
 from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.precision import angle_form, image_unknowns, interior_unknowns, precision
+from raybundle.adjustment.transformation import Transformation, transformation
 from raybundle.adjustment.work import Work
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array

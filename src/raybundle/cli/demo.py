@@ -48,14 +48,15 @@ def command(out: Path, photographs: Path | None, seed: int, progress: str) -> No
         run(photographs, out, progress)
         return
     from raybundle.cli.progress import reporting  # noqa: PLC0415
-    from raybundle.planning import simulate as s  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.planning.scenes import TargetField, field_scene  # noqa: PLC0415
+    from raybundle.planning.simulate import Survey, simulate  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.report.text.summary import summary_lines  # noqa: PLC0415
     from raybundle.report.write import write_result  # noqa: PLC0415
     from raybundle.results.folder import check_target  # noqa: PLC0415
     from raybundle.workflows.adjust import adjust  # noqa: PLC0415
 
-    survey = s.Survey(seed=seed, image_sigma_px=0.1, scale_bars=1, scale_bar_sigma=2e-5, orientation="absent")
-    simulation = s.simulate(s.field_scene(s.TargetField()), survey)
+    survey = Survey(seed=seed, image_sigma_px=0.1, scale_bars=1, scale_bar_sigma=2e-5, orientation="absent")
+    simulation = simulate(field_scene(TargetField()), survey)
     result = out / "result"
     check_target(result)
     _write_input(simulation, out)

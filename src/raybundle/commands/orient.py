@@ -8,7 +8,10 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from raybundle.commands.setting import (
+from raybundle.adjustment.options import NOISE_HELP, NoiseModel
+from raybundle.errors import InputError
+from raybundle.numerics.progress import Progress, silent
+from raybundle.settings import (
     ANY,
     NOT_NEGATIVE,
     POSITIVE,
@@ -18,21 +21,13 @@ from raybundle.commands.setting import (
     setting,
     toml_lines,
 )
-from raybundle.errors import InputError
-from raybundle.numerics.progress import Progress, silent
 
 if TYPE_CHECKING:
     from raybundle.pipeline.project import StageRecord
     from raybundle.placing.marks import Given
-    from raybundle.report.sections.photographs import PhotographFacts
+    from raybundle.report.facts import PhotographFacts
     from raybundle.workflows.orient import Orientation
     from raybundle.workflows.orient_options import OrientOptions
-
-NOISE_HELP = (
-    "Errors of image coordinates, for standard deviations: white: independent; fields: smooth ones that "
-    "differ from image to image, and a floor, both told by the residuals; auto: fields for five photographs or "
-    "more that are measured here, white for a block that is given."
-)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -130,7 +125,7 @@ class OrientSettings:
         None, "Time in which a rolling shutter reads a frame, where it is known; 0: there is none. Not given, "
         "photographs that state their times are asked for it.", metavar="MS", limits=Range(low=0, high=1000),
     )  # fmt: skip
-    noise: Literal["white", "fields", "auto"] = setting("auto", NOISE_HELP)
+    noise: NoiseModel = setting("auto", NOISE_HELP)
     report: bool = setting(True, "Leave out report.html and network.html.", flag="--no-report")
 
     def options(self) -> OrientOptions:
@@ -276,7 +271,7 @@ def write_orientation(
 def facts_of(done: Orientation) -> PhotographFacts:
     """What the report says of photographs and scenes; a scene is a photograph with a camera of its own."""
     from raybundle.commands.photograph_facts import photograph_facts  # noqa: PLC0415
-    from raybundle.report.sections.photographs import PairFact, PhotoFact  # noqa: PLC0415
+    from raybundle.report.facts import PairFact, PhotoFact  # noqa: PLC0415
 
     facts = photograph_facts(done)
     names = [s.name for s in done.scenes]

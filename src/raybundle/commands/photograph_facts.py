@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from raybundle.report.sections.photographs import CameraFact, PairFact, PhotoFact, PhotographFacts, StageFact
+from raybundle.report.facts import CameraFact, PairFact, PhotoFact, PhotographFacts, StageFact
 
 if TYPE_CHECKING:
     from raybundle.io.photos.cameras import CameraGroup

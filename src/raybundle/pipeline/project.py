@@ -4,6 +4,7 @@
     PROJECT/project.db       stages, photographs, verified pairs (SQLite)
     PROJECT/cache/xx/KEY.npz products of stages; a key holds the hash of everything that the product depends on
     PROJECT/result/          the result folder
+    PROJECT/measured.db      what was measured by hand (`raybundle.measuring.journal`)
 
 Nothing is ever changed in place: a product is written beside its place and renamed, a row is inserted in a
 transaction.  What is there is complete; what is missing or damaged is made again.  One run at a time works in a
@@ -35,7 +36,10 @@ from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.store import Folder, Product, writing
 
 SCHEMA = 1
-OWN = {"project.db", "project.db-wal", "project.db-shm", "project.toml", "cache", "result"}
+OWN = {
+    "project.db", "project.db-wal", "project.db-shm", "project.toml", "cache", "result",
+    "measured.db", "measured.db-wal", "measured.db-shm", "measured-result",
+}  # fmt: skip
 _LEFTOVER = re.compile(r"\.result\.[0-9a-f]{8}\.(?:partial|old)|\.project\.toml\.[0-9a-f]{8}")
 """Names under which a killed run leaves what it had begun to write."""
 _PRODUCT = re.compile(

@@ -11,7 +11,8 @@ from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.attitude import rotation_from_gimbal
 from raybundle.numerics.rotation import rotation_from_vector
-from raybundle.planning.simulate import Scene, brown_camera, measured
+from raybundle.planning.scenes import Scene, brown_camera
+from raybundle.planning.simulate import measured
 
 FREE = ("c", "x0", "y0", "K1", "K2", "K3", "P1", "P2")
 

@@ -14,11 +14,21 @@ from raybundle.adjustment.severity import SEVERITY, Severity
 from raybundle.errors import InputError
 from raybundle.io.folders import new_files
 from raybundle.io.reading.files import read_text
-from raybundle.io.tables import Table as Csv
-from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.arrays import Array
 from raybundle.numerics.rotation import rotation_from_angles
 from raybundle.numerics.transform import Similarity, similarity
 from raybundle.report.common_points import Common, common_points, common_rows
+from raybundle.report.differences import (
+    PARAMETERS,
+    SMALL_BASIS,
+    PointDifferences,
+    as_float,
+    basis_words,
+    columns_of,
+    compared,
+    taken_otherwise,
+    to_first,
+)
 from raybundle.report.parts import Folded, Heading, Paragraph, Part, Section, Table, number, pick, table, text
 from raybundle.report.text.numbers import (
     NONE,
@@ -38,31 +48,6 @@ from raybundle.results.folder import ResultFolder
 LIMIT = 3.29
 """Differences beyond so many combined standard deviations stand out."""
 LARGEST = 25
-SMALL_BASIS = 22
-"""Redundancy of a similarity below which its figures are uncertain by more than 15 %.
-
-The relative standard deviation of an rms from r redundant differences is 1 / sqrt(2 r); 1 / (2 x 0.15^2) = 22.2.  Ten
-points have 23, nine 20."""
-PARAMETERS = 7
-"""Of a similarity."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class PointDifferences:
-    """Second minus first, after the second was laid onto the first."""
-
-    ids: tuple[str, ...]
-    difference: Array
-    """(n, 3) length unit of the first"""
-    std: Array
-    """(n, 3) combined standard deviation, the two results taken as independent; NaN where one has none"""
-    fit: Similarity | None
-    """The similarity; None where the two were compared as they stand"""
-
-    @property
-    def redundancy(self) -> int:
-        """Differences less the parameters that were fitted to them."""
-        return self.difference.size - (0 if self.fit is None else PARAMETERS)
 
 
 def write_comparison(first: ResultFolder, second: ResultFolder, path: str | Path) -> tuple[str, ...]:
@@ -83,9 +68,7 @@ def write_comparison(first: ResultFolder, second: ResultFolder, path: str | Path
     if Path(path).exists() and not is_comparison(Path(path)):
         raise InputError("stands there already and is no comparison; choose another name, or delete it", file=path)
     points = common_points(first.points.text["point"], second.points.text["point"], (first.block, second.block))
-    differences = [
-        compared for fitted in (True, False) if (compared := _compared(first, second, points, fitted=fitted))
-    ]
+    differences = [found for fitted in (True, False) if (found := compared(first, second, points, fitted=fitted))]
     sections = (
         Section(anchor="summary", title="Side by side", parts=_summary(first, second)),
         Section(anchor="interior", title="Interior orientation", parts=_interior(first, second)),
@@ -121,8 +104,8 @@ def _cautions(first: ResultFolder, second: ResultFolder, differences: Sequence[P
 def _common_centres(first: ResultFolder, second: ResultFolder) -> tuple[Array, Array]:
     """Projection centres (n, 3) of the images that both have, in the first's unit."""
     common = common_rows(first.images.text["image"], second.images.text["image"])
-    of_first = _columns(first.images, "XYZ", common.first)
-    return of_first, _to_first(first, second) * _columns(second.images, "XYZ", common.second)
+    of_first = columns_of(first.images, "XYZ", common.first)
+    return of_first, to_first(first, second) * columns_of(second.images, "XYZ", common.second)
 
 
 def _known_in_both(centre: Array, other: Array) -> int:
@@ -142,64 +125,6 @@ def is_comparison(path: Path) -> bool:
         return False
 
 
-def point_differences(
-    xyz: tuple[Array, Array], std: tuple[Array, Array], ids: Sequence[str], *, fitted: bool
-) -> PointDifferences:
-    """Second minus first of points (n, 3) in one unit with standard deviations (n, 3).
-
-    fitted  lay the second onto the first by a least squares similarity before
-    raises  InputError where a similarity needs more points, or points that are not in a line
-
-    The combined standard deviation of turned points neglects the correlations between their coordinates.
-    """
-    fit = similarity(xyz[1], xyz[0]) if fitted else None
-    moved = xyz[1] if fit is None else fit.points(xyz[1])
-    turned = std[1] ** 2 if fit is None else fit.scale**2 * std[1] ** 2 @ (fit.rotation**2).T
-    return PointDifferences(ids=tuple(ids), difference=moved - xyz[0], std=np.sqrt(std[0] ** 2 + turned), fit=fit)
-
-
-def _columns(csv: Csv, names: Sequence[str], rows: Index) -> Array:
-    return np.stack([csv.number[n][rows] for n in names], axis=1)
-
-
-def _to_first(first: ResultFolder, second: ResultFolder) -> float:
-    """Factor from the second's length unit to the first's."""
-    mm = {"m": 1000.0, "mm": 1.0}
-    return mm[second.block.length_unit] / mm[first.block.length_unit]
-
-
-def _compared(first: ResultFolder, second: ResultFolder, common: Common, *, fitted: bool) -> PointDifferences | None:
-    factor = _to_first(first, second)
-    xyz = _columns(first.points, "XYZ", common.first), factor * _columns(second.points, "XYZ", common.second)
-    names = ("sX", "sY", "sZ")
-    std = _columns(first.points, names, common.first), factor * _columns(second.points, names, common.second)
-    good = np.flatnonzero(np.isfinite(xyz[0]).all(axis=1) & np.isfinite(xyz[1]).all(axis=1))
-    if not len(good):
-        return None
-    ids = pick(good, common.ids)
-    try:
-        return point_differences((xyz[0][good], xyz[1][good]), (std[0][good], std[1][good]), ids, fitted=fitted)
-    except InputError:
-        return None
-
-
-def basis_words(count: int, what: str) -> str:
-    """What a similarity rests on, with a caution where that is little.
-
-    count  points, or projection centres, with three coordinates each
-    what   their name, singular
-    """
-    r = 3 * count - PARAMETERS
-    words = (
-        f"The similarity rests on {counted(count, what)}: {grouped(3 * count)} coordinates, redundancy {grouped(r)}."
-    )
-    if r >= SMALL_BASIS:
-        return words
-    unsure = f"The rms of the differences is uncertain by {fixed(100 / math.sqrt(2 * r), 0)} % and"
-    taken = f"{fixed(100 * PARAMETERS / (3 * count), 0)} % of their square sum is expected to go into the similarity"
-    return f"{words} Caution: that is little. {unsure} {taken}: small differences prove little here."
-
-
 def _name(result: ResultFolder) -> str:
     return str(result.result.get("name") or result.path.name)
 
@@ -213,14 +138,10 @@ def _apart(first: Path, second: Path) -> tuple[str, str]:
     return first.name, second.name
 
 
-def _float(value: Any) -> float:
-    return float(value) if isinstance(value, int | float) else math.nan
-
-
 def _headline(
     first: ResultFolder, second: ResultFolder, common: Common, differences: Sequence[PointDifferences]
 ) -> str:
-    a, b = (_float(r.result.get("sigma0")) for r in (first, second))
+    a, b = (as_float(r.result.get("sigma0")) for r in (first, second))
     words = [f"σ₀ {significant(a)} and {significant(b)}."]
     ratios = [abs(r) for row in _parameter_rows(first, second) if math.isfinite(r := row.ratio)]
     if ratios:
@@ -267,7 +188,7 @@ SUMMARY = (
 def _summary(first: ResultFolder, second: ResultFolder) -> tuple[Part, ...]:
     rows: list[tuple[str, str, str, str]] = []
     for key, words in SUMMARY:
-        a, b = _float(first.result.get(key)), _float(second.result.get(key))
+        a, b = as_float(first.result.get(key)), as_float(second.result.get(key))
         whole = key not in {"sigma0", "seconds"}
         shown = [grouped(v) if whole else significant(v, 5 if key == "sigma0" else 3) for v in (a, b)]
         change = b - a
@@ -285,57 +206,6 @@ def _summary(first: ResultFolder, second: ResultFolder) -> tuple[Part, ...]:
         table((text("quantity"), text("first"), text("second"), number("second − first")), zip(*rows, strict=True)),
         Paragraph(text=taken_otherwise(first, second)),
     )
-
-
-def taken_otherwise(first: ResultFolder, second: ResultFolder) -> str:
-    """One sentence: what of the same observations the two took otherwise, by which estimates and sigmas move.
-
-    Image observations are the same where image and place are, to a hundredth of a pixel.
-    """
-    parts: list[str] = []
-    a, b = _taken(first), _taken(second)
-    common = a.keys() & b.keys()
-    only = sum(not a[k] and b[k] for k in common), sum(a[k] and not b[k] for k in common)
-    if not common:
-        parts.append("no image observation is common to both")
-    elif any(only):
-        parts.append(
-            f"of {counted(len(common), 'common image observation')} {grouped(only[0])} are rejected in the first and "
-            f"take part in the second, {grouped(only[1])} the other way round"
-        )
-    else:
-        parts.append(f"the same of {counted(len(common), 'common image observation')} take part in both")
-    kinds = [str(cast("Mapping[str, Any]", r.result.get("noise") or {}).get("kind", "white")) for r in (first, second)]
-    same = f"the noise model is {kinds[0]} in both"
-    parts.append(
-        same if kinds[0] == kinds[1] else f"the noise model is {kinds[0]} in the first, {kinds[1]} in the second"
-    )
-    free = [_free(r) for r in (first, second)]
-    for words, names in (("first", free[0] - free[1]), ("second", free[1] - free[0])):
-        if names:
-            parts.append(f"free in the {words} only: {listed(sorted(names))}")
-    if free[0] == free[1]:
-        parts.append("the same parameters of cameras are free")
-    sentence = "; ".join(parts)
-    return f"{sentence[0].upper()}{sentence[1:]}."
-
-
-def _taken(folder: ResultFolder) -> dict[tuple[str, int, int], bool]:
-    """Whether each image observation, by image and place, takes part."""
-    o = folder.observations
-    x, y = (np.rint(100 * o.number[n]).astype(np.int64).tolist() for n in ("x_px", "y_px"))
-    return {(i, a, b): not r for i, a, b, r in zip(o.text["image"], x, y, o.text["rejected"], strict=True)}
-
-
-def _free(folder: ResultFolder) -> set[str]:
-    """Parameters of cameras that were estimated, as "x0 (camera)"."""
-    cameras = cast("Mapping[str, Mapping[str, Mapping[str, Any]]]", folder.result.get("cameras") or {})
-    return {
-        f"{s} ({c})"
-        for c, values in cameras.items()
-        for s, p in values.items()
-        if p.get("status") in {"estimated", "observed"} or _float(p.get("std")) > 0
-    }
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -363,8 +233,8 @@ def _parameter_rows(first: ResultFolder, second: ResultFolder) -> list[_Paramete
             camera=camera,
             symbol=symbol,
             unit=str(p.get("unit", "")),
-            values=(_float(p.get("value")), _float(b[camera][symbol].get("value"))),
-            std=(_float(p.get("std")), _float(b[camera][symbol].get("std"))),
+            values=(as_float(p.get("value")), as_float(b[camera][symbol].get("value"))),
+            std=(as_float(p.get("std")), as_float(b[camera][symbol].get("std"))),
         )
         for camera in a
         if camera in b
@@ -503,8 +373,8 @@ def _images(first: ResultFolder, second: ResultFolder, differences: Sequence[Poi
     fit = differences[0].fit if differences else None
     angles = ("omega_deg", "phi_deg", "kappa_deg")
     centre, other = _common_centres(first, second)
-    R = rotation_from_angles(np.radians(_columns(first.images, angles, common.first)))
-    S = rotation_from_angles(np.radians(_columns(second.images, angles, common.second)))
+    R = rotation_from_angles(np.radians(columns_of(first.images, angles, common.first)))
+    S = rotation_from_angles(np.radians(columns_of(second.images, angles, common.second)))
     by_points = fit is not None
     if fit is None and not differences:
         fit = _by_centres(centre, other)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from datetime import UTC, datetime
 from functools import cache
 from pathlib import Path
@@ -14,21 +13,10 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.calibration.quality import CalibrationQuality
 from raybundle.io.folders import new_files
 from raybundle.numerics.progress import Progress, silent
+from raybundle.report.chapters import Occasion, chapters
+from raybundle.report.facts import PhotographFacts
 from raybundle.report.parts import Section
-from raybundle.report.sections.accuracy import accuracy_section
-from raybundle.report.sections.calibration import calibration_section, graver, headline, worst
-from raybundle.report.sections.control import control_section
-from raybundle.report.sections.interior import interior_section
-from raybundle.report.sections.network import network_section, precision_section
-from raybundle.report.sections.noise import noise_section
-from raybundle.report.sections.panoramas import panorama_section
-from raybundle.report.sections.photographs import PhotographFacts, photograph_sections
-from raybundle.report.sections.reliability import reliability_section
-from raybundle.report.sections.residuals import residual_section
-from raybundle.report.sections.result import result_section, summary_section
-from raybundle.report.sections.scenes import scene_section, strip_section, with_near_viewpoints
-from raybundle.report.sections.tables import provenance_section, tables_section
-from raybundle.report.sections.trajectories import trajectory_section
+from raybundle.report.sections.calibration import graver, headline, worst
 from raybundle.report.text.words import unsettled, verdict
 from raybundle.report.view import view_of
 
@@ -76,38 +64,13 @@ def write_report(
     """
     view = view_of(adjustment)
     told = verdict(view)
-    steps: tuple[tuple[str, Callable[[], Section | None]], ...] = (
-        ("result", lambda: result_section(view, told)),
-        ("summary", lambda: summary_section(view)),
-        ("accuracy", lambda: accuracy_section(view)),
-        ("precision", lambda: precision_section(view)),
-        ("noise", lambda: noise_section(view)),
-        ("control", lambda: control_section(view)),
-        ("trajectories", lambda: trajectory_section(view)),
-        ("strips", lambda: strip_section(view)),
-        ("scenes", lambda: scene_section(view)),
-        ("panoramas", lambda: panorama_section(view)),
-        ("interior orientation", lambda: interior_section(view)),
-        ("residuals", lambda: residual_section(view)),
-        ("reliability", lambda: reliability_section(view)),
-        ("network", lambda: network_section(with_near_viewpoints(view))),
-        ("tables", lambda: tables_section(view)),
-        ("settings", lambda: provenance_section(view)),
-    )
+    occasion = Occasion(view=view, told=told, photographs=photographs, qualities=qualities)
     sections: list[Section] = []
-    for k, (name, make) in enumerate(steps):
-        progress(f"report: {name}", k / len(steps))
-        made = make()
-        sections += [] if made is None else [made]
+    every = chapters()
+    for k, chapter in enumerate(every):
+        progress(f"report: {chapter.name}", k / len(every))
+        sections += chapter.make(occasion)
     block = adjustment.given
-    if photographs is not None:
-        # after result and summary: a client looks for the photographs first
-        made = photograph_sections(with_near_viewpoints(view), photographs)
-        scenes_only = all(c.is_scene for c in block.cameras)
-        # scenes alone have no camera that starts from anything
-        sections[2:2] = [s for s in made if not scenes_only or s.anchor != "cameras-start"]
-    if qualities:
-        sections.insert(0, calibration_section(qualities))
     html = page(
         title=f"Adjustment of {block.name}" if not qualities else "Calibration",
         subtitle=block.about or block.source,

@@ -13,16 +13,15 @@ import numpy as np
 from markupsafe import Markup
 
 from raybundle.adjustment.result import Adjustment
-from raybundle.block import Role
+from raybundle.block import Block, Role
 from raybundle.io.folders import new_files
 from raybundle.numerics.arrays import Array, Index
 from raybundle.report.document import environment
 from raybundle.report.figures.network import frusta
 from raybundle.report.figures.svg import spread_rows
-from raybundle.report.sections.scenes import with_near_viewpoints
 from raybundle.report.text.numbers import counted, grouped
 from raybundle.report.text.words import datum_words
-from raybundle.report.view import View, view_of
+from raybundle.report.view import View, view_of, with_near_viewpoints
 
 MOST_POINTS, MOST_ELLIPSOIDS, MOST_IMAGES = 50_000, 2_000, 5_000
 """Points, error ellipsoids and images that a page holds; control and check points are all there."""
@@ -76,8 +75,9 @@ def network_contents(view: View) -> dict[str, Any]:
     xyz, centre = view.adjusted.points.xyz[points], view.adjusted.images.centre[images]
     every = xyz if len(xyz) else centre
     origin = np.median(every, axis=0) if len(every) else np.zeros(3)
-    extent = _extent(xyz - origin)
-    ellipsoids, axes_ = _ellipsoids(view, points)
+    extent = extent_of(xyz - origin)
+    precision = view.adjustment.precision
+    ellipsoids, axes_ = ellipsoids_of(view.given, None if precision is None else precision.object_points, points)
     starts, seen = _rays(view, points, images)
     bars = _bars(view, points)
     sigma = np.full((len(points), 3), np.nan) if view.std is None else view.std[points]
@@ -89,7 +89,7 @@ def network_contents(view: View) -> dict[str, Any]:
         "decimals": min(decimals, 9),
         "origin": origin.tolist(),
         "extent": extent,
-        "basis": _basis(view, images, xyz).ravel().tolist(),
+        "basis": basis_of(view.adjusted, images, xyz, free=_free(view)).ravel().tolist(),
         "points": {
             "id": [view.given.points.ids[i] for i in points],
             "xyz": _packed(xyz - origin, "<f4"),
@@ -101,7 +101,7 @@ def network_contents(view: View) -> dict[str, Any]:
         },
         "images": {
             "id": [view.given.images.ids[i] for i in images],
-            "frusta": _packed(frusta(view, images, 1.0) - origin, "<f4"),
+            "frusta": _packed(frusta(view.adjusted, images, 1.0) - origin, "<f4"),
             "size": 0.06 * extent / max(1.0, math.sqrt(len(images) / 40)),
         },
         "ellipsoids": {
@@ -133,7 +133,7 @@ def shown_images(view: View) -> Index:
     return rows[spread_rows(len(rows), MOST_IMAGES)].astype(np.int32)
 
 
-def _extent(xyz: Array) -> float:
+def extent_of(xyz: Array) -> float:
     """Length that holds most of the points; 1 where they have none."""
     if not len(xyz):
         return 1.0
@@ -142,15 +142,20 @@ def _extent(xyz: Array) -> float:
     return size if size > 0 else 1.0
 
 
-def _basis(view: View, images: Index, xyz: Array) -> Array:
+def _free(view: View) -> bool:
+    """Whether the rotation of the system is arbitrary."""
+    return any(part.startswith("rotation") for part in view.adjustment.datum_defect)
+
+
+def basis_of(block: Block, images: Index, xyz: Array, *, free: bool) -> Array:
     """Right, back and up of the first view (3, 3).
 
-    Up is Z; where the rotation of the system is arbitrary, the mean upward direction of the images.  The view looks
-    as the images do in the mean.
+    Up is Z; where the rotation of the system is arbitrary (free), the mean upward direction of the images.  The view
+    looks as the images do in the mean.
     """
     up = np.array([0.0, 0.0, 1.0])
-    R = view.adjusted.images.rotation[images]
-    if len(images) and any(part.startswith("rotation") for part in view.adjustment.datum_defect):
+    R = block.images.rotation[images]
+    if len(images) and free:
         mean = R[:, 1].mean(axis=0)
         if np.linalg.norm(mean) > 0.5:
             up = mean / np.linalg.norm(mean)
@@ -165,14 +170,16 @@ def _basis(view: View, images: Index, xyz: Array) -> Array:
     return np.stack([np.cross(up, -back) * -1.0, back, up])
 
 
-def _ellipsoids(view: View, points: Index) -> tuple[Index, Array]:
-    """Positions among the shown points (k,), and half axes (k, 3, 3), one in each row, of their 1 sigma ellipsoids."""
-    precision = view.adjustment.precision
-    if precision is None or not len(points):
+def ellipsoids_of(block: Block, covariance: Array | None, points: Index) -> tuple[Index, Array]:
+    """Places among the shown points (k,), and half axes (k, 3, 3), one in each row, of their 1 sigma ellipsoids.
+
+    covariance  (p, 3, 3) of all object points; None: there is none
+    """
+    if covariance is None or not len(points):
         return np.zeros(0, np.int32), np.zeros((0, 3, 3))
-    C = precision.object_points[points]
+    C = covariance[points]
     known = np.flatnonzero(np.isfinite(C).all(axis=(1, 2)) & (np.trace(C, axis1=1, axis2=2) > 0))
-    special = known[np.asarray(view.given.points.role)[points[known]] != Role.TIE]
+    special = known[np.asarray(block.points.role)[points[known]] != Role.TIE]
     tie = np.setdiff1d(known, special)
     room = max(MOST_ELLIPSOIDS - len(special), 0)
     rows = np.sort(np.concatenate([special, tie[spread_rows(len(tie), room)] if room else tie[:0]])).astype(np.int32)

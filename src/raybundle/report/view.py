@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -15,6 +15,9 @@ from raybundle.report.figures.distortion import Interior, interior_of
 
 FREE_UNIT = "units"
 """Unit of lengths in print where nothing fixes the scale: neither metres nor millimetres."""
+
+AWAY = 1.0
+"""Distance from its ground at which a scene is drawn, in extents of the block."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -143,3 +146,26 @@ def rms(values: Array) -> float:
     """Root mean square of the finite values; NaN if there are none."""
     good = values[np.isfinite(values)]
     return float(np.sqrt(np.mean(good**2))) if len(good) else math.nan
+
+
+def rows_of(view: View, image: int) -> Index:
+    """Rows of the image points of an image that took part."""
+    return np.flatnonzero(view.used & (view.given.observations.image == image)).astype(np.int32)
+
+
+def with_near_viewpoints(view: View) -> View:
+    """The view with scenes drawn near their ground: at their true height maps and networks would show nothing else."""
+    block = view.adjusted
+    scenes = [i for i, c in enumerate(block.images.camera) if block.cameras[int(c)].is_scene]
+    known = np.isfinite(block.points.xyz).all(axis=1) & (view.rays > 0)
+    if not scenes or not known.any():
+        return view
+    xyz = block.points.xyz[known]
+    extent = float(np.max(np.ptp(np.percentile(xyz[:, :2], [2, 98], axis=0), axis=0)))
+    centre = block.images.centre.copy()
+    for i in scenes:
+        seen = rows_of(view, i)
+        own = block.points.xyz[view.given.observations.point[seen]] if len(seen) else xyz
+        centre[i] = np.nanmedian(own, axis=0) + AWAY * extent * block.images.rotation[i, 2]
+    adjusted = replace(block, images=replace(block.images, centre=centre))
+    return replace(view, adjustment=replace(view.adjustment, adjusted=adjusted))

@@ -14,7 +14,7 @@ from raybundle.results.folder import written_folder
 if TYPE_CHECKING:
     from raybundle.calibration.quality import CalibrationQuality
     from raybundle.io.geo.coordinate_systems import LocalFrame
-    from raybundle.report.sections.photographs import PhotographFacts
+    from raybundle.report.facts import PhotographFacts
 
 
 def write_result(

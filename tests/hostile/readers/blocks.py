@@ -12,7 +12,8 @@ from tests.hostile.readers.registry import command, place, target, wrong_in_bloc
 
 @functools.cache
 def small_block():
-    from raybundle.planning.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+    from raybundle.planning.scenes import TargetField, brown_camera, field_scene
+    from raybundle.planning.simulate import Survey, simulate
 
     camera = brown_camera(values=dict.fromkeys(("K2", "K3", "P1", "P2"), 0.0))
     plan = TargetField(camera=camera, stations=3, frontal=2, rows=3, columns=4)
@@ -88,7 +89,7 @@ def result_seeds(top: Path) -> None:
 
 
 def read_a_result(folder: Path) -> list[str]:
-    from raybundle.cli.convert import read_source
+    from raybundle.workflows.sources import read_source
 
     return wrong_in_block(read_source(folder / "r", None)[0].block)
 

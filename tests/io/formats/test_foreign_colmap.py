@@ -11,7 +11,8 @@ from raybundle.io.cameras.conversions import camera_from_forward, camera_rays
 from raybundle.io.cameras.forward_camera import forward_pixels, forward_rays
 from raybundle.io.formats import Export, read_format, write_format
 from raybundle.io.formats.colmap import MODELS, forward_of
-from raybundle.planning.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+from raybundle.planning.scenes import TargetField, brown_camera, field_scene
+from raybundle.planning.simulate import Survey, simulate
 
 SIZE = (640, 480)
 PARAMETERS = {

@@ -13,7 +13,8 @@ from raybundle.io.cameras.conversions import camera_rays, grid_px, interiors
 from raybundle.io.formats import Export, formats, read_format, write_format
 from raybundle.io.geo.coordinate_systems import local_frame
 from raybundle.io.pictures.undistort import undistorted_block
-from raybundle.planning.simulate import Survey, TargetField, brown_camera, field_scene, simulate
+from raybundle.planning.scenes import TargetField, brown_camera, field_scene
+from raybundle.planning.simulate import Survey, simulate
 
 BOTH = sorted(n for n, f in formats.items() if f.read and f.write)
 WRITTEN = sorted(n for n, f in formats.items() if f.write)

@@ -9,7 +9,7 @@ from html import escape
 import numpy as np
 
 from raybundle.adjustment.result import NetworkFigures
-from raybundle.block import Role
+from raybundle.block import Block, Role
 from raybundle.numerics.arrays import Array, Index
 from raybundle.report.figures.svg import (
     CHARACTER,
@@ -76,7 +76,7 @@ def network_views(view: View) -> NetworkViews | None:
             f"{grouped(factor)} times"
         )
     size = 0.045 * max(high - low for low, high in limits) / max(1.0, math.sqrt(len(drawn_images) / 40))
-    frames = frusta(view, drawn_images, size)
+    frames = frusta(view.adjusted, drawn_images, size)
     parts: list[str] = []
     for plot, a, b in panels:
         parts.append(axes(plot, f"{'XYZ'[a]} [{view.length_unit}]", f"{'XYZ'[b]} [{view.length_unit}]", grid="xy"))
@@ -134,17 +134,17 @@ def _panels(limits: list[Interval]) -> tuple[list[Panel], float, float, float]:
     return [(plan, 0, 1), (side, 2, 1), (front, 0, 2)], width, height, scale
 
 
-def frusta(view: View, images: Index, size: float) -> Array:
+def frusta(block: Block, images: Index, size: float) -> Array:
     """Projection centre and four corners of the format before it (n, 5, 3) in object space."""
     corners = np.zeros((len(images), 5, 3))
     for k, i in enumerate(images):
-        camera = view.adjusted.cameras[int(view.given.images.camera[i])]
+        camera = block.cameras[int(block.images.camera[i])]
         c = abs(next(iter(camera.values.values()), 1.0)) or 1.0
         half = np.clip(camera.size_mm / 2 / c, 0.15, 0.8)
-        axes_ = view.adjusted.images.rotation[i]
+        axes_ = block.images.rotation[i]
         for j, (sx, sy) in enumerate(((-1, -1), (1, -1), (1, 1), (-1, 1)), 1):
             corners[k, j] = size * (sx * half[0] * axes_[0] + sy * half[1] * axes_[1] - axes_[2])
-    return corners + view.adjusted.images.centre[images][:, None]
+    return corners + block.images.centre[images][:, None]
 
 
 def _frames(plot: Plot, frusta: Array, names: list[str]) -> str:

@@ -9,6 +9,7 @@ import numpy as np
 from raybundle.adjustment.accuracy import accuracy
 from raybundle.adjustment.network import MANY
 from raybundle.numerics.arrays import Array
+from raybundle.report.chapters import section
 from raybundle.report.parts import Heading, Part, Section, Table, table, text, whole
 from raybundle.report.text.numbers import counted, grouped, significant
 from raybundle.report.text.words import expected_check_std, free_std
@@ -21,6 +22,7 @@ Row = tuple[str, str, str, str, str]
 """Figure, value, what it is taken over, noise that it supposes, meaning."""
 
 
+@section("accuracy", after="photographs")
 def accuracy_section(view: View) -> Section:
     """What each figure of precision and accuracy is taken over, in object space and in the images."""
     object_rows = [*_object_rows(view), *_check_rows(view), *_control_rows(view)]

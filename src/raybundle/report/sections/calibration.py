@@ -9,6 +9,7 @@ import numpy as np
 
 from raybundle.calibration.cross_validation import CrossValidation
 from raybundle.calibration.quality import CalibrationQuality, Grade
+from raybundle.report.chapters import Occasion, chapter
 from raybundle.report.parts import Fact, Facts, Heading, Paragraph, Part, Section, Statements, number, table, text
 from raybundle.report.text.numbers import NONE, fixed, grouped, per_cent, significant
 from raybundle.report.text.words import Grade as ReportGrade
@@ -150,3 +151,8 @@ def _couplings(q: CalibrationQuality) -> list[Part]:
             "carried over to other photographs suffers from them.",
         )
     ]
+
+
+@chapter("calibration", after="")
+def _calibration(o: Occasion) -> tuple[Section, ...]:
+    return (calibration_section(o.qualities),) if o.qualities else ()

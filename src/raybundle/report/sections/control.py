@@ -14,6 +14,7 @@ from raybundle.block import Role
 from raybundle.block.known import known_before
 from raybundle.numerics.arrays import Array
 from raybundle.observations import in_order
+from raybundle.report.chapters import section
 from raybundle.report.figures.control import marked_images, marks_figure
 from raybundle.report.parts import (
     Figure,
@@ -41,6 +42,7 @@ OPEN_ROWS, LARGEST = 60, 15
 """Longer tables are folded, and their largest values shown."""
 
 
+@section("control", after="noise")
 def control_section(view: View) -> Section:
     """What was given besides image points, and what became of it."""
     parts: list[Part] = []

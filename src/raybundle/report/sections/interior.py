@@ -10,6 +10,7 @@ from raybundle.adjustment.result import InteriorResult, ParameterResult
 from raybundle.block import Instrument
 from raybundle.calibration.maps import projection_uncertainty
 from raybundle.numerics.arrays import Array
+from raybundle.report.chapters import section
 from raybundle.report.figures.distortion import ADDITIONAL, Curve, Interior, balanced, decentring_curve, radial_curve
 from raybundle.report.figures.interior import correction_field, curves, heat_map, sigma_curve, uncertainty_figure
 from raybundle.report.parts import (
@@ -46,6 +47,7 @@ MOST_PARAMETERS = 40
 CORNER = "largest shift within the format"
 
 
+@section("interior orientation", after="panoramas")
 def interior_section(view: View) -> Section:
     """Values, tests, correlations and distortion of every interior orientation."""
     a = view.adjustment

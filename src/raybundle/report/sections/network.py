@@ -8,17 +8,19 @@ import numpy as np
 
 from raybundle.adjustment.result import NetworkFigures
 from raybundle.numerics.arrays import Array
+from raybundle.report.chapters import Occasion, chapter, section
 from raybundle.report.figures.network import angle_histogram, network_views, ray_histogram, roll_rose
 from raybundle.report.figures.residuals import image_columns
 from raybundle.report.figures.svg import histogram
 from raybundle.report.parts import Figure, Figures, Folded, Paragraph, Part, Section, Table, number, pick, table, text
 from raybundle.report.text.numbers import NONE, cells, column_decimals, counted, fixed, grouped, per_cent, significant
-from raybundle.report.view import View, rms
+from raybundle.report.view import View, rms, with_near_viewpoints
 
 MOST_PAIRS = 300
 """Image pairs that are listed."""
 
 
+@section("precision", after="accuracy")
 def precision_section(view: View) -> Section:
     """Standard deviations of the object points."""
     title = "Precision of the object points"
@@ -231,3 +233,8 @@ def _coverage(view: View, n: NetworkFigures) -> list[Part]:
     ids = pick(taken, view.given.images.ids)
     drawn = image_columns(ids, 100 * n.coverage[taken], "coverage [%]", "coverage of the image format")
     return [Figures(figures=(Figure(drawing=drawn, caption="Coverage of the format by image points, each image."),))]
+
+
+@chapter("network", after="reliability")
+def _network(o: Occasion) -> tuple[Section, ...]:
+    return (network_section(with_near_viewpoints(o.view)),)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from raybundle.adjustment.fields import Noise
+from raybundle.report.chapters import section
 from raybundle.report.parts import Column, Paragraph, Part, Section, Table, number, table, text
 from raybundle.report.text.numbers import NONE, fixed, grouped, significant, unit_text
 from raybundle.report.view import View, name_of
@@ -13,6 +14,7 @@ MOST = 60
 """Parameters that are listed."""
 
 
+@section("noise", after="precision")
 def noise_section(view: View) -> Section | None:
     """Floor and fields, and the standard deviations beside those of white noise; None where nothing else was asked."""
     noise = view.adjustment.noise

@@ -9,6 +9,7 @@ import numpy as np
 from raybundle.adjustment.result import InteriorResult, ParameterResult
 from raybundle.block import Camera
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.report.chapters import section
 from raybundle.report.figures.series import running, series_figure
 from raybundle.report.figures.svg import Drawing, drawing, label
 from raybundle.report.parts import Figure, Figures, Heading, Paragraph, Part, Section, Statements
@@ -23,6 +24,7 @@ SIZE = 300.0
 """Side of the sketch [px]."""
 
 
+@section("panoramas", after="scenes")
 def panorama_section(view: View) -> Section | None:
     """Residuals against direction and elevation and a sketch of each panoramic camera; None without one."""
     parts: list[Part] = []

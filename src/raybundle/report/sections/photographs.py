@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from raybundle.adjustment.network import FEW
 from raybundle.adjustment.result import InteriorResult
 from raybundle.numerics.arrays import Array, Index
+from raybundle.report.chapters import Occasion, chapter
+from raybundle.report.facts import PhotographFacts
 from raybundle.report.figures.photographs import (
     STRONG,
     Plan,
@@ -52,89 +53,12 @@ from raybundle.report.text.numbers import (
     significant,
     with_sigma,
 )
-from raybundle.report.view import View
+from raybundle.report.view import View, with_near_viewpoints
 
 THIN = 0.25
 """Share of the format below which the image points of a photograph cover too little of it."""
 FAR = 3.0
 """Difference between starting and estimated camera constant, in standard deviations of the former, worth a remark."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class PhotoFact:
-    """A photograph as it was given."""
-
-    name: str
-    """The id of its image in the block"""
-    camera: str
-    width_px: int
-    height_px: int
-    taken: str = ""
-    """Date and time, in words"""
-    device: str = ""
-    """Make and model"""
-    position: str = ""
-    """What it says about where it was taken, in words, as "GPS" or "RTK"; empty: nothing"""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class CameraFact:
-    """What was known of a camera before the adjustment."""
-
-    camera: str
-    name: str
-    photographs: int
-    source: str
-    """Where the starting camera constant comes from, in words"""
-    c_px: float
-    sigma_c_px: float
-    """0: held, from a stored calibration"""
-    remarks: tuple[str, ...] = ()
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class PairFact:
-    """A pair of photographs that was compared."""
-
-    first: str
-    second: str
-    candidates: int
-    """Matches by appearance"""
-    verified: int
-    """Those that fit one geometry"""
-    geometry: str
-    """general | planar | rotation | watermark | none"""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class StageFact:
-    """What a stage of the work took."""
-
-    name: str
-    seconds: float
-    cpu_seconds: float
-    peak_memory_mb: float
-    """Of the process up to the end of the stage"""
-    from_cache: bool
-    summary: str = ""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class PhotographFacts:
-    """What a report says of a set of photographs beside their adjustment."""
-
-    photographs: tuple[PhotoFact, ...]
-    cameras: tuple[CameraFact, ...]
-    refused: tuple[tuple[str, str], ...] = ()
-    """Files that are no usable photographs, and why"""
-    not_oriented: tuple[tuple[str, str], ...] = ()
-    """Photographs without orientation, and why"""
-    pairs: tuple[PairFact, ...] = ()
-    stages: tuple[StageFact, ...] = ()
-    settings: tuple[tuple[str, str], ...] = ()
-    """what was asked for beside the defaults, by name"""
-    sigma_px: float = math.nan
-    """Standard deviation of an image coordinate, from the residuals; NaN: not known"""
 
 
 def photograph_sections(view: View, facts: PhotographFacts) -> tuple[Section, ...]:
@@ -512,3 +436,14 @@ def _duration(seconds: float) -> str:
         return f"{significant(seconds, 3)} s"
     minutes = seconds / 60
     return f"{fixed(minutes, 1)} min" if minutes < 120 else f"{fixed(minutes / 60, 1)} h"
+
+
+@chapter("photographs", after="summary")
+def _photographs(o: Occasion) -> tuple[Section, ...]:
+    """After result and summary: a client looks for the photographs first."""
+    if o.photographs is None:
+        return ()
+    made = photograph_sections(with_near_viewpoints(o.view), o.photographs)
+    scenes_only = all(c.is_scene for c in o.view.adjustment.given.cameras)
+    # scenes alone have no camera that starts from anything
+    return tuple(s for s in made if not scenes_only or s.anchor != "cameras-start")

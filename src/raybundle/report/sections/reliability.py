@@ -7,6 +7,7 @@ import numpy as np
 from raybundle.adjustment.cell_means import cell_means
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.statistics import ALPHA, CRITICAL_W, DELTA0, POWER
+from raybundle.report.chapters import section
 from raybundle.report.figures.residuals import image_columns, redundancy_map
 from raybundle.report.figures.svg import histogram
 from raybundle.report.parts import (
@@ -36,6 +37,7 @@ POORLY = 0.1
 """Redundancy number below which an observation is hardly controlled by the others."""
 
 
+@section("reliability", after="residuals")
 def reliability_section(view: View) -> Section:
     """How well the observations control one another."""
     title = "Reliability"

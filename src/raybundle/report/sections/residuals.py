@@ -8,6 +8,7 @@ import numpy as np
 
 from raybundle.adjustment.cell_means import FAMILY, CellMeans, cell_means
 from raybundle.numerics.arrays import Array, Mask
+from raybundle.report.chapters import section
 from raybundle.report.figures.residuals import (
     MOST_VECTORS,
     caption_of,
@@ -49,6 +50,7 @@ SMALL = 219.0
 """Width of the drawing of one image [px]."""
 
 
+@section("residuals", after="interior orientation")
 def residual_section(view: View) -> Section:
     """Residuals: distribution, systematic part, and each image."""
     if not view.used.any():

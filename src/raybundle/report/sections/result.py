@@ -13,6 +13,7 @@ from raybundle.adjustment.severity import Severity
 from raybundle.adjustment.spread import few_hold
 from raybundle.numerics.arrays import Array
 from raybundle.observations import observation_kinds
+from raybundle.report.chapters import Occasion, chapter, section
 from raybundle.report.parts import Column, Fact, Facts, Heading, Paragraph, Part, Section, Statements, table, text
 from raybundle.report.text.numbers import NONE, counted, fixed, grouped, listed, significant, unbroken
 from raybundle.report.text.words import Verdict, datum_words, free_std, not_told, open_datum, relative_words
@@ -94,6 +95,7 @@ def _image_sigma(view: View) -> str:
     return f"an image coordinate {significant(px, 2)} px" + ("" if np.ptp(std) < 1e-3 * px else " (median)")
 
 
+@section("summary", after="result")
 def summary_section(view: View) -> Section:
     """Counts, datum, tests."""
     a = view.adjustment
@@ -166,3 +168,8 @@ def _tests(a: Adjustment) -> list[tuple[str, str]]:
             f"{significant(a.critical_tau)} at {fixed(100 * a.options.significance, 0)} %",
         ),
     ]
+
+
+@chapter("result", after="calibration")
+def _result(o: Occasion) -> tuple[Section, ...]:
+    return (result_section(o.view, o.told),)

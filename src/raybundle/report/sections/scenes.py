@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 from typing import TYPE_CHECKING, cast
 
 import numpy as np
@@ -11,6 +10,7 @@ import numpy as np
 from raybundle.adjustment.result import InteriorResult
 from raybundle.block import Camera
 from raybundle.numerics.arrays import Array, Index
+from raybundle.report.chapters import section
 from raybundle.report.figures.corrections import correction_figures
 from raybundle.report.figures.interior import format_plot, scale_bar
 from raybundle.report.figures.residuals import exaggeration, image_vectors
@@ -34,7 +34,7 @@ from raybundle.report.parts import (
 from raybundle.report.residuals import normalised
 from raybundle.report.text.numbers import NONE, counted, fixed, grouped, listed, probability, significant, with_sigma
 from raybundle.report.text.words import printed
-from raybundle.report.view import View, rms
+from raybundle.report.view import View, rms, rows_of
 
 if TYPE_CHECKING:
     from raybundle.scenes.sensor import LineSensor, SceneSensor
@@ -52,11 +52,10 @@ BELIEVED = 0.001
 """Probability by chance below which a wave along the track counts as seen."""
 SMOOTH_PX = 0.001
 """A rigorous model that is nearer than that to its RPC has no jitter to draw."""
-AWAY = 1.0
-"""Distance from its ground at which a scene is drawn, in extents of the block."""
 WIDTH = 300.0
 
 
+@section("scenes", after="strips")
 def scene_section(view: View) -> Section | None:
     """Bias, residuals along the track and jitter of every satellite scene; None for a block without any."""
     images = [i for i in _images(view) if not is_strip(_camera(view, i))]
@@ -75,6 +74,7 @@ def scene_section(view: View) -> Section | None:
     return Section(anchor="scenes", title="Satellite scenes", parts=tuple(parts))
 
 
+@section("strips", after="trajectories")
 def strip_section(view: View) -> Section | None:
     """Corrections of position and attitude of aerial line scanners over time; None for a block without any."""
     images = [i for i in _images(view) if is_strip(_camera(view, i))]
@@ -134,10 +134,6 @@ def _result(view: View, camera: Camera) -> InteriorResult | None:
     return next((r for r in view.adjustment.interior if r.camera == camera.id), None)
 
 
-def _rows(view: View, image: int) -> Index:
-    return np.flatnonzero(view.used & (view.given.observations.image == image)).astype(np.int32)
-
-
 def _bias_table(view: View, images: list[int], note: str) -> Table:
     """A row for every parameter of every scene."""
     ground = any(_camera(view, i).model == "rpc" for i in images)
@@ -151,7 +147,7 @@ def _bias_table(view: View, images: list[int], note: str) -> Table:
     for i in images:
         camera = _camera(view, i)
         result = _result(view, camera)
-        first = [view.given.images.ids[i], _kind(camera), grouped(len(_rows(view, i)))]
+        first = [view.given.images.ids[i], _kind(camera), grouped(len(rows_of(view, i)))]
         symbols = camera.sensor.symbols
         if not symbols or result is None:
             rows.append([*first, *[NONE] * (len(columns) - 3)])
@@ -207,7 +203,7 @@ def _on_ground(camera: Camera, symbol: str, value: float) -> str:
 
 def _track(view: View, image: int) -> tuple[Index, Running, Running] | None:
     """Used rows of a scene and the running means of its residuals in x and y along its lines; None with too few."""
-    rows = _rows(view, image)
+    rows = rows_of(view, image)
     if len(rows) < 40:
         return None
     at = view.given.observations.xy_px[rows, 1]
@@ -249,7 +245,7 @@ def _words(
         )
     ]
     rays = view.rays[view.given.observations.point]
-    two = [i for i in images if found[i] is not None and float(np.median(rays[_rows(view, i)])) < 3]
+    two = [i for i in images if found[i] is not None and float(np.median(rays[rows_of(view, i)])) < 3]
     if two:
         words.append(
             (
@@ -273,14 +269,14 @@ def _scene_parts(view: View, image: int, track: tuple[Index, Running, Running] |
     rows = np.flatnonzero(view.given.observations.image == image).astype(np.int32)
     v = view.adjustment.image_observations.residuals_px
     if len(rows):
-        scale = exaggeration(v[_rows(view, image)], WIDTH)
+        scale = exaggeration(v[rows_of(view, image)], WIDTH)
         drawn = image_vectors(view, image, rows, normalised(view), scale, WIDTH)
         length = round_below(WIDTH / 8 / scale)
         figures.append(
             Figure(
                 drawing=drawn,
                 caption=f"Residuals as vectors, {significant(length, 1)} px drawn as {fixed(length * scale, 0)} px of "
-                f"this page; rms {significant(rms(v[_rows(view, image)].ravel()))} px. Rejected points are crossed.",
+                f"this page; rms {significant(rms(v[rows_of(view, image)].ravel()))} px. Rejected points are crossed.",
             )
         )
     if figures:
@@ -391,21 +387,3 @@ def _jitter(camera: Camera) -> Part | None:
             ),
         )
     )
-
-
-def with_near_viewpoints(view: View) -> View:
-    """The view with scenes drawn near their ground: at their true height maps and networks would show nothing else."""
-    block = view.adjusted
-    scenes = [i for i, c in enumerate(block.images.camera) if block.cameras[int(c)].is_scene]
-    known = np.isfinite(block.points.xyz).all(axis=1) & (view.rays > 0)
-    if not scenes or not known.any():
-        return view
-    xyz = block.points.xyz[known]
-    extent = float(np.max(np.ptp(np.percentile(xyz[:, :2], [2, 98], axis=0), axis=0)))
-    centre = block.images.centre.copy()
-    for i in scenes:
-        seen = _rows(view, i)
-        own = block.points.xyz[view.given.observations.point[seen]] if len(seen) else xyz
-        centre[i] = np.nanmedian(own, axis=0) + AWAY * extent * block.images.rotation[i, 2]
-    adjusted = replace(block, images=replace(block.images, centre=centre))
-    return replace(view, adjustment=replace(view.adjustment, adjusted=adjusted))

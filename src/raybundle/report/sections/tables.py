@@ -10,6 +10,7 @@ import numpy as np
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Role
 from raybundle.io.block.folder import angles_deg
+from raybundle.report.chapters import section
 from raybundle.report.fingerprint import fingerprints, versions
 from raybundle.report.parts import (
     MOST_ROWS,
@@ -28,6 +29,7 @@ from raybundle.report.text.numbers import NONE, cells, column_decimals, counted,
 from raybundle.report.view import View
 
 
+@section("tables", after="network")
 def tables_section(view: View) -> Section:
     """All points and images, as many as can be read."""
     points, images = _points(view), _images(view)
@@ -89,6 +91,7 @@ def _images(view: View) -> Table:
     )  # fmt: skip
 
 
+@section("settings", after="tables")
 def provenance_section(view: View) -> Section:
     """What would be needed to repeat the adjustment."""
     default = AdjustmentOptions()

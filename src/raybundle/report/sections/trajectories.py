@@ -9,6 +9,7 @@ import numpy as np
 
 from raybundle.adjustment.result import InteriorResult, ObservationGroup
 from raybundle.numerics.arrays import Array, Index
+from raybundle.report.chapters import section
 from raybundle.report.figures.series import line_figure
 from raybundle.report.parts import (
     Figure,
@@ -47,6 +48,7 @@ class Line:
     unit: str
 
 
+@section("trajectories", after="control")
 def trajectory_section(view: View) -> Section | None:
     """Observed minus adjusted positions and attitudes along each line, antennas, motion; None without any."""
     groups = {g.kind: g for g in view.adjustment.groups if g.kind in {"station", "attitude"} and len(g.ids)}

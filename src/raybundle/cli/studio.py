@@ -1,0 +1,41 @@
+"""`raybundle studio`."""
+
+from __future__ import annotations
+
+import contextlib
+from pathlib import Path
+
+import click
+
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER
+
+
+@click.command("studio", context_settings=COMMAND_SETTINGS)
+@click.argument("source", type=FOLDER, metavar="PROJECT|RESULT|BLOCK")
+@click.option("--photos", type=FOLDER, multiple=True, metavar="FOLDER",
+    help="Where the photographs are.  [default: as the project knows]",
+)  # fmt: skip
+@click.option("--port", type=click.IntRange(0, 65535), default=0, show_default=True, help="0: a free one.")
+@click.option("--no-browser", is_flag=True, help="Print the address and do not open it.")
+@click.option("--traceback", is_flag=True, expose_value=False,
+    help="After an error, show where in the program it arose.",
+)  # fmt: skip
+def command(source: Path, photos: tuple[Path, ...], port: int, no_browser: bool) -> None:  # noqa: FBT001
+    """Look, measure and adjust in the browser.
+
+    The server listens on this computer alone. The address that is printed lets in once, the browser that opens it
+    stays in. What is measured is kept, action by action, in PROJECT/measured.db (RESULT.measured.db beside a result
+    or block); what is adjusted with it, in PROJECT/measured-result.
+
+    \b
+    Example:
+      raybundle studio facade-project
+      raybundle studio facade-result --photos facade/ --no-browser
+    """  # noqa: D301
+    from raybundle.studio.serve import serve  # noqa: PLC0415  (what computes is loaded after the help)
+
+    def told(address: str) -> None:
+        click.echo(f" studio of {source}: {address}\n Ctrl-C ends it; what was measured is kept")
+
+    with contextlib.suppress(KeyboardInterrupt):  # the way in which it ends
+        serve(source, photos, port=port, browser=not no_browser, told=told)

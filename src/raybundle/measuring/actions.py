@@ -1,0 +1,408 @@
+"""The verbs of measuring: one small type each, with its checks.
+
+Names are data: they are kept, compared and written, never interpreted.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, replace
+from typing import Any, ClassVar, Literal
+
+import msgspec
+
+from raybundle.errors import InputError
+from raybundle.io.reading.words import quoted
+from raybundle.measuring.checks import check_mark, check_name, check_number, check_point, exists, marked, name_in_block
+from raybundle.measuring.known import Known
+from raybundle.measuring.state import Axes, Bar, Draft, How, Line, Mark, MeasuredPoint, RoleName, State
+
+HAND_PX = 0.5
+"""Standard deviation of a point marked by hand, as of the marks of control files."""
+Numbers3 = tuple[float | None, float | None, float | None]
+NOTHING: Numbers3 = (None, None, None)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Action:
+    """One verb with its arguments."""
+
+    verb: ClassVar[str] = ""
+
+    @property
+    def turns(self) -> Literal["", "undo", "redo"]:
+        """Whether it moves among the actions before it."""
+        return ""
+
+    @property
+    def arguments(self) -> dict[str, Any]:
+        """As JSON says them."""
+        return asdict(self)
+
+    def settled(self, state: State, known: Known) -> Action:
+        """The action with images by their ids; raises InputError where it cannot be done in this state."""
+        del state, known
+        return self
+
+    def apply(self, draft: Draft) -> None:
+        """Change a draft."""
+        raise NotImplementedError
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Put(Action):
+    """Mark a point in an image; a name that is new makes a tie point."""
+
+    verb: ClassVar[str] = "put"
+    image: str
+    point: str
+    x_px: float
+    y_px: float
+    covariance: tuple[float, float, float] = (HAND_PX**2, HAND_PX**2, 0.0)
+    how: How = "hand"
+    clicked: tuple[float, float] | None = None
+    quality: float | None = None
+
+    @property
+    def mark(self) -> Mark:
+        """What it puts there."""
+        return Mark(
+            x_px=self.x_px, y_px=self.y_px, covariance=self.covariance, how=self.how, clicked=self.clicked,
+            quality=self.quality,
+        )  # fmt: skip
+
+    def settled(self, state: State, known: Known) -> Action:
+        check_name("point", self.point)
+        image = known.image(self.image)
+        check_mark(known, image, self.mark)
+        if (image, self.point) in state.marks:
+            raise InputError(
+                f"point {quoted(self.point)} is marked in image {quoted(image)} already; move it there, or remove it "
+                "first"
+            )
+        return replace(self, image=image)
+
+    def apply(self, draft: Draft) -> None:
+        draft.marks[self.image, self.point] = self.mark
+        draft.points.setdefault(self.point, MeasuredPoint())
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Move(Put):
+    """Mark a point elsewhere in an image in which it is marked."""
+
+    verb: ClassVar[str] = "move"
+
+    def settled(self, state: State, known: Known) -> Action:
+        image = marked(self.image, self.point, state, known)
+        check_mark(known, image, self.mark)
+        return replace(self, image=image)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Remove(Action):
+    """Take a mark away; the point stays."""
+
+    verb: ClassVar[str] = "remove"
+    image: str
+    point: str
+
+    def settled(self, state: State, known: Known) -> Action:
+        return replace(self, image=marked(self.image, self.point, state, known))
+
+    def apply(self, draft: Draft) -> None:
+        draft.marks.pop((self.image, self.point), None)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Point(Action):
+    """Give a point its role, and what is known of its coordinates."""
+
+    verb: ClassVar[str] = "point"
+    point: str
+    role: RoleName = "tie"
+    xyz: Numbers3 = NOTHING
+    sigma: Numbers3 = NOTHING
+
+    def settled(self, state: State, known: Known) -> Action:
+        del state, known
+        check_name("point", self.point)
+        who = f"point {quoted(self.point)}"
+        for axis, value, sigma in zip("XYZ", self.xyz, self.sigma, strict=True):
+            if value is not None:
+                check_number(f"{who}, {axis}", value)
+            if sigma is not None:
+                check_number(f"{who}, sigma of {axis}", sigma, least=0.0)
+                if value is None:
+                    raise InputError(f"{who} has a sigma of {axis} but no {axis}; give the coordinate too")
+        given = [k for k in range(3) if self.xyz[k] is not None]
+        if self.role != "tie" and not given:
+            raise InputError(f"{who} is {self.role} without a coordinate; give at least one, or make it a tie point")
+        lacking = [k for k in given if self.sigma[k] is None]
+        if self.role == "control" and lacking:
+            raise InputError(
+                f"{who}: {'XYZ'[lacking[0]]} is control without a standard deviation; give its sigma, 0 to hold it"
+            )
+        return self
+
+    def apply(self, draft: Draft) -> None:
+        draft.points[self.point] = MeasuredPoint(role=self.role, xyz=self.xyz, sigma=self.sigma, told=True)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Rename(Action):
+    """Give a point another name, wherever it is named."""
+
+    verb: ClassVar[str] = "rename"
+    point: str
+    to: str
+    original: str = ""
+    """its name in the block, where it stands there; found, whatever is given"""
+
+    def settled(self, state: State, known: Known) -> Action:
+        check_point(self.point, state, known)
+        check_name("point", self.to)
+        original = name_in_block(self.point, state, known)
+        if exists(self.to, state, known):
+            raise InputError(
+                f"point {quoted(self.point)} cannot be called {quoted(self.to)}: there is a point of that name; choose "
+                "another, or forget that one first"
+            )
+        return replace(self, original=original)
+
+    def apply(self, draft: Draft) -> None:
+        def of(name: str) -> str:
+            return self.to if name == self.point else name
+
+        d = draft
+        if self.original:
+            d.renamed.pop(self.original, None)
+            if self.original != self.to:
+                d.renamed[self.original] = self.to
+        d.points = {of(p): v for p, v in d.points.items()}
+        d.marks = {(i, of(p)): m for (i, p), m in d.marks.items()}
+        d.bars = {(of(a), of(b)): v for (a, b), v in d.bars.items()}
+        d.lines = {n: replace(v, points=tuple(map(of, v.points))) for n, v in d.lines.items()}
+        d.rejected = {(i, of(p)) for i, p in d.rejected}
+        if d.datum is not None:
+            d.datum = Axes(origin=of(d.datum.origin), axis=of(d.datum.axis), plane=of(d.datum.plane))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Forget(Action):
+    """Take away all that was measured of a point, and the bars and lines that name it."""
+
+    verb: ClassVar[str] = "forget"
+    point: str
+
+    def settled(self, state: State, known: Known) -> Action:
+        if self.point not in state.points:
+            if exists(self.point, state, known):
+                raise InputError(
+                    f"point {quoted(self.point)} is of the block, nothing of it was measured by hand; reject its image "
+                    "observations, one by one"
+                )
+            check_point(self.point, state, known)
+        return self
+
+    def apply(self, draft: Draft) -> None:
+        draft.drop_points({self.point})
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SetBar(Action):
+    """A measured distance between two points; one between them before is replaced."""
+
+    verb: ClassVar[str] = "bar"
+    start: str
+    end: str
+    length: float
+    sigma: float
+
+    def settled(self, state: State, known: Known) -> Action:
+        who = f"scale bar {quoted(self.start)} - {quoted(self.end)}"
+        for name in (self.start, self.end):
+            check_point(name, state, known)
+        if self.start == self.end:
+            raise InputError(f"{who}: both ends are the same point")
+        check_number(f"{who}, length", self.length, above=0.0)
+        check_number(f"{who}, sigma", self.sigma, above=0.0)
+        return self
+
+    def apply(self, draft: Draft) -> None:
+        draft.bars.pop((self.end, self.start), None)
+        draft.bars[self.start, self.end] = Bar(length=self.length, sigma=self.sigma)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Unbar(Action):
+    """Take a scale bar away."""
+
+    verb: ClassVar[str] = "unbar"
+    start: str
+    end: str
+
+    def settled(self, state: State, known: Known) -> Action:
+        if not {(self.start, self.end), (self.end, self.start)} & state.bars.keys():
+            there = ", ".join(f"{quoted(a)} - {quoted(b)}" for a, b in [*state.bars][:5]) or "none"
+            raise InputError(f"there is no scale bar {quoted(self.start)} - {quoted(self.end)}; measured are: {there}")
+        return self
+
+    def apply(self, draft: Draft) -> None:
+        draft.bars.pop((self.start, self.end), None)
+        draft.bars.pop((self.end, self.start), None)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SetLine(Action):
+    """Points on one straight or plumb line; one of that name is replaced, no points: it is taken away."""
+
+    verb: ClassVar[str] = "line"
+    line: str
+    points: tuple[str, ...]
+    kind: Literal["straight", "plumb"] = "straight"
+    sigma: float = 0.01
+
+    def settled(self, state: State, known: Known) -> Action:
+        check_name("line", self.line)
+        who = f"line {quoted(self.line)}"
+        if not self.points:
+            if self.line not in state.lines:
+                raise InputError(f"{who} is not there; lines are: {', '.join(map(quoted, state.lines)) or 'none'}")
+            return self
+        for name in self.points:
+            check_point(name, state, known)
+        least = 2 if self.kind == "plumb" else 3
+        if len(set(self.points)) < len(self.points) or len(self.points) < least:
+            raise InputError(f"{who}: {len(set(self.points))} different points, a {self.kind} line needs {least}")
+        check_number(f"{who}, sigma", self.sigma, above=0.0)
+        return self
+
+    def apply(self, draft: Draft) -> None:
+        if self.points:
+            draft.lines[self.line] = Line(kind=self.kind, points=tuple(self.points), sigma=self.sigma)
+        else:
+            draft.lines.pop(self.line, None)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SetDatum(Action):
+    """The coordinate system by three points; all empty: as the block has it."""
+
+    verb: ClassVar[str] = "datum"
+    origin: str = ""
+    axis: str = ""
+    plane: str = ""
+
+    def settled(self, state: State, known: Known) -> Action:
+        names = (self.origin, self.axis, self.plane)
+        if not any(names):
+            return self
+        for what, name in zip(("origin", "axis", "plane"), names, strict=True):
+            if not name:
+                raise InputError(f"coordinate system: no {what} point is given; give all three, or none")
+            check_point(name, state, known)
+        if len(set(names)) < 3:
+            raise InputError(
+                f"coordinate system: origin, axis and plane are {', '.join(map(quoted, names))}; give three different "
+                "points"
+            )
+        return self
+
+    def apply(self, draft: Draft) -> None:
+        draft.datum = Axes(origin=self.origin, axis=self.axis, plane=self.plane) if self.origin else None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Reject(Action):
+    """Leave an image observation of the block out."""
+
+    verb: ClassVar[str] = "reject"
+    image: str
+    point: str
+
+    def settled(self, state: State, known: Known) -> Action:
+        image = known.image(self.image)
+        check_point(self.point, state, known)
+        original = name_in_block(self.point, state, known)
+        if not original or not known.observed(image, original):
+            raise InputError(
+                f"the block has no observation of point {quoted(self.point)} in image {quoted(image)}; what was marked "
+                "by hand is removed, not rejected"
+            )
+        return replace(self, image=image)
+
+    def apply(self, draft: Draft) -> None:
+        draft.rejected.add((self.image, self.point))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Accept(Action):
+    """Let an image observation take part again that was rejected by hand."""
+
+    verb: ClassVar[str] = "accept"
+    image: str
+    point: str
+
+    def settled(self, state: State, known: Known) -> Action:
+        image = known.image(self.image)
+        if (image, self.point) not in state.rejected:
+            raise InputError(f"point {quoted(self.point)} in image {quoted(image)} was not rejected by hand")
+        return replace(self, image=image)
+
+    def apply(self, draft: Draft) -> None:
+        draft.rejected.discard((self.image, self.point))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Undo(Action):
+    """Take the last action back that is not taken back."""
+
+    verb: ClassVar[str] = "undo"
+
+    @property
+    def turns(self) -> Literal["", "undo", "redo"]:
+        return "undo"
+
+    def settled(self, state: State, known: Known) -> Action:
+        if not state.can_undo:
+            raise InputError("there is nothing to take back: nothing was measured, or all of it is taken back")
+        return self
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Redo(Action):
+    """Do again what was taken back last."""
+
+    verb: ClassVar[str] = "redo"
+
+    @property
+    def turns(self) -> Literal["", "undo", "redo"]:
+        return "redo"
+
+    def settled(self, state: State, known: Known) -> Action:
+        if not state.can_redo:
+            raise InputError("there is nothing to do again: the last action was not taken back")
+        return self
+
+
+_KINDS: tuple[type[Action], ...] = (
+    Put, Move, Remove, Point, Rename, Forget, SetBar, Unbar, SetLine, SetDatum, Reject, Accept, Undo, Redo,
+)  # fmt: skip
+VERBS: dict[str, type[Action]] = {kind.verb: kind for kind in _KINDS}
+"""Every verb -> its type."""
+
+
+def action_of(verb: str, arguments: Mapping[str, Any]) -> Action:
+    """The action that a verb and its arguments as JSON say; raises InputError."""
+    kind = VERBS.get(verb)
+    if kind is None:
+        raise InputError(f"verb {quoted(verb)} is unknown; known are {', '.join(VERBS)}")
+    foreign = sorted(set(arguments) - set(kind.__dataclass_fields__))
+    if foreign:
+        known = ", ".join(kind.__dataclass_fields__) or "none"
+        raise InputError(f"{verb}: argument {quoted(foreign[0])} is unknown; known are {known}")
+    try:
+        return msgspec.convert(dict(arguments), kind)
+    except msgspec.ValidationError as error:
+        raise InputError(f"{verb}: {error}; give the arguments as documented") from None

@@ -1,0 +1,157 @@
+"""Covariances between any unknowns of an adjustment, in the result's datum, a-posteriori: full, never conditional."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from functools import partial
+
+import numpy as np
+
+from raybundle.adjustment.precision import image_unknowns, interior_unknowns
+from raybundle.adjustment.result import Adjustment
+from raybundle.adjustment.work import Work
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array, Index
+
+TOGETHER = 16
+"""Right sides that are solved at once."""
+KEPT = 64
+"""Images of which columns are kept."""
+
+
+@dataclass(slots=True)
+class OfImage:
+    """The free unknowns of an image: exterior orientation, interior orientation, what it shares with others."""
+
+    unknowns: Index
+    """(k,) positions among those of the nodes"""
+    exterior: bool
+    """whether the first six are the exterior orientation: X0, Y0, Z0, and a small rotation on the left"""
+    interior: tuple[int, ...]
+    """parameters of the sensor model that the others are"""
+
+
+@dataclass(slots=True)
+class Joint:
+    """Columns of the covariance matrix, asked for one by one and kept."""
+
+    work: Work
+    variance: float
+    images: dict[int, Array] = field(default_factory=dict[int, Array])
+
+    @classmethod
+    def of(cls, adjustment: Adjustment) -> Joint:
+        """Of an adjustment with its factor; raises InputError for one without statistics."""
+        if adjustment.handle.work is None:
+            raise InputError(
+                "the adjustment has no covariances: it was made without statistics, or is a copy; adjust again with "
+                "statistics"
+            )
+        variance = adjustment.sigma0**2 if adjustment.redundancy > 0 else 1.0
+        return cls(adjustment.handle.work, variance)
+
+    def of_image(self, image: int) -> OfImage:
+        """What is unknown of an image; raises InputError for one that took no part."""
+        system = self.work.system
+        if not system.images_used[image]:
+            raise InputError(f"image {system.block.images.ids[image]} takes no part in the adjustment")
+        at: list[Array] = []
+        exterior = bool(system.exterior_free[image])
+        if exterior:
+            at.append(image_unknowns(system, image))
+        free: list[int] = []
+        row = system.interior[int(system.interior_of_image[image])]
+        for r in (row, system.interior[row.parent] if row.parent >= 0 else None):
+            if r is not None and r.node >= 0:
+                at.append(interior_unknowns(system, r))
+                free += r.free
+        unknowns = np.concatenate(at).astype(np.int64) if at else np.zeros(0, np.int64)
+        return OfImage(unknowns, exterior, tuple(free))
+
+    def takes_part(self, point: int) -> bool:
+        """Whether an object point was adjusted."""
+        return bool(self.work.system.points_used[point])
+
+    def image_columns(self, image: int) -> Array:
+        """Covariance (N, k) of all unknowns of nodes with those of an image."""
+        found = self.images.pop(image, None)
+        if found is None:
+            found, _ = self._columns([("node", int(u), 0) for u in self.of_image(image).unknowns], [])
+        self.images[image] = found
+        while len(self.images) > KEPT:
+            del self.images[next(iter(self.images))]
+        return found
+
+    def between_images(self, first: int, second: int) -> Array:
+        """Covariance (k, l) of the unknowns of two images."""
+        if not len(self.of_image(second).unknowns):
+            return np.zeros((len(self.of_image(first).unknowns), 0))
+        return self.image_columns(second)[self.of_image(first).unknowns]
+
+    def point_columns(self, point: int) -> tuple[Array, Array]:
+        """Covariance (N, 3) of all unknowns of nodes with a point's coordinates, and the point's own (3, 3)."""
+        nodes, points = self._columns(self._of_point(point), [point])
+        C = points[0]
+        return nodes, (C + C.T) / 2
+
+    def of_points(self, points: Sequence[int]) -> Array:
+        """Covariance (3 k, 3 k) of the coordinates of points."""
+        right = [u for p in points for u in self._of_point(p)]
+        _, found = self._columns(right, list(points))
+        C = found.reshape(3 * len(points), -1)
+        return (C + C.T) / 2
+
+    def points_with(self, points: Sequence[int], others: Sequence[int]) -> Array:
+        """Covariance (n, 3, 3 k) of the coordinates of points with those of other points."""
+        right = [u for p in others for u in self._of_point(p)]
+        return self._columns(right, list(points))[1]
+
+    def _of_point(self, point: int) -> list[tuple[str, int, int]]:
+        if not self.takes_part(point):
+            raise InputError(f"point {self.work.system.block.points.ids[point]} takes no part in the adjustment")
+        return [("point", point, axis) for axis in range(3)]
+
+    def _columns(self, right: list[tuple[str, int, int]], points: list[int]) -> tuple[Array, Array]:
+        """Covariance of some unknowns (c) with all nodes (N, c) and with the coordinates of points (k, 3, c)."""
+        parts = [self._some(right[k : k + TOGETHER], points) for k in range(0, len(right), TOGETHER)]
+        if not parts:
+            return np.zeros((int(self.work.system.offsets[-1]), 0)), np.zeros((len(points), 3, 0))
+        return np.concatenate([n for n, _ in parts], axis=1), np.concatenate([p for _, p in parts], axis=2)
+
+    def _some(self, right: list[tuple[str, int, int]], points: list[int]) -> tuple[Array, Array]:
+        work, system = self.work, self.work.system
+        nodes = np.zeros((int(system.offsets[-1]), len(right)))
+        given = np.zeros((*work.state.xyz.shape, len(right)))
+        for k, (kind, at, axis) in enumerate(right):
+            if kind == "node":
+                nodes[at, k] = 1
+            elif system.point_node[at] >= 0:
+                nodes[system.offsets[system.point_node[at]] + axis, k] = 1
+            else:
+                given[at, axis, k] = 1
+        solve = work.spread.solve if work.spread is not None else partial(work.normals.solve, work.state)
+        n, p = solve(nodes, given)
+        q = self._points(n, p, points)
+        found = work.under_noise or work.found
+        t = found.transformation if found else None
+        if t is not None:
+            G, H = self._rows(t.nodes, t.points, right), self._rows(t.nodes_h, t.points_h, right)
+            half = H @ t.middle.T - G @ (t.middle @ t.inner @ t.middle.T)
+            Gp, Hp = self._points(t.nodes, t.points, points), self._points(t.nodes_h, t.points_h, points)
+            n = n - t.nodes @ half.T - t.nodes_h @ t.middle.T @ G.T
+            q = q - Gp @ half.T - Hp @ t.middle.T @ G.T
+        return self.variance * n, self.variance * q
+
+    def _points(self, nodes: Array, points: Array, which: list[int]) -> Array:
+        """Rows (k, 3, c) of points, retained ones from the nodes (N, c), others from (p, 3, c)."""
+        system = self.work.system
+        found = [
+            nodes[system.offsets[system.point_node[p]] + np.arange(3)] if system.point_node[p] >= 0 else points[p]
+            for p in which
+        ]
+        return np.array(found).reshape(len(which), 3, nodes.shape[1])
+
+    def _rows(self, nodes: Array, points: Array, right: list[tuple[str, int, int]]) -> Array:
+        rows = [nodes[at] if kind == "node" else self._points(nodes, points, [at])[0, axis] for kind, at, axis in right]
+        return np.array(rows).reshape(len(right), nodes.shape[1])

@@ -1,0 +1,280 @@
+"""The journal of measuring: every action in one SQLite file, kept for good; it is the audit trail.
+
+    PROJECT/measured.db            of a project folder
+    RESULT.measured.db             beside a result or block folder, which is replaced whole when it is written again
+
+A row is an action: its number, an id that whoever sent it chose (the same action sent twice counts once), time, author,
+verb, and arguments as JSON.  Rows are added and never changed; undo and redo are rows.  What they add up to is a
+`State`.  Several processes may add at once: an action is checked against all rows before it, and added, in one
+transaction, and `append` returns when it is on the disk (write-ahead log, synchronous=FULL).
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import sqlite3
+import threading
+import uuid
+from collections.abc import Generator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from datetime import UTC, datetime
+from pathlib import Path
+from time import sleep
+from typing import Any, Self
+
+from raybundle.errors import InputError
+from raybundle.io.reading.words import quoted
+from raybundle.measuring.actions import Action, action_of
+from raybundle.measuring.known import Known
+from raybundle.measuring.state import Fold, State
+
+SCHEMA = "1"
+LONGEST_ID, LONGEST_AUTHOR = 200, 200
+_TABLES = """
+BEGIN IMMEDIATE;
+CREATE TABLE IF NOT EXISTS about (name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
+CREATE TABLE IF NOT EXISTS actions (
+  seq INTEGER PRIMARY KEY AUTOINCREMENT, id TEXT NOT NULL UNIQUE, time TEXT NOT NULL, author TEXT NOT NULL,
+  verb TEXT NOT NULL, arguments TEXT NOT NULL);
+CREATE TRIGGER IF NOT EXISTS actions_stay BEFORE UPDATE ON actions
+  BEGIN SELECT RAISE(ABORT, 'actions are never changed'); END;
+CREATE TRIGGER IF NOT EXISTS actions_are_kept BEFORE DELETE ON actions
+  BEGIN SELECT RAISE(ABORT, 'actions are never deleted'); END;
+INSERT OR IGNORE INTO about VALUES ('schema', '1');
+COMMIT;
+"""
+
+
+def journal_path(folder: str | Path) -> Path:
+    """Where the journal of a project, result or block folder is."""
+    folder = Path(folder)
+    if (folder / "project.db").is_file():
+        return folder / "measured.db"
+    whole = folder.resolve()  # "." and "a/.." have no name of their own
+    return whole.with_name(f"{whole.name}.measured.db")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Entry:
+    """One row of the journal."""
+
+    seq: int
+    id: str
+    time: str
+    """UTC, ISO 8601 with milliseconds"""
+    author: str
+    verb: str
+    arguments: Mapping[str, Any]
+
+    @property
+    def action(self) -> Action:
+        """The action."""
+        return action_of(self.verb, self.arguments)
+
+
+@dataclass(slots=True)
+class Journal:
+    """An open journal; it may be used by several threads."""
+
+    path: Path
+    known: Known
+    """What actions may name; may be exchanged when the block changes"""
+    db: sqlite3.Connection
+    _fold: Fold = field(default_factory=Fold)
+    _seq: int = 0
+    _lock: threading.RLock = field(default_factory=threading.RLock)
+
+    @classmethod
+    def open(cls, path: str | Path, known: Known) -> Journal:
+        """Open a journal, or begin one; raises InputError where it is no journal or cannot be written."""
+        path = Path(path)
+        with _telling(path):
+            # autocommit: transactions are begun and ended here
+            db = sqlite3.connect(path, timeout=30, isolation_level=None, check_same_thread=False)
+            try:
+                db.execute("PRAGMA trusted_schema=OFF")
+                _write_ahead(db)
+                db.execute("PRAGMA synchronous=FULL")
+                _with_schema(db, path)
+            except BaseException:
+                db.close()
+                raise
+        return cls(path, known, db)
+
+    def close(self) -> None:
+        """Close the file."""
+        with self._lock:
+            self.db.close()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    @property
+    def seq(self) -> int:
+        """Number of the last action; 0: none."""
+        with self._lock:
+            self._refresh()
+            return self._seq
+
+    @property
+    def state(self) -> State:
+        """What all actions add up to, those of other processes included."""
+        with self._lock:
+            self._refresh()
+            return self._fold.state
+
+    def append(self, action: Action, *, id: str = "", author: str = "") -> int:  # noqa: A002  (the column's name)
+        """Add an action; returns its number when it is on the disk.
+
+        id      chosen by the sender, the same if it is sent again; "": a new one
+        raises  InputError where the action cannot be done, and where the id was used for another action
+        """
+        chosen = id or uuid.uuid4().hex
+        for what, text, most in (("id", chosen, LONGEST_ID), ("author", author, LONGEST_AUTHOR)):
+            if len(text) > most:
+                raise InputError(f"{what} {quoted(text)} has {len(text)} characters; at most {most} are allowed")
+        with self._lock, self._transaction():
+            # all before it: nobody else can add until this transaction ends
+            self._refresh()
+            found = self.db.execute("SELECT seq, verb, arguments FROM actions WHERE id = ?", (chosen,)).fetchone()
+            if found is not None:
+                if not _same(action, found[1], found[2]):
+                    raise InputError(
+                        f"action id {quoted(chosen)} was used before, by action {found[0]} ({found[1]}), which was "
+                        "another; give each action an id of its own"
+                    )
+                return int(found[0])
+            settled = action.settled(self._fold.state, self.known)
+            time = datetime.now(UTC).isoformat(timespec="milliseconds")
+            row = (chosen, time, author, action.verb, _json(settled))
+            done = self.db.execute(
+                "INSERT INTO actions (id, time, author, verb, arguments) VALUES (?, ?, ?, ?, ?)", row
+            )
+            return int(done.lastrowid or 0)
+
+    def append_verb(self, verb: str, arguments: Mapping[str, Any], *, id: str = "", author: str = "") -> int:  # noqa: A002
+        """Add an action that is given as its verb and its arguments as JSON; see `append`."""
+        return self.append(action_of(verb, arguments), id=id, author=author)
+
+    def entries(self, after: int = 0) -> list[Entry]:
+        """The rows with larger numbers, in order."""
+        with self._lock, _telling(self.path):
+            rows = self.db.execute(
+                "SELECT seq, id, time, author, verb, arguments FROM actions WHERE seq > ? ORDER BY seq", (after,)
+            ).fetchall()
+        return [_entry(row, self.path) for row in rows]
+
+    def _refresh(self) -> None:
+        new = self.entries(self._seq)
+        if new:
+            self._fold.add([e.action for e in new])
+            self._seq = new[-1].seq
+
+    @contextmanager
+    def _transaction(self) -> Generator[None]:
+        with _telling(self.path):
+            self.db.execute("BEGIN IMMEDIATE")
+            try:
+                yield
+                self.db.execute("COMMIT")
+            except BaseException:
+                with contextlib.suppress(sqlite3.Error):
+                    if self.db.in_transaction:  # a full disk has ended it already
+                        self.db.execute("ROLLBACK")
+                raise
+
+
+def entries_of(path: str | Path) -> list[Entry]:
+    """The rows of a journal that may not exist; nothing is written."""
+    path = Path(path)
+    if not path.is_file():
+        return []
+    with _telling(path):
+        db = sqlite3.connect(f"{path.absolute().as_uri()}?mode=ro", uri=True, timeout=30, isolation_level=None)
+        try:
+            rows = db.execute("SELECT seq, id, time, author, verb, arguments FROM actions ORDER BY seq").fetchall()
+        finally:
+            db.close()
+    return [_entry(row, path) for row in rows]
+
+
+def state_of(path: str | Path) -> State:
+    """What a journal adds up to; nothing is written."""
+    fold = Fold()
+    fold.add([e.action for e in entries_of(path)])
+    return fold.state
+
+
+def _entry(row: tuple[Any, ...], path: Path) -> Entry:
+    try:
+        arguments = json.loads(row[5])
+    except ValueError:
+        raise InputError(f"action {row[0]} is damaged; restore the file from a copy", file=path) from None
+    return Entry(seq=row[0], id=row[1], time=row[2], author=row[3], verb=row[4], arguments=arguments)
+
+
+def _same(action: Action, verb: str, arguments: str) -> bool:
+    """Whether a row is this action sent before; of names only what the sender writes is compared."""
+    found = {"image", "original"}  # an image may be sent by its file and is kept by its id
+
+    def plain(values: Mapping[str, Any]) -> dict[str, Any]:
+        return {k: v for k, v in values.items() if k not in found}
+
+    return action.verb == verb and plain(json.loads(_json(action))) == plain(json.loads(arguments))
+
+
+def _json(action: Action) -> str:
+    try:
+        return json.dumps(action.arguments, ensure_ascii=False, allow_nan=False, sort_keys=True)
+    except ValueError:
+        raise InputError(f"{action.verb}: a number is not finite; give finite numbers") from None
+
+
+def _write_ahead(db: sqlite3.Connection) -> None:
+    """Turn the write-ahead log on; while another process does the same, SQLite does not wait by itself."""
+    for attempt in range(100):
+        try:
+            db.execute("PRAGMA journal_mode=WAL")
+        except sqlite3.OperationalError as error:
+            if "locked" not in str(error) or attempt == 99:
+                raise
+            sleep(0.02)
+        else:
+            return
+
+
+def _with_schema(db: sqlite3.Connection, path: Path) -> None:
+    tables = {r[0] for r in db.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
+    if tables and not {"about", "actions"} <= tables:
+        raise InputError("is a database, but no journal of measuring; move it away", file=path)
+    if not tables:
+        db.executescript(_TABLES)
+    found = db.execute("SELECT value FROM about WHERE name = 'schema'").fetchone()
+    if found is None or found[0] != SCHEMA:
+        was = "none" if found is None else found[0]
+        raise InputError(
+            f"was written by another version (schema {was}, this program reads {SCHEMA}); use that version", file=path
+        )
+
+
+@contextmanager
+def _telling(path: Path) -> Generator[None]:
+    """Turn what SQLite complains of into a message that says what to do."""
+    try:
+        yield
+    except (sqlite3.Error, OSError) as error:
+        text = str(error)
+        if "locked" in text or "busy" in text:
+            advice = "another program holds the file; end it and try again"
+        elif "full" in text:
+            advice = "no space is left; free some and try again"
+        elif any(w in text for w in ("malformed", "not a database", "corrupt", "no such")):
+            advice = "the file is damaged or no journal; restore it from a copy, or move it away"
+        else:
+            advice = "look whether the folder exists and can be written"
+        raise InputError(f"the journal cannot be used: {text}; {advice}", file=path) from None

@@ -1,0 +1,317 @@
+"""A block and what was measured by hand make a block, which is adjusted as any other."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import TypeVar
+
+import numpy as np
+
+from raybundle.block import Block, Distances, Role
+from raybundle.block.select import transformed, with_points
+from raybundle.errors import InputError
+from raybundle.io.block.folder import ROLES
+from raybundle.io.reading.words import quoted
+from raybundle.measuring.frames import in_camera
+from raybundle.measuring.state import Axes, State
+from raybundle.numerics.arrays import Array
+from raybundle.numerics.transform import similarity
+from raybundle.observations.alignment import Lines, OnFigure, PlumbLines
+from raybundle.observations.coordinates import Coordinates
+from raybundle.orientation.absolute import partial_similarity
+from raybundle.orientation.rays import intersect_linear, object_rays, rays_of
+
+F = TypeVar("F", bound=OnFigure)
+PARALLEL = 1e-7
+"""Ratio of eigenvalues below which rays are parallel, as where control is intersected."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Merged:
+    """A block with what was measured by hand."""
+
+    block: Block
+    left_out: Mapping[str, str] = field(default_factory=dict[str, str])
+    """point, bar or line -> why it does not stand in the block"""
+
+
+def merge(block: Block, state: State) -> Merged:
+    """The block with points, marks, control, bars, lines and rejections of a state.
+
+    A mark stands in place of the block's own observation of that point in that image.  Where nothing fixed the block in
+    space and control is measured now, it is brought there; where bars alone are, to their scale; where axes are
+    defined by points, into these: their coordinates that are 0 by definition are held.
+    raises  InputError for axes beside control, and for what names an image that the block does not hold
+    """
+    base = _renamed(block, state)
+    free = not _fixed(base)
+    made = _with_marks(base, state)
+    places = _met(made, [k for k, name in enumerate(made.points.ids) if name in state.points or _of_use(name, state)])
+    made, places = _placed(made, state, places, free=free)
+    made = _with_points(made, state, places)
+    made, out = _without_thin(made, state)
+    made = _with_tables(made, state, out)
+    if state.datum is not None:
+        made = _in_axes(made, state.datum)
+    return Merged(block=_with_rejected(made, state), left_out=out)
+
+
+def _fixed(block: Block) -> bool:
+    """Whether something puts a block into its object space."""
+    return bool(block.points.is_control.any() or len(block.stations) or len(block.table(Coordinates)))
+
+
+def _of_use(name: str, state: State) -> bool:
+    return any(name in pair for pair in state.bars) or (state.datum is not None and name in state.datum.points)
+
+
+def _renamed(block: Block, state: State) -> Block:
+    if not state.renamed:
+        return block
+    ids = tuple(state.renamed.get(name, name) for name in block.points.ids)
+    rejected = tuple((i, state.renamed.get(p, p)) for i, p in block.rejected)
+    return replace(block, points=replace(block.points, ids=ids), rejected=rejected)
+
+
+def _with_marks(block: Block, state: State) -> Block:
+    """With all marks, and the points that the block did not hold."""
+    point = {name: k for k, name in enumerate(block.points.ids)}
+    image = {name: k for k, name in enumerate(block.images.ids)}
+    fresh = [name for name in state.points if name not in point]
+    point |= {name: len(block.points) + k for k, name in enumerate(fresh)}
+    n, p, o = len(fresh), block.points, block.observations
+    rows: list[tuple[int, int]] = []
+    places: list[Array] = []
+    covariances: list[tuple[float, float, float]] = []
+    for (name, pid), mark in state.marks.items():
+        i = image.get(name)
+        if i is None:
+            raise InputError(
+                f"point {quoted(pid)} is marked in image {quoted(name)}, which the block does not hold: it was "
+                "measured in other photographs; remove the mark"
+            )
+        xy, C = in_camera(block, i, mark)
+        rows.append((i, point[pid]))
+        places.append(xy)
+        covariances.append((float(C[0, 0]), float(C[1, 1]), float(C[0, 1])))
+    total = len(p) + n
+    key = np.asarray(o.image, np.int64) * total + o.point
+    marked = np.array([i * total + k for i, k in rows], np.int64)
+    keep = ~np.isin(key, marked)
+    by_hand = np.array(rows, np.int32).reshape(-1, 2)
+    return replace(
+        block,
+        observations=replace(
+            o,
+            image=np.concatenate([o.image[keep], by_hand[:, 0]]).astype(np.int32),
+            point=np.concatenate([o.point[keep], by_hand[:, 1]]).astype(np.int32),
+            xy_px=np.concatenate([o.xy_px[keep], np.array(places).reshape(-1, 2)]),
+            cov_px2=np.concatenate([o.cov_px2[keep], np.array(covariances).reshape(-1, 3)]),
+        ),
+        points=replace(
+            p,
+            ids=(*p.ids, *fresh),
+            role=np.concatenate([p.role, np.full(n, Role.TIE)]).astype(np.int32),
+            xyz=np.concatenate([p.xyz, np.full((n, 3), np.nan)]),
+            sigma=np.concatenate([p.sigma, np.full((n, 3), np.nan)]),
+        ),
+        rejected=tuple(r for r in block.rejected if r not in state.marks),
+    )
+
+
+def _met(block: Block, which: Sequence[int]) -> Array:
+    """(p, 3) where the rays of some points meet, in the frame of the images; NaN of the others."""
+    xyz = np.full((len(block.points), 3), np.nan)
+    o = block.observations
+    rows = np.flatnonzero(np.isin(o.point, np.array(which, np.int64)) & block.images.oriented[o.image])
+    scenes = np.array([c.is_scene for c in block.cameras], bool)
+    rows = rows[~scenes[block.images.camera[o.image[rows]]]]
+    if not len(rows):
+        return xyz
+    part = replace(o, image=o.image[rows], point=o.point[rows], xy_px=o.xy_px[rows], cov_px2=o.cov_px2[rows])
+    rays = rays_of(replace(block, observations=part))
+    direction = object_rays(block.images.rotation[part.image], rays.direction)
+    number, index = np.unique(part.point, return_inverse=True)
+    found, count, ratio = intersect_linear(
+        block.images.centre[part.image], direction, index.astype(np.int32), len(number)
+    )  # fmt: skip
+    good = (count > 1) & (ratio > PARALLEL)
+    xyz[number[good]] = found[good]
+    return xyz
+
+
+def _placed(block: Block, state: State, places: Array, *, free: bool) -> tuple[Block, Array]:
+    """Brought to where control says, or to the scale of bars, where nothing fixed the block before."""
+    if not free:
+        return block, places
+    change = _to_control(block, state, places) or _to_bars(block, state, places)
+    if change is None:
+        return block, places
+    s, R, t = change
+    return replace(transformed(block, s, R, t), free_scale=False), s * places @ R.T + t
+
+
+def _to_control(block: Block, state: State, places: Array) -> tuple[float, Array, Array] | None:
+    index = {name: k for k, name in enumerate(block.points.ids)}
+    control = {name: v for name, v in state.points.items() if v.role == "control"}
+    at = np.array([index[name] for name in control], np.int64)
+    target = np.array([_numbers(v.xyz) for v in control.values()]).reshape(-1, 3)
+    seen = np.isfinite(places[at]).all(axis=1) if len(at) else np.zeros(0, bool)
+    at, target = at[seen], target[seen]
+    given = np.isfinite(target)
+    full = given.all(axis=1)
+    if full.sum() >= 3:
+        try:
+            found = similarity(places[at[full]], target[full])
+        except InputError:  # in one line: what else is given decides, below
+            pass
+        else:
+            return found.scale, found.rotation, found.translation
+    if given.sum() >= 7 and len(at) >= 3:
+        return partial_similarity(places[at], np.where(given, target, 0.0), given)
+    return None
+
+
+def _to_bars(block: Block, state: State, places: Array) -> tuple[float, Array, Array] | None:
+    index = {name: k for k, name in enumerate(block.points.ids)}
+    xyz = np.where(np.isfinite(places), places, block.points.xyz)
+    ratios = [bar.length / np.linalg.norm(xyz[index[a]] - xyz[index[b]]) for (a, b), bar in state.bars.items()]
+    ratios = [float(r) for r in ratios if np.isfinite(r) and r > 0]
+    if not ratios or len(block.distances):
+        return None
+    return float(np.median(ratios)), np.eye(3), np.zeros(3)
+
+
+def _with_points(block: Block, state: State, places: Array) -> Block:
+    """Roles and given coordinates; approximate ones where the rays meet."""
+    p = block.points
+    role, xyz, sigma = np.array(p.role), np.array(p.xyz), np.array(p.sigma)
+    index = {name: k for k, name in enumerate(p.ids)}
+    for name, value in state.points.items():
+        k = index[name]
+        if value.told:
+            role[k] = ROLES[value.role]
+            given, s = _numbers(value.xyz), _numbers(value.sigma)
+            if value.role == "tie":
+                s = np.full(3, np.nan)
+            xyz[k] = np.where(np.isfinite(given), given, places[k])
+            sigma[k] = np.where(np.isfinite(given), s, np.nan)
+        elif not np.isfinite(xyz[k]).all():
+            xyz[k] = places[k]
+    return replace(block, points=replace(p, role=role.astype(np.int32), xyz=xyz, sigma=sigma))
+
+
+def _without_thin(block: Block, state: State) -> tuple[Block, dict[str, str]]:
+    """Without points measured by hand that nothing determines yet."""
+    rays, p = block.ray_count, block.points
+    out: dict[str, str] = {}
+    gone = np.zeros(len(p), bool)
+    for k, name in enumerate(p.ids):
+        if name not in state.points:
+            continue
+        if p.role[k] == Role.TIE and rays[k] < 2:
+            out[name] = "marked in one image only" if rays[k] else "not marked in any image"
+        elif p.role[k] != Role.TIE and rays[k] == 0:
+            out[name] = f"{state.points[name].role} point that is not marked in any image"
+        gone[k] = name in out
+    if not gone.any():
+        return block, out
+    o, keep = block.observations, ~gone[block.observations.point]
+    rows = replace(o, image=o.image[keep], point=o.point[keep], xy_px=o.xy_px[keep], cov_px2=o.cov_px2[keep])
+    return with_points(replace(block, observations=rows), ~gone), out
+
+
+def _with_tables(block: Block, state: State, out: dict[str, str]) -> Block:
+    index = {name: k for k, name in enumerate(block.points.ids)}
+    bars = {pair: bar for pair, bar in state.bars.items() if _there(pair, f"{pair[0]}-{pair[1]}", index, out)}
+    d = block.distances
+    new = {frozenset((index[a], index[b])) for a, b in bars}
+    old = np.array([frozenset(pair) not in new for pair in zip(d.start.tolist(), d.end.tolist(), strict=True)], bool)
+    added = Distances(
+        start=np.array([index[a] for a, _ in bars], np.int32), end=np.array([index[b] for _, b in bars], np.int32),
+        length=np.array([b.length for b in bars.values()], float),
+        sigma=np.array([b.sigma for b in bars.values()], float),
+    )  # fmt: skip
+    made = block.having(Distances.joined([d.rows(old), added]))
+    straight = _lines(made, state, "straight", Lines, index, out)
+    return made.having(straight, _lines(made, state, "plumb", PlumbLines, index, out))
+
+
+def _lines(block: Block, state: State, kind: str, table: type[F], index: Mapping[str, int], out: dict[str, str]) -> F:
+    """The block's figures of a kind with those measured by hand, which replace those of the same name."""
+    lines = {n: line for n, line in state.lines.items() if line.kind == kind and _there(line.points, n, index, out)}
+    there = block.table(table)
+    kept = there.rows(np.array([n not in lines for n in there.figure], bool))
+    rows = [(n, index[point], line.sigma) for n, line in lines.items() for point in line.points]
+    fresh = table(
+        figure=tuple(r[0] for r in rows), point=np.array([r[1] for r in rows], np.int32),
+        sigma=np.array([r[2] for r in rows], float),
+    )  # fmt: skip
+    return table.joined([kept, fresh])
+
+
+def _there(points: Sequence[str], name: str, index: Mapping[str, int], out: dict[str, str]) -> bool:
+    lacking = [p for p in points if p not in index]
+    if lacking:
+        out[name] = f"point {lacking[0]} is left out ({out.get(lacking[0], 'not in the block')})"
+    return not lacking
+
+
+def axes_frame(xyz: Array) -> tuple[Array, Array]:
+    """R, t of X -> R X + t into the axes of three points (3, 3): origin, on +X, in XY with Y > 0."""
+    a, b = xyz[1] - xyz[0], xyz[2] - xyz[0]
+    x = a / np.linalg.norm(a)
+    across = b - (b @ x) * x
+    y = across / np.linalg.norm(across)
+    R = np.stack([x, y, np.cross(x, y)])
+    return R, -R @ xyz[0]
+
+
+def check_axes(names: Sequence[str], xyz: Array) -> None:
+    """Raise InputError for three points (3, 3) that define no axes."""
+    shown = ", ".join(map(quoted, names))
+    if not np.isfinite(xyz).all():
+        lost = [n for n, X in zip(names, xyz, strict=True) if not np.isfinite(X).all()]
+        raise InputError(
+            f"coordinate system {shown}: point {quoted(lost[0])} has no coordinates; mark it in two images"
+        )
+    a, b = xyz[1] - xyz[0], xyz[2] - xyz[0]
+    sine = np.linalg.norm(np.cross(a, b)) / max(float(np.linalg.norm(a) * np.linalg.norm(b)), 1e-300)
+    if not sine > 1e-3:
+        raise InputError(
+            f"coordinate system {shown}: the points lie in one line (sine of the angle at the origin {sine:.1e}, limit "
+            "1e-3); choose a plane point off the axis"
+        )
+
+
+def _in_axes(block: Block, axes: Axes) -> Block:
+    """In the axes of three points, whose coordinates are held as far as they are 0 by definition."""
+    if _fixed(block):
+        raise InputError(
+            f"the coordinate system by points {', '.join(map(quoted, axes.points))} contradicts the control points or "
+            "observed positions of the block, which define one; take the one or the other away, or transform the "
+            "result (raybundle datum)"
+        )
+    index = {name: k for k, name in enumerate(block.points.ids)}
+    at = [index.get(name, -1) for name in axes.points]
+    xyz = np.array([block.points.xyz[k] if k >= 0 else np.full(3, np.nan) for k in at])
+    check_axes(axes.points, xyz)
+    R, t = axes_frame(xyz)
+    moved = transformed(block, 1.0, R, t)
+    p = moved.points
+    role, new, sigma = np.array(p.role), np.array(p.xyz), np.array(p.sigma)
+    for k, held in zip(at, ((0, 1, 2), (1, 2), (2,)), strict=True):
+        role[k] = Role.CONTROL
+        new[k, list(held)], sigma[k] = 0.0, np.nan
+        sigma[k, list(held)] = 0.0
+    return replace(moved, points=replace(p, role=role, xyz=new, sigma=sigma))
+
+
+def _with_rejected(block: Block, state: State) -> Block:
+    rejected = dict.fromkeys((*block.rejected, *sorted(state.rejected - state.marks.keys())))
+    return replace(block, rejected=tuple(rejected))
+
+
+def _numbers(values: Sequence[float | None]) -> Array:
+    return np.array([np.nan if v is None else v for v in values], float)

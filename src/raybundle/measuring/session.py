@@ -1,0 +1,127 @@
+"""A block with its adjustment, kept open: what a server or a command asks where points should be seen."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+import numpy as np
+
+from raybundle.adjustment.decide import decide
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.result import Adjustment
+from raybundle.block import Block, Camera
+from raybundle.errors import InputError, NotSolvable
+from raybundle.io.block.folder import read_block
+from raybundle.measuring.joint import Joint
+from raybundle.measuring.known import Known
+
+Adjust = Callable[[Block], Adjustment]
+
+
+def readjusted(block: Block) -> Adjustment:
+    """The adjustment of a block that holds adjusted values: it converges at once, and has all covariances."""
+    return decide(block, AdjustmentOptions(noise=block.noise or "white", datum_over=block.datum_over or "all"))
+
+
+@dataclass(slots=True)
+class Session:
+    """A block, adjusted or only oriented, and the answers that are kept of it."""
+
+    block: Block
+    """as it stands: adjusted where there is an adjustment"""
+    adjustment: Adjustment | None
+    neglected: str
+    """what covariances leave out, in words; "" where they are full"""
+    joint: Joint | None
+    known: Known
+    index: Mapping[str, int]
+    """image -> position"""
+    points: Mapping[str, int]
+    """point -> position"""
+    _depths: dict[int, tuple[float, float]] = field(default_factory=dict[int, tuple[float, float]])
+
+    @classmethod
+    def of(cls, adjustment: Adjustment) -> Session:
+        """Of an adjustment, with its full covariances if it has statistics."""
+        joint = None if adjustment.handle.work is None else Joint.of(adjustment)
+        words = "" if joint else "the adjustment was made without statistics: there are no covariances"
+        return cls._made(adjustment.adjusted, adjustment, words, joint)
+
+    @classmethod
+    def of_block(cls, block: Block, adjust: Adjust | None = readjusted) -> Session:
+        """Of a block, adjusted once where that is possible.
+
+        adjust  None: the block as it stands, without covariances
+        """
+        if adjust is None:
+            return cls._made(block, None, "the block is not adjusted: orientations count as free of error", None)
+        try:
+            return cls.of(adjust(block))
+        except NotSolvable as error:
+            words = f"the block could not be adjusted ({error.headline}): orientations count as free of error"
+            return cls._made(block, None, words, None)
+
+    @classmethod
+    def open(cls, folder: str | Path, adjust: Adjust | None = readjusted) -> Session:
+        """Of a project, result or block folder; see `of_block`."""
+        return cls.of_block(read_block(block_folder(folder)), adjust)
+
+    @classmethod
+    def _made(cls, block: Block, adjustment: Adjustment | None, neglected: str, joint: Joint | None) -> Session:
+        index = {name: i for i, name in enumerate(block.images.ids)}
+        points = {name: i for i, name in enumerate(block.points.ids)}
+        return cls(block, adjustment, neglected, joint, Known.of(block), index, points)
+
+    @property
+    def variance(self) -> float:
+        """Factor between a-priori covariances of image points and those that the residuals tell."""
+        a = self.adjustment
+        return a.sigma0**2 if a is not None and a.redundancy > 0 else 1.0
+
+    def camera(self, image: int) -> Camera:
+        """The camera of an image with the parameters of that image."""
+        camera = self.block.cameras[int(self.block.images.camera[image])]
+        own = self.block.images.interior.get(image)
+        return camera if own is None else replace(camera, values={**camera.values, **own})
+
+    def oriented(self, image: int) -> bool:
+        """Whether an image's exterior orientation is known."""
+        return bool(self.block.images.oriented[image])
+
+    def position(self, image: str) -> int:
+        """Position of an image, by id or file; raises InputError."""
+        return self.index[self.known.image(image)]
+
+    def depths(self, image: int) -> tuple[float, float]:
+        """Distances from the projection centre between which object points may lie, as the block suggests.
+
+        Half of the nearest to twice the farthest of the points that the image sees, but for one in a hundred at either
+        end; where it sees none, of all points.
+        """
+        if image not in self._depths:
+            b, centre = self.block, self.block.images.centre[image]
+            seen = np.unique(b.observations.point[np.asarray(b.observations.image) == image])
+            found = np.zeros(0)
+            for which in (seen, np.arange(len(b.points))):
+                d = np.linalg.norm(b.points.xyz[which] - centre, axis=1)
+                found = d[np.isfinite(d) & (d > 0)]
+                if len(found):
+                    break
+            near, far = np.quantile(found, [0.01, 0.99]) if len(found) else (1.0, 100.0)
+            self._depths[image] = float(near) / 2, float(far) * 2
+        return self._depths[image]
+
+
+def block_folder(folder: str | Path) -> Path:
+    """The block folder of a project, a result or a block folder; raises InputError."""
+    folder = Path(folder)
+    for inner in (folder / "result" / "block", folder / "block", folder):
+        if (inner / "block.toml").is_file():
+            return inner
+    raise InputError(
+        "is no project, result or block folder: there is no block.toml in it, in block/ or in result/block/; give what "
+        "--out named",
+        file=folder,
+    )

@@ -1,0 +1,199 @@
+"""What measured points, bars and lines there are: the fold of the actions, undone ones left out.
+
+A state is a value: it is never changed, each action makes the next one (`folded`).  The actions themselves are in
+`raybundle.measuring.actions`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import Literal, Protocol
+
+RoleName = Literal["tie", "control", "check"]
+How = Literal["hand", "ellipse", "corner", "cross", "patch", "file"]
+Key = tuple[str, str]
+"""image, point"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Mark:
+    """A point marked in an image, in the pixels of its file."""
+
+    x_px: float
+    y_px: float
+    covariance: tuple[float, float, float]
+    """variances of x and y and their covariance [px^2]"""
+    how: How = "hand"
+    clicked: tuple[float, float] | None = None
+    """where the hand pointed, before snapping"""
+    quality: float | None = None
+    """of the snapping, 0 .. 1"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MeasuredPoint:
+    """An object point that was named by hand."""
+
+    role: RoleName = "tie"
+    xyz: tuple[float | None, float | None, float | None] = (None, None, None)
+    """given coordinates [length unit of the block]; None: not known"""
+    sigma: tuple[float | None, float | None, float | None] = (None, None, None)
+    """0: held"""
+    told: bool = False
+    """whether role and coordinates were given, not only the point marked"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Bar:
+    """A measured distance [length unit of the block]."""
+
+    length: float
+    sigma: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Line:
+    """Points that lie on one straight line, or on one plumb line."""
+
+    kind: Literal["straight", "plumb"]
+    points: tuple[str, ...]
+    sigma: float
+    """of a point's distance from the line [length unit of the block]"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Axes:
+    """A coordinate system by points: X from the origin to the axis point, the plane point in XY."""
+
+    origin: str
+    axis: str
+    plane: str
+
+    @property
+    def points(self) -> tuple[str, str, str]:
+        """All three."""
+        return self.origin, self.axis, self.plane
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class State:
+    """All that is measured."""
+
+    marks: Mapping[Key, Mark] = field(default_factory=dict[Key, Mark])
+    """(image, point) -> mark"""
+    points: Mapping[str, MeasuredPoint] = field(default_factory=dict[str, MeasuredPoint])
+    bars: Mapping[Key, Bar] = field(default_factory=dict[Key, Bar])
+    """(from, to) -> bar"""
+    lines: Mapping[str, Line] = field(default_factory=dict[str, Line])
+    datum: Axes | None = None
+    rejected: frozenset[Key] = frozenset()
+    """rows of the block, (image, point), that take no part"""
+    renamed: Mapping[str, str] = field(default_factory=dict[str, str])
+    """points of the block -> their new names"""
+    can_undo: int = 0
+    """actions that can be taken back"""
+    can_redo: int = 0
+
+    def marks_of(self, point: str) -> dict[str, Mark]:
+        """The marks of a point, by image."""
+        return {image: m for (image, p), m in self.marks.items() if p == point}
+
+    def marks_in(self, image: str) -> dict[str, Mark]:
+        """The marks in an image, by point."""
+        return {p: m for (i, p), m in self.marks.items() if i == image}
+
+
+EMPTY = State()
+
+
+@dataclass(slots=True)
+class Draft:
+    """A state in work: what actions change."""
+
+    marks: dict[Key, Mark] = field(default_factory=dict[Key, Mark])
+    points: dict[str, MeasuredPoint] = field(default_factory=dict[str, MeasuredPoint])
+    bars: dict[Key, Bar] = field(default_factory=dict[Key, Bar])
+    lines: dict[str, Line] = field(default_factory=dict[str, Line])
+    datum: Axes | None = None
+    rejected: set[Key] = field(default_factory=set[Key])
+    renamed: dict[str, str] = field(default_factory=dict[str, str])
+
+    @classmethod
+    def of(cls, state: State) -> Draft:
+        """A copy that can be changed."""
+        return cls(
+            dict(state.marks), dict(state.points), dict(state.bars), dict(state.lines), state.datum,
+            set(state.rejected), dict(state.renamed),
+        )  # fmt: skip
+
+    def done(self, can_undo: int, can_redo: int) -> State:
+        """The finished state; the draft must not be changed after."""
+        return State(
+            marks=MappingProxyType(self.marks), points=MappingProxyType(self.points),
+            bars=MappingProxyType(self.bars), lines=MappingProxyType(self.lines), datum=self.datum,
+            rejected=frozenset(self.rejected), renamed=MappingProxyType(self.renamed),
+            can_undo=can_undo, can_redo=can_redo,
+        )  # fmt: skip
+
+    def drop_points(self, gone: set[str]) -> None:
+        """Take points away, and all that names them."""
+        self.points = {p: v for p, v in self.points.items() if p not in gone}
+        self.marks = {k: m for k, m in self.marks.items() if k[1] not in gone}
+        self.bars = {k: b for k, b in self.bars.items() if not gone & set(k)}
+        self.lines = {n: line for n, line in self.lines.items() if not gone & set(line.points)}
+        if self.datum is not None and gone & set(self.datum.points):
+            self.datum = None
+
+
+class Applicable(Protocol):
+    """An action, or undo and redo, as the fold sees them."""
+
+    @property
+    def turns(self) -> Literal["", "undo", "redo"]:
+        """Whether it moves among the actions before it."""
+        ...
+
+    def apply(self, draft: Draft) -> None:
+        """Change a draft."""
+        ...
+
+
+@dataclass(slots=True)
+class Fold:
+    """The actions that count, those taken back, and the state that they make."""
+
+    done: list[Applicable] = field(default_factory=list[Applicable])
+    undone: list[Applicable] = field(default_factory=list[Applicable])
+    state: State = EMPTY
+
+    def add(self, actions: Iterable[Applicable]) -> None:
+        """Fold further actions in; undo and redo with nothing to move do nothing."""
+        new: list[Applicable] = []
+        afresh = False
+        for a in actions:
+            if a.turns == "undo":
+                if self.done:
+                    self.undone.append(self.done.pop())
+                    afresh = True
+            elif a.turns == "redo":
+                if self.undone:
+                    again = self.undone.pop()
+                    self.done.append(again)
+                    new.append(again)
+            else:
+                self.done.append(a)
+                self.undone.clear()
+                new.append(a)
+        draft = Draft() if afresh else Draft.of(self.state)
+        for a in self.done if afresh else new:
+            a.apply(draft)
+        self.state = draft.done(len(self.done), len(self.undone))
+
+
+def folded(actions: Iterable[Applicable]) -> State:
+    """The state that actions make, from nothing."""
+    fold = Fold()
+    fold.add(actions)
+    return fold.state

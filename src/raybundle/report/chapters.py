@@ -1,0 +1,89 @@
+"""Chapters of a report: each states what it follows and makes its sections, or none; a file in `sections` adds some."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from importlib import import_module
+from pkgutil import iter_modules
+from typing import TYPE_CHECKING, TypeVar
+
+from raybundle.report.parts import Section
+from raybundle.report.view import View
+
+if TYPE_CHECKING:
+    from raybundle.calibration.quality import CalibrationQuality
+    from raybundle.report.facts import PhotographFacts
+    from raybundle.report.text.words import Verdict
+
+OfView = TypeVar("OfView", bound="Callable[[View], Section | None]")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Occasion:
+    """What a report is written of."""
+
+    view: View
+    told: Verdict
+    photographs: PhotographFacts | None = None
+    """what is known of the photographs; None: the adjustment does not come from any"""
+    qualities: tuple[CalibrationQuality, ...] = ()
+    """verdicts on calibrated cameras"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Chapter:
+    """Sections that belong together."""
+
+    name: str
+    after: str
+    """the chapter that it follows; empty: it begins the report"""
+    make: Callable[[Occasion], tuple[Section, ...]]
+
+
+_chapters: dict[str, Chapter] = {}
+
+
+def chapter(
+    name: str, *, after: str
+) -> Callable[[Callable[[Occasion], tuple[Section, ...]]], Callable[[Occasion], tuple[Section, ...]]]:
+    """Register a function as the chapter of this name."""
+
+    def add(make: Callable[[Occasion], tuple[Section, ...]]) -> Callable[[Occasion], tuple[Section, ...]]:
+        _chapters[name] = Chapter(name=name, after=after, make=make)
+        return make
+
+    return add
+
+
+def section(name: str, *, after: str) -> Callable[[OfView], OfView]:
+    """Register a function of a view as a chapter of one section; None: nothing is to be said."""
+
+    def add(make: OfView) -> OfView:
+        def chapter_of(o: Occasion) -> tuple[Section, ...]:
+            made = make(o.view)
+            return () if made is None else (made,)
+
+        _chapters[name] = Chapter(name=name, after=after, make=chapter_of)
+        return make
+
+    return add
+
+
+def chapters() -> tuple[Chapter, ...]:
+    """All chapters as they are read: each behind the one that it follows, of several there the shortest train first."""
+    from raybundle.report import sections  # noqa: PLC0415  (its files register themselves here)
+
+    for module in iter_modules(sections.__path__):
+        import_module(f"{sections.__name__}.{module.name}")
+    behind: dict[str, list[Chapter]] = {}
+    for c in _chapters.values():
+        if c.after and c.after not in _chapters:
+            raise TypeError(f"the chapter {c.name} of the report follows {c.after}, which is none")
+        behind.setdefault(c.after, []).append(c)
+
+    def train(name: str) -> list[Chapter]:
+        trains = sorted(([c, *train(c.name)] for c in behind.get(name, [])), key=lambda t: (len(t), t[0].name))
+        return [c for t in trains for c in t]
+
+    return tuple(train(""))

@@ -1,0 +1,256 @@
+"""The routes of the studio's server.  Nothing that a file or a point is called is interpreted anywhere."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import csv
+import io
+import json
+from collections.abc import AsyncGenerator, Awaitable, Callable, Mapping
+from contextlib import asynccontextmanager
+from dataclasses import dataclass
+from importlib.resources import files
+from typing import Any
+
+from starlette.applications import Starlette
+from starlette.concurrency import run_in_threadpool
+from starlette.exceptions import HTTPException
+from starlette.middleware import Middleware
+from starlette.requests import Request
+from starlette.responses import JSONResponse, Response
+from starlette.routing import Route, WebSocketRoute
+from starlette.websockets import WebSocket, WebSocketDisconnect
+
+from raybundle.errors import InputError, RaybundleError
+from raybundle.studio import answers, tables
+from raybundle.studio.asking import asked
+from raybundle.studio.control import control_actions
+from raybundle.studio.desk import Desk
+from raybundle.studio.guard import Guard, Session, TooLarge
+from raybundle.studio.live import Live
+from raybundle.studio.scene import scene
+from raybundle.studio.snapping import snapped
+from raybundle.studio.tables import Wanted
+from raybundle.studio.verbs import command_of
+from raybundle.studio.work import Work
+
+PAGE = {
+    "": ("index.html", "text/html; charset=utf-8"),
+    "studio.js": ("studio.js", "text/javascript; charset=utf-8"),
+    "studio.css": ("studio.css", "text/css; charset=utf-8"),
+}
+Answer = Callable[[Request], Awaitable[Response]]
+
+
+@dataclass(slots=True)
+class Studio:
+    """The server's parts."""
+
+    desk: Desk
+    session: Session
+    live: Live
+    work: Work
+
+    @classmethod
+    def of(cls, desk: Desk, session: Session) -> Studio:
+        """A studio for a desk."""
+        live = Live()
+        return cls(desk, session, live, Work(desk, live))
+
+    def app(self) -> Starlette:
+        """The application."""
+        gets: dict[str, Callable[[Mapping[str, Any]], Any]] = {
+            "/api/overview": lambda _: answers.overview(self.desk),
+            "/api/observations": lambda q: answers.observations(self.desk, _text(q, "image")),
+            "/api/worst": lambda _: answers.worst_of(self.desk),
+            "/api/points": lambda q: tables.points(self.desk, _wanted(q)),
+            "/api/table/observations": lambda q: tables.observations(self.desk, _wanted(q)),
+            "/api/journal": lambda _: self._journal(),
+        }
+        posts: dict[str, Callable[[dict[str, Any]], Any]] = {
+            "/api/action": self._action,
+            "/api/control": self._control,
+            "/api/snap": lambda given: snapped(self.desk, given),
+            "/api/adjust": lambda _: {"begun": self.work.begin(measured=True)},
+            "/api/stop": lambda _: {"stopping": self.work.stop()},
+        }
+        routes = [
+            *(Route(path, _get(make), methods=["GET"]) for path, make in gets.items()),
+            *(Route(path, self._post(make), methods=["POST"]) for path, make in posts.items()),
+            Route("/api/predict", self._predict, methods=["GET"]),
+            Route("/api/query", self._query, methods=["GET"]),
+            Route("/api/scene", self._scene, methods=["GET"]),
+            Route("/api/tile/{image:int}/{level:int}/{column:int}/{row:int}", self._tile, methods=["GET"]),
+            WebSocketRoute("/api/live", self._live),
+            Route("/{name:path}", self._page, methods=["GET"]),
+        ]
+        return Starlette(
+            routes=routes, middleware=[Middleware(Guard, session=self.session)], lifespan=self._lifespan,
+            exception_handlers={HTTPException: _refused, RaybundleError: _told, TooLarge: _large},
+        )  # fmt: skip
+
+    @asynccontextmanager
+    async def _lifespan(self, _: Starlette) -> AsyncGenerator[None]:
+        self.live.loop = asyncio.get_running_loop()
+        if self.desk.adjustment is None:
+            self.work.begin(measured=False)
+        try:
+            yield
+        finally:
+            self.work.stop()
+            self.desk.close()
+
+    async def _page(self, request: Request) -> Response:
+        found = PAGE.get(request.path_params["name"])
+        if found is None:
+            raise HTTPException(404, "there is no such page")
+        name, kind = found
+        body = (files("raybundle.studio") / "static" / name).read_bytes()
+        return Response(body, headers={"content-type": kind})
+
+    async def _tile(self, request: Request) -> Response:
+        p = request.path_params
+        try:
+            body = await run_in_threadpool(self.desk.tiles.tile, p["image"], p["level"], p["column"], p["row"])
+        except (InputError, OSError) as error:
+            raise HTTPException(404, str(error)) from None
+        return Response(body, media_type="image/jpeg", headers={"cache-control": "private, max-age=3600"})
+
+    async def _scene(self, _: Request) -> Response:
+        return Response(await run_in_threadpool(scene, self.desk), media_type="application/octet-stream")
+
+    async def _predict(self, request: Request) -> Response:
+        q = request.query_params
+        found = await run_in_threadpool(answers.predictions, self.desk, _text(q, "point"), [*q.getlist("images")])
+        return _json(found)
+
+    async def _query(self, request: Request) -> Response:
+        q = request.query_params
+        return _json(await run_in_threadpool(asked, self.desk, _text(q, "kind"), tuple(q.getlist("points"))))
+
+    def _journal(self) -> dict[str, Any]:
+        return {"actions": [
+            {"seq": e.seq, "time": e.time, "author": e.author, "verb": e.verb, "arguments": dict(e.arguments),
+             "command": command_of(self.desk.source, e.verb, e.arguments)}
+            for e in self.desk.journal.entries()
+        ]}  # fmt: skip
+
+    def _action(self, given: dict[str, Any]) -> dict[str, Any]:
+        verb, arguments = _text(given, "verb"), given.get("arguments", {})
+        if not isinstance(arguments, dict):
+            raise HTTPException(400, "arguments is no table")
+        try:
+            seq = self.desk.journal.append_verb(
+                verb, arguments, id=_text(given, "id"), author=str(given.get("author", ""))[:100]
+            )
+        except InputError as error:
+            raise HTTPException(409, str(error)) from None
+        state = answers.state_of(self.desk)
+        self.live.tell_from_thread({"type": "state", "state": state})
+        entry = next(iter(self.desk.journal.entries(seq - 1)))
+        return {"seq": seq, "state": state, "command": command_of(self.desk.source, verb, entry.arguments)}
+
+    def _control(self, given: dict[str, Any]) -> dict[str, Any]:
+        """Control coordinates of a table: one action a point, all or none of them checked before."""
+        try:
+            actions, remarks = control_actions(_text(given, "text"))
+        except (InputError, csv.Error) as error:
+            raise HTTPException(409, str(error)) from None
+        first = _text(given, "id")
+        for k, action in enumerate(actions):
+            try:
+                self.desk.journal.append(action, id=f"{first}-{k}", author=str(given.get("author", ""))[:100])
+            except InputError as error:
+                raise HTTPException(409, str(error)) from None
+        state = answers.state_of(self.desk)
+        self.live.tell_from_thread({"type": "state", "state": state})
+        return {"added": [a.point for a in actions], "remarks": list(remarks), "state": state}
+
+    def _post(self, make: Callable[[dict[str, Any]], Any]) -> Answer:
+        async def answer(request: Request) -> Response:
+            try:
+                given = json.loads(await request.body() or b"{}")
+            except (ValueError, RecursionError):
+                raise HTTPException(400, "the request is no JSON") from None
+            if not isinstance(given, dict):
+                raise HTTPException(400, "the request is no table")
+            return _json(await run_in_threadpool(make, given))
+
+        return answer
+
+    async def _live(self, socket: WebSocket) -> None:
+        await socket.accept()
+        queue = self.live.join()
+        await socket.send_json({"type": "state", "state": await run_in_threadpool(answers.state_of, self.desk)})
+        listening = asyncio.create_task(_listen(socket))
+        try:
+            while not listening.done():
+                waiting = asyncio.create_task(queue.get())
+                await asyncio.wait({waiting, listening}, return_when=asyncio.FIRST_COMPLETED)
+                if not waiting.done():
+                    waiting.cancel()
+                    break
+                message = waiting.result()
+                if message is None:
+                    break
+                await socket.send_json(message)
+        except (WebSocketDisconnect, RuntimeError):
+            pass
+        finally:
+            self.live.leave(queue)
+            listening.cancel()
+            with contextlib.suppress(RuntimeError):
+                await socket.close()
+
+
+async def _listen(socket: WebSocket) -> None:
+    """What a tab says is thrown away; it ends with the tab."""
+    with contextlib.suppress(WebSocketDisconnect, RuntimeError, KeyError):
+        while True:
+            await socket.receive_text()
+
+
+def _get(make: Callable[[Mapping[str, Any]], Any]) -> Answer:
+    async def answer(request: Request) -> Response:
+        return _json(await run_in_threadpool(make, request.query_params))
+
+    return answer
+
+
+def _json(content: Any) -> Response:
+    out = io.StringIO()
+    json.dump(content, out, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+    return Response(out.getvalue(), media_type="application/json")
+
+
+def _text(given: Mapping[str, Any], name: str) -> str:
+    value = given.get(name, "")
+    if not isinstance(value, str):
+        raise HTTPException(400, f"{name} is no text")
+    return value
+
+
+def _wanted(q: Mapping[str, Any]) -> Wanted:
+    try:
+        offset, limit = int(q.get("offset", 0)), int(q.get("limit", 100))
+    except ValueError:
+        raise HTTPException(400, "offset and limit are whole numbers") from None
+    return Wanted(
+        sort=q.get("sort", ""), down=q.get("down", "") == "1", search=q.get("search", ""), role=q.get("role", ""),
+        offset=offset, limit=limit,
+    )  # fmt: skip
+
+
+async def _refused(_: Request, error: Exception) -> Response:
+    assert isinstance(error, HTTPException)
+    return JSONResponse({"error": error.detail}, status_code=error.status_code)
+
+
+async def _told(_: Request, error: Exception) -> Response:
+    return JSONResponse({"error": str(error)}, status_code=409)
+
+
+async def _large(_: Request, error: Exception) -> Response:
+    del error
+    return JSONResponse({"error": "the request is too large"}, status_code=413)

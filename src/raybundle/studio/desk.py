@@ -1,0 +1,123 @@
+"""What is open: a project, result or block, its adjustment, the journal of what is measured, and the photographs."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+
+from raybundle.adjustment.result import Adjustment
+from raybundle.block import Block
+from raybundle.errors import InputError
+from raybundle.io.block.folder import read_block
+from raybundle.measuring.journal import Journal, journal_path
+from raybundle.measuring.known import Known
+from raybundle.measuring.session import Adjust, Session, block_folder, readjusted
+from raybundle.numerics.arrays import Index
+from raybundle.pipeline.project import photographs_of
+from raybundle.studio.tiles import Tiles
+
+Kind = Literal["project", "result", "block"]
+MEASURED = "measured-result"
+"""Folder of the results that are adjusted here, in a project; beside a result or block it is NAME.measured-result."""
+
+
+@dataclass(slots=True)
+class Desk:
+    """One thing that is looked at and measured in; several threads may ask it."""
+
+    source: Path
+    kind: Kind
+    given: Block
+    """as it was opened: what is measured is merged into it, each time anew"""
+    session: Session
+    journal: Journal
+    tiles: Tiles
+    _rows: tuple[Index, Index] | None = None
+    lock: threading.RLock = field(default_factory=threading.RLock)
+
+    @classmethod
+    def open(cls, source: Path, folder: Path, photos: Sequence[Path] = ()) -> Desk:
+        """Open a project, result or block folder as it stands; `adjust` brings the covariances after.
+
+        folder  for decoded photographs
+        photos  where the photographs are, beside where the project says
+        raises  InputError where it is none of these, or a file of it is damaged
+        """
+        inner = block_folder(source)
+        given = read_block(inner)
+        kind: Kind = "project" if (source / "project.db").is_file() else "block" if inner == source else "result"
+        latest = result_of_measuring(source) / "block"
+        block = read_block(latest) if (latest / "block.toml").is_file() else given
+        journal = Journal.open(journal_path(source), Known.of(given))
+        paths = _photographs(given, [*photos, *photographs_of(source), *photographs_of(source / "result")])
+        return cls(source, kind, given, Session.of_block(block, None), journal, Tiles(folder, paths))
+
+    @property
+    def block(self) -> Block:
+        """As it stands now."""
+        return self.session.block
+
+    @property
+    def adjustment(self) -> Adjustment | None:
+        """The current adjustment; None until there is one."""
+        return self.session.adjustment
+
+    def adjusted(self, adjust: Adjust = readjusted) -> Session:
+        """A session of the same block with its adjustment and covariances; takes as long as an adjustment."""
+        return Session.of_block(self.block, adjust)
+
+    def replaced(self, session: Session) -> None:
+        """Go on with another session."""
+        with self.lock:
+            self.session = session
+            self._rows = None
+
+    def rows_in(self, image: int) -> Index:
+        """Rows of the image observations of an image."""
+        with self.lock:
+            if self._rows is None:
+                order = np.argsort(self.block.observations.image, kind="stable").astype(np.int32)
+                counts = np.bincount(self.block.observations.image, minlength=len(self.block.images))
+                self._rows = order, np.concatenate([[0], np.cumsum(counts)]).astype(np.int32)
+            order, ends = self._rows
+        return order[ends[image] : ends[image + 1]]
+
+    def close(self) -> None:
+        """Close the journal."""
+        self.journal.close()
+
+
+def result_of_measuring(source: Path) -> Path:
+    """Where the result of what was measured goes."""
+    if (source / "project.db").is_file():
+        return source / MEASURED
+    whole = source.resolve()
+    return whole.with_name(f"{whole.name}.{MEASURED}")
+
+
+def _photographs(block: Block, folders: Sequence[Path]) -> dict[int, Path]:
+    """Where the photographs of a block are: by the names of their files, whatever folder the block remembers."""
+    found: dict[int, Path] = {}
+    for k, name in enumerate(block.images.file):
+        if not name:
+            continue
+        parts = Path(name.replace("\\", "/"))
+        inside = not parts.is_absolute() and ".." not in parts.parts
+        for folder in folders:
+            for path in ((folder / parts,) if inside else ()) + (folder / parts.name,):
+                if k not in found and path.is_file():
+                    found[k] = path
+    return found
+
+
+def named(desk: Desk, image: str) -> int:
+    """Position of an image; raises InputError for one that is not there."""
+    position = desk.session.index.get(image)
+    if position is None:
+        raise InputError(f"image {image!r} is not here")
+    return position

@@ -1,0 +1,45 @@
+"""Who watches, and what they are told: every tab hears of every change."""
+
+from __future__ import annotations
+
+import asyncio
+from dataclasses import dataclass, field
+from typing import Any
+
+QUEUE = 200
+"""Messages that wait for a tab that does not read; one that is slower begins anew."""
+
+
+@dataclass(slots=True)
+class Live:
+    """Queues of the open tabs."""
+
+    tabs: set[asyncio.Queue[dict[str, Any] | None]] = field(default_factory=set[asyncio.Queue[dict[str, Any] | None]])
+    loop: asyncio.AbstractEventLoop | None = None
+
+    def join(self) -> asyncio.Queue[dict[str, Any] | None]:
+        """A queue for one more tab."""
+        queue: asyncio.Queue[dict[str, Any] | None] = asyncio.Queue(QUEUE)
+        self.tabs.add(queue)
+        self.loop = asyncio.get_running_loop()
+        return queue
+
+    def leave(self, queue: asyncio.Queue[dict[str, Any] | None]) -> None:
+        """A tab was closed."""
+        self.tabs.discard(queue)
+
+    def tell(self, message: dict[str, Any]) -> None:
+        """Tell every tab, from the server's own thread."""
+        for queue in [*self.tabs]:
+            try:
+                queue.put_nowait(message)
+            except asyncio.QueueFull:
+                self.tabs.discard(queue)
+                while not queue.empty():
+                    queue.get_nowait()
+                queue.put_nowait(None)  # the tab is closed, it connects again and reads everything
+
+    def tell_from_thread(self, message: dict[str, Any]) -> None:
+        """Tell every tab, from any thread."""
+        if self.loop is not None and not self.loop.is_closed():
+            self.loop.call_soon_threadsafe(self.tell, message)

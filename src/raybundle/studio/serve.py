@@ -1,0 +1,57 @@
+"""The studio's server: on the loopback alone, on a free port, until it is interrupted."""
+
+from __future__ import annotations
+
+import socket
+import webbrowser
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import uvicorn
+
+from raybundle.errors import InputError
+from raybundle.studio.app import Studio
+from raybundle.studio.desk import Desk
+from raybundle.studio.guard import Session
+
+LARGEST_MESSAGE = 64 * 1024
+"""Bytes that a tab may send through its WebSocket at once; it has nothing to say that is longer."""
+
+
+def listening(port: int) -> socket.socket:
+    """A socket on the loopback; raises InputError where the port is taken."""
+    found = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
+    found.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    try:
+        found.bind(("127.0.0.1", port))
+        found.listen(128)  # who opens the address at once waits until the server answers
+    except OSError as error:
+        found.close()
+        raise InputError(f"port {port} cannot be used ({error.strerror}); leave --port out for a free one") from None
+    return found
+
+
+def serve(
+    source: Path, photos: Sequence[Path] = (), *, port: int = 0, browser: bool = True,
+    told: Callable[[str], None] = print,
+) -> None:  # fmt: skip
+    """Open a project, result or block folder and serve it until interrupted.
+
+    port     0: a free one
+    browser  open the page
+    told     gets the address once; it works once
+    raises   InputError where there is nothing to open, or the port is taken
+    """
+    with TemporaryDirectory(prefix="raybundle-studio-") as folder:
+        desk = Desk.open(source, Path(folder), photos)
+        with listening(port) as connection:
+            session = Session(port=connection.getsockname()[1])
+            config = uvicorn.Config(
+                Studio.of(desk, session).app(), log_level="warning", access_log=False, ws="websockets-sansio",
+                ws_max_size=LARGEST_MESSAGE, limit_concurrency=512, timeout_graceful_shutdown=2, server_header=False,
+            )  # fmt: skip
+            told(session.address)
+            if browser:
+                webbrowser.open(session.address)
+            uvicorn.Server(config).run(sockets=[connection])

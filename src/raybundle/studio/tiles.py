@@ -1,0 +1,121 @@
+"""Photographs as tiles of reduced copies, made when they are looked at, kept in a folder that goes with the server.
+
+A copy of level n is reduced by 2^n.  A photograph is decoded once; its levels lie in memory-mapped files, so that the
+server's memory does not grow with what was looked at.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections import OrderedDict
+from dataclasses import dataclass, field
+from io import BytesIO
+from pathlib import Path
+
+import cv2
+import numpy as np
+from PIL import Image
+
+from raybundle.errors import InputError
+from raybundle.io.photos.photo import Photo, read_colour, read_photo
+from raybundle.numerics.arrays import Array
+
+SIDE = 512
+MOST_BYTES = 6 * 1024**3
+"""Of decoded photographs on disk; the one that was looked at longest ago leaves."""
+QUALITY = 88
+
+
+def levels(width: int, height: int) -> int:
+    """Number of levels: the last is the first that fits into one tile."""
+    n = 1
+    while max(width, height) > SIDE:
+        width, height, n = -(-width // 2), -(-height // 2), n + 1
+    return n
+
+
+@dataclass(slots=True)
+class _Pyramid:
+    levels: list[Array]
+    size: int
+    lock: threading.Lock = field(default_factory=threading.Lock)
+
+
+@dataclass(slots=True)
+class Tiles:
+    """Tiles of photographs by their number."""
+
+    folder: Path
+    """for decoded photographs; goes with the server"""
+    paths: dict[int, Path]
+    most_bytes: int = MOST_BYTES
+    _pyramids: OrderedDict[int, _Pyramid] = field(default_factory=OrderedDict[int, "_Pyramid"])
+    _photos: dict[int, Photo] = field(default_factory=dict[int, Photo])
+    _lock: threading.Lock = field(default_factory=threading.Lock)
+    _begun: dict[int, threading.Lock] = field(default_factory=dict[int, threading.Lock])
+
+    def photo(self, image: int) -> Photo:
+        """What a photograph's file says of itself; raises InputError where there is none."""
+        if image not in self._photos:
+            path = self.paths.get(image)
+            if path is None:
+                raise InputError("its photograph is not known; give the folder of the photographs: --photos FOLDER")
+            self._photos[image] = read_photo(path)
+        return self._photos[image]
+
+    def tile(self, image: int, level: int, column: int, row: int) -> bytes:
+        """A tile as JPEG; raises InputError for one that is not there, or a photograph that cannot be read."""
+        every = self._pyramid(image).levels
+        if not 0 <= level < len(every):
+            raise InputError(f"level {level} is not there; there are {len(every)}")
+        copy = every[level]
+        part = copy[SIDE * row : SIDE * (row + 1), SIDE * column : SIDE * (column + 1)]
+        if min(row, column) < 0 or not part.size:
+            raise InputError(f"tile {column}, {row} of level {level} lies outside the photograph")
+        file = BytesIO()
+        Image.fromarray(np.ascontiguousarray(part)).save(file, "JPEG", quality=QUALITY)
+        return file.getvalue()
+
+    def pixels(self, image: int) -> Array:
+        """The photograph as stored (h, w, 3), to be read in parts."""
+        return self._pyramid(image).levels[0]
+
+    def _pyramid(self, image: int) -> _Pyramid:
+        with self._lock:
+            found = self._pyramids.get(image)
+            if found is not None:
+                self._pyramids.move_to_end(image)
+                return found
+            begun = self._begun.setdefault(image, threading.Lock())
+        with begun:  # two tiles of one photograph decode it once
+            with self._lock:
+                found = self._pyramids.get(image)
+            if found is None:
+                found = self._made(image)
+                with self._lock:
+                    self._pyramids[image] = found
+                    self._make_room(image)
+        return found
+
+    def _made(self, image: int) -> _Pyramid:
+        photo = self.photo(image)
+        here = read_colour(photo)
+        kept: list[Array] = []
+        for level in range(levels(photo.width_px, photo.height_px)):
+            if level:
+                # every pixel of a copy is the mean of four, so that places stay where they are
+                h, w = here.shape[:2]
+                even = cv2.copyMakeBorder(here, 0, h % 2, 0, w % 2, cv2.BORDER_REPLICATE)
+                here = cv2.resize(even, (even.shape[1] // 2, even.shape[0] // 2), interpolation=cv2.INTER_AREA)
+            file = self.folder / f"{image}-{level}.npy"
+            np.save(file, here)
+            kept.append(np.load(file, mmap_mode="r"))
+        return _Pyramid(kept, sum(int(a.nbytes) for a in kept))
+
+    def _make_room(self, latest: int) -> None:
+        while sum(p.size for p in self._pyramids.values()) > self.most_bytes and len(self._pyramids) > 1:
+            oldest = next(k for k in self._pyramids if k != latest)
+            gone = self._pyramids.pop(oldest)
+            # what still reads it keeps its mapping, the file goes with the last of them
+            for level in range(len(gone.levels)):
+                (self.folder / f"{oldest}-{level}.npy").unlink(missing_ok=True)

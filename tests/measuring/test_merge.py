@@ -1,0 +1,231 @@
+"""Block and state make a block: adjusted as if all had been measured at once, exported and read again."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from raybundle.block import Role
+from raybundle.block.frames import file_from_camera, stored_turned
+from raybundle.block.select import transformed, with_rows
+from raybundle.errors import InputError
+from raybundle.io.block.folder import read_block
+from raybundle.io.geo.control_files import read_control
+from raybundle.measuring.actions import Point, Put, Reject, Rename, SetBar, SetDatum, SetLine
+from raybundle.measuring.export import write_csv, write_gcp_list, write_merged_block
+from raybundle.measuring.known import Known
+from raybundle.measuring.merge import merge
+from raybundle.measuring.predict import predict
+from raybundle.measuring.session import Session
+from raybundle.measuring.state import EMPTY, folded
+from raybundle.numerics.rotation import rotation_from_vector
+from raybundle.workflows.adjust import adjust
+
+from .scenes import simulation, small_block
+
+SIGMA = 0.3
+COV = (SIGMA**2, SIGMA**2, 0.0)
+
+
+def some_points(block, count, least=4):
+    return [int(p) for p in np.flatnonzero((block.ray_count >= least) & (np.asarray(block.points.role) == 0))][:count]
+
+
+def rows_of(block, p):
+    o = block.observations
+    return [(block.images.ids[i], xy) for i, q, xy in zip(o.image, o.point, o.xy_px, strict=True) if q == p]
+
+
+def puts(block, p, name):
+    return [Put(image=i, point=name, x_px=x, y_px=y, covariance=COV) for i, (x, y) in rows_of(block, p)]
+
+
+def without_points(block, points):
+    return with_rows(block, ~np.isin(block.observations.point, points))
+
+
+def free_block():
+    """The small block without control, in a frame and scale of its own."""
+    block = small_block()
+    p = block.points
+    free = replace(block, points=replace(p, role=np.zeros_like(p.role), sigma=np.full_like(p.sigma, np.nan)))
+    return transformed(free, 0.37, rotation_from_vector(np.array([0.4, -1.1, 2.0])), np.array([5.0, 6.0, 7.0]))
+
+
+def test_nothing_measured_changes_nothing():
+    block = small_block()
+    assert merge(block, EMPTY).block is block or repr(merge(block, EMPTY).block) == repr(block)
+
+
+def test_measured_by_hand_equals_measured_before():
+    block = small_block()
+    chosen = some_points(block, 3)
+    rest = without_points(block, chosen)
+    state = folded([a for p in chosen for a in puts(block, p, f"hand {p}")])
+    whole, again = adjust(block), adjust(merge(rest, state).block)
+    assert again.sigma0 == pytest.approx(whole.sigma0, rel=1e-9)
+    for p in chosen:
+        k = again.adjusted.points.ids.index(f"hand {p}")
+        np.testing.assert_allclose(again.adjusted.points.xyz[k], whole.adjusted.points.xyz[p], atol=1e-8)
+        np.testing.assert_allclose(
+            again.precision.object_points[k], whole.precision.object_points[p], rtol=1e-5, atol=1e-12
+        )
+
+
+def test_a_mark_stands_in_place_of_the_row_and_of_its_rejection():
+    block = small_block()
+    p = some_points(block, 1)[0]
+    (image, _), *_ = rows_of(block, p)
+    name = block.points.ids[p]
+    state = folded([Put(image=image, point=name, x_px=7.0, y_px=8.0, covariance=(1.0, 2.0, 0.5))])
+    made = merge(replace(block, rejected=((image, name),)), state).block
+    assert len(made.observations) == len(block.observations)
+    assert made.rejected == ()
+    np.testing.assert_allclose(made.observations.xy_px[-1], [7, 8])
+    np.testing.assert_allclose(made.observations.cov_px2[-1], [1.0, 2.0, 0.5])
+
+
+def test_free_block_is_brought_to_measured_control():
+    block, truth = free_block(), simulation().truth
+    chosen = some_points(small_block(), 5)
+    actions = []
+    for p in chosen:
+        actions += puts(small_block(), p, block.points.ids[p])
+        xyz = tuple(truth.points.xyz[p].tolist())
+        actions.append(Point(point=block.points.ids[p], role="control", xyz=xyz, sigma=(0.002,) * 3))
+    made = merge(block, folded(actions))
+    assert not made.left_out
+    result = adjust(made.block)
+    assert 0.8 < result.sigma0 < 1.2
+    assert not result.datum_defect
+    assert np.nanmax(np.abs(result.adjusted.points.xyz - truth.points.xyz)) < 0.02
+
+
+def test_a_bar_gives_a_free_block_its_scale():
+    block, truth = replace(free_block(), free_scale=True), simulation().truth
+    a, b = some_points(small_block(), 40)[::39]
+    true = float(np.linalg.norm(truth.points.xyz[a] - truth.points.xyz[b]))
+    names = block.points.ids[a], block.points.ids[b]
+    made = merge(block, folded([SetBar(start=names[0], end=names[1], length=true, sigma=1e-4)])).block
+    assert not made.free_scale
+    result = adjust(made)
+    found = result.adjusted.points.xyz
+    c, d = some_points(small_block(), 40)[5:7]
+    assert np.linalg.norm(found[c] - found[d]) == pytest.approx(
+        float(np.linalg.norm(truth.points.xyz[c] - truth.points.xyz[d])), rel=2e-3
+    )
+
+
+def test_axes_by_points_are_held():
+    block = free_block()
+    names = [block.points.ids[p] for p in some_points(small_block(), 30)[::14]]
+    result = adjust(merge(block, folded([SetDatum(origin=names[0], axis=names[1], plane=names[2])])).block)
+    at = [block.points.ids.index(n) for n in names]
+    xyz = result.adjusted.points.xyz[at]
+    held = np.array([[True, True, True], [False, True, True], [False, False, True]])
+    assert (xyz[held] == 0).all()
+    assert xyz[1, 0] > 0
+    assert xyz[2, 1] > 0
+    assert len(result.datum_defect) == 1  # the scale, from the point where the axes are held
+    assert (result.precision.object_point_std[at][held] == 0).all()
+    with pytest.raises(InputError, match="contradicts the control points"):
+        merge(small_block(), folded([SetDatum(origin=names[0], axis=names[1], plane=names[2])]))
+
+
+def test_lines_rejections_names_and_what_is_left_out():
+    block = small_block()
+    chosen = some_points(block, 4)
+    names = [block.points.ids[p] for p in chosen]
+    image, (x, y) = rows_of(block, chosen[0])[0]
+    state = folded([
+        Rename(point=names[0], to="gate", original=names[0]), Reject(image=image, point="gate"),
+        SetLine(line="sill", points=("gate", *names[1:3]), sigma=0.01),
+        SetLine(line="edge", points=(names[1], names[2]), kind="plumb", sigma=0.02),
+        Put(image=image, point="once", x_px=x, y_px=y), SetBar(start="once", end="gate", length=1.0, sigma=0.1),
+        Point(point="far", role="check", xyz=(1.0, 2.0, 3.0)),
+    ])  # fmt: skip
+    made = merge(block, state)
+    assert made.block.points.ids[chosen[0]] == "gate"
+    assert made.block.rejected == ((image, "gate"),)
+    assert made.block.tables["lines"].figure == ("sill",) * 3
+    assert made.block.tables["plumb_lines"].figure == ("edge",) * 2
+    assert not len(made.block.distances)
+    assert made.left_out == {
+        "once": "marked in one image only",
+        "far": "check point that is not marked in any image",
+        "once-gate": "point once is left out (marked in one image only)",
+    }
+    assert "once" not in made.block.points.ids
+
+
+def test_marks_are_in_the_pixels_of_turned_files():
+    block = small_block()
+    p = some_points(block, 1)[0]
+    rows = rows_of(block, p)
+    turned = stored_turned(block, np.array([block.images.ids.index(rows[0][0])]), 180)
+    i = block.images.ids.index(rows[0][0])
+    camera = turned.cameras[0]
+    rest = without_points(turned, [p])
+    file_xy = file_from_camera(turned.observations.xy_px, camera, turned.images.frames[i])
+    at = np.flatnonzero((turned.observations.point == p) & (turned.observations.image == i))[0]
+    actions = [Put(image=rows[0][0], point="new", x_px=file_xy[at, 0], y_px=file_xy[at, 1], covariance=(1.0, 2.0, 0.5))]
+    actions += [a for a in puts(turned, p, "new") if a.image != rows[0][0]]
+    made = merge(rest, folded(actions)).block
+    k = np.flatnonzero(made.observations.image == i)[-1]
+    np.testing.assert_allclose(made.observations.xy_px[k], turned.observations.xy_px[at], atol=1e-9)
+    np.testing.assert_allclose(made.observations.cov_px2[k], [1.0, 2.0, 0.5], atol=1e-12)
+    session = Session.of(adjust(rest))
+    found = predict(session, folded(actions[1:]), "new", rows[0][0])
+    np.testing.assert_allclose(found.xy_px, file_xy[at], atol=3)
+
+
+@pytest.fixture
+def measured():
+    block = small_block()
+    chosen = some_points(block, 3)
+    actions = [a for k, p in enumerate(chosen) for a in puts(block, p, f"point {k}, é")]
+    actions += [
+        Point(point="point 0, é", role="control", xyz=(1.25, 2.5, 1 / 3), sigma=(0.01, 0.01, 0.0)),
+        Point(point="point 1, é", role="check", xyz=(1.5, 2.5, None), sigma=(0.01, 0.02, None)),
+    ]
+    return without_points(block, chosen), folded(actions)
+
+
+def marks_read(control):
+    m = control.measurements
+    return {(i, control.ids[k]): tuple(xy) for i, k, xy in zip(m.image, m.point, m.xy_px.tolist(), strict=True)}
+
+
+def test_a_csv_is_read_as_control(measured, tmp_path):
+    block, state = measured
+    known = Known.of(block)
+    write_csv(state, tmp_path / "points.csv", known)
+    read = read_control(tmp_path / "points.csv")
+    file = dict(zip(block.images.ids, block.images.file, strict=True))
+    assert read.ids == tuple(state.points)
+    assert marks_read(read) == {(file[i], p): (m.x_px, m.y_px) for (i, p), m in state.marks.items()}
+    assert [Role(r).name.lower() for r in read.role] == [v.role for v in state.points.values()]
+    np.testing.assert_array_equal(read.xyz[0], [1.25, 2.5, 1 / 3])
+    np.testing.assert_array_equal(read.sigma[0], [0.01, 0.01, 0.0])
+    np.testing.assert_array_equal(read.xyz[1], [1.5, 2.5, np.nan])
+
+
+def test_a_gcp_list_is_read_as_control(measured, tmp_path):
+    block, state = measured
+    write_gcp_list(state, tmp_path / "gcp_list.txt", Known.of(block), "EPSG:32633")
+    read = read_control(tmp_path / "gcp_list.txt")
+    assert (read.crs, read.ids) == ("EPSG:32633", ("point 0, é",))
+    assert len(read.measurements) == len(state.marks_of("point 0, é"))
+    with pytest.raises(InputError, match="nothing to export"):
+        write_gcp_list(EMPTY, tmp_path / "gcp_list.txt", Known.of(block), "EPSG:32633")
+
+
+def test_a_block_holds_all(measured, tmp_path):
+    block, state = measured
+    write_merged_block(state, tmp_path / "block", block)
+    read, made = read_block(tmp_path / "block"), merge(block, state).block
+    assert read.points.ids == made.points.ids
+    np.testing.assert_array_equal(read.observations.xy_px, made.observations.xy_px)
+    np.testing.assert_allclose(read.observations.cov_px2, made.observations.cov_px2)
+    control = read_control(tmp_path / "block")
+    assert {"point 0, é", "point 1, é"} <= set(control.ids)

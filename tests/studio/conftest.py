@@ -1,0 +1,56 @@
+"""A desk with photographs and its server, without a network."""
+
+import shutil
+from pathlib import Path
+
+import pytest
+from starlette.testclient import TestClient
+
+from raybundle.studio.app import Studio
+from raybundle.studio.desk import Desk
+from raybundle.studio.guard import Session
+
+PORTAL = Path(__file__).parents[2] / "demo_data" / "portal"
+PORT = 8123
+BASE = f"http://127.0.0.1:{PORT}"
+LIVE = f"ws://127.0.0.1:{PORT}/api/live"
+
+
+@pytest.fixture(scope="session")
+def portal(tmp_path_factory):
+    """The demonstration's photographs, oriented once."""
+    from raybundle.commands.orient import orient
+
+    folder = tmp_path_factory.mktemp("portal")
+    shutil.copytree(PORTAL / "photos", folder / "photos")
+    orient(sorted((folder / "photos").glob("*.jpg"))[:5], folder / "project", precise=False, report=False)
+    return folder
+
+
+@pytest.fixture
+def project(portal, tmp_path):
+    shutil.copytree(portal, tmp_path / "set")
+    return tmp_path / "set" / "project"
+
+
+@pytest.fixture
+def desk(project, tmp_path):
+    (tmp_path / "tiles").mkdir()
+    desk = Desk.open(project, tmp_path / "tiles", [project.parent / "photos"])
+    yield desk
+    desk.close()
+
+
+@pytest.fixture
+def studio(desk):
+    return Studio.of(desk, Session(port=PORT))
+
+
+@pytest.fixture
+def client(studio):
+    """A browser that has entered."""
+    with TestClient(studio.app(), base_url=BASE) as client:
+        client.get("/", params={"token": studio.session.token})
+        client.headers["origin"] = BASE
+        studio.work.wait()
+        yield client
