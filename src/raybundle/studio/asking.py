@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any, cast
+from typing import Any
 
 from raybundle.errors import InputError
-from raybundle.measuring.query import NAMES, Quantity, ask
+from raybundle.measuring.query import NAMES, ask
 from raybundle.studio.desk import Desk
 
 
@@ -16,7 +16,7 @@ def asked(desk: Desk, kind: str, points: tuple[str, ...]) -> dict[str, Any]:
     a = desk.adjustment
     if a is None:
         raise InputError(desk.session.neglected or "there is no adjustment yet; wait until it is done")
-    found = ask(a, cast("Quantity", kind), points)
+    found = ask(a, kind, points)
     return {
         "words": f"{kind} {', '.join(points)}", "remark": found.remark,
         "values": [
