@@ -41,9 +41,9 @@ export class ImageList {
     const canvas = h("canvas", { width: WIDTH * 2, height: HEIGHT * 2, "aria-hidden": "true" });
     this.small.set(canvas, picture);
     queueMicrotask(() => this.watch.observe(canvas));
-    const rms = picture.rms_px === null ? "" : ` · ${short(picture.rms_px, 2)} px`;
+    const rms = picture.rms_px === null ? "" : `, ${short(picture.rms_px, 2)} px`;
     const about = picture.oriented ? `${count(picture.rays, "ray")}${rms}` : "not oriented";
-    return [canvas, h("span", { class: "about" }, h("b", {}, picture.id), h("small", {}, about))];
+    return [canvas, h("span", { class: "about", title: picture.id }, h("b", {}, picture.id), h("small", {}, about))];
   }
 
   private seen(entry: IntersectionObserverEntry): void {

@@ -83,8 +83,8 @@ function drawVectors(pen: Pen, view: View, o: Observations, rows: number[]): voi
 }
 
 /** One shape for each status, so that colour is not all that tells them apart. */
-function shape(pen: Pen, status: Status, u: number, v: number): void {
-  const r = status === "control" || status === "check" ? 6 : 3.5;
+function shape(pen: Pen, status: Status, u: number, v: number, size: number): void {
+  const r = status === "control" || status === "check" ? 6 : size;
   if (status === "rejected") {
     pen.moveTo(u - r, v - r);
     pen.lineTo(u + r, v + r);
@@ -109,18 +109,20 @@ function shape(pen: Pen, status: Status, u: number, v: number): void {
 }
 
 function drawPoints(pen: Pen, view: View, o: Observations, rows: number[], shown: Shown): void {
+  // smaller where the whole photograph is seen, so that it is seen
+  const size = Math.min(Math.max(2.6 * Math.sqrt(view.scale), 1.6), 4);
   for (const status of ["used", "weak", "rejected", "check", "control"] as const) {
     pen.beginPath();
     for (const i of rows) {
       if (statusOf(o, i, shown.rejectedHere) !== status) continue;
       const [u, v] = view.toScreen(o.x[i], o.y[i]);
       if (u < -9 || v < -9 || u > view.width + 9 || v > view.height + 9) continue;
-      shape(pen, status, u, v);
+      shape(pen, status, u, v, size);
     }
-    pen.lineWidth = 3;
+    pen.lineWidth = size < 2.5 ? 2.2 : 3;
     pen.strokeStyle = "#000000a0";
     pen.stroke();
-    pen.lineWidth = 1.6;
+    pen.lineWidth = size < 2.5 ? 1.2 : 1.6;
     pen.strokeStyle = COLOUR[status];
     pen.stroke();
   }
