@@ -53,7 +53,11 @@ export class Choice<T> {
     if (!row) return;
     row.classList.add("at");
     this.root.setAttribute("aria-activedescendant", row.id);
-    row.scrollIntoView({ block: "nearest" });
+    // the list alone is scrolled, not what it stands in
+    const { offsetTop: top, offsetHeight: tall } = row as HTMLElement;
+    const { scrollTop, clientHeight } = this.root;
+    if (top < scrollTop) this.root.scrollTop = top;
+    else if (top + tall > scrollTop + clientHeight) this.root.scrollTop = top + tall - clientHeight;
   }
 
   private key(event: KeyboardEvent): void {

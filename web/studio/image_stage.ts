@@ -37,7 +37,7 @@ export class ImageStage implements Stage {
       return made;
     });
     const filters: [Filter, string][] = [
-      ["all", "all"], ["rejected", "rejected"], ["weak", "weak"], ["control", "control, check"], ["worst", "worst |w|"], ["none", "none"],
+      ["all", "all"], ["rejected", "rejected"], ["weak", "weak"], ["control", "control"], ["worst", "worst |w|"], ["none", "none"],
     ];
     const select = h("select", { id: "filter" }, ...filters.map(([value, words]) => h("option", { value }, words)));
     select.addEventListener("change", () => this.look(() => (looks.filter = select.value as Filter)));
@@ -49,7 +49,7 @@ export class ImageStage implements Stage {
       h("span", { class: "group", role: "group", "aria-label": "Number of images" }, ...this.counts),
       h("label", {}, linked, "linked"), h("label", {}, this.loupe, "loupe"),
       h("label", {}, "points", select),
-      this.slider("vectors", "residuals ×", 0, 40, 20, (v) => (looks.vectors = v ? Math.round(10 ** (v / 10)) : 0), () => String(looks.vectors)),
+      this.slider("vectors", "residuals", 0, 30, 16, (v) => (looks.vectors = v ? Math.round(10 ** (v / 10)) : 0), () => String(looks.vectors)),
       this.slider("brightness", "brightness", 2, 30, 10, (v) => (looks.brightness = v / 10), () => looks.brightness.toFixed(1)),
       this.slider("contrast", "contrast", 2, 30, 10, (v) => (looks.contrast = v / 10), () => looks.contrast.toFixed(1)),
     ];
@@ -66,7 +66,8 @@ export class ImageStage implements Stage {
       input.value = String(value);
       input.dispatchEvent(new Event("input"));
     });
-    return h("label", {}, words, input, out);
+    const title = id === "vectors" ? "Length on the screen of a residual of 1 px" : "A double click sets it back";
+    return h("label", { title }, words, input, out);
   }
 
   private look(change: () => void): void {

@@ -6,6 +6,7 @@ export type Filter = "all" | "none" | "rejected" | "weak" | "control" | "worst";
 export interface Looks {
   brightness: number;
   contrast: number;
+  /** Length on the screen of a residual of 1 px [CSS px]. */
   vectors: number;
   filter: Filter;
   loupe: boolean;
@@ -14,7 +15,7 @@ export interface Looks {
 }
 
 export const looks: Looks = {
-  brightness: 1, contrast: 1, vectors: 100, filter: "all", loupe: false, linked: true, snap: "auto",
+  brightness: 1, contrast: 1, vectors: 40, filter: "all", loupe: false, linked: true, snap: "auto",
 };
 
 export const SNAPS: SnapKind[] = ["auto", "ellipse", "corner", "cross", "patch", "hand"];

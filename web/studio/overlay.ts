@@ -66,7 +66,7 @@ export function drawOverlay(pen: Pen, view: View, shown: Shown, ratio: number): 
 
 function drawVectors(pen: Pen, view: View, o: Observations, rows: number[]): void {
   if (looks.vectors <= 0) return;
-  pen.lineWidth = 1.3;
+  const length = looks.vectors / view.scale;
   for (const [colour, wanted] of [["#00000099", 2.8], [COLOUR.used, 1.3]] as const) {
     pen.strokeStyle = colour;
     pen.lineWidth = wanted;
@@ -76,7 +76,7 @@ function drawVectors(pen: Pen, view: View, o: Observations, rows: number[]): voi
       const vy = o.vy[i];
       if (vx === null || vy === null) continue;
       pen.moveTo(...view.toScreen(o.x[i], o.y[i]));
-      pen.lineTo(...view.toScreen(o.x[i] + vx * looks.vectors, o.y[i] + vy * looks.vectors));
+      pen.lineTo(...view.toScreen(o.x[i] + vx * length, o.y[i] + vy * length));
     }
     pen.stroke();
   }

@@ -34,7 +34,7 @@ export class Panel {
 
   constructor(private readonly model: Model, private readonly measuring: Measuring, private readonly going: Going) {
     this.visible = new Choice<Visible>("Images in which the current point is visible and not measured", (v) => v.image,
-      (v) => [h("b", {}, v.image), h("small", {}, `${v.angle_deg.toFixed(0)}° to the nearest ray`)],
+      (v) => [h("b", {}, v.image), h("small", { title: "angle to the nearest ray that is measured" }, `${v.angle_deg.toFixed(0)}°`)],
       (v) => going.visit(v.image, v.x, v.y));
     this.points = new Choice<PointRow>("Points", (p) => p.point, (p) => this.pointRow(p), (p) => model.choose(p.point));
     element("right").append(this.current(), this.list());
@@ -155,14 +155,14 @@ export class Panel {
     const { model } = this;
     const marks = model.marksOf(model.current);
     this.marks.hidden = !marks.length;
-    const heads = ["image", "how", "s px", "v px", ""].map((words) => h("th", { scope: "col" }, words));
+    const heads = ["image", "how", "s px", "vx", "vy", ""].map((words) => h("th", { scope: "col" }, words));
     this.marks.replaceChildren(h("tr", {}, ...heads), ...marks.map((m) => {
       const v = p?.located.residuals[m.image];
       const show = button(m.image, `Show the mark in ${m.image}`, () => this.going.visit(m.image, m.x, m.y), "link");
       const remove = button("✕", `Remove the mark in ${m.image}`, () => void model.act("remove", { image: m.image, point: m.point }, "mark removed"), "small");
       const s = Math.sqrt(Math.max(m.cov[0], m.cov[1]));
       return h("tr", {}, h("td", {}, show), h("td", {}, m.how), h("td", {}, short(s, 2)),
-        h("td", {}, v ? `${v[0].toFixed(2)} ${v[1].toFixed(2)}` : "–"), h("td", {}, remove));
+        h("td", {}, fixed(v?.[0], 2)), h("td", {}, fixed(v?.[1], 2)), h("td", {}, remove));
     }));
   }
 
