@@ -3,18 +3,18 @@
 struct mounted {
   static constexpr int parameters = 6;
   static constexpr bool uses_image = false;
-  static RB_INLINE void evaluate(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double bx = in[5][l];
-      const double by = in[6][l];
-      const double bz = in[7][l];
-      const double om = in[8][l];
-      const double ph = in[9][l];
-      const double ka = in[10][l];
+      const double bx = own[0][l];
+      const double by = own[1][l];
+      const double bz = own[2][l];
+      const double om = own[3][l];
+      const double ph = own[4][l];
+      const double ka = own[5][l];
       const double t0 = X - bx;
       const double t1 = std::cos(ph);
       const double t2 = Y - by;
@@ -82,18 +82,18 @@ struct mounted {
       out[35][l] = 0;
     }
   }
-  static RB_INLINE void place(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void place(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double bx = in[5][l];
-      const double by = in[6][l];
-      const double bz = in[7][l];
-      const double om = in[8][l];
-      const double ph = in[9][l];
-      const double ka = in[10][l];
+      const double bx = own[0][l];
+      const double by = own[1][l];
+      const double bz = own[2][l];
+      const double om = own[3][l];
+      const double ph = own[4][l];
+      const double ka = own[5][l];
       const double t0 = X - bx;
       const double t1 = std::cos(ph);
       const double t2 = Y - by;
@@ -114,16 +114,16 @@ struct mounted {
       out[2][l] = t14;
     }
   }
-  static RB_INLINE void place_one(const double* in, double* out) {
+  static RB_INLINE void place_one(const double* in, const double* own, double* out) {
     const double X = in[2];
     const double Y = in[3];
     const double Z = in[4];
-    const double bx = in[5];
-    const double by = in[6];
-    const double bz = in[7];
-    const double om = in[8];
-    const double ph = in[9];
-    const double ka = in[10];
+    const double bx = own[0];
+    const double by = own[1];
+    const double bz = own[2];
+    const double om = own[3];
+    const double ph = own[4];
+    const double ka = own[5];
     const double t0 = X - bx;
     const double t1 = std::cos(ph);
     const double t2 = Y - by;
@@ -148,20 +148,20 @@ struct mounted {
 struct rolling {
   static constexpr int parameters = 7;
   static constexpr bool uses_image = true;
-  static RB_INLINE void evaluate(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double y = in[1][l];
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double r = in[5][l];
-      const double vx = in[6][l];
-      const double vy = in[7][l];
-      const double vz = in[8][l];
-      const double wx = in[9][l];
-      const double wy = in[10][l];
-      const double wz = in[11][l];
+      const double r = own[0][l];
+      const double vx = own[1][l];
+      const double vy = own[2][l];
+      const double vz = own[3][l];
+      const double wx = own[4][l];
+      const double wy = own[5][l];
+      const double wz = own[6][l];
       const double t0 = ((wx)*(wx));
       const double t1 = ((r)*(r));
       const double t2 = ((y)*(y));
@@ -289,20 +289,20 @@ struct rolling {
       out[38][l] = -t67 - t75*t85;
     }
   }
-  static RB_INLINE void place(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void place(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double y = in[1][l];
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double r = in[5][l];
-      const double vx = in[6][l];
-      const double vy = in[7][l];
-      const double vz = in[8][l];
-      const double wx = in[9][l];
-      const double wy = in[10][l];
-      const double wz = in[11][l];
+      const double r = own[0][l];
+      const double vx = own[1][l];
+      const double vy = own[2][l];
+      const double vz = own[3][l];
+      const double wx = own[4][l];
+      const double wy = own[5][l];
+      const double wz = own[6][l];
       const double t0 = ((wx)*(wx));
       const double t1 = ((r)*(r));
       const double t2 = ((y)*(y));
@@ -339,18 +339,98 @@ struct rolling {
       out[2][l] = t13*t30;
     }
   }
-  static RB_INLINE void place_one(const double* in, double* out) {
+  static RB_INLINE void by_image(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
+    RB_SIMD
+    for (int l = 0; l < V; ++l) {
+      const double y = in[1][l];
+      const double X = in[2][l];
+      const double Y = in[3][l];
+      const double Z = in[4][l];
+      const double r = own[0][l];
+      const double vx = own[1][l];
+      const double vy = own[2][l];
+      const double vz = own[3][l];
+      const double wx = own[4][l];
+      const double wy = own[5][l];
+      const double wz = own[6][l];
+      const double t0 = ((wx)*(wx));
+      const double t1 = ((r)*(r));
+      const double t2 = ((y)*(y));
+      const double t3 = t1*t2;
+      const double t4 = (1.0/4.0)*t3;
+      const double t5 = t0*t4;
+      const double t6 = t5 + 1;
+      const double t7 = ((wy)*(wy));
+      const double t8 = t4*t7;
+      const double t9 = ((wz)*(wz));
+      const double t10 = t4*t9;
+      const double t11 = t10 + t8;
+      const double t12 = t11 + t6;
+      const double t13 = (1.0/(t12));
+      const double t14 = r*y;
+      const double t15 = X + t14*vx;
+      const double t16 = t5 - 1;
+      const double t17 = -t11 - t16;
+      const double t18 = Y + t14*vy;
+      const double t19 = t14*wz;
+      const double t20 = t14*wx;
+      const double t21 = t15*wx;
+      const double t22 = t14*wy;
+      const double t23 = Z + t14*vz;
+      const double t24 = -t14*t21 - t18*t22 - t19*t23;
+      const double t25 = (1.0/2.0)*t24;
+      const double t26 = r*t23*wy*y + t15*t17 - t18*t19 - t20*t25;
+      const double t27 = t14*t23;
+      const double t28 = r*t15*wz*y + t17*t18 - t22*t25 - t27*wx;
+      const double t29 = t14*t18;
+      const double t30 = -t15*t22 + t17*t23 - t19*t25 + t29*wx;
+      const double t31 = t1*y;
+      const double t32 = (1.0/2.0)*t0;
+      const double t33 = (1.0/2.0)*t31;
+      const double t34 = -t31*t32 - t33*t7 - t33*t9;
+      const double t35 = r*wz;
+      const double t36 = (1.0/2.0)*r;
+      const double t37 = t24*wx;
+      const double t38 = wz*y;
+      const double t39 = t1*t38;
+      const double t40 = r*wy;
+      const double t41 = vx*wx;
+      const double t42 = wy*y;
+      const double t43 = t1*t42;
+      const double t44 = -r*t21 - t18*t40 - t23*t35 - t31*t41 - t39*vz - t43*vy;
+      const double t45 = (1.0/2.0)*t20;
+      const double t46 = (1.0/((t12)*(t12)));
+      const double t47 = t26*t46;
+      const double t76 = t17*vy;
+      const double t77 = t23*wx;
+      const double t78 = vz*wx;
+      const double t79 = (1.0/2.0)*t22;
+      const double t80 = t28*t46;
+      const double t84 = (1.0/2.0)*t19;
+      const double t85 = t30*t46;
+      out[0][l] = t13*t26;
+      out[1][l] = t13*t28;
+      out[2][l] = t13*t30;
+      out[3][l] = 0;
+      out[4][l] = t13*(r*t17*vx + r*t23*wy + t1*vz*wy*y + t15*t34 - t18*t35 - t36*t37 - t39*vy - t44*t45) + t34*t47;
+      out[5][l] = 0;
+      out[6][l] = t13*(r*t76 - r*t77 + t15*t35 + t18*t34 - t25*t40 - t31*t78 + t39*vx - t44*t79) + t34*t80;
+      out[7][l] = 0;
+      out[8][l] = t13*(r*t17*vz + r*t18*wx + t1*vy*wx*y - t15*t40 + t23*t34 - t25*t35 - t43*vx - t44*t84) + t34*t85;
+    }
+  }
+  static RB_INLINE void place_one(const double* in, const double* own, double* out) {
     const double y = in[1];
     const double X = in[2];
     const double Y = in[3];
     const double Z = in[4];
-    const double r = in[5];
-    const double vx = in[6];
-    const double vy = in[7];
-    const double vz = in[8];
-    const double wx = in[9];
-    const double wy = in[10];
-    const double wz = in[11];
+    const double r = own[0];
+    const double vx = own[1];
+    const double vy = own[2];
+    const double vz = own[3];
+    const double wx = own[4];
+    const double wy = own[5];
+    const double wz = own[6];
     const double t0 = ((wx)*(wx));
     const double t1 = ((r)*(r));
     const double t2 = ((y)*(y));
@@ -388,11 +468,357 @@ struct rolling {
   }
 };
 
+struct trajectory {
+  static constexpr int parameters = 12;
+  static constexpr bool uses_image = true;
+  static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
+    RB_SIMD
+    for (int l = 0; l < V; ++l) {
+      const double y = in[1][l];
+      const double X = in[2][l];
+      const double Y = in[3][l];
+      const double Z = in[4][l];
+      const double vx = own[0][l];
+      const double vy = own[1][l];
+      const double vz = own[2][l];
+      const double ax = own[3][l];
+      const double ay = own[4][l];
+      const double az = own[5][l];
+      const double wx = own[6][l];
+      const double wy = own[7][l];
+      const double wz = own[8][l];
+      const double qx = own[9][l];
+      const double qy = own[10][l];
+      const double qz = own[11][l];
+      const double t0 = ((y)*(y));
+      const double t1 = qx*t0;
+      const double t2 = (1.0/2.0)*wx;
+      const double t3 = (1.0/2.0)*t1 + t2*y;
+      const double t4 = ((t3)*(t3));
+      const double t5 = qy*t0;
+      const double t6 = (1.0/2.0)*wy;
+      const double t7 = (1.0/2.0)*t5 + t6*y;
+      const double t8 = ((t7)*(t7));
+      const double t9 = qz*t0;
+      const double t10 = (1.0/2.0)*wz;
+      const double t11 = t10*y + (1.0/2.0)*t9;
+      const double t12 = ((t11)*(t11));
+      const double t13 = t12 + t4 + t8;
+      const double t14 = t13 + 1;
+      const double t15 = (1.0/(t14));
+      const double t16 = X - ax*t0 - vx*y;
+      const double t17 = 2*t16;
+      const double t18 = Y - ay*t0 - vy*y;
+      const double t19 = 2*t7;
+      const double t20 = Z - az*t0 - vz*y;
+      const double t21 = 2*t11;
+      const double t22 = t17*t3 + t18*t19 + t20*t21;
+      const double t23 = t13 - 1;
+      const double t24 = -t23;
+      const double t25 = t16*t24 + t18*t21 - t19*t20 + t22*t3;
+      const double t26 = 2*t3;
+      const double t27 = -t11*t17 + t18*t24 + t20*t26 + t22*t7;
+      const double t28 = t11*t22 + t17*t7 - t18*t26 + t20*t24;
+      const double t29 = qx*y;
+      const double t30 = t2 + t29;
+      const double t31 = 2*y;
+      const double t32 = -ax*t31 - vx;
+      const double t33 = qy*y;
+      const double t34 = t33 + t6;
+      const double t35 = 2*t34;
+      const double t36 = qz*y;
+      const double t37 = t10 + t36;
+      const double t38 = 2*t37;
+      const double t39 = -ay*t31 - vy;
+      const double t40 = -az*t31 - vz;
+      const double t41 = t17*t30 + t18*t35 + t19*t39 + t20*t38 + t21*t40 + t26*t32;
+      const double t42 = -t11*(2*t36 + wz) - t3*(2*t29 + wx) - t7*(2*t33 + wy);
+      const double t43 = (1.0/((t14)*(t14)));
+      const double t44 = t42*t43;
+      const double t45 = t1 + wx*y;
+      const double t46 = t5 + wy*y;
+      const double t47 = t9 + wz*y;
+      const double t48 = t24*y;
+      const double t49 = t21*y;
+      const double t50 = t19*y;
+      const double t51 = t3*t50;
+      const double t52 = t3*t49;
+      const double t53 = t0*t24;
+      const double t54 = 2*t0;
+      const double t55 = t0*t21;
+      const double t56 = t0*t19;
+      const double t57 = t3*t56;
+      const double t58 = t3*t55;
+      const double t59 = -1.0/2.0*t15*t22*y;
+      const double t60 = t25*t43;
+      const double t61 = t60*y;
+      const double t62 = t20*y;
+      const double t63 = t16*y;
+      const double t64 = -t18*t3*y + t62 + t63*t7;
+      const double t65 = t18*y;
+      const double t66 = -t11*t63 + t3*t62 + t65;
+      const double t67 = -1.0/2.0*t0*t15*t22;
+      const double t68 = t0*t60;
+      const double t69 = t0*t20;
+      const double t70 = t0*t16;
+      const double t71 = -t0*t18*t3 + t69 + t7*t70;
+      const double t72 = t0*t18;
+      const double t73 = -t11*t70 + t3*t69 + t72;
+      const double t74 = 2*t30;
+      const double t75 = t26*y;
+      const double t76 = t11*t50;
+      const double t77 = t0*t26;
+      const double t78 = t11*t56;
+      const double t79 = t27*t43;
+      const double t80 = t79*y;
+      const double t81 = t11*t65 - t20*t7*y + t63;
+      const double t82 = t0*t79;
+      const double t83 = -t0*t20*t7 + t11*t72 + t70;
+      const double t84 = t28*t43;
+      const double t85 = t84*y;
+      const double t86 = t0*t84;
+      out[0][l] = t15*t25;
+      out[1][l] = t15*t27;
+      out[2][l] = t15*t28;
+      out[3][l] = 0;
+      out[4][l] = t15*(t16*t42 + t18*t38 - t19*t40 - t20*t35 + t21*t39 + t22*t30 + t24*t32 + t3*t41) + t25*t44;
+      out[5][l] = t15*(-t23 + t3*t45);
+      out[6][l] = t15*(t3*t46 + t47);
+      out[7][l] = t15*(t3*t47 - t46);
+      out[8][l] = t15*(-t31*t4 - t48);
+      out[9][l] = t15*(-t49 - t51);
+      out[10][l] = t15*(t50 - t52);
+      out[11][l] = t15*(-t4*t54 - t53);
+      out[12][l] = t15*(-t55 - t57);
+      out[13][l] = t15*(t56 - t58);
+      out[14][l] = -t3*t61 - t59;
+      out[15][l] = -t15*t64 - t61*t7;
+      out[16][l] = -t11*t61 + t15*t66;
+      out[17][l] = -t3*t68 - t67;
+      out[18][l] = -t15*t71 - t68*t7;
+      out[19][l] = -t11*t68 + t15*t73;
+      out[20][l] = 0;
+      out[21][l] = t15*(-t17*t37 + t18*t42 + t20*t74 - t21*t32 + t22*t34 + t24*t39 + t26*t40 + t41*t7) + t27*t44;
+      out[22][l] = t15*(t45*t7 - t47);
+      out[23][l] = t15*(-t23 + t46*t7);
+      out[24][l] = t15*(t45 + t47*t7);
+      out[25][l] = t15*(t49 - t51);
+      out[26][l] = t15*(-t31*t8 - t48);
+      out[27][l] = t15*(-t75 - t76);
+      out[28][l] = t15*(t55 - t57);
+      out[29][l] = t15*(-t53 - t54*t8);
+      out[30][l] = t15*(-t77 - t78);
+      out[31][l] = t15*t64 - t3*t80;
+      out[32][l] = -t59 - t7*t80;
+      out[33][l] = -t11*t80 - t15*t81;
+      out[34][l] = t15*t71 - t3*t82;
+      out[35][l] = -t67 - t7*t82;
+      out[36][l] = -t11*t82 - t15*t83;
+      out[37][l] = 0;
+      out[38][l] = t15*(t11*t41 + t17*t34 - t18*t74 + t19*t32 + t20*t42 + t22*t37 + t24*t40 - t26*t39) + t28*t44;
+      out[39][l] = t15*(t11*t45 + t46);
+      out[40][l] = t15*(t11*t46 - t45);
+      out[41][l] = t15*(t11*t47 - t23);
+      out[42][l] = t15*(-t50 - t52);
+      out[43][l] = t15*(t75 - t76);
+      out[44][l] = t15*(-t12*t31 - t48);
+      out[45][l] = t15*(-t56 - t58);
+      out[46][l] = t15*(t77 - t78);
+      out[47][l] = t15*(-t12*t54 - t53);
+      out[48][l] = -t15*t66 - t3*t85;
+      out[49][l] = t15*t81 - t7*t85;
+      out[50][l] = -t11*t85 - t59;
+      out[51][l] = -t15*t73 - t3*t86;
+      out[52][l] = t15*t83 - t7*t86;
+      out[53][l] = -t11*t86 - t67;
+    }
+  }
+  static RB_INLINE void place(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
+    RB_SIMD
+    for (int l = 0; l < V; ++l) {
+      const double y = in[1][l];
+      const double X = in[2][l];
+      const double Y = in[3][l];
+      const double Z = in[4][l];
+      const double vx = own[0][l];
+      const double vy = own[1][l];
+      const double vz = own[2][l];
+      const double ax = own[3][l];
+      const double ay = own[4][l];
+      const double az = own[5][l];
+      const double wx = own[6][l];
+      const double wy = own[7][l];
+      const double wz = own[8][l];
+      const double qx = own[9][l];
+      const double qy = own[10][l];
+      const double qz = own[11][l];
+      const double t0 = ((y)*(y));
+      const double t1 = qx*t0;
+      const double t2 = (1.0/2.0)*wx;
+      const double t3 = (1.0/2.0)*t1 + t2*y;
+      const double t4 = ((t3)*(t3));
+      const double t5 = qy*t0;
+      const double t6 = (1.0/2.0)*wy;
+      const double t7 = (1.0/2.0)*t5 + t6*y;
+      const double t8 = ((t7)*(t7));
+      const double t9 = qz*t0;
+      const double t10 = (1.0/2.0)*wz;
+      const double t11 = t10*y + (1.0/2.0)*t9;
+      const double t12 = ((t11)*(t11));
+      const double t13 = t12 + t4 + t8;
+      const double t14 = t13 + 1;
+      const double t15 = (1.0/(t14));
+      const double t16 = X - ax*t0 - vx*y;
+      const double t17 = 2*t16;
+      const double t18 = Y - ay*t0 - vy*y;
+      const double t19 = 2*t7;
+      const double t20 = Z - az*t0 - vz*y;
+      const double t21 = 2*t11;
+      const double t22 = t17*t3 + t18*t19 + t20*t21;
+      const double t23 = t13 - 1;
+      const double t24 = -t23;
+      const double t25 = t16*t24 + t18*t21 - t19*t20 + t22*t3;
+      const double t26 = 2*t3;
+      const double t27 = -t11*t17 + t18*t24 + t20*t26 + t22*t7;
+      const double t28 = t11*t22 + t17*t7 - t18*t26 + t20*t24;
+      out[0][l] = t15*t25;
+      out[1][l] = t15*t27;
+      out[2][l] = t15*t28;
+    }
+  }
+  static RB_INLINE void by_image(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
+    RB_SIMD
+    for (int l = 0; l < V; ++l) {
+      const double y = in[1][l];
+      const double X = in[2][l];
+      const double Y = in[3][l];
+      const double Z = in[4][l];
+      const double vx = own[0][l];
+      const double vy = own[1][l];
+      const double vz = own[2][l];
+      const double ax = own[3][l];
+      const double ay = own[4][l];
+      const double az = own[5][l];
+      const double wx = own[6][l];
+      const double wy = own[7][l];
+      const double wz = own[8][l];
+      const double qx = own[9][l];
+      const double qy = own[10][l];
+      const double qz = own[11][l];
+      const double t0 = ((y)*(y));
+      const double t1 = qx*t0;
+      const double t2 = (1.0/2.0)*wx;
+      const double t3 = (1.0/2.0)*t1 + t2*y;
+      const double t4 = ((t3)*(t3));
+      const double t5 = qy*t0;
+      const double t6 = (1.0/2.0)*wy;
+      const double t7 = (1.0/2.0)*t5 + t6*y;
+      const double t8 = ((t7)*(t7));
+      const double t9 = qz*t0;
+      const double t10 = (1.0/2.0)*wz;
+      const double t11 = t10*y + (1.0/2.0)*t9;
+      const double t12 = ((t11)*(t11));
+      const double t13 = t12 + t4 + t8;
+      const double t14 = t13 + 1;
+      const double t15 = (1.0/(t14));
+      const double t16 = X - ax*t0 - vx*y;
+      const double t17 = 2*t16;
+      const double t18 = Y - ay*t0 - vy*y;
+      const double t19 = 2*t7;
+      const double t20 = Z - az*t0 - vz*y;
+      const double t21 = 2*t11;
+      const double t22 = t17*t3 + t18*t19 + t20*t21;
+      const double t23 = t13 - 1;
+      const double t24 = -t23;
+      const double t25 = t16*t24 + t18*t21 - t19*t20 + t22*t3;
+      const double t26 = 2*t3;
+      const double t27 = -t11*t17 + t18*t24 + t20*t26 + t22*t7;
+      const double t28 = t11*t22 + t17*t7 - t18*t26 + t20*t24;
+      const double t29 = qx*y;
+      const double t30 = t2 + t29;
+      const double t31 = 2*y;
+      const double t32 = -ax*t31 - vx;
+      const double t33 = qy*y;
+      const double t34 = t33 + t6;
+      const double t35 = 2*t34;
+      const double t36 = qz*y;
+      const double t37 = t10 + t36;
+      const double t38 = 2*t37;
+      const double t39 = -ay*t31 - vy;
+      const double t40 = -az*t31 - vz;
+      const double t41 = t17*t30 + t18*t35 + t19*t39 + t20*t38 + t21*t40 + t26*t32;
+      const double t42 = -t11*(2*t36 + wz) - t3*(2*t29 + wx) - t7*(2*t33 + wy);
+      const double t43 = (1.0/((t14)*(t14)));
+      const double t44 = t42*t43;
+      const double t74 = 2*t30;
+      out[0][l] = t15*t25;
+      out[1][l] = t15*t27;
+      out[2][l] = t15*t28;
+      out[3][l] = 0;
+      out[4][l] = t15*(t16*t42 + t18*t38 - t19*t40 - t20*t35 + t21*t39 + t22*t30 + t24*t32 + t3*t41) + t25*t44;
+      out[5][l] = 0;
+      out[6][l] = t15*(-t17*t37 + t18*t42 + t20*t74 - t21*t32 + t22*t34 + t24*t39 + t26*t40 + t41*t7) + t27*t44;
+      out[7][l] = 0;
+      out[8][l] = t15*(t11*t41 + t17*t34 - t18*t74 + t19*t32 + t20*t42 + t22*t37 + t24*t40 - t26*t39) + t28*t44;
+    }
+  }
+  static RB_INLINE void place_one(const double* in, const double* own, double* out) {
+    const double y = in[1];
+    const double X = in[2];
+    const double Y = in[3];
+    const double Z = in[4];
+    const double vx = own[0];
+    const double vy = own[1];
+    const double vz = own[2];
+    const double ax = own[3];
+    const double ay = own[4];
+    const double az = own[5];
+    const double wx = own[6];
+    const double wy = own[7];
+    const double wz = own[8];
+    const double qx = own[9];
+    const double qy = own[10];
+    const double qz = own[11];
+    const double t0 = ((y)*(y));
+    const double t1 = qx*t0;
+    const double t2 = (1.0/2.0)*wx;
+    const double t3 = (1.0/2.0)*t1 + t2*y;
+    const double t4 = ((t3)*(t3));
+    const double t5 = qy*t0;
+    const double t6 = (1.0/2.0)*wy;
+    const double t7 = (1.0/2.0)*t5 + t6*y;
+    const double t8 = ((t7)*(t7));
+    const double t9 = qz*t0;
+    const double t10 = (1.0/2.0)*wz;
+    const double t11 = t10*y + (1.0/2.0)*t9;
+    const double t12 = ((t11)*(t11));
+    const double t13 = t12 + t4 + t8;
+    const double t14 = t13 + 1;
+    const double t15 = (1.0/(t14));
+    const double t16 = X - ax*t0 - vx*y;
+    const double t17 = 2*t16;
+    const double t18 = Y - ay*t0 - vy*y;
+    const double t19 = 2*t7;
+    const double t20 = Z - az*t0 - vz*y;
+    const double t21 = 2*t11;
+    const double t22 = t17*t3 + t18*t19 + t20*t21;
+    const double t23 = t13 - 1;
+    const double t24 = -t23;
+    const double t25 = t16*t24 + t18*t21 - t19*t20 + t22*t3;
+    const double t26 = 2*t3;
+    const double t27 = -t11*t17 + t18*t24 + t20*t26 + t22*t7;
+    const double t28 = t11*t22 + t17*t7 - t18*t26 + t20*t24;
+    out[0] = t15*t25;
+    out[1] = t15*t27;
+    out[2] = t15*t28;
+  }
+};
+
 struct aicon {
   static constexpr const char* label = "aicon";
   static constexpr int parameters = 10;
   static constexpr bool explicit_image = true;
-  static RB_INLINE void evaluate(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -400,16 +826,16 @@ struct aicon {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double x0 = in[6][l];
-      const double y0 = in[7][l];
-      const double K1 = in[8][l];
-      const double K2 = in[9][l];
-      const double P1 = in[10][l];
-      const double P2 = in[11][l];
-      const double C1 = in[12][l];
-      const double C2 = in[13][l];
-      const double R0 = in[14][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
+      const double P1 = own[5][l];
+      const double P2 = own[6][l];
+      const double C1 = own[7][l];
+      const double C2 = own[8][l];
+      const double R0 = own[9][l];
       const double t0 = ((Y)*(Y));
       const double t1 = (1.0/((Z)*(Z)));
       const double t2 = ((c)*(c));
@@ -496,7 +922,7 @@ struct aicon {
       out[31][l] = t11*t50;
     }
   }
-  static RB_INLINE void by_image(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_image(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -504,16 +930,16 @@ struct aicon {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double x0 = in[6][l];
-      const double y0 = in[7][l];
-      const double K1 = in[8][l];
-      const double K2 = in[9][l];
-      const double P1 = in[10][l];
-      const double P2 = in[11][l];
-      const double C1 = in[12][l];
-      const double C2 = in[13][l];
-      const double R0 = in[14][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
+      const double P1 = own[5][l];
+      const double P2 = own[6][l];
+      const double C1 = own[7][l];
+      const double C2 = own[8][l];
+      const double R0 = own[9][l];
       const double t0 = ((Y)*(Y));
       const double t1 = (1.0/((Z)*(Z)));
       const double t2 = ((c)*(c));
@@ -544,13 +970,7 @@ struct aicon {
       out[5][l] = 1;
     }
   }
-};
-
-struct brown {
-  static constexpr const char* label = "brown";
-  static constexpr int parameters = 10;
-  static constexpr bool explicit_image = false;
-  static RB_INLINE void evaluate(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_point(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -558,16 +978,96 @@ struct brown {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double x0 = in[6][l];
-      const double y0 = in[7][l];
-      const double K1 = in[8][l];
-      const double K2 = in[9][l];
-      const double K3 = in[10][l];
-      const double P1 = in[11][l];
-      const double P2 = in[12][l];
-      const double A = in[13][l];
-      const double S = in[14][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
+      const double P1 = own[5][l];
+      const double P2 = own[6][l];
+      const double C1 = own[7][l];
+      const double C2 = own[8][l];
+      const double R0 = own[9][l];
+      const double t0 = ((Y)*(Y));
+      const double t1 = (1.0/((Z)*(Z)));
+      const double t2 = ((c)*(c));
+      const double t3 = t1*t2;
+      const double t4 = t0*t3;
+      const double t5 = ((X)*(X));
+      const double t6 = t3*t5;
+      const double t7 = t4 + 3*t6;
+      const double t8 = (1.0/(Z));
+      const double t9 = c*t8;
+      const double t10 = X*t9;
+      const double t11 = Y*t9;
+      const double t12 = t4 + t6;
+      const double t13 = -((R0)*(R0)) + t12;
+      const double t14 = -((R0)*(R0)*(R0)*(R0)) + ((t12)*(t12));
+      const double t15 = K1*t13 + K2*t14;
+      const double t16 = X*t3;
+      const double t17 = 2*P2;
+      const double t18 = t16*t17;
+      const double t19 = 3*t4 + t6;
+      const double t20 = P1*t16;
+      const double t21 = 2*Y;
+      const double t22 = 2*K1;
+      const double t23 = K2*t12;
+      const double t24 = 4*t23;
+      const double t25 = t16*t22 + t16*t24;
+      const double t26 = Y*t3;
+      const double t27 = t15*t9 + t9;
+      const double t28 = t22*t26 + t24*t26;
+      const double t29 = 2*P1*t26;
+      const double t30 = (1.0/((Z)*(Z)*(Z)));
+      const double t31 = t2*t30;
+      const double t32 = 2*t31;
+      const double t33 = t0*t32;
+      const double t34 = 6*t5;
+      const double t35 = c*t1;
+      const double t36 = X*t35;
+      const double t37 = Y*t35;
+      const double t38 = t32*t5;
+      const double t39 = 4*t31;
+      const double t40 = K1*(-t33 - t38) + t23*(-t0*t39 - t39*t5);
+      const double t51 = 6*t0;
+      out[0][l] = C1*t10 + C2*t11 - P1*t7 - Y*t18 + t10*t15 + t10 + x - x0;
+      out[1][l] = -P2*t19 + Y*c*t15*t8 + Y*c*t8 - t20*t21 + y - y0;
+      out[2][l] = 1;
+      out[3][l] = 0;
+      out[4][l] = C1*t9 + t10*t25 - t17*t26 - 6*t20 + t27;
+      out[5][l] = C2*t9 + t10*t28 - t18 - t29;
+      out[6][l] = -C1*t36 - C2*t37 - P1*(-t31*t34 - t33) + 4*P2*X*Y*t2*t30 + X*c*t40*t8 - t15*t36 - t36;
+      out[7][l] = 0;
+      out[8][l] = 1;
+      out[9][l] = Y*c*t25*t8 - t18 - t29;
+      out[10][l] = -6*P2*t26 + t11*t28 - 2*t20 + t27;
+      out[11][l] = 4*P1*X*Y*t2*t30 - P2*(-t31*t51 - t38) + Y*c*t40*t8 - t15*t37 - t37;
+    }
+  }
+};
+
+struct brown {
+  static constexpr const char* label = "brown";
+  static constexpr int parameters = 10;
+  static constexpr bool explicit_image = false;
+  static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
+    RB_SIMD
+    for (int l = 0; l < V; ++l) {
+      const double x = in[0][l];
+      const double y = in[1][l];
+      const double X = in[2][l];
+      const double Y = in[3][l];
+      const double Z = in[4][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
+      const double K3 = own[5][l];
+      const double P1 = own[6][l];
+      const double P2 = own[7][l];
+      const double A = own[8][l];
+      const double S = own[9][l];
       const double t0 = x - x0;
       const double t1 = 2*x - 2*x0;
       const double t2 = t0*t1;
@@ -641,7 +1141,7 @@ struct brown {
       out[31][l] = 0;
     }
   }
-  static RB_INLINE void by_image(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_image(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -649,16 +1149,16 @@ struct brown {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double x0 = in[6][l];
-      const double y0 = in[7][l];
-      const double K1 = in[8][l];
-      const double K2 = in[9][l];
-      const double K3 = in[10][l];
-      const double P1 = in[11][l];
-      const double P2 = in[12][l];
-      const double A = in[13][l];
-      const double S = in[14][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
+      const double K3 = own[5][l];
+      const double P1 = own[6][l];
+      const double P2 = own[7][l];
+      const double A = own[8][l];
+      const double S = own[9][l];
       const double t0 = x - x0;
       const double t1 = 2*x - 2*x0;
       const double t2 = t0*t1;
@@ -699,13 +1199,7 @@ struct brown {
       out[5][l] = P2*t37 + t10*t15 + t26*t36 + t38;
     }
   }
-};
-
-struct brown_harmonic {
-  static constexpr const char* label = "brown_harmonic";
-  static constexpr int parameters = 16;
-  static constexpr bool explicit_image = false;
-  static RB_INLINE void evaluate(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_point(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -713,22 +1207,93 @@ struct brown_harmonic {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double x0 = in[6][l];
-      const double y0 = in[7][l];
-      const double K1 = in[8][l];
-      const double K2 = in[9][l];
-      const double K3 = in[10][l];
-      const double P1 = in[11][l];
-      const double P2 = in[12][l];
-      const double A = in[13][l];
-      const double S = in[14][l];
-      const double B1 = in[15][l];
-      const double B2 = in[16][l];
-      const double T1 = in[17][l];
-      const double T2 = in[18][l];
-      const double Q1 = in[19][l];
-      const double Q2 = in[20][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
+      const double K3 = own[5][l];
+      const double P1 = own[6][l];
+      const double P2 = own[7][l];
+      const double A = own[8][l];
+      const double S = own[9][l];
+      const double t0 = x - x0;
+      const double t1 = 2*x - 2*x0;
+      const double t2 = t0*t1;
+      const double t3 = y - y0;
+      const double t4 = ((t0)*(t0)) + ((t3)*(t3));
+      const double t5 = t2 + t4;
+      const double t6 = (1.0/(Z));
+      const double t7 = c*t6;
+      const double t8 = K3*t4;
+      const double t9 = K2 + t8;
+      const double t10 = K1 + t4*t9;
+      const double t11 = t10*t4;
+      const double t12 = 2*P2;
+      const double t13 = t12*t3;
+      const double t14 = 2*y - 2*y0;
+      const double t15 = t14*t3;
+      const double t16 = t15 + t4;
+      const double t17 = 2*t3;
+      const double t18 = t0*t17;
+      const double t19 = 6*x - 6*x0;
+      const double t20 = t1*t8 + t1*t9;
+      const double t21 = t0*t4;
+      const double t22 = t11 + 1;
+      const double t23 = A + t13 + t22;
+      const double t24 = t0*t12;
+      const double t25 = t0*t10;
+      const double t26 = t14*t8 + t14*t9;
+      const double t27 = c/((Z)*(Z));
+      const double t34 = P1*t17;
+      const double t35 = t10*t3;
+      const double t36 = t3*t4;
+      const double t37 = 6*y - 6*y0;
+      const double t38 = 2*P1*t0 + t22;
+      out[0][l] = A*t0 + P1*t5 + S*t3 + X*t7 + t0*t11 + t0*t13 + t0;
+      out[1][l] = P1*t18 + P2*t16 + Y*t7 + t11*t3 + t3;
+      out[2][l] = P1*t19 + t10*t2 + t20*t21 + t23;
+      out[3][l] = P1*t14 + S + t14*t25 + t21*t26 + t24;
+      out[4][l] = t7;
+      out[5][l] = 0;
+      out[6][l] = -X*t27;
+      out[7][l] = P2*t1 + t1*t35 + t20*t36 + t34;
+      out[8][l] = P2*t37 + t10*t15 + t26*t36 + t38;
+      out[9][l] = 0;
+      out[10][l] = t7;
+      out[11][l] = -Y*t27;
+    }
+  }
+};
+
+struct brown_harmonic {
+  static constexpr const char* label = "brown_harmonic";
+  static constexpr int parameters = 16;
+  static constexpr bool explicit_image = false;
+  static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
+    RB_SIMD
+    for (int l = 0; l < V; ++l) {
+      const double x = in[0][l];
+      const double y = in[1][l];
+      const double X = in[2][l];
+      const double Y = in[3][l];
+      const double Z = in[4][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
+      const double K3 = own[5][l];
+      const double P1 = own[6][l];
+      const double P2 = own[7][l];
+      const double A = own[8][l];
+      const double S = own[9][l];
+      const double B1 = own[10][l];
+      const double B2 = own[11][l];
+      const double T1 = own[12][l];
+      const double T2 = own[13][l];
+      const double Q1 = own[14][l];
+      const double Q2 = own[15][l];
       const double t0 = x - x0;
       const double t1 = 2*x - 2*x0;
       const double t2 = t0*t1;
@@ -843,7 +1408,7 @@ struct brown_harmonic {
       out[43][l] = t28;
     }
   }
-  static RB_INLINE void by_image(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_image(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -851,22 +1416,22 @@ struct brown_harmonic {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double x0 = in[6][l];
-      const double y0 = in[7][l];
-      const double K1 = in[8][l];
-      const double K2 = in[9][l];
-      const double K3 = in[10][l];
-      const double P1 = in[11][l];
-      const double P2 = in[12][l];
-      const double A = in[13][l];
-      const double S = in[14][l];
-      const double B1 = in[15][l];
-      const double B2 = in[16][l];
-      const double T1 = in[17][l];
-      const double T2 = in[18][l];
-      const double Q1 = in[19][l];
-      const double Q2 = in[20][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
+      const double K3 = own[5][l];
+      const double P1 = own[6][l];
+      const double P2 = own[7][l];
+      const double A = own[8][l];
+      const double S = own[9][l];
+      const double B1 = own[10][l];
+      const double B2 = own[11][l];
+      const double T1 = own[12][l];
+      const double T2 = own[13][l];
+      const double Q1 = own[14][l];
+      const double Q2 = own[15][l];
       const double t0 = x - x0;
       const double t1 = 2*x - 2*x0;
       const double t2 = t0*t1;
@@ -934,13 +1499,7 @@ struct brown_harmonic {
       out[5][l] = P2*t43 + T2*t40 + t20*t25 + t24*t27 - t30 - t36 + t38 - t40*t63 + t44*t66 + t47*t58 - t64 + t65;
     }
   }
-};
-
-struct fisheye {
-  static constexpr const char* label = "fisheye";
-  static constexpr int parameters = 8;
-  static constexpr bool explicit_image = false;
-  static RB_INLINE void evaluate(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_point(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -948,14 +1507,118 @@ struct fisheye {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double x0 = in[6][l];
-      const double y0 = in[7][l];
-      const double K1 = in[8][l];
-      const double K2 = in[9][l];
-      const double K3 = in[10][l];
-      const double P1 = in[11][l];
-      const double P2 = in[12][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
+      const double K3 = own[5][l];
+      const double P1 = own[6][l];
+      const double P2 = own[7][l];
+      const double A = own[8][l];
+      const double S = own[9][l];
+      const double B1 = own[10][l];
+      const double B2 = own[11][l];
+      const double T1 = own[12][l];
+      const double T2 = own[13][l];
+      const double Q1 = own[14][l];
+      const double Q2 = own[15][l];
+      const double t0 = x - x0;
+      const double t1 = 2*x - 2*x0;
+      const double t2 = t0*t1;
+      const double t3 = ((t0)*(t0));
+      const double t4 = y - y0;
+      const double t5 = ((t4)*(t4));
+      const double t6 = t3 + t5;
+      const double t7 = t2 + t6;
+      const double t8 = -t5;
+      const double t9 = t3 + t8;
+      const double t10 = B1*t0 + B2*t4;
+      const double t11 = t3 - t4*(3*y - 3*y0);
+      const double t12 = Q1*t11;
+      const double t13 = t0*(3*x - 3*x0) + t8;
+      const double t14 = Q2*t13;
+      const double t15 = T2*t1;
+      const double t16 = (1.0/(Z));
+      const double t17 = c*t16;
+      const double t18 = K3*t6;
+      const double t19 = K2 + t18;
+      const double t20 = K1 + t19*t6;
+      const double t21 = t20*t6;
+      const double t22 = 2*t4;
+      const double t23 = P2*t22;
+      const double t24 = 2*y - 2*y0;
+      const double t25 = t24*t4;
+      const double t26 = t25 + t6;
+      const double t27 = -B1*t4 + B2*t0;
+      const double t28 = t0*t11;
+      const double t29 = t13*t4;
+      const double t30 = T1*t1;
+      const double t31 = t0*t22;
+      const double t32 = 6*x - 6*x0;
+      const double t33 = Q2*t4;
+      const double t34 = t1*t18 + t1*t19;
+      const double t35 = t0*t6;
+      const double t36 = B1*t6;
+      const double t37 = t30 + t36;
+      const double t38 = t21 + 1;
+      const double t39 = A + T2*t22 + t12 + t23 + t38;
+      const double t40 = -t24;
+      const double t41 = 2*t0;
+      const double t42 = P2*t41;
+      const double t43 = 6*y - 6*y0;
+      const double t44 = -t43;
+      const double t45 = Q1*t0;
+      const double t46 = t0*t20;
+      const double t47 = t18*t24 + t19*t24;
+      const double t48 = B2*t6;
+      const double t49 = t15 + t48;
+      const double t50 = c/((Z)*(Z));
+      const double t58 = t4*t6;
+      const double t59 = t1*t4;
+      const double t60 = Q2*t11;
+      const double t61 = T1*t22;
+      const double t62 = P1*t22;
+      const double t63 = Q1*t4;
+      const double t64 = Q1*t13;
+      const double t65 = P1*t41;
+      const double t66 = Q2*t0;
+      out[0][l] = A*t0 + P1*t7 + S*t4 + T1*t9 + X*t17 + t0*t12 + t0*t21 + t0*t23 + t0 + t10*t6 + t14*t4 + t15*t4;
+      out[1][l] = P1*t31 + P2*t26 - Q1*t29 + Q2*t28 + T2*t9 + Y*t17 + t21*t4 + t27*t6 - t30*t4 + t4;
+      out[2][l] = P1*t32 + Q1*t2 + t1*t10 + t2*t20 + t32*t33 + t34*t35 + t37 + t39;
+      out[3][l] = P1*t24 + S + T1*t40 + t10*t24 + t14 + t24*t46 + t33*t40 + t35*t47 + t42 + t44*t45 + t49;
+      out[4][l] = t17;
+      out[5][l] = 0;
+      out[6][l] = -X*t50;
+      out[7][l] = P2*t1 + Q2*t2 + t1*t27 + t20*t59 - t32*t63 + t34*t58 + t49 + t60 - t61 + t62;
+      out[8][l] = P2*t43 + T2*t40 + t20*t25 + t24*t27 - t30 - t36 + t38 - t40*t63 + t44*t66 + t47*t58 - t64 + t65;
+      out[9][l] = 0;
+      out[10][l] = t17;
+      out[11][l] = -Y*t50;
+    }
+  }
+};
+
+struct fisheye {
+  static constexpr const char* label = "fisheye";
+  static constexpr int parameters = 8;
+  static constexpr bool explicit_image = false;
+  static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
+    RB_SIMD
+    for (int l = 0; l < V; ++l) {
+      const double x = in[0][l];
+      const double y = in[1][l];
+      const double X = in[2][l];
+      const double Y = in[3][l];
+      const double Z = in[4][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
+      const double K3 = own[5][l];
+      const double P1 = own[6][l];
+      const double P2 = own[7][l];
       const double t0 = x - x0;
       const double t1 = 2*x - 2*x0;
       const double t2 = t0*t1;
@@ -1030,7 +1693,7 @@ struct fisheye {
       out[27][l] = t20;
     }
   }
-  static RB_INLINE void by_image(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_image(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -1038,14 +1701,14 @@ struct fisheye {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double x0 = in[6][l];
-      const double y0 = in[7][l];
-      const double K1 = in[8][l];
-      const double K2 = in[9][l];
-      const double K3 = in[10][l];
-      const double P1 = in[11][l];
-      const double P2 = in[12][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
+      const double K3 = own[5][l];
+      const double P1 = own[6][l];
+      const double P2 = own[7][l];
       const double t0 = x - x0;
       const double t1 = 2*x - 2*x0;
       const double t2 = t0*t1;
@@ -1089,13 +1752,7 @@ struct fisheye {
       out[5][l] = P2*t42 + t19*t8 + t29*t41 + t43;
     }
   }
-};
-
-struct panorama {
-  static constexpr const char* label = "panorama";
-  static constexpr int parameters = 11;
-  static constexpr bool explicit_image = false;
-  static RB_INLINE void evaluate(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_point(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -1103,17 +1760,205 @@ struct panorama {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double y0 = in[6][l];
-      const double e = in[7][l];
-      const double K1 = in[8][l];
-      const double K2 = in[9][l];
-      const double d = in[10][l];
-      const double T = in[11][l];
-      const double I = in[12][l];
-      const double A = in[13][l];
-      const double u1 = in[14][l];
-      const double u2 = in[15][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
+      const double K3 = own[5][l];
+      const double P1 = own[6][l];
+      const double P2 = own[7][l];
+      const double t0 = x - x0;
+      const double t1 = 2*x - 2*x0;
+      const double t2 = t0*t1;
+      const double t3 = y - y0;
+      const double t4 = ((t0)*(t0)) + ((t3)*(t3));
+      const double t5 = t2 + t4;
+      const double t6 = K3*t4;
+      const double t7 = K2 + t6;
+      const double t8 = K1 + t4*t7;
+      const double t9 = t4*t8;
+      const double t10 = ((X)*(X));
+      const double t11 = ((Y)*(Y));
+      const double t12 = t10 + t11;
+      const double t13 = -Z;
+      const double t14 = angle_ratio(t12, t13);
+      const double t15 = c*t14;
+      const double t16 = 2*P2;
+      const double t17 = t16*t3;
+      const double t18 = 2*y - 2*y0;
+      const double t19 = t18*t3;
+      const double t20 = t19 + t4;
+      const double t21 = 2*t3;
+      const double t22 = t0*t21;
+      const double t23 = 6*x - 6*x0;
+      const double t24 = t1*t6 + t1*t7;
+      const double t25 = t0*t4;
+      const double t26 = t9 + 1;
+      const double t27 = t0*t16;
+      const double t28 = t0*t8;
+      const double t29 = t18*t6 + t18*t7;
+      const double t30 = 2*c*angle_ratio_slope(t12, t13);
+      const double t31 = -X*Y*t30;
+      const double t32 = c/(((Z)*(Z)) + t12);
+      const double t39 = P1*t21;
+      const double t40 = t3*t8;
+      const double t41 = t3*t4;
+      const double t42 = 6*y - 6*y0;
+      const double t43 = 2*P1*t0 + t26;
+      out[0][l] = P1*t5 - X*t15 + t0*t17 + t0*t9 + t0;
+      out[1][l] = P1*t22 + P2*t20 - Y*t15 + t3*t9 + t3;
+      out[2][l] = P1*t23 + t17 + t2*t8 + t24*t25 + t26;
+      out[3][l] = P1*t18 + t18*t28 + t25*t29 + t27;
+      out[4][l] = -t10*t30 - t15;
+      out[5][l] = t31;
+      out[6][l] = -X*t32;
+      out[7][l] = P2*t1 + t1*t40 + t24*t41 + t39;
+      out[8][l] = P2*t42 + t19*t8 + t29*t41 + t43;
+      out[9][l] = t31;
+      out[10][l] = -t11*t30 - t15;
+      out[11][l] = -Y*t32;
+    }
+  }
+};
+
+struct line {
+  static constexpr const char* label = "line";
+  static constexpr int parameters = 5;
+  static constexpr bool explicit_image = false;
+  static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
+    RB_SIMD
+    for (int l = 0; l < V; ++l) {
+      const double x = in[0][l];
+      const double X = in[2][l];
+      const double Y = in[3][l];
+      const double Z = in[4][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
+      const double t0 = x - x0;
+      const double t1 = ((t0)*(t0)*(t0));
+      const double t2 = ((t0)*(t0));
+      const double t3 = K1 + K2*t2;
+      const double t4 = (1.0/(Z));
+      const double t5 = c*t4;
+      const double t6 = 2*x - 2*x0;
+      const double t7 = 3*t2*t3 + 1;
+      const double t8 = c/((Z)*(Z));
+      out[0][l] = X*t5 + t0 + t1*t3;
+      out[1][l] = Y*t5 + y0;
+      out[2][l] = K2*t1*t6 + t7;
+      out[3][l] = 0;
+      out[4][l] = t5;
+      out[5][l] = 0;
+      out[6][l] = -X*t8;
+      out[7][l] = X*t4;
+      out[8][l] = -K2*t1*t6 - t7;
+      out[9][l] = 0;
+      out[10][l] = t1;
+      out[11][l] = ((t0)*(t0)*(t0)*(t0)*(t0));
+      out[12][l] = 0;
+      out[13][l] = 0;
+      out[14][l] = 0;
+      out[15][l] = t5;
+      out[16][l] = -Y*t8;
+      out[17][l] = Y*t4;
+      out[18][l] = 0;
+      out[19][l] = 1;
+      out[20][l] = 0;
+      out[21][l] = 0;
+    }
+  }
+  static RB_INLINE void by_image(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
+    RB_SIMD
+    for (int l = 0; l < V; ++l) {
+      const double x = in[0][l];
+      const double X = in[2][l];
+      const double Y = in[3][l];
+      const double Z = in[4][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
+      const double t0 = x - x0;
+      const double t1 = ((t0)*(t0)*(t0));
+      const double t2 = ((t0)*(t0));
+      const double t3 = K1 + K2*t2;
+      const double t4 = (1.0/(Z));
+      const double t5 = c*t4;
+      const double t6 = 2*x - 2*x0;
+      const double t7 = 3*t2*t3 + 1;
+      out[0][l] = X*t5 + t0 + t1*t3;
+      out[1][l] = Y*t5 + y0;
+      out[2][l] = K2*t1*t6 + t7;
+      out[3][l] = 0;
+      out[4][l] = 0;
+      out[5][l] = 0;
+    }
+  }
+  static RB_INLINE void by_point(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
+    RB_SIMD
+    for (int l = 0; l < V; ++l) {
+      const double x = in[0][l];
+      const double X = in[2][l];
+      const double Y = in[3][l];
+      const double Z = in[4][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
+      const double t0 = x - x0;
+      const double t1 = ((t0)*(t0)*(t0));
+      const double t2 = ((t0)*(t0));
+      const double t3 = K1 + K2*t2;
+      const double t4 = (1.0/(Z));
+      const double t5 = c*t4;
+      const double t6 = 2*x - 2*x0;
+      const double t7 = 3*t2*t3 + 1;
+      const double t8 = c/((Z)*(Z));
+      out[0][l] = X*t5 + t0 + t1*t3;
+      out[1][l] = Y*t5 + y0;
+      out[2][l] = K2*t1*t6 + t7;
+      out[3][l] = 0;
+      out[4][l] = t5;
+      out[5][l] = 0;
+      out[6][l] = -X*t8;
+      out[7][l] = 0;
+      out[8][l] = 0;
+      out[9][l] = 0;
+      out[10][l] = t5;
+      out[11][l] = -Y*t8;
+    }
+  }
+};
+
+struct panorama {
+  static constexpr const char* label = "panorama";
+  static constexpr int parameters = 11;
+  static constexpr bool explicit_image = false;
+  static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
+    RB_SIMD
+    for (int l = 0; l < V; ++l) {
+      const double x = in[0][l];
+      const double y = in[1][l];
+      const double X = in[2][l];
+      const double Y = in[3][l];
+      const double Z = in[4][l];
+      const double c = own[0][l];
+      const double y0 = own[1][l];
+      const double e = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
+      const double d = own[5][l];
+      const double T = own[6][l];
+      const double I = own[7][l];
+      const double A = own[8][l];
+      const double u1 = own[9][l];
+      const double u2 = own[10][l];
       const double t0 = y - y0;
       const double t1 = (1.0/(c));
       const double t2 = A + 1;
@@ -1213,7 +2058,7 @@ struct panorama {
       out[33][l] = -t30*(-t15*t8 - t22*t6) + t62*t8;
     }
   }
-  static RB_INLINE void by_image(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_image(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -1221,17 +2066,17 @@ struct panorama {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double y0 = in[6][l];
-      const double e = in[7][l];
-      const double K1 = in[8][l];
-      const double K2 = in[9][l];
-      const double d = in[10][l];
-      const double T = in[11][l];
-      const double I = in[12][l];
-      const double A = in[13][l];
-      const double u1 = in[14][l];
-      const double u2 = in[15][l];
+      const double c = own[0][l];
+      const double y0 = own[1][l];
+      const double e = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
+      const double d = own[5][l];
+      const double T = own[6][l];
+      const double I = own[7][l];
+      const double A = own[8][l];
+      const double u1 = own[9][l];
+      const double u2 = own[10][l];
       const double t0 = y - y0;
       const double t1 = (1.0/(c));
       const double t2 = A + 1;
@@ -1286,13 +2131,7 @@ struct panorama {
       out[5][l] = t57 + t58*t59 - t61 + 1;
     }
   }
-};
-
-struct pushbroom {
-  static constexpr const char* label = "pushbroom";
-  static constexpr int parameters = 17;
-  static constexpr bool explicit_image = false;
-  static RB_INLINE void evaluate(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_point(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -1300,255 +2139,76 @@ struct pushbroom {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double x0 = in[6][l];
-      const double y0 = in[7][l];
-      const double K1 = in[8][l];
-      const double K2 = in[9][l];
-      const double vx = in[10][l];
-      const double vy = in[11][l];
-      const double vz = in[12][l];
-      const double ax = in[13][l];
-      const double ay = in[14][l];
-      const double az = in[15][l];
-      const double wx = in[16][l];
-      const double wy = in[17][l];
-      const double wz = in[18][l];
-      const double qx = in[19][l];
-      const double qy = in[20][l];
-      const double qz = in[21][l];
-      const double t0 = x - x0;
-      const double t1 = ((t0)*(t0)*(t0));
-      const double t2 = ((t0)*(t0));
-      const double t3 = K1 + K2*t2;
-      const double t4 = ((y)*(y));
-      const double t5 = qz*t4;
-      const double t6 = (1.0/2.0)*wz;
-      const double t7 = (1.0/2.0)*t5 + t6*y;
-      const double t8 = X - ax*t4 - vx*y;
-      const double t9 = qx*t4;
-      const double t10 = (1.0/2.0)*wx;
-      const double t11 = t10*y + (1.0/2.0)*t9;
-      const double t12 = 2*t11;
-      const double t13 = Y - ay*t4 - vy*y;
-      const double t14 = qy*t4;
-      const double t15 = (1.0/2.0)*wy;
-      const double t16 = (1.0/2.0)*t14 + t15*y;
-      const double t17 = 2*t16;
-      const double t18 = Z - az*t4 - vz*y;
-      const double t19 = 2*t7;
-      const double t20 = t12*t8 + t13*t17 + t18*t19;
-      const double t21 = ((t11)*(t11));
-      const double t22 = ((t16)*(t16));
-      const double t23 = ((t7)*(t7));
-      const double t24 = t21 + t22 + t23 - 1;
-      const double t25 = -t24;
-      const double t26 = -t12*t13 + t17*t8 + t18*t25 + t20*t7;
-      const double t27 = (1.0/(t26));
-      const double t28 = t11*t20 + t13*t19 - t17*t18 + t25*t8;
-      const double t29 = t27*t28;
-      const double t30 = t12*t18 + t13*t25 + t16*t20 - t19*t8;
-      const double t31 = t27*t30;
-      const double t32 = 2*x - 2*x0;
-      const double t33 = 3*t2*t3 + 1;
-      const double t34 = qx*y;
-      const double t35 = t10 + t34;
-      const double t36 = 2*y;
-      const double t37 = -ax*t36 - vx;
-      const double t38 = 2*t8;
-      const double t39 = qy*y;
-      const double t40 = t15 + t39;
-      const double t41 = 2*t40;
-      const double t42 = qz*y;
-      const double t43 = t42 + t6;
-      const double t44 = 2*t43;
-      const double t45 = -ay*t36 - vy;
-      const double t46 = -az*t36 - vz;
-      const double t47 = t12*t37 + t13*t41 + t17*t45 + t18*t44 + t19*t46 + t35*t38;
-      const double t48 = -t11*(2*t34 + wx) - t16*(2*t39 + wy) - t7*(2*t42 + wz);
-      const double t49 = c*t27;
-      const double t50 = 2*t11*t45 + 2*t13*t35 - t17*t37 - t18*t48 - t20*t43 - t25*t46 - t38*t40 - t47*t7;
-      const double t51 = c/((t26)*(t26));
-      const double t52 = t28*t51;
-      const double t53 = t9 + wx*y;
-      const double t54 = t14 + wy*y;
-      const double t55 = -t53*t7 - t54;
-      const double t56 = t5 + wz*y;
-      const double t57 = t53 - t54*t7;
-      const double t58 = t24 - t56*t7;
-      const double t59 = t25*y;
-      const double t60 = t17*y;
-      const double t61 = t12*y;
-      const double t62 = t61*t7;
-      const double t63 = t60 + t62;
-      const double t64 = t19*y;
-      const double t65 = t16*t61;
-      const double t66 = t60*t7;
-      const double t67 = -t61 + t66;
-      const double t68 = t23*t36 + t59;
-      const double t69 = t25*t4;
-      const double t70 = 2*t4;
-      const double t71 = t17*t4;
-      const double t72 = t12*t4;
-      const double t73 = t7*t72;
-      const double t74 = t71 + t73;
-      const double t75 = t19*t4;
-      const double t76 = t16*t72;
-      const double t77 = t7*t71;
-      const double t78 = -t72 + t77;
-      const double t79 = t23*t70 + t69;
-      const double t80 = t13*y;
-      const double t81 = t18*y;
-      const double t82 = t8*y;
-      const double t83 = t11*t81 - t7*t82 + t80;
-      const double t84 = (1.0/2.0)*t20;
-      const double t85 = t49*t84;
-      const double t86 = t85*y;
-      const double t87 = -t11*t13*y + t16*t82 + t81;
-      const double t88 = t16*t18*y - t7*t80 - t82;
-      const double t89 = t52*t84;
-      const double t90 = t13*t4;
-      const double t91 = t18*t4;
-      const double t92 = t4*t8;
-      const double t93 = t11*t91 - t7*t92 + t90;
-      const double t94 = t4*t85;
-      const double t95 = -t11*t13*t4 + t16*t92 + t91;
-      const double t96 = t16*t18*t4 - t7*t90 - t92;
-      const double t97 = t30*t51;
-      const double t98 = t84*t97;
-      out[0][l] = c*t29 + t0 + t1*t3;
-      out[1][l] = c*t31 + y0;
-      out[2][l] = K2*t1*t32 + t33;
-      out[3][l] = t49*(t11*t47 + t13*t44 - t17*t46 - t18*t41 + t19*t45 + t20*t35 + t25*t37 + t48*t8) + t50*t52;
-      out[4][l] = t49*(t11*t53 - t24) + t52*t55;
-      out[5][l] = t49*(t11*t54 + t56) + t52*t57;
-      out[6][l] = t49*(t11*t56 - t54) + t52*t58;
-      out[7][l] = t29;
-      out[8][l] = -K2*t1*t32 - t33;
-      out[9][l] = 0;
-      out[10][l] = t1;
-      out[11][l] = ((t0)*(t0)*(t0)*(t0)*(t0));
-      out[12][l] = t49*(-t21*t36 - t59) + t52*t63;
-      out[13][l] = t49*(-t64 - t65) + t52*t67;
-      out[14][l] = t49*(2*t16*y - t62) + t52*t68;
-      out[15][l] = t49*(-t21*t70 - t69) + t52*t74;
-      out[16][l] = t49*(-t75 - t76) + t52*t78;
-      out[17][l] = t49*(2*t16*t4 - t73) + t52*t79;
-      out[18][l] = t52*t83 + t86;
-      out[19][l] = -t49*t87 + t52*t88;
-      out[20][l] = c*t27*t83 - t89*y;
-      out[21][l] = t52*t93 + t94;
-      out[22][l] = -t49*t95 + t52*t96;
-      out[23][l] = c*t27*t93 - t4*t89;
-      out[24][l] = 0;
-      out[25][l] = t49*(t12*t46 + t13*t48 + t16*t47 + 2*t18*t35 - t19*t37 + t20*t40 + t25*t45 - t38*t43) + t50*t97;
-      out[26][l] = t49*(t16*t53 - t56) + t55*t97;
-      out[27][l] = t49*(t16*t54 - t24) + t57*t97;
-      out[28][l] = t49*(t16*t56 + t53) + t58*t97;
-      out[29][l] = t31;
-      out[30][l] = 0;
-      out[31][l] = 1;
-      out[32][l] = 0;
-      out[33][l] = 0;
-      out[34][l] = t49*(t64 - t65) + t63*t97;
-      out[35][l] = t49*(-t22*t36 - t59) + t67*t97;
-      out[36][l] = t49*(-t61 - t66) + t68*t97;
-      out[37][l] = t49*(t75 - t76) + t74*t97;
-      out[38][l] = t49*(-t22*t70 - t69) + t78*t97;
-      out[39][l] = t49*(-t72 - t77) + t79*t97;
-      out[40][l] = t49*t87 + t83*t97;
-      out[41][l] = t86 + t88*t97;
-      out[42][l] = c*t27*t88 - t98*y;
-      out[43][l] = t49*t95 + t93*t97;
-      out[44][l] = t94 + t96*t97;
-      out[45][l] = c*t27*t96 - t4*t98;
-    }
-  }
-  static RB_INLINE void by_image(const double (*in)[V], double (*out)[V]) {
-    RB_SIMD
-    for (int l = 0; l < V; ++l) {
-      const double x = in[0][l];
-      const double y = in[1][l];
-      const double X = in[2][l];
-      const double Y = in[3][l];
-      const double Z = in[4][l];
-      const double c = in[5][l];
-      const double x0 = in[6][l];
-      const double y0 = in[7][l];
-      const double K1 = in[8][l];
-      const double K2 = in[9][l];
-      const double vx = in[10][l];
-      const double vy = in[11][l];
-      const double vz = in[12][l];
-      const double ax = in[13][l];
-      const double ay = in[14][l];
-      const double az = in[15][l];
-      const double wx = in[16][l];
-      const double wy = in[17][l];
-      const double wz = in[18][l];
-      const double qx = in[19][l];
-      const double qy = in[20][l];
-      const double qz = in[21][l];
-      const double t0 = x - x0;
-      const double t1 = ((t0)*(t0)*(t0));
-      const double t2 = ((t0)*(t0));
-      const double t3 = K1 + K2*t2;
-      const double t4 = ((y)*(y));
-      const double t5 = qz*t4;
-      const double t6 = (1.0/2.0)*wz;
-      const double t7 = (1.0/2.0)*t5 + t6*y;
-      const double t8 = X - ax*t4 - vx*y;
-      const double t9 = qx*t4;
-      const double t10 = (1.0/2.0)*wx;
-      const double t11 = t10*y + (1.0/2.0)*t9;
-      const double t12 = 2*t11;
-      const double t13 = Y - ay*t4 - vy*y;
-      const double t14 = qy*t4;
-      const double t15 = (1.0/2.0)*wy;
-      const double t16 = (1.0/2.0)*t14 + t15*y;
-      const double t17 = 2*t16;
-      const double t18 = Z - az*t4 - vz*y;
-      const double t19 = 2*t7;
-      const double t20 = t12*t8 + t13*t17 + t18*t19;
-      const double t21 = ((t11)*(t11));
-      const double t22 = ((t16)*(t16));
-      const double t23 = ((t7)*(t7));
-      const double t24 = t21 + t22 + t23 - 1;
-      const double t25 = -t24;
-      const double t26 = -t12*t13 + t17*t8 + t18*t25 + t20*t7;
-      const double t27 = (1.0/(t26));
-      const double t28 = t11*t20 + t13*t19 - t17*t18 + t25*t8;
-      const double t29 = t27*t28;
-      const double t30 = t12*t18 + t13*t25 + t16*t20 - t19*t8;
-      const double t31 = t27*t30;
-      const double t32 = 2*x - 2*x0;
-      const double t33 = 3*t2*t3 + 1;
-      const double t34 = qx*y;
-      const double t35 = t10 + t34;
-      const double t36 = 2*y;
-      const double t37 = -ax*t36 - vx;
-      const double t38 = 2*t8;
-      const double t39 = qy*y;
-      const double t40 = t15 + t39;
-      const double t41 = 2*t40;
-      const double t42 = qz*y;
-      const double t43 = t42 + t6;
-      const double t44 = 2*t43;
-      const double t45 = -ay*t36 - vy;
-      const double t46 = -az*t36 - vz;
-      const double t47 = t12*t37 + t13*t41 + t17*t45 + t18*t44 + t19*t46 + t35*t38;
-      const double t48 = -t11*(2*t34 + wx) - t16*(2*t39 + wy) - t7*(2*t42 + wz);
-      const double t49 = c*t27;
-      const double t50 = 2*t11*t45 + 2*t13*t35 - t17*t37 - t18*t48 - t20*t43 - t25*t46 - t38*t40 - t47*t7;
-      const double t51 = c/((t26)*(t26));
-      const double t52 = t28*t51;
-      const double t97 = t30*t51;
-      out[0][l] = c*t29 + t0 + t1*t3;
-      out[1][l] = c*t31 + y0;
-      out[2][l] = K2*t1*t32 + t33;
-      out[3][l] = t49*(t11*t47 + t13*t44 - t17*t46 - t18*t41 + t19*t45 + t20*t35 + t25*t37 + t48*t8) + t50*t52;
-      out[4][l] = 0;
-      out[5][l] = t49*(t12*t46 + t13*t48 + t16*t47 + 2*t18*t35 - t19*t37 + t20*t40 + t25*t45 - t38*t43) + t50*t97;
+      const double c = own[0][l];
+      const double y0 = own[1][l];
+      const double e = own[2][l];
+      const double K1 = own[3][l];
+      const double K2 = own[4][l];
+      const double d = own[5][l];
+      const double T = own[6][l];
+      const double I = own[7][l];
+      const double A = own[8][l];
+      const double u1 = own[9][l];
+      const double u2 = own[10][l];
+      const double t0 = y - y0;
+      const double t1 = (1.0/(c));
+      const double t2 = A + 1;
+      const double t3 = t1*t2;
+      const double t4 = t3*x;
+      const double t5 = 2*t4;
+      const double t6 = std::cos(t5);
+      const double t7 = t6*u1;
+      const double t8 = std::sin(t5);
+      const double t9 = t8*u2;
+      const double t10 = t7 + t9;
+      const double t11 = std::sin(t4);
+      const double t12 = X*t11;
+      const double t13 = std::cos(t4);
+      const double t14 = Z*t13;
+      const double t15 = t12 - t14;
+      const double t16 = Y*t10 - e + t15;
+      const double t17 = (1.0/(t16));
+      const double t18 = t8*u1;
+      const double t19 = -t18 + t6*u2;
+      const double t20 = X*t13;
+      const double t21 = Z*t11;
+      const double t22 = t20 + t21;
+      const double t23 = Y*t19 - d + t22;
+      const double t24 = t17*t23;
+      const double t25 = ((t0)*(t0)*(t0));
+      const double t26 = ((t0)*(t0));
+      const double t27 = K1 + K2*t26;
+      const double t28 = Y - t10*t15 - t19*t22;
+      const double t29 = I*t0 + c;
+      const double t30 = t17*t29;
+      const double t31 = 2*t3;
+      const double t32 = -t31*t7 - t31*t9;
+      const double t33 = t12*t3;
+      const double t34 = c*t17;
+      const double t35 = 2*t1*t2*t6*u2 - t18*t31;
+      const double t36 = t20*t3 + t21*t3;
+      const double t37 = -Y*t35 - t36;
+      const double t38 = (1.0/((t16)*(t16)));
+      const double t39 = c*t23*t38;
+      const double t40 = -t10;
+      const double t56 = t28*t29*t38;
+      const double t57 = 3*t26*t27;
+      const double t58 = 2*y - 2*y0;
+      const double t59 = K2*t25;
+      const double t60 = t17*t28;
+      const double t61 = I*t60;
+      out[0][l] = T*t0 - c*t24;
+      out[1][l] = t0 + t25*t27 - t28*t30;
+      out[2][l] = -t34*(Y*t32 + t14*t3 - t33) - t37*t39;
+      out[3][l] = T;
+      out[4][l] = c*t11*t23*t38 - t13*t34;
+      out[5][l] = -t19*t34 - t39*t40;
+      out[6][l] = -t11*t34 - t13*t39;
+      out[7][l] = -t30*(-t10*t36 - t15*t35 - t19*(Z*t1*t13*t2 - t33) - t22*t32) - t37*t56;
+      out[8][l] = t57 + t58*t59 - t61 + 1;
+      out[9][l] = t11*t28*t29*t38 - t30*(-t10*t11 - t13*t19);
+      out[10][l] = -t30 - t40*t56;
+      out[11][l] = -t13*t56 - t30*(t10*t13 - t11*t19);
     }
   }
 };
@@ -1557,7 +2217,7 @@ struct radial {
   static constexpr const char* label = "radial";
   static constexpr int parameters = 3;
   static constexpr bool explicit_image = true;
-  static RB_INLINE void evaluate(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -1565,9 +2225,9 @@ struct radial {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double k1 = in[6][l];
-      const double k2 = in[7][l];
+      const double c = own[0][l];
+      const double k1 = own[1][l];
+      const double k2 = own[2][l];
       const double t0 = (1.0/(Z));
       const double t1 = ((X)*(X));
       const double t2 = (1.0/((Z)*(Z)));
@@ -1612,7 +2272,7 @@ struct radial {
       out[17][l] = t22*t23;
     }
   }
-  static RB_INLINE void by_image(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_image(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -1620,9 +2280,9 @@ struct radial {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double k1 = in[6][l];
-      const double k2 = in[7][l];
+      const double c = own[0][l];
+      const double k1 = own[1][l];
+      const double k2 = own[2][l];
       const double t0 = (1.0/(Z));
       const double t1 = ((X)*(X));
       const double t2 = (1.0/((Z)*(Z)));
@@ -1641,13 +2301,7 @@ struct radial {
       out[5][l] = 1;
     }
   }
-};
-
-struct rational {
-  static constexpr const char* label = "rational";
-  static constexpr int parameters = 12;
-  static constexpr bool explicit_image = true;
-  static RB_INLINE void evaluate(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_point(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -1655,18 +2309,72 @@ struct rational {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double x0 = in[6][l];
-      const double y0 = in[7][l];
-      const double k1 = in[8][l];
-      const double k2 = in[9][l];
-      const double k3 = in[10][l];
-      const double k4 = in[11][l];
-      const double k5 = in[12][l];
-      const double k6 = in[13][l];
-      const double p1 = in[14][l];
-      const double p2 = in[15][l];
-      const double A = in[16][l];
+      const double c = own[0][l];
+      const double k1 = own[1][l];
+      const double k2 = own[2][l];
+      const double t0 = (1.0/(Z));
+      const double t1 = ((X)*(X));
+      const double t2 = (1.0/((Z)*(Z)));
+      const double t3 = ((Y)*(Y));
+      const double t4 = t1*t2 + t2*t3;
+      const double t5 = k2*t4;
+      const double t6 = k1 + t5;
+      const double t7 = t4*t6 + 1;
+      const double t8 = t0*t7;
+      const double t9 = c*t8;
+      const double t10 = X*t2;
+      const double t11 = 2*t6;
+      const double t12 = 2*t5;
+      const double t13 = t10*t11 + t10*t12;
+      const double t14 = c*t0;
+      const double t15 = X*t14;
+      const double t16 = Y*t2;
+      const double t17 = t11*t16 + t12*t16;
+      const double t18 = 2/((Z)*(Z)*(Z));
+      const double t19 = -t1*t18 - t18*t3;
+      const double t20 = t19*t5 + t19*t6;
+      const double t21 = c*t7;
+      const double t23 = Y*t14;
+      out[0][l] = X*t9 + x;
+      out[1][l] = Y*t9 + y;
+      out[2][l] = 1;
+      out[3][l] = 0;
+      out[4][l] = t13*t15 + t9;
+      out[5][l] = t15*t17;
+      out[6][l] = -t10*t21 + t15*t20;
+      out[7][l] = 0;
+      out[8][l] = 1;
+      out[9][l] = t13*t23;
+      out[10][l] = t17*t23 + t9;
+      out[11][l] = -t16*t21 + t20*t23;
+    }
+  }
+};
+
+struct rational {
+  static constexpr const char* label = "rational";
+  static constexpr int parameters = 12;
+  static constexpr bool explicit_image = true;
+  static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
+    RB_SIMD
+    for (int l = 0; l < V; ++l) {
+      const double x = in[0][l];
+      const double y = in[1][l];
+      const double X = in[2][l];
+      const double Y = in[3][l];
+      const double Z = in[4][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double k1 = own[3][l];
+      const double k2 = own[4][l];
+      const double k3 = own[5][l];
+      const double k4 = own[6][l];
+      const double k5 = own[7][l];
+      const double k6 = own[8][l];
+      const double p1 = own[9][l];
+      const double p2 = own[10][l];
+      const double A = own[11][l];
       const double t0 = ((Y)*(Y));
       const double t1 = (1.0/((Z)*(Z)));
       const double t2 = t0*t1;
@@ -1760,7 +2468,7 @@ struct rational {
       out[35][l] = -c*t25;
     }
   }
-  static RB_INLINE void by_image(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_image(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -1768,18 +2476,18 @@ struct rational {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double x0 = in[6][l];
-      const double y0 = in[7][l];
-      const double k1 = in[8][l];
-      const double k2 = in[9][l];
-      const double k3 = in[10][l];
-      const double k4 = in[11][l];
-      const double k5 = in[12][l];
-      const double k6 = in[13][l];
-      const double p1 = in[14][l];
-      const double p2 = in[15][l];
-      const double A = in[16][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double k1 = own[3][l];
+      const double k2 = own[4][l];
+      const double k3 = own[5][l];
+      const double k4 = own[6][l];
+      const double k5 = own[7][l];
+      const double k6 = own[8][l];
+      const double p1 = own[9][l];
+      const double p2 = own[10][l];
+      const double A = own[11][l];
       const double t0 = ((Y)*(Y));
       const double t1 = (1.0/((Z)*(Z)));
       const double t2 = t0*t1;
@@ -1815,13 +2523,7 @@ struct rational {
       out[5][l] = 1;
     }
   }
-};
-
-struct spherical {
-  static constexpr const char* label = "spherical";
-  static constexpr int parameters = 2;
-  static constexpr bool explicit_image = false;
-  static RB_INLINE void evaluate(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_point(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -1829,8 +2531,95 @@ struct spherical {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double y0 = in[6][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double k1 = own[3][l];
+      const double k2 = own[4][l];
+      const double k3 = own[5][l];
+      const double k4 = own[6][l];
+      const double k5 = own[7][l];
+      const double k6 = own[8][l];
+      const double p1 = own[9][l];
+      const double p2 = own[10][l];
+      const double A = own[11][l];
+      const double t0 = ((Y)*(Y));
+      const double t1 = (1.0/((Z)*(Z)));
+      const double t2 = t0*t1;
+      const double t3 = ((X)*(X));
+      const double t4 = t1*t3;
+      const double t5 = t2 + 3*t4;
+      const double t6 = t2 + t4;
+      const double t7 = k3*t6;
+      const double t8 = k2 + t7;
+      const double t9 = k1 + t6*t8;
+      const double t10 = t6*t9 + 1;
+      const double t11 = (1.0/(Z));
+      const double t12 = k6*t6;
+      const double t13 = k5 + t12;
+      const double t14 = k4 + t13*t6;
+      const double t15 = t14*t6 + 1;
+      const double t16 = (1.0/(t15));
+      const double t17 = t11*t16;
+      const double t18 = t10*t17;
+      const double t19 = 2*t1;
+      const double t20 = Y*p1;
+      const double t21 = -X*t18 + X*t19*t20 + p2*t5;
+      const double t22 = A + 1;
+      const double t23 = 3*t2 + t4;
+      const double t24 = X*t19;
+      const double t25 = Y*p2*t24 - Y*t18 + p1*t23;
+      const double t26 = t22*t25;
+      const double t27 = t24*t9 + t6*(t24*t7 + t24*t8);
+      const double t28 = X*t17;
+      const double t29 = -t14*t24 - t6*(t12*t24 + t13*t24);
+      const double t30 = t10*t11/((t15)*(t15));
+      const double t31 = X*t30;
+      const double t32 = Y*t19;
+      const double t33 = t32*t9 + t6*(t32*t7 + t32*t8);
+      const double t34 = -t14*t32 - t6*(t12*t32 + t13*t32);
+      const double t35 = (1.0/((Z)*(Z)*(Z)));
+      const double t36 = t0*t35;
+      const double t37 = 2*t36;
+      const double t38 = t3*t35;
+      const double t39 = 2*t38;
+      const double t40 = -t37 - t39;
+      const double t41 = t40*t9 + t6*(t40*t7 + t40*t8);
+      const double t42 = 4*X*t35;
+      const double t43 = -t14*t40 - t6*(t12*t40 + t13*t40);
+      const double t50 = Y*t17;
+      const double t51 = Y*t30;
+      const double t52 = c*t22;
+      out[0][l] = -c*t21 + x - x0;
+      out[1][l] = -c*t26 + y - y0;
+      out[2][l] = 1;
+      out[3][l] = 0;
+      out[4][l] = -c*(6*X*p2*t1 + 2*Y*p1*t1 - t18 - t27*t28 - t29*t31);
+      out[5][l] = -c*(2*X*p1*t1 + 2*Y*p2*t1 - t28*t33 - t31*t34);
+      out[6][l] = -c*(X*t1*t10*t16 + p2*(-t37 - 6*t38) - t20*t42 - t28*t41 - t31*t43);
+      out[7][l] = 0;
+      out[8][l] = 1;
+      out[9][l] = -t52*(p1*t24 + p2*t32 - t27*t50 - t29*t51);
+      out[10][l] = -t52*(2*X*p2*t1 + 6*Y*p1*t1 - t18 - t33*t50 - t34*t51);
+      out[11][l] = -t52*(-Y*p2*t42 + Y*t1*t10*t16 + p1*(-6*t36 - t39) - t41*t50 - t43*t51);
+    }
+  }
+};
+
+struct spherical {
+  static constexpr const char* label = "spherical";
+  static constexpr int parameters = 2;
+  static constexpr bool explicit_image = false;
+  static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
+    RB_SIMD
+    for (int l = 0; l < V; ++l) {
+      const double x = in[0][l];
+      const double y = in[1][l];
+      const double X = in[2][l];
+      const double Y = in[3][l];
+      const double Z = in[4][l];
+      const double c = own[0][l];
+      const double y0 = own[1][l];
       const double t0 = (1.0/(c));
       const double t1 = t0*x;
       const double t2 = std::sin(t1);
@@ -1888,7 +2677,7 @@ struct spherical {
       out[15][l] = -t30*t35 + t33*t36;
     }
   }
-  static RB_INLINE void by_image(const double (*in)[V], double (*out)[V]) {
+  static RB_INLINE void by_image(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double x = in[0][l];
@@ -1896,8 +2685,8 @@ struct spherical {
       const double X = in[2][l];
       const double Y = in[3][l];
       const double Z = in[4][l];
-      const double c = in[5][l];
-      const double y0 = in[6][l];
+      const double c = own[0][l];
+      const double y0 = own[1][l];
       const double t0 = (1.0/(c));
       const double t1 = t0*x;
       const double t2 = std::sin(t1);
@@ -1940,6 +2729,64 @@ struct spherical {
       out[5][l] = t30*t35 - t33*t36;
     }
   }
+  static RB_INLINE void by_point(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
+    RB_SIMD
+    for (int l = 0; l < V; ++l) {
+      const double x = in[0][l];
+      const double y = in[1][l];
+      const double X = in[2][l];
+      const double Y = in[3][l];
+      const double Z = in[4][l];
+      const double c = own[0][l];
+      const double y0 = own[1][l];
+      const double t0 = (1.0/(c));
+      const double t1 = t0*x;
+      const double t2 = std::sin(t1);
+      const double t3 = X*t2;
+      const double t4 = std::cos(t1);
+      const double t5 = Z*t4;
+      const double t6 = t3 - t5;
+      const double t7 = (1.0/(t6));
+      const double t8 = X*t4;
+      const double t9 = Z*t2;
+      const double t10 = t8 + t9;
+      const double t11 = t10*t7;
+      const double t12 = y - y0;
+      const double t13 = t0*t12;
+      const double t14 = std::sin(t13);
+      const double t15 = Y*t14;
+      const double t16 = std::cos(t13);
+      const double t17 = t16*t6;
+      const double t18 = t15 + t17;
+      const double t19 = (1.0/(t18));
+      const double t20 = Y*t16;
+      const double t21 = t14*t6 - t20;
+      const double t22 = t19*t21;
+      const double t23 = c*t7;
+      const double t24 = t0*t8 + t0*t9;
+      const double t25 = (1.0/((t6)*(t6)));
+      const double t26 = c*t10*t25;
+      const double t30 = c*t19;
+      const double t31 = t14*t30;
+      const double t32 = (1.0/((t18)*(t18)));
+      const double t33 = c*t21*t32;
+      const double t34 = t16*t33;
+      const double t35 = t0*t15 + t0*t17;
+      const double t36 = -t0*t14*t6 + t0*t20;
+      out[0][l] = -c*t11;
+      out[1][l] = c*t22;
+      out[2][l] = -t23*(Z*t0*t4 - t0*t3) + t24*t26;
+      out[3][l] = 0;
+      out[4][l] = c*t10*t2*t25 - t23*t4;
+      out[5][l] = 0;
+      out[6][l] = -t2*t23 - t26*t4;
+      out[7][l] = t24*t31 - t24*t34;
+      out[8][l] = t30*t35 - t33*t36;
+      out[9][l] = t2*t31 - t2*t34;
+      out[10][l] = -t14*t33 - t16*t30;
+      out[11][l] = c*t16*t21*t32*t4 - t31*t4;
+    }
+  }
 };
 
 struct spherical_mounted : carried<spherical, mounted> {
@@ -1962,6 +2809,10 @@ struct fisheye_rolling : carried<fisheye, rolling> {
   static constexpr const char* label = "fisheye_rolling";
 };
 
+struct radial_trajectory : carried<radial, trajectory> {
+  static constexpr const char* label = "radial_trajectory";
+};
+
 struct aicon_mounted : carried<aicon, mounted> {
   static constexpr const char* label = "aicon_mounted";
 };
@@ -1982,6 +2833,10 @@ struct brown_rolling : carried<brown, rolling> {
   static constexpr const char* label = "brown_rolling";
 };
 
+struct pushbroom : carried<line, trajectory> {
+  static constexpr const char* label = "pushbroom";
+};
+
 struct rational_mounted : carried<rational, mounted> {
   static constexpr const char* label = "rational_mounted";
 };
@@ -1990,12 +2845,28 @@ struct rational_rolling : carried<rational, rolling> {
   static constexpr const char* label = "rational_rolling";
 };
 
+struct fisheye_trajectory : carried<fisheye, trajectory> {
+  static constexpr const char* label = "fisheye_trajectory";
+};
+
 struct fisheye_rolling_mounted : carried<fisheye_rolling, mounted> {
   static constexpr const char* label = "fisheye_rolling_mounted";
 };
 
+struct radial_trajectory_mounted : carried<radial_trajectory, mounted> {
+  static constexpr const char* label = "radial_trajectory_mounted";
+};
+
+struct aicon_trajectory : carried<aicon, trajectory> {
+  static constexpr const char* label = "aicon_trajectory";
+};
+
 struct brown_harmonic_mounted : carried<brown_harmonic, mounted> {
   static constexpr const char* label = "brown_harmonic_mounted";
+};
+
+struct brown_trajectory : carried<brown, trajectory> {
+  static constexpr const char* label = "brown_trajectory";
 };
 
 struct aicon_rolling_mounted : carried<aicon_rolling, mounted> {
@@ -2010,12 +2881,40 @@ struct brown_rolling_mounted : carried<brown_rolling, mounted> {
   static constexpr const char* label = "brown_rolling_mounted";
 };
 
+struct rational_trajectory : carried<rational, trajectory> {
+  static constexpr const char* label = "rational_trajectory";
+};
+
 struct rational_rolling_mounted : carried<rational_rolling, mounted> {
   static constexpr const char* label = "rational_rolling_mounted";
+};
+
+struct fisheye_trajectory_mounted : carried<fisheye_trajectory, mounted> {
+  static constexpr const char* label = "fisheye_trajectory_mounted";
+};
+
+struct aicon_trajectory_mounted : carried<aicon_trajectory, mounted> {
+  static constexpr const char* label = "aicon_trajectory_mounted";
+};
+
+struct brown_harmonic_trajectory : carried<brown_harmonic, trajectory> {
+  static constexpr const char* label = "brown_harmonic_trajectory";
+};
+
+struct brown_trajectory_mounted : carried<brown_trajectory, mounted> {
+  static constexpr const char* label = "brown_trajectory_mounted";
 };
 
 struct brown_harmonic_rolling_mounted : carried<brown_harmonic_rolling, mounted> {
   static constexpr const char* label = "brown_harmonic_rolling_mounted";
 };
 
-#define RB_MODELS(DO) DO(aicon) DO(aicon_mounted) DO(aicon_rolling) DO(aicon_rolling_mounted) DO(brown) DO(brown_harmonic) DO(brown_harmonic_mounted) DO(brown_harmonic_rolling) DO(brown_harmonic_rolling_mounted) DO(brown_mounted) DO(brown_rolling) DO(brown_rolling_mounted) DO(fisheye) DO(fisheye_mounted) DO(fisheye_rolling) DO(fisheye_rolling_mounted) DO(panorama) DO(pushbroom) DO(radial) DO(radial_mounted) DO(radial_rolling) DO(radial_rolling_mounted) DO(rational) DO(rational_mounted) DO(rational_rolling) DO(rational_rolling_mounted) DO(spherical) DO(spherical_mounted)
+struct rational_trajectory_mounted : carried<rational_trajectory, mounted> {
+  static constexpr const char* label = "rational_trajectory_mounted";
+};
+
+struct brown_harmonic_trajectory_mounted : carried<brown_harmonic_trajectory, mounted> {
+  static constexpr const char* label = "brown_harmonic_trajectory_mounted";
+};
+
+#define RB_MODELS(DO) DO(aicon) DO(aicon_mounted) DO(aicon_rolling) DO(aicon_rolling_mounted) DO(aicon_trajectory) DO(aicon_trajectory_mounted) DO(brown) DO(brown_harmonic) DO(brown_harmonic_mounted) DO(brown_harmonic_rolling) DO(brown_harmonic_rolling_mounted) DO(brown_harmonic_trajectory) DO(brown_harmonic_trajectory_mounted) DO(brown_mounted) DO(brown_rolling) DO(brown_rolling_mounted) DO(brown_trajectory) DO(brown_trajectory_mounted) DO(fisheye) DO(fisheye_mounted) DO(fisheye_rolling) DO(fisheye_rolling_mounted) DO(fisheye_trajectory) DO(fisheye_trajectory_mounted) DO(panorama) DO(pushbroom) DO(radial) DO(radial_mounted) DO(radial_rolling) DO(radial_rolling_mounted) DO(radial_trajectory) DO(radial_trajectory_mounted) DO(rational) DO(rational_mounted) DO(rational_rolling) DO(rational_rolling_mounted) DO(rational_trajectory) DO(rational_trajectory_mounted) DO(spherical) DO(spherical_mounted)

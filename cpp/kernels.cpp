@@ -13,9 +13,11 @@
 #if defined(__GNUC__) || defined(__clang__)
 #define RB_INLINE inline __attribute__((always_inline))
 #define RB_RESTRICT __restrict__
+#define RB_APART __attribute__((noinline))
 #else
 #define RB_INLINE inline
 #define RB_RESTRICT __restrict
+#define RB_APART
 #endif
 #if defined(__GNUC__) && !defined(__clang__)
 #define RB_SIMD _Pragma("GCC ivdep")

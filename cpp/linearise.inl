@@ -21,29 +21,36 @@ static RB_INLINE double angle_ratio_slope(double r2, double w) {
 using std::cos;
 using std::sin;
 
+// Each is compiled once, however many combinations of sensors and platforms call it.
+template <class T> static RB_APART void evaluated(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
+  T::evaluate(in, own, out);
+}
+template <class T> static RB_APART void by_its_image(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
+  T::by_image(in, own, out);
+}
+template <class T> static RB_APART void by_its_point(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
+  T::by_point(in, own, out);
+}
+
 // A sensor on a platform: the sensor's condition at the point where the platform puts it, by the chain rule.
+// in: image and object point; own: the parameters, the sensor's, then the platform's.
 template <class S, class P> struct carried {
   using sensor = S;
   using platform = P;
   static constexpr int K = S::parameters, M = P::parameters, parameters = K + M;
   static constexpr bool explicit_image = S::explicit_image && !P::uses_image;
 
-  static RB_INLINE void point_arguments(const double (*in)[V], double (*to)[V]) {
-    for (int e = 0; e < 5; ++e) std::copy_n(in[e], V, to[e]);
-    for (int e = 0; e < M; ++e) std::copy_n(in[5 + K + e], V, to[5 + e]);
-  }
-  static RB_INLINE void sensor_arguments(const double (*in)[V], const double (*p)[V], double (*to)[V]) {
+  // Image and object point as the sensor has them.
+  static RB_INLINE void seen(const double (*in)[V], const double (*p)[V], double (*to)[V]) {
     for (int e = 0; e < 2; ++e) std::copy_n(in[e], V, to[e]);
     for (int e = 0; e < 3; ++e) std::copy_n(p[e], V, to[2 + e]);
-    for (int e = 0; e < K; ++e) std::copy_n(in[5 + e], V, to[5 + e]);
   }
-  static void evaluate(const double (*in)[V], double (*out)[V]) {
+  static void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     constexpr int A = 5 + K + M, B = 5 + K, C = 5 + M;
-    alignas(64) double pin[C][V], p[3 + 3 * C][V], at_sensor[B][V], s[2 + 2 * B][V];
-    point_arguments(in, pin);
-    P::evaluate(pin, p);
-    sensor_arguments(in, p, at_sensor);
-    S::evaluate(at_sensor, s);
+    alignas(64) double p[3 + 3 * C][V], at_sensor[5][V], s[2 + 2 * B][V];
+    evaluated<P>(in, own + K, p);
+    seen(in, p, at_sensor);
+    evaluated<S>(at_sensor, own, s);
     for (int g = 0; g < 2; ++g) {
       const double(*J)[V] = s + 2 + B * g;
       double(*to)[V] = out + 2 + A * g;
@@ -58,19 +65,27 @@ template <class S, class P> struct carried {
     }
   }
   // g1, g2, dg1/dx, dg1/dy, dg2/dx, dg2/dy
-  static void by_image(const double (*in)[V], double (*out)[V]) {
-    constexpr int A = 5 + K + M, B = 5 + K, C = 5 + M;
+  static void by_image(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
+    alignas(64) double at_sensor[5][V];
     if constexpr (P::uses_image) {
-      alignas(64) double all[2 + 2 * A][V];
-      evaluate(in, all);
-      const int at[6] = {0, 1, 2, 3, 2 + A, 3 + A};
-      for (int e = 0; e < 6; ++e) std::copy_n(all[at[e]], V, out[e]);
+      alignas(64) double p[9][V], s[12][V];  // the point and its, g and its partial derivatives
+      by_its_image<P>(in, own + K, p);
+      seen(in, p, at_sensor);
+      by_its_point<S>(at_sensor, own, s);
+      for (int g = 0; g < 2; ++g) {
+        const double(*J)[V] = s + 2 + 5 * g;
+        std::copy_n(s[g], V, out[g]);
+        for (int e = 0; e < 2; ++e) {
+          double* sum = out[2 + 2 * g + e];
+          RB_SIMD
+          for (int l = 0; l < V; ++l) sum[l] = J[e][l] + J[2][l] * p[3 + e][l] + J[3][l] * p[5 + e][l] + J[4][l] * p[7 + e][l];
+        }
+      }
     } else {
-      alignas(64) double pin[C][V], p[3][V], at_sensor[B][V];
-      point_arguments(in, pin);
-      P::place(pin, p);
-      sensor_arguments(in, p, at_sensor);
-      S::by_image(at_sensor, out);
+      alignas(64) double p[3][V];
+      P::place(in, own + K, p);
+      seen(in, p, at_sensor);
+      by_its_image<S>(at_sensor, own, out);
     }
   }
 };
@@ -131,9 +146,9 @@ template <> struct Side<models::spherical> {
 // of a sensor on a platform: where the platform puts the point
 template <class M> struct Side<M, std::void_t<typename M::platform>> {
   static bool in_front(const double* P, const double* xy, const double* io) {
-    double in[5 + M::M] = {xy[0], xy[1], P[0], P[1], P[2]}, own[3];
-    std::copy_n(io + M::K, M::M, in + 5);
-    M::platform::place_one(in, own);
+    const double in[5] = {xy[0], xy[1], P[0], P[1], P[2]};
+    double own[3];
+    M::platform::place_one(in, io + M::K, own);
     return Side<typename M::sensor>::in_front(own, xy, io);
   }
 };
@@ -170,7 +185,7 @@ static void linearise_lanes(const Problem& q, const State& s, const int64_t* row
   if (!direct) {
     alignas(64) double g[6][V], relative[V] = {};
     for (int it = 0; it < 25; ++it) {
-      M::by_image(in, g);
+      models::by_its_image<M>(in, in + 5, g);
       double worst = 0;
       for (int l = 0; l < V; ++l) {
         const double det = g[2][l] * g[5][l] - g[3][l] * g[4][l];
@@ -198,7 +213,7 @@ static void linearise_lanes(const Problem& q, const State& s, const int64_t* row
           }
     }
   }
-  M::evaluate(in, o);
+  models::evaluated<M>(in, in + 5, o);
 
   for (int l = 0; l < count; ++l) {
     const int64_t i = row[l], n = i - base;

@@ -12,7 +12,7 @@ import sympy
 
 from raybundle.numerics.derive import cxx_platform_source, cxx_source, differentiate, numpy_source
 from raybundle.platforms import Carried, platforms
-from raybundle.sensors import sensor_models
+from raybundle.sensors import SensorModel, sensor_models
 
 ROOT = Path(__file__).resolve().parents[1]
 PYTHON = ROOT / "src/raybundle/sensors/generated"
@@ -26,14 +26,13 @@ def texts() -> dict[Path, str]:
     files: dict[Path, str] = {folder / "__init__.py": f'"""{origin}"""\n' for folder in (PYTHON, PLATFORMS)}
     structs = [f"// {origin}\n"]
     derivable = {name: model for name, model in sensor_models.items() if not model.local_width}
+    alone = {name: model for name, model in derivable.items() if not isinstance(model, Carried)}
     for name, platform in sorted(platforms.items()):
         derived = differentiate(type(platform).point, platform.symbols)
         head = f'"""Point and Jacobian of `{name}`.  {origin}"""\n\nimport numpy as np\n'
         files[PLATFORMS / f"{name}.py"] = f"{head}\n\n{numpy_source(derived, 'point_and_jacobian')}"
         structs.append(cxx_platform_source(name, derived, uses_image=platform.uses_image))
-    for name, model in sorted(derivable.items()):
-        if isinstance(model, Carried):
-            continue
+    for name, model in sorted({**alone, **SensorModel.lines}.items()):
         derived = differentiate(type(model).condition, model.symbols)
         head = f'"""Condition and Jacobian of `{name}`.  {origin}"""\n\nimport numpy as np\n'
         body = numpy_source(derived)

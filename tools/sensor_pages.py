@@ -78,6 +78,8 @@ EMPIRICAL = {
 def pages() -> dict[str, str]:
     """Name of the page -> its text, for every model."""
     found = {n: model_page(n, m) for n, m in sorted(sensor_models.items()) if not isinstance(m, Carried)}
+    on_a_way = {n: m for n, m in sensor_models.items() if isinstance(m, Carried) and m.sensor.line}
+    found |= {name: carried_line_page(name, model) for name, model in sorted(on_a_way.items())}
     found |= {name: platform_page(name, platform) for name, platform in sorted(platforms.items())}
     found |= {name: instrument_page(name, model) for name, model in sorted(instrument_models.items())}
     found["rpc"] = rpc_page()
@@ -122,6 +124,21 @@ def model_page(name: str, model: SensorModel) -> str:
         parts += ["## Formula", formula]
     parts += ["## Parameters", parameter_table(model.parameters), "## As it is written"]
     return "\n\n".join([*parts, f"```text\n{source}\n```"]) + "\n"
+
+
+def carried_line_page(name: str, model: Carried) -> str:
+    """Page of a line sensor, which is a model on a platform that moves."""
+    sensor, platform = model.sensor, model.platform.name
+    condition = type(sensor).condition
+    return "\n\n".join([
+        f"# {name}", inspect.getdoc(type(sensor)) or "",
+        f"The line stands on the platform [{platform}]({platform}.md), which says how it moves.",
+        "## Formula",
+        f"X, Y, Z: the point in the axes that the line had when it was measured, U, V, W of {platform}.",
+        formulas(condition, sensor.symbols),
+        "## Parameters", parameter_table(model.parameters),
+        "## As it is written", f"```text\n{inspect.cleandoc(inspect.getsource(condition))}\n```",
+    ]) + "\n"  # fmt: skip
 
 
 def platform_page(name: str, platform: Platform) -> str:

@@ -10,6 +10,8 @@
 
     done = rb.orient("facade/", "facade-project", control="marks.csv")
     rb.calibrate("board/", "calibration", target="chessboard-9x6")
+    rb.convert("facade-project/result", "model", to="colmap")
+    rb.rectify("facade-project", "facade.tif", pixel=0.002)
 
 Names are loaded when they are first used: `import raybundle` alone loads neither NumPy nor SciPy.
 """
@@ -22,7 +24,10 @@ if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
     from raybundle.block import Block, Camera, Distances, Images, Instrument, Observations, Points, Role, Stations
     from raybundle.commands.calibrate import CalibrateSettings, calibrate
+    from raybundle.commands.convert import Converted, ConvertSettings, convert
+    from raybundle.commands.measure import adjust_marks, export_marks, mark, marks, query, transform_to_points
     from raybundle.commands.orient import OrientSettings, orient
+    from raybundle.commands.rectify import Rectification, RectifySettings, rectify
     from raybundle.commands.targets import detect_targets
     from raybundle.errors import InputError, NotSolvable, RaybundleError
     from raybundle.io.block.folder import read_block, write_block
@@ -55,6 +60,8 @@ _HOME = {
     "CalibrateSettings": "commands.calibrate",
     "Calibration": "workflows.calibrate_state",
     "Camera": "block",
+    "ConvertSettings": "commands.convert",
+    "Converted": "commands.convert",
     "Distances": "block",
     "Flight": "planning.uav_networks",
     "Images": "block",
@@ -66,11 +73,18 @@ _HOME = {
     "Orientation": "workflows.orient",
     "Points": "block",
     "RaybundleError": "errors",
+    "Rectification": "commands.rectify",
+    "RectifySettings": "commands.rectify",
     "Role": "block",
     "Stations": "block",
     "adjust": "workflows.adjust",
+    "adjust_marks": "commands.measure",
     "calibrate": "commands.calibrate",
+    "convert": "commands.convert",
     "detect_targets": "commands.targets",
+    "export_marks": "commands.measure",
+    "mark": "commands.measure",
+    "marks": "commands.measure",
     "orient": "commands.orient",
     "plan_flight": "planning.flight",
     "plot_control": "report.pictures",
@@ -78,11 +92,14 @@ _HOME = {
     "plot_network": "report.pictures",
     "plot_reliability": "report.pictures",
     "plot_residuals": "report.pictures",
+    "query": "commands.measure",
     "read_block": "io.block.folder",
     "read_result": "results.folder",
+    "rectify": "commands.rectify",
     "show": "report.show",
     "table": "report.tables",
     "table_names": "report.tables",
+    "transform_to_points": "commands.measure",
     "write_block": "io.block.folder",
     "write_comparison": "report.compare",
     "write_network_page": "report.network_page",
@@ -97,6 +114,8 @@ __all__ = [
     "CalibrateSettings",
     "Calibration",
     "Camera",
+    "ConvertSettings",
+    "Converted",
     "Distances",
     "Flight",
     "Images",
@@ -108,12 +127,19 @@ __all__ = [
     "Orientation",
     "Points",
     "RaybundleError",
+    "Rectification",
+    "RectifySettings",
     "Role",
     "Stations",
     "__version__",
     "adjust",
+    "adjust_marks",
     "calibrate",
+    "convert",
     "detect_targets",
+    "export_marks",
+    "mark",
+    "marks",
     "orient",
     "plan_flight",
     "plot_control",
@@ -121,11 +147,14 @@ __all__ = [
     "plot_network",
     "plot_reliability",
     "plot_residuals",
+    "query",
     "read_block",
     "read_result",
+    "rectify",
     "show",
     "table",
     "table_names",
+    "transform_to_points",
     "write_block",
     "write_comparison",
     "write_network_page",

@@ -8,9 +8,11 @@ import numpy as np
 import pytest
 from PIL import Image
 
+import raybundle as rb
 from raybundle import adjust
 from raybundle.block import Role
 from raybundle.cli.main import main
+from raybundle.errors import InputError
 from raybundle.io.pictures.undistort import camera_plane
 from raybundle.numerics.planes import plane_of_most
 from raybundle.planning.scenes import TargetField, brown_camera, field_scene
@@ -146,6 +148,31 @@ def test_a_wall_of_one_photograph(wall, tmp_path, capsys):
     # without the calibration the distortion is in the residuals, and is told
     assert main([*common, "--out", str(tmp_path / "bent.png")]) == 0
     assert "caution" in capsys.readouterr().out
+
+
+def test_python_makes_the_same_pictures(wall, tmp_path):
+    folder, block, origin, axes = wall
+    marks(tmp_path, block, origin, axes)
+    (tmp_path / "line").mkdir()
+    (tmp_path / "python").mkdir()
+    area = (-0.4, -0.3, 0.4, 0.3)
+    part = ["--pixel", "0.02", "--area", *map(str, area), "--progress", "none"]
+    all_of_it = [str(folder / "result"), "--photos", str(folder / "photos"), "--out", str(tmp_path / "line" / "a.tif")]
+    assert main(["rectify", *all_of_it, *part]) == 0
+    done = rb.rectify(folder / "result", tmp_path / "python" / "a.tif", photos=folder / "photos", pixel=0.02, area=area)
+    assert (done.grid.width, done.grid.height, done.unit) == (40, 30, "m")
+    one = [folder / "photos" / "0.png", "--control", tmp_path / "c.csv", "--out", tmp_path / "line" / "b.png"]
+    assert main(["rectify", *map(str, one), *part]) == 0
+    done = rb.rectify(
+        folder / "photos" / "0.png", tmp_path / "python" / "b.png", control=tmp_path / "c.csv", pixel=0.02, area=area
+    )
+    assert done.picture.seen.any()
+    names = {p.name for p in (tmp_path / "line").iterdir()}
+    assert {"a.tif", "a.tfw", "a.toml", "b.png", "b.pgw", "b.toml"} == names
+    for name in names:
+        assert (tmp_path / "python" / name).read_bytes() == (tmp_path / "line" / name).read_bytes(), name
+    with pytest.raises(InputError, match="pixel = 0 must be above 0"):
+        rb.rectify(folder / "result", tmp_path / "python" / "c.tif", pixel=0)
 
 
 def test_four_points_leave_nothing_and_print_no_rounding(tmp_path, capsys):

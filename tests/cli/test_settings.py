@@ -1,7 +1,9 @@
 """One data class of settings a command: the command line, Python and the project file say the same."""
 
 import dataclasses
+import re
 import tomllib
+from dataclasses import MISSING
 from pathlib import Path
 
 import click
@@ -9,30 +11,64 @@ import pytest
 from click.testing import CliRunner
 
 import raybundle as rb
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.cli.adjust import command as adjust_command
 from raybundle.cli.calibrate import command as calibrate_command
+from raybundle.cli.convert import command as convert_command
 from raybundle.cli.orient import command as orient_command
+from raybundle.cli.plan import flight as flight_command
+from raybundle.cli.rectify import command as rectify_command
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.simulate import command as simulate_command
+from raybundle.commands.adjust import AdjustSettings, run_adjust
 from raybundle.commands.calibrate import CalibrateSettings
+from raybundle.commands.convert import ConvertSettings
 from raybundle.commands.orient import OrientSettings
-from raybundle.commands.setting import made, other_than_usual, setting, settings_of, toml_lines
+from raybundle.commands.plan import FlightSettings
+from raybundle.commands.rectify import RectifySettings
+from raybundle.commands.simulate import SimulateSettings
 from raybundle.errors import InputError
+from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.planning.simulate import Survey, simulate
+from raybundle.settings import made, other_than_usual, setting, settings_of, toml_lines
 
-BOTH = [(OrientSettings, orient_command), (CalibrateSettings, calibrate_command)]
-ASKED = {"photos": (Path("a"),), "out": Path("b")}
+PHOTOS = {"photos": (Path("a"),), "out": Path("b")}
+COMMANDS = [
+    (OrientSettings, orient_command, PHOTOS),
+    (CalibrateSettings, calibrate_command, PHOTOS),
+    (AdjustSettings, adjust_command, {"block": Path("a"), "out": Path("b")}),
+    (ConvertSettings, convert_command, {"source": Path("a")}),
+    (RectifySettings, rectify_command, {"source": Path("a")}),
+    (FlightSettings, flight_command, {}),
+    (SimulateSettings, simulate_command, {"scene": "ring", "out": Path("b")}),
+]
+PYTHON_ALONE = {
+    AdjustSettings: {
+        "datum_over",
+        "pixel_shape",
+        "weights",
+        "statistics",
+        "max_iterations",
+        "tolerance",
+        "significance",
+    }
+}  # fmt: skip
+"""Fields that are no options of the command line."""
 
 
-@pytest.mark.parametrize(("kind", "command"), BOTH)
-def test_every_setting_is_an_option_with_help_and_every_option_a_setting(kind, command):
+@pytest.mark.parametrize(("kind", "command", "asked"), COMMANDS)
+def test_every_setting_is_an_option_with_help_and_every_option_a_setting(kind, command, asked):
     options = {p.name: p for p in command.params if isinstance(p, click.Option)}
     for s in settings_of(kind):
         assert options[s.name].help == s.about.help
         assert len(s.about.help) > 10
-    assert options.keys() - {s.name for s in settings_of(kind)} == {"out", "progress", "traceback"}
-    assert {f.name for f in dataclasses.fields(kind)} == {s.name for s in settings_of(kind)} | {"photos", "out"}
+    named = {s.name for s in settings_of(kind)}
+    assert options.keys() - named <= {"out", "progress", "traceback"}
+    assert {f.name for f in dataclasses.fields(kind)} == named | asked.keys() | PYTHON_ALONE.get(kind, set())
 
 
-@pytest.mark.parametrize(("kind", "command"), BOTH)
-def test_nothing_asked_for_on_the_command_line_is_the_default(kind, command):
+@pytest.mark.parametrize(("kind", "command", "asked"), COMMANDS)
+def test_nothing_asked_for_on_the_command_line_is_the_default(kind, command, asked):
     seen = {}
 
     @click.command()
@@ -41,9 +77,12 @@ def test_nothing_asked_for_on_the_command_line_is_the_default(kind, command):
         seen.update(values_of(kind, given))
 
     del command
-    assert CliRunner().invoke(probe, []).exit_code == 0
-    assert made(kind, {**ASKED, **seen}) == made(kind, ASKED) == kind(**ASKED)
-    assert not other_than_usual(made(kind, {**ASKED, **seen}))
+    needed = {s.name: Path("b") if s.kind is Path else "b" for s in settings_of(kind) if s.default is MISSING}
+    words = [word for name in needed for word in (f"--{name}", "b")]
+    assert CliRunner().invoke(probe, words).exit_code == 0
+    assert made(kind, {**asked, **seen}) == made(kind, {**asked, **needed}) == kind(**asked, **needed)
+    assert other_than_usual(made(kind, {**asked, **seen})) == needed
+    assert not needed or CliRunner().invoke(probe, []).exit_code == 2
 
 
 def test_the_command_line_and_python_ask_for_the_same():
@@ -59,9 +98,9 @@ def test_the_command_line_and_python_ask_for_the_same():
         "--lever-arm 0.1 -0.2 0 0.01 --relative drift --feature-count 500 --camera left_* --no-library --no-report"
     )
     assert CliRunner().invoke(probe, words.split()).exit_code == 0
-    by_words = made(OrientSettings, {**ASKED, **seen})
+    by_words = made(OrientSettings, {**PHOTOS, **seen})
     by_names = made(OrientSettings, {
-        **ASKED, "control": ["g.csv", Path("h.csv")], "control_sigma": [0.01, 0.02],
+        **PHOTOS, "control": ["g.csv", Path("h.csv")], "control_sigma": [0.01, 0.02],
         "scale_bar": [("A", "B", 1.2, 1e-4)], "gps": False, "precise": False, "lever_arm": (0.1, -0.2, 0, 0.01),
         "relative": "drift", "feature_count": 500, "separate": "left_*", "library": False, "report": False,
     })  # fmt: skip
@@ -96,7 +135,43 @@ def test_the_command_line_and_python_ask_for_the_same():
 )
 def test_what_cannot_be_is_named_with_its_limit(given, told):
     with pytest.raises(InputError, match=told):
-        made(OrientSettings, {**ASKED, **given})
+        made(OrientSettings, {**PHOTOS, **given})
+
+
+def test_an_adjustment_is_asked_for_alike():
+    seen = {}
+
+    @click.command()
+    @options_of(AdjustSettings)
+    def probe(**given):
+        seen.update(values_of(AdjustSettings, given))
+
+    asked = {"block": Path("a"), "out": Path("b")}
+    assert CliRunner().invoke(probe, []).exit_code == 0
+    assert made(AdjustSettings, {**asked, **seen}).options() == AdjustmentOptions()
+    words = "--datum inner --datum-points a,b --residuals corrected --robust-start --threads 2 --no-report"
+    assert CliRunner().invoke(probe, words.split()).exit_code == 0
+    by_words = made(AdjustSettings, {**asked, **seen})
+    by_names = made(AdjustSettings, {
+        **asked, "datum": "inner", "datum_points": ["a", "b"], "residuals": "corrected", "robust_start": True,
+        "threads": 2, "report": False,
+    })  # fmt: skip
+    assert by_words == by_names
+    assert by_words.options() == AdjustmentOptions(
+        datum="inner", datum_points=("a", "b"), residuals="corrected", robust_start=True, threads=2
+    )
+    assert CliRunner().invoke(probe, ["--residuals", "as_block"]).exit_code == 2
+
+
+def test_the_report_shows_what_an_adjustment_was_asked_for(tmp_path):
+    rb.write_block(simulate(field_scene(TargetField(stations=3)), Survey(scale_bars=1)).observed, tmp_path / "block")
+    run_adjust(made(AdjustSettings, {
+        "block": tmp_path / "block", "out": tmp_path / "result", "datum": "inner", "reject": "snooping",
+    }))  # fmt: skip
+    report = (tmp_path / "result" / "report.html").read_text(encoding="utf-8")
+    rows = [re.sub(r"<[^>]*>", " ", row).split() for row in report.split("<tr")]
+    changed = {row[1]: row[2] for row in rows if row[-3:] == ["not", "the", "default"]}
+    assert changed == {"datum": "inner", "reject": "snooping"}
 
 
 def test_a_setting_of_ones_own_needs_nothing_else():
@@ -122,3 +197,31 @@ def test_python_says_what_the_command_line_says(tmp_path):
     assert not (tmp_path / "calibration").exists()
     with pytest.raises(InputError, match="unknown target family"):
         rb.detect_targets(tmp_path, "nothing-7")
+
+
+def test_a_conversion_from_python_is_that_of_the_command_line(tmp_path):
+    block = simulate(field_scene(TargetField(stations=3)), Survey()).truth
+    rb.write_block(block, tmp_path / "block")
+    done = rb.convert(tmp_path / "block", tmp_path / "python", to="colmap-text", approximate=True)
+    words = [tmp_path / "block", "--to", "colmap-text", "--out", tmp_path / "line", "--approximate"]
+    assert CliRunner().invoke(convert_command, [str(w) for w in words]).exit_code == 0
+    assert done.files == 3
+    assert contents(tmp_path / "python") == contents(tmp_path / "line") != {}
+    assert len(done.block.observations) == len(block.observations)
+    with pytest.raises(InputError, match="unknown format 'colmapp'"):
+        rb.convert(tmp_path / "block", tmp_path / "other", to="colmapp")
+    with pytest.raises(InputError, match="crsystem is no setting"):
+        rb.convert(tmp_path / "block", tmp_path / "other", to="ply", crsystem="EPSG:25832")
+
+
+def test_a_folder_that_looks_like_two_formats_is_asked_for(tmp_path):
+    rb.write_block(simulate(field_scene(TargetField(stations=3)), Survey()).truth, tmp_path / "block")
+    rb.convert(tmp_path / "block", tmp_path / "model", to="colmap-text", approximate=True)
+    (tmp_path / "model" / "transforms.json").write_text("{}")
+    with pytest.raises(InputError, match="looks like colmap and nerfstudio; give --from"):
+        rb.convert(tmp_path / "model", tmp_path / "again", to="block")
+    assert rb.convert(tmp_path / "model", tmp_path / "again", to="block", read_as="colmap").files == 1
+
+
+def contents(folder):
+    return {p.name: p.read_bytes() for p in sorted(folder.iterdir())}

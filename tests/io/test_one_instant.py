@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from tests.truth.mixed_blocks import two_camera_rig
+from tests.truth.mixed_blocks import mixed, two_camera_rig
 from tests.truth.platform_blocks import platform_block
 
 from raybundle.adjustment.predict import predicted_px, residuals_px
@@ -17,7 +17,10 @@ def whole(block):
     return measured(block, 0.1)
 
 
-@pytest.mark.parametrize("model", ["brown_rolling", "fisheye_rolling", "brown_mounted", "brown_rolling_mounted"])
+MODELS = ("brown_rolling", "fisheye_rolling", "brown_mounted", "brown_rolling_mounted", "brown_trajectory_mounted")
+
+
+@pytest.mark.parametrize("model", MODELS)
 def test_image_points_are_those_of_the_sensor_alone(model):
     block = whole(platform_block(model))
     alone, remarks = at_one_instant(block)
@@ -27,8 +30,9 @@ def test_image_points_are_those_of_the_sensor_alone(model):
     left = np.linalg.norm(residuals_px(alone, rows), axis=1)
     # to first order: what is left is the square of the motion
     assert left.max() < max(1e-6, 0.02 * moved.max())
-    assert ("rolling" in model) == (moved.max() > 0.5)
-    assert any("rolling" in model and "read-out" in r for r in remarks) == ("rolling" in model)
+    moving = "rolling" in model or "trajectory" in model
+    assert moving == (moved.max() > 0.5)
+    assert any("read-out" in r for r in remarks) == moving
     assert any("rig" in r for r in remarks) == ("mounted" in model)
 
 
@@ -39,6 +43,12 @@ def test_cameras_of_a_rig_stand_where_they_were():
     for i in range(len(alone.images)):
         there = predicted_px(block, i, block.points.xyz)
         np.testing.assert_allclose(predicted_px(alone, i, alone.points.xyz), there, atol=1e-6)
+
+
+def test_a_line_has_no_instant():
+    block = mixed()
+    push = next(k for k, c in enumerate(block.cameras) if c.model == "pushbroom")
+    assert at_one_instant(block)[0].cameras[push] == block.cameras[push]
 
 
 def test_other_blocks_stay_as_they_are():

@@ -195,7 +195,9 @@ before = set(sensors.sensor_models)
 sensors.__path__.append(sys.argv[1])
 importlib.import_module("raybundle.sensors.division")
 new = set(sensors.sensor_models) - before
-assert new == {"division", "division_mounted", "division_rolling", "division_rolling_mounted"}, new
+assert new == {"division", *("division_" + p for p in (
+    "mounted", "rolling", "rolling_mounted", "trajectory", "trajectory_mounted"
+))}, new
 from dataclasses import replace
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.scenes import TargetField, field_scene
@@ -255,15 +257,61 @@ def test_every_frame_sensor_stands_on_every_platform():
     for name in frames:
         assert f"{name}_mounted" in sensor_models
         rolling = sensor_models[name].one_exposure
-        assert (f"{name}_rolling" in sensor_models) == (f"{name}_rolling_mounted" in sensor_models) == rolling
+        moving = [f"{name}_{p}{rig}" for p in ("rolling", "trajectory") for rig in ("", "_mounted")]
+        assert [n in sensor_models for n in moving] == [rolling] * 4
     assert not any(n.startswith(("panorama_", "pushbroom_")) for n in sensor_models)
-    assert set(platforms) == {"mounted", "rolling"}
+    assert set(platforms) == {"mounted", "rolling", "trajectory"}
+
+
+def test_no_sensor_moves_twice():
+    """A read-out and a trajectory are both motion: neither stands on the other."""
+
+    def motions(model):
+        return model.platform.moves + motions(model.sensor) if isinstance(model, Carried) else 0
+
+    assert {name for name, model in sensor_models.items() if motions(model) > 1} == set()
+
+
+def test_a_line_is_a_model_on_a_trajectory_alone():
+    assert "line" not in sensor_models
+    assert [n for n, m in sensor_models.items() if isinstance(m, Carried) and m.sensor.line] == ["pushbroom"]
+    push, frame = sensor_models["pushbroom"], sensor_models["brown_trajectory"]
+    assert push.platform is frame.platform
+    assert push.defaults[push.symbols.index("vy")] > 0
+    assert not frame.defaults[[frame.symbols.index(s) for s in frame.platform.symbols]].any()
+    values = dict(zip(push.symbols, push.typical, strict=True)) | {"vy": 0.0}
+    assert "vy" in push.objection(values, 24.0, ())
+    assert not push.objection(values, 24.0, ("vy",))
+    assert not frame.objection(dict(zip(frame.symbols, frame.defaults, strict=True)), 24.0, ())
+
+
+@pytest.mark.parametrize("model", [m for m in sensor_models.values() if isinstance(m, Carried)], ids=str)
+def test_points_on_a_ray_are_all_seen_at_its_image_point(model):
+    """Of a sensor that moves or is mounted the ray starts beside the station: it is no direction times a distance."""
+    rng = np.random.default_rng(3)
+    image = rng.uniform(-1, 1, (2, 60)) * np.array([FORMAT]).T / 2
+    values = np.repeat(model.typical[:, None], 60, axis=1)
+    near, far = (model.point_on_ray(image, values, distance) for distance in (3.0, 50.0))
+    for points in (near, far):
+        assert np.abs(model.condition_at(image, points, values)).max() < 1e-9
+    np.testing.assert_allclose(np.linalg.norm(far - near, axis=0), 47.0)
+
+
+def test_a_quadratic_way_is_the_linear_one_of_a_rolling_shutter_where_nothing_changes():
+    """A trajectory at v = -r times the velocity of a read-out is that read-out."""
+    points = scene(None, 50)
+    rolling, way = sensor_models["brown_rolling"], sensor_models["brown_trajectory"]
+    r, motion = rolling.typical[10], rolling.typical[11:]
+    values = np.concatenate([rolling.typical[:10], -r * motion[:3], np.zeros(3), -r * motion[3:], np.zeros(3)])
+    np.testing.assert_allclose(
+        way.project(points, values)[0], rolling.project(points, rolling.typical)[0], rtol=0, atol=1e-12
+    )
 
 
 def test_a_sensor_at_rest_in_the_middle_of_its_platform_is_itself():
     points = scene(None, 50)
     for name, model in sensor_models.items():
-        if isinstance(model, Carried) and not isinstance(model.sensor, Carried):
+        if isinstance(model, Carried) and not isinstance(model.sensor, Carried) and not model.sensor.line:
             values = np.concatenate([model.sensor.typical, np.zeros(len(model.platform.parameters))])
             own, _ = model.sensor.project(points, model.sensor.typical)
             np.testing.assert_allclose(model.project(points, values)[0], own, rtol=0, atol=1e-12, err_msg=name)

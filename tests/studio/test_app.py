@@ -178,3 +178,49 @@ def test_control_that_is_dropped_on_the_page(client):
     assert wrong.status_code == 409
     assert "line 2" in wrong.json()["error"]
     assert tempfile.gettempdir() not in wrong.json()["error"]
+
+
+def test_a_distance_has_its_sigma(client, desk):
+    ids = desk.block.points.ids
+    found = client.get("/api/query", params={"kind": "distance", "points": [ids[0], ids[1]]}).json()
+    (d,) = found["values"]
+    xyz = desk.block.points.xyz
+    assert d["value"] == pytest.approx(float(np.linalg.norm(xyz[0] - xyz[1])), rel=1e-9)
+    assert d["sigma"] > 0
+    assert "scale" in found["remark"]
+    assert client.get("/api/query", params={"kind": "distance", "points": [ids[0]]}).status_code == 409
+    assert client.get("/api/query", params={"kind": "volume", "points": [ids[0]]}).status_code == 409
+
+
+def test_snapping_brings_a_click_to_the_picture_or_says_why_not(client, desk):
+    image = desk.block.images.ids[0]
+    found = client.post("/api/snap", json={"image": image, "x": 800.0, "y": 600.0, "kind": "auto", "point": "n"}).json()
+    assert found.keys() == {"why"} or np.hypot(found["x"] - 800, found["y"] - 600) < 25
+    patch = client.post(
+        "/api/snap", json={"image": image, "x": 800.0, "y": 600.0, "kind": "patch", "point": "n"}
+    ).json()
+    assert "first image" in patch["why"]
+    for wrong in ({"x": "a"}, {"x": -5.0}, {"kind": "star"}, {"image": "nowhere"}):
+        given = {"image": image, "x": 8.0, "y": 6.0, "kind": "auto", "point": "n"} | wrong
+        assert client.post("/api/snap", json=given).status_code == 409
+
+
+def test_measured_points_are_adjusted_with_the_block(client, desk, studio, project):
+    """Three marks and a scale bar between two points of the block: a result of its own, the given one untouched."""
+    before = (project / "result" / "result.json").read_bytes()
+    o, b = desk.block.observations, desk.block
+    p = int(np.argmax(np.bincount(o.point)))
+    rows = np.flatnonzero(o.point == p)[:3]
+    for r in rows:
+        assert mark(client, b.images.ids[o.image[r]], "corner", *o.xy_px[r].tolist()).status_code == 200
+    start, end = b.points.ids[0], b.points.ids[5]
+    assert act(client, "bar", start=start, end=end, length=2.0, sigma=0.001).status_code == 200
+    assert client.post("/api/adjust", json={}).json() == {"begun": True}
+    studio.work.wait()
+    assert "corner" in desk.block.points.ids
+    found = client.get("/api/query", params={"kind": "distance", "points": [start, end]}).json()
+    assert found["values"][0]["value"] == pytest.approx(2.0, abs=0.005)
+    assert found["values"][0]["unit"] == "m"
+    assert (project / "result" / "result.json").read_bytes() == before
+    assert (project / "measured-result" / "report.html").is_file()
+    assert client.get("/api/overview").json()["unit"] == "m"

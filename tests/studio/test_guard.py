@@ -74,7 +74,8 @@ def test_a_socket_without_session_or_page_is_refused(stranger, client):
     "path",
     [
         "/../project.db", "/%2e%2e/project.db", "/..%2fproject.db", "/static/studio.js", "//etc/passwd",
-        "/%2Fetc%2Fpasswd", "/index.html", "/studio.js%00", "/api/tile/0/0/0/..%2f..", "/api/tile/-1/0/0/0", "/api/tile/0/99/0/0",
+        "/%2Fetc%2Fpasswd", "/index.html", "/studio.js%00", "/api/tile/0/0/0/..%2f..", "/api/tile/-1/0/0/0",
+        "/api/tile/0/99/0/0",
         "/api/tile/99999999999999999999/0/0/0", "/api/observations?image=..%2f..%2fetc%2fpasswd", "/api/nothing",
     ],
 )  # fmt: skip

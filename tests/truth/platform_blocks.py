@@ -1,4 +1,4 @@
-"""Every frame sensor on every platform: a rig of two cameras, or cameras that are read out while they move."""
+"""Every frame sensor on every platform: a rig of two cameras, or cameras that are read while they move."""
 
 from __future__ import annotations
 
@@ -15,8 +15,12 @@ from tests.truth.mixed_blocks import block_of, control_table
 MOUNTING = {"bx": 0.312, "by": -0.011, "bz": 0.024, "om": 0.012, "ph": -0.051, "ka": 0.007}
 MOTION = ("vx", "vy", "vz", "wx", "wy", "wz")
 SIGMA = dict(zip(MOTION, (0.05, 0.05, 0.05, 0.01, 0.01, 0.01), strict=True))
-COMBINATIONS = sorted(n for n, m in sensor_models.items() if isinstance(m, Carried) and not m.local_width)
-"""Compiled ones; coefficients of curves (spline) are too many for blocks of this size, see tests/sensors"""
+WAY = (*MOTION, "ax", "ay", "az", "qx", "qy", "qz")
+WAYS = dict(zip(WAY, (1e-3, -6e-4, 4e-4, 1e-4, -1.6e-4, 2e-4, 4e-5, -3e-5, 2e-5, 6e-6, -8e-6, 1e-5), strict=True))
+WAY_SIGMA = dict(zip(WAY, (1e-4,) * 3 + (2e-5,) * 3 + (1e-5,) * 3 + (2e-6,) * 3, strict=True))
+"""By the line [mm], and what GNSS and INS tell of it: 0.8 mm and 0.009 deg at the border of the format"""
+COMBINATIONS = sorted(n for n, m in sensor_models.items() if isinstance(m, Carried) and m.frame and not m.local_width)
+"""Of frames (pushbroom: test_mixed); coefficients of curves (spline) are too many for such blocks, see tests/sensors"""
 
 
 def camera_of(model: str, **how) -> Camera:
@@ -47,19 +51,22 @@ def platform_block(model: str, stations: int = 6) -> Block:
         centre, rng.uniform(-0.3, 0.3, (stations, 3)), rng.uniform(0, 6, stations), up=np.array([0.0, 1.0, 0.0])
     )
     moving = dict(zip(MOTION, (0.5, -0.3, 0.2, 0.05, -0.08, 0.1), strict=True)) | {"r": 0.03 / 15}
+    free, known = MOTION, SIGMA
+    if "_trajectory" in model:
+        moving, free, known = WAYS, WAY, WAY_SIGMA
     table = control_table(p, 5, 10, 0.001)
     if model.endswith("_mounted"):
         base = model.removesuffix("_mounted")
-        rolling = moving if base.endswith("_rolling") else {}
+        rolling = moving if base.endswith(("_rolling", "_trajectory")) else {}
         left = camera_of(base, id="left", values=rolling)
         right = replace(camera_of(model, id="right", values=rolling | MOUNTING), estimate=tuple(MOUNTING))
         if rolling:  # images of one station share their motion: given for all of a camera's
-            left = replace(left, estimate=MOTION, sigma=SIGMA)
+            left = replace(left, estimate=free, sigma=known)
         block = block_of(
             [left, right], np.tile([0, 1], stations), np.repeat(centre, 2, axis=0), np.repeat(rotation, 2, axis=0),
             xyz, *table, station=np.repeat(np.arange(stations, dtype=np.int32), 2),
         )  # fmt: skip
         return measured(block, 0.2)
-    camera = camera_of(model, values=moving, estimate=MOTION, per_image=MOTION, sigma=SIGMA)
-    own = {i: {s: moving[s] * float(rng.uniform(-1.5, 1.5)) for s in MOTION} for i in range(stations)}
+    camera = camera_of(model, values=moving, estimate=free, per_image=free, sigma=known)
+    own = {i: {s: moving[s] * float(rng.uniform(-1.5, 1.5)) for s in free} for i in range(stations)}
     return measured(block_of([camera], np.zeros(stations), centre, rotation, xyz, *table, interior=own), 0.2)

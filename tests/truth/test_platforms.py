@@ -12,7 +12,14 @@ from scipy.stats import chi2
 from tests.truth.mixed_blocks import MonteCarlo
 from tests.truth.platform_blocks import COMBINATIONS, platform_block
 
-SHORT = ("fisheye_mounted", "spherical_mounted", "rational_rolling", "fisheye_rolling", "brown_rolling_mounted")
+SHORT = (
+    "fisheye_mounted",
+    "spherical_mounted",
+    "rational_rolling",
+    "fisheye_rolling",
+    "brown_rolling_mounted",
+    "brown_trajectory",
+)
 
 
 @functools.cache

@@ -41,6 +41,7 @@ from raybundle.adjustment.reliability import (
 from raybundle.adjustment.result import (
     Adjustment,
     InteriorResult,
+    NetworkFigures,
     Notice,
     ObservationGroup,
     ObservationStatistics,
@@ -336,12 +337,12 @@ def result_of(
     brief = extent != "report"
     began = time.perf_counter()
     system, normals, datum, solution = work.system, work.normals, work.datum, work.solution
+    state, found = work.state, work.found
     redundancy = system.observations - system.unknowns + datum.defect
     square_sum = 2 * solution.cost
     sigma0 = float(np.sqrt(square_sum / redundancy)) if redundancy > 0 else float("nan")
     variance = sigma0**2 if redundancy > 0 else 1.0
     whitened, _ = normals.residuals(solution.state)
-    state, found = work.state, work.found
     covariances = None
     if found is not None and extent != "tests":
         covariances = (interior_precision if brief else precision)(normals, state, found, variance)
@@ -350,13 +351,12 @@ def result_of(
     groups = observation_groups(normals, state, found, sigma0)
     tests = 2 * len(system.rows) + sum(int((g.sigma > 0).sum()) for g in groups)
     interior = () if extent == "tests" else interior_results(normals, state, covariances, sigma0, redundancy)
-    if added:
-        interior = tuple(told_by_network(i, added, sigma0) for i in interior)
-    std = None if covariances is None else covariances.object_point_std
-    unit_mm = 1000.0 if block.length_unit == "m" else 1.0
+    interior = tuple(told_by_network(i, added, sigma0) for i in interior) if added else interior
     limit = family_wise_tau(options.significance, tests, redundancy)
     told = found is not None and not brief
     components = variance_components((system, whitened, observations, groups)) if told else ()
+    if not solution.converged:
+        notices = (Notice(code="weak_convergence", message=solution.trouble), *notices)
     adjustment = Adjustment(
         given=block,
         adjusted=_adjusted_block(system, state),
@@ -378,7 +378,7 @@ def result_of(
         precision=covariances,
         interior=interior,
         variance_components=components,
-        network=None if brief or not options.statistics else network_figures(system, state, std, work.parts, unit_mm),
+        network=None if brief or not options.statistics else _network(work, covariances),
         not_determinable=_not_determinable(interior),
         not_significant=(),
         critical_w=family_wise_normal(options.significance, tests),
@@ -388,11 +388,15 @@ def result_of(
         condition=1 / max(normals.solver.smallest_pivot, 1e-300),
         handle=Handle(work) if found is not None else EMPTY,
     )
-    if not solution.converged:
-        notices = (Notice(code="weak_convergence", message=solution.trouble), *notices)
-    adjustment = replace(adjustment, notices=notices)
     own = () if brief else notices_of(adjustment, _sum_of(work, adjustment, observations, groups))
     return replace(adjustment, notices=notices + own, seconds=seconds + time.perf_counter() - began)
+
+
+def _network(work: Work, covariances: Precision | None) -> NetworkFigures:
+    """Figures of the network, with the points' standard deviations where there are some."""
+    std = None if covariances is None else covariances.object_point_std
+    unit_mm = 1000.0 if work.system.block.length_unit == "m" else 1.0
+    return network_figures(work.system, work.state, std, work.parts, unit_mm)
 
 
 def _not_determinable(interior: tuple[InteriorResult, ...]) -> tuple[str, ...]:

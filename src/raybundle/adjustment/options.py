@@ -1,13 +1,22 @@
-"""The settings of an adjustment: one frozen object for Python, command line, project file and report."""
+"""The settings of an adjustment: one frozen object for Python, command line, project file and report.
+
+Fields with a help are options of the command line, too (`commands.adjust`).
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import Literal
 
+from raybundle.settings import NOT_NEGATIVE, setting
+
 Datum = Literal["auto", "control", "minimal", "inner"]
 NoiseModel = Literal["white", "fields", "auto"]
-
+NOISE_HELP = (
+    "Errors of image coordinates, for standard deviations: white: independent; fields: smooth ones that "
+    "differ from image to image, and a floor, both told by the residuals; auto: fields for five photographs or "
+    "more that are measured here, white for a block that is given."
+)
 
 FEWEST_IMAGES = 5
 """Images from which on their differences are looked for unasked: fewer are too small a sample of them."""
@@ -22,40 +31,42 @@ def noise_of_photographs(asked: NoiseModel, images: int) -> NoiseModel:
 class AdjustmentOptions:
     """How a block is adjusted.  The defaults adjust what is given: nothing rejected, nothing chosen."""
 
-    datum: Datum = "auto"
-    """auto: what control, distances and stations leave open is taken by inner constraints; control: an
-    error if anything stays open; minimal: the fewest coordinates of well-spread points held; inner: inner
-    constraints for everything but a scale that distances fix."""
-    datum_points: tuple[str, ...] = ()
-    """Points that carry the inner constraints; () = all object points."""
+    datum: Datum = setting(
+        "auto", "auto: inner constraints take what control, distances and stations leave open; control: an error if "
+        "anything stays open; minimal: the fewest coordinates held; inner: inner constraints for everything but a "
+        "measured scale.",
+    )  # fmt: skip
+    datum_points: tuple[str, ...] = setting(
+        (), "Points that carry the datum; all if not given.", metavar="ID,ID,...", joined=True
+    )
     datum_over: Literal["", "all", "good"] = ""
     """Without `datum_points`: all object points; good: those that rays determine to twice the median standard
     deviation, where points far away would carry their uncertainty into every standard deviation; "": as the block
     says, or all."""
-    estimate: Literal["given", "auto"] = "given"
-    """given: the parameters named in the block; auto: chosen by significance, BIC and determinability."""
+    estimate: Literal["given", "auto"] = setting(
+        "given", "given: the parameters named in block.toml; auto: chosen by significance and determinability."
+    )
     pixel_shape: Literal["sensor", "any"] = "sensor"
     """sensor: the automatic choice holds an affinity or a shear beyond what a sensor has; any: it believes each, as of
     scanned pictures.  Parameters that a camera's `estimate` names are free in any case."""
     weights: Literal["given", "residuals"] = "given"
     """Where the standard deviations of the image points come from.  residuals: an earlier adjustment of the same image
     points chose them, so that sigma0 near 1 and a passed global test say nothing; no number hangs on it."""
-    reject: Literal["none", "snooping"] = "none"
-    """snooping: blunders leave one family at a time, with reactivation."""
-    residuals: Literal["as_block", "measured", "corrected"] = "as_block"
-    """Where the residual is taken; see BLOCK_FORMAT."""
-    robust_start: bool = False
-    """Start with a Huber weight function; the end is always pure least squares."""
+    reject: Literal["none", "snooping"] = setting(
+        "none", "snooping: image observations with significant blunders are left out, one at a time."
+    )
+    residuals: Literal["as_block", "measured", "corrected"] = setting(
+        "as_block", "Where residuals are taken: at the measured or at the corrected image point.  [default: as "
+        "block.toml says]", unsaid=True,
+    )  # fmt: skip
+    robust_start: bool = setting(False, "Begin with a robust weight function; the end is least squares.")
     statistics: bool = True
     """False stops after the estimate: no covariances, no redundancy numbers."""
-    noise: NoiseModel = "auto"
-    """white: errors of image coordinates are independent; fields: smooth errors that differ from image to image and a
-    floor, both from the residuals, widen the standard deviations (the estimates stay); auto: fields for five
-    photographs or more that are measured here, white noise for blocks that are given."""
     max_iterations: int = 100
     tolerance: float = 1e-6
     """The last step's length, in standard deviations of the unknowns (root of dx' N dx / u)."""
     significance: float = 0.05
     """Family-wise significance level of the tests on additional parameters and of data snooping."""
-    threads: int = 0
-    """0 = all processors."""
+    threads: int = setting(0, "0: all processors.", limits=NOT_NEGATIVE)
+    noise: NoiseModel = setting("auto", NOISE_HELP)
+    """fields widens the standard deviations; the estimates stay."""

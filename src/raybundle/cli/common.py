@@ -8,11 +8,22 @@ from typing import Any, Literal, cast
 
 import click
 
+from raybundle.commands.convert import APPROXIMATE_HELP
 from raybundle.numerics.counting import counted, grouped, significant
 
 __all__ = [
-    "APPROXIMATE", "COMMAND_SETTINGS", "FOLDER", "FREE_SCALE", "NEW_FILE", "NEW_FILE_OR_FOLDER", "NEW_FOLDER", "Output",
-    "common_options", "counted", "grouped", "noise_option", "significant",
+    "APPROXIMATE",
+    "COMMAND_SETTINGS",
+    "FOLDER",
+    "NEW_FILE",
+    "NEW_FILE_OR_FOLDER",
+    "NEW_FOLDER",
+    "TRACEBACK",
+    "Output",
+    "common_options",
+    "counted",
+    "grouped",
+    "significant",
 ]  # fmt: skip
 COMMAND_SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
 FOLDER = click.Path(path_type=Path)
@@ -38,38 +49,21 @@ class Output(click.Path):
 NEW_FILE, NEW_FOLDER, NEW_FILE_OR_FOLDER = Output("file"), Output("folder"), Output("either")
 
 
-APPROXIMATE = click.option(
-    "--approximate", is_flag=True, help="Write cameras too that deviate from the given ones by more than 0.1 px."
-)
+APPROXIMATE = click.option("--approximate", is_flag=True, help=APPROXIMATE_HELP)
 
 
-FREE_SCALE = click.option(
-    "--free-scale", is_flag=True, help="Also where nothing fixes the scale: lengths are then in no unit."
+TRACEBACK = click.option(
+    "--traceback", is_flag=True, expose_value=False, help="After an error, show where in the program it arose."
 )
 
 
 def common_options(function: Callable[..., Any]) -> Callable[..., Any]:
     """Add --progress (an argument `progress`) and --traceback (looked up by `main`)."""
-    function = click.option(
-        "--traceback", is_flag=True, expose_value=False, help="After an error, show where in the program it arose."
-    )(function)
+    function = TRACEBACK(function)
     return click.option(
         "--progress",
         type=click.Choice(["auto", "json", "none"]),
         default="auto",
         show_default=True,
         help="auto: a bar on a terminal, nothing when piped; json: a JSON object a line on stderr.",
-    )(function)
-
-
-def noise_option(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Add --noise."""
-    return click.option(
-        "--noise",
-        type=click.Choice(["white", "fields", "auto"]),
-        default="auto",
-        show_default=True,
-        help="Errors of image coordinates, for standard deviations: white: independent; fields: smooth ones that "
-        "differ from image to image, and a floor, both told by the residuals; auto: fields for five photographs or "
-        "more that are measured here, white for a block that is given.",
     )(function)

@@ -7,6 +7,8 @@ from typing import Any
 
 import click
 
+from raybundle import settings
+
 SMALLEST, LARGEST = 1e-12, 1e12
 """Least and greatest size of a number other than 0.
 
@@ -42,7 +44,4 @@ class Number(click.FloatRange):
 NUMBER = Number()
 POSITIVE = Number(0, above=True)
 NOT_NEGATIVE = Number(0)
-PIXELS = Number(0, 1e5, above=True)
-"""A standard deviation of image points [px]: no format is wider."""
-METRES = Number(0, 1e6, above=True)
-"""A length of a flight [m]: farther away the Earth is not flat, and nothing flies."""
+PIXELS = Number(settings.PIXELS.low, settings.PIXELS.high, above=True)

@@ -10,7 +10,7 @@ import click
 from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER, common_options, counted
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.orient import OrientSettings, run_orient
-from raybundle.commands.setting import made
+from raybundle.settings import made
 
 if TYPE_CHECKING:
     from raybundle.workflows.orient import Orientation

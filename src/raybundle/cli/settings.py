@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import MISSING
 from pathlib import Path
 from typing import Any, get_args, get_origin
 
@@ -10,7 +11,7 @@ import click
 
 from raybundle.cli.common import FOLDER
 from raybundle.cli.numbers import Number
-from raybundle.commands.setting import Part, Range, Setting, settings_of
+from raybundle.settings import Part, Range, Setting, settings_of
 
 
 def options_of(kind: type, **types: click.ParamType) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
@@ -29,17 +30,19 @@ def _option(s: Setting, own: click.ParamType | None) -> Callable[[Callable[..., 
     if s.kind is bool:
         # a flag says the opposite of the default
         return click.option(flag, s.name, is_flag=True, flag_value=not s.default, default=s.default, help=s.about.help)
-    shown = s.default not in {None, "", ()}
     more: dict[str, Any] = {"metavar": s.about.metavar} if s.about.metavar else {}
-    return click.option(
-        flag, s.name, type=own or _type(s), multiple=s.many, default=s.default if shown else None, show_default=shown,
-        help=s.about.help, **more,
-    )  # fmt: skip
+    if s.default is MISSING:
+        more["required"] = True
+    else:
+        shown = not s.about.unsaid and s.default not in {None, "", ()}
+        more |= {"default": s.default if shown else None, "show_default": shown}
+    many = s.many and not s.about.joined
+    return click.option(flag, s.name, type=own or _type(s), multiple=many, help=s.about.help, **more)
 
 
 def _type(s: Setting) -> Any:
     if s.choices:
-        return click.Choice([c for c in s.choices if c])
+        return click.Choice([c for c in s.choices if c and not (s.about.unsaid and c == s.default)])
     if s.each is Path:
         return FOLDER
     if get_origin(s.each) is tuple:

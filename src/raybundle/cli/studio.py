@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from pathlib import Path
 
 import click
@@ -36,4 +37,5 @@ def command(source: Path, photos: tuple[Path, ...], port: int, no_browser: bool)
     def told(address: str) -> None:
         click.echo(f" studio of {source}: {address}\n Ctrl-C ends it; what was measured is kept")
 
-    serve(source, photos, port=port, browser=not no_browser, told=told)
+    with contextlib.suppress(KeyboardInterrupt):  # the way in which it ends
+        serve(source, photos, port=port, browser=not no_browser, told=told)

@@ -7,12 +7,12 @@ import time
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
-from raybundle.commands.orient import NOISE_HELP
-from raybundle.commands.setting import NOT_NEGATIVE, POSITIVE, Range, asked, setting
+from raybundle.adjustment.options import NOISE_HELP, NoiseModel
 from raybundle.errors import InputError, NotSolvable
 from raybundle.numerics.progress import Progress, silent
+from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, asked, setting
 
 if TYPE_CHECKING:
     from raybundle.calibration.quality import CalibrationQuality
@@ -59,7 +59,7 @@ class CalibrateSettings:
     shear: bool = setting(False, "Believe any shear and affinity of the pixels: for scanned pictures.")
     keep: bool = setting(False, "Keep a good calibration in the camera library, where orient finds it.")
     jobs: int = setting(0, "0: all processors.", limits=NOT_NEGATIVE)
-    noise: Literal["white", "fields", "auto"] = setting("auto", NOISE_HELP)
+    noise: NoiseModel = setting("auto", NOISE_HELP)
     report: bool = setting(True, "Leave out report.html and network.html.", flag="--no-report")
 
     def options(self) -> CalibrateOptions:

@@ -8,7 +8,10 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from raybundle.commands.setting import (
+from raybundle.adjustment.options import NOISE_HELP, NoiseModel
+from raybundle.errors import InputError
+from raybundle.numerics.progress import Progress, silent
+from raybundle.settings import (
     ANY,
     NOT_NEGATIVE,
     POSITIVE,
@@ -18,8 +21,6 @@ from raybundle.commands.setting import (
     setting,
     toml_lines,
 )
-from raybundle.errors import InputError
-from raybundle.numerics.progress import Progress, silent
 
 if TYPE_CHECKING:
     from raybundle.pipeline.project import StageRecord
@@ -27,12 +28,6 @@ if TYPE_CHECKING:
     from raybundle.report.facts import PhotographFacts
     from raybundle.workflows.orient import Orientation
     from raybundle.workflows.orient_options import OrientOptions
-
-NOISE_HELP = (
-    "Errors of image coordinates, for standard deviations: white: independent; fields: smooth ones that "
-    "differ from image to image, and a floor, both told by the residuals; auto: fields for five photographs or "
-    "more that are measured here, white for a block that is given."
-)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -130,7 +125,7 @@ class OrientSettings:
         None, "Time in which a rolling shutter reads a frame, where it is known; 0: there is none. Not given, "
         "photographs that state their times are asked for it.", metavar="MS", limits=Range(low=0, high=1000),
     )  # fmt: skip
-    noise: Literal["white", "fields", "auto"] = setting("auto", NOISE_HELP)
+    noise: NoiseModel = setting("auto", NOISE_HELP)
     report: bool = setting(True, "Leave out report.html and network.html.", flag="--no-report")
 
     def options(self) -> OrientOptions:

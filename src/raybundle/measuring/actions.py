@@ -5,8 +5,7 @@ Names are data: they are kept, compared and written, never interpreted.
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass, replace
 from typing import Any, ClassVar, Literal
 
@@ -14,15 +13,10 @@ import msgspec
 
 from raybundle.errors import InputError
 from raybundle.io.reading.words import quoted
+from raybundle.measuring.checks import check_mark, check_name, check_number, check_point, exists, marked, name_in_block
 from raybundle.measuring.known import Known
 from raybundle.measuring.state import Axes, Bar, Draft, How, Line, Mark, MeasuredPoint, RoleName, State
 
-LONGEST = 200
-"""Characters of a name."""
-LARGEST = 1e12
-"""Size of a length or coordinate, as on the command line."""
-WIDEST_PX = 1e5
-"""Standard deviation of a mark: no format is wider."""
 HAND_PX = 0.5
 """Standard deviation of a point marked by hand, as of the marks of control files."""
 Numbers3 = tuple[float | None, float | None, float | None]
@@ -80,7 +74,7 @@ class Put(Action):
     def settled(self, state: State, known: Known) -> Action:
         check_name("point", self.point)
         image = known.image(self.image)
-        _check_mark(known, image, self.mark)
+        check_mark(known, image, self.mark)
         if (image, self.point) in state.marks:
             raise InputError(
                 f"point {quoted(self.point)} is marked in image {quoted(image)} already; move it there, or remove it "
@@ -100,8 +94,8 @@ class Move(Put):
     verb: ClassVar[str] = "move"
 
     def settled(self, state: State, known: Known) -> Action:
-        image = _marked(self.image, self.point, state, known)
-        _check_mark(known, image, self.mark)
+        image = marked(self.image, self.point, state, known)
+        check_mark(known, image, self.mark)
         return replace(self, image=image)
 
 
@@ -114,7 +108,7 @@ class Remove(Action):
     point: str
 
     def settled(self, state: State, known: Known) -> Action:
-        return replace(self, image=_marked(self.image, self.point, state, known))
+        return replace(self, image=marked(self.image, self.point, state, known))
 
     def apply(self, draft: Draft) -> None:
         draft.marks.pop((self.image, self.point), None)
@@ -169,7 +163,7 @@ class Rename(Action):
         check_point(self.point, state, known)
         check_name("point", self.to)
         original = name_in_block(self.point, state, known)
-        if _exists(self.to, state, known):
+        if exists(self.to, state, known):
             raise InputError(
                 f"point {quoted(self.point)} cannot be called {quoted(self.to)}: there is a point of that name; choose "
                 "another, or forget that one first"
@@ -203,7 +197,7 @@ class Forget(Action):
 
     def settled(self, state: State, known: Known) -> Action:
         if self.point not in state.points:
-            if _exists(self.point, state, known):
+            if exists(self.point, state, known):
                 raise InputError(
                     f"point {quoted(self.point)} is of the block, nothing of it was measured by hand; reject its image "
                     "observations, one by one"
@@ -412,83 +406,3 @@ def action_of(verb: str, arguments: Mapping[str, Any]) -> Action:
         return msgspec.convert(dict(arguments), kind)
     except msgspec.ValidationError as error:
         raise InputError(f"{verb}: {error}; give the arguments as documented") from None
-
-
-def check_name(what: str, name: str) -> None:
-    """Raise InputError for a text that cannot be the name of a point or line."""
-    if not name or name != name.strip() or not name.isprintable() or len(name) > LONGEST:
-        raise InputError(
-            f"{what} {quoted(name)}: a name has 1 to {LONGEST} printable characters and no blank at its ends "
-            f"({len(name)} here); choose another"
-        )
-
-
-def check_number(
-    what: str, value: float, *, least: float | None = None, above: float | None = None, most: float = LARGEST
-) -> None:
-    """Raise InputError for what is no finite number within its limits."""
-    if not math.isfinite(value):
-        raise InputError(f"{what} is {value}, no finite number; give a number")
-    if above is not None and not value > above:
-        raise InputError(f"{what} is {value:g}; it must be above {above:g}")
-    if least is not None and not value >= least:
-        raise InputError(f"{what} is {value:g}; it must be at least {least:g}")
-    if abs(value) > most:
-        raise InputError(f"{what} is {value:g}; it must be at most {most:g} in size")
-
-
-def check_point(name: str, state: State, known: Known) -> None:
-    """Raise InputError for a point that is neither measured nor in the block."""
-    if not _exists(name, state, known):
-        measured = ", ".join(map(quoted, _some(state.points))) or "none"
-        raise InputError(
-            f"point {quoted(name)} is neither measured nor in the block; measured are: {measured}. Mark it in an image "
-            "first, or look at the spelling"
-        )
-
-
-def name_in_block(name: str, state: State, known: Known) -> str:
-    """What the block calls a point; empty where it does not hold it."""
-    for old, new in state.renamed.items():
-        if new == name:
-            return old
-    return name if name in known.points and name not in state.renamed else ""
-
-
-def _exists(name: str, state: State, known: Known) -> bool:
-    return name in state.points or bool(name_in_block(name, state, known))
-
-
-def _some(names: Iterable[str], most: int = 5) -> list[str]:
-    return [name for name, _ in zip(names, range(most), strict=False)]
-
-
-def _marked(image: str, point: str, state: State, known: Known) -> str:
-    """The image of a mark; raises InputError where there is none."""
-    found = known.image(image)
-    if (found, point) not in state.marks:
-        check_point(point, state, known)
-        places = ", ".join(map(quoted, _some(state.marks_of(point)))) or "none"
-        raise InputError(f"point {quoted(point)} is not marked by hand in image {quoted(found)}; it is in: {places}")
-    return found
-
-
-def _check_mark(known: Known, image: str, mark: Mark) -> None:
-    who = f"image {quoted(image)}"
-    check_number(f"{who}, x_px", mark.x_px)
-    check_number(f"{who}, y_px", mark.y_px)
-    known.inside(image, mark.x_px, mark.y_px)
-    xx, yy, xy = mark.covariance
-    for name, value in (("variance of x", xx), ("variance of y", yy)):
-        check_number(f"{who}, {name} [px^2]", value, above=0.0, most=WIDEST_PX**2)
-    check_number(f"{who}, covariance of x and y [px^2]", xy)
-    if not xy * xy < xx * yy:
-        raise InputError(
-            f"{who}: a covariance of {xy:g} px^2 of x and y does not go with variances of {xx:g} and {yy:g}; its size "
-            "must be below the root of their product"
-        )
-    if mark.clicked is not None:
-        for axis, value in zip("xy", mark.clicked, strict=True):
-            check_number(f"{who}, clicked {axis}", value)
-    if mark.quality is not None:
-        check_number(f"{who}, quality", mark.quality, least=0.0, most=1.0)

@@ -102,6 +102,11 @@ class Joint:
         C = found.reshape(3 * len(points), -1)
         return (C + C.T) / 2
 
+    def points_with(self, points: Sequence[int], others: Sequence[int]) -> Array:
+        """Covariance (n, 3, 3 k) of the coordinates of points with those of other points."""
+        right = [u for p in others for u in self._of_point(p)]
+        return self._columns(right, list(points))[1]
+
     def _of_point(self, point: int) -> list[tuple[str, int, int]]:
         if not self.takes_part(point):
             raise InputError(f"point {self.work.system.block.points.ids[point]} takes no part in the adjustment")

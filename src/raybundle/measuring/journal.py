@@ -56,6 +56,15 @@ def journal_path(folder: str | Path) -> Path:
     return whole.with_name(f"{whole.name}.measured.db")
 
 
+def measured_result(folder: str | Path) -> Path:
+    """Where the result of what was measured is written by default: in a project, beside any other folder."""
+    folder = Path(folder)
+    if (folder / "project.db").is_file():
+        return folder / "measured-result"
+    whole = folder.resolve()
+    return whole.with_name(f"{whole.name}-measured")
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Entry:
     """One row of the journal."""

@@ -144,16 +144,21 @@ def cxx_source(name: str, derived: Derived) -> str:
     image = [0, 1, 2, 3, 2 + k, 3 + k]  # g1, g2, dg1/dx, dg1/dy, dg2/dx, dg2/dy
     short = [(to, derived.outputs[i]) for to, i in enumerate(image)]
     reduced = _lanes(derived, show, _needed(derived.shared, [e for _, e in short]), short)
+    ends = [0, 1, *range(2, 7), *range(2 + k, 7 + k)]  # the same by x, y, X, Y, Z
+    some = [(to, derived.outputs[i]) for to, i in enumerate(ends)]
+    by_point = _lanes(derived, show, _needed(derived.shared, [e for _, e in some]), some)
     explicit = [derived.outputs[i] for i in image[2:]] == [1, 0, 0, 1]
     return (
         f"struct {name} {{\n"
         f'  static constexpr const char* label = "{name}";\n'
         f"  static constexpr int parameters = {k - 5};\n"
         f"  static constexpr bool explicit_image = {'true' if explicit else 'false'};\n"
-        "  static RB_INLINE void evaluate(const double (*in)[V], double (*out)[V]) {\n"
+        "  static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {\n"
         f"{full}  }}\n"
-        "  static RB_INLINE void by_image(const double (*in)[V], double (*out)[V]) {\n"
+        "  static RB_INLINE void by_image(const double (*in)[V], const double (*own)[V], double (*out)[V]) {\n"
         f"{reduced}  }}\n"
+        "  static RB_INLINE void by_point(const double (*in)[V], const double (*own)[V], double (*out)[V]) {\n"
+        f"{by_point}  }}\n"
         "};\n"
     )
 
@@ -164,19 +169,27 @@ def cxx_platform_source(name: str, derived: Derived, *, uses_image: bool) -> str
     k = len(derived.names)
     point = list(enumerate(derived.outputs[:3]))
     few = _needed(derived.shared, [e for _, e in point])
+    by_image = ""
+    if uses_image:
+        moving = [*point, *((3 + 2 * c + e, derived.outputs[3 + k * c + e]) for c in range(3) for e in range(2))]
+        by_image = (
+            "  static RB_INLINE void by_image(const double (*in)[V], const double (*own)[V], double (*out)[V]) {\n"
+            f"{_lanes(derived, show, _needed(derived.shared, [e for _, e in moving]), moving)}  }}\n"
+        )
     used: set[Any] = set().union(*(e.free_symbols for _, e in [*few, *point]))
-    alone = [f"    const double {n} = in[{i}];\n" for i, n in enumerate(derived.names) if sp.Symbol(n) in used]
+    alone = [f"    const double {n} = {_argument(i)};\n" for i, n in enumerate(derived.names) if sp.Symbol(n) in used]
     alone += [f"    const double {n} = {show(e)};\n" for n, e in few]
     alone += [f"    out[{i}] = {show(e)};\n" for i, e in point]
     return (
         f"struct {name} {{\n"
         f"  static constexpr int parameters = {k - 5};\n"
         f"  static constexpr bool uses_image = {'true' if uses_image else 'false'};\n"
-        "  static RB_INLINE void evaluate(const double (*in)[V], double (*out)[V]) {\n"
+        "  static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {\n"
         f"{_lanes(derived, show, derived.shared, list(enumerate(derived.outputs)))}  }}\n"
-        "  static RB_INLINE void place(const double (*in)[V], double (*out)[V]) {\n"
+        "  static RB_INLINE void place(const double (*in)[V], const double (*own)[V], double (*out)[V]) {\n"
         f"{_lanes(derived, show, few, point)}  }}\n"
-        "  static RB_INLINE void place_one(const double* in, double* out) {\n"
+        f"{by_image}"
+        "  static RB_INLINE void place_one(const double* in, const double* own, double* out) {\n"
         f"{''.join(alone)}  }}\n"
         "};\n"
     )
@@ -185,10 +198,18 @@ def cxx_platform_source(name: str, derived: Derived, *, uses_image: bool) -> str
 def _lanes(derived: Derived, show: Any, shared: Sequence[tuple[Any, Any]], outputs: Sequence[tuple[int, Any]]) -> str:
     used: set[Any] = set().union(*(e.free_symbols for _, e in [*shared, *outputs]))
     lines = ["    RB_SIMD\n    for (int l = 0; l < V; ++l) {\n"]
-    lines += [f"      const double {n} = in[{i}][l];\n" for i, n in enumerate(derived.names) if sp.Symbol(n) in used]
+    lines += [
+        f"      const double {n} = {_argument(i)}[l];\n" for i, n in enumerate(derived.names) if sp.Symbol(n) in used
+    ]
     lines += [f"      const double {n} = {show(e)};\n" for n, e in shared]
     lines += [f"      out[{i}][l] = {show(e)};\n" for i, e in outputs]
     return "".join([*lines, "    }\n"])
+
+
+def _argument(position: int) -> str:
+    """Image and object point stand in `in`, parameters in `own`: a platform's among those of a combination."""
+    k = len(POINT)
+    return f"in[{position}]" if position < k else f"own[{position - k}]"
 
 
 def _needed(shared: Sequence[tuple[Any, Any]], outputs: Sequence[Any]) -> list[tuple[Any, Any]]:

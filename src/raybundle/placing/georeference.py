@@ -97,19 +97,9 @@ def georeference(
     take_at_their_size(state, given.control, given.mark_px)
     free = intersected(state.block)
     drop_gross_marks(state, free)
-    mirrored = mirrored_notices(state.block, free)
-    state.notices += mirrored
-    if mirrored:
-        state.block = without_control(state.block)
-    else:
-        state.block, told = without_misread_control(state.block, free, units=frame is None)
-        state.notices += told
+    _drop_wrong_control(state, free, units=frame is None)
     control = _control_to_fit(state.block, free)
-    positions = None
-    if frame is not None and given.gps:
-        positions = positions_of(photos, state.block.images.oriented, frame)
-        positions, told = without_exchanged_positions(state.block, positions)
-        state.notices += told
+    positions = None if frame is None or not given.gps else _likely_positions(state, photos, frame)
     alone = positions is None or len(positions) < 3
     fixed = firm = _fix_by_control(state, photos, free, control, given, alone=alone, around=around)
     if not fixed and positions is not None:
@@ -159,6 +149,28 @@ def frame_of(photos: Sequence[Photo], given: Given) -> LocalFrame | None:
     if given.control or not given.gps or mean is None:
         return None
     return local_frame(WGS84, mean)
+
+
+def _drop_wrong_control(state: Placing, free: Array, *, units: bool) -> None:
+    """Take all control out where its axes are those of a mirror image, or else misread points of it.
+
+    units  whether its unit of length may be another one
+    """
+    mirrored = mirrored_notices(state.block, free)
+    state.notices += mirrored
+    if mirrored:
+        state.block = without_control(state.block)
+        return
+    state.block, told = without_misread_control(state.block, free, units=units)
+    state.notices += told
+
+
+def _likely_positions(state: Placing, photos: Sequence[Photo], frame: LocalFrame) -> Positions:
+    """The positions that photographs state, without those that are exchanged."""
+    given = positions_of(photos, state.block.images.oriented, frame)
+    positions, told = without_exchanged_positions(state.block, given)
+    state.notices += told
+    return positions
 
 
 def _control_to_fit(block: Block, free: Array) -> Index:

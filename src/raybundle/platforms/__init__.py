@@ -1,4 +1,4 @@
-"""Where a sensor stands: stations, rigs and read-outs; every sensor on every platform that can carry it is a model.
+"""Where a sensor stands: stations, rigs, read-outs, trajectories; each sensor on each that carries it is a model.
 
 Beside sensors a platform carries instruments: GNSS antennas and IMUs.
 A module in this folder that states a `Platform` or an `InstrumentModel` registers it on import.
@@ -17,7 +17,7 @@ for _module in iter_modules(__path__):
         import_module(f"{__name__}.{_module.name}")
 
 platforms, sensor_models, instrument_models = Platform.registry, SensorModel.registry, InstrumentModel.registry
-for _sensor in [*SensorModel.registry.values()]:
+for _sensor in [*SensorModel.registry.values(), *SensorModel.lines.values()]:
     register_carried(_sensor)
 SensorModel.followers.append(register_carried)
 

@@ -9,17 +9,20 @@ from typing import Any
 
 import numpy as np
 
-from raybundle.numerics import native
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.maths import Scalar
 from raybundle.platforms.platform import Platform
 from raybundle.sensors.model import SensorModel
+
+RAY_REACH = 1e3
+"""Length of the viewing rays of a line, in extents of its way within the image"""
 
 
 class Carried(SensorModel, registered=False):
     """A sensor on a platform; its parameters are those of the sensor, then those of the platform."""
 
     one_exposure = False
+    line = False
     sensor: SensorModel
     platform: Platform
 
@@ -47,18 +50,27 @@ class Carried(SensorModel, registered=False):
         return chained
 
     @property
-    def native(self) -> bool:
-        """Whether the combination is compiled into the native kernel."""
-        return self.sensor.native and self.name in native.sensor_models()
+    def moves(self) -> bool:
+        """Whether one of its platforms moves while an image is taken."""
+        return self.platform.moves or (isinstance(self.sensor, Carried) and self.sensor.moves)
+
+    @property
+    def shipped(self) -> bool:
+        """As of the sensor."""
+        return self.sensor.shipped
 
     def camera_constant(self, values: Array) -> float:
         """That of the sensor."""
         return self.sensor.camera_constant(values[: self.split])
 
     def start(self, points: Array, values: Array) -> Array:
-        """That of the sensor, as if the point were measured in the middle."""
+        """That of the sensor, as if the point were measured in the middle; of a line, where it passes the point."""
         own, mine = values[: self.split], values[self.split :]
-        return self.sensor.start(self.platform.place(np.zeros((2, 1)), points, mine), own)
+        if not self.sensor.line:
+            return self.sensor.start(self.platform.place(np.zeros((2, 1)), points, mine), own)
+        y = self.platform.line_passing(points, mine)
+        x, _ = self.sensor.start(self.platform.place(np.stack([np.zeros_like(y), y]), points, mine), own)
+        return np.stack([x, y])
 
     def in_front(self, points: Array, image: Array | None = None, values: Array | None = None) -> Mask:
         """Of the sensor; where it may look elsewhere than the platform and is not told, everywhere."""
@@ -69,15 +81,28 @@ class Carried(SensorModel, registered=False):
         return self.sensor.in_front(self.platform.place(at, points, values[self.split :]), image, values[: self.split])
 
     def ray(self, image: Array, values: Array, start: Array | None = None) -> Array:
-        """Newton from the direction in which the sensor looks."""
-        if start is None:
-            own = self.sensor.ray(image, values[: self.split])
-            start = self.platform.turned_back(own, values[self.split :])
-        return super().ray(image, values, start)
+        """Where the viewing rays meet the unit sphere, or their directions where the sensor is not within it.
+
+        Rays do not pass through the station.  Of a line, whose way is longer, points far along the rays.
+        """
+        if start is not None:
+            return super().ray(image, values, start)
+        place = self.point_on_ray(image, values, 0.0)
+        if self.sensor.line:
+            return self.point_on_ray(image, values, RAY_REACH * max(float(np.abs(place).max(initial=0.0)), 1.0))
+        direction = self.point_on_ray(image, values, 1.0) - place
+        along, left = np.sum(place * direction, axis=0), 1 - np.sum(place * place, axis=0)
+        met = place + (np.sqrt(along**2 + np.maximum(left, 0.0)) - along) * direction
+        return np.where(left > 0, met, direction)
+
+    def point_on_ray(self, image: Array, values: Array, distance: float) -> Array:
+        """Points (3, n) at this distance from where the sensor was."""
+        seen = self.sensor.point_on_ray(image, values[: self.split], distance)
+        return self.platform.placed_back(image, seen, values[self.split :])
 
     def objection(self, values: Mapping[str, float], width_mm: float, free: Sequence[str]) -> str:
         """What the sensor or the platform has to say."""
-        return self.sensor.objection(values, width_mm, free) or self.platform.objection(values, free)
+        return self.sensor.objection(values, width_mm, free) or self.platform.objection(self.sensor, values, free)
 
     def local(self, image: Array, points: Array, values: Array) -> tuple[Array, Array, Index]:
         """As of every model: the parameters that the sensor touches, and all of the platform."""
@@ -105,7 +130,7 @@ def _chained(J: Array, by: Array, shape: tuple[int, ...]) -> Array:
 def carried(sensor: SensorModel, platform: Platform) -> Carried:
     """The model SENSOR_PLATFORM."""
     k = len(sensor.parameters)
-    parameters = (*sensor.parameters, *platform.parameters)
+    parameters = (*sensor.parameters, *platform.parameters_with(sensor))
     symbols = [p.symbol for p in parameters]
     if len(set(symbols)) < len(symbols):
         raise TypeError(
@@ -122,7 +147,7 @@ def carried(sensor: SensorModel, platform: Platform) -> Carried:
     made: dict[str, Any] = {
         "__doc__": f"The model {sensor.name}, carried: {(platform.__doc__ or '').split(chr(10))[0]}",
         "__module__": __name__,
-        "name": f"{sensor.name}_{platform.name}",
+        "name": sensor.called.get(platform.name, f"{sensor.name}_{platform.name}"),
         "parameters": parameters,
         "sensor": sensor,
         "platform": platform,
@@ -135,10 +160,15 @@ def carried(sensor: SensorModel, platform: Platform) -> Carried:
 
 
 def register_carried(sensor: SensorModel) -> None:
-    """Put a sensor on every platform that carries it, and on platforms that stand on each other."""
+    """Put a sensor on every platform that carries it, and on platforms that stand on each other.
+
+    One motion at most: a trajectory does not stand on a read-out, nor a read-out on a trajectory.
+    """
     stacked: list[SensorModel] = [sensor]
     for platform in sorted(Platform.registry.values(), key=lambda p: p.order):
         for model in [m for m in stacked if platform.carries(sensor)]:
+            if platform.moves and isinstance(model, Carried) and model.moves:
+                continue
             made = carried(model, platform)
             SensorModel.registry[made.name] = made
             stacked.append(made)

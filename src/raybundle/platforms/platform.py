@@ -32,6 +32,8 @@ class Platform:
     """(x, y, X, Y, Z, *parameters): the point (X, Y, Z) in the axes of the sensor that measured it at x, y [mm]"""
     uses_image: ClassVar[bool]
     """Whether that depends on x and y"""
+    moves: ClassVar[bool] = False
+    """Whether it moves while an image is taken, line by line; a model has one motion at most"""
     looks_elsewhere: ClassVar[bool]
     """Whether the sensor may look another way than the frame of the exterior orientation does"""
     order: ClassVar[int]
@@ -51,12 +53,17 @@ class Platform:
         return tuple(p.symbol for p in self.parameters)
 
     def carries(self, sensor: SensorModel) -> bool:
-        """Whether a sensor may stand on it."""
-        return sensor.frame
+        """Whether a sensor may stand on it: a frame; on one that moves, a frame with rows that are read in turn."""
+        return sensor.frame and (sensor.one_exposure or not self.moves)
 
-    def objection(self, values: Mapping[str, float], free: Sequence[str]) -> str:
-        """Why observations would say nothing of these values, and what to do; "" for nothing."""
-        del values, free
+    def parameters_with(self, sensor: SensorModel) -> tuple[Parameter, ...]:
+        """The parameters where it carries this sensor, which may need other defaults."""
+        del sensor
+        return self.parameters
+
+    def objection(self, sensor: SensorModel, values: Mapping[str, float], free: Sequence[str]) -> str:
+        """Why observations by a sensor would say nothing of these values, and what to do; "" for nothing."""
+        del sensor, values, free
         return ""
 
     @cached_property
@@ -76,7 +83,16 @@ class Platform:
         found: Sequence[Scalar] = type(self).point(*image, *points, *values)
         return np.stack(np.broadcast_arrays(*found))
 
-    def turned_back(self, directions: Array, values: Array) -> Array:
-        """Directions (3, n) of the sensor's axes in the frame of the exterior orientation, about."""
+    def placed_back(self, image: Array, points: Array, values: Array) -> Array:
+        """Points (3, n) in the frame of the exterior orientation that lie at `points` (3, n) for the sensor.
+
+        The inverse of `place`, which is a motion of the point: R (point - P), of R and P whatever the image point.
+        """
+        origin = self.place(image, np.zeros_like(points), values)
+        by_axis = [self.place(image, np.zeros_like(points) + e[:, None], values) - origin for e in np.eye(3)]
+        return np.einsum("ein,in->en", np.stack(by_axis), points - origin)
+
+    def line_passing(self, points: Array, values: Array) -> Array:
+        """Image coordinate y (n,) [mm] at which a line sensor passes points (3, n), about; of platforms that move."""
         del values
-        return directions
+        return np.zeros_like(points[1])

@@ -23,6 +23,7 @@ class ReadOut(Platform):
     name = "rolling"
     order = 0
     uses_image = True
+    moves = True
     looks_elsewhere = False
     parameters = (
         Parameter("r", "s/mm", "read-out time over height of the format", typical=1.5e-3, kind="read-out"),
@@ -34,12 +35,9 @@ class ReadOut(Platform):
         Parameter("wz", "rad/s", "rotation rate about the viewing axis", typical=0.15),
     )
 
-    def carries(self, sensor: SensorModel) -> bool:
-        """Sensors with rows that are read one after the other: a stitched sphere has none."""
-        return sensor.frame and sensor.one_exposure
-
-    def objection(self, values: Mapping[str, float], free: Sequence[str]) -> str:
+    def objection(self, sensor: SensorModel, values: Mapping[str, float], free: Sequence[str]) -> str:
         """A rolling shutter without read-out time shows no motion."""
+        del sensor
         moving = [s for s in free if s in MOTION]
         if not moving or values.get("r") or "r" in free:
             return ""

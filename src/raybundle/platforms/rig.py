@@ -49,15 +49,6 @@ class Rig(Platform):
         del x, y
         return mounted_axes((X - bx, Y - by, Z - bz), (om, ph, ka))
 
-    def turned_back(self, directions: Array, values: Array) -> Array:
-        """Directions (3, n) of the camera's axes in those of the rig."""
-        X, Y, Z = directions
-        om, ph, ka = values[3:]
-        so, co, sp, cp, sk, ck = np.sin(om), np.cos(om), np.sin(ph), np.cos(ph), np.sin(ka), np.cos(ka)
-        X, Y = ck * X - sk * Y, ck * Y + sk * X
-        X, Z = cp * X + sp * Z, cp * Z - sp * X
-        return np.stack(np.broadcast_arrays(X, co * Y - so * Z, co * Z + so * Y))
-
 
 def orientation_of(centre: Array, rotation: Array, mounting: Mapping[str, float]) -> tuple[Array, Array]:
     """Projection centre (3,) and rotation (3, 3) of a camera from those of its rig and its mounting."""

@@ -69,6 +69,12 @@ class SensorModel:
     """Whether the model itself knows lengths in object space, as a satellite scene does."""
     followers: ClassVar[list[Callable[[SensorModel], None]]] = []
     """Told of every model that registers itself later: platforms carry it"""
+    lines: ClassVar[dict[str, SensorModel]] = {}
+    """Sensors of one line, which are models on platforms alone"""
+    line: ClassVar[bool] = False
+    """Whether it sees one line at a time, so that it is a model on a platform that moves and not by itself"""
+    called: ClassVar[Mapping[str, str]] = {}
+    """Platform -> name of the model of both, where it is not SENSOR_PLATFORM"""
     frame: ClassVar[bool] = True
     """Whether all of an image is seen from one place in one orientation, so that platforms can carry the sensor"""
     one_exposure: ClassVar[bool] = True
@@ -91,7 +97,8 @@ class SensorModel:
             raise TypeError(
                 f"{cls.__name__}: a parameter cannot be called {', '.join(sorted(taken))}; choose another name"
             )
-        SensorModel.registry[cls.name] = made = cls()
+        made = cls()
+        (SensorModel.lines if cls.line else SensorModel.registry)[cls.name] = made
         for follow in SensorModel.followers:
             follow(made)
 
@@ -131,7 +138,7 @@ class SensorModel:
         Shipped models have it generated (`sensors/generated`); others derive it with SymPy, which
         the extra `raybundle[models]` installs.
         """
-        if type(self).__module__.startswith("raybundle.sensors."):
+        if self.shipped:
             try:
                 generated = import_module(f"raybundle.sensors.generated.{self.name}")
             except ModuleNotFoundError:
@@ -143,11 +150,16 @@ class SensorModel:
         return derive(type(self).condition, self.symbols)
 
     @property
+    def shipped(self) -> bool:
+        """Whether it is one of raybundle's own, rather than of the user's."""
+        return type(self).__module__.startswith("raybundle.sensors.")
+
+    @property
     def native(self) -> bool:
         """Whether the model is compiled into the native kernel."""
         from raybundle.numerics import native  # noqa: PLC0415
 
-        return type(self).__module__.startswith("raybundle.sensors.") and self.name in native.sensor_models()
+        return self.shipped and self.name in native.sensor_models()
 
     def camera_constant(self, values: Array) -> float:
         """Camera constant [mm] of parameters (k,), for image scales; the first parameter."""

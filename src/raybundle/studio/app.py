@@ -24,6 +24,7 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from raybundle.errors import InputError, RaybundleError
 from raybundle.studio import answers, tables
+from raybundle.studio.asking import asked
 from raybundle.studio.control import control_actions
 from raybundle.studio.desk import Desk
 from raybundle.studio.guard import Guard, Session, TooLarge
@@ -126,8 +127,6 @@ class Studio:
         return _json(found)
 
     async def _query(self, request: Request) -> Response:
-        from raybundle.studio.asking import asked  # noqa: PLC0415
-
         q = request.query_params
         return _json(await run_in_threadpool(asked, self.desk, _text(q, "kind"), tuple(q.getlist("points"))))
 

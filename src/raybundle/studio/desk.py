@@ -14,7 +14,7 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block
-from raybundle.measuring.journal import Journal, journal_path
+from raybundle.measuring.journal import Journal, journal_path, measured_result
 from raybundle.measuring.known import Known
 from raybundle.measuring.session import Adjust, Session, block_folder, readjusted
 from raybundle.numerics.arrays import Index
@@ -22,8 +22,6 @@ from raybundle.pipeline.project import photographs_of
 from raybundle.studio.tiles import Tiles
 
 Kind = Literal["project", "result", "block"]
-MEASURED = "measured-result"
-"""Folder of the results that are adjusted here, in a project; beside a result or block it is NAME.measured-result."""
 
 
 @dataclass(slots=True)
@@ -51,7 +49,7 @@ class Desk:
         inner = block_folder(source)
         given = read_block(inner)
         kind: Kind = "project" if (source / "project.db").is_file() else "block" if inner == source else "result"
-        latest = result_of_measuring(source) / "block"
+        latest = measured_result(source) / "block"
         block = read_block(latest) if (latest / "block.toml").is_file() else given
         journal = Journal.open(journal_path(source), Known.of(given))
         paths = _photographs(given, [*photos, *photographs_of(source), *photographs_of(source / "result")])
@@ -90,14 +88,6 @@ class Desk:
     def close(self) -> None:
         """Close the journal."""
         self.journal.close()
-
-
-def result_of_measuring(source: Path) -> Path:
-    """Where the result of what was measured goes."""
-    if (source / "project.db").is_file():
-        return source / MEASURED
-    whole = source.resolve()
-    return whole.with_name(f"{whole.name}.{MEASURED}")
 
 
 def _photographs(block: Block, folders: Sequence[Path]) -> dict[int, Path]:

@@ -25,7 +25,7 @@ def listening(port: int) -> socket.socket:
     found.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
         found.bind(("127.0.0.1", port))
-        found.listen(128)  # who has the address may come before the server answers
+        found.listen(128)  # who opens the address at once waits until the server answers
     except OSError as error:
         found.close()
         raise InputError(f"port {port} cannot be used ({error.strerror}); leave --port out for a free one") from None

@@ -24,6 +24,8 @@ SIDE = 512
 MOST_BYTES = 6 * 1024**3
 """Of decoded photographs on disk; the one that was looked at longest ago leaves."""
 QUALITY = 88
+BAND = 1024
+"""Rows that are reduced at once; even."""
 
 
 def levels(width: int, height: int) -> int:
@@ -99,17 +101,11 @@ class Tiles:
 
     def _made(self, image: int) -> _Pyramid:
         photo = self.photo(image)
-        here = read_colour(photo)
-        kept: list[Array] = []
-        for level in range(levels(photo.width_px, photo.height_px)):
-            if level:
-                # every pixel of a copy is the mean of four, so that places stay where they are
-                h, w = here.shape[:2]
-                even = cv2.copyMakeBorder(here, 0, h % 2, 0, w % 2, cv2.BORDER_REPLICATE)
-                here = cv2.resize(even, (even.shape[1] // 2, even.shape[0] // 2), interpolation=cv2.INTER_AREA)
-            file = self.folder / f"{image}-{level}.npy"
-            np.save(file, here)
-            kept.append(np.load(file, mmap_mode="r"))
+        file = self.folder / f"{image}-0.npy"
+        np.save(file, read_colour(photo))
+        kept = [np.load(file, mmap_mode="r")]
+        for level in range(1, levels(photo.width_px, photo.height_px)):
+            kept.append(_halved(kept[-1], self.folder / f"{image}-{level}.npy"))
         return _Pyramid(kept, sum(int(a.nbytes) for a in kept))
 
     def _make_room(self, latest: int) -> None:
@@ -119,3 +115,20 @@ class Tiles:
             # what still reads it keeps its mapping, the file goes with the last of them
             for level in range(len(gone.levels)):
                 (self.folder / f"{oldest}-{level}.npy").unlink(missing_ok=True)
+
+
+def _halved(source: Array, file: Path) -> Array:
+    """A copy of half the size in a file of its own, made in bands.
+
+    Each pixel is the mean of four, so that places stay where they are; a last odd row or column is repeated.
+    """
+    h, w = source.shape[:2]
+    target = np.lib.format.open_memmap(file, mode="w+", dtype=np.uint8, shape=(-(-h // 2), -(-w // 2), 3))
+    for top in range(0, h, BAND):
+        band = np.ascontiguousarray(source[top : top + BAND])
+        even = cv2.copyMakeBorder(band, 0, len(band) % 2, 0, w % 2, cv2.BORDER_REPLICATE)
+        size = even.shape[1] // 2, len(even) // 2
+        target[top // 2 : top // 2 + size[1]] = cv2.resize(even, size, interpolation=cv2.INTER_AREA)
+    target.flush()
+    del target
+    return np.load(file, mmap_mode="r")

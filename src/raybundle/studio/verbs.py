@@ -3,47 +3,47 @@
 from __future__ import annotations
 
 import shlex
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
 
 def command_of(source: Path, verb: str, arguments: Mapping[str, Any]) -> str:
-    """The command line of an action; empty for what has none of its own."""
-    words = _WORDS.get(verb)
-    if words is None:
-        return ""
-    return shlex.join(["raybundle", "mark", verb, str(source), *words(arguments)])
+    """The command line of an action."""
+    return shlex.join(["raybundle", "mark", verb, *_WORDS[verb](str(source), arguments)])
 
 
-def _number(value: float) -> str:
-    return f"{value:.10g}"
+def _given(folder: str, options: list[str], *words: Any) -> list[str]:
+    """Options, then what may begin with a minus sign."""
+    return [*options, "--", folder, *(str(w) for w in words)]
 
 
-def _mark(a: Mapping[str, Any]) -> list[str]:
-    xx, yy, xy = a["covariance"]
-    told = [str(a["image"]), str(a["point"]), _number(a["x_px"]), _number(a["y_px"])]
-    if xy:
-        return [*told, "--covariance", *(_number(v) for v in (xx, yy, xy))]
-    return [*told, "--sigma", _number(xx**0.5), _number(yy**0.5)]
+def _mark(folder: str, a: Mapping[str, Any]) -> list[str]:
+    covariance = ["--covariance", *(repr(float(v)) for v in a["covariance"])]
+    return _given(folder, covariance, a["image"], a["point"], float(a["x_px"]), float(a["y_px"]))
 
 
-def _point(a: Mapping[str, Any]) -> list[str]:
-    told = [str(a["point"]), "--role", str(a["role"])]
-    for axis, value, sigma in zip("xyz", a["xyz"], a["sigma"], strict=True):
-        if value is not None:
-            told += [f"--{axis}", _number(value)]
-        if sigma is not None:
-            told += [f"--s{axis}", _number(sigma)]
-    return told
+def _point(folder: str, a: Mapping[str, Any]) -> list[str]:
+    options = ["--role", str(a["role"])]
+    for flag, values in (("--coordinates", a["xyz"]), ("--sigma", a["sigma"])):
+        if any(v is not None for v in values):
+            options += [flag, *("-" if v is None else repr(float(v)) for v in values)]
+    return _given(folder, options, a["point"])
 
 
-_WORDS = {
-    "put": _mark,
-    "move": _mark,
-    "remove": lambda a: [str(a["image"]), str(a["point"])],
-    "point": _point,
-    "bar": lambda a: [str(a["start"]), str(a["end"]), _number(a["length"]), _number(a["sigma"])],
-    "undo": lambda _: [],
-    "redo": lambda _: [],
-}
+def _line(folder: str, a: Mapping[str, Any]) -> list[str]:
+    options = ["--sigma", repr(float(a["sigma"])), *(["--plumb"] if a["kind"] == "plumb" else [])]
+    return _given(folder, options, a["line"], *a["points"])
+
+
+def _words(*names: str) -> Callable[[str, Mapping[str, Any]], list[str]]:
+    """A verb whose arguments stand as they are."""
+    return lambda folder, a: _given(folder, [], *(a[n] for n in names if a[n] != ""))
+
+
+_WORDS: Mapping[str, Callable[[str, Mapping[str, Any]], list[str]]] = {
+    "put": _mark, "move": _mark, "point": _point, "line": _line, "remove": _words("image", "point"),
+    "rename": _words("point", "to"), "forget": _words("point"), "bar": _words("start", "end", "length", "sigma"),
+    "unbar": _words("start", "end"), "datum": _words("origin", "axis", "plane"), "reject": _words("image", "point"),
+    "accept": _words("image", "point"), "undo": _words(), "redo": _words(),
+}  # fmt: skip

@@ -7,11 +7,12 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from raybundle.errors import RaybundleError
+from raybundle.measuring.journal import measured_result
 from raybundle.measuring.merge import merge
 from raybundle.measuring.session import Session
 from raybundle.report.write import write_result
 from raybundle.studio.answers import finite
-from raybundle.studio.desk import Desk, result_of_measuring
+from raybundle.studio.desk import Desk
 from raybundle.studio.live import Live
 from raybundle.workflows.adjust import adjust
 
@@ -81,7 +82,7 @@ class Work:
         desk = self.desk
         made = merge(desk.given, desk.journal.state)
         done = adjust(made.block, progress=self._tell)
-        folder = result_of_measuring(desk.source)
+        folder = measured_result(desk.source)
         write_result(done, folder, progress=self._tell)
         desk.replaced(Session.of(done))
         return str(folder)

@@ -151,7 +151,11 @@ def _axes(normal: Array, towards: Array) -> Array:
 
 def usual_pixel(block: Block, plane: Plane) -> float:
     """The median size of a photograph's pixel in the plane, in two digits."""
-    value = _pixel_at(block, plane.origin)
+    return _two_digits(_pixel_at(block, plane.origin))
+
+
+def _two_digits(value: float) -> float:
+    """The next greater number of two digits."""
     digits = 10.0 ** (np.floor(np.log10(value)) - 1)
     return float(np.ceil(value / digits) * digits)
 
@@ -181,18 +185,55 @@ def rectify_block(
     Of several photographs that show a place the one that looks at it most squarely with small pixels is taken; what
     hides the plane from it is not known.
     """
+    names = [f or i for f, i in zip(block.images.file, block.images.ids, strict=True)]
+    images = _photographs(block, names, only)
     places, shape = grid.coarse()
     xyz = plane.origin + places @ plane.axes[:2]
-    best, choice = np.full(len(xyz), np.inf), np.full(len(xyz), -1)
-    names = [f or i for f, i in zip(block.images.file, block.images.ids, strict=True)]
+    maps, choice = _best_views(block, images, plane, xyz, shape, progress)
+    picture = Rectified.empty(grid.height, grid.width)
+    remarks: list[str] = []
+    used = [k for k in maps if (choice == k).any()]
+    slopes: list[Array] = []
+    for done, k in enumerate(used):
+        progress("rectifying", done / len(used))
+        try:
+            pixels = picture.photograph(folders, names[k], block.cameras[int(block.images.camera[k])])
+        except (OSError, ValueError, SyntaxError, InputError) as error:
+            remarks.append(f"{names[k]} is left out: {error}")
+            continue
+        picture.add(names[k], pixels, maps[k].reshape(*shape, 2), (choice == k).reshape(shape), STEP)
+        ray = block.images.centre[k] - xyz[choice == k]
+        facing = ray @ plane.axes[2] / np.linalg.norm(ray, axis=1)
+        slopes.append(np.sqrt(1 - facing**2) / facing)
+    progress("rectifying", 1.0)
+    if not picture.shares:
+        raise InputError(
+            "no photograph shows the area, or none was found; say where they are with --photos, or choose another "
+            "--area",
+            file=folders[0] if folders else None,
+        )
+    every = np.concatenate(slopes)
+    picture.slope = float(np.sqrt((every**2).mean())), float(every.max())
+    return picture, tuple(remarks)
+
+
+def _photographs(block: Block, names: Sequence[str], only: Sequence[str]) -> list[int]:
+    """Positions of the oriented photographs, or of those asked for by name or id."""
     unknown = sorted(set(only) - set(names) - set(block.images.ids))
     if unknown:
         raise InputError(f"photograph {unknown[0]} is not in the result")
-    images = [
+    return [
         k for k in np.flatnonzero(block.images.oriented).tolist()
         if not block.cameras[int(block.images.camera[k])].is_scene
         and (not only or names[k] in only or block.images.ids[k] in only)
     ]  # fmt: skip
+
+
+def _best_views(
+    block: Block, images: Sequence[int], plane: Plane, xyz: Array, shape: tuple[int, int], progress: Progress
+) -> tuple[dict[int, Array], Array]:
+    """Where in each photograph the places (n, 3) lie (n, 2), and for each place the photograph to take; -1: none."""
+    best, choice = np.full(len(xyz), np.inf), np.full(len(xyz), -1)
     maps: dict[int, Array] = {}
     for done, k in enumerate(images):
         progress("places in the photographs", done / len(images))
@@ -212,32 +253,7 @@ def rectify_block(
         choice[size < best] = k
         best = np.minimum(best, size)
         maps[k] = at.astype(np.float32)
-    picture = Rectified.empty(grid.height, grid.width)
-    remarks: list[str] = []
-    used = [k for k in maps if (choice == k).any()]
-    slopes: list[Array] = []
-    for done, k in enumerate(used):
-        progress("rectifying", done / len(used))
-        camera = block.cameras[int(block.images.camera[k])]
-        try:
-            pixels = picture.photograph(folders, names[k], camera)
-        except (OSError, ValueError, SyntaxError, InputError) as error:
-            remarks.append(f"{names[k]} is left out: {error}")
-            continue
-        picture.add(names[k], pixels, maps[k].reshape(*shape, 2), (choice == k).reshape(shape), STEP)
-        ray = block.images.centre[k] - xyz[choice == k]
-        facing = ray @ plane.axes[2] / np.linalg.norm(ray, axis=1)
-        slopes.append(np.sqrt(1 - facing**2) / facing)
-    progress("rectifying", 1.0)
-    if not picture.shares:
-        raise InputError(
-            "no photograph shows the area, or none was found; say where they are with --photos, or choose another "
-            "--area",
-            file=folders[0] if folders else None,
-        )
-    every = np.concatenate(slopes)
-    picture.slope = float(np.sqrt((every**2).mean())), float(every.max())
-    return picture, tuple(remarks)
+    return maps, choice
 
 
 def _within(inside: Array) -> Array:
@@ -267,6 +283,14 @@ class SinglePhoto:
         xyz = np.concatenate([places, np.zeros((len(places), 1))], axis=1)
         at = self.fit.project(xyz)
         return at if self.camera is None else pixels_of_plane(self.camera, at)
+
+    @property
+    def usual_pixel(self) -> float:
+        """The size of the photograph's pixel in the middle of the control points, in two digits."""
+        left, bottom, right, top = self.extent
+        middle = np.array([[(left + right) / 2, (bottom + top) / 2, 0.0]])
+        _, J, _ = self.fit.project_with_partials(middle)
+        return _two_digits(1 / float(np.sqrt(abs(np.linalg.det(J[0, :, :2])))))
 
 
 def fit_photo(

@@ -89,7 +89,7 @@ def result_seeds(top: Path) -> None:
 
 
 def read_a_result(folder: Path) -> list[str]:
-    from raybundle.cli.convert import read_source
+    from raybundle.workflows.sources import read_source
 
     return wrong_in_block(read_source(folder / "r", None)[0].block)
 

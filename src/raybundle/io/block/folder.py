@@ -100,25 +100,21 @@ def _check_folder(folder: Path) -> None:
             raise InputError(f"is not read; rename it to {meant}.csv, or take it out of the folder", file=entry)
 
 
-def _read_images(path: Path, cameras: tuple[Camera, ...]) -> tuple[Images, dict[str, int]]:
-    table = read_table(
-        path,
-        (
-            Column(name="image", kind="id"),
-            Column(
-                name="camera",
-                kind="reference",
-                known={c.id: k for k, c in enumerate(cameras)},
-                where="the cameras of block.toml",
-            ),
-            Column(name="file", kind="text", empty=True),
-            *(Column(name=n, kind="number", empty=True) for n in (*XYZ, *ANGLES)),
-            Column(name="held", kind="number", optional=True, empty=True),
-            Column(name="station", kind="text", optional=True, empty=True),
-            *(Column(name=n, kind="number", optional=True, empty=True) for n in FRAME),
-        ),
-        without=NEEDED,
+def _image_columns(cameras: tuple[Camera, ...]) -> tuple[Column, ...]:
+    of = {c.id: k for k, c in enumerate(cameras)}
+    return (
+        Column(name="image", kind="id"),
+        Column(name="camera", kind="reference", known=of, where="the cameras of block.toml"),
+        Column(name="file", kind="text", empty=True),
+        *(Column(name=n, kind="number", empty=True) for n in (*XYZ, *ANGLES)),
+        Column(name="held", kind="number", optional=True, empty=True),
+        Column(name="station", kind="text", optional=True, empty=True),
+        *(Column(name=n, kind="number", optional=True, empty=True) for n in FRAME),
     )
+
+
+def _read_images(path: Path, cameras: tuple[Camera, ...]) -> tuple[Images, dict[str, int]]:
+    table = read_table(path, _image_columns(cameras), without=NEEDED)
     ids = table.text["image"]
     centre = table.numbers(*XYZ)
     angles = table.numbers(*ANGLES)

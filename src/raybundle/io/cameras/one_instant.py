@@ -1,8 +1,9 @@
 """A block as other programs can take it: images with a place of their own, exposed at one instant.
 
 Formats of other programs know neither rigs nor read-outs.  A camera on a rig stands for itself with the exterior
-orientation that follows from the rig's; of a rolling shutter the middle row stands for the image, and its image points
-are moved to where they would be had all rows been read at that instant.
+orientation that follows from the rig's; of a rolling shutter, and of a frame on a trajectory, the middle row stands for
+the image, and its image points are moved to where they would be had all rows been read at that instant.  A line sensor
+has no such instant and stays as it is.
 """
 
 from __future__ import annotations
@@ -14,7 +15,6 @@ import numpy as np
 from raybundle.block import Block, Camera
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.platforms import Carried, Platform
-from raybundle.platforms.read_out import MOTION
 from raybundle.platforms.rig import ANGLES, OFFSET, orientation_of
 from raybundle.platforms.station import sensor_from_object
 from raybundle.sensors import SensorModel
@@ -68,7 +68,7 @@ def at_one_instant(block: Block) -> tuple[Block, tuple[str, ...]]:
 
 def _unloaded(sensor: SensorModel) -> _Unloaded:
     found: list[Platform] = []
-    while isinstance(sensor, Carried):
+    while isinstance(sensor, Carried) and not sensor.sensor.line:
         found.append(sensor.platform)
         sensor = sensor.sensor
     return _Unloaded(sensor=sensor, platforms=tuple(reversed(found)))
@@ -93,7 +93,7 @@ def _moved(block: Block, image: int, camera: Camera, unloaded: _Unloaded) -> tup
     o = block.observations
     placed: Mask = np.asarray(np.isfinite(block.points.xyz).all(axis=1), bool)
     rows = np.flatnonzero((o.image == image) & placed[o.point])
-    moves = any(camera.values.get(s) for s in MOTION) and camera.values.get("r")
+    moves = any(p.moves for p in unloaded.platforms)
     if not moves or not len(rows) or not block.images.oriented[image]:
         return np.zeros((0, 2)), rows[:0]
     R, X0 = block.images.rotation[image], block.images.centre[image]
@@ -103,6 +103,8 @@ def _moved(block: Block, image: int, camera: Camera, unloaded: _Unloaded) -> tup
     for platform in reversed(unloaded.platforms):  # from outside
         still = there
         there = platform.place(measured, there, np.array([camera.values.get(s, 0.0) for s in platform.symbols]))
+    if np.array_equal(still, there):
+        return np.zeros((0, 2)), rows[:0]
     own = [np.full(len(rows), camera.values.get(p.symbol, p.default)) for p in unloaded.sensor.parameters]
     _, J = unloaded.sensor.condition_and_jacobian(*measured, *there, *own)
     B, by_point = np.moveaxis(J[:, :2], 2, 0), np.moveaxis(J[:, 2:5], 2, 0)

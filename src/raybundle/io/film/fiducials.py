@@ -240,15 +240,7 @@ def film_of(
     target, sigma_mm = calibrated.xy_mm[at], calibrated.sigma_mm[at]
     middle = np.asarray(xy_px, float).mean(axis=0)
     uv = (xy_px - middle) * [1.0, -1.0] * pixel_mm
-    try:
-        fits = [_fit(image, uv * [side, 1.0], target, sigma_px * pixel_mm, sigma_mm, model) for side in (1.0, -1.0)]
-    except InputError:
-        if len(names) > 3 and exchanges(names, uv, target):
-            message = f"image {image}: no {model} transformation fits the marks; {_blame(names, uv, target)}"
-            raise InputError(message) from None
-        raise
-    mirrored = _mirrored(fits[0].h) if model != "similarity" else fits[1].square_sum < fits[0].square_sum
-    found = fits[1] if mirrored else fits[0]
+    found, mirrored = _fit_of_a_side(image, names, uv, target, sigma_px * pixel_mm, sigma_mm, model)
     J = None if model == "projective" else _uv_partials(np.zeros((1, 2)), found.h)[1][0]  # a print may stand askew
     if wrong := implausible(found.residuals, J):
         raise InputError(f"image {image}: {wrong}; {_blame(names, uv, target)}")
@@ -261,7 +253,7 @@ def film_of(
         model=model,
         marks=tuple(names),
         pixel_mm=pixel_mm,
-        mirrored=bool(mirrored),
+        mirrored=mirrored,
         middle_px=middle,
         h=found.h,
         covariance=found.covariance * misfit**2,
@@ -273,6 +265,21 @@ def film_of(
         reseau=reseau,
         crosses_mm=target if reseau != "none" else np.zeros((0, 2)),
     )
+
+
+def _fit_of_a_side(
+    image: str, names: Sequence[str], uv: Array, target: Array, sigma_uv: Array, sigma_mm: Array, model: Model
+) -> tuple[_Fit, bool]:
+    """The transformation, and whether the scan shows the film from its other side."""
+    try:
+        fits = [_fit(image, uv * [side, 1.0], target, sigma_uv, sigma_mm, model) for side in (1.0, -1.0)]
+    except InputError:
+        if len(names) > 3 and exchanges(names, uv, target):
+            message = f"image {image}: no {model} transformation fits the marks; {_blame(names, uv, target)}"
+            raise InputError(message) from None
+        raise
+    mirrored = bool(_mirrored(fits[0].h) if model != "similarity" else fits[1].square_sum < fits[0].square_sum)
+    return fits[1] if mirrored else fits[0], mirrored
 
 
 def _blame(names: Sequence[str], uv: Array, target: Array) -> str:

@@ -12,7 +12,9 @@ from raybundle.io.formats.base import (
     Import,
     Written,
     check_deviation,
+    format_named,
     formats,
+    looks_like,
     read_format,
     write_format,
 )
@@ -20,4 +22,15 @@ from raybundle.io.formats.base import (
 for _module in iter_modules(__path__):
     import_module(f"{__name__}.{_module.name}")
 
-__all__ = ["Export", "Format", "Import", "Written", "check_deviation", "formats", "read_format", "write_format"]
+__all__ = [
+    "Export",
+    "Format",
+    "Import",
+    "Written",
+    "check_deviation",
+    "format_named",
+    "formats",
+    "looks_like",
+    "read_format",
+    "write_format",
+]

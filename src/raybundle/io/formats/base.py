@@ -14,7 +14,7 @@ from raybundle.errors import InputError
 from raybundle.io.cameras.conversions import LIMIT_PX, CameraFit, interiors, parameter_vector
 from raybundle.io.folders import make_parent, new_files, new_folder
 from raybundle.io.geo.coordinate_systems import LocalFrame
-from raybundle.io.reading.files import guarded
+from raybundle.io.reading.files import guarded, opened
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.sensors import ProjectionDiverged, sensor_models
 
@@ -88,6 +88,8 @@ class Format:
     """Of a file, with its point."""
     write: Writer | None = None
     read: Reader | None = None
+    looks: Callable[[Path], bool] | None = None
+    """Whether an existing file or folder looks like one; None: nothing tells."""
     needs_frame: bool = False
     """Whether it can only be written where the block's coordinate system is known."""
     colours: bool = False
@@ -110,6 +112,19 @@ def format_named(name: str) -> Format:
     if name not in formats:
         raise InputError(f"unknown format {name!r}; known: {', '.join(sorted(formats))}")
     return formats[name]
+
+
+def looks_like(path: Path) -> tuple[str, ...]:
+    """The readable formats that an existing file or folder looks like."""
+    return tuple(name for name, f in sorted(formats.items()) if f.read and f.looks is not None and f.looks(path))
+
+
+def json_begins(path: Path) -> str:
+    """The first character of a file of JSON: "{" or "["; empty for everything else."""
+    if path.is_dir() or path.suffix.lower() != ".json":
+        return ""
+    with opened(path) as file:
+        return file.read(64).lstrip(b"\xef\xbb\xbf \t\r\n")[:1].decode("latin-1")
 
 
 def read_format(name: str, path: str | Path) -> Import:

@@ -240,5 +240,6 @@ register(
         kind="folder",
         write=write,
         read=read,
+        looks=lambda path: path.is_dir() and any(p.name.lower() == IMAGE for p in path.iterdir()),
     )
 )

@@ -235,6 +235,10 @@ class _Model:
     rgb: dict[int, Sequence[int]]
 
 
+PLACES = (".", "sparse/0", "0", "sparse")
+"""Where in a folder a model stands."""
+
+
 def _new_model() -> _Model:
     return _Model({}, [], [], [], [], [], [], [], {}, {})
 
@@ -244,7 +248,7 @@ def read(path: Path) -> Import:
 
     raises  InputError with file and place
     """
-    folder = next((f for f in (path, path / "sparse" / "0", path / "0", path / "sparse") if _suffix(f)), None)
+    folder = next((path / place for place in PLACES if _suffix(path / place)), None)
     if folder is None:
         raise InputError("holds no COLMAP model: cameras, images and points3D, all .bin or all .txt", file=path)
     model = _new_model()
@@ -479,7 +483,15 @@ def _read_points_text(path: Path, model: _Model) -> None:
 
 
 register(
-    Format(name="colmap", title="COLMAP model, binary", kind="folder", colours=True, write=write_binary, read=read)
+    Format(
+        name="colmap",
+        title="COLMAP model, binary",
+        kind="folder",
+        colours=True,
+        write=write_binary,
+        read=read,
+        looks=lambda path: any((path / p / f"cameras{s}").is_file() for p in PLACES for s in (".bin", ".txt")),
+    )
 )
 register(
     Format(name="colmap-text", title="COLMAP model, text", kind="folder", colours=True, write=write_text, read=read)

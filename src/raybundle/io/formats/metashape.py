@@ -299,5 +299,6 @@ register(
         suffix=".xml",
         write=write,
         read=read,
+        looks=lambda path: path.suffix.lower() == ".xml" and not path.is_dir(),
     )
 )

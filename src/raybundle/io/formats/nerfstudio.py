@@ -25,6 +25,7 @@ from raybundle.io.formats.base import (
     block_of,
     deviation_remark,
     fitted_camera,
+    json_begins,
     register,
     scene,
 )  # fmt: skip
@@ -178,5 +179,6 @@ register(
         suffix=".json",
         write=write,
         read=read,
+        looks=lambda path: (path / "transforms.json").is_file() or json_begins(path) not in {"", "["},
     )
 )

@@ -31,6 +31,7 @@ from raybundle.io.formats.base import (
     cv_pose,
     deviation_remark,
     fitted_camera,
+    json_begins,
     register,
     scene,
 )  # fmt: skip
@@ -263,5 +264,6 @@ register(
         suffix=".json",
         write=write,
         read=read,
+        looks=lambda path: (path / "reconstruction.json").is_file() or json_begins(path) == "[",
     )
 )

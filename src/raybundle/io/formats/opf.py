@@ -448,5 +448,6 @@ register(
         colours=True,
         write=write,
         read=read,
+        looks=lambda path: any(path.glob("*.opf")) if path.is_dir() else path.suffix.lower() == ".opf",
     )
 )

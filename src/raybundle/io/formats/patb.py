@@ -216,5 +216,6 @@ register(
         kind="folder",
         write=write,
         read=read,
+        looks=lambda path: path.is_dir() and any(p.suffix.lower() == ".im" for p in path.iterdir()),
     )
 )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import fields
+from dataclasses import fields, replace
 
 import numpy as np
 
@@ -94,9 +94,10 @@ def _images(view: View) -> Table:
 @section("settings", after="tables")
 def provenance_section(view: View) -> Section:
     """What would be needed to repeat the adjustment."""
-    default = AdjustmentOptions()
+    default = AdjustmentOptions(datum_over="all")
+    options = replace(view.adjustment.options, datum_over=view.adjustment.options.datum_over or "all")
     names = [f.name for f in fields(AdjustmentOptions)]
-    values = [getattr(view.adjustment.options, n) for n in names]
+    values = [getattr(options, n) for n in names]
     changed = ["" if v == getattr(default, n) else "not the default" for n, v in zip(names, values, strict=True)]
     settings = table((text("setting"), text("value"), text("")), (names, [_shown(v) for v in values], changed))
     prints = fingerprints(view.given)

@@ -1,4 +1,4 @@
-"""Settings of commands: fields of a frozen data class with the help, limits and names that every user of them needs."""
+"""Settings: fields of a frozen data class with the help, limits and names that every user of them needs."""
 
 from __future__ import annotations
 
@@ -37,6 +37,10 @@ class Range:
 
 
 ANY, POSITIVE, NOT_NEGATIVE = Range(), Range(low=0, above=True), Range(low=0)
+PIXELS = Range(low=0, high=1e5, above=True)
+"""A standard deviation of image points [px]: no format is wider."""
+METRES = Range(low=0, high=1e6, above=True)
+"""A length of a flight [m]: farther away the Earth is not flat, and nothing flies."""
 Part = Range | Literal["text"]
 
 
@@ -50,14 +54,20 @@ class About:
     metavar: str = ""
     limits: tuple[Part, ...] = ()
     """of a number, or of each number and text of a tuple"""
+    joined: bool = False
+    """whether the texts of a tuple stand in one, with commas between, where they are typed"""
+    unsaid: bool = False
+    """whether the default is what holds where nothing is said, and no word of the command line"""
 
 
 def setting(
-    default: Any, help_: str, *, flag: str = "", metavar: str = "", limits: Part | tuple[Part, ...] = ()
-) -> Any:
-    """A field of a data class of settings."""
+    default: Any, help_: str, *, flag: str = "", metavar: str = "", limits: Part | tuple[Part, ...] = (),
+    joined: bool = False, unsaid: bool = False,
+) -> Any:  # fmt: skip
+    """A field of a data class of settings; with MISSING for its default it has to be given."""
     parts = limits if isinstance(limits, tuple) else (limits,)
-    return field(default=default, metadata={"about": About(help=help_, flag=flag, metavar=metavar, limits=parts)})
+    about = About(help=help_, flag=flag, metavar=metavar, limits=parts, joined=joined, unsaid=unsaid)
+    return field(default=default, metadata={"about": about})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -102,6 +112,8 @@ class Setting:
         """A value as the field holds it; raises InputError that names the setting, the value and what is allowed."""
         if value is None and self.optional:
             return None
+        if self.about.joined and isinstance(value, str):
+            return tuple(word.strip() for word in value.split(",") if word.strip())
         if self.many:
             values: list[Any] = [value] if isinstance(value, str | Path) else [*cast("Any", value)]
             return tuple(self._one(v) for v in values)

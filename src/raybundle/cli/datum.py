@@ -1,0 +1,37 @@
+"""`raybundle datum`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER
+from raybundle.cli.settings import options_of, values_of
+from raybundle.commands.measure_settings import DatumSettings
+
+
+@click.command("datum", context_settings=COMMAND_SETTINGS)
+@click.argument("result", type=FOLDER)
+@options_of(DatumSettings)
+@click.option(
+    "--out", type=NEW_FOLDER, required=True, metavar="FOLDER", help="Gets points.csv and transformation.json."
+)
+@click.option(
+    "--traceback", is_flag=True, expose_value=False, help="After an error, show where in the program it arose."
+)
+def command(result: Path, out: Path, **given: Any) -> None:
+    """The points of a result in a coordinate system by three of them: origin, X axis, XY plane.
+
+    Writes a folder with points.csv (coordinates, standard deviations, covariances) and transformation.json (rotation
+    and translation). The errors of the three points are carried into all coordinates; scale and residuals stay.
+
+    \b
+    Example:
+      raybundle datum facade-project --origin A --axis B --plane C --out facade-axes
+    """  # noqa: D301
+    from raybundle.commands.measure import transform_to_points  # noqa: PLC0415
+
+    transform_to_points(result, out, **values_of(DatumSettings, given))
+    click.echo(f" points: {out / 'points.csv'}, transformation: {out / 'transformation.json'}")

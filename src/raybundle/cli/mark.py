@@ -1,0 +1,389 @@
+"""`raybundle mark put | move | remove | point | ...`: measuring by hand."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FILE_OR_FOLDER, NEW_FOLDER, common_options, counted
+from raybundle.cli.numbers import NUMBER, PIXELS, POSITIVE, Number
+from raybundle.cli.settings import options_of, values_of
+from raybundle.commands.measure_settings import MarkAdjustSettings
+from raybundle.errors import InputError
+
+if TYPE_CHECKING:
+    from raybundle.measuring.state import State
+
+NO_NUMBER = "-"
+"""What stands for a coordinate that is not known."""
+
+
+class PerhapsNumber(Number):
+    """A number, or - where it is not known."""
+
+    name = "NUMBER|-"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """The number; a dash stays one."""
+        return value if value == NO_NUMBER else super().convert(value, param, ctx)
+
+
+PERHAPS, PERHAPS_SIGMA = PerhapsNumber(), PerhapsNumber(0)
+
+
+@click.group("mark", context_settings=COMMAND_SETTINGS)
+def command() -> None:
+    """Measure points by hand in the images of a project, result or block folder.
+
+    What is done is kept, action by action, in FOLDER/measured.db of a project, and in FOLDER.measured.db beside another
+    folder; undo and redo are unlimited. Pixels count from the outer corner of the first one, in the file as it is
+    stored.
+
+    \b
+    Example:
+      raybundle mark put facade-project IMG_3.jpg gate 1204.3 880.1 --sigma 0.3
+      raybundle mark bar facade-project A B 1.0003 0.0001
+      raybundle mark adjust facade-project
+    """  # noqa: D301
+
+
+def _author(function: Callable[..., Any]) -> Callable[..., Any]:
+    function = click.option(
+        "--traceback", is_flag=True, expose_value=False, help="After an error, show where in the program it arose."
+    )(function)
+    return click.option("--author", default="", metavar="TEXT", help="Who does it, for the journal.")(function)
+
+
+def _verb(name: str) -> Callable[[Callable[..., Any]], click.Command]:
+    """A subcommand that is one action on a folder."""
+
+    def made(function: Callable[..., Any]) -> click.Command:
+        with_options = click.argument("folder", type=FOLDER)(_author(function))
+        return command.command(name, context_settings=COMMAND_SETTINGS)(with_options)
+
+    return made
+
+
+def _do(folder: Path, verb: str, author: str, **arguments: Any) -> None:
+    from raybundle.commands.measure import mark  # noqa: PLC0415  (what computes is loaded after the help)
+
+    click.echo(f" action {mark(folder, verb, author=author, **arguments)}: {verb}")
+
+
+Covariance = tuple[float, float, float]
+
+
+def _place(folder: Path, verb: str, author: str, sigma: float, covariance: Covariance | None, **given: Any) -> None:
+    _do(folder, verb, author, covariance=covariance or (sigma**2, sigma**2, 0.0), **given)
+
+
+def _precision(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Add --sigma and --covariance."""
+    whole = click.option(
+        "--covariance", type=(POSITIVE, POSITIVE, NUMBER), metavar="XX YY XY",
+        help="Variances of x and y and their covariance [px^2], in place of --sigma.",
+    )  # fmt: skip
+    return click.option(
+        "--sigma", type=PIXELS, default=0.5, show_default=True, metavar="PX", help="Standard deviation of the mark."
+    )(whole(function))
+
+
+@_verb("put")
+@click.argument("image")
+@click.argument("point")
+@click.argument("x_px", type=NUMBER, metavar="X")
+@click.argument("y_px", type=NUMBER, metavar="Y")
+@_precision
+def put(
+    folder: Path, image: str, point: str, x_px: float, y_px: float, sigma: float, covariance: Covariance | None,
+    author: str,
+) -> None:  # fmt: skip
+    """Mark a point in an image; a name that is new makes a tie point.
+
+    \b
+    Example:
+      raybundle mark put facade-project IMG_3.jpg gate 1204.3 880.1
+    """  # noqa: D301
+    _place(folder, "put", author, sigma, covariance, image=image, point=point, x_px=x_px, y_px=y_px)
+
+
+@_verb("move")
+@click.argument("image")
+@click.argument("point")
+@click.argument("x_px", type=NUMBER, metavar="X")
+@click.argument("y_px", type=NUMBER, metavar="Y")
+@_precision
+def move(
+    folder: Path, image: str, point: str, x_px: float, y_px: float, sigma: float, covariance: Covariance | None,
+    author: str,
+) -> None:  # fmt: skip
+    """Move a mark.
+
+    \b
+    Example:
+      raybundle mark move facade-project IMG_3.jpg gate 1204.6 880.0 --sigma 0.2
+    """  # noqa: D301
+    _place(folder, "move", author, sigma, covariance, image=image, point=point, x_px=x_px, y_px=y_px)
+
+
+@_verb("remove")
+@click.argument("image")
+@click.argument("point")
+def remove(folder: Path, image: str, point: str, author: str) -> None:
+    """Take a mark away; the point stays.
+
+    \b
+    Example:
+      raybundle mark remove facade-project IMG_3.jpg gate
+    """  # noqa: D301
+    _do(folder, "remove", author, image=image, point=point)
+
+
+@_verb("point")
+@click.argument("point")
+@click.option("--role", type=click.Choice(["tie", "control", "check"]), default="tie", show_default=True)
+@click.option("--coordinates", type=(PERHAPS,) * 3, metavar="X Y Z", help="Given coordinates; - for one not known.")
+@click.option(
+    "--sigma", type=(PERHAPS_SIGMA,) * 3, metavar="sX sY sZ", help="Their standard deviations; 0 holds, - for none."
+)
+def point_(
+    folder: Path, point: str, role: str, coordinates: tuple[Any, ...] | None, sigma: tuple[Any, ...] | None, author: str
+) -> None:
+    """Give a point its role and what is known of its coordinates.
+
+    \b
+    Example:
+      raybundle mark point facade-project gate --role control --coordinates 12.5 3.25 - --sigma 0.01 0.01 -
+    """  # noqa: D301
+    xyz, s = ([None if v == NO_NUMBER else v for v in values or (NO_NUMBER,) * 3] for values in (coordinates, sigma))
+    _do(folder, "point", author, point=point, role=role, xyz=xyz, sigma=s)
+
+
+@_verb("rename")
+@click.argument("point")
+@click.argument("to")
+def rename(folder: Path, point: str, to: str, author: str) -> None:
+    """Give a point another name.
+
+    \b
+    Example:
+      raybundle mark rename facade-project t17 gate
+    """  # noqa: D301
+    _do(folder, "rename", author, point=point, to=to)
+
+
+@_verb("forget")
+@click.argument("point")
+def forget(folder: Path, point: str, author: str) -> None:
+    """Take away all that was measured of a point, and the bars and lines that name it.
+
+    \b
+    Example:
+      raybundle mark forget facade-project gate
+    """  # noqa: D301
+    _do(folder, "forget", author, point=point)
+
+
+@_verb("bar")
+@click.argument("start", metavar="A")
+@click.argument("end", metavar="B")
+@click.argument("length", type=POSITIVE)
+@click.argument("sigma", type=POSITIVE)
+def bar(folder: Path, start: str, end: str, length: float, sigma: float, author: str) -> None:
+    """A measured distance between two points, with its standard deviation.
+
+    \b
+    Example:
+      raybundle mark bar facade-project A B 1.0003 0.0001
+    """  # noqa: D301
+    _do(folder, "bar", author, start=start, end=end, length=length, sigma=sigma)
+
+
+@_verb("unbar")
+@click.argument("start", metavar="A")
+@click.argument("end", metavar="B")
+def unbar(folder: Path, start: str, end: str, author: str) -> None:
+    """Take a scale bar away.
+
+    \b
+    Example:
+      raybundle mark unbar facade-project A B
+    """  # noqa: D301
+    _do(folder, "unbar", author, start=start, end=end)
+
+
+@_verb("line")
+@click.argument("line")
+@click.argument("points", nargs=-1, metavar="POINT...")
+@click.option("--plumb", is_flag=True, help="A plumb line.")
+@click.option("--sigma", type=POSITIVE, default=0.01, show_default=True, help="Of a point's distance from the line.")
+def line_(folder: Path, line: str, points: tuple[str, ...], plumb: bool, sigma: float, author: str) -> None:  # noqa: FBT001
+    """Points on one straight line; without points: take the line away.
+
+    \b
+    Example:
+      raybundle mark line facade-project edge gate sill-1 sill-2 --plumb
+    """  # noqa: D301
+    _do(folder, "line", author, line=line, points=points, kind="plumb" if plumb else "straight", sigma=sigma)
+
+
+@_verb("datum")
+@click.argument("names", nargs=-1, metavar="[ORIGIN AXIS PLANE]")
+def datum(folder: Path, names: tuple[str, ...], author: str) -> None:
+    """The coordinate system by three points; without any: as the block has it.
+
+    \b
+    Example:
+      raybundle mark datum facade-project A B C
+    """  # noqa: D301
+    if len(names) not in {0, 3}:
+        raise InputError(f"{len(names)} points are given; a coordinate system needs origin, axis and plane, or none")
+    _do(folder, "datum", author, **dict(zip(("origin", "axis", "plane"), names, strict=False)))
+
+
+@_verb("reject")
+@click.argument("image")
+@click.argument("point")
+def reject(folder: Path, image: str, point: str, author: str) -> None:
+    """Leave an image observation of the block out.
+
+    \b
+    Example:
+      raybundle mark reject facade-project IMG_3.jpg t17
+    """  # noqa: D301
+    _do(folder, "reject", author, image=image, point=point)
+
+
+@_verb("accept")
+@click.argument("image")
+@click.argument("point")
+def accept(folder: Path, image: str, point: str, author: str) -> None:
+    """Let an image observation take part again that was rejected by hand.
+
+    \b
+    Example:
+      raybundle mark accept facade-project IMG_3.jpg t17
+    """  # noqa: D301
+    _do(folder, "accept", author, image=image, point=point)
+
+
+@_verb("undo")
+def undo(folder: Path, author: str) -> None:
+    """Take the last action back.
+
+    \b
+    Example:
+      raybundle mark undo facade-project
+    """  # noqa: D301
+    _do(folder, "undo", author)
+
+
+@_verb("redo")
+def redo(folder: Path, author: str) -> None:
+    """Do again what was taken back.
+
+    \b
+    Example:
+      raybundle mark redo facade-project
+    """  # noqa: D301
+    _do(folder, "redo", author)
+
+
+@command.command("list", context_settings=COMMAND_SETTINGS)
+@click.argument("folder", type=FOLDER)
+@click.option("--history", "with_history", is_flag=True, help="All actions, those taken back included.")
+@click.option("--json", "as_json", is_flag=True, help="As JSON.")
+def list_(folder: Path, with_history: bool, as_json: bool) -> None:  # noqa: FBT001
+    """Show what was measured.
+
+    \b
+    Example:
+      raybundle mark list facade-project --history
+    """  # noqa: D301
+    from raybundle.commands.measure import as_plain, history, marks  # noqa: PLC0415
+    from raybundle.measuring.session import block_folder  # noqa: PLC0415
+
+    block_folder(folder)
+    if with_history:
+        for e in history(folder):
+            row = {"seq": e.seq, "time": e.time, "author": e.author, "verb": e.verb, "arguments": e.arguments}
+            text = json.dumps(row if as_json else e.arguments, ensure_ascii=False)
+            click.echo(text if as_json else f" {e.seq:5d}  {e.time}  {e.author or '-'}  {e.verb} {text}")
+        return
+    state = marks(folder)
+    click.echo(json.dumps(as_plain(state), ensure_ascii=False) if as_json else "\n".join(_shown(state)))
+
+
+def _shown(state: State) -> list[str]:
+    lines = [f" {counted(len(state.marks), 'mark')} of {counted(len(state.points), 'point')}"]
+    for name, p in state.points.items():
+        places = state.marks_of(name)
+        given = " ".join("-" if v is None else f"{v:g}" for v in p.xyz) if p.role != "tie" else ""
+        lines.append(f"   {name}: {p.role} {given}".rstrip())
+        for image, m in places.items():
+            sx, sy = m.covariance[0] ** 0.5, m.covariance[1] ** 0.5
+            lines.append(f"     {image}: {m.x_px:.2f} {m.y_px:.2f} px, sigma {sx:.2f} {sy:.2f} px, {m.how}")
+    lines += [f" scale bar {a} - {b}: {v.length:g} +- {v.sigma:g}" for (a, b), v in state.bars.items()]
+    lines += [f" {v.kind} line {n}: {', '.join(v.points)}" for n, v in state.lines.items()]
+    if state.datum is not None:
+        lines.append(f" coordinate system: {', '.join(state.datum.points)} (origin, axis, plane)")
+    lines += [f" rejected: {p} in {i}" for i, p in sorted(state.rejected)]
+    return lines
+
+
+@command.command("export", context_settings=COMMAND_SETTINGS)
+@click.argument("folder", type=FOLDER)
+@click.argument("out", type=NEW_FILE_OR_FOLDER)
+@click.option("--crs", default="", help="Coordinate system of the points, for gcp_list.txt: EPSG:32633 ...")
+def export(folder: Path, out: Path, crs: str) -> None:
+    """Write what was measured: NAME.csv as --control reads it, gcp_list.txt, or else a block folder.
+
+    \b
+    Example:
+      raybundle mark export facade-project marks.csv
+      raybundle mark export facade-project gcp_list.txt --crs EPSG:32633
+      raybundle mark export facade-project facade-measured
+    """  # noqa: D301
+    from raybundle.commands.measure import export_marks  # noqa: PLC0415
+
+    click.echo(f" {', '.join(str(p) for p in export_marks(folder, out, crs=crs))}")
+
+
+@command.command("adjust", context_settings=COMMAND_SETTINGS)
+@click.argument("folder", type=FOLDER)
+@click.option(
+    "--out", type=NEW_FOLDER, metavar="RESULT",
+    help="Result folder; an older result is replaced.  [default: FOLDER/measured-result of a project, else "
+    "FOLDER-measured]",
+)  # fmt: skip
+@options_of(MarkAdjustSettings)
+@click.option("--no-report", is_flag=True, help="Leave out report.html and network.html.")
+@common_options
+def adjust_(folder: Path, out: Path | None, no_report: bool, progress: str, **given: Any) -> None:  # noqa: FBT001
+    """Adjust the block with what was measured by hand, and write a result folder.
+
+    \b
+    Example:
+      raybundle mark adjust facade-project
+      raybundle mark adjust facade-project --out facade-with-control --reject snooping
+    """  # noqa: D301
+    from raybundle.cli.progress import reporting  # noqa: PLC0415
+    from raybundle.commands.measure import adjust_marks  # noqa: PLC0415
+    from raybundle.measuring.journal import measured_result  # noqa: PLC0415
+    from raybundle.report.text.summary import summary_lines  # noqa: PLC0415
+    from raybundle.report.write import write_result  # noqa: PLC0415
+    from raybundle.results.folder import check_target  # noqa: PLC0415
+
+    target = out or measured_result(folder)
+    check_target(target)
+    with reporting(progress) as tell:
+        adjustment, left_out = adjust_marks(folder, tell, **values_of(MarkAdjustSettings, given))
+        write_result(adjustment, target, report="none" if no_report else "html", progress=tell)
+    click.echo("\n".join(summary_lines(adjustment)))
+    for name, why in left_out.items():
+        click.echo(f" left out: {name}: {why}")
+    click.echo(f" result: {target}")

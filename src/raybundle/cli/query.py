@@ -1,0 +1,86 @@
+"""`raybundle query`."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER
+from raybundle.cli.settings import options_of, values_of
+from raybundle.commands.measure_settings import QuerySettings
+
+if TYPE_CHECKING:
+    from raybundle.measuring.query import Answer
+
+SEVERAL = ("--coordinates", "--area")
+"""Options that take all words up to the next option."""
+
+
+class SeveralNames(click.Command):
+    """A command with options that take any number of names."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """`--area A B C` is `--area A --area B --area C`."""
+        spread: list[str] = []
+        option = ""
+        for word in args:
+            if word.startswith("--"):
+                option = word if word in SEVERAL else ""
+                spread += [] if option else [word]
+            elif option:
+                spread += [option, word]
+            else:
+                spread.append(word)
+        return super().parse_args(ctx, spread)
+
+
+@click.command("query", cls=SeveralNames, context_settings=COMMAND_SETTINGS)
+@click.argument("result", type=FOLDER)
+@options_of(QuerySettings)
+@click.option("--json", "as_json", is_flag=True, help="One JSON object a line, with covariances.")
+@click.option(
+    "--traceback", is_flag=True, expose_value=False, help="After an error, show where in the program it arose."
+)
+def command(result: Path, as_json: bool, **given: Any) -> None:  # noqa: FBT001  (a flag of the command line)
+    """Coordinates, distances, angles and areas of a result, each with its standard deviation.
+
+    From the full covariance of the points, correlations included. RESULT is a result, project or block folder; its
+    block is adjusted once more, which ends at once, since it holds adjusted values.
+
+    \b
+    Example:
+      raybundle query facade-project --distance A B --coordinates A
+      raybundle query camcal21-result --angle 1 2 3 --area 1 2 3 4 --json
+    """  # noqa: D301
+    from raybundle.commands.measure import query  # noqa: PLC0415
+
+    answers = query(result, **values_of(QuerySettings, given))
+    if as_json:
+        for a in answers:
+            click.echo(json.dumps(_plain(a), ensure_ascii=False))
+        return
+    for a in answers:
+        click.echo(f" {a.quantity} {' '.join(a.points)}")
+        for name, value, sigma in zip(a.names, a.values, a.sigma, strict=True):
+            click.echo(f"   {name:8s} {_figures(value, sigma)} {a.unit}".rstrip())
+    for remark in dict.fromkeys(a.remark for a in answers if a.remark):
+        click.echo(f" {remark}")
+
+
+def _plain(a: Answer) -> dict[str, Any]:
+    return {
+        "quantity": a.quantity, "points": a.points, "values": dict(zip(a.names, a.values, strict=True)),
+        "sigma": dict(zip(a.names, a.sigma, strict=True)), "covariance": a.covariance.tolist(), "unit": a.unit,
+        "remark": a.remark,
+    }  # fmt: skip
+
+
+def _figures(value: float, sigma: float) -> str:
+    """A value to two figures of its standard deviation."""
+    from math import floor, log10  # noqa: PLC0415
+
+    places = max(0, 1 - floor(log10(sigma))) if sigma > 0 else 6
+    return f"{value:.{places}f} +- {sigma:.{places}f}"

@@ -1,0 +1,119 @@
+"""`raybundle convert`: from blocks, results and the formats of other programs to any of them."""
+
+from __future__ import annotations
+
+from dataclasses import MISSING, dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+from raybundle.errors import InputError
+from raybundle.numerics.progress import Progress, silent
+from raybundle.settings import ANY, made, setting
+
+if TYPE_CHECKING:
+    from raybundle.block import Block
+
+APPROXIMATE_HELP = "Write cameras too that deviate from the given ones by more than 0.1 px."
+FREE_SCALE_HELP = "Also where nothing fixes the scale: lengths are then in no unit."
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ConvertSettings:
+    """What is converted, into what."""
+
+    source: Path
+    """block folder, result folder, or file or folder of another program"""
+    read_as: str | None = setting(None, "Format of INPUT.  [default: recognised]", flag="--from")
+    to: str = setting(MISSING, "Format to write.")
+    out: Path = setting(MISSING, "New file or folder; nothing is overwritten.", metavar="PATH")
+    crs: str | None = setting(
+        None, "Coordinate system: EPSG:25832, EPSG:25832+7837 or a PROJ string.", metavar="SYSTEM"
+    )
+    origin: tuple[float, float, float] | None = setting(
+        None, "The block stands in the local east-north-up frame at this point of --crs; without it, in --crs itself, "
+        "and is brought to a local frame in its middle.", metavar="E N H", limits=(ANY, ANY, ANY),
+    )  # fmt: skip
+    undulation: float | None = setting(
+        None, "Height of the geoid above the ellipsoid, for --crs.", metavar="M", limits=ANY
+    )
+    photos: Path | None = setting(
+        None, "The photographs: colours of points, and --undistort. An oriented project's colours are found without "
+        "it.", metavar="FOLDER",
+    )  # fmt: skip
+    undistort: Literal["inside", "all"] | None = setting(
+        None, "Write the photographs without distortion into images/ beside --out, and pinhole cameras. inside: no "
+        "empty pixels; all: nothing is cut.",
+    )  # fmt: skip
+    approximate: bool = setting(False, APPROXIMATE_HELP)
+    free_scale: bool = setting(False, FREE_SCALE_HELP)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Converted:
+    """What a conversion came to."""
+
+    block: Block
+    """as it was written"""
+    files: int
+    remarks: tuple[str, ...]
+    """what was left out, approximated or assumed"""
+    deviation_px: float
+    """largest deviation of a camera from the given one, over the whole format"""
+
+
+def convert(source: str | Path, out: str | Path, *, to: str, progress: Progress = silent, **settings: Any) -> Converted:
+    """Convert a block folder, a result folder or the files of another program; what is written stands in `out`.
+
+    source    of a result folder the adjusted values, without rejected observations
+    out       new file or folder; nothing is overwritten
+    to        "colmap", "opf", "ply" ..., "block", "rpc"
+    settings  as of the command line, by the names of `ConvertSettings`: crs="EPSG:25832", undistort="inside"
+    raises    InputError for what cannot be read or written, and where a camera would deviate by more than 0.1 px
+
+    What it does not tell: what the format cannot hold is lost; the remarks of the answer name what had to be changed.
+    """
+    given = {"source": Path(source), "out": Path(out), "to": to, **settings}
+    return run_convert(made(ConvertSettings, given), progress)
+
+
+def run_convert(settings: ConvertSettings, progress: Progress = silent) -> Converted:
+    """Read, bring to the frame asked for, and write."""
+    from raybundle.block.frames import in_file_frames  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.io.cameras.one_instant import at_one_instant  # noqa: PLC0415
+    from raybundle.io.formats import formats  # noqa: PLC0415
+    from raybundle.io.pictures.undistort import point_colours  # noqa: PLC0415
+    from raybundle.pipeline.project import photographs_of  # noqa: PLC0415
+    from raybundle.workflows.convert import BLOCK, RPC, check_new, placed, straightened, written  # noqa: PLC0415
+    from raybundle.workflows.sources import read_source, with_adjusted_cameras  # noqa: PLC0415
+
+    s, to = settings, settings.to
+    if (s.origin is not None or s.undulation is not None) and s.crs is None:
+        raise InputError("--origin and --undulation belong to a coordinate system; give --crs too")
+    if s.undistort and s.photos is None:
+        raise InputError("--undistort needs the photographs; give their folder: --photos FOLDER")
+    check_new(s.out, to)
+    export, remarks = read_source(s.source, s.read_as, approximate=s.approximate)
+    if s.crs is not None:
+        export, more = placed(export, s.crs, s.origin, s.undulation)
+        remarks += more
+    if to != BLOCK:
+        export = replace(export, block=with_adjusted_cameras(export.block, s.source))
+    if to not in {BLOCK, RPC} or s.undistort:
+        block, more = at_one_instant(export.block)
+        export = replace(export, block=block)
+        remarks += more
+    if to != BLOCK or s.undistort:
+        export = replace(export, block=in_file_frames(export.block))
+    coloured = to not in {BLOCK, RPC} and formats[to].colours
+    if folders := (s.photos,) if s.photos is not None else photographs_of(s.source) if coloured else ():
+        colours, more = point_colours(export.block, folders, progress=progress)
+        export = replace(export, colours=colours)
+        remarks += more
+    if s.undistort and s.photos is not None:
+        export, more = straightened(export, s.photos, s.out.parent / "images", s.undistort, progress)
+        remarks += more
+    progress("writing", 0.0)
+    files, more, deviation = written(export, to, s.out, approximate=s.approximate, free_scale=s.free_scale)
+    progress("writing", 1.0)
+    every = tuple(dict.fromkeys((*remarks, *more)))
+    return Converted(block=export.block, files=files, remarks=every, deviation_px=deviation)

@@ -1,0 +1,158 @@
+"""Measuring by hand, and questions to results, as command line and Python ask for them."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any, cast
+
+import numpy as np
+
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.result import Adjustment
+from raybundle.commands.measure_settings import DatumSettings, MarkAdjustSettings, QuerySettings
+from raybundle.errors import InputError
+from raybundle.io.block.folder import ROLES, read_block
+from raybundle.io.folders import new_folder
+from raybundle.io.tables import write_table
+from raybundle.measuring.export import write_csv, write_gcp_list, write_merged_block
+from raybundle.measuring.journal import Entry, Journal, entries_of, journal_path, state_of
+from raybundle.measuring.known import Known
+from raybundle.measuring.merge import Merged, merge
+from raybundle.measuring.query import Answer, Quantity, ask, in_axes
+from raybundle.measuring.session import block_folder
+from raybundle.measuring.state import State
+from raybundle.numerics.progress import Progress, silent
+from raybundle.settings import made
+from raybundle.workflows.adjust import adjust
+
+
+def query(result: Adjustment | str | Path, **given: Any) -> list[Answer]:
+    """Coordinates, distances, angles and areas with standard deviations from the full covariance.
+
+    result       an adjustment, or a result, project or block folder, whose block is adjusted again (at once, since it
+                 holds adjusted values)
+    coordinates  names of points; distance (A, B) or several; angle (A, B, C) at B or several; area: points in order
+    raises       InputError for points that are not there, and where nothing is asked
+    """
+    pairs = {"distance": 2, "angle": 3}
+    for name in pairs.keys() & given.keys():
+        one = given[name]
+        if one and isinstance(one[0], str):
+            given[name] = (tuple(one),)
+    s = made(QuerySettings, given)
+    questions: list[tuple[Quantity, Sequence[str]]] = [
+        *(("coordinates", (p,)) for p in s.coordinates),
+        *(("distance", pair) for pair in s.distance),
+        *(("angle", three) for three in s.angle),
+        *([("area", s.area)] if s.area else []),
+    ]
+    if not questions:
+        raise InputError("nothing is asked; give coordinates, distance, angle or area")
+    adjustment = result if isinstance(result, Adjustment) else adjust(read_block(block_folder(result)))
+    return [ask(adjustment, quantity, points) for quantity, points in questions]
+
+
+def transform_to_points(result: Adjustment | str | Path, out: str | Path, **given: Any) -> Path:
+    """Write the points of a result in a coordinate system by three points: OUT/points.csv and transformation.json.
+
+    points.csv           point, role, X, Y, Z, sX, sY, sZ, and the covariances cXY, cXZ, cYZ
+    transformation.json  rotation and translation: X_new = rotation X + translation
+    """
+    s = made(DatumSettings, given)
+    for name in ("origin", "axis", "plane"):
+        if not getattr(s, name):
+            raise InputError(f"no {name} point is given; a coordinate system needs origin, axis and plane")
+    out = Path(out)
+    if out.exists() and (not out.is_dir() or {p.name for p in out.iterdir()} - {"points.csv", "transformation.json"}):
+        raise InputError("stands there already and is not overwritten; choose another name", file=out)
+    adjustment = result if isinstance(result, Adjustment) else adjust(read_block(block_folder(result)))
+    moved = in_axes(adjustment, s.origin, s.axis, s.plane)
+    C, std = moved.covariance, np.sqrt(np.maximum(np.diagonal(moved.covariance, axis1=1, axis2=2), 0))
+    names = {int(role): name for name, role in ROLES.items()}
+    role = dict(zip(adjustment.adjusted.points.ids, np.asarray(adjustment.adjusted.points.role).tolist(), strict=True))
+    with new_folder(out) as folder:
+        write_table(folder / "points.csv", {
+            "point": moved.ids, "role": [names[role[p]] for p in moved.ids],
+            **{c: moved.xyz[:, k] for k, c in enumerate("XYZ")},
+            **{f"s{c}": std[:, k] for k, c in enumerate("XYZ")},
+            "cXY": C[:, 0, 1], "cXZ": C[:, 0, 2], "cYZ": C[:, 1, 2],
+        })  # fmt: skip
+        told = {
+            "origin": s.origin, "axis": s.axis, "plane": s.plane, "length_unit": adjustment.adjusted.length_unit,
+            "rotation": moved.rotation.tolist(), "translation": moved.translation.tolist(),
+        }  # fmt: skip
+        text = json.dumps(told, indent=1, ensure_ascii=False, allow_nan=False)
+        (folder / "transformation.json").write_text(text + "\n", encoding="utf-8")
+    return out
+
+
+def open_journal(folder: str | Path) -> Journal:
+    """The journal of a project, result or block folder, with its block to check actions against."""
+    return Journal.open(journal_path(folder), Known.of(read_block(block_folder(folder))))
+
+
+def mark(folder: str | Path, verb: str, *, id: str = "", author: str = "", **arguments: Any) -> int:  # noqa: A002
+    """Do an action of measuring, and return its number: `mark("facade", "put", image=..., point=..., x_px=...)`.
+
+    verb    put, move, remove, point, rename, forget, bar, unbar, line, datum, reject, accept, undo, redo
+    raises  InputError where it cannot be done
+    """
+    with open_journal(folder) as journal:
+        return journal.append_verb(verb, arguments, id=id, author=author)
+
+
+def marks(folder: str | Path) -> State:
+    """What was measured by hand in a project, result or block folder."""
+    return state_of(journal_path(folder))
+
+
+def history(folder: str | Path) -> list[Entry]:
+    """All actions, those taken back included."""
+    return entries_of(journal_path(folder))
+
+
+def merged(folder: str | Path) -> Merged:
+    """The block of a folder with what was measured by hand."""
+    return merge(read_block(block_folder(folder)), marks(folder))
+
+
+def adjust_marks(folder: str | Path, progress: Progress = silent, **given: Any) -> tuple[Adjustment, Mapping[str, str]]:
+    """Adjust the block of a folder with what was measured by hand; also what was left out, and why."""
+    s = made(MarkAdjustSettings, given)
+    found = merged(folder)
+    options = AdjustmentOptions(reject=s.reject, estimate=s.estimate)
+    return adjust(found.block, options, progress), found.left_out
+
+
+def export_marks(folder: str | Path, out: str | Path, *, crs: str = "") -> tuple[Path, ...]:
+    """Write what was measured: NAME.csv as `--control` reads it, NAME.txt as gcp_list (with `crs`), else a block."""
+    out, state = Path(out), marks(folder)
+    block = read_block(block_folder(folder))
+    if out.suffix.lower() == ".csv":
+        return write_csv(state, out, Known.of(block))
+    if out.suffix.lower() == ".txt":
+        if not crs:
+            raise InputError(
+                "a gcp_list.txt names the coordinate system of its points: give it as EPSG:32633, a PROJ string or "
+                "WGS84 UTM 33N (--crs)",
+                file=out,
+            )
+        return (write_gcp_list(state, out, Known.of(block), crs),)
+    return (write_merged_block(state, out, block),)
+
+
+def as_plain(state: State) -> dict[str, Any]:
+    """A state as JSON says it: lists of objects in place of pairs of names as keys."""
+    from dataclasses import asdict  # noqa: PLC0415
+
+    return {
+        "marks": [{"image": i, "point": p, **asdict(m)} for (i, p), m in state.marks.items()],
+        "points": [{"point": p, **asdict(v)} for p, v in state.points.items()],
+        "bars": [{"start": a, "end": b, **asdict(v)} for (a, b), v in state.bars.items()],
+        "lines": [{"line": n, **asdict(v)} for n, v in state.lines.items()],
+        "datum": None if state.datum is None else cast("Any", asdict(state.datum)),
+        "rejected": [{"image": i, "point": p} for i, p in sorted(state.rejected)],
+        "renamed": dict(state.renamed), "can_undo": state.can_undo, "can_redo": state.can_redo,
+    }  # fmt: skip

@@ -1,0 +1,94 @@
+"""`raybundle plan flight`: what a flight will determine, and what would mend it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from raybundle.errors import InputError
+from raybundle.settings import METRES, PIXELS, Range, setting
+
+if TYPE_CHECKING:
+    from raybundle.planning.flight import FlightPlan
+    from raybundle.planning.uav_networks import Flight
+
+FORMAT, SHARE = Range(low=100, high=100_000), Range(low=0, high=0.95)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FlightSettings:
+    """A flight over flat ground as it is planned: by overlap, format and camera constant."""
+
+    lines: int = setting(4, "Flight lines.", limits=Range(low=1, high=40))
+    photos: int = setting(8, "Photographs of a line.", limits=Range(low=2, high=80))
+    height: float = setting(80.0, "Above ground [m].", limits=METRES)
+    base: float | None = setting(None, "Between photographs of a line [m].  [default: by --overlap]", limits=METRES)
+    spacing: float | None = setting(None, "Between lines [m].  [default: by --overlap]", limits=METRES)
+    overlap: tuple[float, float] = setting(
+        (0.8, 0.6), "Of photographs along a line, and of lines.", metavar="ALONG ACROSS", limits=(SHARE, SHARE)
+    )
+    camera: tuple[int, int, float] = setting(
+        (5472, 3648, 3650.0), "Format and camera constant [px].", metavar="WIDTH HEIGHT C",
+        limits=(FORMAT, FORMAT, PIXELS),
+    )  # fmt: skip
+    hold_camera: bool = setting(False, "The camera is calibrated and held; else it is calibrated in flight.")
+    rtk: tuple[float, float, float] = setting(
+        (0.02, 0.02, 0.03), "Standard deviations of the positions [m].", metavar="E N U",
+        limits=(METRES, METRES, METRES),
+    )  # fmt: skip
+    alternate: bool = setting(False, "Every second line is flown the other way.")
+    cross: float | None = setting(
+        None, "As many lines across, the camera tilted so far [deg].", metavar="TILT", limits=Range(low=0, high=60)
+    )
+    control: int = setting(0, "Control points.", limits=Range(low=0, high=5))
+    control_sigma: tuple[float, float] = setting(
+        (0.01, 0.02), "Their standard deviations [m].", metavar="PLAN HEIGHT", limits=(METRES, METRES)
+    )
+    jitter: tuple[float, float] = setting(
+        (0.5, 1.5), "Unevenness of the flight: standard deviations [m], [deg].", metavar="HEIGHT ANGLE",
+        limits=(Range(low=0, high=1e6), Range(low=0, high=180)),
+    )  # fmt: skip
+    noise: float = setting(0.3, "Sigma of an image coordinate [px].", limits=PIXELS)
+    ground: float | None = setting(
+        None, "Side of the square of tie points [m].  [default: by lines and photos]", limits=METRES
+    )
+    points: int = setting(30, "Tie points along a side of it.", limits=Range(low=4, high=60))
+    out: Path | None = setting(None, "New folder for the simulated block of the plan.", metavar="FOLDER")
+
+    def flight(self) -> Flight:
+        """The flight with its camera, base and spacing."""
+        from raybundle.planning.uav_networks import FREE, Flight, uav_camera  # noqa: PLC0415
+
+        width, height, c = self.camera
+        usual = uav_camera()
+        camera = replace(
+            usual, width_px=width, height_px=height, values={**usual.values, "c": c * usual.pixel_mm[0]},
+            estimate=() if self.hold_camera else FREE,
+        )  # fmt: skip
+        along, across = self.height * height / c, self.height * width / c
+        base = self.base or (1 - self.overlap[0]) * along
+        spacing = self.spacing or (1 - self.overlap[1]) * across
+        covered = ((self.photos - 1) * base * max((self.lines - 1) * spacing, across / 2)) ** 0.5
+        return Flight(
+            camera=camera, height=self.height, lines=self.lines, photographs=self.photos, spacing=spacing, base=base,
+            points=self.points, size=self.ground or covered, alternating=self.alternate, cross_tilt_deg=self.cross,
+            height_jitter=self.jitter[0], angle_jitter_deg=self.jitter[1], image_sigma_px=self.noise,
+            station_sigma=self.rtk, control=self.control, control_sigma=(self.control_sigma[0], *self.control_sigma),
+        )  # fmt: skip
+
+
+def run_plan_flight(settings: FlightSettings) -> tuple[Flight, FlightPlan]:
+    """The flight and its forecast; its simulated block is written where that is asked for."""
+    from raybundle.io.block.folder import write_block  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.planning.flight import plan_flight  # noqa: PLC0415
+    from raybundle.planning.uav_networks import flight_block  # noqa: PLC0415
+
+    out = settings.out
+    if out is not None and out.exists():
+        raise InputError("stands there already and is not overwritten; choose another folder or delete it", file=out)
+    plan = settings.flight()
+    done = plan_flight(plan)
+    if out is not None:
+        write_block(flight_block(plan), out)
+    return plan, done

@@ -1,0 +1,204 @@
+"""`raybundle rectify`: photographs of a plane object to a picture to scale."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import MISSING, dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+from raybundle.commands.convert import FREE_SCALE_HELP
+from raybundle.errors import InputError
+from raybundle.numerics.progress import Progress, silent
+from raybundle.settings import ANY, POSITIVE, Range, made, setting
+
+if TYPE_CHECKING:
+    from raybundle.block import Camera
+    from raybundle.io.photos.photo import Photo
+    from raybundle.io.pictures.rectified import Rectified
+    from raybundle.numerics.arrays import Array
+    from raybundle.workflows.rectify import Grid, Plane, SinglePhoto
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RectifySettings:
+    """What is brought to scale, and how."""
+
+    source: Path
+    """result folder, project of `orient`, or one photograph"""
+    out: Path = setting(MISSING, "New picture: .tif, .png or .jpg.", metavar="FILE")
+    pixel: float | None = setting(
+        None, "Size of a pixel in the object's unit.  [default: that of the photographs]", metavar="SIZE",
+        limits=POSITIVE,
+    )  # fmt: skip
+    area: tuple[float, float, float, float] | None = setting(
+        None, "Part of the plane, in its coordinates.  [default: where the points lie]",
+        metavar="LEFT BOTTOM RIGHT TOP", limits=(ANY, ANY, ANY, ANY),
+    )  # fmt: skip
+    plane: tuple[str, ...] = setting(
+        (), "Object points of the plane.  [default: that of most points]", metavar="A,B,C,...", joined=True
+    )
+    horizontal: bool = setting(False, "A level plane at the points' median height: floors, flat ground.")
+    photos: tuple[Path, ...] = setting(
+        (), "Where the photographs are.  [default: as the project knows]", metavar="FOLDER"
+    )
+    only: tuple[str, ...] = setting((), "Take this photograph alone, or these.", metavar="NAME")
+    control: Path | None = setting(
+        None, "For a PHOTO: points of the plane and their places in it, as for orient.", metavar="FILE"
+    )
+    model: Literal["projective", "affine"] = setting(
+        "projective", "For a PHOTO; affine: taken from far away, or copied flat."
+    )
+    calibration: Path | None = setting(
+        None, "For a PHOTO: the lens, to take its distortion off.", metavar="CAMERA.toml"
+    )
+    mark_sigma: float = setting(
+        0.5, "For a PHOTO: standard deviation of a marked point.", metavar="PX", limits=Range(low=0.001, high=1e5)
+    )
+    free_scale: bool = setting(False, FREE_SCALE_HELP)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Rectification:
+    """A picture to scale, and what it was made by."""
+
+    picture: Rectified
+    grid: Grid
+    """its pixels in the plane"""
+    source: Plane | SinglePhoto
+    """the plane of a result's points, or what was fitted to the points of one photograph"""
+    unit: str = ""
+    """empty: not known, or none"""
+    remarks: tuple[str, ...] = ()
+
+
+def rectify(source: str | Path, out: str | Path, *, progress: Progress = silent, **settings: Any) -> Rectification:
+    """Bring photographs of a plane object to scale; beside the picture stand a world file and NAME.toml.
+
+    source    result folder or project of `orient`, or one photograph, which needs control="marks.csv"
+    out       new picture: .tif, .png or .jpg
+    settings  as of the command line, by the names of `RectifySettings`: pixel=0.002, plane=("A", "B", "C")
+    raises    InputError for what cannot be read or does not fit together, and where the scale is free
+
+    What it does not tell: what lies off the plane is displaced, and what hides it is in the picture.
+    """
+    return run_rectify(made(RectifySettings, {"source": Path(source), "out": Path(out), **settings}), progress)
+
+
+def run_rectify(settings: RectifySettings, progress: Progress = silent) -> Rectification:
+    """Rectify what the settings ask for, and write the picture."""
+    from raybundle.io.pictures.rectified import check_picture  # noqa: PLC0415  (what computes is loaded after the help)
+
+    s = settings
+    check_picture(s.out)
+    if not s.source.exists():
+        raise InputError("there is no such file or folder; check the path", file=s.source)
+    if s.source.is_dir():
+        if s.control is not None or s.calibration is not None:
+            raise InputError("--control and --calibration belong to a single PHOTO; a result has both already")
+        done, about = _of_result(s, progress)
+    else:
+        if s.plane or s.horizontal or s.only or s.photos:
+            raise InputError("--plane, --horizontal, --photos and --only belong to a result; a PHOTO has --control")
+        if s.control is None:
+            raise InputError("a single photograph needs points of the plane: --control FILE", file=s.source)
+        done, about = _of_photo(s, s.control)
+    picture, grid = done.picture, done.grid
+    head = {
+        "left": grid.left, "top": grid.top, "pixel": grid.pixel, "width_px": grid.width, "height_px": grid.height,
+    }  # fmt: skip
+    told = {**head, **about, "photographs": picture.shares}
+    picture.write(s.out, left=grid.left, top=grid.top, pixel=grid.pixel, about=told)
+    return done
+
+
+def _of_result(s: RectifySettings, progress: Progress) -> tuple[Rectification, Mapping[str, Any]]:
+    """The picture from all photographs of a result, and what NAME.toml says of its plane."""
+    import numpy as np  # noqa: PLC0415
+
+    from raybundle.block.frames import in_file_frames  # noqa: PLC0415
+    from raybundle.io.formats.base import FREE_SCALE, GIVE_SCALE  # noqa: PLC0415
+    from raybundle.pipeline.project import photographs_of  # noqa: PLC0415
+    from raybundle.workflows.rectify import grid_over, plane_of, rectify_block, usual_pixel  # noqa: PLC0415
+    from raybundle.workflows.sources import read_source  # noqa: PLC0415
+
+    result = s.source / "result" if (s.source / "result" / "result.json").is_file() else s.source
+    export, _ = read_source(result)
+    block = in_file_frames(export.block)
+    if block.free_scale and not s.free_scale:
+        raise InputError(
+            f"{FREE_SCALE}, so that no picture to scale can be made; {GIVE_SCALE}, or --free-scale for a picture whose "
+            "lengths are in no unit",
+            file=s.source,
+        )
+    folders = s.photos or photographs_of(result)
+    if not folders:
+        raise InputError("where its photographs are is not known; say so with --photos FOLDER", file=s.source)
+    plane = plane_of(block, s.plane, horizontal=s.horizontal, sigma=export.sigma)
+    grid = grid_over(plane.extent if s.area is None else np.array(s.area), s.pixel or usual_pixel(block, plane))
+    picture, remarks = rectify_block(block, folders, plane, grid, only=s.only, progress=progress)
+    unit = "" if block.free_scale else block.length_unit
+    about: dict[str, Any] = {
+        "unit": unit,
+        "origin": plane.origin.tolist(), "right": plane.axes[0].tolist(), "up": plane.axes[1].tolist(),
+        "normal": plane.axes[2].tolist(), "points": plane.points, "points_of": plane.of, "points_rms": plane.rms,
+        "slope_rms": picture.slope[0], "slope_largest": picture.slope[1],
+    }  # fmt: skip
+    if block.free_scale:
+        about["scale"] = "free"
+    if export.frame is not None:
+        about["frame"] = export.frame.as_mapping()
+    return Rectification(picture=picture, grid=grid, source=plane, unit=unit, remarks=remarks), about
+
+
+def _of_photo(s: RectifySettings, control: Path) -> tuple[Rectification, Mapping[str, Any]]:
+    """The picture from one photograph, and what NAME.toml says of its transformation."""
+    import numpy as np  # noqa: PLC0415
+
+    from raybundle.io.photos.photo import read_photo  # noqa: PLC0415
+    from raybundle.workflows.rectify import fit_photo, grid_over, rectify_photo  # noqa: PLC0415
+
+    photo = read_photo(s.source)
+    camera = None if s.calibration is None else _camera_of(s.calibration, photo)
+    names, xyz, xy = _marks(control, s.source)
+    single = fit_photo(names, xyz, xy, model=s.model, sigma_px=s.mark_sigma, camera=camera)
+    grid = grid_over(single.extent if s.area is None else np.array(s.area), s.pixel or single.usual_pixel)
+    picture = rectify_photo(s.source, single, grid, (photo.width_px, photo.height_px))
+    fit = single.fit
+    about = {
+        "model": fit.model.name, "control_points": len(names), "sigma0": fit.sigma0, "redundancy": fit.redundancy,
+        "differences": {n: d.tolist() for n, d in zip(names, single.differences, strict=True)},
+    }  # fmt: skip
+    return Rectification(picture=picture, grid=grid, source=single), about
+
+
+def _camera_of(calibration: Path, photo: Photo) -> Camera:
+    """The one camera of a file that has the format of a photograph."""
+    from raybundle.io.block.toml import read_cameras  # noqa: PLC0415
+
+    size = (photo.width_px, photo.height_px)
+    fitting = [c for c in read_cameras(calibration) if (c.width_px, c.height_px) == size]
+    if len(fitting) != 1:
+        raise InputError(
+            f"{len(fitting)} of its cameras have the {size[0]} x {size[1]} px of the photograph; one is needed",
+            file=calibration,
+        )
+    return fitting[0]
+
+
+def _marks(control: Path, photo: Path) -> tuple[list[str], Array, Array]:
+    """Names, coordinates (n, 3) and pixels (n, 2) of the control points marked in this photograph."""
+    import numpy as np  # noqa: PLC0415
+
+    from raybundle.io.geo.control_files import read_control  # noqa: PLC0415
+
+    file = read_control(control)
+    m = file.measurements
+    rows = [
+        k for k, (name, p) in enumerate(zip(m.image, m.point.tolist(), strict=True))
+        if name in {photo.name, photo.stem} and np.isfinite(file.xyz[p, :2]).all()
+    ]  # fmt: skip
+    if not rows:
+        raise InputError(f"no point with X and Y is marked in {photo.name}; image names must agree", file=control)
+    points = m.point[rows]
+    return [file.ids[p] for p in points.tolist()], file.xyz[points], m.xy_px[rows]

@@ -1,0 +1,102 @@
+"""`raybundle simulate`: a simulated block with its truth."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Literal
+
+from raybundle.errors import InputError
+from raybundle.settings import METRES, NOT_NEGATIVE, PIXELS, Range, setting
+
+if TYPE_CHECKING:
+    from raybundle.planning.scenes import Scene
+    from raybundle.planning.simulate import Simulation, Survey
+
+SceneName = Literal["testfield", "flat", "aerial", "ring", "single"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SimulateSettings:
+    """What is simulated, and how it is surveyed."""
+
+    scene: SceneName
+    out: Path
+    """new folder"""
+    seed: int = setting(1, "Of all random numbers.", limits=NOT_NEGATIVE)
+    noise: float = setting(0.1, "Sigma of an image coordinate [px].", limits=PIXELS)
+    control: int = setting(0, "Number of control points.", limits=NOT_NEGATIVE)
+    control_sigma: float = setting(0.0, "Their sigma [m]; 0: held.", limits=Range(low=0, high=1e6))
+    check: int = setting(0, "Number of check points.", limits=NOT_NEGATIVE)
+    scale_bars: int = setting(0, "Number of scale bars.", limits=NOT_NEGATIVE)
+    scale_bar_sigma: float = setting(1e-4, "Their sigma [m].", limits=METRES)
+    station_sigma: float | None = setting(None, "Observe projection centres so well [m].", limits=METRES)
+    orientation: Literal["exact", "approximate", "absent"] = setting(
+        "approximate", "Exterior orientation given at the start."
+    )
+    gross: float = setting(0.0, "Share of gross errors.", limits=Range(low=0, high=0.5))
+    gross_px: float = setting(20.0, "Their size [px].", limits=Range(low=0, high=1e5))
+
+    def survey(self) -> Survey:
+        """What is measured; a single photograph has ten control points where none are asked for."""
+        from raybundle.planning.simulate import Survey  # noqa: PLC0415
+
+        return Survey(
+            seed=self.seed,
+            image_sigma_px=self.noise,
+            control=10 if self.scene == "single" and self.control == 0 else self.control,
+            control_sigma=(self.control_sigma, self.control_sigma, self.control_sigma),
+            check=self.check,
+            scale_bars=self.scale_bars,
+            scale_bar_sigma=self.scale_bar_sigma,
+            station_sigma=self.station_sigma,
+            orientation=self.orientation,
+            gross_share=self.gross,
+            gross_px=self.gross_px,
+        )
+
+
+def run_simulate(settings: SimulateSettings) -> Simulation:
+    """Simulate what the settings ask for, and write it."""
+    from raybundle.planning.simulate import simulate  # noqa: PLC0415  (what computes is loaded after the help)
+
+    done = simulate(scene_of(settings.scene), settings.survey())
+    write_simulation(done, settings.out)
+    return done
+
+
+def scene_of(name: SceneName) -> Scene:
+    """The scene of a name on the command line, with its standard plan."""
+    from raybundle.planning import scenes as s  # noqa: PLC0415
+
+    scenes: dict[SceneName, Callable[[], Scene]] = {
+        "testfield": lambda: s.field_scene(s.TargetField()),
+        "flat": lambda: s.field_scene(s.TargetField(depth=0.0)),
+        "aerial": lambda: s.aerial_scene(s.AerialStrips()),
+        "ring": lambda: s.ring_scene(s.Ring()),
+        "single": lambda: s.single_scene(s.SinglePhoto()),
+    }
+    return scenes[name]()
+
+
+def write_simulation(simulation: Simulation, out: Path) -> None:
+    """Write FOLDER/block, FOLDER/truth and FOLDER/gross.csv, whole or not at all."""
+    from raybundle.io.block.folder import named, write_block_files  # noqa: PLC0415
+    from raybundle.io.folders import new_folder  # noqa: PLC0415
+    from raybundle.io.tables import write_table  # noqa: PLC0415
+
+    if out.exists() and (not out.is_dir() or any(out.iterdir())):
+        raise InputError("stands there already and is not overwritten; choose another folder or delete it", file=out)
+    with new_folder(out) as folder:
+        for name, block in (("block", simulation.observed), ("truth", simulation.truth)):
+            (folder / name).mkdir()
+            write_block_files(block, folder / name)
+        o = simulation.truth.observations
+        write_table(
+            folder / "gross.csv",
+            {
+                "image": named(simulation.truth.images.ids, o.image[simulation.gross]),
+                "point": named(simulation.truth.points.ids, o.point[simulation.gross]),
+            },
+        )

@@ -1,0 +1,201 @@
+"""Coordinates, distances, angles and areas of a result, each with its standard deviation.
+
+From the joint covariance of all points that take part, correlations included: never as if points were independent.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from raybundle.adjustment.result import Adjustment
+from raybundle.block import Block
+from raybundle.errors import InputError
+from raybundle.io.reading.words import quoted
+from raybundle.measuring.joint import Joint
+from raybundle.measuring.merge import axes_frame, check_axes
+from raybundle.numerics.arrays import Array
+
+Quantity = Literal["coordinates", "distance", "angle", "area"]
+NAMES: dict[Quantity, tuple[str, ...]] = {
+    "coordinates": ("X", "Y", "Z"), "distance": ("distance",), "angle": ("angle",), "area": ("area",),
+}  # fmt: skip
+TOGETHER = 3000
+"""Points of which the covariance with a frame is formed at once."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Answer:
+    """One question with its answer."""
+
+    quantity: Quantity
+    points: tuple[str, ...]
+    names: tuple[str, ...]
+    """of the values"""
+    values: tuple[float, ...]
+    sigma: tuple[float, ...]
+    covariance: Array
+    """(k, k) of the values"""
+    unit: str
+    """of the values: m, mm, deg, m^2, mm^2; "" where nothing fixes the scale"""
+    remark: str = ""
+    """what the standard deviations do not tell"""
+
+
+def ask(result: Adjustment, quantity: Quantity, points: Sequence[str]) -> Answer:
+    """Answer a question to a result.
+
+    coordinates  of one point
+    distance     between two points
+    angle        at the second of three points, between the other two [deg]
+    area         of the polygon through the points in their order: that of its projection in which it is largest
+    raises       InputError for points that take no part, that coincide, or of the wrong number
+    """
+    least, most = {"coordinates": (1, 1), "distance": (2, 2), "angle": (3, 3), "area": (3, 10_000)}[quantity]
+    if not least <= len(points) <= most:
+        number = str(least) if least == most else f"{least} or more"
+        raise InputError(f"{quantity}: {len(points)} points are given, {number} are needed")
+    at = positions(result.adjusted, points)
+    xyz = result.adjusted.points.xyz[at]
+    value, J = _FUNCTIONS[quantity](xyz)
+    if not np.isfinite(J).all():
+        raise InputError(f"{quantity} {', '.join(map(quoted, points))}: points coincide; choose others")
+    # a polygon may come back to a point
+    unique, place = np.unique(at, return_inverse=True)
+    whole = np.zeros((len(J), 3 * len(unique)))
+    for k, p in enumerate(place):
+        whole[:, 3 * p : 3 * p + 3] += J[:, 3 * k : 3 * k + 3]
+    C = whole @ Joint.of(result).of_points([int(p) for p in unique]) @ whole.T
+    unit, remark = _unit(result, quantity)
+    return Answer(
+        quantity=quantity, points=tuple(points), names=NAMES[quantity], values=tuple(value.tolist()),
+        sigma=tuple(np.sqrt(np.maximum(np.diagonal(C), 0)).tolist()), covariance=C, unit=unit, remark=remark,
+    )  # fmt: skip
+
+
+def positions(block: Block, points: Sequence[str]) -> Array:
+    """Where points stand in a block; raises InputError for one that does not."""
+    index = {name: k for k, name in enumerate(block.points.ids)}
+    for name in points:
+        if name not in index:
+            some = ", ".join([*index][:5]) + (" ..." if len(index) > 5 else "")
+            raise InputError(f"point {quoted(name)} is not in the result; there are {some}")
+    return np.array([index[name] for name in points], np.int64)
+
+
+def _unit(result: Adjustment, quantity: Quantity) -> tuple[str, str]:
+    free = "scale" in " ".join(result.datum_defect)
+    length = "" if free else result.adjusted.length_unit
+    unit = {"coordinates": length, "distance": length, "angle": "deg", "area": f"{length}^2" if length else ""}
+    remarks: list[str] = []
+    if free and quantity != "angle":
+        remarks.append("nothing fixes the scale: the value is in no unit, its sigma within the network alone")
+    elif result.datum_defect and quantity == "coordinates":
+        remarks.append(f"the datum is free ({', '.join(result.datum_defect)}): sigma holds within the network")
+    return unit[quantity], "; ".join(remarks)
+
+
+def _coordinates(xyz: Array) -> tuple[Array, Array]:
+    return xyz[0], np.eye(3)
+
+
+def _distance(xyz: Array) -> tuple[Array, Array]:
+    d = xyz[1] - xyz[0]
+    with np.errstate(invalid="ignore", divide="ignore"):
+        u = d / np.linalg.norm(d)
+    return np.array([np.linalg.norm(d)]), np.concatenate([-u, u])[None]
+
+
+def _angle(xyz: Array) -> tuple[Array, Array]:
+    a, b = xyz[0] - xyz[1], xyz[2] - xyz[1]
+    ra, rb = np.linalg.norm(a), np.linalg.norm(b)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        u, v = a / ra, b / rb
+        angle = np.arctan2(np.linalg.norm(np.cross(u, v)), u @ v)
+        # the direction in which each end opens the angle
+        p, q = (u * (u @ v) - v), (v * (u @ v) - u)
+        p, q = p / np.linalg.norm(p) / ra, q / np.linalg.norm(q) / rb
+    J = np.concatenate([p, -p - q, q])[None]
+    return np.degrees(np.array([angle])), np.degrees(J)
+
+
+def _area(xyz: Array) -> tuple[Array, Array]:
+    d = xyz - xyz.mean(axis=0)  # products of large numbers round
+    before, after = np.roll(d, 1, axis=0), np.roll(d, -1, axis=0)
+    vector = np.cross(d, after).sum(axis=0) / 2
+    area = np.linalg.norm(vector)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        n = vector / area
+    return np.array([area]), (np.cross(after - before, n) / 2).reshape(1, -1)
+
+
+_FUNCTIONS: dict[Quantity, Callable[[Array], tuple[Array, Array]]] = {
+    "coordinates": _coordinates, "distance": _distance, "angle": _angle, "area": _area,
+}  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class InAxes:
+    """All points in a coordinate system by three of them."""
+
+    ids: tuple[str, ...]
+    xyz: Array
+    """(n, 3) [length unit]"""
+    covariance: Array
+    """(n, 3, 3); 0 where a coordinate is 0 by definition"""
+    rotation: Array
+    translation: Array
+    """X_new = rotation X + translation"""
+
+
+def in_axes(result: Adjustment, origin: str, axis: str, plane: str) -> InAxes:
+    """The adjusted points in the system of three points: origin, X towards the axis point, the plane point in XY.
+
+    The three points' own errors are carried into all coordinates (S-transformation by points), correlations included.
+    raises  InputError for points that take no part, or lie in one line
+    """
+    names = (origin, axis, plane)
+    if len(set(names)) < 3:
+        raise InputError(f"origin, axis and plane are {', '.join(map(quoted, names))}; give three different points")
+    block, joint = result.adjusted, Joint.of(result)
+    at = positions(block, names)
+    frame = block.points.xyz[at]
+    check_axes(names, frame)
+    R, t = axes_frame(frame)
+    assert result.precision is not None
+    used = np.array([k for k in range(len(block.points)) if joint.takes_part(k)], np.int64)
+    xyz = block.points.xyz[used]
+    C = np.zeros((len(used), 3, 3))
+    own = joint.of_points(at.tolist())
+    by_frame = _by_frame(frame)
+    for first in range(0, len(used), TOGETHER):
+        part = slice(first, first + TOGETHER)
+        across = joint.points_with(used[part].tolist(), at.tolist())
+        # X_new = R (X - A): by X it is R, by the nine coordinates of the frame F
+        F = np.einsum("ijk,nj->nik", by_frame, xyz[part] - frame[0])
+        F[:, :, :3] -= R
+        mixed = R @ across @ F.swapaxes(1, 2)
+        C[part] = R @ result.precision.object_points[used[part]] @ R.T + mixed + mixed.swapaxes(1, 2)
+        C[part] += F @ own @ F.swapaxes(1, 2)
+    for k, zero in zip(at, ((0, 1, 2), (1, 2), (2,)), strict=True):
+        row = int(np.flatnonzero(used == k)[0])
+        C[row, list(zero)] = 0.0
+        C[row][:, list(zero)] = 0.0
+    ids = tuple(block.points.ids[k] for k in used)
+    return InAxes(ids=ids, xyz=xyz @ R.T + t, covariance=C, rotation=R, translation=t)
+
+
+def _by_frame(frame: Array) -> Array:
+    """(3, 3, 9) derivatives of the rotation by the coordinates of its three points, by central differences."""
+    size = float(np.linalg.norm(frame[1:] - frame[0], axis=1).min())
+    step = 1e-6 * size
+    found = np.zeros((3, 3, 9))
+    for k in range(9):
+        moved = np.zeros(9)
+        moved[k] = step
+        moved = moved.reshape(3, 3)
+        found[:, :, k] = (axes_frame(frame + moved)[0] - axes_frame(frame - moved)[0]) / (2 * step)
+    return found

@@ -1,0 +1,137 @@
+"""Steps of a conversion: to the frame asked for, to what a format can take, and into it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+
+from raybundle.block import Block
+from raybundle.errors import InputError
+from raybundle.io.block.folder import write_block
+from raybundle.io.folders import new_folder
+from raybundle.io.formats import Export, format_named, formats, write_format
+from raybundle.io.geo.coordinate_systems import LocalFrame, local_frame
+from raybundle.io.pictures.undistort import undistorted_block, write_undistorted
+from raybundle.io.scene_export import names_of_scenes, scene_images, with_viewpoints, without_scenes, write_rpcs
+from raybundle.numerics.arrays import Array
+from raybundle.numerics.progress import Progress
+from raybundle.workflows.sources import BLOCK
+
+RPC = "rpc"
+"""The word for the RPC of satellite scenes among the formats."""
+WRITABLE = (BLOCK, RPC, *sorted(n for n, f in formats.items() if f.write))
+POINTS, STATIONS = ("las", "ply"), ("geojson", "kml")
+"""Formats that take the points of satellite scenes, and formats of stations on a map, which scenes are not."""
+
+
+def check_new(out: Path, target: str) -> None:
+    """Raise InputError where a format cannot be written to a path: before all the work, not after it."""
+    if out.exists() and (not out.is_dir() or any(out.iterdir())):
+        raise InputError("stands there already and is not overwritten; choose another name", file=out)
+    suffix = "" if target in {BLOCK, RPC} else format_named(target).suffix
+    allowed = {suffix, ".laz"} if suffix == ".las" else {suffix}
+    if suffix and out.suffix.lower() not in allowed:
+        raise InputError(f"format {target} is a file; give a name that ends in {suffix}", file=out)
+
+
+def placed(
+    export: Export, crs: str, origin: tuple[float, float, float] | None, undulation: float | None
+) -> tuple[Export, tuple[str, ...]]:
+    """The block in a local frame of a coordinate system, and remarks; without an origin it stands in the system."""
+    if origin is not None:
+        frame = local_frame(crs, origin, undulation_m=undulation)
+        return replace(export, frame=frame), frame.remarks
+    block = export.block
+    if block.place is not None:
+        raise InputError(
+            f"block {block.name} says itself where its frame stands on the earth; leave --crs out, or give --origin too"
+        )
+    if block.length_unit != "m":
+        raise InputError(f"block {block.name}: a block in {block.length_unit} does not stand in {crs}; give --origin")
+    oriented = block.images.oriented
+    middle = block.images.centre[oriented].mean(axis=0) if oriented.any() else np.nanmean(block.points.xyz, axis=0)
+    frame = local_frame(crs, middle, undulation_m=undulation)
+    place = ", ".join(f"{v:.3f}" for v in middle)
+    remark = f"the block was brought from {crs} to the local east-north-up frame at {place}"
+    return replace(in_frame(export, frame), frame=frame), (remark, *frame.remarks)
+
+
+def in_frame(export: Export, frame: LocalFrame) -> Export:
+    """A block whose coordinates stand in the system of a frame, brought to that frame; what it observed too."""
+    block = export.block
+    known = block.images.oriented
+    centre, rotation = np.array(block.images.centre), np.array(block.images.rotation)
+    turn = frame.crs_from_local_rotation(centre[known])
+    rotation[known] = rotation[known] @ turn
+    centre[known] = frame.local_from_crs(centre[known])
+    stations = block.stations
+    # velocities would have to be turned; without them they follow from the positions
+    moved = replace(stations, xyz=frame.local_from_crs(stations.xyz), velocity=None)
+    points = replace(block.points, xyz=_known_plan(frame, block.points.xyz))
+    images = replace(block.images, centre=centre, rotation=rotation)
+    return replace(export, block=replace(block, images=images, points=points).having(moved))
+
+
+def _known_plan(frame: LocalFrame, xyz: Array) -> Array:
+    plan = np.isfinite(xyz[:, :2]).all(axis=1)
+    result = np.full(xyz.shape, np.nan)
+    result[plan] = frame.local_from_crs(xyz[plan])
+    return result
+
+
+def straightened(
+    export: Export, photos: Path, folder: Path, area: Literal["inside", "all"], progress: Progress
+) -> tuple[Export, tuple[str, ...]]:
+    """The block with pinhole cameras, its photographs without distortion in a new folder."""
+    if folder.exists():
+        raise InputError("stands there already and is not overwritten; give --out in another folder", file=folder)
+    with new_folder(folder) as temporary:
+        remarks = write_undistorted(export.block, photos, temporary, area=area, progress=progress)
+        if not any(p.is_file() for p in temporary.rglob("*")):
+            raise InputError(f"no photograph of the block could be read: {remarks[0]}", file=photos)
+    block, more = undistorted_block(export.block, area=area)
+    return replace(export, block=block), (*remarks, *more)
+
+
+def written(
+    export: Export, target: str, out: Path, *, approximate: bool = False, free_scale: bool = False
+) -> tuple[int, tuple[str, ...], float]:
+    """Write; the number of files, remarks, and the largest deviation of a camera [px]."""
+    if target == RPC:
+        with new_folder(out) as folder:
+            files, remarks = write_rpcs(export.block, folder)
+        return len(files), remarks, 0.0
+    if target != BLOCK:
+        export, more = fit_for(export, target)
+        result = write_format(target, export, out, approximate=approximate, free_scale=free_scale)
+        result = replace(result, remarks=(*more, *result.remarks))
+        return len(result.files), result.remarks, result.deviation_px
+    _check_block(export.block)
+    write_block(export.block, out)
+    return 1, (), 0.0
+
+
+def fit_for(export: Export, target: str) -> tuple[Export, tuple[str, ...]]:
+    """The block as a format of photographs can take it, and remarks; raises InputError where scenes do not fit in."""
+    if not any(c.is_scene for c in export.block.cameras):
+        return export, ()
+    names = names_of_scenes(export.block)
+    if target in POINTS:
+        told = f"satellite scenes ({names}) give points; their stations are nominal viewpoints, 600 km up"
+        return replace(export, block=with_viewpoints(export.block)), (told,)
+    if target in STATIONS and not scene_images(export.block).all():
+        return replace(export, block=without_scenes(export.block)), (f"satellite scenes are left out: {names}",)
+    raise InputError(
+        f"format {target} holds central projections only, and this block has satellite scenes ({names}); "
+        f"{BLOCK} and {RPC} carry them, {' and '.join(POINTS)} their points"
+    )
+
+
+def _check_block(block: Block) -> None:
+    if len(block.observations) == 0:
+        raise InputError(
+            f"block {block.name} has no image observations, which a block folder needs; convert it to another format"
+        )

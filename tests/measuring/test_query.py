@@ -1,0 +1,158 @@
+"""Questions to results: standard deviations from the full covariance, and true."""
+
+import json
+
+import numpy as np
+import pytest
+from scipy.stats import chi2
+
+import raybundle as rb
+from raybundle.adjustment.queries import covariance_between
+from raybundle.cli.main import main
+from raybundle.errors import InputError
+from raybundle.io.block.folder import write_block
+from raybundle.measuring.query import ask, in_axes
+from raybundle.results.folder import read_result
+from raybundle.workflows.adjust import adjust
+
+from .scenes import simulation, small_block
+
+
+@pytest.fixture(scope="module")
+def result():
+    return adjust(small_block())
+
+
+def names_of(block, count=4):
+    used = np.flatnonzero((block.ray_count >= 4) & (np.asarray(block.points.role) == 0))
+    return [block.points.ids[k] for k in used[:: len(used) // count][:count]]
+
+
+def test_a_distance_has_the_sigma_of_both_ends_together(result):
+    a, b = names_of(result.adjusted, 2)
+    found = ask(result, "distance", (a, b))
+    xyz = [result.adjusted.points.xyz[result.adjusted.points.ids.index(n)] for n in (a, b)]
+    u = (xyz[1] - xyz[0]) / np.linalg.norm(xyz[1] - xyz[0])
+    C = {(p, q): covariance_between(result, f"point:{p}", f"point:{q}") for p in (a, b) for q in (a, b)}
+    variance = u @ (C[a, a] + C[b, b] - C[a, b] - C[b, a]) @ u
+    assert found.values[0] == pytest.approx(np.linalg.norm(xyz[1] - xyz[0]))
+    assert found.sigma[0] == pytest.approx(np.sqrt(variance), rel=1e-6)
+    assert found.unit == "m"
+
+
+@pytest.mark.parametrize(("quantity", "count"), [("coordinates", 1), ("distance", 2), ("angle", 3), ("area", 4)])
+def test_sigmas_are_true_and_derivatives_right(quantity, count):
+    square, freedom = 0.0, 0
+    for seed in range(30):
+        made = simulation(seed=seed + 500)
+        found = adjust(made.observed)
+        points = names_of(made.observed, 4)[:count]
+        answer, true = ask(found, quantity, points), value_of(made.truth, quantity, points)
+        e = np.array(answer.values) - true
+        square += float(e @ np.linalg.solve(answer.covariance, e))
+        freedom += len(e)
+    low, high = chi2(freedom).ppf([0.0005, 0.9995])
+    assert low < square < high
+
+
+def value_of(block, quantity, points):
+    X = np.array([block.points.xyz[block.points.ids.index(n)] for n in points])
+    if quantity == "coordinates":
+        return X[0]
+    if quantity == "distance":
+        return np.linalg.norm(X[1] - X[0])
+    if quantity == "angle":
+        a, b = X[0] - X[1], X[2] - X[1]
+        return np.degrees(np.arccos(a @ b / np.linalg.norm(a) / np.linalg.norm(b)))
+    return np.linalg.norm(np.cross(X, np.roll(X, -1, axis=0)).sum(axis=0)) / 2
+
+
+def test_axes_by_points_carry_their_errors(result):
+    """Against the adjustment in which these coordinates are held: the same up to the scale, which control fixes."""
+    a, b, c = names_of(result.adjusted, 3)
+    moved = in_axes(result, a, b, c)
+    at = {n: k for k, n in enumerate(moved.ids)}
+    np.testing.assert_allclose(moved.xyz[at[a]], 0, atol=1e-12)
+    np.testing.assert_allclose(moved.xyz[at[b], 1:], 0, atol=1e-12)
+    assert abs(moved.xyz[at[c], 2]) < 1e-12
+    assert (moved.covariance[at[a]] == 0).all()
+    assert (moved.covariance[at[b], 1:] == 0).all()
+    assert moved.covariance[at[c], 2, 2] == 0
+    # X of the axis point is its distance from the origin
+    assert np.sqrt(moved.covariance[at[b], 0, 0]) == pytest.approx(ask(result, "distance", (a, b)).sigma[0], rel=1e-5)
+    assert np.linalg.eigvalsh(moved.covariance).min() > -1e-12
+
+
+def test_what_is_refused(result):
+    for quantity, points, words in (
+        ("distance", ("1",), "1 points are given, 2 are needed"),
+        ("distance", ("1", "none"), "point 'none' is not in the result"),
+        ("distance", (names_of(result.adjusted)[0],) * 2, "points coincide"),
+        ("area", ("1", "2"), "3 or more are needed"),
+    ):
+        with pytest.raises(InputError, match=words):
+            ask(result, quantity, points)
+    with pytest.raises(InputError, match="nothing is asked"):
+        rb.query(result)
+
+
+@pytest.fixture
+def folder(tmp_path):
+    write_block(small_block(), tmp_path / "ring")
+    return tmp_path / "ring"
+
+
+def run(capsys, *words):
+    status = main([str(w) for w in words])
+    out = capsys.readouterr()
+    return status, out.out, out.err
+
+
+def test_command_lines(folder, capsys, result):
+    names = names_of(result.adjusted, 4)
+    status, out, _ = run(capsys, "query", folder, "--area", *names, "--distance", *names[:2], "--json")
+    assert status == 0
+    rows = [json.loads(line) for line in out.splitlines()]
+    assert [r["quantity"] for r in rows] == ["distance", "area"]
+    assert rows[0]["sigma"]["distance"] == pytest.approx(ask(result, "distance", names[:2]).sigma[0], rel=1e-3)
+    status, out, _ = run(capsys, "query", folder, "--coordinates", *names[:2], "--angle", *names[:3])
+    assert status == 0
+    assert out.count("+-") == 7
+    assert run(capsys, "query", folder)[0] == 2
+    out_folder = folder.parent / "axes"
+    words = ("--origin", names[0], "--axis", names[1], "--plane", names[2], "--out", out_folder)
+    assert run(capsys, "datum", folder, *words)[0] == 0
+    assert {p.name for p in out_folder.iterdir()} == {"points.csv", "transformation.json"}
+    assert run(capsys, "datum", folder, "--origin", names[0], "--out", out_folder)[0] == 2
+
+
+def test_measuring_on_the_command_line(folder, capsys):
+    block = small_block()
+    o = block.observations
+    p = int(np.flatnonzero(block.ray_count >= 4)[0])
+    rows = [(block.images.file[i], *xy) for i, q, xy in zip(o.image, o.point, o.xy_px, strict=True) if q == p]
+    for image, x, y in rows:
+        assert run(capsys, "mark", "put", folder, image, "gate", x, y, "--sigma", 0.3)[0] == 0
+    image, x, y = rows[0]
+    assert run(capsys, "mark", "move", folder, image, "gate", x, y, "--sigma", 0.2)[0] == 0
+    other = block.points.ids[int(np.flatnonzero(block.ray_count >= 4)[5])]
+    assert run(capsys, "mark", "bar", folder, "gate", other, 1.5, 0.5)[0] == 0
+    assert run(capsys, "mark", "point", folder, "gate", "--role", "check", "--coordinates", 1, 2, "-")[0] == 0
+    assert run(capsys, "mark", "undo", folder)[0] == 0
+    assert run(capsys, "mark", "redo", folder)[0] == 0
+    assert run(capsys, "mark", "undo", folder)[0] == 0
+    status, out, _ = run(capsys, "mark", "list", folder)
+    assert (status, f"{len(rows)} marks of 1 point" in out, "scale bar gate" in out) == (0, True, True)
+    status, out, _ = run(capsys, "mark", "list", folder, "--history", "--json")
+    assert len(out.splitlines()) == len(rows) + 6
+    assert run(capsys, "mark", "export", folder, folder.parent / "marks.csv")[0] == 0
+    status, out, err = run(capsys, "mark", "adjust", folder, "--no-report")
+    assert status == 0, err
+    read = read_result(folder.parent / "ring-measured")
+    assert "gate" in read.points.text["point"]
+    status, _, err = run(capsys, "mark", "put", folder, "none.jpg", "gate", 1, 1)
+    assert status == 2
+    assert "none.jpg" in err
+    assert run(capsys, "mark", "put", folder, image, "gate", "nan", 1)[0] == 2
+    assert rb.marks(folder).points["gate"].role == "tie"
+    assert rb.mark(folder, "forget", point="gate") == len(rows) + 7

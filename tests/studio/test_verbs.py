@@ -1,0 +1,57 @@
+"""Each action shows a command; the commands of a journal, typed, make the same state."""
+
+import shlex
+import shutil
+
+import numpy as np
+from click.testing import CliRunner
+
+from raybundle.cli.main import cli
+from raybundle.io.block.folder import read_block
+from raybundle.measuring.actions import VERBS
+from raybundle.measuring.journal import Journal, entries_of, journal_path, state_of
+from raybundle.measuring.known import Known
+from raybundle.studio.verbs import command_of
+
+
+def test_the_commands_of_a_journal_make_the_same_state(project, tmp_path):
+    block = read_block(project / "result" / "block")
+    a, b = block.images.ids[:2]
+    o = block.observations
+    seen = block.points.ids[int(o.point[np.flatnonzero(o.image == 0)[0]])]
+    other = [p for p in block.points.ids if p != seen][:4]
+    actions = [
+        ("put", {"image": a, "point": "gate", "x_px": 100.123456789, "y_px": 50.5, "covariance": [0.01, 0.02, 0.001]}),
+        ("put", {"image": b, "point": "-odd 'name", "x_px": 1.0, "y_px": 2.0}),
+        ("move", {"image": a, "point": "gate", "x_px": 101.0, "y_px": 51.25, "covariance": [0.04, 0.04, 0.0]}),
+        ("point", {"point": "gate", "role": "control", "xyz": [-1.5, 2.0, None], "sigma": [0.01, 0.0, None]}),
+        ("point", {"point": "free"}),
+        ("rename", {"point": "-odd 'name", "to": "even"}),
+        ("bar", {"start": other[0], "end": other[1], "length": 1.0003, "sigma": 1e-4}),
+        ("bar", {"start": other[1], "end": other[2], "length": 2.0, "sigma": 1e-3}),
+        ("unbar", {"start": other[1], "end": other[2]}),
+        ("line", {"line": "edge", "points": other[:2], "kind": "plumb", "sigma": 0.002}),
+        ("line", {"line": "rim", "points": other[:3]}),
+        ("line", {"line": "rim", "points": []}),
+        ("datum", {"origin": other[0], "axis": other[1], "plane": other[2]}),
+        ("reject", {"image": a, "point": seen}),
+        ("accept", {"image": a, "point": seen}),
+        ("reject", {"image": a, "point": seen}),
+        ("remove", {"image": b, "point": "even"}),
+        ("forget", {"point": "free"}),
+        ("undo", {}),
+        ("undo", {}),
+        ("redo", {}),
+    ]
+    assert {verb for verb, _ in actions} == set(VERBS)
+    again = tmp_path / "again"
+    shutil.copytree(project, again)
+    with Journal.open(journal_path(project), Known.of(block)) as journal:
+        for verb, arguments in actions:
+            journal.append_verb(verb, arguments)
+    for entry in entries_of(journal_path(project)):
+        program, *words = shlex.split(command_of(again, entry.verb, entry.arguments))
+        assert program == "raybundle"
+        done = CliRunner().invoke(cli, words, standalone_mode=False)
+        assert done.exception is None, (words, done.exception)
+    assert state_of(journal_path(again)) == state_of(journal_path(project))
