@@ -31,7 +31,7 @@ export class ImageStage implements Stage {
 
   private bar(): HTMLElement[] {
     this.counts = [1, 2, 4].map((n) => {
-      const words = n === 1 ? "One image" : `${n} images side by side`;
+      const words = n === 1 ? "1 image" : `${n} images side by side`;
       const made = button(String(n), words, () => this.setCount(n));
       made.setAttribute("aria-label", words);
       return made;

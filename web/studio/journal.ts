@@ -28,7 +28,7 @@ export class Journal {
     const latest = this.entries.slice(-MOST).reverse();
     this.told.textContent = `${count(this.entries.length, "action")}, the latest first${this.entries.length > MOST ? `; the last ${MOST} are shown` : ""}`;
     element("journal").replaceChildren(h("table", { "aria-label": "Journal" },
-      h("thead", {}, h("tr", {}, ...["", "time", "by", "what", "command", ""].map((words) => h("th", { scope: "col" }, words)))),
+      h("thead", {}, h("tr", {}, ...["no.", "time", "by", "what", "command", "copy"].map((words) => h("th", { scope: "col" }, words)))),
       h("tbody", {}, ...latest.map((entry) => this.row(entry)))));
   }
 

@@ -3,7 +3,7 @@ import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { nearest } from "../common/shapes";
 import { bytes } from "./api";
-import { element, h, onceAFrame } from "./dom";
+import { afterPause, element, h, onceAFrame } from "./dom";
 import { Model } from "./model";
 import { short, withUnit } from "./numbers";
 import { SpaceBar } from "./space_bar";
@@ -12,6 +12,20 @@ import { SpaceMeasure } from "./space_measure";
 import { SpaceScene } from "./space_scene";
 
 const NEAR_PX = 10;
+/** Time between two pictures of a motion that is too long, and that which leaves room for more [ms]. */
+const SLOW_MS = 40;
+const FAST_MS = 24;
+/** Pixels of a picture that a processor does not make in time. */
+const LARGE_PX = 1.5e6;
+
+/** Whether pictures are made by the processor: their edges are not smoothed then, which is the greater part of the work. */
+function drawnBySoftware(): boolean {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  const told = gl?.getExtension("WEBGL_debug_renderer_info");
+  const name = gl ? String(gl.getParameter(told ? told.UNMASKED_RENDERER_WEBGL : gl.RENDERER)) : "";
+  gl?.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|software|basic render/i.test(name);
+}
 
 export class Space {
   private readonly box = element("space");
@@ -25,8 +39,12 @@ export class Space {
   private drawn: SpaceScene | null = null;
   private stale = true;
   private readonly render = onceAFrame(() => this.frame());
-  /** How long the last frames took [ms]. */
-  readonly frames: number[] = [];
+  /** Share of the points that is drawn while it is turned. */
+  private share = 1;
+  private software = false;
+  private coarse = false;
+  private last = 0;
+  private readonly rest = afterPause(() => this.still(), 200);
 
   constructor(private readonly model: Model, private readonly open: (image: string) => void) {
     this.bar = new SpaceBar(() => this.shown(), () => this.home());
@@ -54,8 +72,9 @@ export class Space {
   }
 
   private begin(): boolean {
+    this.software = drawnBySoftware();
     try {
-      this.renderer = new THREE.WebGLRenderer({ antialias: true });
+      this.renderer = new THREE.WebGLRenderer({ antialias: !this.software });
     } catch {
       this.box.textContent = "This browser shows no 3D graphics (WebGL is switched off). Tables and images show the same points.";
       return false;
@@ -68,7 +87,7 @@ export class Space {
     this.box.append(canvas, this.tip);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.zoomToCursor = true;
-    this.controls.addEventListener("change", this.render);
+    this.controls.addEventListener("change", () => this.moving());
     new ResizeObserver(() => this.sized()).observe(this.box);
     this.pointers(canvas);
     return true;
@@ -115,10 +134,34 @@ export class Space {
 
   private frame(): void {
     if (!this.renderer || !this.drawn || element("stage-space").hidden) return;
-    const began = performance.now();
     this.renderer.render(this.drawn.scene, this.camera);
-    this.frames.push(performance.now() - began);
-    if (this.frames.length > 500) this.frames.shift();
+  }
+
+  /** The next picture of a motion: fewer points where the last ones came too late, more where they came in time. */
+  private moving(): void {
+    const now = performance.now();
+    const took = now - this.last;
+    this.last = now;
+    if (took > SLOW_MS && took < 10 * SLOW_MS) this.share = Math.max(0.7 * this.share, 0.02);
+    else if (took < FAST_MS) this.share = Math.min(1.1 * this.share, 1);
+    this.drawn?.thin(this.share);
+    const large = this.box.clientWidth * this.box.clientHeight > LARGE_PX;
+    if (this.software && large && !this.coarse) this.fine(false);
+    this.render();
+    this.rest();
+  }
+
+  /** Every pixel of the screen, or a quarter of them. */
+  private fine(on: boolean): void {
+    this.coarse = !on;
+    this.renderer!.setPixelRatio(on ? Math.min(devicePixelRatio, 2) : 0.5);
+  }
+
+  private still(): void {
+    this.last = 0;
+    this.drawn?.thin(1);
+    if (this.coarse) this.fine(true);
+    this.render();
   }
 
   // --- what is shown --------------------------------------------------------------------------------
@@ -250,13 +293,11 @@ export class Space {
     if (tilted.clone().cross(up).length() > 0.05 * tilted.length()) from.copy(tilted);
     this.camera.position.copy(target).add(from);
     this.controls.update();
-    this.render();
   }
 
   private closer(factor: number): void {
     const { target } = this.controls;
     this.camera.position.sub(target).multiplyScalar(factor).add(target);
     this.controls.update();
-    this.render();
   }
 }

@@ -2,12 +2,13 @@
 import { ask } from "./api";
 import { button, h } from "./dom";
 import { Model } from "./model";
+import { decimalsOf, fixed, withUnit } from "./numbers";
 import { SpaceData } from "./space_data";
 
 interface Answer {
   words: string;
   values: { name: string; value: number; sigma: number | null; unit: string }[];
-  neglected: string;
+  remark: string;
 }
 
 const KINDS = ["", "coordinates", "distance", "angle", "area"] as const;
@@ -67,7 +68,11 @@ export class SpaceMeasure {
     try {
       const found = await ask<Answer>("/api/query", { kind: this.what, points: this.names });
       if (turn !== this.turn) return;
-      this.words = `${found.words}${found.neglected ? `\nsigma leaves out: ${found.neglected}` : ""}`;
+      const values = found.values.map(({ name, value, sigma, unit }) => {
+        const whole = `${fixed(value, decimalsOf(sigma))} ± ${fixed(sigma, decimalsOf(sigma))}`;
+        return `${found.values.length > 1 ? `${name} ` : ""}${withUnit(whole, unit.replace("^2", "²").replace("deg", "°"))}`;
+      });
+      this.words = `${found.words}: ${values.join(", ")}${found.remark ? `\n${found.remark}` : ""}`;
     } catch (error) {
       if (turn !== this.turn) return;
       this.words = `${this.names.join(", ")}: ${(error as Error).message}`;

@@ -30,6 +30,7 @@ export class SpaceScene {
     const many = data.points > 60000;
     const plain = new THREE.PointsMaterial({ size: 2 * Math.min(devicePixelRatio, 2), sizeAttenuation: false, vertexColors: true });
     this.points = new THREE.Points(positions(data.xyz), many ? plain : dots(4));
+    this.points.geometry.setIndex(new THREE.BufferAttribute(mixed(data.points), 1));
     this.special = new THREE.Points(positions(this.picked(data.xyz)), dots(11));
     this.stations = new THREE.LineSegments(positions(edges(data.frusta)), new THREE.LineBasicMaterial({ color: 0x2a3a49 }));
     this.ellipsoids = ellipsoids(data.ellipsoid.length);
@@ -56,6 +57,12 @@ export class SpaceScene {
     const out = new Float32Array(3 * rows.length);
     rows.forEach((i, k) => out.set(this.data.at(i), 3 * k));
     return out;
+  }
+
+  /** Draw a share of the points, spread evenly: what a slow machine can turn. */
+  thin(share: number): void {
+    this.points.geometry.setDrawRange(0, share < 1 ? Math.ceil(share * this.data.points) : Infinity);
+    this.ellipsoids.count = Math.ceil(share * this.data.ellipsoid.length);
   }
 
   /** Colour the points; returns the legend. */
@@ -104,4 +111,17 @@ export class SpaceScene {
       }
     });
   }
+}
+
+/** Rows in an order in which every beginning is an even choice of all. */
+function mixed(count: number): Uint32Array<ArrayBuffer> {
+  const rows = new Uint32Array(count);
+  for (let i = 0; i < count; i++) rows[i] = i;
+  let seed = 1;
+  for (let i = count - 1; i > 0; i--) {
+    seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0;
+    const k = Math.floor((seed / 4294967296) * (i + 1));
+    [rows[i], rows[k]] = [rows[k], rows[i]];
+  }
+  return rows;
 }

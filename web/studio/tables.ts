@@ -40,10 +40,10 @@ export class Tables {
   private readonly search = h("input", { type: "search", id: "table-search", "aria-label": "Filter rows by name", placeholder: "Filter by name", autocomplete: "off", spellcheck: "false" });
   private readonly told = h("span", { class: "note", "aria-live": "polite" });
   private readonly head = h("div", { role: "row", class: "head" });
-  private readonly rows = h("div", { class: "rows", role: "rowgroup" });
+  private readonly rows = h("div", { class: "rows" });
   private readonly tall = h("div", { class: "tall" }, this.rows);
   private readonly scroll = h("div", { class: "scroll", tabindex: 0, role: "rowgroup", "aria-label": "Rows: arrow keys choose one, Enter opens it" }, this.tall);
-  private readonly grid = h("div", { role: "table", class: "grid" }, this.head, this.scroll);
+  private readonly grid = h("div", { role: "table", class: "grid", "aria-label": "Table" }, this.head, this.scroll);
   private readonly drawSoon = onceAFrame(() => this.draw());
 
   constructor(model: Model, private readonly isOpen: () => boolean, private readonly opened: (row: Row) => void) {

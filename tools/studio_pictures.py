@@ -1,0 +1,146 @@
+"""Pictures of the studio for the documentation: the demonstration, measured and adjusted in a browser.
+
+    python tools/studio_pictures.py [PROJECT PHOTOS]
+
+Writes docs/images/studio-*.png.  Without a project the photographs of demo_data/portal are oriented first.  Needs
+playwright and a Chromium (RAYBUNDLE_CHROMIUM names one that is not on the path).
+"""
+
+from __future__ import annotations
+
+import shutil
+import sys
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+from PIL import Image
+from playwright.sync_api import Page, sync_playwright
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT))
+from tests.studio.browser import ARGUMENTS, PORTAL, Hand, chromium, served, targets  # noqa: E402
+
+IMAGES = ROOT / "docs" / "images"
+SIZE = (1440, 860)
+LARGEST = 400_000
+SEEN = ("portal_02.jpg", "portal_04.jpg", "portal_06.jpg")
+
+
+def project_in(folder: Path) -> tuple[Path, Path]:
+    """The demonstration's photographs, oriented."""
+    from raybundle.commands.orient import orient  # noqa: PLC0415
+
+    photos = folder / "photos"
+    shutil.copytree(PORTAL / "photos", photos)
+    orient(sorted(photos.glob("*.jpg")), folder / "facade", precise=False, report=False)
+    return folder / "facade", photos
+
+
+def keep(page: Page, name: str) -> None:
+    """A picture of the page, in as many colours as go into its size."""
+    path = IMAGES / f"studio-{name}.png"
+    page.wait_for_timeout(1500)
+    page.screenshot(path=path)
+    for colours in (256, 192, 128, 96, 64, 48):
+        if path.stat().st_size <= LARGEST:
+            break
+        page.screenshot(path=path)
+        with Image.open(path) as picture:
+            picture.convert("RGB").quantize(colours, dither=Image.Dither.NONE).save(path, optimize=True)
+    print(f"{path.relative_to(ROOT)}: {path.stat().st_size / 1000:.0f} kB")
+
+
+def measure(page: Page, hand: Hand, target: str, images: tuple[str, ...]) -> str:
+    """A new point, marked where a target is."""
+    name = hand.new_point()
+    for image in images:
+        hand.click_at(image, *targets()[target][image])
+    page.locator(".where .sigma").first.wait_for()
+    return name
+
+
+def pictures(page: Page) -> None:
+    """Look, measure, adjust, look again."""
+    hand = Hand(page)
+    hand.wait("Adjusted")
+    page.locator("#image-list canvas[data-drawn]").nth(8).wait_for()
+    keep(page, "images")
+    ends = [measure(page, hand, "T3", SEEN)]
+    page.keyboard.press("n")
+    hand.wait("New point")
+    ends.append(page.locator("#point-name").input_value())
+    for image in SEEN[:2]:
+        hand.click_at(image, *targets()["T4"][image])
+    page.keyboard.press("g")
+    page.locator("#image-list [role=option]", has_text="portal_06.jpg").click()
+    page.locator(".pane .canvas").nth(1).wait_for()
+    page.locator(".where .sigma").first.wait_for()
+    page.wait_for_timeout(500)
+    page.keyboard.press("c")
+    for _ in range(7):
+        page.keyboard.press("+")
+    page.keyboard.press("c")
+    page.locator("#loupe").check()
+    page.mouse.move(*_middle(page))
+    keep(page, "measuring")
+    page.locator("#loupe").uncheck()
+    page.locator(".pane.active .canvas").focus()
+    page.keyboard.press("Enter")
+    hand.wait("marked")
+    for field, value in {"start": ends[0], "end": ends[1], "length": "2.430", "sigma": "0.001"}.items():
+        page.fill(f"#bar-{field}", value)
+    page.click("#bar-add")
+    hand.wait("scale bar")
+    page.click("#adjust")
+    hand.wait("Adjusted: sigma0")
+    space(page)
+    page.click("#tab-tables")
+    page.select_option("#table-kind", "observations")
+    page.get_by_role("button", name="|w|").click()
+    keep(page, "tables")
+    page.click("#tab-journal")
+    keep(page, "journal")
+
+
+def space(page: Page) -> None:
+    """Object space with ellipsoids and a distance."""
+    page.click("#tab-space")
+    page.locator("#space-legend", has_text="points").wait_for()
+    page.select_option("#space-colour", "sigma")
+    page.check("#show-ellipsoids")
+    page.check("#space-measure")
+    for name in ("M1", "M2"):
+        page.locator("#right [role=option]", has_text=name).first.click()
+        page.get_by_role("button", name="Add current").click()
+    page.locator("#space-told", has_text="±").wait_for()
+    page.locator("#space canvas").focus()
+    for _ in range(3):
+        page.keyboard.press("+")
+    keep(page, "space")
+
+
+def _middle(page: Page) -> tuple[float, float]:
+    box: Any = page.locator(".pane.active .canvas").bounding_box()
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+
+def main() -> None:
+    """Make all pictures."""
+    with TemporaryDirectory() as folder:
+        if len(sys.argv) > 2:
+            source, photos = (Path(p) for p in sys.argv[1:])
+            shutil.copytree(source, Path(folder) / "facade")
+            project = Path(folder) / "facade"
+        else:
+            project, photos = project_in(Path(folder))
+        with served(project, photos) as address, sync_playwright() as playwright:
+            browser = playwright.chromium.launch(executable_path=chromium(), args=list(ARGUMENTS))
+            page = browser.new_page(viewport={"width": SIZE[0], "height": SIZE[1]})
+            page.goto(address)
+            pictures(page)
+            browser.close()
+
+
+if __name__ == "__main__":
+    main()
