@@ -1,9 +1,9 @@
 """Pictures of the studio for the documentation: the demonstration, measured and adjusted in a browser.
 
-    python tools/studio_pictures.py [PROJECT PHOTOS]
+    python tools/studio_pictures.py
 
-Writes docs/images/studio-*.png.  Without a project the photographs of demo_data/portal are oriented first.  Needs
-playwright and a Chromium (RAYBUNDLE_CHROMIUM names one that is not on the path).
+Orients the photographs of demo_data/portal and writes docs/images/studio-*.png.  Needs playwright and a
+Chromium (RAYBUNDLE_CHROMIUM names one that is not on the path).
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ sys.path.insert(0, str(ROOT))
 from tests.studio.browser import ARGUMENTS, PORTAL, Hand, chromium, served, targets  # noqa: E402
 
 IMAGES = ROOT / "docs" / "images"
-SIZE = (1440, 860)
+SIZE = (1366, 768)
 LARGEST = 400_000
 SEEN = ("portal_02.jpg", "portal_04.jpg", "portal_06.jpg")
 
@@ -47,7 +47,8 @@ def keep(page: Page, name: str) -> None:
             break
         page.screenshot(path=path)
         with Image.open(path) as picture:
-            picture.convert("RGB").quantize(colours, dither=Image.Dither.NONE).save(path, optimize=True)
+            fewer = picture.convert("RGB").quantize(colours, Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE)
+            fewer.save(path, optimize=True)
     print(f"{path.relative_to(ROOT)}: {path.stat().st_size / 1000:.0f} kB")
 
 
@@ -78,11 +79,13 @@ def pictures(page: Page) -> None:
     page.locator(".where .sigma").first.wait_for()
     page.wait_for_timeout(500)
     page.keyboard.press("c")
-    for _ in range(7):
+    for _ in range(6):
         page.keyboard.press("+")
     page.keyboard.press("c")
     page.locator("#loupe").check()
-    page.mouse.move(*_middle(page))
+    u, v = _middle(page)
+    page.mouse.move(u - 1, v)
+    page.mouse.move(u, v)
     keep(page, "measuring")
     page.locator("#loupe").uncheck()
     page.locator(".pane.active .canvas").focus()
@@ -128,12 +131,7 @@ def _middle(page: Page) -> tuple[float, float]:
 def main() -> None:
     """Make all pictures."""
     with TemporaryDirectory() as folder:
-        if len(sys.argv) > 2:
-            source, photos = (Path(p) for p in sys.argv[1:])
-            shutil.copytree(source, Path(folder) / "facade")
-            project = Path(folder) / "facade"
-        else:
-            project, photos = project_in(Path(folder))
+        project, photos = project_in(Path(folder))
         with served(project, photos) as address, sync_playwright() as playwright:
             browser = playwright.chromium.launch(executable_path=chromium(), args=list(ARGUMENTS))
             page = browser.new_page(viewport={"width": SIZE[0], "height": SIZE[1]})

@@ -23,9 +23,9 @@ def chromium() -> str | None:
 
 @contextmanager
 def served(project: Path, photos: Path):
-    """Address of a studio that runs as long as the block."""
-    command = [sys.executable, "-m", "raybundle", "studio", str(project), "--photos", str(photos), "--no-browser"]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as server:
+    """Address of a studio that runs as long as the block; its commands name the project without a folder."""
+    command = [sys.executable, "-m", "raybundle", "studio", project.name, "--photos", str(photos), "--no-browser"]
+    with subprocess.Popen(command, cwd=project.parent, stdout=subprocess.PIPE, text=True) as server:
         try:
             line = next(line for line in server.stdout if "http://" in line)
             yield line[line.index("http://") :].strip()

@@ -131,7 +131,7 @@ export class Pane {
     over.setTransform(1, 0, 0, 1, 0, 0);
     over.clearRect(0, 0, this.over.width, this.over.height);
     drawOverlay(over, view, this.shown(), ratio);
-    if (looks.loupe) needed.push(...this.loupe(over, ratio));
+    if (looks.loupe && (this.at || document.activeElement === this.body)) needed.push(...this.loupe(over, ratio));
     tiles.want(this, needed);
     this.told.textContent = picture.photo ? tiles.why(needed[0]) : "The photograph is not known: give its folder with --photos.";
   }
@@ -141,7 +141,7 @@ export class Pane {
     const [u, v] = this.at ?? [this.view.width / 2, this.view.height / 2];
     const [x, y] = this.view.toImage(u, v);
     const near = new View(this.picture.width, this.picture.height, this.view.turn);
-    Object.assign(near, { x, y, scale: Math.min(4 * this.view.scale, 64), width: LOUPE, height: LOUPE, fitted: false });
+    Object.assign(near, { x, y, scale: Math.min(4 * this.view.scale, Math.max(16, this.view.scale)), width: LOUPE, height: LOUPE, fitted: false });
     const left = u + LOUPE + 30 < this.view.width ? u + 24 : u - LOUPE - 24;
     const top = v + LOUPE + 30 < this.view.height ? v + 24 : v - LOUPE - 24;
     pen.save();

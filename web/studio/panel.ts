@@ -6,7 +6,7 @@ import { looks, SNAPS } from "./looks";
 import { Measuring } from "./measuring";
 import { Model } from "./model";
 import { count, decimalsOf, fixed, short, withUnit } from "./numbers";
-import { Page, PointRow, Predictions, SnapKind } from "./types";
+import { Mark, Page, PointRow, Predictions, SnapKind } from "./types";
 
 export interface Going {
   /** Show a place of an image. */
@@ -162,8 +162,20 @@ export class Panel {
       const remove = button("✕", `Remove the mark in ${m.image}`, () => void model.act("remove", { image: m.image, point: m.point }, "mark removed"), "small");
       const s = Math.sqrt(Math.max(m.cov[0], m.cov[1]));
       return h("tr", {}, h("td", {}, show), h("td", {}, m.how), h("td", {}, short(s, 2)),
-        h("td", {}, fixed(v?.[0], 2)), h("td", {}, fixed(v?.[1], 2)), h("td", {}, remove));
+        ...this.residual(m, v), h("td", {}, remove));
     }));
+  }
+
+  /** Of a mark that took part just now, or in the adjustment. */
+  private residual(mark: Mark, now: [number, number] | undefined): HTMLElement[] {
+    const cells = [0, 1].map((k) => h("td", {}, fixed(now?.[k], 2)));
+    if (!now)
+      void this.model.observations(mark.image).then((o) => {
+        const i = o.point.indexOf(mark.point);
+        const same = i >= 0 && Math.hypot(o.x[i] - mark.x, o.y[i] - mark.y) < 1e-3;
+        if (same) [cells[0].textContent, cells[1].textContent] = [fixed(o.vx[i], 2), fixed(o.vy[i], 2)];
+      }, () => {});
+    return cells;
   }
 
   private pointRow(p: PointRow): Node[] {
