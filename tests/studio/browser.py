@@ -50,6 +50,7 @@ class Hand:
 
     def __init__(self, page):
         self.page = page
+        self.at = (0.0, 0.0)
 
     def wait(self, words, seconds=60):
         """Until the line below says something."""
@@ -73,13 +74,18 @@ class Hand:
             self.page.mouse.wheel(0, -200)
         self.page.mouse.move(u + 1, v)
         self.page.mouse.move(u, v)
+        self.at = u, v
+
+    def click_here(self, words):
+        """A click where the pointer is, until the line below says something."""
+        self.page.mouse.down()
+        self.page.mouse.up()
+        self.wait(words)
 
     def click_at(self, image, x, y):
         """Mark the current point in an image."""
         self.point_at(image, x, y)
-        self.page.mouse.down()
-        self.page.mouse.up()
-        self.wait("marked")
+        self.click_here("marked")
         self.page.locator(".marks", has_text=image).wait_for()
 
     def new_point(self):

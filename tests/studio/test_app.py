@@ -229,6 +229,6 @@ def test_measured_points_are_adjusted_with_the_block(client, desk, studio, proje
 
 
 def test_answers_are_sent_at_once():
-    """asyncio switches Nagle's algorithm off only for sockets that name their protocol; with it an answer waits 40 ms."""
+    """Nagle's algorithm is off only for sockets that name their protocol; with it an answer waits 40 ms."""
     with listening(0) as connection:
         assert connection.proto == socket.IPPROTO_TCP

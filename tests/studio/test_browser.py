@@ -155,6 +155,42 @@ def test_measuring_by_keyboard_alone(page, hand, project):
     assert moved["y_px"] == pytest.approx(last["y_px"], abs=1e-6)
 
 
+def test_a_mark_is_dragged_and_removed_an_observation_rejected(page, hand, project):
+    page.select_option("#snap", "hand")
+    x, y = targets()["T7"]["portal_02.jpg"]
+    hand.new_point()
+    hand.point_at("portal_02.jpg", x, y)
+    hand.click_here("marked")
+    page.mouse.down()
+    u, v = hand.at
+    page.mouse.move(u + 20, v)
+    page.mouse.move(u + 41, v)
+    page.mouse.up()
+    hand.wait("moved")
+    page.keyboard.press("Delete")
+    hand.wait("removed")
+    page.keyboard.press("Escape")
+    page.select_option("#filter", "weak")
+    page.locator("#message", has_text="removed").wait_for()
+    page.keyboard.press("w")
+    hand.wait("|w| =")
+    worst = page.locator("#point-name").input_value()
+    page.select_option("#filter", "all")
+    page.locator(".pane.active .canvas").focus()
+    page.keyboard.press("x")
+    hand.wait("takes no part")
+    page.keyboard.press("x")
+    hand.wait("takes part again")
+    entries = list(entries_of(journal_path(project)))
+    assert [e.verb for e in entries] == ["put", "move", "remove", "reject", "accept"]
+    put, moved, rejected = (entries[k].arguments for k in (0, 1, 3))
+    assert np.hypot(put["x_px"] - x, put["y_px"] - y) < 2  # the hand is as fine as the screen
+    scale = 41 / (moved["x_px"] - put["x_px"])
+    assert 2 < scale < 20
+    assert moved["y_px"] == pytest.approx(put["y_px"], abs=0.3)
+    assert rejected["point"] == worst
+
+
 def test_an_answer_that_is_lost_counts_once(page, hand, project):
     """Of three tries the first does not arrive, the second arrives and its answer is lost."""
     tries = []

@@ -34,7 +34,8 @@ export class Journal {
 
   private row(e: JournalEntry): HTMLElement {
     const copy = button("Copy", `Copy the command of action ${e.seq}`, () => this.copy(e.command), "small");
-    const named = [e.arguments.image, e.arguments.point].filter((v) => typeof v === "string").join(" · ");
+    const { image, point, start, end, line } = e.arguments;
+    const named = [image, point, start, end, line].filter((v) => typeof v === "string").join(" · ");
     return h("tr", {}, h("td", {}, String(e.seq)), h("td", { class: "whole" }, e.time.replace("T", " ").slice(0, 19)), h("td", {}, e.author),
       h("td", { class: "l" }, h("b", {}, e.verb), ` ${named}`), h("td", { class: "l" }, h("code", {}, e.command)), h("td", {}, e.command ? copy : ""));
   }

@@ -308,7 +308,8 @@ export class Pane {
     this.tip.textContent = this.words(row);
     const over = u > this.view.width - 240;
     this.tip.style.left = `${over ? Math.max(u - 230, 4) : u + 16}px`;
-    this.tip.style.top = `${Math.min(v + 14, this.view.height - 70)}px`;
+    // the loupe is below
+    this.tip.style.top = `${looks.loupe ? Math.max(v - 60, 4) : Math.min(v + 14, this.view.height - 70)}px`;
   }
 
   private words(i: number): string {
