@@ -67,6 +67,8 @@ export class Tiles {
 
   private next(): string | undefined {
     for (const late of [false, true]) {
+      // small pictures of the list come one by one: each may be a photograph to decode
+      if (late && this.loading.size) return undefined;
       // turn by turn, so that each pane gets its coarse tiles first
       const lists = [...this.wanted.values()].filter((w) => w.late === late);
       const longest = Math.max(0, ...lists.map((w) => w.keys.length));
