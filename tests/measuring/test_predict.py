@@ -12,9 +12,10 @@ from raybundle.adjustment.queries import covariance_between
 from raybundle.block.select import with_rows
 from raybundle.measuring.actions import Put
 from raybundle.measuring.place import locate
-from raybundle.measuring.predict import predict, visible, worst
+from raybundle.measuring.predict import affine, predict, visible, worst
 from raybundle.measuring.session import Session
 from raybundle.measuring.state import EMPTY, folded
+from raybundle.measuring.views import seen_in
 from raybundle.workflows.adjust import adjust
 
 from .scenes import simulation, small_block
@@ -209,3 +210,24 @@ def test_what_cannot_be_predicted_says_why(session):
     found = predict(session, EMPTY, "nowhere", b.images.ids[0])
     assert (found.xy_px, found.source) == (None, "unknown")
     assert "not marked in another image" in found.why
+
+
+def test_how_a_small_piece_of_the_object_looks_in_another_image(session):
+    """Against the places of points round the first, on the plane that faces both images."""
+    b = session.block
+    p = many_rays(b)[0]
+    rows = np.flatnonzero(np.asarray(b.observations.point) == p)[:2]
+    i, k = (int(b.observations.image[r]) for r in rows)
+    name = b.points.ids[p]
+    A = affine(session, EMPTY, name, b.images.ids[i], b.images.ids[k])
+    X = b.points.xyz[p]
+    towards = sum((b.images.centre[n] - X) / np.linalg.norm(b.images.centre[n] - X) for n in (i, k))
+    right = np.cross(towards, [0.3, 0.5, 0.8])
+    up = np.cross(towards, right)
+    for d in (right, up, right + up):
+        step = 1e-4 * d / np.linalg.norm(d)
+        here, there = (seen_in(session, np.array([n, n]), X + step)[0] - seen_in(session, np.array([n]), X)[0]
+                       for n in (i, k))  # fmt: skip
+        np.testing.assert_allclose(A @ here, there, rtol=1e-3, atol=1e-6)
+    B = affine(session, EMPTY, name, b.images.ids[k], b.images.ids[i])
+    np.testing.assert_allclose(A @ B, np.eye(2), atol=1e-9)

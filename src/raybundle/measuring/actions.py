@@ -6,13 +6,14 @@ Names are data: they are kept, compared and written, never interpreted.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar, Literal
 
 import msgspec
 
 from raybundle.errors import InputError
 from raybundle.io.reading.words import quoted
+from raybundle.measuring.action import Action
 from raybundle.measuring.checks import check_mark, check_name, check_number, check_point, exists, marked, name_in_block
 from raybundle.measuring.known import Known
 from raybundle.measuring.state import Axes, Bar, Draft, How, Line, Mark, MeasuredPoint, RoleName, State
@@ -21,32 +22,6 @@ HAND_PX = 0.5
 """Standard deviation of a point marked by hand, as of the marks of control files."""
 Numbers3 = tuple[float | None, float | None, float | None]
 NOTHING: Numbers3 = (None, None, None)
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Action:
-    """One verb with its arguments."""
-
-    verb: ClassVar[str] = ""
-
-    @property
-    def turns(self) -> Literal["", "undo", "redo"]:
-        """Whether it moves among the actions before it."""
-        return ""
-
-    @property
-    def arguments(self) -> dict[str, Any]:
-        """As JSON says them."""
-        return asdict(self)
-
-    def settled(self, state: State, known: Known) -> Action:
-        """The action with images by their ids; raises InputError where it cannot be done in this state."""
-        del state, known
-        return self
-
-    def apply(self, draft: Draft) -> None:
-        """Change a draft."""
-        raise NotImplementedError
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -273,3 +273,32 @@ def worst(session: Session, state: State, most: int = 20) -> list[Worst]:
 
 def _now(state: State, name: str) -> str:
     return state.renamed.get(name, name)
+
+
+def affine(session: Session, state: State, point: str, image: str, other: str) -> Array | None:
+    """How small vectors of one image's file look in another's at a point (2, 2): other_from_image; None: not known.
+
+    The object is taken as a plane there that faces both images; where the depth of the point is not known, in the
+    middle of the depths that the block suggests.  What it does not tell: the true slope of the object.
+    """
+    i, k = session.position(image), session.position(other)
+    if not (session.oriented(i) and session.oriented(k)):
+        return None
+    located = locate(session, state, point)
+    xyz = located.xyz
+    if xyz is None:
+        row = next((r for r in located.rows if r.image == i), None)
+        if row is None:
+            return None
+        near, far = session.depths(i)
+        xyz = session.block.images.centre[i] + float(np.sqrt(near * far)) * ray(session, i, row.xy)
+    one, two = view(session, i, xyz), view(session, k, xyz)
+    if one is None or two is None:
+        return None
+    towards, _ = _rays_to(session.block.images.centre[[i, k]], xyz)
+    plane = np.linalg.svd(towards.sum(axis=0)[None])[2][1:].T
+    here, there = one.by_point @ plane, two.by_point @ plane
+    if abs(np.linalg.det(here)) < 1e-12 * np.linalg.norm(here) ** 2:
+        return None
+    A = there @ np.linalg.inv(here)
+    return file_matrix(session.block, k) @ A @ np.linalg.inv(file_matrix(session.block, i))

@@ -8,6 +8,7 @@ import cv2
 import numpy as np
 
 from raybundle.errors import InputError
+from raybundle.measuring.predict import affine
 from raybundle.measuring.snap import MARGIN_PX, Reference, Snapped, snap
 from raybundle.numerics.arrays import Array
 from raybundle.studio.desk import Desk, named
@@ -61,5 +62,6 @@ def _reference(desk: Desk, point: str, image: str) -> Reference | None:
         if other == image or k is None or k not in desk.tiles.paths:
             continue
         part, corner = _part(desk, k, mark.x_px, mark.y_px)
-        return Reference(grey=part, x_px=mark.x_px - corner[0], y_px=mark.y_px - corner[1])
+        turn = affine(desk.session, state, point, other, image)
+        return Reference(grey=part, x_px=mark.x_px - corner[0], y_px=mark.y_px - corner[1], affine=turn)
     return None
