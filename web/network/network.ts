@@ -1,6 +1,7 @@
 // The network in three dimensions: turn, zoom, pick a point or an image and see its rays.
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { nearest } from "../common/shapes";
 import { byRays, byRole, bySigma, Colouring } from "./colours";
 import { Network, Packed, ROLES } from "./data";
 import { Drawn } from "./scene";
@@ -145,25 +146,6 @@ function pointWords(net: Network, point: number): string {
     `${net.rays[point]} rays: ${[...net.imagesOf(point)].map((i) => net.packed.images.id[i]).join(", ")}`,
   ];
   return lines.filter((l) => l).join("\n");
-}
-
-/** Row of the position (every `stride` numbers) nearest to a place on the canvas, within 9 px; null: none is. */
-function nearest(
-  xyz: Float32Array, stride: number, camera: THREE.Camera, box: DOMRect, at: [number, number],
-): number | null {
-  const v = new THREE.Vector3();
-  let best: number | null = null;
-  let least = 9;
-  for (let k = 0; k < xyz.length; k += stride) {
-    v.set(xyz[k], xyz[k + 1], xyz[k + 2]).project(camera);
-    if (v.z > 1) continue;
-    const d = Math.hypot(((v.x + 1) / 2) * box.width - at[0], ((1 - v.y) / 2) * box.height - at[1]);
-    if (d < least) {
-      least = d;
-      best = k / stride;
-    }
-  }
-  return best;
 }
 
 start();

@@ -1,17 +1,7 @@
 // The drawn objects: points, frusta of the images, scale bars, error ellipsoids, and the rays of one point.
 import * as THREE from "three";
+import { disc, edges, ellipsoids, enlarge, positions } from "../common/shapes";
 import { Network } from "./data";
-
-function disc(): THREE.Texture {
-  const canvas = document.createElement("canvas");
-  canvas.width = canvas.height = 64;
-  const pen = canvas.getContext("2d")!;
-  pen.fillStyle = "#fff";
-  pen.beginPath();
-  pen.arc(32, 32, 30, 0, 7);
-  pen.fill();
-  return new THREE.CanvasTexture(canvas);
-}
 
 export class Drawn {
   readonly points: THREE.Points;
@@ -40,12 +30,7 @@ export class Drawn {
       positions(joined(net)),
       new THREE.LineBasicMaterial({ color: 0x2e8b57, linewidth: 2 }),
     );
-    this.ellipsoids = new THREE.InstancedMesh(
-      new THREE.SphereGeometry(1, 16, 12),
-      new THREE.MeshLambertMaterial({ color: 0xb5532a, transparent: true, opacity: 0.45, depthWrite: false }),
-      net.ellipsoid.length,
-    );
-    this.ellipsoids.frustumCulled = false;
+    this.ellipsoids = ellipsoids(net.ellipsoid.length);
     this.rays = new THREE.LineSegments(
       new THREE.BufferGeometry(),
       new THREE.LineBasicMaterial({ color: 0xd08a1d, transparent: true, opacity: 0.9 }),
@@ -73,20 +58,7 @@ export class Drawn {
   /** Draw the ellipsoids this many times their 1 sigma size. */
   enlarge(factor: number): void {
     const { axes, ellipsoid, xyz } = this.net;
-    const m = new THREE.Matrix4();
-    for (let k = 0; k < ellipsoid.length; k++) {
-      const a = axes.subarray(9 * k, 9 * k + 9);
-      const p = 3 * ellipsoid[k];
-      // the half axes are the rows of `a` and the columns of the matrix
-      m.set(
-        a[0] * factor, a[3] * factor, a[6] * factor, xyz[p],
-        a[1] * factor, a[4] * factor, a[7] * factor, xyz[p + 1],
-        a[2] * factor, a[5] * factor, a[8] * factor, xyz[p + 2],
-        0, 0, 0, 1,
-      );
-      this.ellipsoids.setMatrixAt(k, m);
-    }
-    this.ellipsoids.instanceMatrix.needsUpdate = true;
+    enlarge(this.ellipsoids, xyz, ellipsoid, axes, factor);
   }
 
   /** Show the rays of a point to the images that measured it. */
@@ -123,23 +95,6 @@ export class Drawn {
     this.rays.geometry = positions(ends);
     this.mark.geometry = positions(centre.slice());
   }
-}
-
-function positions(xyz: Float32Array<ArrayBuffer>): THREE.BufferGeometry {
-  return new THREE.BufferGeometry().setAttribute("position", new THREE.BufferAttribute(xyz, 3));
-}
-
-/** Edges of the pyramids: centre to corners, corners to each other, and a tick that shows the upper side. */
-function edges(frusta: Float32Array): Float32Array<ArrayBuffer> {
-  const pairs = [0, 1, 0, 2, 0, 3, 0, 4, 1, 2, 2, 3, 3, 4, 4, 1];
-  const n = frusta.length / 15;
-  const out = new Float32Array(n * pairs.length * 3);
-  for (let i = 0; i < n; i++)
-    pairs.forEach((corner, k) => {
-      const from = 15 * i + 3 * corner;
-      out.set(frusta.subarray(from, from + 3), 3 * (i * pairs.length + k));
-    });
-  return out;
 }
 
 function joined(net: Network): Float32Array<ArrayBuffer> {

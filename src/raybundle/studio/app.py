@@ -39,6 +39,7 @@ PAGE = {
     "": ("index.html", "text/html; charset=utf-8"),
     "studio.js": ("studio.js", "text/javascript; charset=utf-8"),
     "studio.css": ("studio.css", "text/css; charset=utf-8"),
+    "icon.svg": ("icon.svg", "image/svg+xml"),
 }
 Answer = Callable[[Request], Awaitable[Response]]
 
@@ -200,7 +201,7 @@ class Studio:
         finally:
             self.live.leave(queue)
             listening.cancel()
-            with contextlib.suppress(RuntimeError):
+            with contextlib.suppress(RuntimeError, WebSocketDisconnect):  # a tab that went away closes nothing
                 await socket.close()
 
 

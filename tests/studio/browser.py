@@ -1,0 +1,114 @@
+"""The studio in a browser: its server as a child process, the page driven as a person would."""
+
+import csv
+import os
+import shutil
+import subprocess
+import sys
+from contextlib import contextmanager
+from pathlib import Path
+
+PORTAL = Path(__file__).parents[2] / "demo_data" / "portal"
+ARGUMENTS = (
+    "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+    "--disable-component-update", "--disable-sync", "--enable-unsafe-swiftshader",
+)  # fmt: skip
+
+
+def chromium() -> str | None:
+    """Where a Chromium is: RAYBUNDLE_CHROMIUM, or the first on the path."""
+    names = ("chromium", "chromium-browser", "google-chrome")
+    return os.environ.get("RAYBUNDLE_CHROMIUM") or next(filter(None, map(shutil.which, names)), None)
+
+
+@contextmanager
+def served(project: Path, photos: Path):
+    """Address of a studio that runs as long as the block; its commands name the project without a folder."""
+    command = [sys.executable, "-m", "raybundle", "studio", project.name, "--photos", str(photos), "--no-browser"]
+    with subprocess.Popen(command, cwd=project.parent, stdout=subprocess.PIPE, text=True) as server:
+        try:
+            line = next(line for line in server.stdout if "http://" in line)
+            yield line[line.index("http://") :].strip()
+        finally:
+            server.terminate()
+            server.wait(20)
+
+
+def targets() -> dict[str, dict[str, tuple[float, float]]]:
+    """Point -> image -> place, as measured by others."""
+    found: dict[str, dict[str, tuple[float, float]]] = {}
+    with (PORTAL / "measured.csv").open(encoding="utf-8") as file:
+        for row in csv.DictReader(file):
+            found.setdefault(row["point"], {})[row["image"]] = float(row["x_px"]), float(row["y_px"])
+    return found
+
+
+class Hand:
+    """What a person does with mouse and keys; photographs of 1600 x 1200 px."""
+
+    WIDTH, HEIGHT = 1600, 1200
+
+    def __init__(self, page):
+        self.page = page
+        self.at = (0.0, 0.0)
+
+    def wait(self, words, seconds=60):
+        """Until the line below says something."""
+        self.page.locator("#message", has_text=words).wait_for(timeout=1000 * seconds)
+
+    def open(self, image):
+        self.page.locator("#image-list [role=option]", has_text=image).click()
+        self.page.locator(".pane.active .name", has_text=image).wait_for()
+        self.page.locator(".pane.active .canvas:focus").wait_for()
+
+    def point_at(self, image, x, y, zoom=8):
+        """The pointer over a place of an image, zoomed in there with the wheel."""
+        self.open(image)
+        self.page.keyboard.press("0")
+        box = self.page.locator(".pane.active .canvas").bounding_box()
+        scale = 0.98 * min(box["width"] / self.WIDTH, box["height"] / self.HEIGHT)
+        u = box["x"] + box["width"] / 2 + (x - self.WIDTH / 2) * scale
+        v = box["y"] + box["height"] / 2 + (y - self.HEIGHT / 2) * scale
+        self.page.mouse.move(u, v)
+        for _ in range(zoom):
+            self.page.mouse.wheel(0, -200)
+        self.page.mouse.move(u + 1, v)
+        self.page.mouse.move(u, v)
+        self.at = u, v
+
+    def click_here(self, words):
+        """A click where the pointer is, until the line below says something."""
+        self.page.mouse.down()
+        self.page.mouse.up()
+        self.wait(words)
+
+    def click_at(self, image, x, y):
+        """Mark the current point in an image."""
+        self.point_at(image, x, y)
+        self.click_here("marked")
+        self.page.locator(".marks", has_text=image).wait_for()
+
+    def new_point(self):
+        self.page.keyboard.press("n")
+        self.wait("New point")
+        return self.page.locator("#point-name").input_value()
+
+    def hair_to(self, x, y):
+        """The cross hair of the pane at a place, from the middle of the photograph, with keys alone."""
+        self.page.keyboard.press("0")
+        self.page.keyboard.press("1")
+        for value, keys in ((x - self.WIDTH / 2, "Left Right"), (y - self.HEIGHT / 2, "Up Down")):
+            key = "Arrow" + keys.split()[value > 0]
+            steps, rest = divmod(round(abs(value)), 40)
+            for _ in range(steps):
+                self.page.keyboard.press(key)
+            for _ in range(rest):
+                self.page.keyboard.press(f"Control+{key}")
+
+    def tab_to(self, selector, most=150):
+        """Go on with the Tab key until something has the focus."""
+        for _ in range(most):
+            if self.page.locator(f"{selector}:focus").count():
+                return
+            self.page.keyboard.press("Tab")
+        raise AssertionError(f"{selector} is not reached with the Tab key")

@@ -1,0 +1,50 @@
+// Elements by hand: texts are always text, never markup.
+
+export const element = <T extends HTMLElement>(id: string): T => document.getElementById(id) as T;
+
+type Value = string | number | boolean | ((event: never) => void);
+
+/** An element with attributes, `on...` listeners and children; true sets an empty attribute, false leaves it out. */
+export function h<K extends keyof HTMLElementTagNameMap>(
+  tag: K, attributes: Record<string, Value> = {}, ...children: (Node | string)[]
+): HTMLElementTagNameMap[K] {
+  const made = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (typeof value === "function") made.addEventListener(name.slice(2), value as EventListener);
+    else if (value === true) made.setAttribute(name, "");
+    else if (value !== false) made.setAttribute(name, String(value));
+  }
+  made.append(...children);
+  return made;
+}
+
+export const button = (words: string, title: string, press: () => void, kind = ""): HTMLButtonElement =>
+  h("button", { type: "button", title, class: kind, onclick: press }, words);
+
+/** Whether what is typed goes into a field. */
+export function typing(target: EventTarget | null): boolean {
+  if (target instanceof HTMLInputElement) return !["checkbox", "range", "radio", "button", "file"].includes(target.type);
+  return target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement;
+}
+
+/** A call at most once a frame. */
+export function onceAFrame(call: () => void): () => void {
+  let asked = false;
+  return () => {
+    if (asked) return;
+    asked = true;
+    requestAnimationFrame(() => {
+      asked = false;
+      call();
+    });
+  };
+}
+
+/** A call when nothing new was asked for some time. */
+export function afterPause(call: () => void, ms: number): () => void {
+  let timer = 0;
+  return () => {
+    clearTimeout(timer);
+    timer = window.setTimeout(call, ms);
+  };
+}

@@ -1,0 +1,148 @@
+// Measuring: marks are placed where the picture says, moved, taken away; each is an action of the journal.
+import { ask, Refused, tell } from "./api";
+import { looks } from "./looks";
+import { Model } from "./model";
+import { short } from "./numbers";
+import { Covariance, How, Page, PointRow, Snapped, Worst } from "./types";
+
+const HAND_PX = 0.5;
+const REST_MS = 450;
+
+interface Place {
+  x_px: number;
+  y_px: number;
+  covariance: Covariance;
+  how: How;
+  clicked: [number, number] | null;
+  quality: number | null;
+}
+
+const byHand = (x: number, y: number, clicked: [number, number] | null): Place => ({
+  x_px: x, y_px: y, covariance: [HAND_PX ** 2, HAND_PX ** 2, 0], how: "hand", clicked, quality: null,
+});
+
+export class Measuring {
+  /** Marks that are being moved, where they are now: image and point -> place. */
+  readonly moving = new Map<string, [number, number]>();
+  private resting = 0;
+  private worstOnes: Worst[] = [];
+  private worstAt = -1;
+
+  constructor(private readonly model: Model) {
+    model.on("read", () => (this.worstAt = -1));
+  }
+
+  static key(image: string, point: string): string {
+    return `${image}\n${point}`;
+  }
+
+  /** Mark the current point where somebody clicked. */
+  async place(image: string, x: number, y: number): Promise<void> {
+    const { model } = this;
+    const point = model.current;
+    if (!point) return model.say("No point is chosen: N begins a new one, or click an image point to choose it.", "bad");
+    if (model.mark(image, point)) return model.say(`${point} is marked here already: drag it, or move it with Shift and the arrow keys.`, "bad");
+    const [place, why] = await this.snapped(image, point, x, y);
+    await model.act("put", { image, point, ...place }, this.words("marked", point, place, why));
+  }
+
+  /** Bring the mark of a point to another place, snapped as a click is. */
+  async move(image: string, point: string, x: number, y: number): Promise<void> {
+    const [place, why] = await this.snapped(image, point, x, y);
+    await this.model.act("move", { image, point, ...place }, this.words("moved", point, place, why));
+    this.moving.delete(Measuring.key(image, point));
+    this.model.emit("looks");
+  }
+
+  private words(done: string, point: string, place: Place, why: string): string {
+    const s = Math.sqrt(Math.max(place.covariance[0], place.covariance[1]));
+    return why ? `${point} ${done} as clicked, ${HAND_PX} px: ${why}` : `${point} ${done}: ${place.how}, ${short(s, 2)} px`;
+  }
+
+  private async snapped(image: string, point: string, x: number, y: number): Promise<[Place, string]> {
+    if (looks.snap === "hand") return [byHand(x, y, [x, y]), ""];
+    try {
+      const found = await tell<Snapped>("/api/snap", { image, x, y, kind: looks.snap, point });
+      if ("why" in found) return [byHand(x, y, [x, y]), found.why];
+      const { cov, how, quality } = found;
+      return [{ x_px: found.x, y_px: found.y, covariance: cov, how, clicked: [x, y], quality }, ""];
+    } catch (error) {
+      // what cannot be looked at is marked by hand: nothing that was clicked is lost
+      return [byHand(x, y, [x, y]), error instanceof Refused ? error.message : "the server did not answer"];
+    }
+  }
+
+  /** Move a mark a little; one action for all steps that follow each other. */
+  nudge(image: string, dx: number, dy: number): void {
+    const { model } = this;
+    const mark = model.mark(image, model.current);
+    if (!mark) return model.say("The current point is not marked in this image.", "bad");
+    const key = Measuring.key(image, mark.point);
+    const [x, y] = this.moving.get(key) ?? [mark.x, mark.y];
+    this.moving.set(key, [x + dx, y + dy]);
+    model.emit("looks");
+    clearTimeout(this.resting);
+    this.resting = window.setTimeout(() => void this.rest(image, mark.point, mark.clicked), REST_MS);
+  }
+
+  private async rest(image: string, point: string, clicked: [number, number] | null): Promise<void> {
+    const key = Measuring.key(image, point);
+    const at = this.moving.get(key);
+    if (!at) return;
+    await this.model.act("move", { image, point, ...byHand(at[0], at[1], clicked) }, `${point} moved by hand, ${HAND_PX} px`);
+    this.moving.delete(key);
+    this.model.emit("looks");
+  }
+
+  async remove(image: string): Promise<void> {
+    const point = this.model.current;
+    if (!this.model.mark(image, point)) return this.model.say("The current point is not marked in this image.", "bad");
+    await this.model.act("remove", { image, point }, `mark of ${point} removed`);
+  }
+
+  /** Reject an image observation of the block, or accept it again. */
+  async reject(image: string, point: string): Promise<void> {
+    const back = this.model.isRejected(image, point);
+    const done = await this.model.act(
+      back ? "accept" : "reject", { image, point }, `${point} ${back ? "takes part again" : "takes no part"} from the next adjustment on`,
+    );
+    if (done) this.model.emit("looks");
+  }
+
+  async undo(): Promise<void> {
+    await this.model.act("undo", {}, "the last action was taken back");
+  }
+
+  async redo(): Promise<void> {
+    await this.model.act("redo", {}, "done again");
+  }
+
+  /** Begin a point with a name that nobody has. */
+  async newPoint(): Promise<void> {
+    const named = new Set(this.model.state.points.map((p) => p.point));
+    for (let n = 1; ; n++) {
+      const name = `M${n}`;
+      if (named.has(name)) continue;
+      const found = await ask<Page<PointRow>>("/api/points", { search: name, limit: 500 });
+      if (found.rows.some((row) => row.point === name)) continue;
+      this.model.choose(name);
+      this.model.say(`New point ${name}: click it in an image, or bring the cross hair there and press Enter.`);
+      return;
+    }
+  }
+
+  /** The next of what is worth looking at; null where nothing is. */
+  async worstNext(): Promise<Worst | null> {
+    if (this.worstAt < 0) this.worstOnes = (await ask<{ worst: Worst[] }>("/api/worst")).worst;
+    if (!this.worstOnes.length) {
+      this.model.say("Nothing to look at yet: there is no adjustment.");
+      return null;
+    }
+    this.worstAt = (this.worstAt + 1) % this.worstOnes.length;
+    const found = this.worstOnes[this.worstAt];
+    const unit = this.model.overview.unit;
+    const what = { w: `|w| = ${short(found.value)}`, sigma: `sigma ${short(found.value)} ${unit}`, rays: `${found.value} rays` };
+    this.model.say(`${this.worstAt + 1} of ${this.worstOnes.length}: ${found.point}, ${what[found.kind]}`);
+    return found;
+  }
+}

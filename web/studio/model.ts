@@ -1,0 +1,152 @@
+// What is open, what is measured, what is looked at; the parts of the page hear of what changes.
+import { Actions } from "./actions";
+import { ask, Refused } from "./api";
+import { afterPause } from "./dom";
+import { ImageInfo, Mark, Observations, Overview, Predictions, Role, State } from "./types";
+
+export type Topic =
+  | "overview" | "state" | "current" | "prediction" | "panes" | "looks" | "observations" | "message" | "read";
+
+export interface Message {
+  words: string;
+  kind: "" | "bad" | "good";
+}
+
+export interface Picture extends ImageInfo {
+  k: number;
+}
+
+export class Model {
+  overview!: Overview;
+  readonly images = new Map<string, Picture>();
+  readonly actions = new Actions();
+  state!: State;
+  /** The point that is being measured; "": none. */
+  current = "";
+  prediction: Predictions | null = null;
+  /** Images of the panes, and which of them is active. */
+  panes: string[] = [];
+  active = 0;
+  message: Message = { words: "", kind: "" };
+  command = "";
+  private readonly marks = new Map<string, Mark[]>();
+  private readonly given = new Map<string, Promise<Observations>>();
+  private readonly listeners = new Map<Topic, (() => void)[]>();
+  private asked = 0;
+  private readonly predictSoon = afterPause(() => void this.predict(), 20);
+
+  on(topics: Topic | Topic[], call: () => void): void {
+    for (const topic of Array.isArray(topics) ? topics : [topics])
+      this.listeners.set(topic, [...(this.listeners.get(topic) ?? []), call]);
+  }
+
+  emit(topic: Topic): void {
+    for (const call of this.listeners.get(topic) ?? []) call();
+  }
+
+  /** Read everything; again after an adjustment or a lost connection. */
+  async read(): Promise<void> {
+    this.overview = await ask<Overview>("/api/overview");
+    this.images.clear();
+    this.overview.images.forEach((image, k) => this.images.set(image.id, { ...image, k }));
+    this.given.clear();
+    this.take(this.overview.state, true);
+    this.emit("overview");
+    this.emit("read");
+    this.emit("observations");
+    this.predictSoon();
+  }
+
+  /** A state as the server told it; an older one than is known is left out. */
+  take(state: State, always = false): void {
+    if (!always && this.state && state.seq < this.state.seq) return;
+    this.state = state;
+    this.marks.clear();
+    for (const mark of state.marks) this.marks.set(mark.image, [...(this.marks.get(mark.image) ?? []), mark]);
+    this.emit("state");
+    this.predictSoon();
+  }
+
+  /** Do something; the reason is shown where it cannot be done.  Returns whether it was done. */
+  async act(verb: string, args: Record<string, unknown> = {}, words = ""): Promise<boolean> {
+    try {
+      const answer = await this.actions.send(verb, args);
+      this.command = answer.command;
+      this.take(answer.state);
+      this.say(words || `${verb}: done`, words ? "good" : "");
+      return true;
+    } catch (error) {
+      this.say((error as Error).message, "bad");
+      return false;
+    }
+  }
+
+  say(words: string, kind: Message["kind"] = ""): void {
+    this.message = { words, kind };
+    this.emit("message");
+  }
+
+  choose(point: string): void {
+    if (point === this.current) return;
+    this.current = point;
+    this.prediction = null;
+    this.emit("current");
+    this.predictSoon();
+  }
+
+  marksIn(image: string): Mark[] {
+    return this.marks.get(image) ?? [];
+  }
+
+  mark(image: string, point: string): Mark | undefined {
+    return this.marksIn(image).find((m) => m.point === point);
+  }
+
+  marksOf(point: string): Mark[] {
+    return this.state.marks.filter((m) => m.point === point);
+  }
+
+  isRejected(image: string, point: string): boolean {
+    return this.state.rejected.some(([i, p]) => i === image && p === point);
+  }
+
+  /** What a point was given, or how the block has it. */
+  roleOf(point: string): Role {
+    return this.state.points.find((p) => p.point === point)?.role ?? "tie";
+  }
+
+  observations(image: string): Promise<Observations> {
+    let found = this.given.get(image);
+    if (!found) {
+      found = ask<Observations>("/api/observations", { image });
+      found.catch(() => this.given.delete(image));
+      this.given.set(image, found);
+    }
+    return found;
+  }
+
+  setPanes(images: string[], active: number): void {
+    this.panes = images;
+    this.active = active;
+    this.emit("panes");
+    this.predictSoon();
+  }
+
+  private async predict(): Promise<void> {
+    const turn = ++this.asked;
+    const point = this.current;
+    if (!point) {
+      this.prediction = null;
+      this.emit("prediction");
+      return;
+    }
+    try {
+      const found = await ask<Predictions>("/api/predict", { point, images: [...new Set(this.panes)] });
+      if (turn !== this.asked) return;
+      this.prediction = found;
+      this.emit("prediction");
+    } catch (error) {
+      if (error instanceof Refused) this.say(error.message, "bad");
+    }
+  }
+}

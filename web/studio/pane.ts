@@ -1,0 +1,339 @@
+// One photograph in its pane: drawn, moved, measured in.
+import { button, h, onceAFrame } from "./dom";
+import { COLOUR, looks, photoFilter } from "./looks";
+import { Measuring } from "./measuring";
+import { Model, Picture } from "./model";
+import { drawOverlay, filtered, nearestPoint, Shown, statusOf } from "./overlay";
+import { paneKeys } from "./pane_keys";
+import { drawPhoto } from "./photo";
+import { short } from "./numbers";
+import { tiles } from "./tiles";
+import { Mark, Observations } from "./types";
+import { View } from "./view";
+
+export interface Stage {
+  /** A pane was moved or zoomed: the linked ones follow. */
+  moved(pane: Pane, du: number, dv: number, factor: number): void;
+  activate(pane: Pane): void;
+  close(pane: Pane): void;
+  pointer(words: string): void;
+}
+
+const LOUPE = 190;
+
+export class Pane {
+  readonly root: HTMLElement;
+  readonly body: HTMLElement;
+  readonly view: View;
+  private readonly photo = h("canvas", { class: "photo" });
+  private readonly over = h("canvas", { class: "over" });
+  private readonly told = h("p", { class: "told" });
+  private readonly tip = h("div", { class: "tip", hidden: true });
+  private observations: Observations | null = null;
+  private hover = -1;
+  private at: [number, number] | null = null;
+  private keyboard = false;
+  private readonly draw = onceAFrame(() => this.drawn());
+  private readonly forget: () => void;
+  private readonly watch = new ResizeObserver(() => this.sized());
+
+  constructor(
+    readonly model: Model, readonly measuring: Measuring, readonly stage: Stage, readonly picture: Picture,
+  ) {
+    this.view = new View(picture.width, picture.height, picture.turn);
+    this.body = h("div", {
+      class: "canvas", tabindex: 0, role: "application",
+      "aria-label": `Photograph ${picture.id}: arrow keys move the cross hair, Enter marks, question mark shows all keys`,
+    }, this.photo, this.over, this.told, this.tip);
+    this.root = h("section", { class: "pane", "aria-label": `Image ${picture.id}` }, this.head(), this.body);
+    this.forget = tiles.onarrival(() => this.draw());
+    this.watch.observe(this.body);
+    this.pointers();
+    this.body.addEventListener("keydown", (event) => this.key(event));
+    this.body.addEventListener("focus", () => this.stage.activate(this));
+    this.body.addEventListener("blur", () => this.redraw());
+    void this.read();
+  }
+
+  private head(): HTMLElement {
+    return h("header", {}, h("b", { class: "name" }, this.picture.id),
+      button("⟲", `Turn ${this.picture.id} to the left`, () => this.turn(3)),
+      button("⟳", `Turn ${this.picture.id} to the right`, () => this.turn(1)),
+      button("1:1", `Show ${this.picture.id} pixel by pixel`, () => this.zoom(1 / this.view.scale)),
+      button("Fit", `Show all of ${this.picture.id}`, () => this.fit()),
+      button("✕", `Close ${this.picture.id}`, () => this.stage.close(this)));
+  }
+
+  async read(): Promise<void> {
+    try {
+      this.observations = await this.model.observations(this.picture.id);
+    } catch (error) {
+      this.model.say((error as Error).message, "bad");
+    }
+    this.redraw();
+  }
+
+  gone(): void {
+    this.forget();
+    this.watch.disconnect();
+    tiles.want(this, []);
+    this.root.remove();
+  }
+
+  redraw(): void {
+    this.draw();
+  }
+
+  private sized(): void {
+    const { clientWidth: w, clientHeight: height } = this.body;
+    for (const canvas of [this.photo, this.over]) {
+      canvas.width = Math.round(w * devicePixelRatio);
+      canvas.height = Math.round(height * devicePixelRatio);
+    }
+    this.view.resize(w, height);
+    this.drawn();
+  }
+
+  // --- what is seen -----------------------------------------------------------------------------
+
+  private rejectedHere(): Set<string> {
+    return new Set(this.model.state.rejected.filter(([i]) => i === this.picture.id).map(([, p]) => p));
+  }
+
+  private placed(mark: Mark): Shown["marks"][number] {
+    const at = this.measuring.moving.get(Measuring.key(mark.image, mark.point));
+    return { mark, x: at?.[0] ?? mark.x, y: at?.[1] ?? mark.y };
+  }
+
+  private marks(): Shown["marks"] {
+    return this.model.marksIn(this.picture.id).map((m) => this.placed(m));
+  }
+
+  private shown(): Shown {
+    const { model, picture } = this;
+    const prediction = model.prediction?.predictions.find((p) => p.image === picture.id) ?? null;
+    return {
+      observations: this.observations, rejectedHere: this.rejectedHere(), marks: this.marks(), prediction,
+      current: model.current, hover: this.hover, hair: this.keyboard && document.activeElement === this.body,
+    };
+  }
+
+  private drawn(): void {
+    const { view, picture } = this;
+    const ratio = devicePixelRatio;
+    const pen = this.photo.getContext("2d", { alpha: false })!;
+    pen.setTransform(1, 0, 0, 1, 0, 0);
+    pen.fillStyle = "#2b2b2b";
+    pen.fillRect(0, 0, this.photo.width, this.photo.height);
+    this.photo.style.filter = photoFilter();
+    const needed = drawPhoto(pen, view, picture, ratio);
+    const over = this.over.getContext("2d")!;
+    over.setTransform(1, 0, 0, 1, 0, 0);
+    over.clearRect(0, 0, this.over.width, this.over.height);
+    drawOverlay(over, view, this.shown(), ratio);
+    if (looks.loupe && (this.at || document.activeElement === this.body)) needed.push(...this.loupe(over, ratio));
+    tiles.want(this, needed);
+    this.told.textContent = picture.photo ? tiles.why(needed[0]) : "The photograph is not known: give its folder with --photos.";
+  }
+
+  /** A part four times larger that goes with the pointer, or the cross hair. */
+  private loupe(pen: CanvasRenderingContext2D, ratio: number): string[] {
+    const [u, v] = this.at ?? [this.view.width / 2, this.view.height / 2];
+    const [x, y] = this.view.toImage(u, v);
+    const near = new View(this.picture.width, this.picture.height, this.view.turn);
+    Object.assign(near, { x, y, scale: Math.min(4 * this.view.scale, Math.max(16, this.view.scale)), width: LOUPE, height: LOUPE, fitted: false });
+    const left = u + LOUPE + 30 < this.view.width ? u + 24 : u - LOUPE - 24;
+    const top = v + LOUPE + 30 < this.view.height ? v + 24 : v - LOUPE - 24;
+    pen.save();
+    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+    pen.beginPath();
+    pen.rect(left, top, LOUPE, LOUPE);
+    pen.fillStyle = "#2b2b2b";
+    pen.fill();
+    pen.clip();
+    pen.filter = photoFilter();
+    const needed = drawPhoto(pen, near, this.picture, ratio, [left, top]);
+    pen.restore();
+    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+    pen.beginPath();
+    pen.rect(left, top, LOUPE, LOUPE);
+    pen.moveTo(left + LOUPE / 2, top);
+    pen.lineTo(left + LOUPE / 2, top + LOUPE);
+    pen.moveTo(left, top + LOUPE / 2);
+    pen.lineTo(left + LOUPE, top + LOUPE / 2);
+    pen.lineWidth = 1;
+    pen.strokeStyle = COLOUR.current;
+    pen.stroke();
+    return needed;
+  }
+
+  // --- moving -----------------------------------------------------------------------------------
+
+  turn(by: number): void {
+    this.view.turn = (this.view.turn + by) & 3;
+    if (this.view.fitted) this.view.fit();
+    this.redraw();
+  }
+
+  fit(): void {
+    this.view.fit();
+    this.redraw();
+    this.tellPlace();
+  }
+
+  zoom(factor: number, u?: number, v?: number): void {
+    this.view.zoomAt(factor, u, v);
+    this.stage.moved(this, 0, 0, factor);
+    this.redraw();
+    this.tellPlace();
+  }
+
+  pan(du: number, dv: number): void {
+    this.view.panBy(du, dv);
+    this.stage.moved(this, du, dv, 1);
+    this.redraw();
+    this.tellPlace();
+  }
+
+  /** Bring a place to the middle; no less than so large. */
+  show(x: number, y: number, least = 1): void {
+    this.view.scale = Math.max(this.view.scale, least);
+    this.view.centre(x, y);
+    this.redraw();
+    this.tellPlace();
+  }
+
+  private tellPlace(): void {
+    const [x, y] = this.keyboard || !this.at ? [this.view.x, this.view.y] : this.view.toImage(...this.at);
+    this.stage.pointer(`${this.picture.id}  x ${x.toFixed(2)}  y ${y.toFixed(2)} px  ·  ${short(100 * this.view.scale, 3)} %`);
+  }
+
+  // --- the hand -----------------------------------------------------------------------------------
+
+  private pointers(): void {
+    const { body } = this;
+    let down: [number, number] | null = null;
+    let last: [number, number] = [0, 0];
+    let dragged: Mark | null = null;
+    let far = false;
+    body.addEventListener("pointerdown", (event) => {
+      if (event.button > 1) return;
+      body.focus();
+      body.setPointerCapture(event.pointerId);
+      down = last = this.place(event);
+      dragged = event.button === 0 ? this.markAt(...down) : null;
+      far = false;
+    });
+    body.addEventListener("pointermove", (event) => {
+      const at = this.place(event);
+      this.keyboard = false;
+      this.at = at;
+      if (down) {
+        far ||= Math.hypot(at[0] - down[0], at[1] - down[1]) > 4;
+        if (far && dragged) this.measuring.moving.set(Measuring.key(dragged.image, dragged.point), this.view.toImage(...at));
+        else if (far) this.pan(at[0] - last[0], at[1] - last[1]);
+        last = at;
+        this.redraw();
+      } else this.hovered(...at);
+      this.tellPlace();
+    });
+    body.addEventListener("pointerup", (event) => {
+      const at = this.place(event);
+      if (down && far && dragged) void this.measuring.move(dragged.image, dragged.point, ...this.view.toImage(...at));
+      else if (down && !far && event.button === 0) this.click(event, ...at);
+      down = dragged = null;
+    });
+    body.addEventListener("pointercancel", () => (down = dragged = null));
+    body.addEventListener("pointerleave", () => this.left());
+    body.addEventListener("wheel", (event) => {
+      event.preventDefault();
+      this.zoom(Math.exp(-event.deltaY * (event.deltaMode ? 0.05 : 0.0016)), ...this.place(event));
+    }, { passive: false });
+  }
+
+  private place(event: MouseEvent): [number, number] {
+    const box = this.body.getBoundingClientRect();
+    return [event.clientX - box.left, event.clientY - box.top];
+  }
+
+  private markAt(u: number, v: number): Mark | null {
+    let best: Mark | null = null;
+    let least = 10;
+    for (const { mark, x, y } of this.marks()) {
+      const [a, b] = this.view.toScreen(x, y);
+      const d = Math.hypot(a - u, b - v) - (mark.point === this.model.current ? 2 : 0);
+      if (d < least) {
+        least = d;
+        best = mark;
+      }
+    }
+    return best;
+  }
+
+  private pointAt(u: number, v: number): number {
+    const o = this.observations;
+    return o ? nearestPoint(o, filtered(o, looks.filter, this.rejectedHere()), this.view, u, v) : -1;
+  }
+
+  private click(event: MouseEvent, u: number, v: number): void {
+    const { model } = this;
+    const mark = this.markAt(u, v);
+    if (mark) return model.choose(mark.point);
+    const row = this.pointAt(u, v);
+    const free = !model.current || model.mark(this.picture.id, model.current) !== undefined;
+    if (row >= 0 && (free || event.ctrlKey || event.metaKey)) return model.choose(this.observations!.point[row]);
+    this.enter(u, v);
+  }
+
+  /** Mark the current point at a place of the pane. */
+  enter(u = this.view.width / 2, v = this.view.height / 2): void {
+    const [x, y] = this.view.toImage(u, v);
+    if (!this.view.inside(x, y)) return this.model.say("This is outside the photograph.", "bad");
+    void this.measuring.place(this.picture.id, x, y);
+  }
+
+  private left(): void {
+    this.at = null;
+    this.hover = -1;
+    this.tip.hidden = true;
+    this.redraw();
+  }
+
+  private hovered(u: number, v: number): void {
+    const row = this.pointAt(u, v);
+    if (row !== this.hover || looks.loupe) this.redraw();
+    this.hover = row;
+    this.tip.hidden = row < 0;
+    if (row < 0) return;
+    this.tip.textContent = this.words(row);
+    const over = u > this.view.width - 240;
+    this.tip.style.left = `${over ? Math.max(u - 230, 4) : u + 16}px`;
+    // the loupe is below
+    this.tip.style.top = `${looks.loupe ? Math.max(v - 60, 4) : Math.min(v + 14, this.view.height - 70)}px`;
+  }
+
+  private words(i: number): string {
+    const o = this.observations!;
+    const v = o.vx[i] === null ? "no residual" : `v ${short(o.vx[i], 2)}, ${short(o.vy[i], 2)} px`;
+    const w = o.w[i] === null ? "" : `, |w| ${short(o.w[i], 2)}`;
+    const status = statusOf(o, i, this.rejectedHere());
+    const why = status === "rejected" ? `\nrejected: ${o.rejected[i] || "by hand"}` : "";
+    return `${o.point[i]} (${status})\n${v}${w}, ${o.rays[i]} rays${why}`;
+  }
+
+  /** The image point under the pointer or the cross hair. */
+  pointHere(): string | null {
+    const row = this.at && !this.keyboard ? this.hover : this.pointAt(this.view.width / 2, this.view.height / 2);
+    return row >= 0 ? this.observations!.point[row] : null;
+  }
+
+  private key(event: KeyboardEvent): void {
+    if (!paneKeys(this, event)) return;
+    event.preventDefault();
+    event.stopPropagation();
+    this.keyboard = true;
+    this.tip.hidden = true;
+    this.redraw();
+    this.tellPlace();
+  }
+}

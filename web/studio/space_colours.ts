@@ -1,0 +1,60 @@
+// Colours of the points of object space: by role, rays, standard deviation, test value; blue to orange, told apart by everybody.
+import { Color } from "three";
+import { short } from "./numbers";
+import { SpaceData } from "./space_data";
+
+export type Colouring = "role" | "rays" | "sigma" | "w";
+
+export interface Coloured {
+  rgb: Float32Array<ArrayBuffer>;
+  legend: [string, string][];
+}
+
+export const ROLE_COLOURS = ["#4f7896", "#d55e00", "#007f5f"];
+const SCALE = ["#20406e", "#2f86b0", "#7fb79a", "#e69f00", "#c2410c"];
+const UNKNOWN = "#9aa3ab";
+
+export function coloured(data: SpaceData, by: Colouring): Coloured {
+  if (by === "role") return byRole(data);
+  if (by === "rays") return inClasses(data.rays, [2, 3, 5, 9], [...SCALE].reverse(), ["2 rays or fewer", "3", "4 to 5", "6 to 9", "10 and more"]);
+  if (by === "w") return inClasses(data.w, [1, 2, 2.6, 3.3], SCALE, ["|w| up to 1", "to 2", "to 2.6", "to 3.3", "above 3.3"]);
+  return bySigma(data);
+}
+
+function byRole(data: SpaceData): Coloured {
+  const colours = ROLE_COLOURS.map(linear);
+  const rgb = new Float32Array(3 * data.points);
+  for (let i = 0; i < data.points; i++) rgb.set(colours[Math.min(data.role[i], 2)], 3 * i);
+  const names = ["tie points", "control points", "check points"];
+  return { rgb, legend: names.map((n, k): [string, string] => [ROLE_COLOURS[k], n]).filter((_, k) => data.role.includes(k)) };
+}
+
+/** Five classes of equal number: standard deviations are spread too wide for a linear scale. */
+function bySigma(data: SpaceData): Coloured {
+  const known = data.sigma.filter((s) => s > 0).sort();
+  if (!known.length) return inClasses(data.sigma, [0, 0, 0, 0], SCALE, []);
+  const limits = [0.2, 0.4, 0.6, 0.8].map((q) => known[Math.floor(q * (known.length - 1))]);
+  const name = (k: number) => `${short(limits[k], 2)} ${data.head.unit}`.trim();
+  return inClasses(data.sigma, limits, SCALE, [`sigma up to ${name(0)}`, `to ${name(1)}`, `to ${name(2)}`, `to ${name(3)}`, `above ${name(3)}`]);
+}
+
+function inClasses(values: Float32Array | Uint16Array, limits: number[], scale: string[], words: string[]): Coloured {
+  const colours = scale.map(linear);
+  const none = linear(UNKNOWN);
+  const rgb = new Float32Array(3 * values.length);
+  let unknown = false;
+  for (let i = 0; i < values.length; i++) {
+    const value = values[i];
+    if (!(value >= 0)) unknown = true;
+    let k = 0;
+    while (k < limits.length && value > limits[k]) k++;
+    rgb.set(value >= 0 ? colours[k] : none, 3 * i);
+  }
+  const legend = words.map((text, k): [string, string] => [scale[k], text]);
+  return { rgb, legend: unknown ? [...legend, [UNKNOWN, "not known"]] : legend };
+}
+
+function linear(hex: string): [number, number, number] {
+  const c = new Color(hex);
+  return [c.r, c.g, c.b];
+}

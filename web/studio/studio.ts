@@ -1,0 +1,84 @@
+// The studio: the parts of the page put together.
+import { afterPause, element } from "./dom";
+import { ImageList } from "./image_list";
+import { ImageStage } from "./image_stage";
+import { Journal } from "./journal";
+import { help, keys } from "./keys";
+import { Bars, Control } from "./known";
+import { connect } from "./live";
+import { looks } from "./looks";
+import { Measuring } from "./measuring";
+import { Model } from "./model";
+import { Panel } from "./panel";
+import { Space } from "./space";
+import { Status } from "./status";
+import { isPoint, Tables } from "./tables";
+import { Tabs } from "./tabs";
+
+async function start(): Promise<void> {
+  const model = new Model();
+  const measuring = new Measuring(model);
+  const status = new Status(model, measuring);
+  const tabs = new Tabs();
+  const stage = new ImageStage(model, measuring, (words) => status.pointer(words));
+  const visit = (image: string, x: number, y: number) => {
+    tabs.show("images");
+    stage.visit(image, x, y);
+  };
+  new ImageList(model, (image, beside) => {
+    tabs.show("images");
+    stage.open(image, beside).body.focus();
+  });
+  const panel = new Panel(model, measuring, { visit });
+  new Bars(model);
+  new Control(model);
+  const space = new Space(model, (image) => {
+    tabs.show("images");
+    stage.open(image);
+  });
+  const tables = new Tables(model, () => tabs.now === "tables", (row) => {
+    model.choose(row.point);
+    if (!isPoint(row)) void panel.goTo(row.point, row.image);
+  });
+  const journal = new Journal(model, () => tabs.now === "journal");
+  tabs.onopen("space", () => void space.show());
+  tabs.onopen("tables", () => tables.show());
+  tabs.onopen("journal", () => void journal.show());
+  element("help").addEventListener("click", help);
+  const focusPane = (deed: () => void) => () => {
+    tabs.show("images");
+    deed();
+    stage.activePane?.body.focus();
+  };
+  keys({
+    "?": help, n: focusPane(() => void measuring.newPoint()), w: () => void panel.worst(), v: () => panel.visitNext(),
+    "ctrl z": () => void measuring.undo(), "ctrl shift z": () => void measuring.redo(), "ctrl y": () => void measuring.redo(),
+    s: () => panel.nextSnap(), c: focusPane(() => stage.centre()), escape: () => escape(model, stage),
+    g: focusPane(() => stage.setCount({ 1: 2, 2: 4 }[model.panes.length] ?? 1)),
+    "[": () => stage.step(-1), "]": () => stage.step(1), f2: () => panel.typeName(),
+  }, (on) => stage.toggleLoupe(on), () => looks.loupe);
+  await begin(model, status);
+  stage.activePane?.body.focus();
+}
+
+function escape(model: Model, stage: ImageStage): void {
+  if (document.activeElement !== stage.activePane?.body) stage.activePane?.body.focus();
+  else model.choose("");
+}
+
+/** Read everything, then listen; read everything again when the connection comes back. */
+async function begin(model: Model, status: Status): Promise<void> {
+  try {
+    await model.read();
+  } catch (error) {
+    model.say((error as Error).message, "bad");
+    throw error;
+  }
+  const again = afterPause(() => void model.read().catch(() => {}), 100);
+  connect((message) => status.heard(message), (open, before) => {
+    status.connection(open);
+    if (open && before) again();
+  });
+}
+
+void start();

@@ -1,0 +1,157 @@
+// What the server says and takes; pixels are those of the files as stored.
+
+export type Role = "tie" | "control" | "check";
+export type How = "hand" | "ellipse" | "corner" | "cross" | "patch" | "file";
+export type SnapKind = "auto" | "ellipse" | "corner" | "cross" | "patch" | "hand";
+export type Three = [number | null, number | null, number | null];
+export type Covariance = [number, number, number];
+
+export interface ImageInfo {
+  id: string;
+  file: string;
+  width: number;
+  height: number;
+  camera: string;
+  oriented: boolean;
+  rays: number;
+  rms_px: number | null;
+  turn: number;
+  photo: boolean;
+}
+
+export interface Mark {
+  image: string;
+  point: string;
+  x: number;
+  y: number;
+  cov: Covariance;
+  how: How;
+  quality: number | null;
+  clicked: [number, number] | null;
+}
+
+export interface State {
+  seq: number;
+  can_undo: number;
+  can_redo: number;
+  marks: Mark[];
+  points: { point: string; role: Role; xyz: Three; sigma: Three }[];
+  bars: { start: string; end: string; length: number; sigma: number }[];
+  lines: { line: string; kind: string; points: string[]; sigma: number }[];
+  datum: { origin: string; axis: string; plane: string } | null;
+  rejected: [string, string][];
+  renamed: Record<string, string>;
+}
+
+export interface Overview {
+  title: string;
+  kind: string;
+  path: string;
+  unit: string;
+  free_scale: boolean;
+  sigma0: number | null;
+  redundancy: number | null;
+  neglected: string;
+  headline: string;
+  grade: string;
+  images: ImageInfo[];
+  points: number;
+  observations: number;
+  state: State;
+  notices: { code: string; message: string }[];
+}
+
+export interface Observations {
+  point: string[];
+  x: number[];
+  y: number[];
+  vx: (number | null)[];
+  vy: (number | null)[];
+  w: (number | null)[];
+  s: number[];
+  rays: number[];
+  role: number[];
+  rejected: string[];
+}
+
+export interface Prediction {
+  image: string;
+  x: number | null;
+  y: number | null;
+  ellipse: { a: number; b: number; angle_deg: number } | null;
+  inside: boolean;
+  segment: [number, number][] | null;
+  segment_sigma_px: number | null;
+  why: string;
+  neglected: string;
+}
+
+export interface Predictions {
+  point: string;
+  located: {
+    xyz: [number, number, number] | null;
+    sigma: [number, number, number] | null;
+    source: string;
+    rays: number;
+    neglected: string;
+    residuals: Record<string, [number, number]>;
+  };
+  predictions: Prediction[];
+  visible: { image: string; x: number; y: number; angle_deg: number; distance: number }[];
+}
+
+export type Snapped =
+  | { x: number; y: number; cov: Covariance; how: How; quality: number | null }
+  | { why: string };
+
+export interface ActionAnswer {
+  seq: number;
+  state: State;
+  command: string;
+}
+
+export interface Worst {
+  kind: "w" | "sigma" | "rays";
+  point: string;
+  image: string;
+  value: number;
+}
+
+export interface PointRow {
+  point: string;
+  role: Role;
+  xyz: Three;
+  sigma: Three;
+  rays: number;
+  w: number | null;
+}
+
+export interface ObservationRow {
+  image: string;
+  point: string;
+  x: number;
+  y: number;
+  vx: number | null;
+  vy: number | null;
+  w: number | null;
+  rejected: string;
+}
+
+export interface Page<Row> {
+  total: number;
+  rows: Row[];
+}
+
+export interface JournalEntry {
+  seq: number;
+  time: string;
+  author: string;
+  verb: string;
+  arguments: Record<string, unknown>;
+  command: string;
+}
+
+export type Live =
+  | { type: "state"; state: State }
+  | { type: "progress"; stage: string; share: number }
+  | { type: "adjusted"; sigma0: number | null; folder: string; error: string };
