@@ -23,7 +23,8 @@ from raybundle.measuring.place import locate  # noqa: E402
 from raybundle.measuring.predict import predict, visible  # noqa: E402
 from raybundle.measuring.session import Session  # noqa: E402
 from raybundle.measuring.state import EMPTY, folded  # noqa: E402
-from raybundle.planning.simulate import Ring, Survey, ring_scene, simulate  # noqa: E402
+from raybundle.planning.scenes import Ring, ring_scene  # noqa: E402
+from raybundle.planning.simulate import Survey, simulate  # noqa: E402
 from raybundle.workflows.adjust import adjust  # noqa: E402
 
 

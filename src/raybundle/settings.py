@@ -8,6 +8,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import MISSING, dataclass, field
 from functools import cache
+from os import PathLike
 from pathlib import Path
 from typing import Any, Literal, TypeVar, cast, get_args, get_origin, get_type_hints
 
@@ -122,7 +123,7 @@ class Setting:
     def _one(self, value: Any) -> Any:
         kind = self.each
         if kind is Path:
-            return Path(value)
+            return self._path(value)
         if self.choices:
             if value not in self.choices:
                 words = ", ".join(repr(c) for c in self.choices if c)
@@ -139,6 +140,14 @@ class Setting:
         if kind in {int, float}:
             return self._number(value, kind, self.about.limits[0] if self.about.limits else ANY)
         return self._as(value, kind)
+
+    def _path(self, value: Any) -> Path:
+        if not isinstance(value, str | PathLike):
+            raise InputError(
+                f"{self.name} is a path, no {type(value).__name__}; write a result with write_result, a block with "
+                "write_block, and give the folder"
+            )
+        return Path(value)
 
     def _as(self, value: Any, kind: Any) -> Any:
         if isinstance(kind, type) and not isinstance(value, kind):

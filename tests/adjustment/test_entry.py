@@ -74,3 +74,14 @@ def test_what_is_no_block_is_refused():
 
 def test_what_is_right_passes():
     assert adjust(BLOCK, AdjustmentOptions(max_iterations=np.int64(50), threads=1)).converged
+
+
+def test_a_parameter_is_observed_at_its_default_where_the_camera_gives_no_value():
+    block = simulate(field_scene(TargetField()), Survey(scale_bars=1, interior="exact")).observed
+    camera = block.cameras[0]
+    free = ("c", "x0", "y0", "K1", "A")
+    values = {s: v for s, v in camera.values.items() if s != "A"}
+    observed = replace(camera, values=values, estimate=free, sigma={"A": 1e-4})
+    told = adjust(block.with_cameras(observed)).interior[0].parameters["A"]
+    zero = replace(observed, values={**values, "A": 0.0})
+    assert told.value == pytest.approx(adjust(block.with_cameras(zero)).interior[0].parameters["A"].value, abs=1e-12)

@@ -3,7 +3,8 @@
 from dataclasses import replace
 from functools import cache
 
-from raybundle.planning.simulate import Ring, Survey, brown_camera, ring_scene, simulate
+from raybundle.planning.scenes import Ring, brown_camera, ring_scene
+from raybundle.planning.simulate import Survey, simulate
 
 
 @cache

@@ -136,3 +136,13 @@ def test_robust_similarity_leaves_outliers_out():
     assert not inliers[:4].any()
     assert inliers[4:].all()
     np.testing.assert_allclose(found.points(source[4:]), target[4:], atol=1e-9)
+
+
+def test_square_roots_are_printed_for_both_kernels():
+    sympy = pytest.importorskip("sympy")
+    from raybundle.numerics import derive
+
+    x = sympy.Symbol("x")
+    assert derive._Cxx().doprint(sympy.sqrt(x)) == "std::sqrt(x)"
+    assert "pow(x, 0.5)" in derive._Cxx().doprint(x**0.5) or "sqrt(x)" in derive._Cxx().doprint(x**0.5)
+    assert "sqrt(x)" in derive._NumPy().doprint(sympy.sqrt(x))

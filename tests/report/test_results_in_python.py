@@ -107,6 +107,9 @@ def test_pictures_are_drawings_of_their_own(result, name, tmp_path):
         with pytest.raises(InputError, match=r"written as \.svg"):
             picture.save(tmp_path / f"{k}.png")
     assert pictures._repr_html_().count("<figure>") == len(pictures)
+    # the first sentence of each, whose numbers have full stops, too
+    for picture in pictures:
+        assert picture.caption.split(". ")[0].removesuffix(".") in repr(pictures)
 
 
 def test_a_page_is_written_and_opened(result, tmp_path, monkeypatch):

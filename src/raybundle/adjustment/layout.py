@@ -329,6 +329,7 @@ def _interior_rows(
 def interior_of(block: Block, row: InteriorRow, free: tuple[int, ...]) -> Interior:
     """A row as observations outside the images see it, with these positions free."""
     owner = row.owner(block)
+    every = dict(zip(row.model.symbols, owner.parameters.tolist(), strict=True))
     return Interior(
         key=row.key(block),
         camera=row.camera,
@@ -336,7 +337,7 @@ def interior_of(block: Block, row: InteriorRow, free: tuple[int, ...]) -> Interi
         image=row.image,
         symbols=row.model.symbols,
         free=free,
-        given={**owner.values, **block.images.interior.get(row.image, {})},
+        given={**every, **owner.values, **block.images.interior.get(row.image, {})},
         sigma=owner.sigma,
         calibrated=owner.calibrated,
         relations=owner.relations,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -71,7 +71,34 @@ def _verb(name: str) -> Callable[[Callable[..., Any]], click.Command]:
 def _do(folder: Path, verb: str, author: str, **arguments: Any) -> None:
     from raybundle.commands.measure import mark  # noqa: PLC0415  (what computes is loaded after the help)
 
-    click.echo(f" action {mark(folder, verb, author=author, **arguments)}: {verb}")
+    seq = mark(folder, verb, author=author, **arguments)
+    told = _moved(folder, seq) if verb in {"undo", "redo"} else ""
+    click.echo(f" action {seq}: {verb}{told}")
+
+
+def _moved(folder: Path, seq: int) -> str:
+    """What an undo took back, or a redo did again."""
+    from raybundle.commands.measure import history  # noqa: PLC0415
+    from raybundle.measuring.state import in_force  # noqa: PLC0415
+
+    entries = [e for e in history(folder) if e.seq <= seq]
+    _, moved = in_force([e.action for e in entries])
+    if moved[-1] is None:
+        return ""
+    e = entries[moved[-1]]
+    return f" of action {e.seq}, {e.verb} {_words(e.arguments)}".rstrip()
+
+
+def _words(arguments: Mapping[str, Any]) -> str:
+    """The arguments of an action, without what was not given."""
+    told = (f"{n} {_plain(v)}" for n, v in arguments.items() if v not in (None, "", [], [None, None, None]))
+    return ", ".join(told)
+
+
+def _plain(value: Any) -> str:
+    if isinstance(value, float):
+        return f"{value:.10g}"
+    return " ".join(map(_plain, value)) if isinstance(value, list | tuple) else str(value)
 
 
 Covariance = tuple[float, float, float]
@@ -306,13 +333,19 @@ def list_(folder: Path, with_history: bool, as_json: bool) -> None:  # noqa: FBT
     """  # noqa: D301
     from raybundle.commands.measure import as_plain, history, marks  # noqa: PLC0415
     from raybundle.measuring.session import block_folder  # noqa: PLC0415
+    from raybundle.measuring.state import in_force  # noqa: PLC0415
 
     block_folder(folder)
     if with_history:
-        for e in history(folder):
+        entries = history(folder)
+        counts, _ = in_force([e.action for e in entries])
+        for e, counted_in in zip(entries, counts, strict=True):
             row = {"seq": e.seq, "time": e.time, "author": e.author, "verb": e.verb, "arguments": e.arguments}
-            text = json.dumps(row if as_json else e.arguments, ensure_ascii=False)
-            click.echo(text if as_json else f" {e.seq:5d}  {e.time}  {e.author or '-'}  {e.verb} {text}")
+            if as_json:
+                click.echo(json.dumps(row | {"counts": counted_in}, ensure_ascii=False))
+                continue
+            gone = "" if counted_in or e.verb in {"undo", "redo"} else "  (taken back)"
+            click.echo(f" {e.seq:5d}  {e.time}  {e.author or '-'}  {e.verb} {_words(e.arguments)}".rstrip() + gone)
         return
     state = marks(folder)
     click.echo(json.dumps(as_plain(state), ensure_ascii=False) if as_json else "\n".join(_shown(state)))

@@ -11,24 +11,27 @@ import numpy as np
 
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
+from raybundle.block import Block
 from raybundle.commands.measure_settings import DatumSettings, MarkAdjustSettings, QuerySettings
 from raybundle.errors import InputError
 from raybundle.io.block.folder import ROLES, read_block
 from raybundle.io.folders import new_folder
+from raybundle.io.reading.words import quoted
 from raybundle.io.tables import write_table
 from raybundle.measuring.export import write_csv, write_gcp_list, write_merged_block
-from raybundle.measuring.journal import Entry, Journal, entries_of, journal_path, state_of
+from raybundle.measuring.journal import Entry, Journal, entries_of, journal_path, measured_result, state_of
 from raybundle.measuring.known import Known
 from raybundle.measuring.merge import Merged, merge
 from raybundle.measuring.query import Answer, Quantity, ask, in_axes
 from raybundle.measuring.session import block_folder
 from raybundle.measuring.state import State
 from raybundle.numerics.progress import Progress, silent
+from raybundle.results.folder import ResultFolder
 from raybundle.settings import made
 from raybundle.workflows.adjust import adjust
 
 
-def query(result: Adjustment | str | Path, **given: Any) -> list[Answer]:
+def query(result: Adjustment | ResultFolder | str | Path, **given: Any) -> list[Answer]:
     """Coordinates, distances, angles and areas with standard deviations from the full covariance.
 
     result       an adjustment, or a result, project or block folder, whose block is adjusted again (at once, since it
@@ -50,8 +53,25 @@ def query(result: Adjustment | str | Path, **given: Any) -> list[Answer]:
     ]
     if not questions:
         raise InputError("nothing is asked; give coordinates, distance, angle or area")
-    adjustment = result if isinstance(result, Adjustment) else adjust(read_block(block_folder(result)))
+    if isinstance(result, Adjustment):
+        return [ask(result, quantity, points) for quantity, points in questions]
+    folder = result.path if isinstance(result, ResultFolder) else Path(result)
+    block = read_block(block_folder(folder))
+    _check_named(folder, block, [p for _, points in questions for p in points])
+    adjustment = adjust(block)
     return [ask(adjustment, quantity, points) for quantity, points in questions]
+
+
+def _check_named(folder: Path, block: Block, points: Sequence[str]) -> None:
+    """Raise InputError for a point that is marked by hand and not adjusted with the block yet, or elsewhere."""
+    there = set(block.points.ids)
+    waiting = [p for p in points if p not in there and p in marks(folder).points]
+    if waiting:
+        made, result = measured_result(folder), "it stands in the result of what was measured"
+        raise InputError(
+            f"point {quoted(waiting[0])} is marked by hand, and not of this result; "
+            + (f"{result}: ask {made}" if made.is_dir() else "adjust it with the block first: raybundle mark adjust")
+        )
 
 
 def transform_to_points(result: Adjustment | str | Path, out: str | Path, **given: Any) -> Path:

@@ -6,7 +6,7 @@ A state is a value: it is never changed, each action makes the next one (`folded
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Literal, Protocol
@@ -190,6 +190,27 @@ class Fold:
         for a in self.done if afresh else new:
             a.apply(draft)
         self.state = draft.done(len(self.done), len(self.undone))
+
+
+def in_force(actions: Sequence[Applicable]) -> tuple[list[bool], list[int | None]]:
+    """Of each action whether it counts, and which one an undo took back or a redo did again, as a position."""
+    counts, moved = [False] * len(actions), list[int | None]()
+    done, undone = list[int](), list[int]()
+    for k, a in enumerate(actions):
+        which: int | None = None
+        if a.turns == "undo" and done:
+            which = done.pop()
+            undone.append(which)
+        elif a.turns == "redo" and undone:
+            which = undone.pop()
+            done.append(which)
+        elif not a.turns:
+            done.append(k)
+            undone.clear()
+        moved.append(which)
+    for k in done:
+        counts[k] = True
+    return counts, moved
 
 
 def folded(actions: Iterable[Applicable]) -> State:

@@ -95,7 +95,8 @@ class _Powers:
             return f"({product})" if exponent > 0 else f"(1.0/({product}))"
         if exponent == -1:
             return f"(1.0/({self.doprint(base)}))"  # type: ignore[attr-defined]
-        return super()._print_Pow(expr, rational)  # type: ignore[misc]
+        # printers of C take no second argument
+        return super()._print_Pow(expr, rational) if rational else super()._print_Pow(expr)  # type: ignore[misc]
 
 
 class _NumPy(_Powers, NumPyPrinter):  # pyright: ignore[reportIncompatibleMethodOverride]

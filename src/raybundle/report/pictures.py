@@ -63,7 +63,8 @@ class Pictures(tuple[Picture, ...]):
 
     def __repr__(self) -> str:
         """Their captions."""
-        return f"<{len(self)} pictures: {'; '.join(p.caption.split('.')[0] for p in self)}>"
+        # a sentence ends with a full stop and a blank: numbers have full stops, too
+        return f"<{len(self)} pictures: {'; '.join(p.caption.split('. ')[0].removesuffix('.') for p in self)}>"
 
 
 def plot_network(result: Adjustment) -> Pictures:
