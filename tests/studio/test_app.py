@@ -232,3 +232,40 @@ def test_answers_are_sent_at_once():
     """Nagle's algorithm is off only for sockets that name their protocol; with it an answer waits 40 ms."""
     with listening(0) as connection:
         assert connection.proto == socket.IPPROTO_TCP
+
+
+@pytest.mark.parametrize("wrong", ["\ud800", "a\nb"])
+def test_texts_that_are_none_are_refused(client, desk, wrong):
+    image = desk.block.images.ids[0]
+    put = {"verb": "put", "arguments": {"image": image, "point": "p", "x_px": 1.0, "y_px": 1.0}}
+    for given in ({"id": wrong, **put}, {"id": "x", "author": wrong, **put}):
+        body = json.dumps(given).encode()
+        answer = client.post("/api/action", content=body, headers={"content-type": "application/json"})
+        assert answer.status_code in {400, 409}
+        assert answer.json()["error"]
+    assert desk.journal.entries() == []
+
+
+def test_places_that_are_no_numbers_and_tiles_of_endless_numbers(client, desk):
+    given = {"image": desk.block.images.ids[0], "x": 10**400, "y": 5, "kind": "auto", "point": "p"}
+    body = json.dumps(given).encode()
+    answer = client.post("/api/snap", content=body, headers={"content-type": "application/json"})
+    assert answer.status_code in {400, 409}
+    assert client.get(f"/api/tile/0/0/0/{'1' * 5000}").status_code == 404
+
+
+def test_a_table_of_control_is_kept_whole_or_not_at_all(client):
+    text = f"point,X,Y,Z,sX,sY,sZ\nnew1,1,2,3,.1,.1,.1\n{'y' * 500},1,2,3,.1,.1,.1\n"
+    assert client.post("/api/control", json={"text": text, "id": "c"}).status_code == 409
+    assert client.get("/api/overview").json()["state"]["points"] == []
+    assert client.post("/api/control", json={"text": text}).status_code == 400
+
+
+def test_a_photograph_of_another_size_is_not_shown(client, desk):
+    path = desk.tiles.paths[0]
+    Image.open(path).resize((300, 200)).save(path)
+    answer = client.get("/api/tile/0/0/0/0")
+    assert answer.status_code == 404
+    assert "300 x 200 px" in answer.json()["error"]
+    snap = {"image": desk.block.images.ids[0], "x": 800.0, "y": 600.0, "kind": "auto", "point": "p"}
+    assert client.post("/api/snap", json=snap).status_code == 409

@@ -13,6 +13,7 @@ from raybundle.adjustment.precision import interior_unknowns
 from raybundle.adjustment.result import InteriorResult, ParameterResult, Precision
 from raybundle.block import Camera, Instrument
 from raybundle.block.known import known_before
+from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.statistics import correlation, fisher_tail
 from raybundle.sensors import SensorModel
@@ -53,7 +54,14 @@ def image_shifts(model: SensorModel, camera: Camera, values: Array, distance: fl
     ray = model.point_on_ray(image, spread, distance)
     _, J = model.condition_and_jacobian(*image, *ray, *spread)
     B = np.moveaxis(J[:, :2], 2, 0)
-    shift = -np.linalg.solve(B, np.moveaxis(J[:, 5:], 2, 0))
+    try:
+        shift = -np.linalg.solve(B, np.moveaxis(J[:, 5:], 2, 0))
+    except np.linalg.LinAlgError:
+        told = ", ".join(f"{s} = {v:g}" for s, v in zip(model.symbols, values, strict=False))
+        raise InputError(
+            f"camera {camera.id}: as its parameters are, an image point does not say where its ray is, as with a "
+            f"pushbroom that stands still (vy = 0); give values near the true ones. They are {told}"
+        ) from None
     return shift / np.array(camera.pixel_mm)[:, None]
 
 

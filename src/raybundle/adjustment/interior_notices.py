@@ -20,7 +20,7 @@ def interior_notices(result: Adjustment) -> list[Notice]:
                 code="not_determinable",
                 message=f"{who}: {p.symbol} is not determinable: its standard deviation {p.std_words} says less "
                 f"than is known beforehand. {_remedy(result, p.symbol)}",
-                ids=(interior.camera, p.symbol),
+                ids=(interior.camera if interior.image is None else f"image {interior.image}", p.symbol),
             )
             for p in interior.parameters.values()
             if p.status == "not determinable"

@@ -66,7 +66,13 @@ def as_told(notices: Iterable[Notice]) -> list[Notice]:
         names = [": ".join(n.ids) if len(n.ids) == 2 else n.ids[0] for n in group[1:]]
         named = f"{', '.join(names[:NAMED])}{', ...' if len(names) > NAMED else ''}"
         ids = tuple(dict.fromkeys(i for n in group for i in n.ids))
-        told.append(replace(group[0], message=f"{group[0].message}. The same of {len(names)} more: {named}", ids=ids))
+        told.append(
+            replace(
+                group[0],
+                message=f"{group[0].message.removesuffix('.')}. The same of {len(names)} more: {named}",
+                ids=ids,
+            )
+        )
     return told
 
 

@@ -80,7 +80,10 @@ class Entry:
     @property
     def action(self) -> Action:
         """The action."""
-        return action_of(self.verb, self.arguments)
+        try:
+            return action_of(self.verb, self.arguments)
+        except InputError as error:
+            raise InputError(f"action {self.seq} of the journal is none of ours: {error}") from None
 
 
 @dataclass(slots=True)
@@ -147,6 +150,8 @@ class Journal:
         for what, text, most in (("id", chosen, LONGEST_ID), ("author", author, LONGEST_AUTHOR)):
             if len(text) > most:
                 raise InputError(f"{what} {quoted(text)} has {len(text)} characters; at most {most} are allowed")
+            if not text.isprintable():
+                raise InputError(f"{what} {quoted(text)} has characters that cannot be printed; choose another")
         with self._lock, self._transaction():
             # all before it: nobody else can add until this transaction ends
             self._refresh()
@@ -201,7 +206,7 @@ class Journal:
 def entries_of(path: str | Path) -> list[Entry]:
     """The rows of a journal that may not exist; nothing is written."""
     path = Path(path)
-    if not path.is_file():
+    if not path.exists():
         return []
     with _telling(path):
         db = sqlite3.connect(f"{path.absolute().as_uri()}?mode=ro", uri=True, timeout=30, isolation_level=None)

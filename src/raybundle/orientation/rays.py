@@ -97,7 +97,8 @@ def intersect_linear(origin: Array, direction: Array, point: Index, count: int) 
     ratio = np.zeros(count)
     enough = rays >= 2
     eigenvalues = np.linalg.eigvalsh(A[enough])
-    ratio[enough] = eigenvalues[:, 0] / np.maximum(eigenvalues[:, 2], 1e-300)
+    largest = eigenvalues[:, 2]  # 0 where points lie at infinity: nothing is known of them
+    ratio[enough] = np.where(largest > 1e-300, eigenvalues[:, 0] / np.where(largest > 1e-300, largest, 1.0), 0.0)
     mean = np.stack([np.bincount(point, origin[:, k], minlength=count) for k in range(3)], axis=1)
     mean = mean / np.maximum(rays, 1)[:, None]
     damped = A + 1e-12 * np.maximum(np.trace(A, axis1=1, axis2=2), 1.0)[:, None, None] * np.eye(3)

@@ -42,6 +42,8 @@ PAGE = {
     "icon.svg": ("icon.svg", "image/svg+xml"),
 }
 Answer = Callable[[Request], Awaitable[Response]]
+LONGEST_NUMBER = 9
+"""Digits of an image, level, column or row, and less."""
 
 
 @dataclass(slots=True)
@@ -82,7 +84,7 @@ class Studio:
             Route("/api/predict", self._predict, methods=["GET"]),
             Route("/api/query", self._query, methods=["GET"]),
             Route("/api/scene", self._scene, methods=["GET"]),
-            Route("/api/tile/{image:int}/{level:int}/{column:int}/{row:int}", self._tile, methods=["GET"]),
+            Route("/api/tile/{image}/{level}/{column}/{row}", self._tile, methods=["GET"]),
             WebSocketRoute("/api/live", self._live),
             Route("/{name:path}", self._page, methods=["GET"]),
         ]
@@ -111,9 +113,11 @@ class Studio:
         return Response(body, headers={"content-type": kind})
 
     async def _tile(self, request: Request) -> Response:
-        p = request.path_params
+        p = [request.path_params[n] for n in ("image", "level", "column", "row")]
+        if not all(v.isascii() and v.isdigit() and len(v) < LONGEST_NUMBER for v in p):
+            raise HTTPException(404, "a tile has four numbers")
         try:
-            body = await run_in_threadpool(self.desk.tiles.tile, p["image"], p["level"], p["column"], p["row"])
+            body = await run_in_threadpool(self.desk.tiles.tile, *(int(v) for v in p))
         except (InputError, OSError) as error:
             raise HTTPException(404, str(error)) from None
         return Response(body, media_type="image/jpeg", headers={"cache-control": "private, max-age=3600"})
@@ -159,11 +163,16 @@ class Studio:
         except (InputError, csv.Error) as error:
             raise HTTPException(409, str(error)) from None
         first = _text(given, "id")
-        for k, action in enumerate(actions):
-            try:
-                self.desk.journal.append(action, id=f"{first}-{k}", author=str(given.get("author", ""))[:100])
-            except InputError as error:
-                raise HTTPException(409, str(error)) from None
+        if not first:
+            raise HTTPException(400, "a table has an id, as an action has")
+        author, journal = str(given.get("author", ""))[:100], self.desk.journal
+        try:
+            for action in actions:  # all of them, before the first is kept
+                action.settled(journal.state, journal.known)
+            for k, action in enumerate(actions):
+                journal.append(action, id=f"{first}-{k}", author=author)
+        except InputError as error:
+            raise HTTPException(409, str(error)) from None
         state = answers.state_of(self.desk)
         self.live.tell_from_thread({"type": "state", "state": state})
         return {"added": [a.point for a in actions], "remarks": list(remarks), "state": state}
@@ -176,6 +185,10 @@ class Studio:
                 raise HTTPException(400, "the request is no JSON") from None
             if not isinstance(given, dict):
                 raise HTTPException(400, "the request is no table")
+            try:
+                json.dumps(given, ensure_ascii=False).encode()
+            except (UnicodeEncodeError, ValueError):
+                raise HTTPException(400, "the request holds halves of characters, or numbers that are none") from None
             return _json(await run_in_threadpool(make, given))
 
         return answer
@@ -183,9 +196,9 @@ class Studio:
     async def _live(self, socket: WebSocket) -> None:
         await socket.accept()
         queue = self.live.join()
-        await socket.send_json({"type": "state", "state": await run_in_threadpool(answers.state_of, self.desk)})
         listening = asyncio.create_task(_listen(socket))
         try:
+            await socket.send_json({"type": "state", "state": await run_in_threadpool(answers.state_of, self.desk)})
             while not listening.done():
                 waiting = asyncio.create_task(queue.get())
                 await asyncio.wait({waiting, listening}, return_when=asyncio.FIRST_COMPLETED)
@@ -207,7 +220,7 @@ class Studio:
 
 async def _listen(socket: WebSocket) -> None:
     """What a tab says is thrown away; it ends with the tab."""
-    with contextlib.suppress(WebSocketDisconnect, RuntimeError, KeyError):
+    with contextlib.suppress(WebSocketDisconnect, RuntimeError, KeyError, ValueError):
         while True:
             await socket.receive_text()
 

@@ -53,7 +53,8 @@ class Desk:
         block = read_block(latest) if (latest / "block.toml").is_file() else given
         journal = Journal.open(journal_path(source), Known.of(given))
         paths = _photographs(given, [*photos, *photographs_of(source), *photographs_of(source / "result")])
-        return cls(source, kind, given, Session.of_block(block, None), journal, Tiles(folder, paths))
+        sizes = {k: journal.known.size_px[name] for k, name in enumerate(given.images.ids)}
+        return cls(source, kind, given, Session.of_block(block, None), journal, Tiles(folder, paths, sizes))
 
     @property
     def block(self) -> Block:

@@ -119,7 +119,7 @@ class Guard:
 
     async def _enter(self, scope: Scope, receive: Receive, send: Send) -> None:
         given = parse_qs(scope.get("query_string", b"").decode("latin-1")).get("token", [""])[0]
-        if scope["type"] == "http" and scope["path"] == "/" and given and self.session.enters(given):
+        if scope.get("method") == "GET" and scope["path"] == "/" and given and self.session.enters(given):
             answer = RedirectResponse("/", status_code=303, headers=HEADERS)
             answer.set_cookie(self.session.jar, self.session.cookie, httponly=True, samesite="strict", path="/")
             await answer(scope, receive, send)

@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+import os
+import shutil
+import signal
 import socket
+import sys
+import threading
 import webbrowser
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Generator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
-from tempfile import TemporaryDirectory
+from tempfile import TemporaryDirectory, gettempdir
 
 import uvicorn
 
@@ -15,6 +21,8 @@ from raybundle.studio.app import Studio
 from raybundle.studio.desk import Desk
 from raybundle.studio.guard import Session
 
+FOLDER = "raybundle-studio-"
+"""Begin of the names of folders of decoded photographs; the process that owns it follows."""
 LARGEST_MESSAGE = 64 * 1024
 """Bytes that a tab may send through its WebSocket at once; it has nothing to say that is longer."""
 
@@ -44,7 +52,8 @@ def serve(
     told     gets the address once; it works once
     raises   InputError where there is nothing to open, or the port is taken
     """
-    with TemporaryDirectory(prefix="raybundle-studio-") as folder:
+    _sweep()
+    with TemporaryDirectory(prefix=f"{FOLDER}{os.getpid()}-") as folder:
         desk = Desk.open(source, Path(folder), photos)
         with listening(port) as connection:
             session = Session(port=connection.getsockname()[1])
@@ -55,4 +64,51 @@ def serve(
             told(session.address)
             if browser:
                 webbrowser.open(session.address)
-            uvicorn.Server(config).run(sockets=[connection])
+            server = uvicorn.Server(config)
+            with _ending(server):
+                server.run(sockets=[connection])
+
+
+@contextmanager
+def _ending(server: uvicorn.Server) -> Generator[None]:
+    """Let the server end, and its folder be removed, when the terminal is closed or the process is asked to end."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    hang_up = getattr(signal, "SIGHUP", None)  # there is none on Windows
+    before = {s: signal.getsignal(s) for s in (signal.SIGTERM, hang_up) if s is not None}
+
+    def end(number: int, _: object) -> None:
+        sys.exit(128 + number)  # the server ended before, and raises the signal again
+
+    def should_end(_: int, __: object) -> None:
+        server.should_exit = True
+
+    signal.signal(signal.SIGTERM, end)
+    if hang_up is not None:
+        signal.signal(hang_up, should_end)
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+def _sweep() -> None:
+    """Remove what studios left that were killed."""
+    for folder in Path(gettempdir()).glob(f"{FOLDER}*-*"):
+        owner = folder.name.removeprefix(FOLDER).split("-")[0]
+        if owner.isdigit() and not _lives(int(owner)):
+            shutil.rmtree(folder, ignore_errors=True)
+
+
+def _lives(process: int) -> bool:
+    if os.name != "posix":  # there a signal 0 would end it
+        return True
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    except OSError:
+        return True
+    return True

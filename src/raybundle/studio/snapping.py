@@ -13,6 +13,8 @@ from raybundle.measuring.snap import MARGIN_PX, Reference, Snapped, snap
 from raybundle.numerics.arrays import Array
 from raybundle.studio.desk import Desk, named
 
+LARGEST = 1e9
+"""Pixels of a place, and more."""
 KINDS = ("auto", "ellipse", "corner", "cross", "patch")
 
 
@@ -39,7 +41,7 @@ def snapped(desk: Desk, given: dict[str, Any]) -> dict[str, Any]:
 
 def _number(given: dict[str, Any], name: str) -> float:
     value = given.get(name)
-    if isinstance(value, bool) or not isinstance(value, int | float) or not np.isfinite(value):
+    if isinstance(value, bool) or not isinstance(value, int | float) or not abs(value) < LARGEST:
         raise InputError(f"{name} = {value!r} is no number")
     return float(value)
 

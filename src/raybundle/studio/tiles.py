@@ -50,6 +50,8 @@ class Tiles:
     folder: Path
     """for decoded photographs; goes with the server"""
     paths: dict[int, Path]
+    sizes: dict[int, tuple[int, int]] = field(default_factory=dict[int, tuple[int, int]])
+    """width and height that a photograph must have"""
     most_bytes: int = MOST_BYTES
     _pyramids: OrderedDict[int, _Pyramid] = field(default_factory=OrderedDict[int, "_Pyramid"])
     _photos: dict[int, Photo] = field(default_factory=dict[int, Photo])
@@ -61,8 +63,18 @@ class Tiles:
         if image not in self._photos:
             path = self.paths.get(image)
             if path is None:
-                raise InputError("its photograph is not known; give the folder of the photographs: --photos FOLDER")
-            self._photos[image] = read_photo(path)
+                raise InputError(
+                    "its photograph is not known; name the folder of the photographs when the studio is started (--photos)"
+                )
+            photo = read_photo(path)
+            size = photo.width_px, photo.height_px
+            if self.sizes.get(image, size) != size:
+                wanted = " x ".join(map(str, self.sizes[image]))
+                raise InputError(
+                    f"has {size[0]} x {size[1]} px, its image in the block {wanted}; it is another photograph",
+                    file=path,
+                )
+            self._photos[image] = photo
         return self._photos[image]
 
     def tile(self, image: int, level: int, column: int, row: int) -> bytes:

@@ -28,13 +28,14 @@ class Work:
     desk: Desk
     live: Live
     _thread: threading.Thread | None = None
+    _over: bool = True
     _stop: threading.Event = field(default_factory=threading.Event)
     _lock: threading.Lock = field(default_factory=threading.Lock)
 
     @property
     def busy(self) -> bool:
         """Whether something is being adjusted."""
-        return self._thread is not None and self._thread.is_alive()
+        return not self._over
 
     def begin(self, *, measured: bool) -> bool:
         """Adjust the block as it is, or with what was measured; False where something is being adjusted already."""
@@ -42,6 +43,7 @@ class Work:
             if self.busy:
                 return False
             self._stop.clear()
+            self._over = False
             target = self._measured if measured else self._as_it_is
             self._thread = threading.Thread(target=self._run, args=(target,), daemon=True)
             self._thread.start()
@@ -68,6 +70,7 @@ class Work:
         except Exception as error:  # noqa: BLE001  (a thread of its own: whoever waits must hear of it)
             trouble = f"a fault of the program: {type(error).__name__}: {error}"
         a = self.desk.adjustment
+        self._over = True
         self.live.tell_from_thread({
             "type": "adjusted", "sigma0": None if a is None else finite(a.sigma0), "folder": folder, "error": trouble,
         })  # fmt: skip

@@ -285,6 +285,9 @@ def _per_image(section: Section, model: SensorModel, interior: str) -> tuple[str
     value = section.values.get("per_image", [])
     if not isinstance(value, list) or any(s not in model.symbols for s in cast("list[Any]", value)):
         section.fail("per_image", f"{quoted(value)} is no list of {', '.join(model.symbols)}")
+    for symbol in cast("list[str]", value):
+        if cast("list[str]", value).count(symbol) > 1:
+            section.fail("per_image", f"{symbol!r} stands twice")
     if value and interior == "per_image":
         section.fail("per_image", 'with interior = "per_image" every parameter is; take one of the two away')
     return tuple(cast("list[str]", value))
