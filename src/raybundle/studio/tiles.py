@@ -64,7 +64,8 @@ class Tiles:
             path = self.paths.get(image)
             if path is None:
                 raise InputError(
-                    "its photograph is not known; name the folder of the photographs when the studio is started (--photos)"
+                    "its photograph is not known; name the folder of the photographs when the studio is started "
+                    "(--photos)"
                 )
             photo = read_photo(path)
             size = photo.width_px, photo.height_px
