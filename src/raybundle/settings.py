@@ -123,7 +123,7 @@ class Setting:
     def _one(self, value: Any) -> Any:
         kind = self.each
         if kind is Path:
-            return self._path(value)
+            return path_of(self.name, value)
         if self.choices:
             if value not in self.choices:
                 words = ", ".join(repr(c) for c in self.choices if c)
@@ -141,14 +141,6 @@ class Setting:
             return self._number(value, kind, self.about.limits[0] if self.about.limits else ANY)
         return self._as(value, kind)
 
-    def _path(self, value: Any) -> Path:
-        if not isinstance(value, str | PathLike):
-            raise InputError(
-                f"{self.name} is a path, no {type(value).__name__}; write a result with write_result, a block with "
-                "write_block, and give the folder"
-            )
-        return Path(value)
-
     def _as(self, value: Any, kind: Any) -> Any:
         if isinstance(kind, type) and not isinstance(value, kind):
             raise InputError(f"{self.name} = {value!r} is no {kind.__name__}")
@@ -160,6 +152,16 @@ class Setting:
         if isinstance(limits, Range) and (wrong := limits.complaint(value)):
             raise InputError(f"{self.name} = {value!r} {wrong}")
         return kind(value)
+
+
+def path_of(name: str, value: Any) -> Path:
+    """A path that Python gave; raises InputError for what is none."""
+    if not isinstance(value, str | PathLike):
+        raise InputError(
+            f"{name} is a path, no {type(value).__name__}; write a result with write_result, a block with write_block, "
+            "and give the folder"
+        )
+    return Path(value)
 
 
 @cache

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import ANY, made, setting
+from raybundle.settings import ANY, made, path_of, setting
 
 if TYPE_CHECKING:
     from raybundle.block import Block
@@ -72,7 +72,7 @@ def convert(source: str | Path, out: str | Path, *, to: str, progress: Progress 
 
     What it does not tell: what the format cannot hold is lost; the remarks of the answer name what had to be changed.
     """
-    given = {"source": Path(source), "out": Path(out), "to": to, **settings}
+    given = {"source": path_of("source", source), "out": path_of("out", out), "to": to, **settings}
     return run_convert(made(ConvertSettings, given), progress)
 
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal
 from raybundle.commands.convert import FREE_SCALE_HELP
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import ANY, POSITIVE, Range, made, setting
+from raybundle.settings import ANY, POSITIVE, Range, made, path_of, setting
 
 if TYPE_CHECKING:
     from raybundle.block import Camera
@@ -82,7 +82,8 @@ def rectify(source: str | Path, out: str | Path, *, progress: Progress = silent,
 
     What it does not tell: what lies off the plane is displaced, and what hides it is in the picture.
     """
-    return run_rectify(made(RectifySettings, {"source": Path(source), "out": Path(out), **settings}), progress)
+    given = {"source": path_of("source", source), "out": path_of("out", out), **settings}
+    return run_rectify(made(RectifySettings, given), progress)
 
 
 def run_rectify(settings: RectifySettings, progress: Progress = silent) -> Rectification:

@@ -25,6 +25,7 @@ from time import sleep
 from typing import Any, Self
 
 from raybundle.errors import InputError
+from raybundle.io.reading.trees import json_of
 from raybundle.io.reading.words import quoted
 from raybundle.measuring.actions import Action, action_of
 from raybundle.measuring.known import Known
@@ -226,8 +227,8 @@ def state_of(path: str | Path) -> State:
 
 def _entry(row: tuple[Any, ...], path: Path) -> Entry:
     try:
-        arguments = json.loads(row[5])
-    except ValueError:
+        arguments = json_of(row[5], path)
+    except InputError:
         raise InputError(f"action {row[0]} is damaged; restore the file from a copy", file=path) from None
     return Entry(seq=row[0], id=row[1], time=row[2], author=row[3], verb=row[4], arguments=arguments)
 
@@ -239,7 +240,8 @@ def _same(action: Action, verb: str, arguments: str) -> bool:
     def plain(values: Mapping[str, Any]) -> dict[str, Any]:
         return {k: v for k, v in values.items() if k not in found}
 
-    return action.verb == verb and plain(json.loads(_json(action))) == plain(json.loads(arguments))
+    sent, kept = (plain(json_of(text, Path("action"))) for text in (_json(action), arguments))
+    return action.verb == verb and sent == kept
 
 
 def _json(action: Action) -> str:

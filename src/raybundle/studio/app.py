@@ -11,6 +11,7 @@ from collections.abc import AsyncGenerator, Awaitable, Callable, Mapping
 from contextlib import asynccontextmanager
 from dataclasses import dataclass
 from importlib.resources import files
+from pathlib import Path
 from typing import Any
 
 from starlette.applications import Starlette
@@ -23,6 +24,7 @@ from starlette.routing import Route, WebSocketRoute
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from raybundle.errors import InputError, RaybundleError
+from raybundle.io.reading.trees import json_of
 from raybundle.studio import answers, tables
 from raybundle.studio.asking import asked
 from raybundle.studio.control import control_actions
@@ -180,8 +182,8 @@ class Studio:
     def _post(self, make: Callable[[dict[str, Any]], Any]) -> Answer:
         async def answer(request: Request) -> Response:
             try:
-                given = json.loads(await request.body() or b"{}")
-            except (ValueError, RecursionError):
+                given = json_of((await request.body() or b"{}").decode(), Path("request"))
+            except (UnicodeDecodeError, InputError):
                 raise HTTPException(400, "the request is no JSON") from None
             if not isinstance(given, dict):
                 raise HTTPException(400, "the request is no table")

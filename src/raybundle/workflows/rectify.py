@@ -196,8 +196,9 @@ def rectify_block(
     slopes: list[Array] = []
     for done, k in enumerate(used):
         progress("rectifying", done / len(used))
+        camera = block.cameras[int(block.images.camera[k])]
         try:
-            pixels = picture.photograph(folders, names[k], block.cameras[int(block.images.camera[k])])
+            pixels = picture.photograph(folders, names[k], camera)
         except (OSError, ValueError, SyntaxError, InputError) as error:
             remarks.append(f"{names[k]} is left out: {error}")
             continue
