@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 
 from raybundle.adjustment.result import Adjustment
-from raybundle.block import Role
 from raybundle.measuring.frames import file_matrix, to_file
 from raybundle.measuring.predict import Prediction, predict, visible, worst
 from raybundle.measuring.state import State
@@ -20,7 +19,6 @@ from raybundle.studio.desk import Desk, named
 
 TURNS = {6: 1, 3: 2, 8: 3}
 """EXIF orientation -> quarter turns clockwise that show a stored photograph the right way up."""
-ROLES = {Role.TIE: "tie", Role.CONTROL: "control", Role.CHECK: "check"}
 MOST_PREDICTIONS = 12
 
 
