@@ -196,9 +196,7 @@ def without_idle(block: Block) -> Block:
     keep = np.array([k in used for k in range(len(block.instruments))], bool)
     if keep.all():
         return block
-    number: Index = np.where(keep, np.cumsum(keep) - 1, -1).astype(np.int32)
-    kept = tuple(i for i, k in zip(block.instruments, keep, strict=True) if k)
-    return replace(block, instruments=kept).of_tables(lambda t: t.renumbered("instrument", number))
+    return selected(block, "instrument", keep)
 
 
 def _name(name: str, taken: set[str]) -> str:

@@ -208,22 +208,14 @@ def _take_features(work: _Work, images: Sequence[int]) -> None:
 def _append(work: _Work, fresh: Index, rows: Index, at: Index) -> None:
     """Append the spare rows to the block, at these points of it; `fresh` are points of the start that it lacks."""
     spare, block, start = work.spare, work.block, work.start.points
-    p, o, k = block.points, block.observations, len(rows)
-    points = replace(
-        p,
-        ids=(*p.ids, *(start.ids[f] for f in fresh)),
-        role=np.concatenate([p.role, start.role[fresh]]),
-        xyz=np.vstack([p.xyz, start.xyz[fresh]]),
-        sigma=np.vstack([p.sigma, start.sigma[fresh]]),
+    k = len(rows)
+    more = Observations(
+        image=spare.image[rows], point=at.astype(np.int32), xy_px=spare.xy_px[rows],
+        cov_px2=np.tile([1.0, 1.0, 0.0], (k, 1)),
+    )  # fmt: skip
+    work.block = replace(
+        block, points=block.points.append(start.rows(fresh)), observations=block.observations.append(more)
     )
-    observations = replace(
-        o,
-        image=np.concatenate([o.image, spare.image[rows]]).astype(np.int32),
-        point=np.concatenate([o.point, at]).astype(np.int32),
-        xy_px=np.vstack([o.xy_px, spare.xy_px[rows]]),
-        cov_px2=np.vstack([o.cov_px2, np.tile([1.0, 1.0, 0.0], (k, 1))]),
-    )
-    work.block = replace(block, points=points, observations=observations)
     work.grey = np.vstack([work.grey, np.zeros((k, 3))])
     work.level = np.concatenate([work.level, np.zeros(k, int)])
     work.reference = np.concatenate([work.reference, np.zeros(k, bool)])
@@ -339,12 +331,11 @@ def _complete(work: _Work, image: Levels, threads: int, progress: Progress, visi
     old = ~np.isin(o.point.astype(np.int64) * images + o.image, new)
     work.block = replace(
         block,
-        observations=replace(
-            o,
-            image=np.concatenate([o.image[old], places.image[good]]).astype(np.int32),
-            point=np.concatenate([o.point[old], places.point[good]]).astype(np.int32),
-            xy_px=np.vstack([o.xy_px[old], found.xy_px[good]]),
-            cov_px2=np.vstack([o.cov_px2[old], np.tile([1.0, 1.0, 0.0], (n, 1))]),
+        observations=o.rows(old).append(
+            Observations(
+                image=places.image[good].astype(np.int32), point=places.point[good].astype(np.int32),
+                xy_px=found.xy_px[good], cov_px2=np.tile([1.0, 1.0, 0.0], (n, 1)),
+            )  # fmt: skip
         ),
     )
     work.grey = np.vstack([work.grey[old], found.cov_px2[good]])
