@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from raybundle.adjustment.options import AdjustmentOptions
     from raybundle.adjustment.result import Adjustment
     from raybundle.block import Block, Camera, Distances, Images, Instrument, Observations, Points, Role, Stations
+    from raybundle.block.merge import merge_blocks
+    from raybundle.block.transform import transform_block
     from raybundle.commands.calibrate import CalibrateSettings, calibrate
     from raybundle.commands.convert import Converted, ConvertSettings, convert
     from raybundle.commands.measure import adjust_marks, export_marks, mark, marks, query, transform_to_points
@@ -31,6 +33,7 @@ if TYPE_CHECKING:
     from raybundle.commands.targets import detect_targets
     from raybundle.errors import InputError, NotSolvable, RaybundleError
     from raybundle.io.block.folder import read_block, write_block
+    from raybundle.numerics.transform import SimilarityTransform
     from raybundle.planning.flight import plan_flight
     from raybundle.planning.uav_networks import Flight
     from raybundle.report.compare import write_comparison
@@ -76,6 +79,7 @@ _HOME = {
     "Rectification": "commands.rectify",
     "RectifySettings": "commands.rectify",
     "Role": "block",
+    "SimilarityTransform": "numerics.transform",
     "Stations": "block",
     "adjust": "workflows.adjust",
     "adjust_marks": "commands.measure",
@@ -85,6 +89,7 @@ _HOME = {
     "export_marks": "commands.measure",
     "mark": "commands.measure",
     "marks": "commands.measure",
+    "merge_blocks": "block.merge",
     "orient": "commands.orient",
     "plan_flight": "planning.flight",
     "plot_control": "report.pictures",
@@ -99,6 +104,7 @@ _HOME = {
     "show": "report.show",
     "table": "report.tables",
     "table_names": "report.tables",
+    "transform_block": "block.transform",
     "transform_to_points": "commands.measure",
     "write_block": "io.block.folder",
     "write_comparison": "report.compare",
@@ -130,6 +136,7 @@ __all__ = [
     "Rectification",
     "RectifySettings",
     "Role",
+    "SimilarityTransform",
     "Stations",
     "__version__",
     "adjust",
@@ -140,6 +147,7 @@ __all__ = [
     "export_marks",
     "mark",
     "marks",
+    "merge_blocks",
     "orient",
     "plan_flight",
     "plot_control",
@@ -154,6 +162,7 @@ __all__ = [
     "show",
     "table",
     "table_names",
+    "transform_block",
     "transform_to_points",
     "write_block",
     "write_comparison",

@@ -13,7 +13,8 @@ from typing import Literal
 
 import numpy as np
 
-from raybundle.block.block import Block, Camera, Images, Observations, PixelFrame, Turn
+from raybundle.block.block import Block, Camera, Images, PixelFrame, Turn
+from raybundle.block.select import selected
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
 

@@ -129,7 +129,8 @@ class _Merge:
             for j, other in told if what not in self.prefer else []:
                 for label, one, two in _differences(stands, other):
                     self.refuse(what, f"{what} {name}: {label}", (k, one), (j, two))
-            found.append(stands)
+            known = stands.known or next((t.known for _, t in told if t.known), {})
+            found.append(replace(stands, known=known))
         return tuple(found)
 
     def images(self, numbers: Mapping[str, Sequence[Index]]) -> Images:
@@ -241,10 +242,12 @@ class _Merge:
 
         rows = self.sources(moved, "observation")
         merged = once(whole, rows, refuse)
-        if not any(w.rows.any() for t in moved for w in t.wrong()):
-            for w in merged.wrong():
-                for k in np.flatnonzero(w.rows)[:1].tolist():
-                    raise InputError(f"the blocks do not fit together: {made.row_names(merged)(k)}: {w.message(k)}")
+        with np.errstate(invalid="ignore"):
+            bad = [w for w in merged.wrong() if w.rows.any()]
+            fresh = bad and not any(w.rows.any() for t in moved for w in t.wrong())
+        if fresh:
+            k = int(np.flatnonzero(bad[0].rows)[0])
+            raise InputError(f"the blocks do not fit together: {made.row_names(merged)(k)}: {bad[0].message(k)}")
         return merged
 
     def rows_of(self, what: Subject, numbers: Sequence[Index]) -> Rows:

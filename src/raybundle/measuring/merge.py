@@ -10,13 +10,13 @@ import numpy as np
 
 from raybundle.block import Block, Distances, Observations, Points, Role
 from raybundle.block.select import selected
+from raybundle.block.transform import transform_block
 from raybundle.errors import InputError
 from raybundle.io.block.folder import ROLES
 from raybundle.io.reading.words import quoted
 from raybundle.measuring.frames import in_camera
 from raybundle.measuring.state import Axes, State
 from raybundle.numerics.arrays import Array
-from raybundle.block.transform import transform_block
 from raybundle.numerics.transform import SimilarityTransform, similarity
 from raybundle.observations.alignment import Lines, OnFigure, PlumbLines
 from raybundle.observations.coordinates import Coordinates

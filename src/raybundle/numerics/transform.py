@@ -10,7 +10,6 @@ from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.rotation import cross_matrix
 
-
 COUPLED = 1e-12
 """Entries of a rotation below which two axes do not touch: products of rotations leave such remains of zeros."""
 CORRELATED = 1e-9

@@ -11,7 +11,7 @@ import numpy as np
 
 from raybundle.adjustment.predict import residuals_px
 from raybundle.adjustment.result import Notice
-from raybundle.block import Block, Distances, Role
+from raybundle.block import Block, Distances, Observations, Points, Role
 from raybundle.block.select import selected
 from raybundle.errors import InputError
 from raybundle.io.geo.control_files import DEFAULTS, ControlDefaults, ControlFile

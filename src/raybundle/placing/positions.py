@@ -13,6 +13,7 @@ from datetime import UTC
 import numpy as np
 
 from raybundle.block import Block, Instrument, Stations
+from raybundle.block.select import selected
 from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array, Index

@@ -23,8 +23,8 @@ from raybundle.block.block import (
     Role,
     Stations,
 )
-from raybundle.errors import InputError
 from raybundle.block.select import selected
+from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.planning.scenes import Scene

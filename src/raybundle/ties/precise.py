@@ -16,7 +16,7 @@ from raybundle.adjustment.engine import adjust_block, as_start
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.predict import predicted_px
 from raybundle.adjustment.result import Adjustment
-from raybundle.block import Block, Camera
+from raybundle.block import Block, Camera, Observations
 from raybundle.block.rejection import Rejection, RejectionKind
 from raybundle.block.select import with_rows, without_images
 from raybundle.errors import NotSolvable
@@ -213,9 +213,8 @@ def _append(work: _Work, fresh: Index, rows: Index, at: Index) -> None:
         image=spare.image[rows], point=at.astype(np.int32), xy_px=spare.xy_px[rows],
         cov_px2=np.tile([1.0, 1.0, 0.0], (k, 1)),
     )  # fmt: skip
-    work.block = replace(
-        block, points=block.points.append(start.rows(fresh)), observations=block.observations.append(more)
-    )
+    points, observations = block.points.append(start.rows(fresh)), block.observations.append(more)
+    work.block = replace(block, points=points, observations=observations)
     work.grey = np.vstack([work.grey, np.zeros((k, 3))])
     work.level = np.concatenate([work.level, np.zeros(k, int)])
     work.reference = np.concatenate([work.reference, np.zeros(k, bool)])
@@ -227,7 +226,7 @@ def _append(work: _Work, fresh: Index, rows: Index, at: Index) -> None:
         origin, direction = viewing_lines(work.block)
         xyz, _, _ = intersect_linear(origin, direction, observations.point, len(points))
         placed = np.array(points.xyz)
-        placed[len(p) :] = xyz[len(p) :]
+        placed[len(block.points) :] = xyz[len(block.points) :]
         work.block = replace(work.block, points=replace(points, xyz=placed))
 
 

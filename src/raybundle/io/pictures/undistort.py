@@ -11,7 +11,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from raybundle.block import Block, Camera, Observations
+from raybundle.block import Block, Camera
 from raybundle.errors import InputError
 from raybundle.io.cameras.conversions import camera_rays, interiors, parameter_vector
 from raybundle.numerics.arrays import Array, Mask
