@@ -1,4 +1,4 @@
-"""Rows, append, renumbered, transformed and merge over every field of every table of a block, found by introspection."""
+"""Rows, append, renumbered, transformed and merge over every field of every table of a block, by introspection."""
 
 from collections import Counter
 from collections.abc import Mapping
@@ -19,7 +19,9 @@ from raybundle.numerics.transform import SimilarityTransform
 from raybundle.observations import tables
 from tests.block.any_blocks import blocks
 
-CHECKED = settings(max_examples=60, deadline=None, derandomize=True, phases=[Phase.generate], suppress_health_check=list(HealthCheck))
+CHECKED = settings(
+    max_examples=60, deadline=None, derandomize=True, phases=[Phase.generate], suppress_health_check=list(HealthCheck)
+)
 EVERY = {t.__name__: t for t in (Images, Observations, Points, *tables.values())}
 usual = st.one_of(st.just(np.nan), st.floats(0.015625, 64, width=32), st.floats(-64, -0.015625, width=32))
 """Numbers that may be rotated there and back."""
@@ -125,7 +127,9 @@ def test_a_transformation_and_its_inverse_leave_all_as_it_was(block, angles, sca
                 known = np.isfinite(two)
                 np.testing.assert_allclose(two[known], one[known], rtol=1e-9, atol=1e-9)
             else:
-                np.testing.assert_allclose(abs(two) if name == "sigma" else two, abs(one) if name == "sigma" else one, rtol=1e-9, atol=1e-9)
+                np.testing.assert_allclose(
+                    abs(two) if name == "sigma" else two, abs(one) if name == "sigma" else one, rtol=1e-9, atol=1e-9
+                )
     assume(followed)
 
 

@@ -87,7 +87,10 @@ def test_parts_and_transformed_blocks_come_back(rich):
     part = with_rows(rich, keep)
     assert_equal(part, through_a_file(part))
     turned = transform_block(
-rich, SimilarityTransform(scale=2.0, rotation=np.eye(3)[[1, 2, 0]], translation=np.array([1.0, 2, 3])), observed="stay")
+        rich,
+        SimilarityTransform(scale=2.0, rotation=np.eye(3)[[1, 2, 0]], translation=np.array([1.0, 2, 3])),
+        observed="stay",
+    )
     assert_equal(turned, through_a_file(turned))
 
 

@@ -52,7 +52,12 @@ def free_block():
     p = block.points
     free = replace(block, points=replace(p, role=np.zeros_like(p.role), sigma=np.full_like(p.sigma, np.nan)))
     return transform_block(
-free, SimilarityTransform(scale=0.37, rotation=rotation_from_vector(np.array([0.4, -1.1, 2.0])), translation=np.array([5.0, 6.0, 7.0])), observed="stay")
+        free,
+        SimilarityTransform(
+            scale=0.37, rotation=rotation_from_vector(np.array([0.4, -1.1, 2.0])), translation=np.array([5.0, 6.0, 7.0])
+        ),
+        observed="stay",
+    )
 
 
 def test_nothing_measured_changes_nothing():

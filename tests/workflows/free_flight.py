@@ -51,7 +51,14 @@ def flight():
         observations=simulation.observed.observations,
     )
     free = transform_block(
-free, SimilarityTransform(scale=0.013, rotation=rotation_from_angles(np.array([0.4, -0.3, 2.0])), translation=np.array([1.0, 2.0, 3.0])), observed="stay")
+        free,
+        SimilarityTransform(
+            scale=0.013,
+            rotation=rotation_from_angles(np.array([0.4, -0.3, 2.0])),
+            translation=np.array([1.0, 2.0, 3.0]),
+        ),
+        observed="stay",
+    )
     photos = [
         SimpleNamespace(
             name=name, width_px=truth.cameras[0].width_px, height_px=truth.cameras[0].height_px, orientation=1,

@@ -63,8 +63,13 @@ def flight():
             ),
         )
         turn = rotation_from_angles(np.array([0.4, -0.3, 1.0 + k]))
-        parts.append(transform_block(
-part, SimilarityTransform(scale=0.01 * (k + 1), rotation=turn, translation=np.array([k, 2.0, 3.0])), observed="stay"))
+        parts.append(
+            transform_block(
+                part,
+                SimilarityTransform(scale=0.01 * (k + 1), rotation=turn, translation=np.array([k, 2.0, 3.0])),
+                observed="stay",
+            )
+        )
     photos = [
         SimpleNamespace(
             name=name, width_px=truth.cameras[0].width_px, height_px=truth.cameras[0].height_px, orientation=1,

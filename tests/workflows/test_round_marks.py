@@ -85,7 +85,12 @@ def network(seed, folder):
                        sigma=np.full_like(truth.points.xyz, np.nan)),
     )  # fmt: skip
     free = transform_block(
-free, SimilarityTransform(scale=0.4, rotation=rotation_from_angles(np.array([0.4, -0.3, 2.0])), translation=np.array([1.0, 2.0, 3.0])), observed="stay")
+        free,
+        SimilarityTransform(
+            scale=0.4, rotation=rotation_from_angles(np.array([0.4, -0.3, 2.0])), translation=np.array([1.0, 2.0, 3.0])
+        ),
+        observed="stay",
+    )
     photos = [
         SimpleNamespace(
             name=name, width_px=camera.width_px, height_px=camera.height_px, orientation=1,

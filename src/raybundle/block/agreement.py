@@ -13,8 +13,9 @@ from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.records import Column, Records, said, taken
 
 R = TypeVar("R", bound=Records)
-Refuse = Callable[[str, Column, int, int], None]
-"""Called with a column and two rows that contradict each other in it; raises where nobody says which stands."""
+Refuse = Callable[[str, int, int], None]
+"""Called with the name of a column and two rows that contradict each other in it; raises where no rule says which
+stands."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -91,16 +92,16 @@ def united(whole: R, rows: Rows, refuse: Refuse, firm: Mask | None = None) -> R:
             chosen = np.where((speaks & firm)[given], given, chosen)
             speaks = speaks & firm
         if not c.approximate or firm.any():
-            _compare(name, c, codes(c, values, count), (rows, chosen, speaks), refuse)
+            _compare(name, codes(c, values, count), (rows, chosen, speaks), refuse)
         changed[name] = taken(values, chosen)
     return replace(whole, **changed)
 
 
-def _compare(name: str, c: Column, code: Index, which: tuple[Rows, Index, Mask], refuse: Refuse) -> None:
+def _compare(name: str, code: Index, which: tuple[Rows, Index, Mask], refuse: Refuse) -> None:
     rows, chosen, speaks = which
     stands = chosen[rows.of]
     for k in np.flatnonzero(speaks & speaks[stands] & (code != code[stands]))[:1].tolist():
-        refuse(name, c, int(stands[k]), k)
+        refuse(name, int(stands[k]), k)
 
 
 def once(whole: R, rows: Rows, refuse: Callable[[int, int], None]) -> R:

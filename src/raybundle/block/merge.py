@@ -13,7 +13,7 @@ from raybundle.block.block import Block, Camera, Images, Instrument, Observation
 from raybundle.block.transform import transform_block
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Index
-from raybundle.numerics.records import Column, Records, positions
+from raybundle.numerics.records import Records
 from raybundle.numerics.transform import SimilarityTransform
 from raybundle.observations.table import Table
 
@@ -142,7 +142,7 @@ class _Merge:
         whole = moved[0].append(*moved[1:])
         ids = [c.id for c in self._first_of("camera", numbers)]
 
-        def refuse(name: str, c: Column, one: int, two: int) -> None:
+        def refuse(name: str, one: int, two: int) -> None:
             value = [ids[int(whole.camera[k])] if name == "camera" else _entry(whole, name, k) for k in (one, two)]
             self.refuse_rows("image", f"image {whole.ids[one]}: {name}", rows, (one, value[0]), (two, value[1]))
 
@@ -256,7 +256,7 @@ class _Merge:
 
     def sources(self, tables: Sequence[Records], what: Subject) -> Rows:
         source = np.repeat(np.arange(len(tables)), [len(t) for t in tables])
-        return Rows(of=positions(np.arange(len(source))), source=source, lead=self.prefer.get(what, -1))
+        return Rows(of=np.arange(len(source)), source=source, lead=self.prefer.get(what, -1))
 
     def refuse_rows(self, what: Subject, text: str, rows: Rows, one: tuple[int, Any], two: tuple[int, Any]) -> None:
         if what not in self.prefer:

@@ -40,7 +40,10 @@ def transform_block(block: Block, by: SimilarityTransform, *, observed: Literal[
         return block
     _refuse_geodetic(block)
     own = {
-        k: {s: v * _factor(block.cameras[int(block.images.camera[k])].sensor.parameters, s, by) for s, v in values.items()}
+        k: {
+            s: v * _factor(block.cameras[int(block.images.camera[k])].sensor.parameters, s, by)
+            for s, v in values.items()
+        }
         for k, values in block.images.interior.items()
     }
     return replace(

@@ -104,9 +104,11 @@ def _with_marks(block: Block, state: State) -> Block:
         block,
         observations=o.rows(~np.isin(key, marked)).append(
             Observations(
-                image=by_hand[:, 0], point=by_hand[:, 1], xy_px=np.array(places, float).reshape(-1, 2),
+                image=by_hand[:, 0],
+                point=by_hand[:, 1],
+                xy_px=np.array(places, float).reshape(-1, 2),
                 cov_px2=np.array(covariances, float).reshape(-1, 3),
-            )  # fmt: skip
+            )
         ),
         points=p.append(Points(ids=tuple(fresh), role=np.full(n, Role.TIE, np.int32), xyz=none, sigma=none)),
         rejected=tuple(r for r in block.rejected if r not in state.marks),

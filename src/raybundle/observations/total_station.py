@@ -69,7 +69,9 @@ class ZenithAngles(Sights):
     angle: Array = cells("number", "zenith_deg", follows="stays", unit="deg")
     """(k,) [rad]"""
     sigma: Array = cells("number", "sigma_deg", follows="stays", unit="deg", limit="> 0")
-    instrument: Array | None = cells("number", "instrument_height", follows="length", optional=True, empty=True, fill=0.0)
+    instrument: Array | None = cells(
+        "number", "instrument_height", follows="length", optional=True, empty=True, fill=0.0
+    )
     """(k,) of its axis above the station point [length unit]"""
     reflector: Array | None = cells("number", "target_height", follows="length", optional=True, empty=True, fill=0.0)
     """(k,) of what was sighted above the target point [length unit]"""
@@ -95,7 +97,9 @@ class SlopeDistances(Sights):
     target: Index = cells("point", "target")
     length: Array = cells("number", "distance", follows="length", limit="> 0")
     sigma: Array = cells("number", "sigma", follows="length", limit="> 0")
-    instrument: Array | None = cells("number", "instrument_height", follows="length", optional=True, empty=True, fill=0.0)
+    instrument: Array | None = cells(
+        "number", "instrument_height", follows="length", optional=True, empty=True, fill=0.0
+    )
     reflector: Array | None = cells("number", "target_height", follows="length", optional=True, empty=True, fill=0.0)
 
     def tilted(self, by: SimilarityTransform) -> Sequence[Stuck]:

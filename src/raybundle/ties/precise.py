@@ -332,9 +332,11 @@ def _complete(work: _Work, image: Levels, threads: int, progress: Progress, visi
         block,
         observations=o.rows(old).append(
             Observations(
-                image=places.image[good].astype(np.int32), point=places.point[good].astype(np.int32),
-                xy_px=found.xy_px[good], cov_px2=np.tile([1.0, 1.0, 0.0], (n, 1)),
-            )  # fmt: skip
+                image=places.image[good].astype(np.int32),
+                point=places.point[good].astype(np.int32),
+                xy_px=found.xy_px[good],
+                cov_px2=np.tile([1.0, 1.0, 0.0], (n, 1)),
+            )
         ),
     )
     work.grey = np.vstack([work.grey[old], found.cov_px2[good]])

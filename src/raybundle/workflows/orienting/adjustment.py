@@ -149,8 +149,8 @@ def _adjusted(i: Inputs, placed: Georeferenced, apart: Sequence[Georeferenced], 
         left = [replace(k, block=p.adjustment.given) for k, p in zip(kept, parts, strict=True)]
         told = (apart_notice(adjustment.given, left, [component_folder(k) for k in range(len(kept))]), *told)
     return Adjusted(
-        adjustment=replace(adjustment, notices=(*told, *adjustment.notices)), other_components=tuple(parts), groups=groups,
-        placed=placed, lost=(),
+        adjustment=replace(adjustment, notices=(*told, *adjustment.notices)), other_components=tuple(parts),
+        groups=groups, placed=placed, lost=(),
     )  # fmt: skip
 
 
@@ -159,7 +159,12 @@ def _put(state: OrientState, done: Adjusted) -> OrientState:
     if scenes is not None and done.lost:
         scenes = replace(scenes, lost=done.lost)
     return replace(
-        state, adjustment=done.adjustment, other_components=done.other_components, groups=done.groups, placed=done.placed, scenes=scenes
+        state,
+        adjustment=done.adjustment,
+        other_components=done.other_components,
+        groups=done.groups,
+        placed=done.placed,
+        scenes=scenes,
     )
 
 
