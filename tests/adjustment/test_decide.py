@@ -80,5 +80,5 @@ def test_a_ratio_has_no_unit_in_print():
     assert messages
     assert not any(" 1, " in m or " 1 says" in m for m in messages)
     p = result.interior[0].parameters
-    assert replace(p["A"], std=0.16).std_words == "0.16"
-    assert replace(p["x0"], std=0.16).std_words == "0.16 mm"
+    assert replace(p["A"], std=0.16).std_words() == "0.16"
+    assert replace(p["x0"], std=0.16).std_words() == "0.16 mm"

@@ -30,7 +30,7 @@ from raybundle.commands.simulate import SimulateSettings
 from raybundle.errors import InputError
 from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.settings import made, other_than_usual, setting, settings_of, toml_lines
+from raybundle.settings import made, on_the_command_line, other_than_usual, setting, settings_of, toml_lines
 
 PHOTOS = {"photos": (Path("a"),), "out": Path("b")}
 COMMANDS = [
@@ -60,8 +60,9 @@ PYTHON_ALONE = {
 def test_every_setting_is_an_option_with_help_and_every_option_a_setting(kind, command, asked):
     options = {p.name: p for p in command.params if isinstance(p, click.Option)}
     for s in settings_of(kind):
-        assert options[s.name].help == s.about.help
-        assert len(s.about.help) > 10
+        with on_the_command_line():
+            assert options[s.name].help == s.help
+        assert len(s.help) > 10
     named = {s.name for s in settings_of(kind)}
     assert options.keys() - named <= {"out", "progress", "traceback"}
     assert {f.name for f in dataclasses.fields(kind)} == named | asked.keys() | PYTHON_ALONE.get(kind, set())
@@ -78,7 +79,7 @@ def test_nothing_asked_for_on_the_command_line_is_the_default(kind, command, ask
 
     del command
     needed = {s.name: Path("b") if s.kind is Path else "b" for s in settings_of(kind) if s.default is MISSING}
-    words = [word for name in needed for word in (f"--{name}", "b")]
+    words = [word for name in needed for word in (f"--{name.replace('_', '-')}", "b")]
     assert CliRunner().invoke(probe, words).exit_code == 0
     assert made(kind, {**asked, **seen}) == made(kind, {**asked, **needed}) == kind(**asked, **needed)
     assert other_than_usual(made(kind, {**asked, **seen})) == needed
@@ -218,7 +219,7 @@ def test_a_folder_that_looks_like_two_formats_is_asked_for(tmp_path):
     rb.write_block(simulate(field_scene(TargetField(stations=3)), Survey()).truth, tmp_path / "block")
     rb.convert(tmp_path / "block", tmp_path / "model", to="colmap-text", approximate=True)
     (tmp_path / "model" / "transforms.json").write_text("{}")
-    with pytest.raises(InputError, match="looks like colmap and nerfstudio; give --from"):
+    with pytest.raises(InputError, match="looks like colmap and nerfstudio; give read_as="):
         rb.convert(tmp_path / "model", tmp_path / "again", to="block")
     assert rb.convert(tmp_path / "model", tmp_path / "again", to="block", read_as="colmap").files == 1
 
