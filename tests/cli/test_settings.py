@@ -15,6 +15,7 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.cli.adjust import command as adjust_command
 from raybundle.cli.calibrate import command as calibrate_command
 from raybundle.cli.calibration import command as calibration_command
+from raybundle.cli.compare import command as compare_command
 from raybundle.cli.convert import command as convert_command
 from raybundle.cli.empirical import command as empirical_command
 from raybundle.cli.film import command as film_command
@@ -38,6 +39,7 @@ from raybundle.commands.calibrations import (
     CalibrationListSettings,
     ZoomSettings,
 )
+from raybundle.commands.compare import CompareSettings
 from raybundle.commands.convert import ConvertSettings
 from raybundle.commands.empirical import EmpiricalSettings
 from raybundle.commands.film import FilmSettings
@@ -62,6 +64,7 @@ COMMANDS = [
     (RectifySettings, rectify_command, {"source": Path("a")}),
     (FlightSettings, flight_command, {}),
     (SimulateSettings, simulate_command, {"scene": "ring", "out": Path("b")}),
+    (CompareSettings, compare_command, {"first": Path("a"), "second": Path("b")}),
     (FilmSettings, film_command, {"marks": Path("a")}),
     (EmpiricalSettings, empirical_command, {"points": Path("a")}),
     (PhotosSettings, photos_command, {"photos": (Path("a"),)}),
