@@ -17,6 +17,7 @@
 #include "factor.hpp"
 #include "imaging.hpp"
 #include "problem.hpp"
+#include "tables.hpp"
 #include "targets.hpp"
 
 namespace nb = nanobind;
@@ -303,6 +304,29 @@ NB_MODULE(_native, m) {
     d.syrk = reinterpret_cast<decltype(d.syrk)>(syrk);
     d.gemm = reinterpret_cast<decltype(d.gemm)>(gemm);
   });
+
+  nb::class_<Columns>(m, "Columns")
+      .def("__init__", [](Columns* c, const std::vector<bool>& is_number) {
+        if (is_number.empty() || is_number.size() > 4096) throw std::invalid_argument("the number of columns is not from 1 to 4096");
+        new (c) Columns(is_number);
+      })
+      .def("add", [](Columns& c, nb::bytes rows) { return c.add({rows.c_str(), rows.size()}); })
+      .def_prop_ro("rows", &Columns::rows)
+      .def("different", [](const Columns& c, size_t column) { return c.text_column(column).texts.size(); })
+      .def("number", [](const Columns& c, size_t column) {
+        const auto& values = c.number_column(column);
+        auto found = array<double>({values.size()});
+        std::copy(values.begin(), values.end(), found.data());
+        return found;
+      })
+      .def("text", [](const Columns& c, size_t column) {
+        const TextColumn& text = c.text_column(column);
+        auto codes = array<int32_t>({text.codes.size()});
+        std::copy(text.codes.begin(), text.codes.end(), codes.data());
+        std::string texts;  // divided by line ends, which none of them holds
+        for (const auto& t : text.texts) (texts += t) += '\n';
+        return nb::make_tuple(codes, nb::bytes(texts.data(), texts.size()));
+      });
 
   nb::class_<Solver>(m, "Solver")
       .def(nb::init<>())

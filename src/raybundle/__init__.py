@@ -12,6 +12,8 @@
     rb.calibrate("board/", "calibration", target="chessboard-9x6")
     rb.convert("facade-project/result", "model", to="colmap")
     rb.rectify("facade-project", "facade.tif", pixel=0.002)
+    rb.film("fiducials.csv", "film", calibrated="certificate.csv", camera="rmk.toml")
+    rb.rpc_correct("scene.XML", "control.csv", bias="shift", out="corrected_RPC.TXT")
 
 Names are loaded when they are first used: `import raybundle` alone loads neither NumPy nor SciPy.
 """
@@ -26,10 +28,55 @@ if TYPE_CHECKING:
     from raybundle.block.merge import merge_blocks
     from raybundle.block.transform import transform_block
     from raybundle.commands.calibrate import CalibrateSettings, calibrate
+    from raybundle.commands.calibrations import (
+        CalibrationAddSettings,
+        CalibrationCompareSettings,
+        CalibrationConvertSettings,
+        CalibrationFindSettings,
+        CalibrationListSettings,
+        ZoomSettings,
+        calibrate_zoom,
+        compare_calibrations,
+        convert_calibration,
+        find_calibration,
+        keep_calibration,
+        kept_calibrations,
+    )
     from raybundle.commands.convert import Converted, ConvertSettings, convert
+    from raybundle.commands.empirical import (
+        Empirical,
+        EmpiricalSettings,
+        empirical,
+    )
+    from raybundle.commands.film import (
+        FilmSettings,
+        StraightFilm,
+        film,
+    )
     from raybundle.commands.measure import adjust_marks, export_marks, mark, marks, query, transform_to_points
     from raybundle.commands.orient import OrientSettings, orient
+    from raybundle.commands.photos import (
+        FramesSettings,
+        PhotosSettings,
+        frames,
+        photos,
+    )
     from raybundle.commands.rectify import Rectification, RectifySettings, rectify
+    from raybundle.commands.rpc import (
+        RpcCorrectSettings,
+        RpcFitSettings,
+        RpcProjectSettings,
+        rpc_correct,
+        rpc_fit,
+        rpc_project,
+    )
+    from raybundle.commands.target_settings import (
+        ChooseSettings,
+        DetectSettings,
+        SheetSettings,
+        choose_targets,
+        write_target_sheet,
+    )
     from raybundle.commands.targets import detect_targets
     from raybundle.errors import InputError, NotSolvable, RaybundleError
     from raybundle.io.block.folder import read_block, write_block
@@ -62,11 +109,22 @@ _HOME = {
     "Block": "block",
     "CalibrateSettings": "commands.calibrate",
     "Calibration": "workflows.calibrate_state",
+    "CalibrationAddSettings": "commands.calibrations",
+    "CalibrationCompareSettings": "commands.calibrations",
+    "CalibrationConvertSettings": "commands.calibrations",
+    "CalibrationFindSettings": "commands.calibrations",
+    "CalibrationListSettings": "commands.calibrations",
     "Camera": "block",
+    "ChooseSettings": "commands.target_settings",
     "ConvertSettings": "commands.convert",
     "Converted": "commands.convert",
+    "DetectSettings": "commands.target_settings",
     "Distances": "block",
+    "Empirical": "commands.empirical",
+    "EmpiricalSettings": "commands.empirical",
+    "FilmSettings": "commands.film",
     "Flight": "planning.uav_networks",
+    "FramesSettings": "commands.photos",
     "Images": "block",
     "InputError": "errors",
     "Instrument": "block",
@@ -74,23 +132,41 @@ _HOME = {
     "Observations": "block",
     "OrientSettings": "commands.orient",
     "Orientation": "workflows.orient",
+    "PhotosSettings": "commands.photos",
     "Points": "block",
     "RaybundleError": "errors",
     "Rectification": "commands.rectify",
     "RectifySettings": "commands.rectify",
     "Role": "block",
+    "RpcCorrectSettings": "commands.rpc",
+    "RpcFitSettings": "commands.rpc",
+    "RpcProjectSettings": "commands.rpc",
+    "SheetSettings": "commands.target_settings",
     "SimilarityTransform": "numerics.transform",
     "Stations": "block",
+    "StraightFilm": "commands.film",
+    "ZoomSettings": "commands.calibrations",
     "adjust": "workflows.adjust",
     "adjust_marks": "commands.measure",
     "calibrate": "commands.calibrate",
+    "calibrate_zoom": "commands.calibrations",
+    "choose_targets": "commands.target_settings",
+    "compare_calibrations": "commands.calibrations",
     "convert": "commands.convert",
+    "convert_calibration": "commands.calibrations",
     "detect_targets": "commands.targets",
+    "empirical": "commands.empirical",
     "export_marks": "commands.measure",
+    "film": "commands.film",
+    "find_calibration": "commands.calibrations",
+    "frames": "commands.photos",
+    "keep_calibration": "commands.calibrations",
+    "kept_calibrations": "commands.calibrations",
     "mark": "commands.measure",
     "marks": "commands.measure",
     "merge_blocks": "block.merge",
     "orient": "commands.orient",
+    "photos": "commands.photos",
     "plan_flight": "planning.flight",
     "plot_control": "report.pictures",
     "plot_interior": "report.pictures",
@@ -101,6 +177,9 @@ _HOME = {
     "read_block": "io.block.folder",
     "read_result": "results.folder",
     "rectify": "commands.rectify",
+    "rpc_correct": "commands.rpc",
+    "rpc_fit": "commands.rpc",
+    "rpc_project": "commands.rpc",
     "show": "report.show",
     "table": "report.tables",
     "table_names": "report.tables",
@@ -111,6 +190,7 @@ _HOME = {
     "write_network_page": "report.network_page",
     "write_report": "report.document",
     "write_result": "report.write",
+    "write_target_sheet": "commands.target_settings",
 }
 
 __all__ = [
@@ -119,11 +199,22 @@ __all__ = [
     "Block",
     "CalibrateSettings",
     "Calibration",
+    "CalibrationAddSettings",
+    "CalibrationCompareSettings",
+    "CalibrationConvertSettings",
+    "CalibrationFindSettings",
+    "CalibrationListSettings",
     "Camera",
+    "ChooseSettings",
     "ConvertSettings",
     "Converted",
+    "DetectSettings",
     "Distances",
+    "Empirical",
+    "EmpiricalSettings",
+    "FilmSettings",
     "Flight",
+    "FramesSettings",
     "Images",
     "InputError",
     "Instrument",
@@ -131,24 +222,42 @@ __all__ = [
     "Observations",
     "OrientSettings",
     "Orientation",
+    "PhotosSettings",
     "Points",
     "RaybundleError",
     "Rectification",
     "RectifySettings",
     "Role",
+    "RpcCorrectSettings",
+    "RpcFitSettings",
+    "RpcProjectSettings",
+    "SheetSettings",
     "SimilarityTransform",
     "Stations",
+    "StraightFilm",
+    "ZoomSettings",
     "__version__",
     "adjust",
     "adjust_marks",
     "calibrate",
+    "calibrate_zoom",
+    "choose_targets",
+    "compare_calibrations",
     "convert",
+    "convert_calibration",
     "detect_targets",
+    "empirical",
     "export_marks",
+    "film",
+    "find_calibration",
+    "frames",
+    "keep_calibration",
+    "kept_calibrations",
     "mark",
     "marks",
     "merge_blocks",
     "orient",
+    "photos",
     "plan_flight",
     "plot_control",
     "plot_interior",
@@ -159,6 +268,9 @@ __all__ = [
     "read_block",
     "read_result",
     "rectify",
+    "rpc_correct",
+    "rpc_fit",
+    "rpc_project",
     "show",
     "table",
     "table_names",
@@ -169,6 +281,7 @@ __all__ = [
     "write_network_page",
     "write_report",
     "write_result",
+    "write_target_sheet",
 ]
 
 

@@ -1,15 +1,21 @@
-"""Settings: fields of a frozen data class with the help, limits and names that every user of them needs."""
+"""Settings: fields of a frozen data class with the help, limits and names that every user of them needs.
+
+A message names a setting by `option`, never by its flag: who works in Python reads another spelling.
+"""
 
 from __future__ import annotations
 
 import dataclasses
 import json
 import math
-from collections.abc import Iterator, Mapping, Sequence
+import re
+from collections.abc import Generator, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import MISSING, dataclass, field
 from functools import cache
 from os import PathLike
 from pathlib import Path
+from shlex import quote
 from typing import Any, Literal, TypeVar, cast, get_args, get_origin, get_type_hints
 
 from raybundle.errors import InputError
@@ -45,13 +51,67 @@ METRES = Range(low=0, high=1e6, above=True)
 Part = Range | Literal["text"]
 
 
+@dataclass(slots=True)
+class _Face:
+    """Where messages are read: words that are kept in a project are those of the run that made them."""
+
+    flags: bool = False
+
+
+_face = _Face()
+
+
+def with_flags() -> bool:
+    """Whether messages are read on the command line, where a setting is a flag."""
+    return _face.flags
+
+
+def read_with_flags(flags: bool) -> None:  # noqa: FBT001  (what a process begins with)
+    """Say for all threads of this process where its messages are read."""
+    _face.flags = flags
+
+
+@contextmanager
+def on_the_command_line() -> Generator[None]:
+    """Messages made meanwhile name settings by their flags."""
+    before = _face.flags
+    _face.flags = True
+    try:
+        yield
+    finally:
+        _face.flags = before
+
+
+def option(name: str, *values: object, flag: str = "") -> str:
+    """A setting as the reader of a message writes it: a flag with values, or `size=(WIDTH, HEIGHT)` in Python.
+
+    values  what to give it; words in capitals stand for values of the reader's own, True and False for a flag alone
+    flag    its name on the command line, where that is not the field's: option("gps", False, flag="no-gps")
+    """
+    if _face.flags:
+        words = [f"--{flag or name.replace('_', '-')}", *(quote(_plain(v)) for v in values if not isinstance(v, bool))]
+        return " ".join(words)
+    parts = [json.dumps(v, ensure_ascii=False) if _is_text(v) else _plain(v) for v in values]
+    return f"{name}={parts[0] if len(parts) == 1 else '(' + ', '.join(parts) + ')' if parts else ''}"
+
+
+def _plain(value: object) -> str:
+    return f"{value:g}" if isinstance(value, float) else str(value)
+
+
+def _is_text(value: object) -> bool:
+    """Whether it is a text that is meant as it stands, and no value of the reader's own."""
+    return isinstance(value, str) and re.fullmatch("[A-Z]+", value) is None
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class About:
     """What is known of a setting beside its type and default."""
 
-    help: str
+    words: str
+    """its help; other settings stand there as {name}"""
     flag: str = ""
-    """on the command line, where that is not the field's name"""
+    """its name on the command line, where that is not the field's"""
     metavar: str = ""
     limits: tuple[Part, ...] = ()
     """of a number, or of each number and text of a tuple"""
@@ -59,15 +119,20 @@ class About:
     """whether the texts of a tuple stand in one, with commas between, where they are typed"""
     unsaid: bool = False
     """whether the default is what holds where nothing is said, and no word of the command line"""
+    typed: str = ""
+    """the default as it is typed, where that is not its value: 5mm"""
 
 
 def setting(
     default: Any, help_: str, *, flag: str = "", metavar: str = "", limits: Part | tuple[Part, ...] = (),
-    joined: bool = False, unsaid: bool = False,
+    joined: bool = False, unsaid: bool = False, typed: str = "",
 ) -> Any:  # fmt: skip
-    """A field of a data class of settings; with MISSING for its default it has to be given."""
+    """A field of a data class of settings; with MISSING for its default it has to be given.
+
+    help_  names another setting as {name}, which stands as a flag on the command line
+    """
     parts = limits if isinstance(limits, tuple) else (limits,)
-    about = About(help=help_, flag=flag, metavar=metavar, limits=parts, joined=joined, unsaid=unsaid)
+    about = About(words=help_, flag=flag, metavar=metavar, limits=parts, joined=joined, unsaid=unsaid, typed=typed)
     return field(default=default, metadata={"about": about})
 
 
@@ -80,6 +145,16 @@ class Setting:
     """annotated type"""
     default: Any
     about: About
+
+    @property
+    def flag(self) -> str:
+        """Its name on the command line, after the dashes."""
+        return self.about.flag or self.name.replace("_", "-")
+
+    @property
+    def help(self) -> str:
+        """What it is, with other settings as the reader writes them."""
+        return re.sub(r"\{(\w+)\}", lambda found: option(found[1]), self.about.words)
 
     @property
     def optional(self) -> bool:

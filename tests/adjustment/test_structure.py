@@ -131,4 +131,4 @@ def test_a_block_of_found_points_adjusted_with_white_noise_is_told_of_smooth_err
     result = adjust(found, AdjustmentOptions(threads=1, tolerance=1e-3, noise=noise))
     notices = [n.message for n in result.notices if n.code == "residual_structure"]
     assert bool(notices) is told
-    assert not told or "--noise fields" in notices[0]
+    assert not told or 'noise="fields"' in notices[0]

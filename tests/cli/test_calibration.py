@@ -172,7 +172,7 @@ def test_a_result_is_kept_with_its_covariance_and_found(tmp_path, capsys):
 
 def test_add_by_words_and_its_refusals(ours, tmp_path, capsys):
     library = tmp_path / "library"
-    with pytest.raises(InputError, match="--model and --focal"):
+    with pytest.raises(InputError, match="model= and focal="):
         run("add", ours, "--library", library)
     run("add", ours, "--make", "Maker", "--model", "One", "--focal", 28, "--date", "2026-05-01", "--library", library)
     run("list", "--json", "--library", library)

@@ -2,6 +2,8 @@
 
 import json
 import re
+import shutil
+import subprocess
 import sys
 from dataclasses import replace
 
@@ -195,14 +197,57 @@ def test_an_oriented_project_knows_where_its_photographs_are(photographs, tmp_pa
     assert np.all(np.frombuffer(body, row)["rgb"][:, 2] == 90)
 
 
+def test_a_project_is_converted_as_its_result(free_and_fixed, tmp_path):
+    project = tmp_path / "project"
+    shutil.copytree(free_and_fixed / "fixed", project / "result")
+    (project / "project.db").touch()
+    convert(project, "--to", "colmap-text", "--out", tmp_path / "a", "--approximate")
+    convert(free_and_fixed / "fixed", "--to", "colmap-text", "--out", tmp_path / "b", "--approximate")
+    for file in sorted(p.name for p in (tmp_path / "b").iterdir()):
+        assert (tmp_path / "a" / file).read_bytes() == (tmp_path / "b" / file).read_bytes()
+    shutil.rmtree(project / "result")
+    with pytest.raises(InputError, match="a project without a result yet"):
+        convert(project, "--to", "colmap", "--out", tmp_path / "c")
+
+
+KILLED = """
+import os, sys
+import raybundle as rb
+from raybundle.workflows import convert
+convert.written = lambda *_, **__: os._exit(9)
+rb.convert(sys.argv[1], sys.argv[2] + "/model", to="colmap", photos=sys.argv[3], undistort="inside")
+"""
+
+
+def test_pictures_and_model_are_written_together_or_not_at_all(photographs, tmp_path, monkeypatch):
+    del photographs
+    out = tmp_path / "new"
+    out.mkdir()
+    words = [sys.executable, "-c", KILLED, tmp_path / "b", out, tmp_path / "photos"]
+    assert subprocess.run(words, check=False).returncode == 9
+    assert [p.name for p in out.iterdir() if not p.name.startswith(".")] == []
+
+    def refused(*_, **__):
+        raise InputError("cannot be written")
+
+    words = ["--to", "colmap", "--out", out / "model", "--undistort", "inside", "--photos", tmp_path / "photos"]
+    with monkeypatch.context() as m:
+        m.setattr("raybundle.workflows.convert.written", refused)
+        with pytest.raises(InputError, match="cannot be written"):
+            convert(tmp_path / "b", *words)
+    assert list(out.iterdir()) == []
+    convert(tmp_path / "b", *words)
+    assert sorted(p.name for p in out.iterdir()) == ["images", "model"]
+
+
 CASES = {
     "stands there": (["{b}", "--to", "colmap", "--out", "{b}"], "not overwritten"),
     "no input": (["{b}x", "--to", "colmap", "--out", "{o}"], "no such file"),
     "not recognised": (["{b}/images.csv", "--to", "colmap", "--out", "{o}"], "not recognised"),
     "suffix": (["{b}", "--to", "kml", "--out", "{o}.txt", "--crs", "EPSG:32632"], "ends in .kml"),
-    "no system": (["{b}", "--to", "kml", "--out", "{o}.kml"], "--crs"),
-    "origin alone": (["{b}", "--to", "ply", "--out", "{o}.ply", "--origin", "1", "2", "3"], "give --crs too"),
-    "no photographs": (["{b}", "--to", "colmap", "--out", "{o}", "--undistort", "all"], "--photos FOLDER"),
+    "no system": (["{b}", "--to", "kml", "--out", "{o}.kml"], "crs="),
+    "origin alone": (["{b}", "--to", "ply", "--out", "{o}.ply", "--origin", "1", "2", "3"], "give crs= too"),
+    "no photographs": (["{b}", "--to", "colmap", "--out", "{o}", "--undistort", "all"], "photos=FOLDER"),
     "wrong folder": (
         ["{b}", "--to", "colmap", "--out", "{o}", "--undistort", "all", "--photos", "{b}"],
         "no photograph of the block could be read",
@@ -266,7 +311,9 @@ def test_a_free_scale_is_called_free(free_and_fixed):
 def test_formats_in_metres_want_a_length(free_and_fixed, tmp_path, capsys):
     pytest.importorskip("laspy")
     for name in ("free", "free/block"):
-        with pytest.raises(InputError, match="scale of the block is free, .* las counts in metres; .* or --free-scale"):
+        with pytest.raises(
+            InputError, match="scale of the block is free, .* las counts in metres; .* or free_scale=True"
+        ):
             convert(free_and_fixed / name, "--to", "las", "--out", tmp_path / "a.las")
     assert not (tmp_path / "a.las").exists()
     with pytest.raises(InputError, match="kml counts in metres"):

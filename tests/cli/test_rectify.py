@@ -278,3 +278,11 @@ def test_a_plane_of_few_points_is_a_caution(wall, tmp_path, capsys):
     told = capsys.readouterr().out
     assert "plane of 18 of 56 points" in told
     assert "caution: 32 % of the points lie in this plane" in told
+
+
+@pytest.mark.parametrize("given", [{"model": "affine"}, {"mark_sigma": 1.0}, {"control": "marks.csv"}])
+def test_what_belongs_to_a_photograph_is_refused_with_a_result(wall, tmp_path, given):
+    (name,) = given
+    with pytest.raises(InputError, match=f"{name}= belongs to a single PHOTO"):
+        rb.rectify(wall[0] / "result", tmp_path / "a.tif", **given)
+    assert not list(tmp_path.iterdir())

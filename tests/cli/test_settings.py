@@ -14,23 +14,46 @@ import raybundle as rb
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.cli.adjust import command as adjust_command
 from raybundle.cli.calibrate import command as calibrate_command
+from raybundle.cli.calibration import command as calibration_command
+from raybundle.cli.compare import command as compare_command
 from raybundle.cli.convert import command as convert_command
+from raybundle.cli.empirical import command as empirical_command
+from raybundle.cli.film import command as film_command
+from raybundle.cli.frames import command as frames_command
 from raybundle.cli.orient import command as orient_command
+from raybundle.cli.photos import command as photos_command
 from raybundle.cli.plan import flight as flight_command
 from raybundle.cli.rectify import command as rectify_command
+from raybundle.cli.rpc import command as rpc_command
 from raybundle.cli.settings import options_of, values_of
 from raybundle.cli.simulate import command as simulate_command
+from raybundle.cli.targets import ON_SHEET
+from raybundle.cli.targets import command as targets_command
 from raybundle.commands.adjust import AdjustSettings, run_adjust
 from raybundle.commands.calibrate import CalibrateSettings
+from raybundle.commands.calibrations import (
+    CalibrationAddSettings,
+    CalibrationCompareSettings,
+    CalibrationConvertSettings,
+    CalibrationFindSettings,
+    CalibrationListSettings,
+    ZoomSettings,
+)
+from raybundle.commands.compare import CompareSettings
 from raybundle.commands.convert import ConvertSettings
+from raybundle.commands.empirical import EmpiricalSettings
+from raybundle.commands.film import FilmSettings
 from raybundle.commands.orient import OrientSettings
+from raybundle.commands.photos import FramesSettings, PhotosSettings
 from raybundle.commands.plan import FlightSettings
 from raybundle.commands.rectify import RectifySettings
+from raybundle.commands.rpc import RpcCorrectSettings, RpcFitSettings, RpcProjectSettings
 from raybundle.commands.simulate import SimulateSettings
+from raybundle.commands.target_settings import ChooseSettings, DetectSettings, SheetSettings
 from raybundle.errors import InputError
 from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.settings import made, other_than_usual, setting, settings_of, toml_lines
+from raybundle.settings import made, on_the_command_line, other_than_usual, setting, settings_of, toml_lines
 
 PHOTOS = {"photos": (Path("a"),), "out": Path("b")}
 COMMANDS = [
@@ -41,7 +64,28 @@ COMMANDS = [
     (RectifySettings, rectify_command, {"source": Path("a")}),
     (FlightSettings, flight_command, {}),
     (SimulateSettings, simulate_command, {"scene": "ring", "out": Path("b")}),
+    (CompareSettings, compare_command, {"first": Path("a"), "second": Path("b")}),
+    (FilmSettings, film_command, {"marks": Path("a")}),
+    (EmpiricalSettings, empirical_command, {"points": Path("a")}),
+    (PhotosSettings, photos_command, {"photos": (Path("a"),)}),
+    (FramesSettings, frames_command, {"video": Path("a")}),
+    (RpcProjectSettings, rpc_command.commands["project"], {"scene": Path("a"), "points": Path("b")}),
+    (RpcCorrectSettings, rpc_command.commands["correct"], {"scene": Path("a"), "points": Path("b")}),
+    (RpcFitSettings, rpc_command.commands["fit"], {"scene": Path("a")}),
+    (SheetSettings, targets_command.commands["sheet"], {}),
+    (ChooseSettings, targets_command.commands["choose"], {}),
+    (DetectSettings, targets_command.commands["detect"], {"photos": (Path("a"),)}),
+    (CalibrationConvertSettings, calibration_command.commands["convert"], {"source": Path("a")}),
+    (CalibrationCompareSettings, calibration_command.commands["compare"], {"first": Path("a"), "second": Path("b")}),
+    (CalibrationAddSettings, calibration_command.commands["add"], {"source": Path("a")}),
+    (CalibrationListSettings, calibration_command.commands["list"], {}),
+    (CalibrationFindSettings, calibration_command.commands["find"], {"photo": Path("a")}),
+    (ZoomSettings, calibration_command.commands["zoom"], {"results": (Path("a"),)}),
 ]
+EXPLAINED_BY_THEIR_WORDS = {(FilmSettings, "model"), (SheetSettings, "paper"), (ChooseSettings, "count")}
+"""Settings without a help text."""
+TYPES = {SheetSettings: {"spacing": ON_SHEET, "dot_radius": ON_SHEET}}
+"""How options are typed, where not as their fields."""
 PYTHON_ALONE = {
     AdjustSettings: {
         "datum_over",
@@ -60,10 +104,11 @@ PYTHON_ALONE = {
 def test_every_setting_is_an_option_with_help_and_every_option_a_setting(kind, command, asked):
     options = {p.name: p for p in command.params if isinstance(p, click.Option)}
     for s in settings_of(kind):
-        assert options[s.name].help == s.about.help
-        assert len(s.about.help) > 10
+        with on_the_command_line():
+            assert (options[s.name].help or "") == s.help
+        assert len(s.help) > 6 or (kind, s.name) in EXPLAINED_BY_THEIR_WORDS
     named = {s.name for s in settings_of(kind)}
-    assert options.keys() - named <= {"out", "progress", "traceback"}
+    assert options.keys() - named <= {"out", "progress", "traceback", "as_json"}
     assert {f.name for f in dataclasses.fields(kind)} == named | asked.keys() | PYTHON_ALONE.get(kind, set())
 
 
@@ -72,13 +117,14 @@ def test_nothing_asked_for_on_the_command_line_is_the_default(kind, command, ask
     seen = {}
 
     @click.command()
-    @options_of(kind)
+    @options_of(kind, **TYPES.get(kind, {}))
     def probe(**given):
         seen.update(values_of(kind, given))
 
     del command
-    needed = {s.name: Path("b") if s.kind is Path else "b" for s in settings_of(kind) if s.default is MISSING}
-    words = [word for name in needed for word in (f"--{name}", "b")]
+    of_kind = {Path: Path("b"), str: "b", int: 3}
+    needed = {s.name: of_kind[s.kind] for s in settings_of(kind) if s.default is MISSING}
+    words = [word for name in needed for word in (f"--{name.replace('_', '-')}", str(needed[name]))]
     assert CliRunner().invoke(probe, words).exit_code == 0
     assert made(kind, {**asked, **seen}) == made(kind, {**asked, **needed}) == kind(**asked, **needed)
     assert other_than_usual(made(kind, {**asked, **seen})) == needed
@@ -218,7 +264,7 @@ def test_a_folder_that_looks_like_two_formats_is_asked_for(tmp_path):
     rb.write_block(simulate(field_scene(TargetField(stations=3)), Survey()).truth, tmp_path / "block")
     rb.convert(tmp_path / "block", tmp_path / "model", to="colmap-text", approximate=True)
     (tmp_path / "model" / "transforms.json").write_text("{}")
-    with pytest.raises(InputError, match="looks like colmap and nerfstudio; give --from"):
+    with pytest.raises(InputError, match="looks like colmap and nerfstudio; give read_as="):
         rb.convert(tmp_path / "model", tmp_path / "again", to="block")
     assert rb.convert(tmp_path / "model", tmp_path / "again", to="block", read_as="colmap").files == 1
 

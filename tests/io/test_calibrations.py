@@ -267,7 +267,7 @@ distortion_coefficients: {rows: 1, cols: 5, data: [-0.3, .1, 1e-3, -1e-3, 0]}
     assert (found.camera.cx, found.camera.k2, found.camera.p2) == (320.0, 0.1, -1e-3)
     plain = {"mtx": [[530.5, 0, 319.5], [0, 531.5, 239.5], [0, 0, 1]], "dist": [[-0.3, 0.1, 1e-3, -1e-3, 0]]}
     (tmp_path / "c.json").write_text(json.dumps(plain))
-    with pytest.raises(InputError, match="--size"):
+    with pytest.raises(InputError, match="size=.WIDTH, HEIGHT"):
         read_calibrations(tmp_path / "c.json")
     (same,) = read_calibrations(tmp_path / "c.json", size_px=(640, 480))
     assert same.camera == found.camera
@@ -381,7 +381,7 @@ BAD = {
     "au.txt": ("  H 4000 0.005\n  XP 0.1\n  C 28\n", "YP"),
     "pm.txt": ("Fw\n Value: 24 mm\nFh\n Value: 16 mm\n", "Focal Length"),
     "mi.xml": ("<ExportAPERO><CalibrationInternConique></CalibrationInternConique></ExportAPERO>", "KnownConv"),
-    "x.txt": ("nothing of the kind\n", "--from"),
+    "x.txt": ("nothing of the kind\n", "give read_as="),
     "y.toml": ("[cameras.1]\nmodel = 'brown'\n", "width_px"),
 }
 

@@ -14,7 +14,7 @@ import pytest
 
 from raybundle.errors import InputError
 from raybundle.measuring.actions import VERBS, Move, Put, Redo, SetBar, Undo, action_of
-from raybundle.measuring.journal import Journal, entries_of, journal_path, state_of
+from raybundle.measuring.journal import Journal, entries_of, journal_path, measured_result, state_of
 from raybundle.measuring.known import Known
 
 KNOWN = Known.of_photos({"a.jpg": (400, 300), "b.jpg": (400, 300)})
@@ -189,6 +189,20 @@ def test_where_the_journal_is(tmp_path, monkeypatch):
     (project / "project.db").unlink()
     monkeypatch.chdir(project)
     assert journal_path(".") == tmp_path / "facade.measured.db"
+
+
+def test_a_project_has_one_journal_by_whatever_name(tmp_path):
+    project = tmp_path / "facade"
+    (project / "result" / "block").mkdir(parents=True)
+    (project / "project.db").touch()
+    for folder in (project, project / "result", project / "result" / "block"):
+        assert journal_path(folder) == project / "measured.db"
+        assert measured_result(folder) == project / "measured-result"
+    assert journal_path(project / "result-2") == project / "result-2.measured.db"
+    (project / "result.measured.db").touch()
+    with pytest.raises(InputError, match="a project has one journal"):
+        journal_path(project / "result")
+    assert journal_path(project) == project / "measured.db"
 
 
 @pytest.mark.parametrize("content", [b"no database at all, only text that is long enough", b""])

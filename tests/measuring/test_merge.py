@@ -13,7 +13,7 @@ from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block
 from raybundle.io.geo.control_files import read_control
 from raybundle.measuring.actions import Point, Put, Reject, Rename, SetBar, SetDatum, SetLine
-from raybundle.measuring.export import write_csv, write_gcp_list, write_merged_block
+from raybundle.measuring.export import lost_in_csv, lost_in_gcp_list, write_csv, write_gcp_list, write_merged_block
 from raybundle.measuring.known import Known
 from raybundle.measuring.merge import merge
 from raybundle.measuring.predict import predict
@@ -226,6 +226,23 @@ def test_a_gcp_list_is_read_as_control(measured, tmp_path):
     assert len(read.measurements) == len(state.marks_of("point 0, é"))
     with pytest.raises(InputError, match="nothing to export"):
         write_gcp_list(EMPTY, tmp_path / "gcp_list.txt", Known.of(block), "EPSG:32633")
+
+
+def test_what_a_file_cannot_hold_is_told(measured, tmp_path):
+    _, state = measured
+    assert lost_in_csv(EMPTY) == lost_in_gcp_list(EMPTY) == ()
+    more = folded([
+        *(Point(point=n, role="check", xyz=(1.0, 2.0, 3.0)) for n in "abc"),
+        SetBar(start="a", end="b", length=2.0, sigma=0.1), SetLine(line="edge", points=("a", "b", "c"), sigma=0.1),
+        SetDatum(origin="a", axis="b", plane="c"),
+    ])  # fmt: skip
+    (told,) = lost_in_csv(more)
+    assert told == (
+        "a CSV of points does not hold: 1 scale bar, 1 line, coordinate system by points; a block folder holds all"
+    )
+    (told,) = lost_in_gcp_list(state)
+    assert "1 point without all three coordinates" in told
+    assert "standard deviation of points" in told
 
 
 def test_a_block_holds_all(measured, tmp_path):

@@ -2,6 +2,7 @@
 
 import os
 import time
+from contextlib import nullcontext
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -13,6 +14,7 @@ from raybundle.pipeline.executors import Processes, Threads, _read, _written
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.store import Folder
 from raybundle.pipeline.tasks import Task, function_of
+from raybundle.settings import on_the_command_line, option
 
 HERE = "tests.pipeline.test_executors"
 
@@ -33,6 +35,11 @@ def total(store: Folder, options: Sum):
     if options.number == 13:
         raise ZeroDivisionError
     return {"sum": options.number + sum((store.held(k)["sum"] for k in options.of), np.zeros(2))}
+
+
+def named(store: Folder, options: Sum):
+    del store, options
+    return {"control": np.array(option("control"))}
 
 
 def where(store: Folder, options: Sum):
@@ -98,6 +105,13 @@ def test_processes_are_others_and_use_one_thread(store, monkeypatch):
     here = list(Threads(2).run([task(1, function="where", small=True)], store))
     assert int(here[0].product["process"]) == os.getpid()
     assert not any(store.has(d.task.key) for d in (*done, *here))  # small products are handed back
+
+
+def test_messages_of_processes_name_settings_as_those_of_their_parent(store):
+    for flags in (False, True):
+        with on_the_command_line() if flags else nullcontext():
+            (done,) = Processes(1).run([task(1, function="named", small=True)], store)
+        assert str(done.product["control"]) == ("--control" if flags else "control=")
 
 
 def test_a_task_can_be_written_down():

@@ -199,15 +199,15 @@ def test_printed_tags_can_be_measured(tmp_path):
 def test_boards_that_cannot_be_printed():
     o = SheetOptions()
     for family, spacing, message in (
-        ("chessboard-9x6", 30.0, "a spacing of 19.0 mm at most, a larger paper, or --lying"),
+        ("chessboard-9x6", 30.0, "a spacing of 19.0 mm at most, a larger paper, or lying=True"),
         ("chessboard-9x6", 0.0, "must be above 0"),
         ("circles-5x4", 10.0, "too large for raster of 5 x 4 dots at a spacing of 10 mm: 3.8 mm at most"),
-        ("photomodeler-sheet", 10.0, "rings of 4.3 radii stand around four of them: give --dot-radius, 1.6mm at most"),
+        ("photomodeler-sheet", 10.0, "rings of 4.3 radii stand around four of them: give dot_radius=, 1.6mm at most"),
     ):
         with pytest.raises(InputError, match=message):
             design_board(target(family), spacing, o)
     light = SheetOptions(polarity="light")
-    with pytest.raises(InputError, match="dark on light: leave out --polarity light"):
+    with pytest.raises(InputError, match='dark on light: leave out polarity="light"'):
         design_board(target("circles-5x4"), 20.0, light)
     for ids, side, message in (
         ([600], 30.0, "no tag 600; its 587"),

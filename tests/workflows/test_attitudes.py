@@ -155,7 +155,7 @@ def test_a_grid_needs_its_system_and_its_convergence_is_taken_out(flight, tmp_pa
     write_trajectory(in_grid, tmp_path / "grid.csv", name="opk")
     apart = opk_from_rotation(grid)[:, 2] - opk_from_rotation(told.rotation)[:, 2]
     assert np.degrees(np.abs(np.arctan2(np.sin(apart), np.cos(apart)))).min() > 1.5
-    with pytest.raises(InputError, match="no coordinate system is told; give --crs"):
+    with pytest.raises(InputError, match="no coordinate system is told; give crs="):
         placed(flight, tmp_path / "grid.csv")
     done, _ = placed(flight, tmp_path / "grid.csv", rng=rng, crs=UTM)
     ins = next(r for r in adjust_block(done.block).interior if r.camera == "ins").parameters
@@ -247,7 +247,7 @@ def test_gimbal_angles_of_the_photographs_are_observed_where_asked_for(flight, t
     unstated, remarks = placed(flight, file, rng=rng)
     assert "without standard deviations: they are not used" in remarks[0]
     assert len(unstated.block.attitudes) == 0
-    with pytest.raises(InputError, match="give --attitude-sigma TILT HEADING"):
+    with pytest.raises(InputError, match="give attitude_sigma=.TILT, HEADING"):
         placed(flight, file, use="rpy-ned")
     with pytest.raises(InputError, match="has attitudes as rpy-ned, not as opk"):
         placed(flight, file, use="opk", sigma_deg=(0.3, 0.3))
@@ -269,7 +269,7 @@ def test_gimbals_alone():
     about = np.swapaxes(R, 1, 2) @ found.covariance @ R
     assert np.degrees(np.sqrt(np.diagonal(about, axis1=1, axis2=2))) == pytest.approx(np.tile([0.2, 0.2, 2.0], (2, 1)))
     assert attitudes_of_gimbals([Shot("a.jpg", 1, 1, Facts())], sigma=None) is None
-    with pytest.raises(InputError, match="neither --positions nor the photographs have any"):
+    with pytest.raises(InputError, match="neither positions= nor the photographs have any"):
         find_attitudes([Shot("a.jpg", 1, 1, Facts())], None, use="gimbal", sigma_deg=None, crs=None)
 
 

@@ -94,7 +94,7 @@ def test_targets_on_too_few_of_the_photographs_are_named(tmp_path):
     assert shown.looked_at == ("0.png", "1.png", "2.png")
     told = _no_targets(shown)
     assert "fewer than half of the 3 photographs that were looked at (0.png, 1.png, 2.png)" in told
-    assert "--target a" in told
+    assert 'target="a' in told
 
 
 def test_a_folder_above_the_photographs_is_said(tmp_path):
@@ -110,7 +110,7 @@ def test_a_board_that_is_not_seen_whole_must_be_named(tmp_path):
     sheet = design_board(target("chessboard-13x9"), 13, SheetOptions())
     views = [np.array([[0.9, 0, -x], [0, 0.9, -y], [0, 0, 1.0]]) for x, y in ((70, 330), (150, 420))]
     photos = seen(tmp_path, sheet, views)
-    with pytest.raises(InputError, match=r"a chessboard is seen, but not which one.*as --target chessboard-9x6.*Tried"):
+    with pytest.raises(InputError, match=r'a chessboard is seen, but not which one.*as target="chessboard-9x6".*Tried'):
         recognised(photos)
 
 

@@ -19,6 +19,7 @@ from raybundle.errors import DatumDefect, InputError, NotSolvable
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.statistics import chi_square_tails
 from raybundle.sensors import SensorModel
+from raybundle.settings import option
 
 NAMES = ("position X", "position Y", "position Z", "rotation X", "rotation Y", "rotation Z", "scale")
 ABOUT_LINE = "rotation about a straight line"
@@ -150,7 +151,8 @@ def analyse(system: System, state: State, options: AdjustmentOptions) -> Datum:
         raise DatumDefect(
             f"{', '.join(names)} {'is' if len(names) == 1 else 'are'} not determined by control.\n"
             f"  Free: {basis.shape[1]} of 7 datum parameters.\n"
-            f"  Give one of: more control points, a scale bar, observed projection centres, or --datum auto."
+            "  Give one of: more control points, a scale bar, observed projection centres, or "
+            f"{option('datum', 'auto')}."
         )
     carriers = used.copy()
     if options.datum_points:

@@ -16,7 +16,7 @@ from raybundle.adjustment.engine import Extent, Start, adjust_block, as_start, f
 from raybundle.adjustment.known_before import against_known
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.pixel_shape import beyond_sensor, shape_limit, under_its_noise, untold_shape
-from raybundle.adjustment.result import Adjustment, InteriorResult, Notice
+from raybundle.adjustment.result import Adjustment, InteriorResult, Notice, printed_unit
 from raybundle.adjustment.separability import unlocatable
 from raybundle.adjustment.severity import Severity
 from raybundle.adjustment.wrong_control import (
@@ -292,7 +292,7 @@ def _hold(choices: Decisions, camera: Camera, symbol: str, value: float, reason:
     choices.free[camera.id] = tuple(s for s in choices.free[camera.id] if s != symbol)
     choices.not_determinable.append((camera.id, symbol))
     parameter = next(p for p in camera.sensor.parameters if p.symbol == symbol)
-    at = _in_unit(value, parameter.unit, 4) if value else "0"
+    at = _in_unit(value, printed_unit(parameter.unit, ""), 4) if value else "0"
     choices.notices.append(
         Notice(
             code="held_not_determinable",
@@ -312,7 +312,7 @@ def _is_refinement(camera: Camera, symbol: str) -> bool:
 
 
 def _in_unit(value: float, unit: str, digits: int = 2) -> str:
-    return f"{value:.{digits}g}" + ("" if unit == "1" else f" {unit}")
+    return f"{value:.{digits}g} {unit}".rstrip()
 
 
 def _hold_next(
@@ -347,7 +347,8 @@ def _least_determinable(result: Adjustment, automatic: list[str]) -> tuple[str, 
         kinds = {p.symbol: p.kind for p in model.parameters}
         for p in interior.parameters.values():
             if p.status == "not determinable" and kinds[p.symbol] in DROP_ORDER:
-                reason = f"its standard deviation is {p.std_words}, {p.effect_std_px or 0:.0f} px in the image"
+                std = p.std_words(result.length_unit)
+                reason = f"its standard deviation is {std}, {p.effect_std_px or 0:.0f} px in the image"
                 found.append(
                     (DROP_ORDER.index(kinds[p.symbol]), -(p.effect_std_px or 0), interior.camera, p.symbol, reason)
                 )

@@ -13,6 +13,7 @@ from raybundle.block import Block, Role
 from raybundle.errors import DatumDefect, InputError, NoConvergence, RankDefect, TooFewObservations, Undetermined
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.counting import counted
+from raybundle.settings import option
 
 SHARE = 1e-13
 """Share of an unknown's information that must be left after the unknowns eliminated before it.
@@ -465,6 +466,7 @@ def no_convergence(normals: Normals, state: State, iterations: int, step: float)
     lost = [u for u in shares(normals, vectors[:, values < NULL]) if u.share > 1e-4]
     return NoConvergence(
         f"no convergence after {iterations} iterations (last step {step:.2g} standard deviations). Look for gross "
-        "errors (--robust-start, --reject snooping), wrong point numbers, or better approximate values.",
+        f"errors ({option('robust_start', True)}, {option('reject', 'snooping')}), wrong point numbers, or better "
+        "approximate values.",
         undetermined=lost,
     )

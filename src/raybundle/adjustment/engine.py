@@ -25,10 +25,9 @@ from raybundle.adjustment.notices import notices_of, with_group_notices
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.own_fields import own_field_notices
 from raybundle.adjustment.precision import (
-    Cofactors,
     cofactors,
+    interior_precision,
     interior_unknowns,
-    node_cofactor,
     precision,
 )
 from raybundle.adjustment.queries import suspects
@@ -341,20 +340,17 @@ def result_of(
     redundancy = system.observations - system.unknowns + datum.defect
     square_sum = 2 * solution.cost
     sigma0 = float(np.sqrt(square_sum / redundancy)) if redundancy > 0 else float("nan")
-    variance = sigma0**2 if redundancy > 0 else 1.0
     whitened, _ = normals.residuals(solution.state)
-    covariances = None
-    if found is not None and extent != "tests":
-        covariances = (interior_precision if brief else precision)(normals, state, found, variance)
+    covariances = _covariances(work, sigma0**2 if redundancy > 0 else 1.0, extent)
     progress("statistics", 1.0)
     observations = image_statistics(system, whitened, found, sigma0, reasons)
     groups = observation_groups(normals, state, found, sigma0)
-    tests = 2 * len(system.rows) + sum(int((g.sigma > 0).sum()) for g in groups)
     interior = () if extent == "tests" else interior_results(normals, state, covariances, sigma0, redundancy)
-    interior = tuple(told_by_network(i, added, sigma0) for i in interior) if added else interior
+    if added:
+        interior = tuple(told_by_network(i, added, sigma0) for i in interior)
+    tests = 2 * len(system.rows) + sum(int((g.sigma > 0).sum()) for g in groups)
     limit = family_wise_tau(options.significance, tests, redundancy)
     told = found is not None and not brief
-    components = variance_components((system, whitened, observations, groups)) if told else ()
     if not solution.converged:
         notices = (Notice(code="weak_convergence", message=solution.trouble), *notices)
     adjustment = Adjustment(
@@ -377,7 +373,7 @@ def result_of(
         groups=groups,
         precision=covariances,
         interior=interior,
-        variance_components=components,
+        variance_components=variance_components((system, whitened, observations, groups)) if told else (),
         network=None if brief or not options.statistics else _network(work, covariances),
         not_determinable=_not_determinable(interior),
         not_significant=(),
@@ -390,6 +386,14 @@ def result_of(
     )
     own = () if brief else notices_of(adjustment, _sum_of(work, adjustment, observations, groups))
     return replace(adjustment, notices=notices + own, seconds=seconds + time.perf_counter() - began)
+
+
+def _covariances(work: Work, variance: float, extent: Extent) -> Precision | None:
+    """What the inverse says, times the variance factor, as far as it is asked for."""
+    if work.found is None or extent == "tests":
+        return None
+    take = precision if extent == "report" else interior_precision
+    return take(work.normals, work.state, work.found, variance)
 
 
 def _network(work: Work, covariances: Precision | None) -> NetworkFigures:
@@ -415,23 +419,6 @@ def _sum_of(
     if work.found is None:
         return None
     return redundancy_sum(work, work.state, work.found, observations, groups, adjustment.redundancy)
-
-
-def interior_precision(normals: Normals, state: State, found: Cofactors, variance: float) -> Precision:
-    """Covariances of the interior orientations alone; those of points and images are NaN."""
-    del state
-    system, block = normals.system, normals.system.block
-    interior: dict[str, Array] = {}
-    parameters: dict[str, tuple[str, ...]] = {}
-    for row in system.interior:
-        key, free = row.key(block), row.node >= 0
-        parameters[key] = tuple(row.model.symbols[k] for k in row.free) if free else ()
-        Q = node_cofactor(normals, found, interior_unknowns(system, row)) if free else np.zeros((0, 0))
-        interior[key] = variance * Q
-    return Precision(
-        object_points=np.full((len(block.points), 3, 3), np.nan), images=np.full((len(block.images), 6, 6), np.nan),
-        interior=interior, parameters=parameters, interior_exterior={},
-    )  # fmt: skip
 
 
 def _name(camera: str, image: str | None) -> str:

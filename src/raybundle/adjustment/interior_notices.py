@@ -18,8 +18,8 @@ def interior_notices(result: Adjustment) -> list[Notice]:
         found += [
             Notice(
                 code="not_determinable",
-                message=f"{who}: {p.symbol} is not determinable: its standard deviation {p.std_words} says less "
-                f"than is known beforehand. {_remedy(result, p.symbol)}",
+                message=f"{who}: {p.symbol} is not determinable: its standard deviation "
+                f"{p.std_words(result.length_unit)} says less than is known beforehand. {_remedy(result, p.symbol)}",
                 ids=(interior.camera if interior.image is None else f"image {interior.image}", p.symbol),
             )
             for p in interior.parameters.values()

@@ -16,6 +16,7 @@ from raybundle.adjustment.steady import CARRIED
 from raybundle.block import Camera, Relation
 from raybundle.block.known import known_before
 from raybundle.numerics.counting import counted
+from raybundle.settings import option
 
 NAMED_CAMERAS = 3
 """Cameras that a notice names; the rest are counted."""
@@ -114,7 +115,8 @@ def _contradiction(result: Adjustment, camera: Camera, interior: InteriorResult)
         message=f"camera {camera.id}: the interior orientation found is none that this camera can have: "
         f"{'; '.join(told)} (chi-square {squares:.0f} of {len(far)}, limit {limit:.1f} at {100 * LEVEL:g} %). The "
         "photographs hardly determine it, or are wrongly oriented: orientations and their standard deviations cannot "
-        "be trusted. Calibrate the camera and give --calibration, or take convergent and rolled photographs; of "
+        f"be trusted. Calibrate the camera and give {option('calibration')}, or take convergent and rolled "
+        "photographs; of "
         "cropped photographs or a lens far from the usual, a calibration says so",
         ids=(camera.id,),
     )

@@ -295,7 +295,7 @@ def _shown(result: Adjustment, g: ObservationGroup) -> tuple[float, str]:
     kind = observation_kinds[g.kind].unit
     if kind == "angle":
         return float(np.degrees(1.0)), " degrees"
-    return 1.0, f" {result.given.length_unit}" if kind == "length" else ""
+    return 1.0, f" {result.length_unit}".rstrip() if kind == "length" else ""
 
 
 def _unchecked(result: Adjustment) -> list[Notice]:

@@ -135,3 +135,20 @@ def precision(normals: Normals, state: State, found: Cofactors, variance: float)
     return Precision(
         object_points=points, images=images, interior=interior, parameters=parameters, interior_exterior=cross
     )
+
+
+def interior_precision(normals: Normals, state: State, found: Cofactors, variance: float) -> Precision:
+    """Covariances of the interior orientations alone; those of points and images are NaN."""
+    del state
+    system, block = normals.system, normals.system.block
+    interior: dict[str, Array] = {}
+    parameters: dict[str, tuple[str, ...]] = {}
+    for row in system.interior:
+        key, free = row.key(block), row.node >= 0
+        parameters[key] = tuple(row.model.symbols[k] for k in row.free) if free else ()
+        Q = node_cofactor(normals, found, interior_unknowns(system, row)) if free else np.zeros((0, 0))
+        interior[key] = variance * Q
+    return Precision(
+        object_points=np.full((len(block.points), 3, 3), np.nan), images=np.full((len(block.images), 6, 6), np.nan),
+        interior=interior, parameters=parameters, interior_exterior={},
+    )  # fmt: skip

@@ -207,14 +207,23 @@ class ParameterResult:
     """held | estimated | observed | not significant | not determinable"""
     remark: str = ""
 
-    @property
-    def std_words(self) -> str:
-        """The standard deviation with its unit, as "0.16 mm"; a ratio (unit "1") has none in print."""
-        return self.in_unit("unknown" if self.std is None else f"{self.std:.2g}")
+    def std_words(self, length: str = "") -> str:
+        """The standard deviation with its unit, as "0.16 mm"; a ratio (unit "1") has none in print.
 
-    def in_unit(self, words: str) -> str:
+        length  unit of lengths in object space; empty: not known, and not printed
+        """
+        return self.in_unit("unknown" if self.std is None else f"{self.std:.2g}", length)
+
+    def in_unit(self, words: str, length: str = "") -> str:
         """Words of its value or standard deviation, with the unit."""
-        return words if self.unit == "1" else f"{words} {self.unit}"
+        return f"{words} {printed_unit(self.unit, length)}".rstrip()
+
+
+def printed_unit(unit: str, length: str) -> str:
+    """The unit of a parameter in print: "m/s" of "length/s"; of a ratio, and where a length has no unit, none."""
+    if unit == "1" or (unit.startswith("length") and not length):
+        return ""
+    return unit.replace("length", length)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -336,6 +345,11 @@ class Adjustment:
     """What standard deviations rest on; tests and smallest detectable blunders rest on white noise in any case."""
     handle: Handle = field(default=EMPTY, compare=False)
     """For `raybundle.adjustment.queries`; empty without statistics, and in copies"""
+
+    @property
+    def length_unit(self) -> str:
+        """Unit of lengths in object space; empty where nothing fixes the scale."""
+        return "" if "scale" in self.datum_defect else self.given.length_unit
 
     def __repr__(self) -> str:
         """One line."""

@@ -34,12 +34,13 @@ def line_of(a: Adjustment) -> str:
 
 def html_of(a: Adjustment) -> str:
     """A small table: the line above, interior orientations, the gravest notices."""
-    from raybundle.adjustment.result import as_told  # noqa: PLC0415  (which imports this)
+    from raybundle.adjustment.result import as_told, printed_unit  # noqa: PLC0415  (which imports this)
 
     head = f"<p><b>{escape(line_of(a)[1:-1])}</b><br>datum: {escape(a.datum)}</p>"
     rows = "".join(
         f"<tr><td>{escape(i.camera if i.image is None else f'{i.camera}, {i.image}')}</td><td>{escape(p.symbol)}</td>"
-        f"<td>{p.value:.6g}</td><td>{_std(p)}</td><td>{escape(p.unit)}</td><td>{escape(p.status)}</td></tr>"
+        f"<td>{p.value:.6g}</td><td>{_std(p)}</td><td>{escape(printed_unit(p.unit, a.length_unit))}</td>"
+        f"<td>{escape(p.status)}</td></tr>"
         for i in a.interior
         if i.image is None
         for p in i.parameters.values()

@@ -123,10 +123,7 @@ def _iterated(
         length = float(np.sqrt(max(2 * predicted, 0.0) / unknowns) / max(sigma0, 1e-300))
         new = system.updated(state, nodes, points, passing=passing)
         new_cost, new_behind = _cost(normals, new, huber)
-        if predicted > NOISE * cost:
-            gain = (cost - new_cost) / predicted
-        else:  # what the costs differ by is rounding
-            gain = 1.0 if new_cost <= cost * (1 + NOISE) else -1.0
+        gain = _gain(cost, new_cost, predicted)
         turned = new_behind > behind and gain < 0.25 and refused_behind < 6
         settled = (length < limit or predicted < ROUNDING * cost) and damping < 1e-5
         if settled:
@@ -138,8 +135,7 @@ def _iterated(
             state, cost, behind, refused_behind = new, new_cost, new_behind, 0
             excess = _excess(normals, state, huber)
             growth = 2.0
-            damping *= 1 / 30 if 0.95 < gain < 1.05 else max(1 / 3, 1 - (2 * min(gain, 1.0) - 1) ** 3)
-            damping = FLOOR if gain > 0.9 and length < CLOSE and not refused else max(damping, FLOOR)
+            damping = _less(damping, gain, floor=gain > 0.9 and length < CLOSE and not refused)
             start = length if start is None else start
             progress("adjusting", _share(start, length, limit))
         else:
@@ -153,6 +149,19 @@ def _iterated(
         normals.reduce(state, damping=damping, huber=huber)
     beyond = np.zeros(0, np.int64) if passing else system.beyond(state)
     return Solution(state, cost, settled or length < NEARLY, iterations, length, behind, beyond)
+
+
+def _gain(cost: float, new: float, predicted: float) -> float:
+    """What a step brought over what its linear model predicted."""
+    if predicted > NOISE * cost:
+        return (cost - new) / predicted
+    return 1.0 if new <= cost * (1 + NOISE) else -1.0  # what the costs differ by is rounding
+
+
+def _less(damping: float, gain: float, *, floor: bool) -> float:
+    """The damping after a step that was taken."""
+    damping *= 1 / 30 if 0.95 < gain < 1.05 else max(1 / 3, 1 - (2 * min(gain, 1.0) - 1) ** 3)
+    return FLOOR if floor else max(damping, FLOOR)
 
 
 def _cost(normals: Normals, state: State, huber: float) -> tuple[float, int]:

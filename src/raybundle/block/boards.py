@@ -14,6 +14,7 @@ from raybundle.block.block import Block, Camera, Images, LengthUnit, Observation
 from raybundle.block.rejection import Rejection, RejectionKind, Rejections
 from raybundle.errors import InputError, NotSolvable
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.least_squares import added, minimum
 from raybundle.numerics.rotation import nearest_rotation
 from raybundle.sensors import sensor_models
 
@@ -265,33 +266,15 @@ def fitted_to_rays(camera: Camera, xy_mm: Array, ray: Array, c: float) -> Camera
     image, d = xy_mm[rows].T, ray[rows].T
     pulled = np.array([0.0] + [RIDGE] * len(radial))
 
-    def linearised(at: Array) -> tuple[Array, Array, float]:
-        with np.errstate(all="ignore"):
-            g, J = model.condition_and_jacobian(*image, *d, *np.repeat(at[:, None], len(rows), axis=1))
-            v = _in_image(J, g).ravel()
-            A = np.stack([_in_image(J, J[:, 5 + k]).ravel() for k in free], axis=1)
+    def function(part: Array) -> tuple[Array, Array]:
+        at = values.copy()
+        at[free] = part
+        g, J = model.condition_and_jacobian(*image, *d, *np.repeat(at[:, None], len(rows), axis=1))
+        A = np.stack([_in_image(J, J[:, 5 + k]).ravel() for k in free], axis=1)
         pull = pulled * np.linalg.norm(A, axis=0)
-        v, A = np.concatenate([v, pull * at[free]]), np.concatenate([A, np.diag(pull)])
-        return v, A, float(v @ v) if np.isfinite(v).all() and np.isfinite(A).all() else np.inf
+        return np.concatenate([_in_image(J, g).ravel(), pull * part]), np.concatenate([A, np.diag(pull)])
 
-    v, A, least = linearised(values)
-    damping = 1e-3
-    for _ in range(80):
-        scale = np.maximum(np.linalg.norm(A, axis=0), 1e-300)
-        B = np.concatenate([A / scale, np.sqrt(damping) * np.eye(len(free))])
-        step = np.linalg.lstsq(B, np.append(v, np.zeros(len(free))), rcond=None)[0]
-        tried = values.copy()
-        tried[free] -= step / scale
-        new = linearised(tried)
-        if new[2] < least:
-            done = least - new[2] < FITS * least
-            values, (v, A, least), damping = tried, new, damping / 5
-            if done:
-                break
-        else:
-            damping *= 5
-            if damping > 1e10:
-                break
+    values[free] = minimum(function, values[free], added, damping=1e-3, enough=FITS).values
     return replace(camera, values={s: float(x) for s, x in zip(model.symbols, values, strict=True)})
 
 

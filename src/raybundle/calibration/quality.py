@@ -264,7 +264,7 @@ def _reasons(
     told: list[str] = []
     for s in lacking:
         p = interior.parameters[s]
-        why = "" if p.std is None else f": its standard deviation would be {p.std_words}"
+        why = "" if p.std is None else f": its standard deviation would be {p.std_words()}"
         told.append(f"{s} ({p.meaning}) is not determinable from these photographs and was held{why}")
     if photographs < FEW_PHOTOGRAPHS:
         told.append(f"{photographs} photographs are few; {FEW_PHOTOGRAPHS} to 20 make a calibration")
@@ -292,6 +292,12 @@ def _reasons(
         if abs(r) > COUPLED:
             other = "the station's position along the viewing axis" if b == "Z" else b
             told.append(f"{a} is coupled with {other} (correlation {r:+.2f})")
+    return [*told, *_of_validation(validation), *_of_residuals(structure, repeated)]
+
+
+def _of_validation(validation: CrossValidation | None) -> list[str]:
+    """What photographs that were left out say against a calibration."""
+    told: list[str] = []
     if validation is not None and validation.contradicts:
         told.append(
             f"photographs left out lie {validation.excess:.1f} times farther from their prediction than the "
@@ -303,6 +309,12 @@ def _reasons(
             f"too few views: photographs left out fit {validation.ratio:.1f} times worse than those that took part, as "
             "the uncertainty of points and camera predicts; photograph the same points more often"
         )
+    return told
+
+
+def _of_residuals(structure: ResidualStructure | None, repeated: RepeatedResiduals | None) -> list[str]:
+    """What the residuals say against the model of a camera."""
+    told: list[str] = []
     if structure is not None and _structured(structure):
         told.append(
             f"neighbouring residuals agree (correlation {structure.correlation:.2f}): the model lacks something; "

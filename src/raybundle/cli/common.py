@@ -8,11 +8,9 @@ from typing import Any, Literal, cast
 
 import click
 
-from raybundle.commands.convert import APPROXIMATE_HELP
 from raybundle.numerics.counting import counted, grouped, significant
 
 __all__ = [
-    "APPROXIMATE",
     "COMMAND_SETTINGS",
     "FOLDER",
     "NEW_FILE",
@@ -47,9 +45,6 @@ class Output(click.Path):
 
 
 NEW_FILE, NEW_FOLDER, NEW_FILE_OR_FOLDER = Output("file"), Output("folder"), Output("either")
-
-
-APPROXIMATE = click.option("--approximate", is_flag=True, help=APPROXIMATE_HELP)
 
 
 TRACEBACK = click.option(

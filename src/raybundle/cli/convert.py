@@ -21,10 +21,10 @@ TITLES = "\n".join(
 )
 HELP = f"""Convert between block folders, result folders and the formats of other programs.
 
-INPUT is a block folder, a result folder (its adjusted values, without rejected observations), or a file or folder of
-another program. Cameras are fitted where the other program describes distortion differently; the largest deviation is
-printed, and nothing is written where it exceeds 0.1 px, unless --approximate is given. The tables of a result folder
-(points.csv, images.csv, observations.csv ...) are CSV already.
+INPUT is a block folder, a result folder or the project of `orient` (adjusted values, without rejected observations), or
+a file or folder of another program. Cameras are fitted where the other program describes distortion differently; the
+largest deviation is printed, and nothing is written where it exceeds 0.1 px, unless --approximate is given. The tables
+of a result folder (points.csv, images.csv, observations.csv ...) are CSV already.
 
 \b
 Formats:

@@ -47,7 +47,7 @@ def run(folder: Path, out: Path, progress: str) -> None:
     click.echo("\n".join(["", *interior_lines(truth, a), "", *place_lines(truth, a), ""]))
     click.echo(f" {done.oriented} of {counted(len(done.photos), 'photograph')} oriented")
     click.echo("\n".join(summary_lines(a)))
-    click.echo(f" image points: sigma {done.sigma_px:.3f} px")
+    click.echo(f" image points: sigma {done.sigma_px:.3f} px (rms of a coordinate, from the residuals)")
     click.echo(f" result: {result}, report: {result / 'report.html'}")
 
 

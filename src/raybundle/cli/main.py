@@ -16,6 +16,7 @@ from typing import TextIO
 import click
 
 from raybundle.errors import RaybundleError, printable
+from raybundle.settings import on_the_command_line
 
 COMMANDS = {
     "orient": "Orient photographs: calibrated cameras, object points, report.",
@@ -98,7 +99,8 @@ def main(argv: Sequence[str] | None = None) -> int:
         if getattr(sys, name) is None:
             setattr(sys, name, os.fdopen(os.open(os.devnull, os.O_WRONLY), "w", encoding="utf-8"))
     try:
-        status = cli.main(arguments, prog_name="raybundle", standalone_mode=False)
+        with on_the_command_line():
+            status = cli.main(arguments, prog_name="raybundle", standalone_mode=False)
         if sys.stdout is not None:
             sys.stdout.flush()
     except click.ClickException as error:

@@ -383,7 +383,10 @@ def export(folder: Path, out: Path, crs: str) -> None:
     """  # noqa: D301
     from raybundle.commands.measure import export_marks  # noqa: PLC0415
 
-    click.echo(f" {', '.join(str(p) for p in export_marks(folder, out, crs=crs))}")
+    done = export_marks(folder, out, crs=crs)
+    for remark in done.remarks:
+        click.echo(f" remark: {remark}")
+    click.echo(f" {', '.join(str(p) for p in done.files)}")
 
 
 @command.command("adjust", context_settings=COMMAND_SETTINGS)

@@ -86,7 +86,7 @@ def _lines(done: Orientation, settings: OrientSettings) -> list[str]:
         n = counted(len(part.photographs), "photograph")
         told.append(f"   {n} in a part of its own: {settings.out / component_folder(k)}")
     told += summary_lines(done.adjustment)
-    told.append(f" image points: sigma {done.sigma_px:.3f} px")
+    told.append(f" image points: sigma {done.sigma_px:.3f} px (rms of a coordinate, from the residuals)")
     pages = f", report: {result / 'report.html'}, in 3D: {result / 'network.html'}" if settings.report else ""
     return [*told, f" result: {result}{pages}"]
 

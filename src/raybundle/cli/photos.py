@@ -11,6 +11,9 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, counted
+from raybundle.cli.settings import options_of, values_of
+from raybundle.commands.photos import PhotosSettings, run_photos
+from raybundle.settings import made
 
 if TYPE_CHECKING:
     from raybundle.io.photos.cameras import CameraGroup
@@ -21,11 +24,11 @@ SHOWN = 100
 
 
 @click.command("photos", context_settings=COMMAND_SETTINGS)
-@click.argument("inputs", type=FOLDER, nargs=-1, required=True, metavar="PHOTOS...")
-@click.option("--calibration", type=FOLDER, metavar="CAMERAS.toml", help="Stored calibrations to be matched.")
+@click.argument("photos", type=FOLDER, nargs=-1, required=True, metavar="PHOTOS...")
+@options_of(PhotosSettings)
 @click.option("--json", "as_json", is_flag=True, help="Everything as JSON.")
 @common_options
-def command(inputs: tuple[Path, ...], calibration: Path | None, as_json: bool, progress: str) -> int:  # noqa: FBT001
+def command(photos: tuple[Path, ...], as_json: bool, progress: str, **given: Any) -> int:  # noqa: FBT001
     """Say what raybundle knows about some photographs: cameras, starting values, positions, files left out.
 
     Exit status 2 if none can be used.
@@ -36,13 +39,11 @@ def command(inputs: tuple[Path, ...], calibration: Path | None, as_json: bool, p
       raybundle photos images/ --json
     """  # noqa: D301
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.io.block.toml import read_cameras  # noqa: PLC0415
-    from raybundle.io.photos.cameras import camera_groups  # noqa: PLC0415
-    from raybundle.io.photos.photo import find_photos  # noqa: PLC0415
 
+    settings = made(PhotosSettings, {"photos": photos, **values_of(PhotosSettings, given)})
     with reporting(progress) as tell:
-        found = find_photos(inputs, progress=tell)
-    groups = camera_groups(found.photos, () if calibration is None else read_cameras(calibration))
+        known = run_photos(settings, tell)
+    found, groups = known.found, known.cameras
     click.echo(json.dumps(report(found, groups), indent=1) if as_json else "\n".join(lines(found, groups)))
     return 0 if found.photos else 2
 

@@ -2,41 +2,34 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FILE, counted, significant
-from raybundle.cli.numbers import NUMBER, PIXELS
-from raybundle.errors import InputError, NotSolvable, RaybundleError
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FILE, TRACEBACK, counted, significant
+from raybundle.cli.settings import options_of, values_of
+from raybundle.commands.rpc import (
+    RpcCorrectSettings,
+    RpcFitSettings,
+    RpcProjectSettings,
+    correction_of,
+    run_fit,
+    run_project,
+    size_of,
+    write_correction,
+)
+from raybundle.errors import NotSolvable
+from raybundle.settings import made
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
-
     from raybundle.io.scenes import Scene
     from raybundle.numerics.arrays import Array
     from raybundle.scenes.bias_choice import BiasAdvice, BiasFit
     from raybundle.scenes.linescan import LineScene
     from raybundle.scenes.rpc import Rpc
 
-MODEL = click.option(
-    "--model",
-    type=click.Choice(["auto", "rpc", "rigorous"]),
-    default="auto",
-    show_default=True,
-    help="auto: the RPC where the file has one, else the rigorous model.",
-)
-HEIGHTS = click.option(
-    "--heights",
-    nargs=2,
-    type=NUMBER,
-    metavar="LOW HIGH",
-    help="Ellipsoidal heights [m] between which the RPC shall hold.  [default: those of the file's RPC]",
-)
-TRACEBACK = click.option(
-    "--traceback", is_flag=True, expose_value=False, help="After an error, show where in the program it arose."
-)
 SHOWN = 6
 """Points named in a line."""
 CORNERS = ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0))
@@ -83,11 +76,9 @@ def info(scene: Path) -> None:
 @command.command("project")
 @click.argument("scene", type=FOLDER)
 @click.argument("points", type=FOLDER)
-@click.option("--out", type=NEW_FILE, required=True, metavar="CSV", help="Table to write.")
-@click.option("--to-ground", is_flag=True, help="POINTS holds point,x_px,y_px,h_m; their ground points are wanted.")
-@MODEL
+@options_of(RpcProjectSettings, out=NEW_FILE)
 @TRACEBACK
-def project(scene: Path, points: Path, out: Path, model: str, *, to_ground: bool) -> None:
+def project(scene: Path, points: Path, **given: Any) -> None:
     """Image points of POINTS (point,lon_deg,lat_deg,h_m), or the other way.
 
     Every point keeps its row; where the model has no coordinates for it they are empty, and the column note says why.
@@ -97,66 +88,25 @@ def project(scene: Path, points: Path, out: Path, model: str, *, to_ground: bool
       raybundle rpc project 13MAY08000330.XML ground.csv --out image.csv
       raybundle rpc project 13MAY08000330.XML image.csv --to-ground --out ground.csv
     """  # noqa: D301
-    from raybundle.io.folders import new_files  # noqa: PLC0415
-    from raybundle.io.scenes import read_scene  # noqa: PLC0415
-    from raybundle.io.tables import write_table  # noqa: PLC0415
-    from raybundle.scenes.rpc import NO_PLACE  # noqa: PLC0415
-
-    _check_new(out)
-    s = read_scene(scene)
-    chosen = _model(s, model)
-    ids, rows = _table(points, ("x_px", "y_px", "h_m") if to_ground else ("lon_deg", "lat_deg", "h_m"))
-    if s.rpc is not None and not to_ground and not (s.rpc.ranges_away(rows) < NO_PLACE).any():
-        _check_near(s, s.rpc, rows, ids)  # none of them: its message says more than a table without coordinates
-    found, why = _each(lambda part: _placed(s, chosen, part, to_ground=to_ground), ids, rows, scene)
-    ground, image = (found, rows[:, :2]) if to_ground else (rows, found)
-    notes = ["" if e is None else str(e) for e in why]
-    lost = [k for k, e in enumerate(why) if e is not None]
-    if s.rpc is not None and chosen is s.rpc:
-        there = [k for k in range(len(ids)) if why[k] is None]
-        for k, note in _beyond(s.rpc, ground, there).items():
-            notes[k] = note
-    columns = ("x_px", "y_px", "lon_deg", "lat_deg", "h_m")
-    both = dict(zip(columns, (*image.T, *ground.T), strict=True))
-    if to_ground:
-        both["h_m"] = rows[:, 2]
-    with new_files(out) as (file,):
-        write_table(file, {"point": ids, **both, **({"note": notes} if any(notes) else {})})
-    if beyond := [k for k, note in enumerate(notes) if note and why[k] is None]:
-        told = f"{counted(len(beyond), 'point')} outside the range for which the RPC was made"
-        click.echo(f" remark: {told}: {_named(ids, notes, beyond)}")
-    if lost:
-        which = "ground" if to_ground else "image"
-        told = f"{counted(len(lost), 'point')} without {which} coordinates, their cells are empty"
-        click.echo(f" caution: {told}: {_named(ids, notes, lost)}")
-    click.echo(f" {counted(len(ids), 'point')}: {out}")
+    asked = {"scene": scene, "points": points, **values_of(RpcProjectSettings, given)}
+    settings = made(RpcProjectSettings, asked)
+    done = run_project(settings)
+    if done.beyond:
+        told = f"{counted(len(done.beyond), 'point')} outside the range for which the RPC was made"
+        click.echo(f" remark: {told}: {_named(done.ids, done.notes, done.beyond)}")
+    if done.lost:
+        which = "ground" if settings.to_ground else "image"
+        told = f"{counted(len(done.lost), 'point')} without {which} coordinates, their cells are empty"
+        click.echo(f" caution: {told}: {_named(done.ids, done.notes, done.lost)}")
+    click.echo(f" {counted(len(done.ids), 'point')}: {settings.out}")
 
 
 @command.command("correct")
 @click.argument("scene", type=FOLDER)
 @click.argument("points", type=FOLDER)
-@click.option(
-    "--out", type=NEW_FILE, metavar="FILE", help="RPC to write, with the correction built in: NAME_RPC.TXT or NAME.RPB."
-)
-@click.option(
-    "--bias",
-    type=click.Choice(["auto", "none", "shift", "drift", "affine"]),
-    default="auto",
-    show_default=True,
-    help="auto: by significance and by points left out.",
-)
-@click.option(
-    "--sigma",
-    type=PIXELS,
-    default=0.5,
-    show_default=True,
-    help="Of a measured image coordinate [px].",
-)
-@HEIGHTS
+@options_of(RpcCorrectSettings, out=NEW_FILE)
 @TRACEBACK
-def correct(
-    scene: Path, points: Path, out: Path | None, bias: str, sigma: float, heights: tuple[float, float] | None
-) -> None:
+def correct(scene: Path, points: Path, **given: Any) -> None:
     """Correct an RPC on control points (point,lon_deg,lat_deg,h_m,x_px,y_px[,sE_m,sN_m,sU_m]).
 
     \b
@@ -164,128 +114,46 @@ def correct(
       raybundle rpc correct 13MAY08000330.XML control.csv
       raybundle rpc correct 13MAY08000330.XML control.csv --bias shift --out corrected_RPC.TXT
     """  # noqa: D301
-    from raybundle.io.scenes import read_scene  # noqa: PLC0415
-    from raybundle.io.scenes.rpc_text import check_rpc_name, write_rpc  # noqa: PLC0415
-    from raybundle.scenes.bias_choice import check_fit, choose_bias  # noqa: PLC0415
-
-    if out is not None:
-        _check_new(out)
-        check_rpc_name(out)
-    s = read_scene(scene)
-    if s.rpc is None:
-        raise InputError("it holds no RPC to be corrected; make one with `raybundle rpc fit`", file=scene)
-    sigmas = ("sE_m", "sN_m", "sU_m")
-    ids, rows = _table(points, ("lon_deg", "lat_deg", "h_m", "x_px", "y_px"), sigmas)
-    stated = rows[:, 5:] if rows.shape[1] == 8 else None
-    _check_near(s, s.rpc, rows, ids)
-    for k, note in _beyond(s.rpc, rows[:, :3], range(len(ids)), only_heights=True).items():
-        click.echo(f" caution: {ids[k]}: {note}")
-    advice = choose_bias(s.rpc, rows[:, :3], rows[:, 3:5], sigma_px=sigma, sigma_ground_m=stated)
-    _tell_advice(advice, ids)
-    chosen = next((f for f in advice.fits if f.kind == bias), None) if bias != "auto" else advice.advised
-    if chosen is None:
-        raise InputError(f"{counted(len(rows), 'point')} do not determine the bias model {bias}", file=points)
-    _tell_fit(advice, chosen, s.rpc)
-    try:
-        check_fit(advice, chosen)
-    except NotSolvable as error:
-        raise NotSolvable(f"{points}: {error}{'; nothing is written' if out else ''}") from None
-    if out is None:
-        return
-    from raybundle.scenes.rpc_fit import corrected_rpc  # noqa: PLC0415
-
-    rpc, fit = corrected_rpc(s.rpc, chosen.kind, chosen.values, _size(s), _heights(s, heights))
-    if fit is not None:
-        click.echo(f" refitted: at most {significant(float(fit.largest_px.max()))} px from the corrected RPC")
-    write_rpc(rpc, out)
-    click.echo(f" RPC with {chosen.kind} built in: {out}")
+    asked = {"scene": scene, "points": points, **values_of(RpcCorrectSettings, given)}
+    settings = made(RpcCorrectSettings, asked)
+    found = correction_of(settings)
+    for k, note in found.beyond.items():
+        click.echo(f" caution: {found.ids[k]}: {note}")
+    _tell_advice(found.advice, found.ids)
+    if found.fit is not None:
+        _tell_fit(found.advice, found.fit, found.rpc)
+    done = write_correction(settings, found)
+    if done.refitted is not None:
+        largest = float(done.refitted.largest_px.max())
+        click.echo(f" refitted: at most {significant(largest)} px from the corrected RPC")
+    if settings.out is not None and done.fit is not None:
+        click.echo(f" RPC with {done.fit.kind} built in: {settings.out}")
 
 
 @command.command("fit")
 @click.argument("scene", type=FOLDER)
-@click.option("--out", type=NEW_FILE, required=True, metavar="FILE", help="RPC to write: NAME_RPC.TXT or NAME.RPB.")
-@HEIGHTS
+@options_of(RpcFitSettings, out=NEW_FILE)
 @TRACEBACK
-def fit(scene: Path, out: Path, heights: tuple[float, float] | None) -> None:
+def fit(scene: Path, **given: Any) -> None:
     """Make an RPC that stands for the rigorous model of a scene.
 
     \b
     Example:
       raybundle rpc fit 13MAY08000330.XML --heights 0 400 --out fitted_RPC.TXT
     """  # noqa: D301
-    from raybundle.io.scenes import read_scene  # noqa: PLC0415
-    from raybundle.io.scenes.rpc_text import check_rpc_name, write_rpc  # noqa: PLC0415
-    from raybundle.numerics.geodesy import WGS84  # noqa: PLC0415
-    from raybundle.scenes.rpc_fit import fit_rpc  # noqa: PLC0415
-
-    _check_new(out)
-    check_rpc_name(out)
-    s = read_scene(scene)
-    if s.line is None:
-        raise InputError("it holds no rigorous model from which an RPC could be made", file=scene)
-    if s.line.ellipsoid != WGS84:
-        click.echo(" remark: the body is not the earth; other programs will take the RPC for one of WGS 84")
-    result = fit_rpc(s.line.localise, _size(s), _heights(s, heights))
+    settings = made(RpcFitSettings, {"scene": scene, **values_of(RpcFitSettings, given)})
+    result, remarks = run_fit(settings)
+    for remark in remarks:
+        click.echo(f" remark: {remark}")
     low, high = result.height_range
     x, y = result.rms_px
-    write_rpc(result.rpc, out)
     click.echo(f" heights {low:g} to {high:g} m; restraint {result.strength:g}")
     click.echo(
         f" RPC minus rigorous model at {counted(result.points, 'point')} that took no part: "
         f"rms {significant(float(x))}, {significant(float(y))} px, "
         f"at most {significant(float(result.largest_px.max()))} px"
     )
-    click.echo(f" RPC: {out}")
-
-
-def _model(s: Scene, model: str) -> Rpc | LineScene:
-    chosen = {"auto": s.rpc or s.line, "rpc": s.rpc, "rigorous": s.line}[model]
-    if chosen is None:
-        raise InputError(f"it holds no {model} model; give --model auto", file=s.file)
-    return chosen
-
-
-def _table(path: Path, columns: tuple[str, ...], optional: tuple[str, ...] = ()) -> tuple[tuple[str, ...], Array]:
-    """Ids and numbers (n, k); the optional columns only if the table has all of them."""
-    import numpy as np  # noqa: PLC0415
-
-    from raybundle.io.tables import Column, read_table  # noqa: PLC0415
-
-    table = read_table(
-        path,
-        [
-            Column(name="point", kind="id"),
-            *(Column(name=c, kind="number") for c in columns),
-            *(Column(name=c, kind="number", optional=True, limit=">= 0") for c in optional),
-        ],
-    )
-    rows = table.numbers(*columns, *optional)
-    return table.text["point"], rows if np.isfinite(rows).all() else rows[:, : len(columns)]
-
-
-def _size(s: Scene) -> tuple[int, int]:
-    """Of the image; of what the RPC covers where the file does not tell."""
-    if s.width_px and s.height_px:
-        return s.width_px, s.height_px
-    assert s.rpc is not None
-    x, y = s.rpc.image_offset + s.rpc.image_scale
-    return max(2, round(float(x))), max(2, round(float(y)))
-
-
-def _heights(s: Scene, heights: tuple[float, float] | None) -> tuple[float, float]:
-    if heights:
-        return heights
-    if s.rpc is None:
-        raise InputError("it holds no RPC with a range of heights; give --heights LOW HIGH", file=s.file)
-    middle, half = float(s.rpc.ground_offset[2]), float(s.rpc.ground_scale[2])
-    return middle - half, middle + half
-
-
-def _check_new(out: Path) -> None:
-    if out.exists():
-        raise InputError("stands there already and is not overwritten; choose another name", file=out)
-    if not out.absolute().parent.is_dir():
-        raise InputError("its folder does not exist; create it first", file=out)
+    click.echo(f" RPC: {settings.out}")
 
 
 def _tell_rpc(rpc: Rpc) -> None:
@@ -329,7 +197,7 @@ def _grid(s: Scene, rpc: Rpc) -> tuple[Array, Array]:
     """25 x 25 points of the image that the RPC covers, at three heights."""
     import numpy as np  # noqa: PLC0415
 
-    size = np.minimum(_size(s), rpc.image_offset + rpc.image_scale)
+    size = np.minimum(size_of(s), rpc.image_offset + rpc.image_scale)
     steps = (np.arange(25) + 0.5) / 25
     h = rpc.ground_offset[2] + rpc.ground_scale[2] * np.array([-0.8, 0.0, 0.8])
     x, y, z = (a.ravel() for a in np.meshgrid(steps * size[0], steps * size[1], h, indexing="ij"))
@@ -377,69 +245,7 @@ def _tell_fit(advice: BiasAdvice, fit: BiasFit, rpc: Rpc) -> None:
         )
 
 
-def _check_near(s: Scene, rpc: Rpc, rows: Array, ids: tuple[str, ...]) -> None:
-    try:
-        rpc.check_near(rows[:, :3], ids)
-    except InputError as error:
-        raise InputError(str(error), file=s.file) from None
-
-
-def _placed(s: Scene, model: Rpc | LineScene, rows: Array, *, to_ground: bool) -> Array:
-    from raybundle.scenes.rpc import NO_PLACE  # noqa: PLC0415
-
-    if to_ground:
-        return model.localise(rows[:, :2], rows[:, 2])
-    if s.rpc is not None and (far := float(s.rpc.ranges_away(rows).max())) >= NO_PLACE:
-        raise InputError(f"{far:.4g} times the RPC's range from the middle of the scene (limit {NO_PLACE:g})")
-    return model.project(rows)
-
-
-def _each(
-    function: Callable[[Array], Array], ids: tuple[str, ...], rows: Array, scene: Path
-) -> tuple[Array, list[RaybundleError | None]]:
-    """Results (n, k) and what hinders a row from having one; raises only where no row has one.
-
-    Halves are tried again where a whole cannot be computed, so that few bad rows among many cost little.
-    """
-    import numpy as np  # noqa: PLC0415
-
-    found: dict[int, Array] = {}
-    why: list[RaybundleError | None] = [None] * len(rows)
-    parts = [(0, len(rows))] if len(rows) else []
-    while parts:
-        start, end = parts.pop()
-        try:
-            found[start] = function(rows[start:end])
-        except RaybundleError as error:
-            if end - start == 1:
-                why[start] = error
-            else:
-                middle = (start + end) // 2
-                parts += [(start, middle), (middle, end)]
-    if why and not found:
-        error = why[0]
-        assert error is not None
-        raise type(error)(f"{scene}: point {ids[0]}: {error}; no other of the {len(ids)} points has a place either")
-    width = next(iter(found.values())).shape[1] if found else 3
-    values = np.full((len(rows), width), np.nan)
-    for start, part in found.items():
-        values[start : start + len(part)] = part
-    return values, why
-
-
-def _beyond(rpc: Rpc, ground: Array, rows: Iterable[int], *, only_heights: bool = False) -> dict[int, str]:
-    """What lies outside the range of an RPC, by row."""
-    high, out = rpc.heights_outside(ground), rpc.outside(ground)
-    notes: dict[int, str] = {}
-    for k in rows:
-        if high[k]:
-            notes[k] = f"height {ground[k, 2]:g} m, the RPC holds for {rpc.height_range_words()}"
-        elif out[k] and not only_heights:
-            notes[k] = "beside the area of the RPC"
-    return notes
-
-
-def _named(ids: tuple[str, ...], notes: list[str], rows: list[int]) -> str:
+def _named(ids: tuple[str, ...], notes: Sequence[str], rows: Sequence[int]) -> str:
     """Points with what is to be said of them, the first few."""
     told = "; ".join(f"{ids[k]} ({notes[k]})" for k in rows[:SHOWN])
     return told + (f"; and {len(rows) - SHOWN} more, see the column note" if len(rows) > SHOWN else "")

@@ -11,33 +11,39 @@ import click
 
 from raybundle.cli.common import FOLDER
 from raybundle.cli.numbers import Number
-from raybundle.settings import Part, Range, Setting, settings_of
+from raybundle.settings import Part, Range, Setting, on_the_command_line, settings_of
 
 
-def options_of(kind: type, **types: click.ParamType) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
-    """Add an option for each setting of a command, in their order; `types` replace those of their fields."""
+def options_of(kind: type, *names: str, **types: click.ParamType) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
+    """Add an option for each setting of a command, in their order, or for those named alone.
+
+    types  replace those of the settings' fields
+    """
 
     def add(function: Callable[..., Any]) -> Callable[..., Any]:
         for s in reversed(settings_of(kind)):
-            function = _option(s, types.get(s.name))(function)
+            if not names or s.name in names:
+                function = _option(s, types.get(s.name))(function)
         return function
 
     return add
 
 
 def _option(s: Setting, own: click.ParamType | None) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
-    flag = s.about.flag or f"--{s.name.replace('_', '-')}"
+    flag = f"--{s.flag}"
+    with on_the_command_line():
+        words = s.help
     if s.kind is bool:
         # a flag says the opposite of the default
-        return click.option(flag, s.name, is_flag=True, flag_value=not s.default, default=s.default, help=s.about.help)
+        return click.option(flag, s.name, is_flag=True, flag_value=not s.default, default=s.default, help=words)
     more: dict[str, Any] = {"metavar": s.about.metavar} if s.about.metavar else {}
     if s.default is MISSING:
         more["required"] = True
     else:
         shown = not s.about.unsaid and s.default not in {None, "", ()}
-        more |= {"default": s.default if shown else None, "show_default": shown}
+        more |= {"default": (s.about.typed or s.default) if shown else None, "show_default": shown}
     many = s.many and not s.about.joined
-    return click.option(flag, s.name, type=own or _type(s), multiple=many, help=s.about.help, **more)
+    return click.option(flag, s.name, type=own or _type(s), multiple=many, help=words or None, **more)
 
 
 def _type(s: Setting) -> Any:

@@ -22,7 +22,7 @@ class AdjustSettings(AdjustmentOptions):
     """block folder"""
     out: Path
     """result folder; an older result is replaced"""
-    report: bool = setting(True, "Leave out report.html and network.html.", flag="--no-report")
+    report: bool = setting(True, "Leave out report.html and network.html.", flag="no-report")
 
     def options(self) -> AdjustmentOptions:
         """The options alone, as a result keeps them."""

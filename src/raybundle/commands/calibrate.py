@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from raybundle.adjustment.options import NOISE_HELP, NoiseModel
 from raybundle.errors import InputError, NotSolvable
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, asked, setting
+from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, asked, option, setting
 
 if TYPE_CHECKING:
     from raybundle.calibration.quality import CalibrationQuality
@@ -32,16 +32,16 @@ class CalibrateSettings:
         (), "What was photographed, as aicon14 or chessboard-9x6; how-to Coded targets lists them.  [default: found "
         "out; natural points where there is nothing]", metavar="FAMILY",
     )  # fmt: skip
-    table: Path | None = setting(None, "Rings of one's own: a table id,code; with --bits.", metavar="FILE")
-    bits: int | None = setting(None, "Sectors of the rings of --table.", limits=Range(low=3, high=24))
-    sheet: Path | None = setting(None, "The file beside the printed sheet, in place of --target.", metavar="SHEET.toml")
+    table: Path | None = setting(None, "Rings of one's own: a table id,code; with {bits}.", metavar="FILE")
+    bits: int | None = setting(None, "Sectors of the rings of {table}.", limits=Range(low=3, high=24))
+    sheet: Path | None = setting(None, "The file beside the printed sheet, in place of {target}.", metavar="SHEET.toml")
     masks: Path | None = setting(
         None, "Masks of the photographs for natural points, where there are no targets; named as for `raybundle "
         "orient`.", metavar="DIR",
     )  # fmt: skip
     separate: tuple[str, ...] = setting(
         (), "Photographs whose names match, as 'left_*' or 'a.jpg|b.jpg', are a camera apart; for those without "
-        "metadata.", flag="--camera", metavar="PATTERN",
+        "metadata.", flag="camera", metavar="PATTERN",
     )  # fmt: skip
     model: str = setting(
         "auto", "Distortion model: aicon, brown, brown_harmonic, fisheye, radial, rational, spline; auto: brown, or "
@@ -60,7 +60,7 @@ class CalibrateSettings:
     keep: bool = setting(False, "Keep a good calibration in the camera library, where orient finds it.")
     jobs: int = setting(0, "0: all processors.", limits=NOT_NEGATIVE)
     noise: NoiseModel = setting("auto", NOISE_HELP)
-    report: bool = setting(True, "Leave out report.html and network.html.", flag="--no-report")
+    report: bool = setting(True, "Leave out report.html and network.html.", flag="no-report")
 
     def options(self) -> CalibrateOptions:
         """What the workflow is asked for; raises InputError."""
@@ -126,7 +126,9 @@ def wanted_targets(
     if table is None and bits is None:
         return names
     if table is None or bits is None or names or sheet is not None:
-        raise InputError("--table goes with --bits, and without --target and --sheet")
+        raise InputError(
+            f"{option('table')} goes with {option('bits')}, and without {option('target')} and {option('sheet')}"
+        )
     from raybundle.targets.codes import read_table  # noqa: PLC0415
     from raybundle.targets.kinds.rings import Rings  # noqa: PLC0415
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from contextlib import ExitStack
 from dataclasses import MISSING, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import ANY, made, path_of, setting
+from raybundle.settings import ANY, made, option, path_of, setting
 
 if TYPE_CHECKING:
     from raybundle.block import Block
@@ -22,26 +23,26 @@ class ConvertSettings:
     """What is converted, into what."""
 
     source: Path
-    """block folder, result folder, or file or folder of another program"""
-    read_as: str | None = setting(None, "Format of INPUT.  [default: recognised]", flag="--from")
+    """block folder, result folder, project of `orient`, or file or folder of another program"""
+    read_as: str | None = setting(None, "Format of INPUT.  [default: recognised]", flag="from")
     to: str = setting(MISSING, "Format to write.")
     out: Path = setting(MISSING, "New file or folder; nothing is overwritten.", metavar="PATH")
     crs: str | None = setting(
         None, "Coordinate system: EPSG:25832, EPSG:25832+7837 or a PROJ string.", metavar="SYSTEM"
     )
     origin: tuple[float, float, float] | None = setting(
-        None, "The block stands in the local east-north-up frame at this point of --crs; without it, in --crs itself, "
+        None, "The block stands in the local east-north-up frame at this point of {crs}; without it, in {crs} itself, "
         "and is brought to a local frame in its middle.", metavar="E N H", limits=(ANY, ANY, ANY),
     )  # fmt: skip
     undulation: float | None = setting(
-        None, "Height of the geoid above the ellipsoid, for --crs.", metavar="M", limits=ANY
+        None, "Height of the geoid above the ellipsoid, for {crs}.", metavar="M", limits=ANY
     )
     photos: Path | None = setting(
-        None, "The photographs: colours of points, and --undistort. An oriented project's colours are found without "
+        None, "The photographs: colours of points, and {undistort}. An oriented project's colours are found without "
         "it.", metavar="FOLDER",
     )  # fmt: skip
     undistort: Literal["inside", "all"] | None = setting(
-        None, "Write the photographs without distortion into images/ beside --out, and pinhole cameras. inside: no "
+        None, "Write the photographs without distortion into images/ beside {out}, and pinhole cameras. inside: no "
         "empty pixels; all: nothing is cut.",
     )  # fmt: skip
     approximate: bool = setting(False, APPROXIMATE_HELP)
@@ -64,7 +65,7 @@ class Converted:
 def convert(source: str | Path, out: str | Path, *, to: str, progress: Progress = silent, **settings: Any) -> Converted:
     """Convert a block folder, a result folder or the files of another program; what is written stands in `out`.
 
-    source    of a result folder the adjusted values, without rejected observations
+    source    of a result folder, or a project of `orient`, the adjusted values, without rejected observations
     out       new file or folder; nothing is overwritten
     to        "colmap", "opf", "ply" ..., "block", "rpc"
     settings  as of the command line, by the names of `ConvertSettings`: crs="EPSG:25832", undistort="inside"
@@ -84,20 +85,25 @@ def run_convert(settings: ConvertSettings, progress: Progress = silent) -> Conve
     from raybundle.io.pictures.undistort import point_colours  # noqa: PLC0415
     from raybundle.pipeline.project import photographs_of  # noqa: PLC0415
     from raybundle.workflows.convert import BLOCK, RPC, check_new, placed, straightened, written  # noqa: PLC0415
-    from raybundle.workflows.sources import read_source, with_adjusted_cameras  # noqa: PLC0415
+    from raybundle.workflows.sources import read_source, result_within, with_adjusted_cameras  # noqa: PLC0415
 
     s, to = settings, settings.to
     if (s.origin is not None or s.undulation is not None) and s.crs is None:
-        raise InputError("--origin and --undulation belong to a coordinate system; give --crs too")
+        raise InputError(
+            f"{option('origin')} and {option('undulation')} belong to a coordinate system; give {option('crs')} too"
+        )
     if s.undistort and s.photos is None:
-        raise InputError("--undistort needs the photographs; give their folder: --photos FOLDER")
+        raise InputError(
+            f"{option('undistort')} needs the photographs; give their folder: {option('photos', 'FOLDER')}"
+        )
     check_new(s.out, to)
-    export, remarks = read_source(s.source, s.read_as, approximate=s.approximate)
+    source = result_within(s.source) if s.read_as in {None, BLOCK} else s.source
+    export, remarks = read_source(source, s.read_as, approximate=s.approximate)
     if s.crs is not None:
         export, more = placed(export, s.crs, s.origin, s.undulation)
         remarks += more
     if to != BLOCK:
-        export = replace(export, block=with_adjusted_cameras(export.block, s.source))
+        export = replace(export, block=with_adjusted_cameras(export.block, source))
     if to not in {BLOCK, RPC} or s.undistort:
         block, more = at_one_instant(export.block)
         export = replace(export, block=block)
@@ -105,15 +111,17 @@ def run_convert(settings: ConvertSettings, progress: Progress = silent) -> Conve
     if to != BLOCK or s.undistort:
         export = replace(export, block=in_file_frames(export.block))
     coloured = to not in {BLOCK, RPC} and formats[to].colours
-    if folders := (s.photos,) if s.photos is not None else photographs_of(s.source) if coloured else ():
+    if folders := (s.photos,) if s.photos is not None else photographs_of(source) if coloured else ():
         colours, more = point_colours(export.block, folders, progress=progress)
         export = replace(export, colours=colours)
         remarks += more
-    if s.undistort and s.photos is not None:
-        export, more = straightened(export, s.photos, s.out.parent / "images", s.undistort, progress)
-        remarks += more
-    progress("writing", 0.0)
-    files, more, deviation = written(export, to, s.out, approximate=s.approximate, free_scale=s.free_scale)
+    with ExitStack() as pictures:  # they take their name when the model has its own
+        if s.undistort and s.photos is not None:
+            images = s.out.parent / "images"
+            export, more = pictures.enter_context(straightened(export, s.photos, images, s.undistort, progress))
+            remarks += more
+        progress("writing", 0.0)
+        files, more, deviation = written(export, to, s.out, approximate=s.approximate, free_scale=s.free_scale)
     progress("writing", 1.0)
     every = tuple(dict.fromkeys((*remarks, *more)))
     return Converted(block=export.block, files=files, remarks=every, deviation_px=deviation)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, cast
 
@@ -18,7 +19,13 @@ from raybundle.io.block.folder import ROLES, read_block
 from raybundle.io.folders import new_folder
 from raybundle.io.reading.words import quoted
 from raybundle.io.tables import write_table
-from raybundle.measuring.export import write_csv, write_gcp_list, write_merged_block
+from raybundle.measuring.export import (
+    lost_in_csv,
+    lost_in_gcp_list,
+    write_csv,
+    write_gcp_list,
+    write_merged_block,
+)
 from raybundle.measuring.journal import Entry, Journal, entries_of, journal_path, measured_result, state_of
 from raybundle.measuring.known import Known
 from raybundle.measuring.merge import Merged, merge
@@ -27,7 +34,7 @@ from raybundle.measuring.session import block_folder
 from raybundle.measuring.state import State
 from raybundle.numerics.progress import Progress, silent
 from raybundle.results.folder import ResultFolder
-from raybundle.settings import made
+from raybundle.settings import made, option
 from raybundle.workflows.adjust import adjust
 
 
@@ -146,21 +153,31 @@ def adjust_marks(folder: str | Path, progress: Progress = silent, **given: Any) 
     return adjust(found.block, options, progress), found.left_out
 
 
-def export_marks(folder: str | Path, out: str | Path, *, crs: str = "") -> tuple[Path, ...]:
-    """Write what was measured: NAME.csv as `--control` reads it, NAME.txt as gcp_list (with `crs`), else a block."""
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Exported:
+    """What was written of what was measured by hand."""
+
+    files: tuple[Path, ...]
+    remarks: tuple[str, ...] = ()
+    """what the files cannot hold"""
+
+
+def export_marks(folder: str | Path, out: str | Path, *, crs: str = "") -> Exported:
+    """Write what was measured: NAME.csv as orient reads it, NAME.txt as gcp_list (with `crs`), else a block."""
     out, state = Path(out), marks(folder)
     block = read_block(block_folder(folder))
     if out.suffix.lower() == ".csv":
-        return write_csv(state, out, Known.of(block))
+        return Exported(files=write_csv(state, out, Known.of(block)), remarks=lost_in_csv(state))
     if out.suffix.lower() == ".txt":
         if not crs:
             raise InputError(
                 "a gcp_list.txt names the coordinate system of its points: give it as EPSG:32633, a PROJ string or "
-                "WGS84 UTM 33N (--crs)",
+                f"WGS84 UTM 33N ({option('crs')})",
                 file=out,
             )
-        return (write_gcp_list(state, out, Known.of(block), crs),)
-    return (write_merged_block(state, out, block),)
+        file = write_gcp_list(state, out, Known.of(block), crs)
+        return Exported(files=(file,), remarks=lost_in_gcp_list(state))
+    return Exported(files=(write_merged_block(state, out, block),))
 
 
 def as_plain(state: State) -> dict[str, Any]:

@@ -17,6 +17,7 @@ from raybundle.settings import (
     POSITIVE,
     Range,
     asked,
+    option,
     other_than_usual,
     setting,
     toml_lines,
@@ -44,13 +45,13 @@ class OrientSettings:
     )  # fmt: skip
     separate: tuple[str, ...] = setting(
         (), "Photographs whose names match, as 'left_*' or 'a.jpg|b.jpg', are a camera apart; for those without "
-        "metadata.", flag="--camera", metavar="PATTERN",
+        "metadata.", flag="camera", metavar="PATTERN",
     )  # fmt: skip
     masks: Path | None = setting(
         None, "Masks of the photographs, named photo.jpg.png as by COLMAP, or photo_mask.png or photo.png as by "
         "Metashape: nothing is measured where they are 0.", metavar="DIR",
     )  # fmt: skip
-    library: bool = setting(True, "Leave calibrations of the camera library out.", flag="--no-library")
+    library: bool = setting(True, "Leave calibrations of the camera library out.", flag="no-library")
     control: tuple[Path, ...] = setting(
         (), "Control points with their places in the photographs: gcp_list.txt, CSV or a block folder.", metavar="FILE"
     )
@@ -63,14 +64,14 @@ class OrientSettings:
         0.5, "Standard deviation of a point marked in a photograph.", metavar="PX", limits=Range(low=0.001, high=1e5)
     )
     scale_bar: tuple[tuple[str, str, float, float], ...] = setting(
-        (), "A known distance between two points that --control measures, and its standard deviation, both in metres; "
+        (), "A known distance between two points that {control} measures, and its standard deviation, both in metres; "
         "may be repeated.", metavar="A B LENGTH SIGMA", limits=("text", "text", POSITIVE, NOT_NEGATIVE),
     )  # fmt: skip
     positions: Path | None = setting(
         None, "Positions of the photographs, as an MRK file or CSV, in place of those that they state.", metavar="FILE"
     )
     attitudes: Literal["auto", "none", "opk", "rpy-ned", "gimbal"] = setting(
-        "auto", "Observe attitudes of --positions, or the gimbal's in the photographs, by their convention; auto: what "
+        "auto", "Observe attitudes of {positions}, or the gimbal's in the photographs, by their convention; auto: what "
         "the file holds with standard deviations.",
     )  # fmt: skip
     attitude_sigma: tuple[float, float] | None = setting(
@@ -78,7 +79,7 @@ class OrientSettings:
         metavar="TILT HEADING", limits=(POSITIVE, POSITIVE),
     )  # fmt: skip
     misalignment: bool = setting(
-        True, "Attitudes are those of the camera itself: no misalignment is estimated.", flag="--no-misalignment"
+        True, "Attitudes are those of the camera itself: no misalignment is estimated.", flag="no-misalignment"
     )
     relative: Literal["", "shift", "drift"] = setting(
         "", "Relative aerial control: positions and attitudes of a flight line count by their differences alone; "
@@ -90,19 +91,19 @@ class OrientSettings:
     )  # fmt: skip
     shift: bool = setting(
         True, "Control and positions are in one datum: no shift of the positions of each flight is estimated.",
-        flag="--no-shift",
+        flag="no-shift",
     )  # fmt: skip
     scene_bias: Literal["none", "shift", "drift", "affine"] = setting(
         "shift", "What is estimated of a satellite scene's RPC."
     )
     crs: str | None = setting(
-        None, "As EPSG:32633, of --positions in a grid and, with satellite scenes, of control files that name none.",
+        None, "As EPSG:32633, of {positions} in a grid and, with satellite scenes, of control files that name none.",
         metavar="SYSTEM",
     )  # fmt: skip
-    gps: bool = setting(True, "Leave positions out that the photographs state.", flag="--no-gps")
+    gps: bool = setting(True, "Leave positions out that the photographs state.", flag="no-gps")
     up: str = setting(
         "auto", "Which way is up where neither control nor positions tell it: auto, by how the photographs were held; "
-        "terrestrial, aerial, oblique; or two points A,B that --control measures, B plumb above A.", metavar="WAY",
+        "terrestrial, aerial, oblique; or two points A,B that {control} measures, B plumb above A.", metavar="WAY",
     )  # fmt: skip
     features: str = setting(
         "rootsift", "rootsift; for wide baselines, with the extra [learned]: xfeat or disk.", metavar="METHOD"
@@ -112,21 +113,21 @@ class OrientSettings:
         "auto", "Image by image, or all pairs at once; auto: the second where the first leaves photographs or the view "
         "is narrow.",
     )  # fmt: skip
-    precise: bool = setting(True, "Leave out least-squares matching: several times less precise.", flag="--quick")
+    precise: bool = setting(True, "Leave out least-squares matching: several times less precise.", flag="quick")
     jobs: int = setting(0, "0: all processors.", limits=NOT_NEGATIVE)
     memory: float = setting(
         4.0, "Memory that the pixels of photographs may take while points are measured.", metavar="GB",
         limits=Range(low=0.1, high=1e6),
     )  # fmt: skip
     redo_from: str = setting(
-        "", "Do this stage, as `raybundle status` lists them, and all after it again.", flag="--from", metavar="STAGE"
+        "", "Do this stage, as `raybundle status` lists them, and all after it again.", flag="from", metavar="STAGE"
     )
     read_out: float | None = setting(
         None, "Time in which a rolling shutter reads a frame, where it is known; 0: there is none. Not given, "
         "photographs that state their times are asked for it.", metavar="MS", limits=Range(low=0, high=1000),
     )  # fmt: skip
     noise: NoiseModel = setting("auto", NOISE_HELP)
-    report: bool = setting(True, "Leave out report.html and network.html.", flag="--no-report")
+    report: bool = setting(True, "Leave out report.html and network.html.", flag="no-report")
 
     def options(self) -> OrientOptions:
         """What the workflow is asked for."""
@@ -195,7 +196,9 @@ def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orienta
     cameras = () if settings.calibration is None else read_cameras(settings.calibration)
     options, given = settings.options(), settings.given()
     if shown(out) != out:
-        raise InputError("this name is no UTF-8, which the result is written in; choose another --out", file=shown(out))
+        raise InputError(
+            f"this name is no UTF-8, which the result is written in; choose another {option('out')}", file=shown(out)
+        )
     check_target(result)
     begins = not out.exists()
     try:

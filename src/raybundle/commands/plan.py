@@ -23,8 +23,8 @@ class FlightSettings:
     lines: int = setting(4, "Flight lines.", limits=Range(low=1, high=40))
     photos: int = setting(8, "Photographs of a line.", limits=Range(low=2, high=80))
     height: float = setting(80.0, "Above ground [m].", limits=METRES)
-    base: float | None = setting(None, "Between photographs of a line [m].  [default: by --overlap]", limits=METRES)
-    spacing: float | None = setting(None, "Between lines [m].  [default: by --overlap]", limits=METRES)
+    base: float | None = setting(None, "Between photographs of a line [m].  [default: by {overlap}]", limits=METRES)
+    spacing: float | None = setting(None, "Between lines [m].  [default: by {overlap}]", limits=METRES)
     overlap: tuple[float, float] = setting(
         (0.8, 0.6), "Of photographs along a line, and of lines.", metavar="ALONG ACROSS", limits=(SHARE, SHARE)
     )

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal
 from raybundle.commands.convert import FREE_SCALE_HELP
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import ANY, POSITIVE, Range, made, path_of, setting
+from raybundle.settings import ANY, POSITIVE, Range, made, option, other_than_usual, path_of, setting
 
 if TYPE_CHECKING:
     from raybundle.block import Camera
@@ -18,6 +18,10 @@ if TYPE_CHECKING:
     from raybundle.io.pictures.rectified import Rectified
     from raybundle.numerics.arrays import Array
     from raybundle.workflows.rectify import Grid, Plane, SinglePhoto
+
+
+OF_PHOTO = ("control", "calibration", "model", "mark_sigma")
+OF_RESULT = ("plane", "horizontal", "photos", "only", "free_scale")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -95,14 +99,14 @@ def run_rectify(settings: RectifySettings, progress: Progress = silent) -> Recti
     if not s.source.exists():
         raise InputError("there is no such file or folder; check the path", file=s.source)
     if s.source.is_dir():
-        if s.control is not None or s.calibration is not None:
-            raise InputError("--control and --calibration belong to a single PHOTO; a result has both already")
+        _check_without(s, OF_PHOTO, "a single PHOTO; a result has lens and places already")
         done, about = _of_result(s, progress)
     else:
-        if s.plane or s.horizontal or s.only or s.photos:
-            raise InputError("--plane, --horizontal, --photos and --only belong to a result; a PHOTO has --control")
+        _check_without(s, OF_RESULT, f"a result; a PHOTO has {option('control')}")
         if s.control is None:
-            raise InputError("a single photograph needs points of the plane: --control FILE", file=s.source)
+            raise InputError(
+                f"a single photograph needs points of the plane: {option('control', 'FILE')}", file=s.source
+            )
         done, about = _of_photo(s, s.control)
     picture, grid = done.picture, done.grid
     head = {
@@ -113,6 +117,13 @@ def run_rectify(settings: RectifySettings, progress: Progress = silent) -> Recti
     return done
 
 
+def _check_without(s: RectifySettings, names: tuple[str, ...], whose: str) -> None:
+    """Raise InputError where settings are given that belong to the other kind of source."""
+    if given := [option(name) for name in names if name in other_than_usual(s)]:
+        verb = "belongs" if len(given) == 1 else "belong"
+        raise InputError(f"{' and '.join(given)} {verb} to {whose}")
+
+
 def _of_result(s: RectifySettings, progress: Progress) -> tuple[Rectification, Mapping[str, Any]]:
     """The picture from all photographs of a result, and what NAME.toml says of its plane."""
     import numpy as np  # noqa: PLC0415
@@ -121,20 +132,23 @@ def _of_result(s: RectifySettings, progress: Progress) -> tuple[Rectification, M
     from raybundle.io.formats.base import FREE_SCALE, GIVE_SCALE  # noqa: PLC0415
     from raybundle.pipeline.project import photographs_of  # noqa: PLC0415
     from raybundle.workflows.rectify import grid_over, plane_of, rectify_block, usual_pixel  # noqa: PLC0415
-    from raybundle.workflows.sources import read_source  # noqa: PLC0415
+    from raybundle.workflows.sources import read_source, result_within  # noqa: PLC0415
 
-    result = s.source / "result" if (s.source / "result" / "result.json").is_file() else s.source
+    result = result_within(s.source)
     export, _ = read_source(result)
     block = in_file_frames(export.block)
     if block.free_scale and not s.free_scale:
         raise InputError(
-            f"{FREE_SCALE}, so that no picture to scale can be made; {GIVE_SCALE}, or --free-scale for a picture whose "
+            f"{FREE_SCALE}, so that no picture to scale can be made; {GIVE_SCALE}, or {option('free_scale', True)} for "
+            "a picture whose "
             "lengths are in no unit",
             file=s.source,
         )
     folders = s.photos or photographs_of(result)
     if not folders:
-        raise InputError("where its photographs are is not known; say so with --photos FOLDER", file=s.source)
+        raise InputError(
+            f"where its photographs are is not known; say so with {option('photos', 'FOLDER')}", file=s.source
+        )
     plane = plane_of(block, s.plane, horizontal=s.horizontal, sigma=export.sigma)
     grid = grid_over(plane.extent if s.area is None else np.array(s.area), s.pixel or usual_pixel(block, plane))
     picture, remarks = rectify_block(block, folders, plane, grid, only=s.only, progress=progress)

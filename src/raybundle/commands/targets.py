@@ -5,41 +5,81 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Literal
+from typing import Any
 
 import numpy as np
 
+from raybundle.commands.target_settings import DetectSettings
 from raybundle.errors import InputError
 from raybundle.io.folders import new_files
 from raybundle.io.photos.photo import Photo, find_photos, read_grey
 from raybundle.io.tables import write_table
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress, silent
+from raybundle.settings import made
 from raybundle.targets.marks import MarkOptions, Marks, Target, detect
-from raybundle.targets.marks import target as named
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Detected:
+    """What was found in photographs."""
+
+    target: Target
+    found: Sequence[tuple[str, Marks]]
+    """names and points of the photographs"""
+    refused: Sequence[tuple[Path, str]]
+    """files left out, with the reason"""
 
 
 def detect_targets(
-    photos: str | Path | Sequence[str | Path], target: str | Target = "aicon14", *,
-    polarity: Literal["both", "dark", "light"] = "both", progress: Progress = silent,
+    photos: str | Path | Sequence[str | Path], target: str | Target | None = None, *, progress: Progress = silent,
+    **settings: Any,
 ) -> dict[str, Marks]:  # fmt: skip
     """Targets in photographs, by the photographs' names.
 
     photos    folders and files
-    target    family as "aicon14", "apriltag-36h11", "chessboard-9x6", or a target of one's own
-    polarity  colour of dots: light on dark, dark on light, both
+    target    family as "aicon14", "apriltag-36h11", "chessboard-9x6", or a target of one's own; None: aicon14, or
+              the rings of `table`
+    settings  as of the command line, by the names of `DetectSettings`: polarity="light", overlay="found"
     raises    InputError for an unknown family, files that do not exist, and a photograph that cannot be read
 
     What it does not tell: standard deviations come from the grey values alone; what lens and panel add is for the
     adjustment to find.
     """
     inputs = [Path(p) for p in ((photos,) if isinstance(photos, str | Path) else photos)]
-    options = MarkOptions(polarity=polarity)
-    found, refused = detect_all(inputs, named(target), options, None, 0, progress)
-    for path, reason in refused:
+    named = "aicon14" if target is None and "table" not in settings else target
+    own = named if named is not None and not isinstance(named, str) else None
+    s = made(DetectSettings, {"photos": tuple(inputs), "family": None if own is not None else named, **settings})
+    done = find_all(s, own, progress)
+    for path, reason in done.refused:
         raise InputError(reason.removeprefix(f"{path}: "), file=path)
-    return dict(found)
+    write_found(s, done)
+    return dict(done.found)
+
+
+def run_detect(settings: DetectSettings, progress: Progress = silent) -> Detected:
+    """Find what the settings ask for, and write the tables."""
+    done = find_all(settings, None, progress)
+    write_found(settings, done)
+    return done
+
+
+def find_all(s: DetectSettings, own: Target | None, progress: Progress) -> Detected:
+    """What the photographs show; `own`: in place of the family that the settings name."""
+    wanted = s.target(dots=s.dots) if own is None else own
+    options = MarkOptions(polarity=s.polarity)
+    found, refused = detect_all(s.photos, wanted, options, s.overlay, s.threads, progress)
+    return Detected(target=wanted, found=found, refused=refused)
+
+
+def write_found(s: DetectSettings, done: Detected) -> None:
+    """The tables that are asked for."""
+    if s.out is not None:
+        write_targets(s.out, done.found)
+    if s.observations is not None:
+        write_observations(s.observations, done.found)
 
 
 def detect_all(

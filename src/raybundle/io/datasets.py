@@ -18,6 +18,7 @@ from raybundle.errors import InputError
 from raybundle.io.reading.trees import Json, read_toml, toml_of
 from raybundle.io.reading.words import quoted
 from raybundle.numerics.progress import Progress, silent
+from raybundle.settings import option
 
 TIMEOUT_S = 30.0
 CHUNK_BYTES = 1 << 18
@@ -137,7 +138,8 @@ def fetch(wanted: Dataset, folder: Path, *, progress: Progress = silent) -> Fetc
                 )
         except OSError as error:
             raise InputError(
-                f"cannot be written: {error.strerror or error}; free space or choose another --out. What has arrived "
+                f"cannot be written: {error.strerror or error}; free space or choose another {option('out')}. What has "
+                "arrived "
                 "is kept",
                 file=target,
             ) from None

@@ -6,6 +6,7 @@ error, so that a file of rubbish costs seconds and little memory however long it
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import chain
@@ -20,6 +21,7 @@ from raybundle.io.reading import words
 from raybundle.io.reading.files import decoded, opened
 from raybundle.io.reading.rows import BadRow, cells_of
 from raybundle.io.reading.words import quoted
+from raybundle.numerics import native
 from raybundle.numerics.arrays import Array, Index
 
 PIECE_BYTES = 1 << 22
@@ -98,6 +100,88 @@ def read_table(
     without  what to do in place of filling a table that has too few rows
     raises  InputError with file, line, column, the offending text and what to do
     """
+    table = _read_plain(path, columns, unique) or _read_cells(path, columns, unique)
+    if table.rows < least_rows:
+        raise InputError(
+            f"the table has a header but {'no' if not table.rows else 'too few'} rows; fill it, or {without}",
+            file=path,
+            line=1,
+        )
+    return table
+
+
+def _read_plain(path: Path, columns: Sequence[Column], unique: tuple[str, ...]) -> Table | None:
+    """The table by the compiled reader; None where that is not there or something wants a closer look."""
+    module = native.module()
+    if module is None:
+        return None
+    pieces = _raw_pieces(path)
+    header, end, rest = next(pieces, (b"", 0))[0].partition(b"\n")
+    if not end:
+        return None
+    try:
+        present = _check_header(path, header.decode().removesuffix("\r"), columns)
+    except (InputError, UnicodeDecodeError):
+        return None  # which the other way tells, with all that there is to it
+    pair = [k for k, c in enumerate(present) if c.name in unique]
+    reader = module.Columns([c.kind == "number" for c in present])
+    for piece in chain((rest,), (data for data, _ in pieces)):
+        if not reader.add(piece):
+            return None
+        if pair and reader.rows > math.prod(reader.different(k) for k in pair):
+            return None  # some stand twice, and there may be no end to them
+    table = _of_plain(present, reader)
+    return None if table and pair and len(_pairs_again([table.index[name] for name in unique])[1]) else table
+
+
+def _of_plain(present: Sequence[Column], reader: Any) -> Table | None:
+    numbers: dict[str, Array] = {}
+    texts: dict[str, tuple[Index, list[str]]] = {}
+    for k, column in enumerate(present):
+        if column.kind == "number":
+            values = words.bounded(reader.number(k))
+            if values is None or not _numbers_good(column, values):
+                return None
+            numbers[column.name] = values
+            continue
+        codes, joined = reader.text(k)
+        try:
+            different = joined.decode().split("\n")[:-1]
+        except UnicodeDecodeError:
+            return None
+        texts[column.name] = codes, different
+        if not _texts_good(column, different, reader.rows):
+            return None
+    of = {c.name: c for c in present}
+    text, index = dict[str, tuple[str, ...]](), dict[str, Index]()
+    for name, (codes, different) in texts.items():
+        column = of[name]
+        if column.kind == "id":
+            text[name] = tuple(different)
+        elif column.kind == "text":
+            text[name] = tuple(map(different.__getitem__, codes.tolist()))
+        else:
+            for t in different if column.kind == "new_reference" else ():
+                column.known.setdefault(t, len(column.known))
+            index[name] = np.fromiter(map(column.known.__getitem__, different), np.int32, len(different))[codes]
+    return Table(rows=reader.rows, text=text, number=numbers, index=index)
+
+
+def _texts_good(column: Column, different: Sequence[str], rows: int) -> bool:
+    """Whether the different texts of a column can be what they should."""
+    if column.kind == "text":
+        return column.empty or "" not in different
+    if not "".join(different).isprintable():
+        return False
+    if column.kind == "reference":
+        return column.known.keys() >= set(different)
+    known = column.known if column.kind == "new_reference" else {}
+    plain = not any((not t or t != t.strip()) and t not in known for t in different)
+    return plain and (column.kind != "id" or len(different) == rows)
+
+
+def _read_cells(path: Path, columns: Sequence[Column], unique: tuple[str, ...]) -> Table:
+    """The table cell by cell, quoted ones too; raises InputError for what is wrong."""
     pieces = _pieces(path)
     header_line, rest = _header_and_rest(path, pieces)
     present = _check_header(path, header_line, columns)
@@ -116,12 +200,6 @@ def read_table(
             last = {c.name: part[-1] for c, part in zip(present, parts, strict=True)}
             _check_pairs(path, [last[name] for name in unique], unique, rows)
         rows += len(cells[0])
-    if rows < least_rows:
-        raise InputError(
-            f"the table has a header but {'no' if not rows else 'too few'} rows; fill it, or {without}",
-            file=path,
-            line=1,
-        )
     table = _join(present, parts, rows)
     if unique:
         _check_pairs(path, [table.index[name] for name in unique], unique, 0)
@@ -130,6 +208,12 @@ def read_table(
 
 def _pieces(path: Path) -> Iterator[str]:
     """The file's text in pieces of whole lines, without the last line's end; errors name the line."""
+    for data, line in _raw_pieces(path):
+        yield _decoded(path, data, line)
+
+
+def _raw_pieces(path: Path) -> Iterator[tuple[bytes, int]]:
+    """The file's bytes in pieces of whole lines, without the last line's end, each with the number of its first."""
     line = 1
     rest = b""
     with opened(path) as file:
@@ -140,7 +224,7 @@ def _pieces(path: Path) -> Iterator[str]:
             cut = block.rstrip(b"\r\n").rfind(b"\n") + 1
             rest = block[cut:]
             if cut:
-                yield _decoded(path, block[:cut], line)
+                yield block[: cut - 1].removesuffix(b"\r"), line
                 line += block.count(b"\n", 0, cut)
             if len(rest) > LINE_BYTES:
                 blank = len(rest) - len(rest.rstrip(b"\r\n"))
@@ -148,11 +232,11 @@ def _pieces(path: Path) -> Iterator[str]:
                 raise InputError(f"{what}: this is not a table; export it again", file=path, line=line)
     rest = rest.rstrip(b"\r\n")
     if rest:
-        yield _decoded(path, rest, line)
+        yield rest, line
 
 
 def _decoded(path: Path, data: bytes, line: int) -> str:
-    return decoded(path, data, line).replace("\r\n", "\n").removesuffix("\n")
+    return decoded(path, data, line).replace("\r\n", "\n")
 
 
 def _header_and_rest(path: Path, pieces: Iterator[str]) -> tuple[str, tuple[str, ...]]:
@@ -236,7 +320,7 @@ def _convert(
     """The values of one column; what is wrong is added to `problems`."""
     if column.kind == "number":
         values = words.column_of(cells)
-        if values is not None and _numbers_good(column, values, cells):
+        if values is not None and _numbers_good(column, values):
             return values
         problems.extend(_bad_numbers(column, cells, first_line))
         return np.zeros(0)
@@ -252,9 +336,10 @@ def _convert(
     return _references(column, cells, first_line, problems)
 
 
-def _numbers_good(column: Column, values: Array, cells: list[str]) -> bool:
+def _numbers_good(column: Column, values: Array) -> bool:
+    """Whether numbers, NaN for an empty cell, are what a column allows."""
     finite = np.isfinite(values)
-    if not finite.all() and (not column.empty or any(cells[k] for k in np.flatnonzero(~finite))):
+    if not (column.empty or finite.all()):
         return False
     known = values[finite]
     return not ((column.limit == "> 0" and (known <= 0).any()) or (column.limit == ">= 0" and (known < 0).any()))
@@ -344,14 +429,19 @@ def _references(column: Column, cells: list[str], first_line: int, problems: lis
     return np.zeros(0, np.int32)
 
 
-def _check_pairs(path: Path, pair: Sequence[object], names: tuple[str, ...], first_row: int) -> None:
-    """Raise where a pair of references stands twice."""
+def _pairs_again(pair: Sequence[object]) -> tuple[Index, Index]:
+    """An order of the rows in which equal pairs stand together, and where in it one stands again."""
     a, b = (np.asarray(p, np.int64) for p in pair)
     key = (a << 32) | b
     if (np.diff(key) > 0).all():
-        return
+        return np.zeros(0, np.int64), np.zeros(0, np.int64)
     order = np.argsort(key, kind="stable")
-    again = np.flatnonzero(np.diff(key[order]) == 0)
+    return order, np.flatnonzero(np.diff(key[order]) == 0)
+
+
+def _check_pairs(path: Path, pair: Sequence[object], names: tuple[str, ...], first_row: int) -> None:
+    """Raise where a pair of references stands twice."""
+    order, again = _pairs_again(pair)
     if len(again) == 0:
         return
     problems: list[Problem] = []

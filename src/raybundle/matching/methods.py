@@ -8,6 +8,7 @@ from importlib.util import find_spec
 from raybundle.errors import InputError
 from raybundle.matching.features import FeatureMethod, methods
 from raybundle.matching.reduced import SUFFIX, Reduced
+from raybundle.settings import option
 
 BUILT_IN = ("rootsift", "xfeat", "disk")
 
@@ -29,6 +30,6 @@ def feature_method(name: str) -> FeatureMethod:
     if missing:
         raise InputError(
             f"feature method {name!r} needs {', '.join(missing)}, not installed here.\n  {method.install}\n"
-            "  or leave --features out: rootsift needs nothing more."
+            f"  or leave {option('features')} out: rootsift needs nothing more."
         )
     return method

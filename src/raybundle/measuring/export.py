@@ -1,7 +1,8 @@
-"""What was measured by hand as files that other programs read, and `--control`."""
+"""What was measured by hand as files that other programs read, and orient as its control."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -17,12 +18,16 @@ from raybundle.io.tables import write_table
 from raybundle.measuring.known import Known
 from raybundle.measuring.merge import merge
 from raybundle.measuring.state import State
+from raybundle.numerics.counting import counted
+
+READ_AS_PX = 0.5
+"""Standard deviation with which marks of a CSV are read."""
 
 
 def write_csv(state: State, path: str | Path, known: Known) -> tuple[Path, Path]:
-    """Points as a CSV, and beside it NAME-measurements.csv, as `--control` reads both.
+    """Points as a CSV, and beside it NAME-measurements.csv, as `control` of orient reads both.
 
-    What it does not hold: covariances of marks (each is read as 0.5 px), bars, lines, rejections; a block holds all.
+    What it does not hold is told by `lost_in_csv`; a block holds all.
     """
     path = Path(path)
     if path.suffix.lower() != ".csv":
@@ -57,7 +62,7 @@ def write_gcp_list(state: State, path: str | Path, known: Known, crs: str) -> Pa
 
     crs     the coordinate system that their coordinates are in: EPSG:32611, WGS84 UTM 11N, a PROJ string
     raises  InputError for names that the format cannot hold, and where there is nothing to write
-    What it does not hold: standard deviations, the roles, tie points, bars.
+    What it does not hold is told by `lost_in_gcp_list`; a block holds all.
     """
     path = Path(path)
     parse_crs(crs)
@@ -84,6 +89,43 @@ def write_merged_block(state: State, path: str | Path, block: Block) -> Path:
     """The block with what was measured, as a block folder; a folder that holds something is not overwritten."""
     write_block(merge(block, state).block, path)
     return Path(path)
+
+
+def lost_in_csv(state: State) -> tuple[str, ...]:
+    """What of a state a CSV of points does not hold, in words; empty: it holds all."""
+    other = sum(m.covariance != (READ_AS_PX**2, READ_AS_PX**2, 0.0) for m in state.marks.values())
+    things = [*_beside_points(state), (other, f"standard deviation of marks (each is read as {READ_AS_PX:g} px)")]
+    return _lost(things, "a CSV of points")
+
+
+def lost_in_gcp_list(state: State) -> tuple[str, ...]:
+    """What of a state a gcp_list.txt does not hold, in words; empty: it holds all."""
+    given = [v for v in state.points.values() if v.role != "tie"]
+    things = [
+        *_beside_points(state),
+        (len(state.points) - len(given), "tie point"),
+        (sum(None in v.xyz for v in given), "point without all three coordinates"),
+        (sum(v.role == "check" for v in given), "role of check points (they are read as control)"),
+        (sum(any(s is not None for s in v.sigma) for v in given), "standard deviation of points"),
+        (len(state.marks), "standard deviation of marks"),
+    ]
+    return _lost(things, "a gcp_list.txt")
+
+
+def _beside_points(state: State) -> list[tuple[int, str]]:
+    """How many there are of what is neither a point nor a mark."""
+    return [
+        (len(state.bars), "scale bar"), (len(state.lines), "line"),
+        (int(state.datum is not None), "coordinate system by points"), (len(state.rejected), "rejection"),
+        (len(state.renamed), "new name of a point of the block"),
+    ]  # fmt: skip
+
+
+def _lost(things: Sequence[tuple[int, str]], where: str) -> tuple[str, ...]:
+    told = [
+        what if what.startswith(("standard", "role", "coordinate")) else counted(n, what) for n, what in things if n
+    ]
+    return (f"{where} does not hold: {', '.join(told)}; a block folder holds all",) if told else ()
 
 
 def _files(known: Known) -> dict[str, str]:

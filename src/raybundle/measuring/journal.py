@@ -1,6 +1,6 @@
 """The journal of measuring: every action in one SQLite file, kept for good; it is the audit trail.
 
-    PROJECT/measured.db            of a project folder
+    PROJECT/measured.db            of a project folder, also where its result is named
     RESULT.measured.db             beside a result or block folder, which is replaced whole when it is written again
 
 A row is an action: its number, an id that whoever sent it chose (the same action sent twice counts once), time, author,
@@ -48,21 +48,38 @@ COMMIT;
 """
 
 
-def journal_path(folder: str | Path) -> Path:
-    """Where the journal of a project, result or block folder is."""
+def project_of(folder: str | Path) -> Path | None:
+    """The project folder that a folder is, or whose own result (or block of it) it is."""
     folder = Path(folder)
     if (folder / "project.db").is_file():
-        return folder / "measured.db"
+        return folder
     whole = folder.resolve()  # "." and "a/.." have no name of their own
-    return whole.with_name(f"{whole.name}.measured.db")
+    result = whole.parent if whole.name == "block" else whole
+    if result.name == "result" and (result.parent / "project.db").is_file():
+        return result.parent
+    return None
+
+
+def journal_path(folder: str | Path) -> Path:
+    """Where the journal of a project, result or block folder is; raises InputError where there are two."""
+    project, whole = project_of(folder), Path(folder).resolve()
+    beside = whole.with_name(f"{whole.name}.measured.db")
+    if project is None:
+        return beside
+    if project.resolve() != whole and beside.is_file():
+        raise InputError(
+            f"a project has one journal, {project / 'measured.db'}, and this one was begun beside its result; move one "
+            "of them away (a journal keeps what it holds under either name)",
+            file=beside,
+        )
+    return project / "measured.db"
 
 
 def measured_result(folder: str | Path) -> Path:
     """Where the result of what was measured is written by default: in a project, beside any other folder."""
-    folder = Path(folder)
-    if (folder / "project.db").is_file():
-        return folder / "measured-result"
-    whole = folder.resolve()
+    if (project := project_of(folder)) is not None:
+        return project / "measured-result"
+    whole = Path(folder).resolve()
     return whole.with_name(f"{whole.name}-measured")
 
 

@@ -16,6 +16,7 @@ from raybundle.errors import InputError, NotSolvable
 from raybundle.io.block.folder import read_block
 from raybundle.measuring.joint import Joint
 from raybundle.measuring.known import Known
+from raybundle.settings import option
 
 Adjust = Callable[[Block], Adjustment]
 
@@ -122,6 +123,6 @@ def block_folder(folder: str | Path) -> Path:
             return inner
     raise InputError(
         "is no project, result or block folder: there is no block.toml in it, in block/ or in result/block/; give what "
-        "--out named",
+        f"{option('out')} named",
         file=folder,
     )

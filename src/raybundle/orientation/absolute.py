@@ -11,6 +11,7 @@ import numpy as np
 from raybundle.block import Block
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.least_squares import Minimum, minimum
 from raybundle.numerics.rotation import rotation_from_angles, rotation_from_vector
 from raybundle.numerics.transform import robust_similarity
 from raybundle.orientation.growth import Growth
@@ -138,32 +139,29 @@ def partial_similarity(source: Array, target: Array, given: Mask) -> tuple[float
     starts = [
         rotation_from_angles(np.array([o, p, k])) for o, p, k in product(quarter, [0.0, np.pi / 2, -np.pi / 2], quarter)
     ]
-    best: tuple[float, tuple[float, Array, Array]] | None = None
     middle = source.mean(axis=0)
     spread = [float(np.std(target[given[:, k], k])) if given[:, k].any() else 0.0 for k in range(3)]
     guess = max(spread) / max(float(np.std(source - middle, axis=0).max()), 1e-300) or 1.0
-    for start in starts:
-        s, R = guess, start
-        t = np.array([_offset(target, s * (source - middle) @ R.T, given, k) for k in range(3)])
-        cost = np.inf
-        for _ in range(30):
-            turned = (source - middle) @ R.T
-            v = (s * turned + t - target)[given]
-            cost = float(v @ v)
-            A = np.zeros((len(source), 3, 7))
-            A[:, :, :3] = np.eye(3)
-            A[:, 1, 3], A[:, 2, 3] = -s * turned[:, 2], s * turned[:, 1]
-            A[:, 0, 4], A[:, 2, 4] = s * turned[:, 2], -s * turned[:, 0]
-            A[:, 0, 5], A[:, 1, 5] = -s * turned[:, 1], s * turned[:, 0]
-            A[:, :, 6] = turned
-            J = A[given]
-            scale = np.maximum(np.linalg.norm(J, axis=0), 1e-12 * max(float(np.abs(J).max()), 1e-300))
-            step = -np.linalg.lstsq(J / scale, v, rcond=1e-9)[0] / scale
-            t, s = t + step[:3], s * float(np.clip(1 + step[6] / s, 0.3, 3.0))
-            R = rotation_from_vector(np.clip(step[3:6], -0.5, 0.5)) @ R
-            if np.linalg.norm(step[3:6]) < 1e-10:
-                break
-        if best is None or cost < best[0]:
-            best = (cost, (s, R, t - s * R @ middle))
-    assert best is not None
-    return best[1]
+
+    def function(at: tuple[float, Array, Array]) -> tuple[Array, Array]:
+        s, R, t = at
+        turned = (source - middle) @ R.T
+        A = np.zeros((len(source), 3, 7))
+        A[:, :, :3] = np.eye(3)
+        A[:, 1, 3], A[:, 2, 3] = -s * turned[:, 2], s * turned[:, 1]
+        A[:, 0, 4], A[:, 2, 4] = s * turned[:, 2], -s * turned[:, 0]
+        A[:, 0, 5], A[:, 1, 5] = -s * turned[:, 1], s * turned[:, 0]
+        A[:, :, 6] = turned
+        return (s * turned + t - target)[given], A[given]
+
+    def moved(at: tuple[float, Array, Array], step: Array) -> tuple[float, Array, Array]:
+        s, R, t = at
+        turn = rotation_from_vector(np.clip(step[3:6], -0.5, 0.5))
+        return s * float(np.clip(1 + step[6] / s, 0.3, 3.0)), turn @ R, t + step[:3]
+
+    found: list[Minimum[tuple[float, Array, Array]]] = []
+    for R in starts:
+        t = np.array([_offset(target, guess * (source - middle) @ R.T, given, k) for k in range(3)])
+        found.append(minimum(function, (guess, R, t), moved, steps=30, rcond=1e-9))
+    s, R, t = min(found, key=lambda m: m.square_sum).values
+    return s, R, t - s * R @ middle

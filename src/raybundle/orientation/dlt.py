@@ -8,6 +8,7 @@ import numpy as np
 
 from raybundle.errors import NoOrientation
 from raybundle.numerics.arrays import Array
+from raybundle.numerics.least_squares import added, minimum
 from raybundle.numerics.rotation import nearest_rotation
 
 
@@ -78,27 +79,24 @@ def dlt(xy_mm: Array, xyz: Array) -> Dlt:
 def _refine(L: Array, xy: Array, X: Array) -> tuple[Array, Array, Array, float]:
     n = len(X)
     H = np.concatenate([X, np.ones((n, 1))], axis=1)
-    N, v = np.eye(11), np.zeros((n, 2))
-    scale = np.ones(11)
-    for _ in range(20):
+
+    def function(L: Array) -> tuple[Array, Array]:
         w = X @ L[8:] + 1
         model = np.stack([H @ L[:4] / w, H @ L[4:8] / w], axis=1)
-        v = model - xy
         J = np.zeros((n, 2, 11))
         J[:, 0, :4] = H / w[:, None]
         J[:, 1, 4:8] = H / w[:, None]
         J[:, :, 8:] = -model[:, :, None] * (X / w[:, None])[:, None, :]
-        J = J.reshape(-1, 11)
-        scale = np.maximum(np.linalg.norm(J, axis=0), 1e-300)
-        N = (J / scale).T @ (J / scale)
-        step = -np.linalg.lstsq(J / scale, v.ravel(), rcond=None)[0] / scale
-        L = L + step
-        if np.max(np.abs(step * scale)) < 1e-12 * np.abs(xy).max():
-            break
+        return (model - xy).ravel(), J.reshape(-1, 11)
+
+    found = minimum(function, L, added)
+    scale = np.maximum(np.linalg.norm(found.jacobian, axis=0), 1e-300)
+    N = (found.jacobian / scale).T @ (found.jacobian / scale)
     redundancy = 2 * n - 11
-    sigma0 = float(np.sqrt(np.sum(v * v) / redundancy)) if redundancy > 0 else float("nan")
+    sigma0 = float(np.sqrt(found.square_sum / redundancy)) if redundancy > 0 else float("nan")
     variance = sigma0**2 if redundancy > 0 else 1.0
-    return L, variance * np.linalg.inv(N) / np.outer(scale, scale), v, sigma0
+    covariance = variance * np.linalg.inv(N) / np.outer(scale, scale)
+    return found.values, covariance, found.residuals.reshape(n, 2), sigma0
 
 
 def _interpret(L: Array, covariance: Array, residuals: Array, sigma0: float, X: Array) -> Dlt:

@@ -20,6 +20,7 @@ import msgspec
 from raybundle.errors import InputError
 from raybundle.pipeline.store import Folder
 from raybundle.pipeline.tasks import Done, Task, do, options_of
+from raybundle.settings import read_with_flags, with_flags
 
 AHEAD = 4
 """Tasks handed over for each worker, so that none waits and what is held in memory stays bounded."""
@@ -69,7 +70,12 @@ class Processes:
         def submit(task: Task) -> Future[Done]:
             return pool.submit(_elsewhere, _written(task), str(store.path))
 
-        with _one_thread_each(), ProcessPoolExecutor(jobs, get_context("spawn")) as pool:
+        with (
+            _one_thread_each(),
+            ProcessPoolExecutor(
+                jobs, get_context("spawn"), initializer=read_with_flags, initargs=(with_flags(),)
+            ) as pool,
+        ):
             yield from _run(tasks, submit, AHEAD * jobs, self.memory)
 
 

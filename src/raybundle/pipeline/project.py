@@ -34,6 +34,7 @@ from raybundle.io.reading.trees import json_of, read_toml
 from raybundle.numerics.arrays import Array
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.store import Folder, Product, writing
+from raybundle.settings import option
 
 SCHEMA = 1
 OWN = {
@@ -122,7 +123,9 @@ class Project:
         if not create:
             return cls(folder, _opened(file, _connection_to_read))
         if not file.exists() and folder.exists() and not _begun(folder):
-            raise InputError("exists and is neither empty nor a project folder; choose another --out", file=folder)
+            raise InputError(
+                f"exists and is neither empty nor a project folder; choose another {option('out')}", file=folder
+            )
         with writing(folder):
             folder.mkdir(parents=True, exist_ok=True)
             lock = _locked(folder)
@@ -291,7 +294,7 @@ def _reading(file: Path, *, writes: bool = False) -> Generator[None]:
         if any(word in text for word in ("malformed", "not a database", "encrypted", "corrupt")):
             advice = "delete this file and run the same command again: features are kept, pairs are matched again"
         else:
-            advice = "close other programs that use the project, or choose another --out"
+            advice = f"close other programs that use the project, or choose another {option('out')}"
         raise InputError(f"cannot be read: {text}; {advice}", file=file) from None
 
 
@@ -332,7 +335,7 @@ def _connection_to_read(file: Path) -> sqlite3.Connection:
     """A connection that changes nothing, also where the folder cannot be written."""
     if not file.is_file():
         raise InputError(
-            "is no project folder (project.db is missing); begin one with `raybundle orient PHOTOS --out`",
+            "is no project folder (project.db is missing); begin one with `raybundle orient`",
             file=file.parent,
         )
     running = file.with_name("project.db-wal").exists()
@@ -398,7 +401,7 @@ def _locked(folder: Path) -> int | None:
     except BlockingIOError:
         os.close(number)
         raise InputError(
-            "another run works in this project; wait for it, or choose another --out", file=folder
+            f"another run works in this project; wait for it, or choose another {option('out')}", file=folder
         ) from None
     except OSError:  # a file system without locks
         os.close(number)

@@ -31,6 +31,7 @@ from raybundle.numerics.rotation import (
 )
 from raybundle.placing.marks import Given, Placing
 from raybundle.platforms.imu import Imu
+from raybundle.settings import option
 
 Convention = Literal["auto", "none", "opk", "rpy-ned", "gimbal"]
 GROSS, LEAST, MOST = 6.0, np.radians(3.0), np.radians(15.0)
@@ -128,17 +129,20 @@ def find_attitudes(
     if found is None:
         if use != "auto" or sigma is not None:
             raise InputError(
-                "attitudes are asked for, and neither --positions nor the photographs have any; give a CSV with "
+                f"attitudes are asked for, and neither {option('positions')} nor the photographs have any; give a CSV "
+                "with "
                 "omega_deg, phi_deg, kappa_deg or roll_deg, pitch_deg, yaw_deg"
             )
         return None, ()
     if use not in {"auto", found.convention}:
-        raise InputError(f"{found.source} has attitudes as {found.convention}, not as {use}; give --attitudes auto")
+        raise InputError(
+            f"{found.source} has attitudes as {found.convention}, not as {use}; give {option('attitudes', 'auto')}"
+        )
     if found.stated == 0:
         told = f"{found.source} has attitudes without standard deviations"
         if use != "auto":
-            raise InputError(f"{told}; give --attitude-sigma TILT HEADING [deg]")
-        return None, (f"{told}: they are not used. --attitude-sigma TILT HEADING observes them",)
+            raise InputError(f"{told}; give {option('attitude_sigma', 'TILT', 'HEADING')} [deg]")
+        return None, (f"{told}: they are not used. {option('attitude_sigma', 'TILT', 'HEADING')} observes them",)
     return _with_covariance(found), ()
 
 

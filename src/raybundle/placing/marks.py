@@ -21,6 +21,7 @@ from raybundle.io.trajectories import PhotoAttitudes
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.orientation.rays import intersect_linear, object_rays, rays_of
 from raybundle.placing.upright import Upright
+from raybundle.settings import option
 
 MARK_PX = 0.5
 """Standard deviation of a point marked in a photograph."""
@@ -131,7 +132,7 @@ def check_marks(photos: Sequence[Photo], given: Given) -> None:
             if name not in known:
                 raise InputError(
                     f"scale bar {bar.start} - {bar.end}: point {name} is not measured in any photograph; "
-                    "give its image measurements with --control"
+                    f"give its image measurements with {option('control')}"
                 )
 
 

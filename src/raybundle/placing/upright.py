@@ -16,6 +16,7 @@ from raybundle.numerics.arrays import Array
 from raybundle.orientation.plumb import PlumbEdges
 from raybundle.orientation.upright import SURE, Habits, Kind, habits
 from raybundle.placing.plumb_lines import vertical_by_edges, with_pixels
+from raybundle.settings import option
 
 UNSURE = np.radians(5.0)
 """Standard deviation of the vertical from which on it is told."""
@@ -81,14 +82,15 @@ def doubts(found: Upright, way: str) -> tuple[Notice, ...]:
         told = (
             f"up is ambiguous: by how the photographs were held the set is {found.kind} with a probability of "
             f"{100 * found.probability:.0f} % only ({100 * SURE:.0f} % are asked for). It was taken for that; if the "
-            "result lies on its side, say --up terrestrial or --up aerial, or --up A,B with two measured points, B "
+            f"result lies on its side, say {option('up', 'terrestrial')} or {option('up', 'aerial')}, or "
+            f"{option('up', 'A,B')} with two measured points, B "
             "plumb above A"
         )
         return (Notice(code="up_ambiguous", message=told),)
     if found.sigma > UNSURE and way == "auto":
         told = (
             f"up is known to ± {degrees:.0f} degrees only, from how the photographs were held; two measured points, B "
-            "plumb above A, say it exactly: --up A,B"
+            f"plumb above A, say it exactly: {option('up', 'A,B')}"
         )
         return (Notice(code="up_uncertain", message=told),)
     if found.edges is not None:
@@ -137,15 +139,18 @@ def _plumb(block: Block, way: str) -> Array:
     names = [n.strip() for n in way.split(",")]
     if len(names) != 2:
         raise InputError(
-            f"--up {way}: it is auto, terrestrial, aerial, oblique, or two points A,B of --control, B plumb above A"
+            f"{option('up', way)}: it is auto, terrestrial, aerial, oblique, or two points A,B of {option('control')}, "
+            "B plumb above A"
         )
     index = {name: k for k, name in enumerate(block.points.ids)}
     for name in names:
         if name not in index or not np.isfinite(block.points.xyz[index[name]]).all():
-            raise InputError(f"--up {way}: point {name} has no place; measure it in two photographs (--control)")
+            raise InputError(
+                f"{option('up', way)}: point {name} has no place; measure it in two photographs ({option('control')})"
+            )
     a, b = (block.points.xyz[index[n]] for n in names)
     if not np.linalg.norm(b - a) > 0:
-        raise InputError(f"--up {way}: the points are at the same place")
+        raise InputError(f"{option('up', way)}: the points are at the same place")
     return (b - a) / np.linalg.norm(b - a)
 
 

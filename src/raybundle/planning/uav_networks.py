@@ -13,6 +13,7 @@ from raybundle.numerics.attitude import rotation_from_gimbal
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.planning.scenes import Scene, brown_camera
 from raybundle.planning.simulate import measured
+from raybundle.settings import option
 
 FREE = ("c", "x0", "y0", "K1", "K2", "K3", "P1", "P2")
 
@@ -130,7 +131,8 @@ def _exact(scene: Scene, plan: Flight) -> Block:
             f"flight: {len(keep)} of {len(count)} photographs show {plan.least_points} tie points or more, two are "
             f"needed. A photograph covers {across} m, tie points lie {plan.size / (plan.points - 1):.3g} m apart over "
             f"{plan.size:.3g} x {plan.size:.3g} m, photographs {plan.base:.3g} m and lines {plan.spacing:.3g} m: bring "
-            "these figures together (--height, --base, --spacing, --ground, --points, --jitter)"
+            f"these figures together ({option('height')}, {option('base')}, {option('spacing')}, {option('ground')}, "
+            f"{option('points')}, {option('jitter')})"
         )
     if len(keep) == len(count):
         return block

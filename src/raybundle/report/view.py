@@ -110,7 +110,7 @@ def printed_lengths(adjustment: Adjustment) -> tuple[float, str]:
 
 def length_unit(adjustment: Adjustment) -> str:
     """Unit of coordinates: the block's, or none where nothing fixes the scale."""
-    return FREE_UNIT if "scale" in adjustment.datum_defect else adjustment.given.length_unit
+    return adjustment.length_unit or FREE_UNIT
 
 
 def _object_point_std(adjustment: Adjustment) -> Array | None:

@@ -34,7 +34,7 @@ def write_result(
     additions    further keys of result.json
     photographs  what is known of the photographs that the adjustment comes from
     frame        the coordinate system in which the local frame of the adjustment stands; map.csv is in that system
-    qualities    verdicts on calibrated cameras; calibration.toml, as `--calibration` takes it, is written beside them
+    qualities    verdicts on calibrated cameras; calibration.toml, as orient takes it, is written beside them
     raises       InputError where something else stands at `path`
     """
     with written_folder(adjustment, path, additions, progress) as folder:

@@ -23,6 +23,7 @@ from raybundle.io.tables import Column, Table, read_table, write_table
 from raybundle.numerics.progress import Progress, silent
 from raybundle.results.contents import clean, result_json
 from raybundle.results.tables import ALWAYS, TABLES, result_table
+from raybundle.settings import option
 
 PROJECT = "project"
 """Folder in a result folder where `raybundle calibrate` keeps what is finished"""
@@ -147,7 +148,9 @@ def read_result(path: str | Path) -> ResultFolder:
     """A result folder's tables and result.json; raises InputError where it is not one."""
     folder = Path(path)
     if not (folder / "result.json").is_file():
-        raise InputError("is not a result folder, it holds no result.json; give what --out named", file=folder)
+        raise InputError(
+            f"is not a result folder, it holds no result.json; give what {option('out')} named", file=folder
+        )
     if not _is_ours(folder / "result.json"):
         raise InputError("is not the result.json of an adjustment; adjust again", file=folder / "result.json")
     result = cast("dict[str, Any]", read_json(folder / "result.json").value)

@@ -27,6 +27,7 @@ import numpy as np
 
 from raybundle.errors import InputError, NoConvergence, RankDefect
 from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.least_squares import added, minimum
 from raybundle.scenes.empirical_models import EmpiricalModel, empirical_models
 
 __all__ = ["EmpiricalFit", "EmpiricalModel", "Normalisation", "empirical_models", "fit_empirical"]
@@ -156,28 +157,28 @@ def _least_squares(model: EmpiricalModel, X: Array, uv: Array, free: Index) -> t
     k = len(free)
     held = np.ones(len(model.symbols), bool)
     held[free] = False
-    values = np.where(held, 0.0, model.start(X, uv))
-    last = np.inf
-    for _ in range(50):
-        image, _, by_values = model.evaluate(X, values)
-        A, l = by_values[:, :, free].reshape(-1, k), (uv - image).reshape(-1)
-        scale = np.linalg.norm(A, axis=0)
-        if not (np.isfinite(A).all() and (scale > 0).all()) or np.linalg.cond(A / scale) > 1e8:
-            raise RankDefect(
-                f"{model.name}: its {k} parameters are not determined by these points; they lie in a plane or a line, "
-                "or are too few; take a model with fewer parameters or points at other heights"
-            )
-        step = np.linalg.lstsq(A / scale, l, rcond=None)[0] / scale
-        values[free] += step
-        size = float(np.abs(step).max() / max(1.0, float(np.abs(values).max())))
-        if size < 1e-12 or (size < 1e-9 and size > 0.3 * last):
-            image, _, by_values = model.evaluate(X, values)
-            A = by_values[:, :, free].reshape(-1, k)
-            return values, A.T @ A, image - uv
-        last = size
-    raise NoConvergence(
-        f"{model.name}: no minimum after 50 iterations (last step {last:.2g}); the points may hold a blunder"
-    )
+    start = np.where(held, 0.0, model.start(X, uv))
+
+    def full(part: Array) -> Array:
+        values = start.copy()
+        values[free] = part
+        return values
+
+    def function(part: Array) -> tuple[Array, Array]:
+        image, _, by_values = model.evaluate(X, full(part))
+        return (image - uv).reshape(-1), by_values[:, :, free].reshape(-1, k)
+
+    found = minimum(function, start[free], added)
+    A = found.jacobian
+    scale = np.linalg.norm(A, axis=0)
+    if not (np.isfinite(A).all() and (scale > 0).all()) or np.linalg.cond(A / scale) > 1e8:
+        raise RankDefect(
+            f"{model.name}: its {k} parameters are not determined by these points; they lie in a plane or a line, "
+            "or are too few; take a model with fewer parameters or points at other heights"
+        )
+    if not found.settled:
+        raise NoConvergence(f"{model.name}: no minimum after {found.steps} iterations; the points may hold a blunder")
+    return full(found.values), A.T @ A, found.residuals.reshape(-1, 2)
 
 
 def _adequate(

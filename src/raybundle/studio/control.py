@@ -1,4 +1,4 @@
-"""Control coordinates dropped on the page: the table is read as `--control` reads it, each row is an action."""
+"""Control coordinates dropped on the page: the table is read as `control` of orient reads it, each row is an action."""
 
 from __future__ import annotations
 

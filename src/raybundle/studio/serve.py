@@ -17,6 +17,7 @@ from tempfile import TemporaryDirectory, gettempdir
 import uvicorn
 
 from raybundle.errors import InputError
+from raybundle.settings import option
 from raybundle.studio.app import Studio
 from raybundle.studio.desk import Desk
 from raybundle.studio.guard import Session
@@ -37,7 +38,9 @@ def listening(port: int) -> socket.socket:
         found.listen(128)  # who opens the address at once waits until the server answers
     except OSError as error:
         found.close()
-        raise InputError(f"port {port} cannot be used ({error.strerror}); leave --port out for a free one") from None
+        raise InputError(
+            f"port {port} cannot be used ({error.strerror}); leave {option('port')} out for a free one"
+        ) from None
     return found
 
 

@@ -19,6 +19,7 @@ from PIL import Image
 from raybundle.errors import InputError
 from raybundle.io.photos.photo import Photo, read_colour, read_photo
 from raybundle.numerics.arrays import Array
+from raybundle.settings import option
 
 SIDE = 512
 MOST_BYTES = 6 * 1024**3
@@ -65,7 +66,7 @@ class Tiles:
             if path is None:
                 raise InputError(
                     "its photograph is not known; name the folder of the photographs when the studio is started "
-                    "(--photos)"
+                    f"({option('photos')})"
                 )
             photo = read_photo(path)
             size = photo.width_px, photo.height_px

@@ -10,6 +10,7 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
+from raybundle.settings import option
 from raybundle.targets.kinds import photomodeler
 from raybundle.targets.kinds.charuco import Charuco
 from raybundle.targets.kinds.chessboard import Chessboard
@@ -55,7 +56,7 @@ def design_board(target: Target, spacing_mm: float, options: SheetOptions) -> Sh
         raise InputError(
             f"{target.title} of {spacing_mm:g} mm needs {size[0] * spacing_mm:.0f} x {size[1] * spacing_mm:.0f} mm; "
             f"{options.paper} has room for {room[0]:.0f} x {room[1]:.0f}: a spacing of {(room / size).min():.1f} mm at "
-            "most, a larger paper, or --lying"
+            f"most, a larger paper, or {option('lying', True)}"
         )
     left, top = width / 2 - size[0] * spacing_mm / 2, (height + FOOT) / 2 + size[1] * spacing_mm / 2
     corner = np.array([left, top])
@@ -134,7 +135,7 @@ def design_dots(spacing_mm: float, count: int | None, options: SheetOptions) -> 
     if not 0 < 2.6 * o.dot_radius_mm < spacing_mm:
         raise InputError(
             f"dots of {o.dot_radius_mm:g} mm radius are too large for a spacing of {spacing_mm:g} mm: "
-            f"{spacing_mm / 2.6:.1f} mm at most (--dot-radius), so that ground is left between them"
+            f"{spacing_mm / 2.6:.1f} mm at most ({option('dot_radius')}), so that ground is left between them"
         )
     columns, rows = (1 + int(r // spacing_mm) if r >= 0 else 0 for r in room)
     most = columns * rows
@@ -164,7 +165,7 @@ def design_dots(spacing_mm: float, count: int | None, options: SheetOptions) -> 
 
 def _dark(options: SheetOptions) -> None:
     if options.polarity != "dark":
-        raise InputError("boards and square tags are printed dark on light: leave out --polarity light")
+        raise InputError(f"boards and square tags are printed dark on light: leave out {option('polarity', 'light')}")
 
 
 def _drawn(target: Target, spacing: float, o: SheetOptions) -> tuple[Array, Array, list[Shape]]:
@@ -197,7 +198,7 @@ def _photomodeler(target: photomodeler.Sheet, spacing: float, o: SheetOptions) -
     if not 0 < radius * (outer + 1.6) <= 1:
         raise InputError(
             f"dots of {o.dot_radius_mm:g} mm radius are too large for {target.title} at a spacing of {spacing:g} mm, "
-            f"since rings of {outer:g} radii stand around four of them: give --dot-radius, "
+            f"since rings of {outer:g} radii stand around four of them: give {option('dot_radius')}, "
             f"{np.floor(10 * spacing / (outer + 1.6)) / 10:g}mm at most"
         )
     shapes: list[Shape] = [Disc(x=p[0] + 0.5, y=0.5 - p[1], radius=radius) for p in target.objects.values()]

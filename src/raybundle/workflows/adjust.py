@@ -27,6 +27,7 @@ from raybundle.numerics.counting import counted_are
 from raybundle.numerics.progress import Progress, silent
 from raybundle.orientation.given_points import intersected_where_better, without_given_ties
 from raybundle.placing.control_doubts import doubted_control, notice, words
+from raybundle.settings import option
 
 LOOKED_AT = 500_000
 """Image observations up to which residuals are looked at for structure, and held calibrations are tested, without being
@@ -116,7 +117,7 @@ def _structure(result: Adjustment, options: AdjustmentOptions) -> tuple[Notice, 
         return ()
     if 2 * automatic(points).sum() < len(points) or (found := structure_notice(result)) is None:
         return ()
-    more = "Adjusted with noise fields (--noise fields), as by `orient`, standard deviations contain it"
+    more = f"Adjusted with noise fields ({option('noise', 'fields')}), as by `orient`, standard deviations contain it"
     return (replace(found, message=f"{found.message}. {more}"),)
 
 

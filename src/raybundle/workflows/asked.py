@@ -9,8 +9,7 @@ from raybundle.io.geo.coordinate_systems import parse_crs
 from raybundle.io.photos.photo import Photo
 from raybundle.io.trajectories import Trajectory
 from raybundle.placing.marks import Given
-
-MISSING = "give --positions, or photographs that state theirs, or leave {} out"
+from raybundle.settings import option
 
 
 def check_asked(
@@ -26,13 +25,22 @@ def check_asked(
     if crs is not None:
         parse_crs(crs)
     known = given.gps and any(p.metadata.gps is not None for p in photos)
-    why = "no photograph has a position" if given.gps else "--no-gps leaves the positions out"
+    why = (
+        "no photograph has a position"
+        if given.gps
+        else f"{option('gps', False, flag='no-gps')} leaves the positions out"
+    )
     if given.lever_arm is not None and not known:
-        raise InputError(f"a lever arm is asked for, and {why}; {MISSING.format('--lever-arm')}")
+        raise InputError(f"a lever arm is asked for, and {why}; {_missing('lever_arm')}")
     if relative and not known:
-        raise InputError(f"relative aerial control is asked for, and {why}; {MISSING.format('--relative')}")
+        raise InputError(f"relative aerial control is asked for, and {why}; {_missing('relative')}")
     if crs is None or scenes or (positions is not None and positions.crs is None):
         return ()
     why = "no positions of a grid are given" if positions is None else f"{positions.path.name} tells its own"
     remark = f"the coordinate system {crs} has no effect: {why}, and there is no satellite scene. Control files name "
     return (remark + "theirs themselves",)
+
+
+def _missing(name: str) -> str:
+    """What to give, or to leave out."""
+    return f"give {option('positions')}, or photographs that state theirs, or leave {option(name)} out"

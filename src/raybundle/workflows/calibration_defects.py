@@ -10,6 +10,7 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
 from raybundle.errors import InputError, NotSolvable
 from raybundle.numerics.arrays import Array
+from raybundle.settings import option
 
 CANNOT = "the camera cannot be calibrated from these photographs"
 COMMON = 6
@@ -100,7 +101,7 @@ def check_spline(before: Adjustment, after: Adjustment) -> None:
             raise NotSolvable(
                 f"camera {camera.id}: the model spline ends worse than the model it started from: residuals of "
                 f"{new:.2g} px in place of {old:.2g} px, camera constant {c:.3g} mm. Its surfaces are not determined "
-                "by these photographs; leave --model away, or take more that cover the format to its corners"
+                f"by these photographs; leave {option('model')} away, or take more that cover the format to its corners"
             )
 
 

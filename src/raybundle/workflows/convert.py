@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Generator
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 from typing import Literal
@@ -18,6 +20,7 @@ from raybundle.io.pictures.undistort import undistorted_block, write_undistorted
 from raybundle.io.scene_export import names_of_scenes, scene_images, with_viewpoints, without_scenes, write_rpcs
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress
+from raybundle.settings import option
 from raybundle.workflows.sources import BLOCK
 
 RPC = "rpc"
@@ -47,10 +50,13 @@ def placed(
     block = export.block
     if block.place is not None:
         raise InputError(
-            f"block {block.name} says itself where its frame stands on the earth; leave --crs out, or give --origin too"
+            f"block {block.name} says itself where its frame stands on the earth; leave {option('crs')} out, or give "
+            f"{option('origin')} too"
         )
     if block.length_unit != "m":
-        raise InputError(f"block {block.name}: a block in {block.length_unit} does not stand in {crs}; give --origin")
+        raise InputError(
+            f"block {block.name}: a block in {block.length_unit} does not stand in {crs}; give {option('origin')}"
+        )
     oriented = block.images.oriented
     middle = block.images.centre[oriented].mean(axis=0) if oriented.any() else np.nanmean(block.points.xyz, axis=0)
     frame = local_frame(crs, middle, undulation_m=undulation)
@@ -82,18 +88,24 @@ def _known_plan(frame: LocalFrame, xyz: Array) -> Array:
     return result
 
 
+@contextmanager
 def straightened(
     export: Export, photos: Path, folder: Path, area: Literal["inside", "all"], progress: Progress
-) -> tuple[Export, tuple[str, ...]]:
-    """The block with pinhole cameras, its photographs without distortion in a new folder."""
+) -> Generator[tuple[Export, tuple[str, ...]]]:
+    """The block with pinhole cameras, and remarks; its photographs without distortion in a new folder.
+
+    The folder takes its name when the body, which writes the model, ends without an error; else nothing is left.
+    """
     if folder.exists():
-        raise InputError("stands there already and is not overwritten; give --out in another folder", file=folder)
+        raise InputError(
+            f"stands there already and is not overwritten; give {option('out')} in another folder", file=folder
+        )
     with new_folder(folder) as temporary:
         remarks = write_undistorted(export.block, photos, temporary, area=area, progress=progress)
         if not any(p.is_file() for p in temporary.rglob("*")):
             raise InputError(f"no photograph of the block could be read: {remarks[0]}", file=photos)
-    block, more = undistorted_block(export.block, area=area)
-    return replace(export, block=block), (*remarks, *more)
+        block, more = undistorted_block(export.block, area=area)
+        yield replace(export, block=block), (*remarks, *more)
 
 
 def written(

@@ -8,6 +8,7 @@ from typing import Any
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.errors import InputError
 from raybundle.io.reading.trees import read_json
+from raybundle.settings import option
 
 
 def less_fixed(folder: Path, adjustment: Adjustment) -> Notice | None:
@@ -29,5 +30,5 @@ def less_fixed(folder: Path, adjustment: Adjustment) -> Notice | None:
         code="datum_lost",
         message=f"the result that this one replaces had what it has not: {', '.join(lost)}. The last run was given "
         "control, positions or scale bars that this one was not, or that take no part; give them again "
-        "(--control, --scale-bar), or another --out",
+        f"({option('control')}, {option('scale_bar')}), or another {option('out')}",
     )

@@ -27,6 +27,7 @@ from raybundle.numerics.arrays import Array
 from raybundle.numerics.counting import counted
 from raybundle.numerics.statistics import DECISIVE, chi_square_tails
 from raybundle.platforms import sensor_models
+from raybundle.settings import option
 
 VELOCITY = ("vx", "vy", "vz")
 MOTION = (*VELOCITY, "wx", "wy", "wz")
@@ -100,7 +101,7 @@ class ReadOut:
                 "photographs with the times of their exposures and something that fixes the scale (positions, control, "
                 "a scale bar) would bring it there, "
                 if self.rolling
-                else "give the read-out time if you know it (--read-out), "
+                else f"give the read-out time if you know it ({option('read_out')}), "
             )
             + "or fly more slowly, or stop for each photograph"
         )
@@ -157,7 +158,8 @@ def rolling_shutters(
     changed = bool(notices)
     if known_s is not None and why:
         message = (
-            f"--read-out {1000 * known_s:g} is of no use for {'; '.join(why)}. Velocities follow from projection "
+            f"{option('read_out', 1000 * known_s)} is of no use for {'; '.join(why)}. Velocities follow from "
+            "projection "
             "centres and times: give photographs with the times of their exposures, and positions, control or "
             "a scale bar"
         )

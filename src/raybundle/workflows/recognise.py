@@ -16,6 +16,7 @@ from raybundle.errors import InputError
 from raybundle.io.photos.photo import Photo, read_grey
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress, silent
+from raybundle.settings import option
 from raybundle.targets.families import families
 from raybundle.targets.marks import Target, detect, target
 from raybundle.targets.seen import charuco_of, chessboard_of, raster_of, ring_end, smallest, tags_seen
@@ -107,7 +108,7 @@ def _ring_family(grey: list[Array], few: set[str]) -> str | None:
         read = ", ".join(f"{n} {count[n]}" for n in (best, *rivals))
         raise InputError(
             f"the targets can be of more than one family (points read on {len(grey)} photographs: {read}), and neither "
-            f"codes nor the widths of the rings tell which; name the one that was printed, as --target {best}"
+            f"codes nor the widths of the rings tell which; name the one that was printed, as {option('target', best)}"
         )
     return best
 
@@ -152,15 +153,15 @@ def _sheet(grey: list[Array], few: set[str]) -> str | None:
 
 
 def _raster(grey: list[Array], few: set[str]) -> str | None:
-    return _agreed(grey, few, raster_of, "a raster of dots", "circles-7x5, or acircles-4x11 where it is staggered")
+    return _agreed(grey, few, raster_of, "a raster of dots", "circles-7x5", ", or acircles-4x11 where it is staggered")
 
 
 def _chessboard(grey: list[Array], few: set[str]) -> str | None:
-    return _agreed(grey, few, chessboard_of, "a chessboard", "chessboard-9x6, by the corners between squares")
+    return _agreed(grey, few, chessboard_of, "a chessboard", "chessboard-9x6", ", by the corners between squares")
 
 
 def _agreed(
-    grey: list[Array], few: set[str], look: Callable[[Array], str | None], what: str, example: str
+    grey: list[Array], few: set[str], look: Callable[[Array], str | None], what: str, example: str, more: str
 ) -> str | None:
     """The board that most photographs show; raises InputError where most show one, but none that can be told."""
     names = [name for g in grey if (name := look(g)) is not None]
@@ -171,7 +172,8 @@ def _agreed(
         return name
     if len(names) <= len(grey) // 2:
         return None
+    named = option("target", example) + more
     raise InputError(
         f"{what} is seen, but not which one: it looks like {', '.join(sorted(set(names)))}, and must look alike and be "
-        f"found whole on most of {len(grey)} photographs; name it, as --target {example}. Tried were: {TRIED}"
+        f"found whole on most of {len(grey)} photographs; name it, as {named}. Tried were: {TRIED}"
     )

@@ -24,6 +24,7 @@ from raybundle.numerics.arrays import Array
 from raybundle.numerics.planes import plane_of_most
 from raybundle.numerics.progress import Progress, silent
 from raybundle.scenes.empirical import EmpiricalFit, fit_empirical
+from raybundle.settings import option
 
 STEP = 16
 """The map is computed at every sixteenth pixel and interpolated linearly between."""
@@ -89,7 +90,7 @@ def grid_over(extent: Array, pixel: float) -> Grid:
         need = pixel * np.sqrt(width * height / LARGEST_PX)
         raise InputError(
             f"the picture would have {width} x {height} px, {LARGEST_PX:.0e} are the limit; "
-            f"take --pixel {need:.2g} or a smaller --area"
+            f"take {option('pixel', float(f'{need:.2g}'))} or a smaller {option('area')}"
         )
     return Grid(left=left, top=top, pixel=pixel, width=width, height=height)
 
@@ -209,8 +210,9 @@ def rectify_block(
     progress("rectifying", 1.0)
     if not picture.shares:
         raise InputError(
-            "no photograph shows the area, or none was found; say where they are with --photos, or choose another "
-            "--area",
+            f"no photograph shows the area, or none was found; say where they are with {option('photos')}, or choose "
+            "another "
+            f"{option('area')}",
             file=folders[0] if folders else None,
         )
     every = np.concatenate(slopes)
@@ -334,7 +336,7 @@ def rectify_photo(photo: Path, single: SinglePhoto, grid: Grid, size: tuple[int,
     at = single.pixels(places)
     inside = ((at > 1) & (at < np.array(size) - 1)).all(axis=1)
     if not inside.any():
-        raise InputError("the photograph does not show the area; choose another --area", file=photo)
+        raise InputError(f"the photograph does not show the area; choose another {option('area')}", file=photo)
     picture = Rectified.empty(grid.height, grid.width)
     pixels = picture.photograph([photo.parent], photo.name, None)
     picture.add(photo.name, pixels, at.astype(np.float32).reshape(*shape, 2), np.reshape(inside, shape), STEP)

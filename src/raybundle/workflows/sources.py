@@ -18,6 +18,7 @@ from raybundle.numerics.arrays import Array
 from raybundle.numerics.counting import counted
 from raybundle.numerics.rotation import rotation_from_angles
 from raybundle.results.folder import read_result
+from raybundle.settings import option
 
 BLOCK = "block"
 """The word for block folders and result folders among the formats."""
@@ -41,6 +42,18 @@ def read_source(source: Path, given: str | None = None, *, approximate: bool = F
     return Export(block=read_block(source)), ()
 
 
+def result_within(source: Path) -> Path:
+    """The result of a project folder of `orient`; any other path as it is."""
+    result = source / "result"
+    if any((source / name).is_file() for name in ("block.toml", "result.json")):
+        return source
+    if (result / "result.json").is_file():
+        return result
+    if (source / "project.db").is_file():
+        raise InputError("is a project without a result yet; orient its photographs first", file=source)
+    return source
+
+
 def recognised(source: Path) -> str:
     """The format of a file or folder by its contents; raises InputError where it cannot be told."""
     if not source.exists():
@@ -51,8 +64,13 @@ def recognised(source: Path) -> str:
     if len(found) == 1:
         return found[0]
     if found:
-        raise InputError(f"looks like {' and '.join(found)}; give --from, one of these", file=source)
-    raise InputError(f"its format is not recognised; give --from, one of {', '.join(READABLE)}", file=source)
+        raise InputError(
+            f"looks like {' and '.join(found)}; give {option('read_as', flag='from')}, one of these", file=source
+        )
+    raise InputError(
+        f"its format is not recognised; give {option('read_as', flag='from')}, one of {', '.join(READABLE)}",
+        file=source,
+    )
 
 
 def _result(folder: Path) -> tuple[Export, tuple[str, ...]]:

@@ -17,6 +17,7 @@ from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.counting import counted_are
 from raybundle.platforms.station import sensor_from_object
+from raybundle.settings import option
 from raybundle.targets.marks import Marks, Target
 from raybundle.targets.sidecar import PrintedSheet
 
@@ -62,13 +63,9 @@ def block_of_targets(
     """
     names: dict[str, int] = {}
     image, point, xy, cov, size = list[Array](), list[Array](), list[Array](), list[Array](), list[Array]()
-    lost: list[tuple[str, str]] = []
+    lost = [(photos[i].name, why) for i, sets in enumerate(marks) if (why := _too_few(sets))]
     for i, sets in enumerate(marks):
-        count = sum(int(m.named.sum()) for m in sets)
-        if count < FEWEST_TARGETS:
-            why = "; ".join(r for m in sets for r in m.remarks)
-            what = f"{counted_are(count, 'named target')} found, {FEWEST_TARGETS} are needed"
-            lost.append((photos[i].name, f"{what}{f' ({why})' if why else ''}"))
+        if _too_few(sets):
             continue
         for m in sets:
             own = m.rows(m.named)
@@ -109,6 +106,15 @@ def block_of_targets(
     )  # fmt: skip
 
 
+def _too_few(sets: Sequence[Marks]) -> str:
+    """Why a photograph takes no part; empty: it does."""
+    count = sum(int(m.named.sum()) for m in sets)
+    if count >= FEWEST_TARGETS:
+        return ""
+    why = "; ".join(r for m in sets for r in m.remarks)
+    return f"{counted_are(count, 'named target')} found, {FEWEST_TARGETS} are needed{f' ({why})' if why else ''}"
+
+
 def _joined(parts: Sequence[Array], columns: int) -> Array:
     if parts:
         return np.concatenate(parts)
@@ -124,7 +130,8 @@ def _places(targets: Sequence[Target], spacing: float, sheet: PrintedSheet | Non
         return {}
     if len(targets) > 1:
         raise InputError(
-            f"a board ({boards[0].title}) is calibrated with alone; name one board, or single targets (--target)"
+            f"a board ({boards[0].title}) is calibrated with alone; name one board, or single targets "
+            f"({option('target')})"
         )
     return {name: spacing * np.asarray(xyz, float) for name, xyz in boards[0].objects.items()}
 

@@ -43,7 +43,7 @@ def photo_seeds(suffix: str):
 def read_a_photograph(folder: Path) -> list[str]:
     from raybundle.io.photos.cameras import camera_groups, camera_of
     from raybundle.io.photos.photo import find_photos, read_grey
-    from raybundle.io.photos.windows import is_tiff, tiff_tags
+    from raybundle.io.reading.tiff import is_tiff, tiff_tags
 
     file = only(folder)
     wrong: list[str] = []

@@ -71,9 +71,9 @@ def empirical_seeds(top: Path) -> None:
 
 
 def read_empirical_points(folder: Path) -> list[str]:
-    from raybundle.cli.empirical import _points
+    from raybundle.commands.empirical import read_points
 
-    _points(only(folder))
+    read_points(only(folder))
     return []
 
 

@@ -189,7 +189,7 @@ def test_unknown_formats_and_directions_are_refused(block, tmp_path):
 
 
 def test_maps_need_a_coordinate_system(block, tmp_path):
-    with pytest.raises(InputError, match="--crs"):
+    with pytest.raises(InputError, match="crs="):
         write_format("kml", replace(exported(block), frame=None), tmp_path / "x.kml")
 
 

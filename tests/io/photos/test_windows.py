@@ -7,7 +7,8 @@ import pytest
 from PIL import Image
 
 from raybundle.errors import InputError
-from raybundle.io.photos.windows import Windows, is_tiff, tiff_tags
+from raybundle.io.photos.windows import Windows
+from raybundle.io.reading.tiff import is_tiff, tiff_tags
 
 WINDOWS = [(0, 0, 300, 200), (17, 33, 18, 34), (100, 60, 299, 199), (250, 0, 300, 70)]
 rng = np.random.default_rng(2)

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.calibrations.given import CAMERA, GIVEN, SIZE, calibrations_of, chosen_of
-from raybundle.cli.common import APPROXIMATE, COMMAND_SETTINGS, FOLDER, NEW_FILE, TRACEBACK, significant
-from raybundle.cli.numbers import POSITIVE
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FILE, TRACEBACK, significant
+from raybundle.cli.settings import options_of, values_of
+from raybundle.commands.calibrations import CalibrationConvertSettings, converted, write_converted
+from raybundle.settings import made
 
 if TYPE_CHECKING:
     from raybundle.io.calibrations import Conversion
@@ -17,27 +18,9 @@ if TYPE_CHECKING:
 
 @click.command("convert", context_settings=COMMAND_SETTINGS)
 @click.argument("source", type=FOLDER, metavar="INPUT")
-@GIVEN
-@click.option("--to", "target", required=True, metavar="FORMAT", help="Format to write.")
-@click.option("--out", type=NEW_FILE, required=True, metavar="FILE", help="New file; nothing is overwritten.")
-@click.option("--model", metavar="NAME", help="Distortion model of FORMAT, as 8 (opencv) or OPENCV (colmap).")
-@click.option("--pixel-mm", type=POSITIVE, metavar="MM", help="Size of a pixel, where INPUT does not tell it.")
-@SIZE
-@CAMERA
-@APPROXIMATE
+@options_of(CalibrationConvertSettings, out=NEW_FILE)
 @TRACEBACK
-def convert(
-    source: Path,
-    given: str | None,
-    target: str,
-    out: Path,
-    model: str | None,
-    pixel_mm: float | None,
-    size: tuple[int, int] | None,
-    camera: str | None,
-    *,
-    approximate: bool,
-) -> None:
+def convert(source: Path, **given: Any) -> None:
     """Convert a calibration; INPUT is a file of any format, or a result folder.
 
     Photographs of a result that are stored turned or reduced have a camera of their own, in their pixels; a format of
@@ -52,20 +35,14 @@ def convert(
       raybundle calibration convert camera.yaml --to metashape --out camera.xml
       raybundle calibration convert result --to opencv --model 8 --out camera.yaml
     """  # noqa: D301
-    from raybundle.cli.calibrations.stored import calibrations_of_files, with_names  # noqa: PLC0415
-    from raybundle.io.calibrations import convert_calibration, write_calibrations  # noqa: PLC0415
-    from raybundle.io.calibrations.base import format_named  # noqa: PLC0415
-
-    found = calibrations_of(source, given, size)
-    turned = calibrations_of_files(source) if given is None and (source / "result.json").is_file() else ()
-    chosen = chosen_of((*found, *turned), camera, source)
-    conversions = [convert_calibration(c, target, variant=model, pixel_mm=pixel_mm) for c in chosen]
-    for conversion in conversions:
+    settings = made(CalibrationConvertSettings, {"source": source, **values_of(CalibrationConvertSettings, given)})
+    found = converted(settings)
+    for caution in found.cautions:
+        click.echo(f" caution: {caution}")
+    for conversion in found.conversions:
         _tell(conversion)
-    files = with_names(conversions, {c.id for c in turned}, out, several=format_named(target).several)
-    for path, held in files:
-        write_calibrations(target, held, path, approximate=approximate)
-        click.echo(f" {target}: {path}")
+    for path in write_converted(settings, found).files:
+        click.echo(f" {settings.to}: {path}")
 
 
 def _tell(conversion: Conversion) -> None:

@@ -27,6 +27,7 @@ from raybundle.io.folders import make_parent, new_files
 from raybundle.io.reading.files import guarded, read_bytes
 from raybundle.numerics.arrays import Array
 from raybundle.sensors import sensor_models
+from raybundle.settings import option
 
 FILE_BYTES = 1 << 26
 FITTED = 1e-9
@@ -134,7 +135,9 @@ def recognised(path: Path) -> str:
     if len(names) == 1:
         return names[0]
     found = f"could be {' or '.join(names)}" if names else "is no calibration that is recognised"
-    raise InputError(f"{found}; give --from, one of {', '.join(sorted(calibration_formats))}", file=path)
+    raise InputError(
+        f"{found}; give {option('read_as', flag='from')}, one of {', '.join(sorted(calibration_formats))}", file=path
+    )
 
 
 def _text(path: Path) -> str:
@@ -347,12 +350,14 @@ def write_calibrations(
         if not approximate and not c.largest_px <= LIMIT_PX:
             raise InputError(
                 f"camera {c.calibration.id} as {c.variant} deviates by up to {c.largest_px:.3g} px (rms {c.rms_px:.3g} "
-                f"px) over the format, more than {LIMIT_PX:g} px; give another format or model, or --approximate",
+                f"px) over the format, more than {LIMIT_PX:g} px; give another format or model, or "
+                f"{option('approximate', True)}",
                 file=path,
             )
     if not conversions or (len(conversions) > 1 and not format_.several):
         raise InputError(
-            f"{len(conversions)} cameras, but a file of the format {name} holds one; convert them one by one: --camera",
+            f"{len(conversions)} cameras, but a file of the format {name} holds one; convert them one by one: "
+            f"{option('camera')}",
             file=path,
         )
     write_whole(path, format_.write(conversions, path.suffix.lower()))

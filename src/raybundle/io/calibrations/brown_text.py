@@ -18,6 +18,7 @@ from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conve
 from raybundle.io.reading.files import read_text
 from raybundle.io.reading.words import fortran_of, quoted, whole_of
 from raybundle.sensors import sensor_models
+from raybundle.settings import option
 
 AUSTRALIS = {
     "C": "c", "XP": "x0", "YP": "y0", "K1": "K1", "K2": "K2", "K3": "K3", "P1": "P1", "P2": "P2", "B1": "A", "B2": "S",
@@ -153,7 +154,9 @@ def read_photomodeler(path: Path, size_px: tuple[int, int] | None) -> tuple[Cali
     if missing:
         raise InputError(f"{', '.join(missing)} missing; is it a complete calibration report?", file=path)
     if size_px is None:
-        raise InputError("the report does not tell the format in pixels; give it: --size WIDTH HEIGHT", file=path)
+        raise InputError(
+            f"the report does not tell the format in pixels; give it: {option('size', 'WIDTH', 'HEIGHT')}", file=path
+        )
     fw, fh = values["width"], values["height"]
     values["x0"] -= fw / 2
     values["y0"] = fh / 2 - values["y0"]

@@ -19,6 +19,7 @@ from raybundle.io.calibrations.yaml_text import read_yaml
 from raybundle.io.cameras.forward_camera import ForwardCamera
 from raybundle.io.reading.trees import Json, read_json
 from raybundle.numerics.arrays import Array
+from raybundle.settings import option
 
 HALF = 0.5
 """Our coordinate of the centre of the first pixel, which is OpenCV's origin."""
@@ -78,7 +79,10 @@ def _size(top: Json, size_px: tuple[int, int] | None) -> tuple[int, int]:
             return items[0].whole(), items[1].whole()
         both.fail("width and height of the image are needed here")
     if size_px is None:
-        top.fail("the size of the image (image_width, image_height) is missing; give it: --size WIDTH HEIGHT")
+        top.fail(
+            "the size of the image (image_width, image_height) is missing; give it: "
+            f"{option('size', 'WIDTH', 'HEIGHT')}"
+        )
     return size_px
 
 
@@ -96,7 +100,7 @@ def _read(path: Path, size_px: tuple[int, int] | None, *, fisheye: bool) -> tupl
     if matrix is None:
         top.fail(f"there is no camera matrix; it is looked for as {', '.join(MATRIX)}")
     if _is_fisheye(top) and not fisheye:
-        top.fail("this is the calibration of a fisheye; give --from opencv-fisheye")
+        top.fail(f"this is the calibration of a fisheye; give {option('read_as', 'opencv-fisheye', flag='from')}")
     K = _numbers(matrix)
     if len(K) != 9:
         matrix.fail(f"{len(K)} elements, the 3 x 3 camera matrix has 9")

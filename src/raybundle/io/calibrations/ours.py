@@ -1,4 +1,4 @@
-"""Our own cameras: the [cameras.ID] tables of a TOML file, as `raybundle orient --calibration` takes them."""
+"""Our own cameras: the [cameras.ID] tables of a TOML file, as `calibration` of orient takes them."""
 
 from __future__ import annotations
 

@@ -7,7 +7,7 @@ a grid on the whole image format, and what the fit leaves is measured on a finer
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -17,6 +17,7 @@ from raybundle.block import Block, Camera
 from raybundle.errors import InputError
 from raybundle.io.cameras.forward_camera import STEP, TERMS, ForwardCamera, distorted, forward_rays, ideal_points
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.least_squares import added, minimum
 from raybundle.sensors import sensor_models
 
 NOMINAL_SIDE_MM = 36.0
@@ -27,6 +28,8 @@ measured image point, beyond which the misfit of the camera is the largest error
 CLOSE_PX = 0.01
 """A fit with fewer parameters is taken if it deviates by no more than this."""
 LEAST_INVERTIBLE = 0.5
+FLAT = 1e-4
+"""A step that lowers the sum of squares by a smaller share is the last: rational distortions have long flat valleys."""
 FULL = ("fx", "fy", "cx", "cy", "k1", "k2", "p1", "p2", "k3", "d1", "d2", "d3")
 OPENCV = FULL[:8]
 FISHEYE = ("fx", "fy", "cx", "cy", "k1", "k2", "k3", "k4")
@@ -249,7 +252,7 @@ def forward_fit(
             columns.append(np.imag(distorted(ideal, full(step))).ravel() / STEP)
         return (distorted(ideal, full(x)) - pixels).ravel(), np.stack(columns, axis=1)
 
-    vector = full(_least_squares(residual_and_jacobian, start[free]))
+    vector = full(minimum(residual_and_jacobian, start[free], added, damping=1e-3, enough=FLAT).values)
     values = dict(zip(TERMS, vector.tolist(), strict=True))
     fitted = ForwardCamera(width_px=camera.width_px, height_px=camera.height_px, projection=projection, **values)
     with np.errstate(all="ignore"):
@@ -260,35 +263,6 @@ def forward_fit(
         rms_px=float(np.sqrt(np.mean(deviation**2))),
         covered=float(seen_fine.mean()),
     )
-
-
-def _least_squares(function: Callable[[Array], tuple[Array, Array]], start: Array) -> Array:
-    """Parameters (k,) with the smallest sum of squares; `function` gives residuals (m,) and Jacobian (m, k).
-
-    Levenberg 1944, Marquardt 1963, with scaled columns: rational distortions have long flat valleys.
-    """
-    x, damping = start, 1e-3
-    with np.errstate(all="ignore"):
-        residual, jacobian = function(x)
-        for _ in range(80):
-            before = float(residual @ residual)
-            scale = np.linalg.norm(jacobian, axis=0)
-            scale = np.where(scale > 0, scale, 1.0)
-            A = np.concatenate([jacobian / scale, np.sqrt(damping) * np.eye(len(x))])
-            right = np.concatenate([-residual, np.zeros(len(x))])
-            step = np.linalg.lstsq(A, right, rcond=None)[0] / scale
-            new_residual, new_jacobian = function(x + step)
-            after = float(new_residual @ new_residual)
-            if not after <= before:
-                damping *= 10
-                if damping > 1e8:
-                    break
-                continue
-            x, residual, jacobian = x + step, new_residual, new_jacobian
-            damping = max(damping / 10, 1e-15)
-            if before - after <= 1e-4 * before + 1e-24 * len(residual) and damping < 1e-6:
-                break
-    return x
 
 
 def camera_from_forward(
@@ -383,7 +357,7 @@ def measured_fit(source: Camera | ForwardCamera, blank: Camera, free: Sequence[s
         J_px = np.einsum("nij,jkn,i->ikn", by_image, np.broadcast_to(J, (2, J.shape[1], g.shape[1]))[:, 5:], per_mm)
         return g_px.ravel(), np.moveaxis(J_px[:, order], 1, 2).reshape(-1, len(order))
 
-    x[order] = _least_squares(residual_and_jacobian, x[order])
+    x[order] = minimum(residual_and_jacobian, x[order], added, damping=1e-3, enough=FLAT).values
     fine = grid_px(blank.width_px, blank.height_px, 58)
     fine_rays = rays_of(source, fine)
     seen = np.isfinite(fine_rays).all(axis=0)

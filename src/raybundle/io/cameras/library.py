@@ -1,6 +1,6 @@
 """The camera library: calibrations kept in the user's folder, found again by what a photograph's EXIF says.
 
-Each entry is a folder with two files: `camera.toml`, which `--calibration` takes as it is, and `entry.toml` with
+Each entry is a folder with two files: `camera.toml`, which orient takes as its calibration, and `entry.toml` with
 the key (make, model, serial, lens, focal length, focus), the covariance and where the calibration comes from.
 """
 
@@ -31,6 +31,7 @@ from raybundle.io.photos.photo import Photo
 from raybundle.io.reading.trees import Json, read_toml
 from raybundle.numerics.arrays import Array
 from raybundle.sensors import sensor_models
+from raybundle.settings import option
 
 VARIABLE = "RAYBUNDLE_CAMERAS"
 POOR = ("weak", "not determinable")
@@ -251,7 +252,7 @@ def add_entry(entry: LibraryEntry, folder: Path | None = None) -> Path:
     if not k.model or not (focal or entry.zoom is not None):
         raise InputError(
             "a calibration is found again by the camera's model and the EXIF focal length; give a photograph of the "
-            "set (--photo), or --model and --focal"
+            f"set ({option('photo')}), or {option('model')} and {option('focal')}"
         )
     words = (
         k.make,
@@ -409,7 +410,8 @@ def with_library(
         of = f", of {best.entry.date}" if best.entry.date else ""
         how = "is observed with its covariance" if best.camera.calibrated else "is held: its covariance is not known"
         weak = f"; it was called {best.entry.grade}" if best.entry.grade in POOR else ""
-        told = f"the calibration {best.entry.name} of the camera library{of} {how}{weak} (--no-library: estimate it)"
+        without = option("library", False, flag="no-library")
+        told = f"the calibration {best.entry.name} of the camera library{of} {how}{weak} ({without}: estimate it)"
         result.append(replace(taken, remarks=(*group.remarks, *taken.remarks, told)))
     return tuple(result)
 

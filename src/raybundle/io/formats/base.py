@@ -17,6 +17,7 @@ from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.io.reading.files import guarded, opened
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.sensors import ProjectionDiverged, sensor_models
+from raybundle.settings import option
 
 SENSOR_FROM_CV = np.diag([1.0, -1.0, -1.0])
 """Computer vision's camera axes are x right, y down, z forward; ours x right, y up, the view along -Z."""
@@ -157,19 +158,22 @@ def write_format(
         raise InputError(f"format {name} is only read, not written", file=path)
     if format_.needs_frame and export.frame is None:
         raise InputError(
-            f"format {name} needs the place on the earth; give the coordinate system of the block: --crs EPSG:25832, "
-            "and --origin E N H if the block stands in a local frame",
+            f"format {name} needs the place on the earth; give the coordinate system of the block: "
+            f"{option('crs', 'EPSG:25832')}, "
+            f"and {option('origin', 'E', 'N', 'H')} if the block stands in a local frame",
             file=path,
         )
     if path.exists() and (not path.is_dir() or any(path.iterdir())):
         raise InputError("stands there already and is not overwritten; choose another name", file=path)
     if export.block.free_scale and format_.metric and not free_scale:
-        raise InputError(f"{FREE_SCALE}, and {name} counts in metres; {GIVE_SCALE}, or --free-scale", file=path)
+        raise InputError(
+            f"{FREE_SCALE}, and {name} counts in metres; {GIVE_SCALE}, or {option('free_scale', True)}", file=path
+        )
     told = (f"{FREE_SCALE}: lengths in what is written are in no unit",) if export.block.free_scale else ()
     if format_.kind == "folder":
         with new_folder(path) as folder:
             draft = format_.write(export, folder)
-            check_deviation(draft.deviation_px, draft.remarks, path, approximate=approximate, remedy=STRAIGHTEN)
+            check_deviation(draft.deviation_px, draft.remarks, path, approximate=approximate, remedy=straighten())
             names = sorted(p.relative_to(folder) for p in folder.rglob("*") if p.is_file())
         files = tuple(path / n for n in names)
         return Written(files=files, remarks=(*told, *draft.remarks), deviation_px=draft.deviation_px)
@@ -182,10 +186,15 @@ GIVE_SCALE = "give the adjustment a scale bar, two control points or observed po
 
 
 HOLDS = "give a format that holds it"
-STRAIGHTEN = (
-    "write the photographs without distortion, which every format holds (--photos FOLDER --undistort inside), or give "
-    "a format that holds this one"
-)
+
+
+def straighten() -> str:
+    """What to do where a format does not hold a distortion."""
+    how = f"{option('photos', 'FOLDER')} {option('undistort', 'inside')}"
+    return (
+        f"write the photographs without distortion, which every format holds ({how}), or give a format that holds "
+        "this one"
+    )
 
 
 def check_deviation(
@@ -196,7 +205,7 @@ def check_deviation(
         told = "; ".join(r for r in remarks if "deviation" in r)
         raise InputError(
             f"a camera deviates by up to {deviation_px:.3g} px from the one that it stands for ({told}), more than "
-            f"{LIMIT_PX:g} px; {remedy}, or take the deviation (--approximate)",
+            f"{LIMIT_PX:g} px; {remedy}, or take the deviation ({option('approximate', True)})",
             file=path,
         )
 
@@ -222,7 +231,7 @@ def _write_files(write: Writer, export: Export, path: Path, *, approximate: bool
     make_parent(path)
     with new_files(path) as (temporary,):
         draft = write(export, temporary)
-        check_deviation(draft.deviation_px, draft.remarks, path, approximate=approximate, remedy=STRAIGHTEN)
+        check_deviation(draft.deviation_px, draft.remarks, path, approximate=approximate, remedy=straighten())
         made = sorted(temporary.parent.iterdir())
         for file in made:
             if (path.parent / file.name).exists():

@@ -41,6 +41,7 @@ from raybundle.io.formats.aerial_text import (
 from raybundle.io.formats.base import Draft, Export, Format, Import, Scene, register, scene
 from raybundle.io.reading.words import quoted
 from raybundle.numerics.attitude import GON, pok_from_rotation, rotation_from_opk, rotation_from_pok
+from raybundle.settings import option
 
 IMAGE, ITERA, GEOIN = "image.dat", "itera.dat", "geoin.dat"
 READINGS = ("phi, omega, kappa in gon", "omega, phi, kappa in gon", "omega, phi, kappa in degrees")
@@ -62,7 +63,8 @@ def write(export: Export, folder: Path) -> Draft:
     write_own(folder, s, export, photographs, points)
     remark = (
         "image points are the measured ones, in mm about the image centre; principal point and distortion stand in "
-        "cameras.toml alone: give them to the other program, or straighten the photographs first (--undistort)"
+        "cameras.toml alone: give them to the other program, or straighten the photographs first "
+        f"({option('undistort')})"
     )
     return Draft(remarks=(*converted, *s.remarks, remark))
 

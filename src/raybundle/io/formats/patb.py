@@ -39,6 +39,7 @@ from raybundle.io.formats.base import Draft, Export, Format, Import, Scene, regi
 from raybundle.io.reading.words import quoted
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.rotation import nearest_rotation
+from raybundle.settings import option
 
 STEM = "block"
 READINGS = ("image axes to object axes", "object axes to image axes, the transpose")
@@ -59,7 +60,8 @@ def write(export: Export, folder: Path) -> Draft:
     write_own(folder, s, export, photographs, points)
     remark = (
         "image points are the measured ones, in micrometres about the image centre; principal point and distortion "
-        "stand in cameras.toml alone: give them to the other program, or straighten the photographs first (--undistort)"
+        "stand in cameras.toml alone: give them to the other program, or straighten the photographs first "
+        f"({option('undistort')})"
     )
     return Draft(remarks=(*converted, *s.remarks, remark))
 

@@ -24,6 +24,7 @@ from raybundle.errors import InputError
 from raybundle.io.reading.words import finite, quoted, whole_of
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.rotation import nearest_rotation
+from raybundle.settings import option
 
 if TYPE_CHECKING:
     from pyproj import CRS, Transformer
@@ -228,7 +229,8 @@ def _missing_geoid(crs: str, grid: str) -> InputError:
         get = f"get its grid {grid}: `pyproj sync --file {grid}`, or {offline}"
     return InputError(
         f"{vertical} counts heights above a geoid that is not installed; taken as heights above the ellipsoid they "
-        f"would be wrong by up to 100 m; {get}; or give the height of the geoid, where --undulation is an option; or, "
+        f"would be wrong by up to 100 m; {get}; or give the height of the geoid, where {option('undulation')} is an "
+        "option; or, "
         f"where the heights do stand above the ellipsoid, say so by the system without heights: {alone}"
     )
 

@@ -30,6 +30,8 @@ HEIC_BRANDS = {b"heic", b"heix", b"heim", b"heis", b"hevc", b"hevx", b"mif1", b"
 SEGMENT_BYTES = 1 << 22
 WHOLE_BYTES = 1 << 26
 """A TIFF's directories may stand anywhere in it; longer files are mapped into memory, not read."""
+BAND = 1024
+"""Rows that are taken over at once."""
 _opening = threading.Lock()
 
 
@@ -309,8 +311,18 @@ def _decode(path: Path, kind: Kind, image: Any, mode: Literal["grey", "colour"])
         image.draft("L", image.size)
     if kind in {"png", "tiff"} and _bits(image, kind, path) == 16:
         return _decode_16(path, image, mode)
-    pixels = np.asarray(image.convert("L" if mode == "grey" else "RGB"))
-    return np.ascontiguousarray(pixels, np.uint8)
+    wanted = "L" if mode == "grey" else "RGB"
+    return _in_bands(image if image.mode == wanted else image.convert(wanted))
+
+
+def _in_bands(image: Any) -> Array:
+    """The pixels of an image in Pillow's memory, taken over in bands: as a whole they would be held four times."""
+    width, height = image.size
+    pixels = np.empty((height, width, *([3] if image.mode == "RGB" else [])), np.uint8)
+    for top in range(0, height, BAND):
+        below = min(top + BAND, height)
+        pixels[top:below] = np.asarray(image.crop((0, top, width, below)))
+    return pixels
 
 
 def decode_channels(path: Path, kind: Kind) -> tuple[Array, Array | None]:

@@ -1,22 +1,20 @@
-"""EXIF: a reader of TIFF directories that takes nothing for granted.
+"""EXIF: the directories of one image, from a source that nothing is taken for granted of.
 
-Every offset and count is checked against the bytes there are; directories are read once each, so that a file
-whose directories point at each other ends.  EXIF 2.32 (CIPA DC-008-2019), TIFF 6.0.
+Directories are read once each, so that a file whose directories point at each other ends.  EXIF 2.32 (CIPA
+DC-008-2019).
 """
 
 from __future__ import annotations
 
 import math
-import struct
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from raybundle.io.reading.tiff import BYTES, LETTERS, SMALLEST, TEXT, Entry, Memory, Tiff
 from raybundle.io.reading.words import finite, number_of
 
 ENTRIES = 1000
 VALUE_BYTES = 1 << 20
-SIZES = {1: 1, 2: 1, 3: 2, 4: 4, 5: 8, 6: 1, 7: 1, 8: 2, 9: 4, 10: 8, 11: 4, 12: 8, 13: 4}
-LETTERS = {1: "B", 3: "H", 4: "I", 6: "b", 8: "h", 9: "i", 11: "f", 12: "d", 13: "I"}
 EXIF_POINTER, GPS_POINTER = 0x8769, 0x8825
 
 Value = str | bytes | tuple[float, ...]
@@ -73,11 +71,11 @@ def read_tags(data: bytes | memoryview) -> Tags:
     source = memoryview(data)
     if bytes(source[:6]) == b"Exif\0\0":
         source = source[6:]
-    order = {b"II": "<", b"MM": ">"}.get(bytes(source[:2]), "")
-    if len(source) < 8 or not order:
-        return Tags(remarks=("EXIF does not begin with II or MM: not read",))
-    reader = _Reader(source, order)
-    main = reader.directory(struct.unpack_from(order + "I", source, 4)[0], "main")
+    tiff = Tiff.of(Memory(source))
+    if tiff is None:
+        return Tags(remarks=("EXIF does not begin as a TIFF does (II or MM, 42): not read",))
+    reader = _Reader(tiff)
+    main = reader.directory(tiff.first, "main")
     exif = reader.linked(main, EXIF_POINTER, "EXIF")
     gps = reader.linked(main, GPS_POINTER, "GPS") or reader.linked(exif, GPS_POINTER, "GPS")
     return Tags(main, exif, gps, tuple(reader.remarks))
@@ -86,9 +84,8 @@ def read_tags(data: bytes | memoryview) -> Tags:
 class _Reader:
     """One TIFF structure; remembers which directories were read."""
 
-    def __init__(self, source: memoryview, order: str) -> None:
-        self.source = source
-        self.order = order
+    def __init__(self, tiff: Tiff) -> None:
+        self.tiff = tiff
         self.seen: set[int] = set()
         self.remarks: list[str] = []
 
@@ -99,49 +96,40 @@ class _Reader:
             return {}
         return self.directory(int(pointer[0]), name)
 
-    def directory(self, offset: int, name: str) -> dict[int, Value]:
+    def directory(self, at: int | None, name: str) -> dict[int, Value]:
         """The entries of a directory; the first of several with the same tag."""
-        if not 8 <= offset <= len(self.source) - 2:
+        count = None if at is None or at < SMALLEST else self.tiff.count(at)
+        if at is None or count is None:
             self.remarks.append(f"the {name} directory lies outside the data")
             return {}
-        if offset in self.seen:
+        if at in self.seen:
             self.remarks.append(f"the {name} directory was read already under another name")
             return {}
-        self.seen.add(offset)
-        (count,) = struct.unpack_from(self.order + "H", self.source, offset)
-        room = min(ENTRIES, (len(self.source) - offset - 2) // 12)
-        if count > room:
-            self.remarks.append(f"the {name} directory promises {count} entries, {room} can be read")
+        self.seen.add(at)
         entries: dict[int, Value] = {}
-        bad = 0
-        for k in range(min(count, room)):
-            tag, kind, number = struct.unpack_from(self.order + "HHI", self.source, offset + 2 + 12 * k)
-            value = self._value(kind, number, offset + 2 + 12 * k + 8)
+        read = bad = 0
+        for entry in self.tiff.entries(at, min(count, ENTRIES)):
+            read += 1
+            value = self._value(entry)
             if value is None:
                 bad += 1
             else:
-                entries.setdefault(tag, value)
+                entries.setdefault(entry.tag, value)
+        if read < count:
+            self.remarks.append(f"the {name} directory promises {count} entries, {read} can be read")
         if bad:
             self.remarks.append(f"{bad} of {count} entries of the {name} directory are damaged")
         return entries
 
-    def _value(self, kind: int, number: int, at: int) -> Value | None:
-        size = SIZES.get(kind, 0) * number
-        if kind not in SIZES or size > VALUE_BYTES:
+    def _value(self, entry: Entry) -> Value | None:
+        if entry.type not in LETTERS or entry.size > VALUE_BYTES:
             return None
-        if size > 4:
-            (at,) = struct.unpack_from(self.order + "I", self.source, at)
-        if at + size > len(self.source):
-            return None
-        raw = bytes(self.source[at : at + size])
-        if kind == 2:
-            return _decoded(raw)
-        if kind == 7:
+        raw = self.tiff.raw(entry)
+        if raw is None or entry.type == BYTES:
             return raw
-        if kind in {5, 10}:
-            pairs = struct.unpack(f"{self.order}{2 * number}{'I' if kind == 5 else 'i'}", raw)
-            return tuple(_bounded(a / b) if b else math.nan for a, b in zip(pairs[::2], pairs[1::2], strict=True))
-        return tuple(_bounded(v) for v in struct.unpack(f"{self.order}{number}{LETTERS[kind]}", raw))
+        if entry.type == TEXT:
+            return _decoded(raw)
+        return tuple(_bounded(v) for v in self.tiff.numbers(entry, raw))
 
 
 def _decoded(raw: bytes) -> str:

@@ -1,8 +1,7 @@
 """Windows of a large TIFF: pixels are read where they are needed, so that memory does not grow with the image.
 
-The directory is read here, for TIFF and BigTIFF; strips or tiles that are not compressed are taken from the file as
+Strips or tiles that are not compressed are taken from the file as
 they are, others are handed to OpenCV's decoder one by one, each as a small TIFF of its own (decision 13).
-Aldus 1992, TIFF 6.0; BigTIFF as libtiff writes it.
 """
 
 from __future__ import annotations
@@ -16,52 +15,17 @@ from threading import Lock
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.io.reading.binary import tiff_values
+from raybundle.io.reading.tiff import tiff_tags
 from raybundle.numerics.arrays import Array
 
-LETTERS = {1: ("B", 1), 2: ("B", 1), 3: ("H", 2), 4: ("I", 4), 7: ("B", 1), 11: ("f", 4), 12: ("d", 8), 13: ("I", 4),
-           16: ("Q", 8)}  # fmt: skip
-MOST_TAGS = 4096
-MOST_VALUES = 1 << 24
 WIDTH, HEIGHT, BITS, COMPRESSION, PHOTOMETRIC = 256, 257, 258, 259, 262
 STRIP_OFFSETS, SAMPLES, ROWS_PER_STRIP, STRIP_COUNTS, PLANAR, PREDICTOR = 273, 277, 278, 279, 284, 317
 TILE_WIDTH, TILE_HEIGHT, TILE_OFFSETS, TILE_COUNTS = 322, 323, 324, 325
 EXTRA_SAMPLES, SAMPLE_FORMAT, JPEG_TABLES = 338, 339, 347
+WRITTEN = {3: "H", 4: "I", 7: "B"}
+"""Types of values, in the notation of `struct`."""
 HELD_BYTES = 64e6
 """Decoded strips or tiles that are held for the next window."""
-
-
-def is_tiff(path: Path) -> bool:
-    """Whether a file begins as a TIFF or BigTIFF does."""
-    with path.open("rb") as file:
-        return file.read(4) in {b"II*\0", b"MM\0*", b"II+\0", b"MM\0+"}
-
-
-def tiff_tags(path: Path) -> tuple[str, dict[int, tuple[float, ...]]]:
-    """Byte order ("<" or ">") and the numeric tags of the first image; raises InputError on a damaged file."""
-    with path.open("rb") as file:
-        head = file.read(8)
-        order = {b"II": "<", b"MM": ">"}.get(head[:2], "")
-        if len(head) < 8 or not order or struct.unpack(order + "H", head[2:4])[0] not in {42, 43}:
-            raise InputError("this is no TIFF file", file=path)
-        big = struct.unpack(order + "H", head[2:4])[0] == 43
-        pointer, entry = ("Q", 20) if big else ("I", 12)
-        at = int(tiff_values(path, file, order + pointer, 8 if big else 4)[0])
-        count = int(tiff_values(path, file, order + ("Q" if big else "H"), at)[0])
-        if count > MOST_TAGS:
-            raise InputError(f"{count} tags in the TIFF's directory; the file is damaged", file=path)
-        start = at + (8 if big else 2)
-        found: dict[int, tuple[float, ...]] = {}
-        for k in range(count):
-            tag, kind, number = tiff_values(path, file, order + "HH" + pointer, start + k * entry)
-            if int(kind) not in LETTERS or not 0 < number <= MOST_VALUES:
-                continue
-            letter, size = LETTERS[int(kind)]
-            inline = start + k * entry + (12 if big else 8)
-            room = 8 if big else 4
-            place = inline if size * number <= room else int(tiff_values(path, file, order + pointer, inline)[0])
-            found[int(tag)] = tiff_values(path, file, f"{order}{int(number)}{letter}", place)
-    return order, found
 
 
 @dataclass(slots=True)
@@ -214,9 +178,8 @@ class Windows:
         after = 8 + 2 + 12 * len(entries) + 4
         extra, rows = b"", b""
         for tag, (kind, values) in sorted(entries.items()):
-            letter, size = LETTERS[kind]
-            packed = struct.pack(f"{self.order}{len(values)}{letter}", *values)
-            if size * len(values) <= 4:
+            packed = struct.pack(f"{self.order}{len(values)}{WRITTEN[kind]}", *values)
+            if len(packed) <= 4:
                 packed = packed.ljust(4, b"\0")
             else:
                 packed, extra = (

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import struct
 from pathlib import Path
-from typing import Any, BinaryIO, NoReturn
+from typing import Any, NoReturn
 
 import numpy as np
 
@@ -12,19 +12,6 @@ from raybundle.errors import InputError
 from raybundle.io.reading.files import read_bytes
 from raybundle.io.reading.words import finite, quoted
 from raybundle.numerics.arrays import Array
-
-
-def tiff_values(path: Path, file: BinaryIO, layout: str, at: float) -> tuple[Any, ...]:
-    """The values in the notation of `struct` that stand at a byte of a TIFF; raises InputError where it ends before."""
-    size = struct.calcsize(layout)
-    here = int(at)
-    if not 0 <= here <= file.seek(0, 2) - size:
-        raise InputError(f"the TIFF ends before byte {here + size}; copy it again", file=path)
-    file.seek(here)
-    data = file.read(size)
-    if len(data) < size:
-        raise InputError(f"the TIFF ends before byte {here + size}; copy it again", file=path)
-    return struct.unpack(layout, data)
 
 
 class Binary:

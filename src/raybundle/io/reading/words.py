@@ -106,6 +106,11 @@ def column_of(cells: list[str]) -> Array | None:
             values = np.fromiter((float(c) if c else math.nan for c in cells), float, len(cells))
         except ValueError:
             return None
+    return bounded(values)
+
+
+def bounded(values: Array) -> Array | None:
+    """(n,) numbers, those nearer to 0 than SMALLEST as 0, NaN as it is; None where one is beyond LARGEST."""
     size = np.abs(values)
     if (size > LARGEST).any():
         return None

@@ -5,16 +5,13 @@ Both count from the centre of the first pixel (0, 0).  Only headers are read, ne
 
 from __future__ import annotations
 
-import struct
-from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
-from typing import BinaryIO
 
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.io.reading.binary import tiff_values
+from raybundle.io.reading.tiff import tiff_tags
 from raybundle.io.reading.words import no_number, number_of, numbers_of, whole_of
 from raybundle.io.scenes.base import Scene, SceneFormat, check_denominators, register
 from raybundle.io.scenes.maxar import RPC00A_IN_B
@@ -22,8 +19,6 @@ from raybundle.numerics.arrays import Array
 from raybundle.scenes.rpc import Rpc, rpc_of
 
 RPC_TAG, WIDTH_TAG, HEIGHT_TAG = 50844, 256, 257
-TAG_BYTES = {3: ("H", 2), 4: ("I", 4), 12: ("d", 8), 16: ("Q", 8)}
-MOST_TAGS = 4096
 SUBHEADER_BYTES = 1 << 20
 NITF_FIELDS = (7, 7, 6, 5, 8, 9, 5, 6, 5, 8, 9, 5)
 """Characters of ERR_BIAS, ERR_RAND, the five offsets and the five scales, after the digit SUCCESS."""
@@ -32,8 +27,7 @@ NITF_LENGTH = 1 + sum(NITF_FIELDS) + 80 * 12
 
 def read_tiff(path: Path) -> Scene:
     """The RPC in the tag of a GeoTIFF or BigTIFF, first image of the file."""
-    with path.open("rb") as file:
-        tags = _Tiff.of(path, file).tags()
+    _, tags = tiff_tags(path, frozenset({RPC_TAG, WIDTH_TAG, HEIGHT_TAG}))
     if RPC_TAG not in tags:
         raise InputError(
             "no RPC (tag 50844) stands in this TIFF; give the file that came with it (_RPC.TXT, .RPB, .XML)", file=path
@@ -63,49 +57,6 @@ def _rpc(scalars: Array, coefficients: Array, path: Path) -> Rpc:
     )
     check_denominators(rpc, path)
     return rpc
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class _Tiff:
-    """The first directory of a TIFF or BigTIFF."""
-
-    path: Path
-    file: BinaryIO
-    order: str
-    big: bool
-
-    @staticmethod
-    def of(path: Path, file: BinaryIO) -> _Tiff:
-        head = file.read(8)
-        order = {b"II": "<", b"MM": ">"}.get(head[:2])
-        if order is None or len(head) < 8:
-            raise InputError("this is not a TIFF file", file=path)
-        (magic,) = struct.unpack(order + "H", head[2:4])
-        if magic not in {42, 43}:
-            raise InputError(f"TIFF of version {magic}; 42 and 43 (BigTIFF) are read", file=path)
-        return _Tiff(path=path, file=file, order=order, big=magic == 43)
-
-    def tags(self) -> dict[int, tuple[float, ...]]:
-        """Numeric values of the tags that are needed."""
-        pointer, entry = ("Q", 20) if self.big else ("I", 12)
-        (at,) = self._take(pointer, 8 if self.big else 4)
-        (count,) = self._take("Q" if self.big else "H", int(at))
-        if count > MOST_TAGS:
-            raise InputError(f"{count} tags in the TIFF's directory; the file is damaged", file=self.path)
-        start = int(at) + (8 if self.big else 2)
-        found: dict[int, tuple[float, ...]] = {}
-        for k in range(int(count)):
-            tag, kind, number = self._take("HH" + pointer, start + k * entry)
-            if tag not in {RPC_TAG, WIDTH_TAG, HEIGHT_TAG} or kind not in TAG_BYTES or not 0 < number <= 1000:
-                continue
-            letter, size = TAG_BYTES[int(kind)]
-            inline = start + k * entry + (12 if self.big else 8)
-            place = inline if size * number <= (8 if self.big else 4) else int(self._take(pointer, inline)[0])
-            found[int(tag)] = self._take(letter * int(number), place)
-        return found
-
-    def _take(self, layout: str, at: int) -> tuple[float, ...]:
-        return tiff_values(self.path, self.file, self.order + layout, at)
 
 
 def read_nitf(path: Path) -> Scene:

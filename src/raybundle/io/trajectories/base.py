@@ -17,6 +17,7 @@ from raybundle.io.reading.files import guarded, opened
 from raybundle.io.reading.words import whole_of
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.counting import counted
+from raybundle.settings import option
 
 WGS84_HEIGHT = "EPSG:4979"
 """Longitude, latitude and height above the ellipsoid of WGS 84."""
@@ -208,7 +209,8 @@ def in_wgs84(trajectory: Trajectory, crs: str | None) -> Trajectory:
     crs = trajectory.crs or crs
     if crs is None:
         raise InputError(
-            "it holds positions of a grid, and no coordinate system is told; give --crs, as EPSG:25832, or the columns "
+            f"it holds positions of a grid, and no coordinate system is told; give {option('crs')}, as EPSG:25832, or "
+            "the columns "
             "longitude_deg, latitude_deg, height_m",
             file=trajectory.path,
         )

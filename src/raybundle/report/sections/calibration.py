@@ -13,6 +13,7 @@ from raybundle.report.chapters import Occasion, chapter
 from raybundle.report.parts import Fact, Facts, Heading, Paragraph, Part, Section, Statements, number, table, text
 from raybundle.report.text.numbers import NONE, fixed, grouped, per_cent, significant
 from raybundle.report.text.words import Grade as ReportGrade
+from raybundle.settings import option
 
 GRADES: dict[Grade, ReportGrade] = {
     "good": "good",
@@ -111,7 +112,8 @@ def _advice(q: CalibrationQuality) -> list[Part]:
     if q.unstable:
         words = (
             "More photographs of a camera that changes between them do not help. Switch autofocus, zoom and "
-            "stabilisation off and photograph anew, or calibrate the two groups apart, with the --camera named above."
+            "stabilisation off and photograph anew, or calibrate the two groups apart, with the "
+            f"{option('separate', flag='camera')} named above."
         )
         return [Heading(text="What to do next"), Paragraph(text=words)]
     if not q.advice:

@@ -90,7 +90,7 @@ def overview_section(view: View, facts: PhotographFacts, images: Index, common: 
             Fact(label="object points", value=grouped(len(rays)),
                  remark=f"{fixed(float(rays.mean()), 1)} rays each in the mean" if len(rays) else ""),
             Fact(label="measured image point", value=f"{significant(facts.sigma_px, 2)} px",
-                 remark="standard deviation of a coordinate, from the residuals"),
+                 remark="standard deviation of a coordinate (rms), from the residuals"),
         )
     )  # fmt: skip
     parts: list[Part] = [key, _photo_table(view, facts, images, common), *_left_out(facts)]

@@ -58,7 +58,7 @@ def _radius_words(profile: tuple[Array, Array, Array], sigma_px: float) -> str:
     inner, outer = count[:5] > 20, count[5:] > 20
     words = "Residuals of a coordinate against the distance of the image point from the middle of the format."
     if math.isfinite(sigma_px):
-        words += f" Over the whole format an image coordinate has a sigma of {significant(sigma_px, 2)} px."
+        words += f" Over the whole format an image coordinate has a sigma of {significant(sigma_px, 2)} px (rms)."
     if inner.any() and outer.any():
         ratio = float(residual[5:][outer].max() / max(residual[:5][inner].min(), 1e-12))
         if ratio > 2:

@@ -19,6 +19,7 @@ from raybundle.numerics.statistics import chi_square_tails
 from raybundle.observations import observation_kinds
 from raybundle.report.text.numbers import counted, grouped, listed, significant, unit_text
 from raybundle.report.view import View, rms
+from raybundle.settings import option
 
 Grade = Literal["good", "remarks", "attention"]
 
@@ -371,7 +372,7 @@ def _blunders(view: View) -> str:
         text += (
             f" {counted(beyond, 'image observation')} with a residual beyond the critical value of "
             f"{significant(a.critical_tau)} standard deviations took part"
-            + ("; consider data snooping (--reject snooping)." if a.options.reject == "none" else ".")
+            + (f"; consider data snooping ({option('reject', 'snooping')})." if a.options.reject == "none" else ".")
         )
     else:
         text += f" No residual exceeds the critical value of {significant(a.critical_tau)} standard deviations."

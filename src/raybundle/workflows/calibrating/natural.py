@@ -8,6 +8,7 @@ from pathlib import Path
 from raybundle.adjustment.options import NoiseModel
 from raybundle.adjustment.result import Notice
 from raybundle.pipeline.stage import Means, Stage
+from raybundle.settings import option
 from raybundle.workflows.calibrate_state import CALIBRATE, Adjusted, CalibrateState, Reasons
 from raybundle.workflows.recognise import Recognised
 
@@ -63,12 +64,13 @@ def _no_targets(shown: Recognised) -> str:
         return (
             f"fewer than half of the {looked} show targets, of {', '.join(shown.few)}: calibrated by natural points, "
             "which are several times less precise. Put the photographs of targets into a folder of their own, or name "
-            f"them: --target {shown.few[0]}"
+            f"them: {option('target', shown.few[0])}"
         )
     return (
         f"no coded targets and no board are seen in the {looked}: calibrated by natural points, which are several "
-        "times less precise. If others show some, name what was photographed, as --target chessboard-12x9 or --target "
-        "aicon14, and put their photographs into a folder of their own"
+        "times less precise. If others show some, name what was photographed, as "
+        f"{option('target', 'chessboard-12x9')} or "
+        f"{option('target', 'aicon14')}, and put their photographs into a folder of their own"
     )
 
 

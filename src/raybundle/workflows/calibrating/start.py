@@ -18,6 +18,7 @@ from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress
 from raybundle.pipeline.stage import Codec, Means, Stage
 from raybundle.sensors import sensor_models
+from raybundle.settings import option
 from raybundle.targets.marks import Marks, Target
 from raybundle.targets.sidecar import PrintedSheet
 from raybundle.workflows.board_start import board_oriented
@@ -123,7 +124,9 @@ def asked(block: Block, model: str, estimate: tuple[str, ...]) -> Block:
     if not estimate:
         return block
     if model == "spline":
-        raise InputError("the parameters of the model spline cannot be chosen; leave --estimate or --model away")
+        raise InputError(
+            f"the parameters of the model spline cannot be chosen; leave {option('estimate')} or {option('model')} away"
+        )
     known = sensor_models["brown" if model == "auto" else model].symbols
     unknown = [s for s in estimate if s not in known]
     if unknown:
@@ -138,7 +141,8 @@ def _too_few(photos: Sequence[Photo], marks: Sequence[Sequence[Marks]], targets:
     enough = sum(k >= FEWEST_TARGETS for k in named)
     first = (
         f"{enough} of {len(photos)} photographs show {FEWEST_TARGETS} points of {what} that others show too; at least "
-        f"2 are needed ({sum(named)} named points, {bare} without a name). Name what was printed (--target), and "
+        f"2 are needed ({sum(named)} named points, {bare} without a name). Name what was printed ({option('target')}), "
+        "and "
         "photograph so that a dot or square is 10 px large"
     )
     remarks = [f"  {p.name}: {r}" for p, sets in zip(photos, marks, strict=True) for m in sets for r in m.remarks]

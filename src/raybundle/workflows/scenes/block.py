@@ -26,6 +26,7 @@ from raybundle.numerics.places import Local
 from raybundle.numerics.progress import Progress
 from raybundle.orientation.cleaning import clean
 from raybundle.scenes.bias import BiasKind
+from raybundle.settings import option
 from raybundle.ties.block import TieBlock, block_of_tracks, flat_points
 from raybundle.ties.points import FeatureStore
 from raybundle.ties.precise import PreciseBlock, refine
@@ -259,7 +260,7 @@ def refuse_nothing_common(
     message = (
         f"the scene{have}, and no control is marked in {'them' if several else 'it'}.\n"
         "  Look whether they show the same place at a similar season, whether each has its own RPC, or mark control "
-        "points in them (--control)."
+        f"points in them ({option('control')})."
     )
     raise NoOrientation("\n".join([message, *(f"  {name} is not used: {why}" for name, why in refused[:10])]))
 

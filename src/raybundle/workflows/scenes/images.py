@@ -13,7 +13,8 @@ import numpy as np
 from raybundle.errors import InputError
 from raybundle.io.photos.container import SUFFIXES, decode, kind_of, read_header
 from raybundle.io.photos.photo import LIMIT_PIXELS, shown
-from raybundle.io.photos.windows import Windows, is_tiff, tiff_tags
+from raybundle.io.photos.windows import Windows
+from raybundle.io.reading.tiff import is_tiff, tiff_tags
 from raybundle.io.scenes import Scene, read_scene, rpc_of_image, scene_formats
 from raybundle.matching.features import FeatureMethod, Features
 from raybundle.matching.refine import smoothed

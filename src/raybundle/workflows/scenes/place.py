@@ -26,6 +26,7 @@ from raybundle.placing.marks import (
     without_empty_control,
 )
 from raybundle.scenes.sensor import RpcSensor, SceneSensor
+from raybundle.settings import option
 from raybundle.workflows.scenes.block import SceneSet, joined, with_cameras
 from raybundle.workflows.scenes.geometry import prior_px
 from raybundle.workflows.scenes.images import SceneImage
@@ -72,7 +73,7 @@ def control_in_system(given: Given, scenes: SceneSet, crs: str | None) -> Given:
                 x, y = c.xyz[np.flatnonzero(known)[0], :2].tolist()
                 raise InputError(
                     f"names no coordinate system, and {x:g}, {y:g} are no longitude and latitude near the scenes "
-                    f"({lon:.4f}, {lat:.4f}); give the system of its coordinates: --crs EPSG:...",
+                    f"({lon:.4f}, {lat:.4f}); give the system of its coordinates: {option('crs', 'EPSG:...')}",
                     file=c.path,
                 )
             system = WGS84

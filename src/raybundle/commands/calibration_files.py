@@ -1,27 +1,19 @@
-"""Calibrations as the command line gives them: options that the subcommands share, and what they stand for."""
+"""Calibrations in files and result folders, and cameras of photographs that are stored turned or reduced."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from collections.abc import Set as AbstractSet
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import click
-
-from raybundle.cli.common import FOLDER
 from raybundle.errors import InputError
+from raybundle.numerics.counting import counted
+from raybundle.settings import option
 
 if TYPE_CHECKING:
     from raybundle.block import Camera
-    from raybundle.io.calibrations import Calibration
-
-SIZE = click.option(
-    "--size", nargs=2, type=click.IntRange(1), metavar="WIDTH HEIGHT", help="Format [px], where the file lacks it."
-)
-GIVEN = click.option("--from", "given", metavar="FORMAT", help="Format of the file.  [default: recognised]")
-CAMERA = click.option("--camera", metavar="ID", help="One camera of a file that holds several.")
-LIBRARY = click.option(
-    "--library", type=FOLDER, metavar="FOLDER", help="The library.  [default: RAYBUNDLE_CAMERAS, or the user's folder]"
-)
+    from raybundle.io.calibrations import Calibration, Conversion
 
 
 def calibrations_of(source: Path, given: str | None, size: tuple[int, int] | None) -> tuple[Calibration, ...]:
@@ -83,7 +75,8 @@ def one_of(source: Path, given: str | None, size: tuple[int, int] | None, id_: s
     found = list(chosen_of(calibrations_of(source, given, size), id_, source))
     if len(found) != 1:
         raise InputError(
-            f"holds {len(found)} cameras ({', '.join(c.id for c in found)}); choose one: --camera", file=source
+            f"holds {len(found)} cameras ({', '.join(c.id for c in found)}); choose one: {option('camera')}",
+            file=source,
         )
     return found[0]
 
@@ -98,3 +91,51 @@ def our_camera(calibration: Calibration) -> tuple[Camera, str]:
     assert isinstance(camera, Camera)
     words = "" if conversion.exact else f"camera {calibration.id} was fitted: largest {conversion.largest_px:.2g} px"
     return camera, words
+
+
+def calibrations_of_files(folder: Path) -> tuple[tuple[Calibration, ...], tuple[str, ...]]:
+    """A calibration for each way in which files are stored other than their camera has its pixels, and cautions.
+
+    Where the camera's model cannot be turned, that is a caution: the camera of the result is then the only one.
+    """
+    from raybundle.block.frames import stored_ways  # noqa: PLC0415
+    from raybundle.io.calibrations import Calibration  # noqa: PLC0415
+    from raybundle.results.folder import read_result  # noqa: PLC0415
+
+    block = read_result(folder).block
+    found: list[Calibration] = []
+    cautions: list[str] = []
+    for way in stored_ways(block):
+        own = block.cameras[way.camera].id
+        some = ", ".join(way.images[:5]) + (" ..." if len(way.images) > 5 else "")
+        which = f"{counted(len(way.images), 'photograph')} stored {way.words} ({some})"
+        try:
+            camera = way.camera_of_files(block)
+        except InputError as error:
+            cautions.append(f"camera {own} is not that of {which}: {error.headline}")
+            continue
+        remark = (
+            f"camera {camera.id} is that of {which}; camera {own} is not theirs, unless their pixels are brought to "
+            "its frame first"
+        )
+        found.append(Calibration(id=camera.id, camera=camera, pixel_mm=camera.pixel_mm, remarks=(remark,)))
+    return tuple(found), tuple(cautions)
+
+
+def with_names(
+    conversions: Sequence[Conversion], of_files: AbstractSet[str], out: Path, *, several: bool
+) -> list[tuple[Path, list[Conversion]]]:
+    """The files to write: one, or one for each stored way beside that of the result where a file holds one camera.
+
+    of_files  ids of the cameras of `calibrations_of_files`
+    raises    InputError where one of them is there already
+    """
+    beside = [c for c in conversions if c.calibration.id in of_files]
+    if several or not 0 < len(beside) < len(conversions):
+        return [(out, list(conversions))]
+    files = [(out, [c for c in conversions if c.calibration.id not in of_files])]
+    files += [(out.with_stem(f"{out.stem}-{c.calibration.id}"), [c]) for c in beside]
+    for path, _ in files:
+        if path.exists():
+            raise InputError("stands there already and is not overwritten; choose another name", file=path)
+    return files

@@ -1,0 +1,50 @@
+"""`raybundle compare`: two result folders side by side in an HTML file."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from raybundle.errors import InputError
+from raybundle.numerics.progress import Progress, silent
+from raybundle.settings import option, setting
+
+if TYPE_CHECKING:
+    from raybundle.results.folder import ResultFolder
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CompareSettings:
+    """Which results are compared, and where the comparison goes; in Python `raybundle.write_comparison` takes them."""
+
+    first: Path
+    """result folder"""
+    second: Path
+    out: Path = setting(
+        Path("compare.html"), "The HTML file to write; an older comparison is replaced, no other file.", metavar="FILE"
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Compared:
+    """Two results, and what is to be kept in mind where they are compared."""
+
+    results: tuple[ResultFolder, ResultFolder]
+    cautions: tuple[str, ...]
+
+
+def run_compare(settings: CompareSettings, progress: Progress = silent) -> Compared:
+    """Read both results and write the comparison; raises InputError."""
+    from raybundle.report.compare import write_comparison  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.results.folder import read_result  # noqa: PLC0415
+
+    out = settings.out
+    if out.is_dir() or out.suffix.lower() not in {".html", ".htm"}:
+        raise InputError(f"is not a name for an HTML file; give {option('out', 'NAME.html')}", file=out)
+    if not out.absolute().parent.is_dir():
+        raise InputError("its folder does not exist; create it first", file=out)
+    progress("reading results", 0.0)
+    a, b = read_result(settings.first), read_result(settings.second)
+    progress("comparing", 0.0)
+    return Compared(results=(a, b), cautions=tuple(write_comparison(a, b, out)))

@@ -1,0 +1,211 @@
+"""`raybundle empirical`: models of an image of an unknown sensor, fitted to known points."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+from raybundle.errors import InputError
+from raybundle.settings import PIXELS, made, option, path_of, setting
+
+if TYPE_CHECKING:
+    from raybundle.numerics.arrays import Array, Mask
+    from raybundle.scenes.empirical import EmpiricalFit
+    from raybundle.scenes.empirical_statistics import EmpiricalAdvice, EmpiricalStatistics
+
+Model = Literal[
+    "auto", "affine", "affine2", "parallel-perspective", "dlt", "dlt-brown", "sdlt", "plane-affine", "plane-projective"
+]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class EmpiricalSettings:
+    """What is fitted to which points."""
+
+    points: Path
+    """table point,X,Y,Z,x_px,y_px or point,lon_deg,lat_deg,h_m,x_px,y_px, with a column role where some are compared"""
+    model: Model = setting("auto", "auto: the adequate one with the fewest parameters.")
+    sigma: float = setting(0.5, "Of a measured image coordinate [px]; it decides what is adequate.", limits=PIXELS)
+    without: tuple[str, ...] = setting(
+        (), "Additional parameters of dlt-brown to leave out.", metavar="K3,P1,...", joined=True
+    )
+    out: Path | None = setting(None, "New folder for model.json, parameters.csv and points.csv.", metavar="FOLDER")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ControlPoints:
+    """Points with their places in the image."""
+
+    ids: tuple[str, ...]
+    xyz: Array
+    """(n, 3) as given, or in a local frame in the middle of the points where they are geographic [m]"""
+    xy_px: Array
+    """(n, 2)"""
+    check: Mask
+    """(n,) which are compared only"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Empirical:
+    """A fitted model, and how good it is."""
+
+    fit: EmpiricalFit
+    statistics: EmpiricalStatistics
+    points: ControlPoints
+    advice: EmpiricalAdvice | None
+    """all models, where the choice was left to the program"""
+    check_rms_px: tuple[float, float] | None
+    """rms difference of the check points in x and y; None: there are none"""
+
+    @property
+    def used(self) -> tuple[str, ...]:
+        """Points that took part, in the order of the fit's rows."""
+        return tuple(n for n, c in zip(self.points.ids, self.points.check.tolist(), strict=True) if not c)
+
+
+def empirical(points: str | Path, **settings: Any) -> Empirical:
+    """Fit an image of an unknown sensor to known points: affine, projective and DLT models.
+
+    points    table point,X,Y,Z,x_px,y_px or point,lon_deg,lat_deg,h_m,x_px,y_px; role `check`: compared only
+    settings  as of the command line, by the names of `EmpiricalSettings`: model="dlt-brown", without="K3"
+    raises    InputError for what cannot be read, and for points to which the model cannot be fitted
+
+    What it does not tell: an inadequate model is returned as well; `fit.adequate` and `fit.reason` say so.
+    """
+    return run_empirical(made(EmpiricalSettings, {"points": path_of("points", points), **settings}))
+
+
+def run_empirical(settings: EmpiricalSettings) -> Empirical:
+    """Fit what the settings ask for, and write it where they say so."""
+    import numpy as np  # noqa: PLC0415  (what computes is loaded after the help)
+
+    from raybundle.scenes.empirical_statistics import empirical_statistics  # noqa: PLC0415
+
+    s = settings
+    if s.out is not None and s.out.exists() and (not s.out.is_dir() or any(s.out.iterdir())):
+        raise InputError("stands there already and is not overwritten; choose another folder or delete it", file=s.out)
+    points = read_points(s.points)
+    if s.model == "auto" and s.without:
+        raise InputError(f"{option('without')} belongs to one model; give {option('model', 'dlt-brown')}")
+    fit, advice = _fitted(s, points)
+    check_rms = None
+    if points.check.any():
+        d = fit.project(points.xyz[points.check]) - points.xy_px[points.check]
+        x, y = np.sqrt(np.mean(d**2, axis=0)).tolist()
+        check_rms = x, y
+    found = Empirical(
+        fit=fit, statistics=empirical_statistics(fit), points=points, advice=advice, check_rms_px=check_rms
+    )
+    if s.out is not None:
+        _write(s.out, found)
+    return found
+
+
+def _fitted(s: EmpiricalSettings, points: ControlPoints) -> tuple[EmpiricalFit, EmpiricalAdvice | None]:
+    """The model asked for; else the advised one, or that which predicts points left out best."""
+    from raybundle.scenes.empirical import fit_empirical  # noqa: PLC0415
+    from raybundle.scenes.empirical_statistics import choose_empirical  # noqa: PLC0415
+
+    use = ~points.check
+    try:
+        if s.model != "auto":
+            given = points.xyz[use], points.xy_px[use]
+            return fit_empirical(s.model, *given, sigma_px=s.sigma, without=s.without), None
+        advice = choose_empirical(points.xyz[use], points.xy_px[use], sigma_px=s.sigma)
+    except InputError as error:
+        raise InputError(str(error), file=s.points) from None
+    chosen = advice.advised.fit if advice.advised is not None else None
+    fit = chosen or min((c for c in advice.candidates if c.fit), key=lambda c: c.left_out_rms_px).fit
+    assert fit is not None
+    return fit, advice
+
+
+def read_points(path: Path) -> ControlPoints:
+    """The points of a table; raises InputError."""
+    import numpy as np  # noqa: PLC0415
+
+    from raybundle.io.tables import Column, read_table  # noqa: PLC0415
+
+    ground, grid = ("lon_deg", "lat_deg", "h_m"), ("X", "Y", "Z")
+    table = read_table(
+        path,
+        [
+            Column(name="point", kind="id"),
+            *(Column(name=c, kind="number", optional=True) for c in (*grid, *ground)),
+            *(Column(name=c, kind="number") for c in ("x_px", "y_px")),
+            Column(name="role", kind="text", optional=True, empty=True),
+        ],
+    )
+    if all(c in table.number for c in ground):
+        from raybundle.numerics.geodesy import LocalPlace  # noqa: PLC0415
+
+        geographic = table.numbers(*ground)
+        east, north, up = geographic.mean(axis=0).tolist()
+        xyz = LocalPlace(origin=(east, north, up)).local_from_geographic(geographic)
+    elif "X" in table.number and "Y" in table.number:
+        z = table.number.get("Z", np.zeros(table.rows))
+        xyz = np.column_stack([table.number["X"], table.number["Y"], z])
+    else:
+        raise InputError("coordinates are needed: X, Y, Z or lon_deg, lat_deg, h_m", file=path, line=1)
+    roles = table.text.get("role", ("",) * table.rows)
+    for k, role in enumerate(roles):
+        if role not in {"", "control", "check"}:
+            raise InputError(f"{role!r} is neither control nor check", file=path, line=k + 2, column="role")
+    check = np.array([r == "check" for r in roles], bool)
+    return ControlPoints(ids=table.text["point"], xyz=xyz, xy_px=table.numbers("x_px", "y_px"), check=check)
+
+
+def _write(out: Path, found: Empirical) -> None:
+    import json  # noqa: PLC0415
+
+    import numpy as np  # noqa: PLC0415
+
+    from raybundle.io.folders import new_folder  # noqa: PLC0415
+    from raybundle.io.tables import write_table  # noqa: PLC0415
+
+    fit, s = found.fit, found.statistics
+    n = fit.normalisation
+    model: dict[str, Any] = {
+        "model": fit.model.name, "object_offset": n.object_offset.tolist(), "image_offset_px": n.image_offset.tolist(),
+        "sigma_px": fit.sigma_px, "sigma0": fit.sigma0, "redundancy": fit.redundancy, "adequate": fit.adequate,
+        "reason": fit.reason, "critical_w": s.critical_w,
+        "parameters": {p.symbol: {"value": p.value, "std": p.std, "unit": p.unit, "t": p.t} for p in s.parameters},
+        "covariance": s.covariance.tolist(), "correlation": s.correlation.tolist(),
+    }  # fmt: skip
+    with new_folder(out) as folder:
+        text = json.dumps(model, indent=1, allow_nan=False, default=float)
+        (folder / "model.json").write_text(text + "\n", encoding="utf-8")
+        write_table(folder / "points.csv", _columns(found))
+        write_table(
+            folder / "parameters.csv",
+            {
+                "symbol": [p.symbol for p in s.parameters], "value": np.array([p.value for p in s.parameters]),
+                "std": np.array([p.std for p in s.parameters]), "unit": [p.unit for p in s.parameters],
+            },
+        )  # fmt: skip
+
+
+def _columns(found: Empirical) -> dict[str, Any]:
+    """points.csv: residuals of all points, redundancy, w and smallest detectable blunders of those that took part."""
+    import numpy as np  # noqa: PLC0415
+
+    s, points = found.statistics, found.points
+
+    def spread(values: Array) -> Array:
+        full = np.full((len(points.ids), 2), np.nan)
+        full[~points.check] = values
+        return full
+
+    columns: dict[str, Any] = {
+        "point": points.ids, "role": ["check" if c else "control" for c in points.check.tolist()],
+        **{f"{a}_px": points.xy_px[:, k] for k, a in enumerate("xy")},
+    }  # fmt: skip
+    tables = {
+        "v": found.fit.project(points.xyz) - points.xy_px, "r": spread(s.redundancy), "w": spread(s.w),
+        "mdb": spread(s.mdb_px), "left_out": spread(s.left_out_px),
+    }  # fmt: skip
+    for name, values in tables.items():
+        unit = "" if name in {"r", "w"} else "_px"
+        columns |= {f"{name}_{a}{unit}": values[:, k] for k, a in enumerate("xy")}
+    return columns

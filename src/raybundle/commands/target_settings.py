@@ -1,0 +1,212 @@
+"""Settings of `raybundle targets sheet | choose | detect`, and what designs a sheet; what computes is loaded late."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import MISSING, dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+from raybundle.errors import InputError
+from raybundle.settings import NOT_NEGATIVE, Range, made, option, path_of, setting
+
+if TYPE_CHECKING:
+    from raybundle.numerics.arrays import Index
+    from raybundle.targets.codes import RingFamily
+    from raybundle.targets.layout import Sheet, SheetOptions
+    from raybundle.targets.marks import Target
+    from raybundle.targets.subsets import Choice
+
+MOST_CODES = 1_000_000
+MILLIMETRES = Range(low=0, high=1e5, above=True)
+"""A length on a sheet [mm]."""
+FAMILY_HELP = (
+    "Family of the targets: aicon14, agisoft12, dots, apriltag-36h11, chessboard-9x6 and others (how-to targets)."
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FamilySettings:
+    """Which targets."""
+
+    family: str | None = setting(None, FAMILY_HELP, metavar="FAMILY")
+    table: Path | None = setting(None, "Targets of one's own: a table id,code; with {bits}.", metavar="FILE")
+    bits: int | None = setting(None, "Sectors of the rings of {table}.", limits=Range(low=3, high=24))
+
+    def rings(self) -> RingFamily:
+        """The ring family that is named; raises InputError."""
+        from raybundle.targets.codes import read_table  # noqa: PLC0415  (what computes is loaded after the help)
+        from raybundle.targets.families import families, family_named  # noqa: PLC0415
+
+        if self.table is not None:
+            if self.family is not None or self.bits is None:
+                raise InputError(f"{option('table')} goes with {option('bits')} and without {option('family')}")
+            return read_table(self.table, self.bits)
+        if self.family is None:
+            raise _unnamed(" | ".join(sorted(families)) + ",")
+        return family_named(self.family)
+
+    def target(self, *, dots: bool = False) -> Target:
+        """The target that is named, with dots beside its rings where that is asked for; raises InputError."""
+        from raybundle.targets.kinds.rings import Rings  # noqa: PLC0415
+        from raybundle.targets.marks import forms, target  # noqa: PLC0415
+
+        if self.family is None and self.table is None:
+            raise _unnamed("; ".join(forms()) + ";")
+        by_name = self.family if self.table is None else None
+        found = Rings(rings=self.rings()) if by_name is None else target(by_name)
+        return Rings(rings=found.rings, dots=True) if dots and isinstance(found, Rings) else found
+
+
+def _unnamed(known: str) -> InputError:
+    own = f"{option('table', 'FILE')} {option('bits', 'N')}"
+    return InputError(
+        "the family of the targets must be named, since families share rings under different numbers: "
+        f"{option('family')} {known} or {own}"
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SheetSettings(FamilySettings):
+    """What is printed on which paper."""
+
+    count: int | None = setting(
+        None, "So many targets, chosen to stay distinct when partly hidden.", limits=Range(low=1)
+    )
+    codes: str | None = setting(None, "These targets, in place of {count}.", metavar="ID,FROM-TO,...")
+    spacing: float | None = setting(
+        None, "Boards: side of a square, distance of dots; tags: their side.", limits=MILLIMETRES
+    )
+    dot_radius: float = setting(5.0, "Radius of the dots.", limits=MILLIMETRES, typed="5mm")
+    paper: Literal["A0", "A1", "A2", "A3", "A4"] = setting("A4", "")
+    lying: bool = setting(False, "The longer side across.")
+    tile: Literal["A1", "A2", "A3", "A4"] | None = setting(None, "Cut into parts for a printer of this paper.")
+    polarity: Literal["dark", "light"] = setting("dark", "dark: black on white; light: white on black.")
+    out: Path = setting(MISSING, "FILE.pdf or FILE.svg; FILE.toml goes beside it.", metavar="FILE")
+
+    def options(self) -> SheetOptions:
+        """What the sheet is drawn with."""
+        from raybundle.targets.layout import SheetOptions  # noqa: PLC0415
+
+        return SheetOptions(
+            dot_radius_mm=self.dot_radius, paper=self.paper, orientation="lying" if self.lying else "upright",
+            polarity=self.polarity, tile=self.tile or "",
+        )  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ChooseSettings(FamilySettings):
+    """How many targets of a family are chosen."""
+
+    count: int = setting(MISSING, "", limits=Range(low=1))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DetectSettings(FamilySettings):
+    """What is looked for in which photographs, and what is written of it."""
+
+    photos: tuple[Path, ...]
+    """folders and files"""
+    polarity: Literal["both", "dark", "light"] = setting("both", "Colour of the dots.")
+    out: Path | None = setting(None, "Table of all that was found.", metavar="FILE")
+    observations: Path | None = setting(None, "Points with a name as observations.csv of a block.", metavar="FILE")
+    dots: bool = setting(False, "With rings: dots without a ring, too.")
+    overlay: Path | None = setting(None, "Write the photographs with what was found drawn on them.", metavar="DIR")
+    threads: int = setting(0, "0: all processors.", limits=NOT_NEGATIVE)
+
+
+def write_target_sheet(family: str | None, out: str | Path, **settings: Any) -> Sheet:
+    """Write targets at true size, with a scale bar to verify the printer, and FILE.toml with ids, radii, positions.
+
+    family    as "aicon14", "chessboard-9x6", "apriltag-36h11"; None with `table` and `bits`
+    out       new FILE.pdf or FILE.svg
+    settings  as of the command line, by the names of `SheetSettings`: codes="1-50", or count=20; lengths in millimetres
+    raises    InputError for what does not go together or does not fit on the paper
+    """
+    return run_sheet(made(SheetSettings, {"family": family, "out": path_of("out", out), **settings}))[0]
+
+
+def choose_targets(family: str | None = None, *, count: int, **settings: Any) -> Choice:
+    """Choose targets that stay distinct when an arc of their ring is hidden.
+
+    family    of rings, as "aicon14"; None with `table` and `bits`
+    raises    InputError for a family of other targets, and for more than there are
+    """
+    s = made(ChooseSettings, {"family": family, "count": count, **settings})
+    return run_choose(s)[0]
+
+
+def run_choose(settings: ChooseSettings) -> tuple[Choice, RingFamily]:
+    """The chosen targets, and the family that they are of."""
+    from raybundle.targets.subsets import choose_codes  # noqa: PLC0415
+
+    family = settings.rings()
+    return choose_codes(family, settings.count), family
+
+
+def run_sheet(settings: SheetSettings) -> tuple[Sheet, Sequence[Path]]:
+    """Design and write a sheet; also the files."""
+    from raybundle.targets.sheets import write_sheet  # noqa: PLC0415
+
+    s = settings
+    sheet = designed_sheet(s.target(), s.count, s.codes, s.spacing, s.options())
+    return sheet, write_sheet(sheet, s.out)
+
+
+def designed_sheet(
+    target: Target, count: int | None, codes: str | None, spacing: float | None, options: SheetOptions
+) -> Sheet:
+    """The sheet of a family; raises InputError where options do not go with it."""
+    from raybundle.targets.kinds.rings import Rings  # noqa: PLC0415
+    from raybundle.targets.layout import design  # noqa: PLC0415
+    from raybundle.targets.subsets import choose_codes  # noqa: PLC0415
+
+    if isinstance(target, Rings) and target.rings is not None:
+        if (count is None) == (codes is None):
+            raise InputError(f"give either {option('codes')} or {option('count')}")
+        ids = choose_codes(target.rings, count).ids if count is not None else read_ids(codes or "")
+        return design(target.rings, ids, options)
+    from raybundle.targets.kinds.tags import Tags  # noqa: PLC0415  (loads OpenCV)
+    from raybundle.targets.layout_boards import design_board, design_dots, design_tags  # noqa: PLC0415
+
+    if spacing is None:
+        raise InputError(
+            f"{target.family}: give {option('spacing')}, the side of a square or the distance of dots, as 25mm"
+        )
+    if isinstance(target, Tags):
+        if codes is None and count is None:
+            raise InputError(f"give either {option('codes')} or {option('count')}")
+        numbers = read_ids(codes).tolist() if codes is not None else list(range(count or 0))
+        return design_tags(target, numbers, spacing, options)
+    if isinstance(target, Rings):
+        if codes is not None:
+            raise InputError(
+                f"dots have no numbers to choose from; give {option('count')}, or nothing: all there is room for"
+            )
+        return design_dots(spacing, count, options)
+    if codes is not None or count is not None:
+        raise InputError(f"{target.family} is a board: its points have no numbers to choose from")
+    return design_board(target, spacing, options)
+
+
+def read_ids(text: str) -> Index:
+    """Numbers and ranges, as 1,4,7-12; raises InputError."""
+    import numpy as np  # noqa: PLC0415
+
+    from raybundle.io.reading.words import quoted, whole_of  # noqa: PLC0415  (NumPy is loaded with it)
+
+    ids: list[int] = []
+    for word in text.split(","):
+        match = re.fullmatch(r"\s*(\d+)(?:\s*-\s*(\d+))?\s*", word)
+        if match is None:
+            raise InputError(f"{option('codes', text)}: {word!r} is neither a number nor a range as 7-12")
+        first, last = whole_of(match[1]), whole_of(match[2] or match[1])
+        if first is None or last is None or last - first > MOST_CODES:
+            raise InputError(
+                f"{option('codes')}: {quoted(word)} is more than the {MOST_CODES} targets that there can be"
+            )
+        ids += range(first, last + 1)
+    if len(set(ids)) < len(ids) or not ids:
+        raise InputError(f"{option('codes', text)}: a number stands there twice, or a range runs downwards")
+    return np.array(ids)
