@@ -194,12 +194,12 @@ class _Merge:
             code = codes(c, getattr(told, name), count)
             for k in np.flatnonzero(speaks & (code != code[stands]))[:1].tolist():
                 one, two = (
-                    ROLES[Role(int(role[j]))] if name == "role" else _entry(told, name, j) for j in (stands[k], k)
+                    ROLES[Role(int(role[j]))] if name == "role" else _entry(told, name, j) for j in (int(stands[k]), k)
                 )
                 label = f"point {whole.ids[k]}: {name}"
                 self.refuse_rows("point", label, rows, (int(stands[k]), one), (k, two))
         rays = np.concatenate([b.ray_count for b in self.blocks])
-        found = np.isfinite(whole.xyz).all(axis=1)
+        found = np.asarray(np.isfinite(whole.xyz).all(axis=1))
         seen = found & (rays > 1)
         near = np.where(seen[last := rows.first(seen, last=True)], last, rows.first(found))
         made = whole.rows(chosen)

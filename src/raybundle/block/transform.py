@@ -10,7 +10,7 @@ import numpy as np
 
 from raybundle.block.block import Block, Camera, Instrument
 from raybundle.errors import InputError
-from raybundle.numerics.arrays import Array
+from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.transform import COUPLED, SimilarityTransform, deviations_after, kept_after
 from raybundle.observations.deviation import Deviations
 from raybundle.observations.parameter import Calibrated
@@ -133,7 +133,7 @@ class _Way:
         for vector in self.vectors:
             mine = np.array([s in free for s in vector])
             coupled = np.abs(self.by.rotation) > COUPLED
-            after = (coupled & mine).any(axis=1)
+            after: Mask = np.asarray((coupled & mine).any(axis=1))
             if (coupled[after] & ~mine).any():
                 raise self.stuck(f"some of {', '.join(vector)} are held and others free, which the rotation mixes")
             new += [s for s, m in zip(vector, after.tolist(), strict=True) if m]

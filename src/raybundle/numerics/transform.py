@@ -121,7 +121,7 @@ def _without_remains(by: Array) -> Array:
 
 def _known_after(by: Array, known: Mask) -> Mask:
     """(k, 3) coordinates after that need none before that is not known (k, 3)."""
-    return ~((np.abs(by) > COUPLED) & ~known[..., None, :]).any(axis=-1)
+    return np.asarray(~((np.abs(by) > COUPLED) & ~known[..., None, :]).any(axis=-1))
 
 
 def similarity(source: Array, target: Array, weights: Array | None = None, *, scale: float | None = None) -> Similarity:
