@@ -20,6 +20,7 @@ from raybundle.numerics.arrays import Array
 from raybundle.numerics.transform import SimilarityTransform, similarity
 from raybundle.observations.alignment import Lines, OnFigure, PlumbLines
 from raybundle.observations.coordinates import Coordinates
+from raybundle.observations.kind import in_order
 from raybundle.orientation.absolute import partial_similarity
 from raybundle.orientation.rays import intersect_linear, object_rays, rays_of
 
@@ -61,6 +62,13 @@ def merge(block: Block, state: State) -> Merged:
 def _fixed(block: Block) -> bool:
     """Whether something puts a block into its object space."""
     return bool(block.points.is_control.any() or len(block.stations) or len(block.table(Coordinates)))
+
+
+def _fixing(block: Block) -> list[str]:
+    """What of a block tells where its axes are, in words: control, and observations in axes that exist already."""
+    found = ["control points"] if block.points.is_control.any() else []
+    kinds = (k for k in in_order() if k.table is not None and k.carries_datum and not k.fixes_scale)
+    return found + [k.title[:1].lower() + k.title[1:] for k in kinds if len(k.table_of(block))]
 
 
 def _of_use(name: str, state: State) -> bool:
@@ -282,10 +290,10 @@ def check_axes(names: Sequence[str], xyz: Array) -> None:
 
 def _in_axes(block: Block, axes: Axes) -> Block:
     """In the axes of three points, whose coordinates are held as far as they are 0 by definition."""
-    if _fixed(block):
+    if fixing := _fixing(block):
         raise InputError(
-            f"the coordinate system by points {', '.join(map(quoted, axes.points))} contradicts the control points or "
-            "observed positions of the block, which define one; take the one or the other away, or transform the "
+            f"the coordinate system by points {', '.join(map(quoted, axes.points))} contradicts the "
+            f"{', '.join(fixing)} of the block, which tell one; take the one or the other away, or transform the "
             "result (raybundle datum)"
         )
     index = {name: k for k, name in enumerate(block.points.ids)}
