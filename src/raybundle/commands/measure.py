@@ -12,6 +12,7 @@ import numpy as np
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
+from raybundle.commands.begin import measuring_folder, standing_folder
 from raybundle.commands.measure_settings import DatumSettings, MarkAdjustSettings, QuerySettings
 from raybundle.errors import InputError
 from raybundle.io.block.folder import ROLES, read_block
@@ -24,6 +25,7 @@ from raybundle.measuring.known import Known
 from raybundle.measuring.merge import Merged, merge
 from raybundle.measuring.query import Answer, Quantity, ask, in_axes
 from raybundle.measuring.session import block_folder
+from raybundle.measuring.start import adjusted
 from raybundle.measuring.state import State
 from raybundle.numerics.progress import Progress, silent
 from raybundle.results.folder import ResultFolder
@@ -109,7 +111,11 @@ def transform_to_points(result: Adjustment | str | Path, out: str | Path, **give
 
 
 def open_journal(folder: str | Path) -> Journal:
-    """The journal of a project, result or block folder, with its block to check actions against."""
+    """The journal of a project, result or block folder, with its block to check actions against.
+
+    folder  a folder of photographs, too: its project is begun where there is none (`measuring_folder`)
+    """
+    folder = measuring_folder(folder)
     return Journal.open(journal_path(folder), Known.of(read_block(block_folder(folder))))
 
 
@@ -125,31 +131,41 @@ def mark(folder: str | Path, verb: str, *, id: str = "", author: str = "", **arg
 
 def marks(folder: str | Path) -> State:
     """What was measured by hand in a project, result or block folder."""
-    return state_of(journal_path(folder))
+    return state_of(journal_path(_standing(folder)))
 
 
 def history(folder: str | Path) -> list[Entry]:
     """All actions, those taken back included."""
-    return entries_of(journal_path(folder))
+    return entries_of(journal_path(_standing(folder)))
 
 
 def merged(folder: str | Path) -> Merged:
     """The block of a folder with what was measured by hand."""
-    return merge(read_block(block_folder(folder)), marks(folder))
+    return merge(read_block(block_folder(_standing(folder))), marks(folder))
+
+
+def _standing(folder: str | Path) -> Path:
+    """The project of a folder of photographs, where it stands; else the folder."""
+    return standing_folder(folder) or Path(folder)
 
 
 def adjust_marks(folder: str | Path, progress: Progress = silent, **given: Any) -> tuple[Adjustment, Mapping[str, str]]:
-    """Adjust the block of a folder with what was measured by hand; also what was left out, and why."""
+    """Adjust the block of a folder with what was measured by hand; also what was left out, and why.
+
+    Photographs without orientation are oriented from their marks, as far as these allow.
+    raises  NoOrientation that says what the photographs lack where none is oriented
+    """
     s = made(MarkAdjustSettings, given)
     found = merged(folder)
     options = AdjustmentOptions(reject=s.reject, estimate=s.estimate)
-    return adjust(found.block, options, progress), found.left_out
+    lacking = {k.image: k.words for k in found.lacking if k.kind != "marks"}
+    return adjusted(found, lambda block: adjust(block, options, progress)), {**found.left_out, **lacking}
 
 
 def export_marks(folder: str | Path, out: str | Path, *, crs: str = "") -> tuple[Path, ...]:
     """Write what was measured: NAME.csv as `--control` reads it, NAME.txt as gcp_list (with `crs`), else a block."""
     out, state = Path(out), marks(folder)
-    block = read_block(block_folder(folder))
+    block = read_block(block_folder(_standing(folder)))
     if out.suffix.lower() == ".csv":
         return write_csv(state, out, Known.of(block))
     if out.suffix.lower() == ".txt":

@@ -117,7 +117,7 @@ class Session:
 def block_folder(folder: str | Path) -> Path:
     """The block folder of a project, a result or a block folder; raises InputError."""
     folder = Path(folder)
-    for inner in (folder / "result" / "block", folder / "block", folder):
+    for inner in _places(folder):
         if (inner / "block.toml").is_file():
             return inner
     raise InputError(
@@ -125,3 +125,12 @@ def block_folder(folder: str | Path) -> Path:
         "--out named",
         file=folder,
     )
+
+
+def holds_block(folder: Path) -> bool:
+    """Whether a folder is a project, a result or a block folder."""
+    return any((inner / "block.toml").is_file() for inner in _places(folder))
+
+
+def _places(folder: Path) -> tuple[Path, ...]:
+    return folder / "result" / "block", folder / "block", folder

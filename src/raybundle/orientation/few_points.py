@@ -79,7 +79,7 @@ class Lack:
 
     image: str
     kind: Literal["marks", "common", "known", "fit", "base"]
-    """marks: nothing is measured in it; common: points common with another; known: points with coordinates; fit: no
+    """marks: nothing is measured in it that others show; common: points common with another; known: points with coordinates; fit: no
     orientation fits its points; base: its rays are parallel to those of the other"""
     have: int = 0
     need: int = 0
@@ -90,6 +90,10 @@ class Lack:
     def words(self) -> str:
         """A sentence for the person who measures."""
         points = counted(self.have, "point")
+        if self.kind == "marks" and self.have:
+            return (
+                f"photograph {self.image}: none of its {points} is marked in another one; mark {self.need} of them there"
+            )
         if self.kind == "marks":
             return f"photograph {self.image}: no point is marked in it; mark {self.need} that others show, too"
         if self.kind == "common":
@@ -108,6 +112,20 @@ class Lack:
         return (
             f"photograph {self.image}: no orientation fits its {points}; look at their names and places, and mark more"
         )
+
+    @property
+    def short(self) -> str:
+        """The next step in a few words."""
+        more = max(self.need - self.have, 1)
+        if self.kind == "common":
+            return f"{self.image} and {self.other} need {counted(more, 'more common point')}"
+        if self.kind == "base":
+            return f"{self.image} and {self.other} were taken from one place"
+        if self.kind == "marks" and self.have:
+            return f"{self.image} has no point in common with another photograph"
+        if self.kind == "fit":
+            return f"no orientation fits the points of {self.image}"
+        return f"{self.image} needs {counted(more, 'more point')}"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -555,7 +573,7 @@ def _lacking(block: Block, given: Mask, counts: Index) -> tuple[Lack, ...]:
             kind: Literal["known", "fit"] = "known" if k < KNOWN else "fit"
             found.append(Lack(image=name, kind=kind, have=k, need=KNOWN))
         elif other < 0:
-            found.append(Lack(image=name, kind="marks", need=COMMON))
+            found.append(Lack(image=name, kind="marks", have=int(counts[i]), need=COMMON))
         elif other < i and partner.get(other, (-1, 0))[0] == i:
             continue  # said of the other
         elif common < COMMON:

@@ -42,6 +42,7 @@ def read_block(path: str | Path, *, progress: Progress = silent) -> Block:
     """The block in a folder.
 
     raises  InputError with file, line and column for anything the format does not allow
+    Photographs alone, without orientation and points, need no image point: they are to be measured.
     What it does not tell: whether the block can be adjusted; points without rays and images without
     orientation are well-formed.
     """
@@ -52,7 +53,10 @@ def read_block(path: str | Path, *, progress: Progress = silent) -> Block:
     images, image_ids = _read_images(folder / "images.csv", head.cameras)
     points, point_ids = _read_points(folder / "points.csv")
     progress("reading", 0.1)
-    observations, rejected = _read_observations(folder / "observations.csv", image_ids, point_ids)
+    alone = not images.oriented.any() and not stands(folder / "points.csv")
+    observations, rejected = _read_observations(
+        folder / "observations.csv", image_ids, point_ids, least_rows=0 if alone else 1
+    )
     progress("reading", 0.9)
     new = tuple(point_ids)[len(points) :]
     points = _with_tie_points(points, new)
@@ -279,7 +283,7 @@ def _with_tie_points(points: Points, new: tuple[str, ...]) -> Points:
 
 
 def _read_observations(
-    path: Path, images: dict[str, int], points: dict[str, int]
+    path: Path, images: dict[str, int], points: dict[str, int], *, least_rows: int = 1
 ) -> tuple[Observations, tuple[tuple[str, str], ...]]:
     """The table, and image and point of rows that are known as wrong; points not yet known are added to `points`."""
     table = read_table(
@@ -295,6 +299,7 @@ def _read_observations(
             Column(name="rejected", kind="number", optional=True, empty=True),
         ),
         unique=("image", "point"),
+        least_rows=least_rows,
         without=NEEDED,
     )
     sx, sy = table.number["sx_px"], table.number["sy_px"]
