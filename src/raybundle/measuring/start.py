@@ -165,6 +165,11 @@ def adjusted(made: Merged, adjust: Callable[[Block], Adjustment]) -> Adjustment:
     return solved(made.block, adjust)[0] if made.new else adjust(made.block)
 
 
+def standing_after(made: Merged, result: Adjustment) -> Standing:
+    """How the photographs stand after a block with its marks was adjusted."""
+    return _standing(made, made.block, result, "")
+
+
 def _standing(made: Merged, block: Block, result: Adjustment | None, trouble: str) -> Standing:
     out = unoriented(block)
     return Standing(

@@ -17,6 +17,7 @@ from raybundle.io.block.folder import read_block
 from raybundle.measuring.journal import Journal, journal_path, measured_result
 from raybundle.measuring.known import Known
 from raybundle.measuring.session import Adjust, Session, block_folder, readjusted
+from raybundle.measuring.start import Standing, standing_of, to_begin
 from raybundle.numerics.arrays import Index
 from raybundle.pipeline.project import photographs_of
 from raybundle.studio.tiles import Tiles
@@ -35,6 +36,8 @@ class Desk:
     session: Session
     journal: Journal
     tiles: Tiles
+    standing: Standing
+    """how far the photographs are oriented"""
     _rows: tuple[Index, Index] | None = None
     lock: threading.RLock = field(default_factory=threading.RLock)
 
@@ -54,7 +57,8 @@ class Desk:
         journal = Journal.open(journal_path(source), Known.of(given))
         paths = _photographs(given, [*photos, *photographs_of(source), *photographs_of(source / "result")])
         sizes = {k: journal.known.size_px[name] for k, name in enumerate(given.images.ids)}
-        return cls(source, kind, given, Session.of_block(block, None), journal, Tiles(folder, paths, sizes))
+        session, tiles = Session.of_block(block, None), Tiles(folder, paths, sizes)
+        return cls(source, kind, given, session, journal, tiles, standing_of(block))
 
     @property
     def block(self) -> Block:
@@ -70,10 +74,16 @@ class Desk:
         """A session of the same block with its adjustment and covariances; takes as long as an adjustment."""
         return Session.of_block(self.block, adjust)
 
-    def replaced(self, session: Session) -> None:
+    @property
+    def to_begin(self) -> bool:
+        """Whether the marks are to orient photographs."""
+        return to_begin(self.given, self.journal.state)
+
+    def replaced(self, session: Session, standing: Standing | None = None) -> None:
         """Go on with another session."""
         with self.lock:
             self.session = session
+            self.standing = standing_of(session.block) if standing is None else standing
             self._rows = None
 
     def rows_in(self, image: int) -> Index:
