@@ -50,7 +50,7 @@ export class Model {
     this.images.clear();
     this.overview.images.forEach((image, k) => this.images.set(image.id, { ...image, k }));
     this.given.clear();
-    this.take(this.overview.state, true);
+    this.take(this.overview.state);
     this.emit("overview");
     this.emit("read");
     this.emit("observations");
@@ -58,8 +58,8 @@ export class Model {
   }
 
   /** A state as the server told it; an older one than is known is left out. */
-  take(state: State, always = false): void {
-    if (!always && this.state && state.seq < this.state.seq) return;
+  take(state: State): void {
+    if (this.state && state.seq < this.state.seq) return;
     this.state = state;
     this.marks.clear();
     for (const mark of state.marks) this.marks.set(mark.image, [...(this.marks.get(mark.image) ?? []), mark]);

@@ -11,6 +11,7 @@ import { Measuring } from "./measuring";
 import { Model } from "./model";
 import { Panel } from "./panel";
 import { Space } from "./space";
+import { StandingLine } from "./standing";
 import { Status } from "./status";
 import { isPoint, Tables } from "./tables";
 import { Tabs } from "./tabs";
@@ -30,6 +31,10 @@ async function start(): Promise<void> {
     stage.open(image, beside).body.focus();
   });
   const panel = new Panel(model, measuring, { visit });
+  new StandingLine(model, (point, image) => {
+    model.choose(point);
+    void panel.goTo(point, image);
+  });
   new Bars(model);
   new Control(model);
   const space = new Space(model, (image) => {

@@ -43,6 +43,17 @@ export interface State {
   renamed: Record<string, string>;
 }
 
+/** How far the photographs are oriented, and what the others lack. */
+export interface Standing {
+  oriented: number;
+  images: number;
+  line: string;
+  words: string[];
+  trouble: string;
+  lacking: { image: string; other: string; kind: string; have: number; need: number; words: string }[];
+  wrong: { point: string; images: string[]; words: string }[];
+}
+
 export interface Overview {
   title: string;
   kind: string;
@@ -58,6 +69,8 @@ export interface Overview {
   points: number;
   observations: number;
   state: State;
+  standing: Standing;
+  report: boolean;
   notices: { code: string; message: string }[];
 }
 
@@ -153,5 +166,6 @@ export interface JournalEntry {
 
 export type Live =
   | { type: "state"; state: State }
+  | { type: "oriented"; seq: number }
   | { type: "progress"; stage: string; share: number }
   | { type: "adjusted"; sigma0: number | null; folder: string; error: string };
