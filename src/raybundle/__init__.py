@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from raybundle.adjustment.options import AdjustmentOptions
     from raybundle.adjustment.result import Adjustment
     from raybundle.block import Block, Camera, Distances, Images, Instrument, Observations, Points, Role, Stations
+    from raybundle.commands.begin import begin
     from raybundle.commands.calibrate import CalibrateSettings, calibrate
     from raybundle.commands.convert import Converted, ConvertSettings, convert
     from raybundle.commands.measure import adjust_marks, export_marks, mark, marks, query, transform_to_points
@@ -79,6 +80,7 @@ _HOME = {
     "Stations": "block",
     "adjust": "workflows.adjust",
     "adjust_marks": "commands.measure",
+    "begin": "commands.begin",
     "calibrate": "commands.calibrate",
     "convert": "commands.convert",
     "detect_targets": "commands.targets",
@@ -134,6 +136,7 @@ __all__ = [
     "__version__",
     "adjust",
     "adjust_marks",
+    "begin",
     "calibrate",
     "convert",
     "detect_targets",

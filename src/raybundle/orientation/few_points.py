@@ -67,6 +67,8 @@ ROUGH_PX = 2.0
 """Standard deviation of image points for a projective model, which knows no distortion."""
 CROOKED = 0.1
 """Misfit of a projective model from which its camera constants are not believed."""
+NARROWEST, WIDEST = 0.3, 12.0
+"""Camera constants in larger sides of the format that are believed."""
 LOST = 1e4
 """Square of the residual, in standard deviations, that counts for a point behind its photograph."""
 MANY = 2000
@@ -306,7 +308,8 @@ def _projective(block: Block, left: Mask) -> dict[str, float] | None:
         return None
     if not found.misfit < CROOKED:
         return None
-    return {c.id: c.values[c.sensor.scale_symbol] for c in found.block.cameras if c.sensor.scale_symbol}
+    told = {c.id: (c.values[c.sensor.scale_symbol], float(c.size_mm.max())) for c in found.block.cameras if c.estimate}
+    return {name: c for name, (c, side) in told.items() if NARROWEST * side < c < WIDEST * side} or None
 
 
 # --- candidates ----------------------------------------------------------------------------------------
@@ -459,8 +462,10 @@ def _rows(trial: _Trial) -> Mask:
 def _sane(new: Block, old: Block) -> bool:
     for a, b in zip(new.cameras, old.cameras, strict=True):
         s = a.sensor.scale_symbol
-        if s and not 0.3 < a.values[s] / b.values[s] < 3.0:
-            return False
+        if s and a.estimate:
+            side = float(a.size_mm.max())
+            if not (0.3 < a.values[s] / b.values[s] < 3.0 and NARROWEST * side < a.values[s] < WIDEST * side):
+                return False
     placed = old.images.oriented
     return bool(np.isfinite(new.images.centre[placed]).all() and np.isfinite(new.images.rotation[placed]).all())
 

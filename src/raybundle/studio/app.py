@@ -114,7 +114,7 @@ class Studio:
         try:
             yield
         finally:
-            self.work.stop()
+            await run_in_threadpool(self.work.close)
             self.desk.close()
 
     async def _page(self, request: Request) -> Response:

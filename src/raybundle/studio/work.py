@@ -40,6 +40,7 @@ class Work:
     _lock: threading.Lock = field(default_factory=threading.Lock)
     _at_once: threading.Lock = field(default_factory=threading.Lock)
     _timer: threading.Timer | None = None
+    _closed: bool = False
 
     @property
     def busy(self) -> bool:
@@ -61,15 +62,25 @@ class Work:
     def stop(self) -> bool:
         """Stop at the next step; False where nothing is being adjusted."""
         self._stop.set()
-        if self._timer is not None:
-            self._timer.cancel()
         return self.busy
+
+    def close(self) -> None:
+        """Stop, and begin nothing more; until nothing asks the journal."""
+        self.stop()
+        with self._lock:
+            self._closed = True
+            if self._timer is not None:
+                self._timer.cancel()
+        with self._at_once:
+            pass
 
     def soon(self) -> None:
         """Orient the photographs from their marks as soon as the hand rests; nothing where that is not asked for."""
         if not self.desk.to_begin:
             return
         with self._lock:
+            if self._closed:
+                return
             if self._timer is not None:
                 self._timer.cancel()
             self._timer = threading.Timer(REST_S, self._begin_photographs)
@@ -84,7 +95,7 @@ class Work:
             self._thread.join()
 
     def _run(self, target: Callable[[], str]) -> None:
-        folder, trouble = "", ""
+        folder, trouble, seq = "", "", self.desk.journal.seq
         try:
             folder = target()
         except Stopped:
@@ -98,11 +109,13 @@ class Work:
         self.live.tell_from_thread({
             "type": "adjusted", "sigma0": None if a is None else finite(a.sigma0), "folder": folder, "error": trouble,
         })  # fmt: skip
+        if seq != self.desk.journal.seq:
+            self.soon()  # with what was marked meanwhile
 
     def _begin_photographs(self) -> None:
-        """Orient and adjust with all marks, unless an adjustment is asked for in between, which does the same."""
+        """Orient and adjust with all marks, unless an adjustment is asked for in between."""
         with self._at_once:
-            if self.busy:
+            if self.busy or self._closed:
                 return
             seq, state, trouble = self.desk.journal.seq, self.desk.journal.state, ""
             try:
@@ -111,8 +124,8 @@ class Work:
                 trouble, found = str(error), None
             except Exception as error:  # noqa: BLE001  (a thread of its own: whoever waits must hear of it)
                 trouble, found = f"a fault of the program: {type(error).__name__}: {error}", None
-            if self.busy or (seq != self.desk.journal.seq and self._timer is not None and self._timer.is_alive()):
-                return  # a later one tells
+            if self.busy:
+                return  # an adjustment was asked for, which does the same
             if found is None:
                 standing = replace(self.desk.standing, trouble=trouble)
                 self.desk.replaced(self.desk.session, standing)
