@@ -113,15 +113,16 @@ def _place(folder: Path, verb: str, author: str, sigma: float, covariance: Covar
     _do(folder, verb, author, covariance=covariance or (sigma**2, sigma**2, 0.0), **given)
 
 
-def _precision(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Add --sigma and --covariance."""
+def _precision(usual: float) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
+    """Add --sigma, with its default, and --covariance."""
     whole = click.option(
         "--covariance", type=(POSITIVE, POSITIVE, NUMBER), metavar="XX YY XY",
         help="Variances of x and y and their covariance [px^2], in place of --sigma.",
     )  # fmt: skip
-    return click.option(
-        "--sigma", type=PIXELS, default=0.5, show_default=True, metavar="PX", help="Standard deviation of the mark."
-    )(whole(function))
+    sigma = click.option(
+        "--sigma", type=PIXELS, default=usual, show_default=True, metavar="PX", help="Standard deviation of the mark."
+    )
+    return lambda function: sigma(whole(function))
 
 
 @command.command("begin", context_settings=COMMAND_SETTINGS)
@@ -152,7 +153,7 @@ def begin_(photos: tuple[Path, ...], out: Path | None, progress: str, **given: A
 @click.argument("point")
 @click.argument("x_px", type=NUMBER, metavar="X")
 @click.argument("y_px", type=NUMBER, metavar="Y")
-@_precision
+@_precision(0.5)
 def put(
     folder: Path, image: str, point: str, x_px: float, y_px: float, sigma: float, covariance: Covariance | None,
     author: str,
@@ -171,7 +172,7 @@ def put(
 @click.argument("point")
 @click.argument("x_px", type=NUMBER, metavar="X")
 @click.argument("y_px", type=NUMBER, metavar="Y")
-@_precision
+@_precision(0.5)
 def move(
     folder: Path, image: str, point: str, x_px: float, y_px: float, sigma: float, covariance: Covariance | None,
     author: str,
@@ -326,6 +327,25 @@ def accept(folder: Path, image: str, point: str, author: str) -> None:
     _do(folder, "accept", author, image=image, point=point)
 
 
+@_verb("fiducial")
+@click.argument("image")
+@click.argument("name")
+@click.argument("x_px", type=NUMBER, metavar="[X]", required=False)
+@click.argument("y_px", type=NUMBER, metavar="[Y]", required=False)
+@_precision(0.2)
+def fiducial(
+    folder: Path, image: str, name: str, x_px: float | None, y_px: float | None, sigma: float,
+    covariance: Covariance | None, author: str,
+) -> None:  # fmt: skip
+    """Where a fiducial mark is in a scan of film; without X and Y: take it away.
+
+    \b
+    Example:
+      raybundle mark fiducial archive-project 17_0412.tif F1 812.4 9310.7
+    """  # noqa: D301
+    _place(folder, "fiducial", author, sigma, covariance, image=image, name=name, x_px=x_px, y_px=y_px)
+
+
 @_verb("undo")
 def undo(folder: Path, author: str) -> None:
     """Take the last action back.
@@ -393,6 +413,9 @@ def _shown(state: State) -> list[str]:
     lines += [f" {v.kind} line {n}: {', '.join(v.points)}" for n, v in state.lines.items()]
     if state.datum is not None:
         lines.append(f" coordinate system: {', '.join(state.datum.points)} (origin, axis, plane)")
+    lines += [
+        f" fiducial mark {n} in {i}: {m.x_px:.2f} {m.y_px:.2f} px, {m.how}" for (i, n), m in state.fiducials.items()
+    ]
     lines += [f" rejected: {p} in {i}" for i, p in sorted(state.rejected)]
     return lines
 

@@ -17,6 +17,7 @@ from raybundle.settings import asked
 
 if TYPE_CHECKING:
     from raybundle.block import Block
+    from raybundle.measuring.film import Scans
 
 
 def begin(
@@ -27,7 +28,7 @@ def begin(
 
     photos    folders and files
     out       project folder; None: PHOTOS-project beside the folder of photographs
-    settings  calibration, separate, library: as of `orient`
+    settings  calibration, separate, library: as of `orient`; film, pixel_mm, film_model: scans of film
     raises    InputError where there is no photograph, or something else stands at `out`
 
     The photographs have their cameras, as `orient` finds them, and no orientation: marks orient them (`rb.mark`).  A
@@ -45,6 +46,7 @@ def begin(
             library=s.library,
         )
     )
+    _keep_film(s)
     _write(block, s.out)
     return s.out
 
@@ -108,21 +110,44 @@ def _block(s: BeginSettings, progress: Progress) -> Block:
     from raybundle.io.block.folder import read_block  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.io.block.toml import read_cameras  # noqa: PLC0415
     from raybundle.io.cameras.library import library_folder  # noqa: PLC0415
-    from raybundle.workflows.bare import bare_block  # noqa: PLC0415
+    from raybundle.workflows.bare import bare_block, of_film  # noqa: PLC0415
 
-    block = bare_block(
-        s.photos, s.out.name, calibration=() if s.calibration is None else read_cameras(s.calibration),
-        separate=s.separate, library=library_folder() if s.library else None, progress=progress,
-    ).block  # fmt: skip
-    if holds_block(s.out / "block"):
-        lost = sorted(set(read_block(s.out / "block").images.ids) - set(block.images.ids))
-        if lost:
-            raise InputError(
-                f"the project holds photographs that are not among these ({', '.join(lost[:3])}); put them back, or "
-                "choose another project",
-                file=s.out,
-            )
+    before = read_block(s.out / "block") if holds_block(s.out / "block") else None
+    known = () if s.calibration is None else read_cameras(s.calibration)
+    scans = _scans(s)
+    library = library_folder() if s.library else None
+    if scans is None:
+        block = bare_block(
+            s.photos, s.out.name, calibration=known, separate=s.separate, library=library, progress=progress
+        )
+    else:
+        known = known or (before.cameras if before is not None else ())
+        block = of_film(bare_block(s.photos, s.out.name, progress=progress), known, scans)
+    lost = sorted(set() if before is None else set(before.images.ids) - set(block.images.ids))
+    if lost:
+        raise InputError(
+            f"the project holds photographs that are not among these ({', '.join(lost[:3])}); put them back, or "
+            "choose another project",
+            file=s.out,
+        )
     return block
+
+
+def _scans(s: BeginSettings) -> Scans | None:
+    """What is known of the film that the photographs are scans of: as it is given, or as the project knows."""
+    from raybundle.io.block.toml import read_cameras  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.io.film.fiducials import read_calibrated  # noqa: PLC0415
+    from raybundle.measuring.film import Scans, read_scans  # noqa: PLC0415
+
+    if s.film is None:
+        return read_scans(s.out)
+    if s.calibration is None:
+        raise InputError("scans of film need their camera, too; give it by its certificate (--calibration)")
+    cameras = read_cameras(s.calibration)
+    if len(cameras) != 1:
+        raise InputError(f"{len(cameras)} cameras stand here; give one, that of the film", file=s.calibration)
+    pixel = s.pixel_mm or cameras[0].pixel_mm[0]
+    return Scans(calibrated=read_calibrated(s.film), pixel_mm=pixel, model=s.film_model)
 
 
 def _write(block: Block, project: Path) -> None:
@@ -131,3 +156,15 @@ def _write(block: Block, project: Path) -> None:
 
     with new_folder(project / "block") as folder:
         write_block_files(block, folder)
+
+
+def _keep_film(s: BeginSettings) -> None:
+    """Keep what was given of the film in the project."""
+    from raybundle.io.folders import new_folder  # noqa: PLC0415
+    from raybundle.measuring.film import FOLDER, write_scans  # noqa: PLC0415
+
+    scans = _scans(s)
+    if s.film is None or scans is None:
+        return
+    with new_folder(s.out / FOLDER) as folder:
+        write_scans(scans, s.film, folder)

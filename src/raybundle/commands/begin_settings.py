@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Literal
 
 from raybundle.commands.camera_settings import camera_library, cameras_apart, known_cameras
+from raybundle.settings import POSITIVE, setting
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -19,3 +21,13 @@ class BeginSettings:
     calibration: Path | None = known_cameras()
     separate: tuple[str, ...] = cameras_apart()
     library: bool = camera_library()
+    film: Path | None = setting(
+        None, "The photographs are scans of film: calibrated positions of its fiducial marks, mark,x_mm,y_mm; their "
+        "camera is the one of --calibration.", metavar="CERTIFICATE.csv",
+    )  # fmt: skip
+    pixel_mm: float | None = setting(
+        None, "Pixel of the scanner.  [default: that of the camera]", metavar="MM", limits=POSITIVE
+    )
+    film_model: Literal["similarity", "affine"] = setting(
+        "affine", "Transformation from a scan to the camera's frame."
+    )

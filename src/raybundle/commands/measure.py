@@ -19,6 +19,7 @@ from raybundle.io.block.folder import ROLES, read_block
 from raybundle.io.folders import new_folder
 from raybundle.io.reading.words import quoted
 from raybundle.io.tables import write_table
+from raybundle.measuring.film import read_scans
 from raybundle.measuring.export import write_csv, write_gcp_list, write_merged_block
 from raybundle.measuring.journal import Entry, Journal, entries_of, journal_path, measured_result, state_of
 from raybundle.measuring.known import Known
@@ -116,13 +117,15 @@ def open_journal(folder: str | Path) -> Journal:
     folder  a folder of photographs, too: its project is begun where there is none (`measuring_folder`)
     """
     folder = measuring_folder(folder)
-    return Journal.open(journal_path(folder), Known.of(read_block(block_folder(folder))))
+    scans = read_scans(folder)
+    fiducials = () if scans is None else scans.calibrated.names
+    return Journal.open(journal_path(folder), Known.of(read_block(block_folder(folder)), fiducials))
 
 
 def mark(folder: str | Path, verb: str, *, id: str = "", author: str = "", **arguments: Any) -> int:  # noqa: A002
     """Do an action of measuring, and return its number: `mark("facade", "put", image=..., point=..., x_px=...)`.
 
-    verb    put, move, remove, point, rename, forget, bar, unbar, line, datum, reject, accept, undo, redo
+    verb    put, move, remove, point, rename, forget, bar, unbar, line, datum, reject, accept, fiducial, undo, redo
     raises  InputError where it cannot be done
     """
     with open_journal(folder) as journal:
@@ -141,7 +144,8 @@ def history(folder: str | Path) -> list[Entry]:
 
 def merged(folder: str | Path) -> Merged:
     """The block of a folder with what was measured by hand."""
-    return merge(read_block(block_folder(_standing(folder))), marks(folder))
+    project = _standing(folder)
+    return merge(read_block(block_folder(project)), marks(folder), read_scans(project))
 
 
 def _standing(folder: str | Path) -> Path:
@@ -176,7 +180,7 @@ def export_marks(folder: str | Path, out: str | Path, *, crs: str = "") -> tuple
                 file=out,
             )
         return (write_gcp_list(state, out, Known.of(block), crs),)
-    return (write_merged_block(state, out, block),)
+    return (write_merged_block(state, out, block, read_scans(_standing(folder))),)
 
 
 def as_plain(state: State) -> dict[str, Any]:
@@ -189,6 +193,7 @@ def as_plain(state: State) -> dict[str, Any]:
         "bars": [{"start": a, "end": b, **asdict(v)} for (a, b), v in state.bars.items()],
         "lines": [{"line": n, **asdict(v)} for n, v in state.lines.items()],
         "datum": None if state.datum is None else cast("Any", asdict(state.datum)),
+        "fiducials": [{"image": i, "name": n, **asdict(m)} for (i, n), m in state.fiducials.items()],
         "rejected": [{"image": i, "point": p} for i, p in sorted(state.rejected)],
         "renamed": dict(state.renamed), "can_undo": state.can_undo, "can_redo": state.can_redo,
     }  # fmt: skip

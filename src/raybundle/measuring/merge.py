@@ -13,6 +13,7 @@ from raybundle.block.select import transformed, with_points
 from raybundle.errors import InputError
 from raybundle.io.block.folder import ROLES
 from raybundle.io.reading.words import quoted
+from raybundle.measuring.film import Scans, placed
 from raybundle.measuring.frames import in_camera
 from raybundle.measuring.orienting import oriented
 from raybundle.measuring.state import Axes, State
@@ -42,18 +43,23 @@ class Merged:
     """what photographs without orientation lack; their marks do not stand in the block"""
     untold: tuple[str, ...] = ()
     """cameras whose constant comes from the marks alone"""
+    film: tuple[str, ...] = ()
+    """what is to be said of fiducial marks, in sentences"""
 
 
-def merge(block: Block, state: State) -> Merged:
+def merge(block: Block, state: State, scans: Scans | None = None) -> Merged:
     """The block with points, marks, control, bars, lines and rejections of a state.
 
     A mark stands in place of the block's own observation of that point in that image.  Photographs without orientation
     are oriented from their marks, as far as these allow.  Where nothing fixed the block in
     space and control is measured now, it is brought there; where bars alone are, to their scale; where axes are
     defined by points, into these: their coordinates that are 0 by definition are held.
+    scans   what is known of the film that photographs are scans of: their fiducial marks say where they lie
     raises  InputError for axes beside control, and for what names an image that the block does not hold
     """
-    base = _renamed(block, state)
+    film = placed(block, state, scans)
+    state = _without_marks(state, {k.image for k in film.lacking})
+    base = _renamed(film.block, state)
     free = not _fixed(base)
     start = oriented(_with_marks(base, state), state, free=free)
     made = start.block
@@ -65,8 +71,17 @@ def merge(block: Block, state: State) -> Merged:
     if state.datum is not None:
         made = _in_axes(made, state.datum)
     return Merged(
-        block=_with_rejected(made, state), left_out=out, new=start.new, lacking=start.lacking, untold=start.untold
-    )
+        block=_with_rejected(made, state), left_out=out, new=start.new, untold=start.untold,
+        lacking=(*film.lacking, *(k for k in start.lacking if k.image not in {f.image for f in film.lacking})),
+        film=film.words,
+    )  # fmt: skip
+
+
+def _without_marks(state: State, images: set[str]) -> State:
+    """The state without the marks in some images."""
+    if not images:
+        return state
+    return replace(state, marks={k: m for k, m in state.marks.items() if k[0] not in images})
 
 
 def _fixed(block: Block) -> bool:

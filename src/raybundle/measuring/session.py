@@ -47,7 +47,8 @@ class Session:
         """Of an adjustment, with its full covariances if it has statistics."""
         joint = None if adjustment.handle.work is None else Joint.of(adjustment)
         words = "" if joint else "the adjustment was made without statistics: there are no covariances"
-        return cls._made(adjustment.adjusted, adjustment, words, joint)
+        block = replace(adjustment.adjusted, free_scale="scale" in adjustment.datum_defect)
+        return cls._made(block, adjustment, words, joint)
 
     @classmethod
     def of_block(cls, block: Block, adjust: Adjust | None = readjusted) -> Session:

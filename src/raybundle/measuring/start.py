@@ -13,6 +13,7 @@ from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Block
 from raybundle.block.rejection import RejectionKind
 from raybundle.errors import NoOrientation, NotSolvable
+from raybundle.measuring.film import Scans
 from raybundle.measuring.merge import Merged, merge
 from raybundle.measuring.orienting import unoriented
 from raybundle.measuring.session import Session
@@ -54,6 +55,8 @@ class Standing:
     wrong: tuple[Wrong, ...] = ()
     untold: tuple[str, ...] = ()
     """sentences on camera constants that nothing states"""
+    film: tuple[str, ...] = ()
+    """sentences on fiducial marks"""
     trouble: str = ""
     """why there are no covariances; "" where there are"""
 
@@ -71,7 +74,7 @@ class Standing:
     def words(self) -> tuple[str, ...]:
         """All of it in sentences, the line apart."""
         return (
-            *(k.words for k in self.lacking), *(w.words for w in self.wrong), *self.untold,
+            *(k.words for k in self.lacking), *(w.words for w in self.wrong), *self.film, *self.untold,
             *([self.trouble] if self.trouble else []),
         )  # fmt: skip
 
@@ -103,14 +106,15 @@ def standing_of(block: Block) -> Standing:
     return Standing(oriented=len(out) - len(names), images=len(out), lacking=lacking)
 
 
-def begun(block: Block, state: State) -> Begun:
+def begun(block: Block, state: State, scans: Scans | None = None) -> Begun:
     """Orient and adjust a block with all that was measured, at once, as far as it goes.
 
+    scans   what is known of the film that photographs are scans of
     raises  InputError as `merge`
     Blunders leave by data snooping, and are named.  Where the points do not determine the interior orientation, it is
     held; where nothing can be adjusted, the photographs stand as the start found them, without covariances.
     """
-    made = merge(block, state)
+    made = merge(block, state, scans)
     placed = made.block
     if not placed.images.oriented.any() or not len(placed.observations):
         session = Session.of_block(block, None)
@@ -174,7 +178,7 @@ def _standing(made: Merged, block: Block, result: Adjustment | None, trouble: st
     out = unoriented(block)
     return Standing(
         oriented=int((~out).sum()), images=len(out), lacking=made.lacking, untold=_untold(made.untold, result),
-        wrong=() if result is None else _wrong(result), trouble=trouble,
+        wrong=() if result is None else _wrong(result), trouble=trouble, film=made.film,
     )  # fmt: skip
 
 

@@ -80,18 +80,25 @@ class Lack:
     """What a photograph lacks to be oriented."""
 
     image: str
-    kind: Literal["marks", "common", "known", "fit", "base"]
+    kind: Literal["marks", "common", "known", "fit", "base", "fiducials", "film"]
     """marks: nothing is measured in it that others show; common: points common with another; known: points with coordinates; fit: no
-    orientation fits its points; base: its rays are parallel to those of the other"""
+    orientation fits its points; base: its rays are parallel to those of the other; fiducials: fiducial marks of a scan;
+    film: its fiducial marks make no film"""
     have: int = 0
     need: int = 0
     other: str = ""
     """photograph that it has most in common with"""
+    said: str = ""
+    """why its fiducial marks make no film"""
 
     @property
     def words(self) -> str:
         """A sentence for the person who measures."""
         points = counted(self.have, "point")
+        if self.kind == "fiducials":
+            return f"scan {self.image}: {counted(self.have, 'fiducial mark')} measured: {self.need} are needed"
+        if self.kind == "film":
+            return self.said
         if self.kind == "marks" and self.have:
             return (
                 f"photograph {self.image}: none of its {points} is marked in another one; mark {self.need} of them there"
@@ -119,6 +126,10 @@ class Lack:
     def short(self) -> str:
         """The next step in a few words."""
         more = max(self.need - self.have, 1)
+        if self.kind == "fiducials":
+            return f"{self.image} needs {counted(more, 'more fiducial mark')}"
+        if self.kind == "film":
+            return f"the fiducial marks of {self.image} contradict each other"
         if self.kind == "common":
             return f"{self.image} and {self.other} need {counted(more, 'more common point')}"
         if self.kind == "base":

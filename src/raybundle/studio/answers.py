@@ -45,6 +45,7 @@ def overview(desk: Desk) -> dict[str, Any]:
         "neglected": desk.session.neglected, "headline": "" if told is None else told.headline,
         "grade": "" if told is None else told.grade, "images": images, "points": len(block.points),
         "observations": len(o), "state": state_of(desk), "standing": standing_of(desk),
+        "fiducials": [] if desk.scans is None else list(desk.scans.calibrated.names),
         "report": (measured_result(desk.source) / "report.html").is_file(),
         "notices": [] if a is None else [{"code": n.code, "message": n.message} for n in a.notices],
     }  # fmt: skip
@@ -86,6 +87,10 @@ def plain_state(state: State) -> dict[str, Any]:
                   for n, v in state.lines.items()],
         "datum": None if state.datum is None else
         {"origin": state.datum.origin, "axis": state.datum.axis, "plane": state.datum.plane},
+        "fiducials": [
+            {"image": i, "name": n, "x": m.x_px, "y": m.y_px, "cov": list(m.covariance), "how": m.how}
+            for (i, n), m in state.fiducials.items()
+        ],
         "rejected": sorted([i, p] for i, p in state.rejected), "renamed": dict(state.renamed),
     }  # fmt: skip
 

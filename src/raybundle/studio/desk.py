@@ -14,6 +14,7 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block
+from raybundle.measuring.film import Scans, read_scans
 from raybundle.measuring.journal import Journal, journal_path, measured_result
 from raybundle.measuring.known import Known
 from raybundle.measuring.session import Adjust, Session, block_folder, readjusted
@@ -38,6 +39,8 @@ class Desk:
     tiles: Tiles
     standing: Standing
     """how far the photographs are oriented"""
+    scans: Scans | None = None
+    """what is known of the film that the photographs are scans of"""
     _rows: tuple[Index, Index] | None = None
     lock: threading.RLock = field(default_factory=threading.RLock)
 
@@ -54,11 +57,13 @@ class Desk:
         kind: Kind = "project" if (source / "project.db").is_file() else "block" if inner == source else "result"
         latest = measured_result(source) / "block"
         block = read_block(latest) if (latest / "block.toml").is_file() else given
-        journal = Journal.open(journal_path(source), Known.of(given))
+        scans = read_scans(source)
+        known = Known.of(given, () if scans is None else scans.calibrated.names)
+        journal = Journal.open(journal_path(source), known)
         paths = _photographs(given, [*photos, *photographs_of(source), *photographs_of(source / "result")])
         sizes = {k: journal.known.size_px[name] for k, name in enumerate(given.images.ids)}
         session, tiles = Session.of_block(block, None), Tiles(folder, paths, sizes)
-        return cls(source, kind, given, session, journal, tiles, standing_of(block))
+        return cls(source, kind, given, session, journal, tiles, standing_of(block), scans)
 
     @property
     def block(self) -> Block:

@@ -119,7 +119,7 @@ class Work:
                 return
             seq, state, trouble = self.desk.journal.seq, self.desk.journal.state, ""
             try:
-                found = begun(self.desk.given, state)
+                found = begun(self.desk.given, state, self.desk.scans)
             except RaybundleError as error:
                 trouble, found = str(error), None
             except Exception as error:  # noqa: BLE001  (a thread of its own: whoever waits must hear of it)
@@ -141,7 +141,7 @@ class Work:
     def _measured(self) -> str:
         """Block and marks, adjusted and written; the block that was opened is not touched."""
         desk = self.desk
-        made = merge(desk.given, desk.journal.state)
+        made = merge(desk.given, desk.journal.state, desk.scans)
         done = adjusted(made, lambda block: adjust(block, progress=self._tell))
         folder = measured_result(desk.source)
         write_result(done, folder, progress=self._tell)

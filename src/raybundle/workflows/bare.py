@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -13,24 +13,15 @@ from raybundle.errors import InputError
 from raybundle.io.cameras.library import with_library
 from raybundle.io.photos.cameras import camera_groups
 from raybundle.io.photos.photo import find_photos
+from raybundle.measuring.film import Scans, as_scans
 from raybundle.numerics.progress import Progress, silent
 from raybundle.workflows.orienting.start import cameras_of
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Bare:
-    """A block without image points, and what became of the files."""
-
-    block: Block
-    refused: tuple[tuple[str, str], ...]
-    """files that are no usable photographs, and why"""
-    remarks: tuple[str, ...]
 
 
 def bare_block(
     inputs: Sequence[Path], name: str, *, calibration: Sequence[Camera] = (), separate: Sequence[str] = (),
     library: Path | None = None, progress: Progress = silent,
-) -> Bare:  # fmt: skip
+) -> Block:  # fmt: skip
     """The photographs in folders and files, each an image without orientation.
 
     calibration  cameras whose interior orientation is known
@@ -49,7 +40,7 @@ def bare_block(
     cameras, of_photo = cameras_of(groups, len(found.photos))
     names = tuple(p.name for p in found.photos)
     n = len(names)
-    block = Block(
+    return Block(
         name=name, cameras=cameras,
         images=Images(
             ids=names, camera=of_photo, file=names, centre=np.full((n, 3), np.nan), rotation=np.full((n, 3, 3), np.nan)
@@ -59,5 +50,17 @@ def bare_block(
         ),
         points=Points(ids=(), role=np.zeros(0, np.int32), xyz=np.zeros((0, 3)), sigma=np.zeros((0, 3))),
     )  # fmt: skip
-    said = tuple(f"{g.id}: {words}" for g in groups for words in g.said)
-    return Bare(block=block, refused=refused, remarks=(*found.remarks, *said))
+
+
+def of_film(block: Block, cameras: Sequence[Camera], scans: Scans) -> Block:
+    """The photographs as scans of film of one camera; their fiducial marks are to be measured.
+
+    cameras  that of the film
+    raises   InputError where it is none or several
+    """
+    if len(cameras) != 1:
+        raise InputError(f"{len(cameras)} cameras are given; scans of film need one, that of the film")
+    of = block.images.camera
+    sizes = {k: (block.cameras[c].width_px, block.cameras[c].height_px) for k, c in enumerate(of.tolist())}
+    images = replace(block.images, camera=np.zeros(len(of), np.int32))
+    return as_scans(replace(block, cameras=tuple(cameras), images=images), sizes, scans)
