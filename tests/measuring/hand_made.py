@@ -7,8 +7,8 @@ from PIL import Image
 
 import raybundle as rb
 from raybundle.adjustment.predict import image_points
-from raybundle.planning.scenes import brown_camera
 from raybundle.numerics.rotation import rotation_from_vector
+from raybundle.planning.scenes import brown_camera
 
 SIZE = (3000, 2000)
 C_MM, PIXEL_MM = 24.0, 0.012
@@ -68,7 +68,7 @@ def normalised(result, scene_xyz, names):
     """Errors of the distances between points by their standard deviations, those with a scale bar's ends alike."""
     pairs = [(a, b) for k, a in enumerate(names) for b in names[k + 1 :]]
     found = rb.query(result, distance=tuple(pairs))
-    true = {n: x for n, x in zip(names, scene_xyz, strict=True)}
+    true = dict(zip(names, scene_xyz, strict=True))
     return np.array([
         (answer.values[0] - np.linalg.norm(true[a] - true[b])) / answer.sigma[0]
         for answer, (a, b) in zip(found, pairs, strict=True)

@@ -35,8 +35,8 @@ CASTLE = {
     "P12": ((803.29, 798.65), (862.22, 849.23), (896.13, 871.88), (1052.94, 977.02)),
     "P13": ((1784.19, 725.83), (1868.72, 736.36), (1923.88, 712.27), (2168.96, 741.65)),
 }
-"""Places [px] of thirteen tie points in four photographs of sceaux-castle: as `raybundle orient` of all eleven photographs
-adjusts them (11 039 points, sigma 0.66 px), of points with seven rays or more, spread over the photographs."""
+"""Places [px] of thirteen tie points in four photographs of sceaux-castle: as `raybundle orient` of all eleven
+photographs adjusts them (11 039 points, sigma 0.66 px), of points with seven rays or more, spread over them."""
 CASTLE_IMAGES = ("100_7101.JPG", "100_7103.JPG", "100_7105.JPG", "100_7107.JPG")
 CASTLE_XYZ = np.array([
     [-0.2853, 0.1546, 0.1704], [3.7070, -1.1630, -1.2017], [3.2429, -0.4752, 2.6755], [-3.9463, -0.6311, -1.5915],
@@ -246,7 +246,10 @@ def test_a_photograph_that_orient_left_out_is_joined_by_marks():
     size = np.linalg.norm(np.ptp(images.centre, axis=0))
     assert np.linalg.norm(found.session.block.images.centre[k] - images.centre[k]) < 0.01 * size
     none = begun(left, folded([]))
-    assert none.standing.line == f"{len(images) - 1} of {len(images)} photographs oriented; {images.ids[k]} needs 4 more points"
+    assert (
+        none.standing.line
+        == f"{len(images) - 1} of {len(images)} photographs oriented; {images.ids[k]} needs 4 more points"
+    )
 
 
 def test_a_project_keeps_what_was_measured_and_takes_photographs_that_come_later(tmp_path):
@@ -301,3 +304,14 @@ def test_sceaux_castle_in_under_sixty_clicks(tmp_path):
     t = normalised(result, CASTLE_XYZ, names)
     assert (t**2).mean() < 3.0
     assert np.abs(t).max() < 5
+
+
+def test_a_file_that_is_no_photograph_costs_that_file(tmp_path):
+    scene = Scene(stations=2)
+    photos = photographs(tmp_path / "archive", scene.images)
+    (photos / "torn.jpg").write_bytes((photos / scene.images[0]).read_bytes()[:300])
+    done = CliRunner().invoke(cli, ["mark", "begin", str(photos)], standalone_mode=False)
+    assert done.exception is None, done.exception
+    assert "torn.jpg: " in done.output
+    assert "archive-project" in done.output
+    assert rb.read_block(tmp_path / "archive-project" / "block").images.ids == tuple(scene.images)

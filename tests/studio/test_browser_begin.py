@@ -38,7 +38,7 @@ def page(tmp_path):
 
 
 def test_photographs_alone_to_a_report_by_clicks(page, tmp_path):
-    """Eight targets in two photographs, five in the third, whose next ones are predicted; adjusted, the report opened."""
+    """Eight targets in two photographs, five in the third, whose next one is predicted; adjusted, the report opened."""
     hand, names = Hand(page), {}
     line = page.locator("#standing-line")
     assert "0 of 3 photographs oriented" in line.inner_text()

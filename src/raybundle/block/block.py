@@ -136,7 +136,7 @@ class Camera(Parametrised):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PixelFrame:
-    """How a file's pixels lie, where they are not those of its camera: stored turned, a reduced copy, a scan of film."""
+    """How a file's pixels lie, where they are not those of its camera: stored turned, a copy, a scan of film."""
 
     turned: Turn
     """By which the camera's picture was turned"""

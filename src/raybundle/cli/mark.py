@@ -42,8 +42,8 @@ def command() -> None:
 
     What is done is kept, action by action, in FOLDER/measured.db of a project, and in FOLDER.measured.db beside another
     folder; of a folder of photographs, in a project that is begun beside it, FOLDER-project. There marks orient the
-    photographs: six points that two show, then four with coordinates in each further one. Undo and redo are unlimited. Pixels count from the outer corner of the first one, in the file as it is
-    stored.
+    photographs: six points that two show, then four with coordinates in each further one. Undo and redo are unlimited.
+    Pixels count from the outer corner of the first one, in the file as it is stored.
 
     \b
     Example:
@@ -75,7 +75,7 @@ def _do(folder: Path, verb: str, author: str, **arguments: Any) -> None:
     from raybundle.commands.measure import mark  # noqa: PLC0415
 
     if standing_folder(folder) is None:
-        click.echo(f" project: {measuring_folder(folder)}")
+        click.echo(f" project: {measuring_folder(folder, told=lambda line: click.echo(f'   {line}'))}")
     seq = mark(folder, verb, author=author, **arguments)
     told = _moved(folder, seq) if verb in {"undo", "redo"} else ""
     click.echo(f" action {seq}: {verb}{told}")
@@ -144,7 +144,9 @@ def begin_(photos: tuple[Path, ...], out: Path | None, progress: str, **given: A
     from raybundle.commands.begin import begin  # noqa: PLC0415
 
     with reporting(progress) as tell:
-        project = begin(photos, out, progress=tell, **values_of(BeginSettings, given))
+        project = begin(
+            photos, out, told=lambda line: click.echo(f"   {line}"), progress=tell, **values_of(BeginSettings, given)
+        )
     click.echo(f" project: {project}")
 
 
@@ -379,8 +381,8 @@ def list_(folder: Path, with_history: bool, as_json: bool) -> None:  # noqa: FBT
     Example:
       raybundle mark list facade-project --history
     """  # noqa: D301
-    from raybundle.commands.measure import as_plain, history, marks  # noqa: PLC0415
     from raybundle.commands.begin import standing_folder  # noqa: PLC0415
+    from raybundle.commands.measure import as_plain, history, marks  # noqa: PLC0415
     from raybundle.measuring.session import block_folder  # noqa: PLC0415
     from raybundle.measuring.state import in_force  # noqa: PLC0415
 

@@ -40,7 +40,7 @@ def command(source: Path, out: Path | None, photos: tuple[Path, ...], port: int,
     from raybundle.commands.begin import measuring_folder  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.studio.serve import serve  # noqa: PLC0415
 
-    project = measuring_folder(source, out)
+    project = measuring_folder(source, out, lambda line: click.echo(f"   {line}"))
 
     def told(address: str) -> None:
         click.echo(f" studio of {project}: {address}\n Ctrl-C ends it; what was measured is kept")

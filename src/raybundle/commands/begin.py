@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -19,15 +19,19 @@ if TYPE_CHECKING:
     from raybundle.block import Block
     from raybundle.measuring.film import Scans
 
+Told = Callable[[str], object]
+"""Gets lines for people"""
+
 
 def begin(
-    photos: str | Path | Sequence[str | Path], out: str | Path | None = None, *, progress: Progress = silent,
-    **settings: Any,
+    photos: str | Path | Sequence[str | Path], out: str | Path | None = None, *, told: Told = str,
+    progress: Progress = silent, **settings: Any,
 ) -> Path:  # fmt: skip
     """Begin a project of photographs that are to be measured by hand; returns its folder.
 
     photos    folders and files
     out       project folder; None: PHOTOS-project beside the folder of photographs
+    told      gets a line of each file that is no usable photograph
     settings  calibration, separate, library: as of `orient`; film, pixel_mm, film_model: scans of film
     raises    InputError where there is no photograph, or something else stands at `out`
 
@@ -39,10 +43,13 @@ def begin(
     s = asked(BeginSettings, photos, out or default_project(first), settings)
     if holds_block(s.out / "result"):
         return s.out
-    block = _block(s, progress)
+    block = _block(s, told, progress)
     keep_settings(
         OrientSettings(
-            photos=tuple(p.resolve() for p in s.photos), out=s.out, calibration=s.calibration, separate=s.separate,
+            photos=tuple(p.resolve() for p in s.photos),
+            out=s.out,
+            calibration=s.calibration,
+            separate=s.separate,
             library=s.library,
         )
     )
@@ -51,7 +58,7 @@ def begin(
     return s.out
 
 
-def measuring_folder(source: str | Path, out: str | Path | None = None, progress: Progress = silent) -> Path:
+def measuring_folder(source: str | Path, out: str | Path | None = None, told: Told = str) -> Path:
     """The folder in which what is measured is kept: as it is given, or a project of the photographs in it.
 
     source  a project, result or block folder; a project of `orient` that has no result; a folder of photographs
@@ -63,11 +70,11 @@ def measuring_folder(source: str | Path, out: str | Path | None = None, progress
     if found is not None:
         return found
     if (source / "project.db").is_file():
-        _write(_block(_as_asked(source), progress), source)
+        _write(_block(_as_asked(source), told, silent), source)
         return source
     if not has_photographs(source):
         block_folder(source)  # which says what is wrong
-    return begin(source, out, progress=progress)
+    return begin(source, out, told=told)
 
 
 def standing_folder(source: str | Path, out: str | Path | None = None) -> Path | None:
@@ -105,7 +112,7 @@ def _as_asked(project: Path) -> BeginSettings:
     )  # fmt: skip
 
 
-def _block(s: BeginSettings, progress: Progress) -> Block:
+def _block(s: BeginSettings, told: Told, progress: Progress) -> Block:
     """The photographs alone; raises InputError where some are gone that a project holds."""
     from raybundle.io.block.folder import read_block  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.io.block.toml import read_cameras  # noqa: PLC0415
@@ -118,11 +125,11 @@ def _block(s: BeginSettings, progress: Progress) -> Block:
     library = library_folder() if s.library else None
     if scans is None:
         block = bare_block(
-            s.photos, s.out.name, calibration=known, separate=s.separate, library=library, progress=progress
+            s.photos, s.out.name, calibration=known, separate=s.separate, library=library, told=told, progress=progress
         )
     else:
         known = known or (before.cameras if before is not None else ())
-        block = of_film(bare_block(s.photos, s.out.name, progress=progress), known, scans)
+        block = of_film(bare_block(s.photos, s.out.name, told=told, progress=progress), known, scans)
     lost = sorted(set() if before is None else set(before.images.ids) - set(block.images.ids))
     if lost:
         raise InputError(

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
-from raybundle.commands.camera_settings import camera_library, cameras_apart, known_cameras
+from raybundle.commands.camera_settings import APART, KNOWN, LIBRARY
 from raybundle.settings import POSITIVE, setting
 
 
@@ -18,9 +18,9 @@ class BeginSettings:
     """folders and files"""
     out: Path
     """project folder; begun, or continued"""
-    calibration: Path | None = known_cameras()
-    separate: tuple[str, ...] = cameras_apart()
-    library: bool = camera_library()
+    calibration: Path | None = setting(None, KNOWN, metavar="CAMERAS.toml")
+    separate: tuple[str, ...] = setting((), APART, flag="--camera", metavar="PATTERN")
+    library: bool = setting(True, LIBRARY, flag="--no-library")
     film: Path | None = setting(
         None, "The photographs are scans of film: calibrated positions of its fiducial marks, mark,x_mm,y_mm; their "
         "camera is the one of --calibration.", metavar="CERTIFICATE.csv",
@@ -28,6 +28,4 @@ class BeginSettings:
     pixel_mm: float | None = setting(
         None, "Pixel of the scanner.  [default: that of the camera]", metavar="MM", limits=POSITIVE
     )
-    film_model: Literal["similarity", "affine"] = setting(
-        "affine", "Transformation from a scan to the camera's frame."
-    )
+    film_model: Literal["similarity", "affine"] = setting("affine", "Transformation from a scan to the camera's frame.")

@@ -19,8 +19,8 @@ from raybundle.io.block.folder import ROLES, read_block
 from raybundle.io.folders import new_folder
 from raybundle.io.reading.words import quoted
 from raybundle.io.tables import write_table
-from raybundle.measuring.film import read_scans
 from raybundle.measuring.export import write_csv, write_gcp_list, write_merged_block
+from raybundle.measuring.film import read_scans
 from raybundle.measuring.journal import Entry, Journal, entries_of, journal_path, measured_result, state_of
 from raybundle.measuring.known import Known
 from raybundle.measuring.merge import Merged, merge

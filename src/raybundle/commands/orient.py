@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.adjustment.options import NOISE_HELP, NoiseModel
-from raybundle.commands.camera_settings import camera_library, cameras_apart, known_cameras
+from raybundle.commands.camera_settings import APART, KNOWN, LIBRARY
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import (
@@ -39,13 +39,13 @@ class OrientSettings:
     """folders and files"""
     out: Path
     """project folder; begun, or continued"""
-    calibration: Path | None = known_cameras()
-    separate: tuple[str, ...] = cameras_apart()
+    calibration: Path | None = setting(None, KNOWN, metavar="CAMERAS.toml")
+    separate: tuple[str, ...] = setting((), APART, flag="--camera", metavar="PATTERN")
     masks: Path | None = setting(
         None, "Masks of the photographs, named photo.jpg.png as by COLMAP, or photo_mask.png or photo.png as by "
         "Metashape: nothing is measured where they are 0.", metavar="DIR",
     )  # fmt: skip
-    library: bool = camera_library()
+    library: bool = setting(True, LIBRARY, flag="--no-library")
     control: tuple[Path, ...] = setting(
         (), "Control points with their places in the photographs: gcp_list.txt, CSV or a block folder.", metavar="FILE"
     )

@@ -362,8 +362,8 @@ class Fiducial(Action):
             raise InputError(
                 f"fiducial mark {quoted(self.name)} has no calibrated position; known are {there}"
                 if there
-                else "these photographs are no scans of film: there are no calibrated positions of fiducial marks; begin "
-                "the project with them (--film)"
+                else "these photographs are no scans of film: no fiducial mark has a calibrated position; begin the "
+                "project with a certificate (--film)"
             )
         who = f"fiducial mark {quoted(self.name)} in image {quoted(image)}"
         if (self.x_px is None) != (self.y_px is None):

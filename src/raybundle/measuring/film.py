@@ -1,7 +1,7 @@
 """Scans of film: what is known of their camera, and where each lies in its frame by the fiducial marks measured in it.
 
-    PROJECT/film/certificate.csv   calibrated positions of the marks, as `raybundle film --calibrated` reads them
-    PROJECT/film/film.toml         pixel of the scanner, model of the transformation
+PROJECT/film/certificate.csv   calibrated positions of the marks, as `raybundle film --calibrated` reads them
+PROJECT/film/film.toml         pixel of the scanner, model of the transformation
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from raybundle.io.film.fiducials import LEAST, Calibrated, Film, film_of, read_c
 from raybundle.io.reading.trees import read_toml
 from raybundle.measuring.state import State
 from raybundle.numerics.arrays import Array
-from raybundle.orientation.few_points import Lack
+from raybundle.orientation.lacking import Lack
 
 FOLDER = "film"
 Straight = Literal["similarity", "affine"]
@@ -52,11 +52,7 @@ class Placed:
         """What is to be said of the films: marks that do not fit the others."""
         told = {name: suspects(f) for name, f in self.films.items()}
         return tuple(
-            f"scan {name}: fiducial mark{'s' * (len(s) > 1)} {', '.join(s)} contradict the others: measure them again"
-            if len(s) > 1
-            else f"scan {name}: fiducial mark {s[0]} contradicts the others: measure it again"
-            for name, s in told.items()
-            if s
+            f"scan {n}: suspect fiducial marks: {', '.join(s)}; measure them again" for n, s in told.items() if s
         )
 
 

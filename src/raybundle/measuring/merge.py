@@ -22,7 +22,7 @@ from raybundle.numerics.transform import similarity
 from raybundle.observations.alignment import Lines, OnFigure, PlumbLines
 from raybundle.observations.coordinates import Coordinates
 from raybundle.orientation.absolute import partial_similarity
-from raybundle.orientation.few_points import Lack
+from raybundle.orientation.lacking import Lack
 from raybundle.orientation.rays import intersect_linear, object_rays, rays_of
 
 F = TypeVar("F", bound=OnFigure)

@@ -10,7 +10,8 @@ from raybundle.block import Block
 from raybundle.io.block.folder import ROLES
 from raybundle.measuring.state import State
 from raybundle.numerics.arrays import Array, Mask
-from raybundle.orientation.few_points import FewPoints, Lack, orient_few
+from raybundle.orientation.few_points import FewPoints, orient_few
+from raybundle.orientation.lacking import Lack
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -68,9 +69,7 @@ def _without_rows(block: Block, out: Mask) -> Block:
     o, keep = block.observations, ~out
     return replace(
         block,
-        observations=replace(
-            o, image=o.image[keep], point=o.point[keep], xy_px=o.xy_px[keep], cov_px2=o.cov_px2[keep]
-        ),
+        observations=replace(o, image=o.image[keep], point=o.point[keep], xy_px=o.xy_px[keep], cov_px2=o.cov_px2[keep]),
     )
 
 

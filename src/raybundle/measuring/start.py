@@ -19,7 +19,7 @@ from raybundle.measuring.orienting import unoriented
 from raybundle.measuring.session import Session
 from raybundle.measuring.state import State
 from raybundle.numerics.counting import counted
-from raybundle.orientation.few_points import COMMON, KNOWN, Lack
+from raybundle.orientation.lacking import COMMON, KNOWN, Lack
 
 AT_ONCE = 50_000
 """Image observations up to which a block is adjusted anew after every mark."""

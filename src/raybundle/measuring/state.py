@@ -140,8 +140,8 @@ class Draft:
         return State(
             marks=MappingProxyType(self.marks), points=MappingProxyType(self.points),
             bars=MappingProxyType(self.bars), lines=MappingProxyType(self.lines), datum=self.datum,
-            fiducials=MappingProxyType(self.fiducials), rejected=frozenset(self.rejected), renamed=MappingProxyType(self.renamed),
-            can_undo=can_undo, can_redo=can_redo,
+            fiducials=MappingProxyType(self.fiducials), rejected=frozenset(self.rejected),
+            renamed=MappingProxyType(self.renamed), can_undo=can_undo, can_redo=can_redo,
         )  # fmt: skip
 
     def drop_points(self, gone: set[str]) -> None:

@@ -17,7 +17,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 
@@ -29,9 +29,9 @@ from raybundle.block.known import known_before, observed_as_known
 from raybundle.block.stored import is_observed_jointly
 from raybundle.errors import InputError, NoOrientation
 from raybundle.numerics.arrays import Array, Index, Mask
-from raybundle.numerics.counting import counted
 from raybundle.observations.relation import Relation
 from raybundle.orientation.candidates import Pose, pose_from_solver, resect_all, resect_robust
+from raybundle.orientation.lacking import COMMON, KNOWN, Lack, lacking
 from raybundle.orientation.projective import self_calibration
 from raybundle.orientation.rays import (
     FLIP,
@@ -43,10 +43,6 @@ from raybundle.orientation.rays import (
     rays_of,
 )
 
-COMMON = 6
-"""Common points that two photographs need for their relative orientation: five unknowns, and one to choose by."""
-KNOWN = 4
-"""Points with coordinates that a photograph needs for its resection: three leave up to four solutions."""
 ROBUST = 8
 """Points from which on a resection leaves out those that contradict the others."""
 PAIRS, CANDIDATES, POSES, SUBSETS = 4, 6, 3, 60
@@ -56,7 +52,7 @@ PARALLEL = 2e-5
 RADIAL = 0.15
 """Standard deviation of K1 c^2 of a lens of which nothing is known: 15 % at 45 degrees off the axis."""
 CONSTANT = 0.1
-"""Standard deviation of the logarithm of a camera constant that is free and of which nobody says how well it is known."""
+"""Standard deviation of the logarithm of a free camera constant of which nobody says how well it is known."""
 UNTOLD = 0.4
 """The same from which on it is as good as not known."""
 FACTORS = (1.0, 0.7, 1.4, 0.5, 2.0, 2.8)
@@ -73,72 +69,6 @@ LOST = 1e4
 """Square of the residual, in standard deviations, that counts for a point behind its photograph."""
 MANY = 2000
 """Image points from which on a start from pairs is not for this module."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Lack:
-    """What a photograph lacks to be oriented."""
-
-    image: str
-    kind: Literal["marks", "common", "known", "fit", "base", "fiducials", "film"]
-    """marks: nothing is measured in it that others show; common: points common with another; known: points with coordinates; fit: no
-    orientation fits its points; base: its rays are parallel to those of the other; fiducials: fiducial marks of a scan;
-    film: its fiducial marks make no film"""
-    have: int = 0
-    need: int = 0
-    other: str = ""
-    """photograph that it has most in common with"""
-    said: str = ""
-    """why its fiducial marks make no film"""
-
-    @property
-    def words(self) -> str:
-        """A sentence for the person who measures."""
-        points = counted(self.have, "point")
-        if self.kind == "fiducials":
-            return f"scan {self.image}: {counted(self.have, 'fiducial mark')} measured: {self.need} are needed"
-        if self.kind == "film":
-            return self.said
-        if self.kind == "marks" and self.have:
-            return (
-                f"photograph {self.image}: none of its {points} is marked in another one; mark {self.need} of them there"
-            )
-        if self.kind == "marks":
-            return f"photograph {self.image}: no point is marked in it; mark {self.need} that others show, too"
-        if self.kind == "common":
-            return (
-                f"photographs {self.image} and {self.other} have {self.have} common "
-                f"{'point' if self.have == 1 else 'points'}: {self.need} are needed"
-            )
-        if self.kind == "known":
-            sees = f"photograph {self.image} sees {points} with coordinates"
-            return f"{sees}: {self.need} are needed"
-        if self.kind == "base":
-            return (
-                f"photographs {self.image} and {self.other}: the rays to their {points} are parallel, they were taken "
-                "from one place; mark points in a photograph from another place"
-            )
-        return (
-            f"photograph {self.image}: no orientation fits its {points}; look at their names and places, and mark more"
-        )
-
-    @property
-    def short(self) -> str:
-        """The next step in a few words."""
-        more = max(self.need - self.have, 1)
-        if self.kind == "fiducials":
-            return f"{self.image} needs {counted(more, 'more fiducial mark')}"
-        if self.kind == "film":
-            return f"the fiducial marks of {self.image} contradict each other"
-        if self.kind == "common":
-            return f"{self.image} and {self.other} need {counted(more, 'more common point')}"
-        if self.kind == "base":
-            return f"{self.image} and {self.other} were taken from one place"
-        if self.kind == "marks" and self.have:
-            return f"{self.image} has no point in common with another photograph"
-        if self.kind == "fit":
-            return f"no orientation fits the points of {self.image}"
-        return f"{self.image} needs {counted(more, 'more point')}"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -187,24 +117,22 @@ def orient_few(block: Block, *, control: bool = True) -> FewPoints:
     left = ~images.oriented & ~scenes & (counts > 0)
     given = images.oriented | scenes
     if not left.any():
-        return FewPoints(block=block, new=np.zeros(len(images), bool), lacking=_lacking(block, given, counts))
+        return FewPoints(block=block, new=np.zeros(len(images), bool), lacking=lacking(block, counts))
     start, untold = _prepared(block, given)
-    known: Mask = np.isfinite(block.points.xyz).all(axis=1) & (np.asarray(block.points.role) != Role.CHECK)
-    full: Mask = block.points.is_control.all(axis=1)
-    known = known & (full if not given.any() else ~full | control)
+    known = _finite(block.points.xyz) & (np.asarray(block.points.role) != Role.CHECK)
+    full = np.asarray(block.points.is_control.all(axis=1), bool)
+    known &= full if not given.any() else ~full | control
     best, by_control = _started(start, given, known, left, untold)
     if best is None:
-        return FewPoints(block=block, new=np.zeros(len(images), bool), lacking=_lacking(block, given, counts))
+        return FewPoints(block=block, new=np.zeros(len(images), bool), lacking=lacking(block, counts))
     made = _returned(block, best.block)
     return FewPoints(
-        block=made, new=made.images.oriented & ~images.oriented, lacking=_lacking(made, given, counts),
+        block=made, new=made.images.oriented & ~images.oriented, lacking=lacking(made, counts),
         by_control=by_control, untold=untold,
     )  # fmt: skip
 
 
-def _started(
-    start: Block, given: Mask, known: Mask, left: Mask, untold: Sequence[str]
-) -> tuple[_Trial | None, bool]:
+def _started(start: Block, given: Mask, known: Mask, left: Mask, untold: Sequence[str]) -> tuple[_Trial | None, bool]:
     """The best way of all, and whether control began it."""
     best: _Trial | None = None
     by_control = False
@@ -229,11 +157,9 @@ def _from_pairs(block: Block, given: Mask, left: Mask) -> Iterator[_Trial]:
     o, free = block.observations, np.zeros(len(block.points), bool)
     if len(o) > MANY:
         return
-    tried = 0
-    for a, b, common in image_pairs(o.image, o.point, left, len(block.points)):
-        if common < COMMON or tried == PAIRS:
+    for k, (a, b, common) in enumerate(image_pairs(o.image, o.point, left, len(block.points), PAIRS)):
+        if common < COMMON:
             return
-        tried += 1
         begun: list[_Trial] = []
         for pose in pair_poses(block, a, b)[:CANDIDATES]:
             made = _set(_unplaced(block, free), a, np.eye(3), np.zeros(3))
@@ -244,8 +170,13 @@ def _from_pairs(block: Block, given: Mask, left: Mask) -> Iterator[_Trial]:
         if grown:
             best = max(grown, key=lambda t: t.rank)
             yield best
-            if best.block.images.oriented[left].all() and tried > 1:
+            if best.block.images.oriented[left].all() and k > 0:
                 return
+
+
+def _finite(xyz: Array) -> Mask:
+    """(p,) points with coordinates."""
+    return np.asarray(np.isfinite(xyz).all(axis=1), bool)
 
 
 # --- what is known of cameras --------------------------------------------------------------------------
@@ -464,7 +395,7 @@ def _rows(trial: _Trial) -> Mask:
     block = trial.block
     o = block.observations
     new = trial.left & block.images.oriented
-    used = block.images.oriented[o.image] & np.isfinite(block.points.xyz).all(axis=1)[o.point]
+    used = block.images.oriented[o.image] & _finite(block.points.xyz)[o.point]
     used &= (np.bincount(o.point[new[o.image]], minlength=len(block.points)) > 0)[o.point]
     rays = np.bincount(o.point[used], minlength=len(block.points))
     return used & ((rays > 1) | trial.known)[o.point]
@@ -493,7 +424,7 @@ def _cost(trial: _Trial) -> float:
     seen = np.bincount(o.point[block.images.oriented[o.image]], minlength=len(block.points)) + trial.known
     rows = rows[seen[o.point[rows]] > 1]
     square = np.full(len(rows), LOST)
-    there = np.isfinite(block.points.xyz).all(axis=1)[o.point[rows]]
+    there = _finite(block.points.xyz)[o.point[rows]]
     at = rows[there]
     v = residuals_px(block, at)
     square[there] = np.nan_to_num((v**2).sum(axis=1) / o.cov_px2[at, :2].mean(axis=1), nan=LOST)
@@ -512,7 +443,7 @@ def _grown(trial: _Trial) -> _Trial:
     while True:
         block = trial.block
         o = block.observations
-        known = np.isfinite(block.points.xyz).all(axis=1)
+        known = _finite(block.points.xyz)
         counts = np.bincount(o.image[known[o.point]], minlength=len(trial.left))
         waiting = [
             int(i)
@@ -563,37 +494,3 @@ def _returned(block: Block, found: Block) -> Block:
     xyz = np.where(np.isfinite(block.points.xyz), block.points.xyz, found.points.xyz)
     images = replace(block.images, centre=found.images.centre, rotation=found.images.rotation)
     return replace(block, cameras=cameras, images=images, points=replace(block.points, xyz=xyz))
-
-
-def _lacking(block: Block, given: Mask, counts: Index) -> tuple[Lack, ...]:
-    """What the images lack that are not oriented."""
-    del given
-    images, o = block.images, block.observations
-    scenes = np.array([c.is_scene for c in block.cameras], bool)[images.camera]
-    out = ~images.oriented & ~scenes
-    some = bool((images.oriented & ~scenes).any())
-    known = np.isfinite(block.points.xyz).all(axis=1)
-    seen = np.bincount(o.image[known[o.point]], minlength=len(images))
-    partner: dict[int, tuple[int, int]] = {}
-    if not some:
-        for a, b, common in image_pairs(o.image, o.point, out, len(block.points), len(images) ** 2):
-            for one, two in ((a, b), (b, a)):
-                partner.setdefault(one, (two, common))
-    found: list[Lack] = []
-    for i in np.flatnonzero(out):
-        name, k = images.ids[i], int(seen[i])
-        other, common = partner.get(int(i), (-1, 0))
-        if not counts[i]:
-            found.append(Lack(image=name, kind="marks", need=KNOWN if some else COMMON))
-        elif some:
-            kind: Literal["known", "fit"] = "known" if k < KNOWN else "fit"
-            found.append(Lack(image=name, kind=kind, have=k, need=KNOWN))
-        elif other < 0:
-            found.append(Lack(image=name, kind="marks", have=int(counts[i]), need=COMMON))
-        elif other < i and partner.get(other, (-1, 0))[0] == i:
-            continue  # said of the other
-        elif common < COMMON:
-            found.append(Lack(image=name, kind="common", other=images.ids[other], have=common, need=COMMON))
-        else:
-            found.append(Lack(image=name, kind="base", other=images.ids[other], have=common, need=COMMON))
-    return tuple(found)

@@ -111,9 +111,7 @@ def _sizes(block: Block) -> tuple[Array, Array]:
     return formats / 2, formats.max(axis=1) / 2
 
 
-def _first_pair(
-    block: Block, sigma_px: float, least: int
-) -> tuple[int, int, tuple[Index, Index], FundamentalMatrix]:
+def _first_pair(block: Block, sigma_px: float, least: int) -> tuple[int, int, tuple[Index, Index], FundamentalMatrix]:
     """The pair with most points that agree beyond what a homography explains."""
     o = block.observations
     everything = np.ones(len(block.images), bool)

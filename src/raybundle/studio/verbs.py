@@ -49,7 +49,8 @@ def _words(*names: str) -> Callable[[str, Mapping[str, Any]], list[str]]:
 
 
 _WORDS: Mapping[str, Callable[[str, Mapping[str, Any]], list[str]]] = {
-    "put": _mark, "move": _mark, "point": _point, "line": _line, "fiducial": _fiducial, "remove": _words("image", "point"),
+    "put": _mark, "move": _mark, "point": _point, "line": _line, "fiducial": _fiducial,
+    "remove": _words("image", "point"),
     "rename": _words("point", "to"), "forget": _words("point"), "bar": _words("start", "end", "length", "sigma"),
     "unbar": _words("start", "end"), "datum": _words("origin", "axis", "plane"), "reject": _words("image", "point"),
     "accept": _words("image", "point"), "undo": _words(), "redo": _words(),

@@ -1,6 +1,4 @@
-"""Adjusting in the background: covariances of what was opened, what was measured together with it, and photographs
-that are oriented from their marks, after every one of these.
-"""
+"""Adjusting in the background: what was opened, what was measured with it, photographs oriented from their marks."""
 
 from __future__ import annotations
 
@@ -18,7 +16,6 @@ from raybundle.studio.answers import finite
 from raybundle.studio.desk import Desk
 from raybundle.studio.live import Live
 from raybundle.workflows.adjust import adjust
-
 
 REST_S = 0.3
 """Seconds after a mark from which on photographs are oriented from it."""
@@ -55,7 +52,7 @@ class Work:
             self._stop.clear()
             self._over = False
             target = self._measured if measured else self._as_it_is
-            self._thread = threading.Thread(target=self._run, args=(target,), daemon=True)
+            self._thread = threading.Thread(target=self._run, args=(target, self.desk.journal.seq), daemon=True)
             self._thread.start()
         return True
 
@@ -94,8 +91,8 @@ class Work:
         if self._thread is not None:
             self._thread.join()
 
-    def _run(self, target: Callable[[], str]) -> None:
-        folder, trouble, seq = "", "", self.desk.journal.seq
+    def _run(self, target: Callable[[], str], seq: int) -> None:
+        folder, trouble = "", ""
         try:
             folder = target()
         except Stopped:
@@ -109,8 +106,9 @@ class Work:
         self.live.tell_from_thread({
             "type": "adjusted", "sigma0": None if a is None else finite(a.sigma0), "folder": folder, "error": trouble,
         })  # fmt: skip
-        if seq != self.desk.journal.seq:
-            self.soon()  # with what was marked meanwhile
+        with self._at_once:
+            if not self._closed and seq != self.desk.journal.seq:
+                self.soon()  # with what was marked meanwhile
 
     def _begin_photographs(self) -> None:
         """Orient and adjust with all marks, unless an adjustment is asked for in between."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -20,13 +20,14 @@ from raybundle.workflows.orienting.start import cameras_of
 
 def bare_block(
     inputs: Sequence[Path], name: str, *, calibration: Sequence[Camera] = (), separate: Sequence[str] = (),
-    library: Path | None = None, progress: Progress = silent,
+    library: Path | None = None, told: Callable[[str], object] = str, progress: Progress = silent,
 ) -> Block:  # fmt: skip
     """The photographs in folders and files, each an image without orientation.
 
     calibration  cameras whose interior orientation is known
     separate     patterns of names of photographs that are of a camera apart
     library      camera library whose calibrations are taken; None: none
+    told         gets a line of each file that is no usable photograph, and of what else is to be said
     raises       InputError where there is no photograph
     """
     found = find_photos(inputs, progress=progress)
@@ -35,6 +36,8 @@ def bare_block(
         lines = ["0 usable photographs, at least 1 is needed", *(f"  {n}: {why}" for n, why in refused[:20])]
         lines += [f"  {r}" for r in found.remarks]
         raise InputError("\n".join(lines), file=", ".join(map(str, inputs)))
+    for line in (*(f"{n}: {why}" for n, why in refused), *found.remarks):
+        told(line)
     groups = camera_groups(found.photos, calibration, separate)
     groups = groups if library is None else with_library(found.photos, groups, library)
     cameras, of_photo = cameras_of(groups, len(found.photos))

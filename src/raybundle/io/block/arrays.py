@@ -67,8 +67,9 @@ def arrays_of_block(block: Block) -> dict[str, Array]:
 
 
 def _frame(kept: dict[str, Any]) -> PixelFrame:
-    affine = kept.get("affine")
-    return PixelFrame(**{**kept, "affine": None if affine is None else tuple(affine)})
+    affine: Any = kept.get("affine")
+    same: dict[str, Any] = {**kept, "affine": None if affine is None else tuple(affine)}
+    return PixelFrame(**same)
 
 
 def block_of_arrays(a: Mapping[str, Array]) -> Block:

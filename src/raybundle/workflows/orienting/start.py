@@ -64,7 +64,7 @@ def _inputs(state: OrientState) -> Inputs:
 
 
 def cameras_of(groups: Sequence[CameraGroup], count: int) -> tuple[tuple[Camera, ...], Index]:
-    """The cameras of groups of photographs, those without a calibration observed as they are known, and whose each is."""
+    """The cameras of groups of photographs, those without a calibration observed as known, and whose each is."""
     cameras: list[Camera] = []
     of_photo = np.zeros(count, np.int32)
     for k, group in enumerate(groups):
