@@ -1,5 +1,6 @@
 // The studio: the parts of the page put together.
 import { afterPause, element } from "./dom";
+import { Fiducials } from "./fiducials";
 import { ImageList } from "./image_list";
 import { ImageStage } from "./image_stage";
 import { Journal } from "./journal";
@@ -35,6 +36,7 @@ async function start(): Promise<void> {
     model.choose(point);
     void panel.goTo(point, image);
   });
+  new Fiducials(model);
   new Bars(model);
   new Control(model);
   const space = new Space(model, (image) => {

@@ -30,6 +30,16 @@ export interface Mark {
   clicked: [number, number] | null;
 }
 
+/** A fiducial mark of a scan of film. */
+export interface Fiducial {
+  image: string;
+  name: string;
+  x: number;
+  y: number;
+  cov: Covariance;
+  how: How;
+}
+
 export interface State {
   seq: number;
   can_undo: number;
@@ -38,6 +48,7 @@ export interface State {
   points: { point: string; role: Role; xyz: Three; sigma: Three }[];
   bars: { start: string; end: string; length: number; sigma: number }[];
   lines: { line: string; kind: string; points: string[]; sigma: number }[];
+  fiducials: Fiducial[];
   datum: { origin: string; axis: string; plane: string } | null;
   rejected: [string, string][];
   renamed: Record<string, string>;
@@ -71,6 +82,8 @@ export interface Overview {
   state: State;
   standing: Standing;
   report: boolean;
+  /** Names of the fiducial marks, where the photographs are scans of film. */
+  fiducials: string[];
   notices: { code: string; message: string }[];
 }
 
