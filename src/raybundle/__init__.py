@@ -26,7 +26,15 @@ if TYPE_CHECKING:
     from raybundle.commands.begin import begin
     from raybundle.commands.calibrate import CalibrateSettings, calibrate
     from raybundle.commands.convert import Converted, ConvertSettings, convert
-    from raybundle.commands.measure import adjust_marks, export_marks, mark, marks, query, transform_to_points
+    from raybundle.commands.measure import (
+        adjust_marks,
+        export_marks,
+        find_fiducials,
+        mark,
+        marks,
+        query,
+        transform_to_points,
+    )
     from raybundle.commands.orient import OrientSettings, orient
     from raybundle.commands.rectify import Rectification, RectifySettings, rectify
     from raybundle.commands.targets import detect_targets
@@ -85,6 +93,7 @@ _HOME = {
     "convert": "commands.convert",
     "detect_targets": "commands.targets",
     "export_marks": "commands.measure",
+    "find_fiducials": "commands.measure",
     "mark": "commands.measure",
     "marks": "commands.measure",
     "orient": "commands.orient",
@@ -141,6 +150,7 @@ __all__ = [
     "convert",
     "detect_targets",
     "export_marks",
+    "find_fiducials",
     "mark",
     "marks",
     "orient",

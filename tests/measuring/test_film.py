@@ -144,3 +144,36 @@ def test_fiducials_are_refused_with_a_reason(archive, tmp_path):
     assert rb.begin(folder) == project
     assert read_scans(project).pixel_mm == SCANNER_MM
     assert rb.read_block(project / "block").images.frames[0].affine is not None
+
+
+def drawn(scene, image):
+    """A scan with dots at the fiducial marks."""
+    grey = np.full((SIZE[1], SIZE[0]), 60, np.uint8)
+    for at in scanned(scene.camera, scene.camera.pixel_from_image(MARKS), image):
+        yy, xx = np.mgrid[int(at[1]) - 20 : int(at[1]) + 21, int(at[0]) - 20 : int(at[0]) + 21]
+        inside = np.clip(8.5 - np.hypot(xx + 0.5 - at[0], yy + 0.5 - at[1]), 0, 1)
+        grey[yy, xx] = np.round(60 + 160 * inside).astype(np.uint8)
+    return grey
+
+
+def test_the_other_fiducials_are_found(archive):
+    """Three are measured, four are found to a few hundredths of a pixel; one that is not there is named."""
+    scene, folder, project = archive
+    grey = drawn(scene, 0)
+    true = scanned(scene.camera, scene.camera.pixel_from_image(MARKS), 0)
+    x, y = true[6].astype(int)
+    grey[y - 30 : y + 30, x - 30 : x + 30] = 60
+    Image.fromarray(grey).save(folder / scene.images[0], quality=97)
+    image = scene.images[0]
+    with pytest.raises(InputError, match="0 fiducial marks are measured; measure 3"):
+        rb.find_fiducials(folder, image)
+    for k in (4, 5, 7):
+        rb.mark(folder, "fiducial", image=image, name=NAMES[k], x_px=float(true[k, 0]), y_px=float(true[k, 1]))
+    left = rb.find_fiducials(folder, image)
+    assert set(left) == {"F7"}, left
+    found = rb.marks(folder).fiducials_in(image)
+    assert set(found) == set(NAMES) - {"F7"}
+    off = [np.hypot(*(np.array([m.x_px, m.y_px]) - true[NAMES.index(n)])) for n, m in found.items()]
+    assert max(off) < 0.1
+    assert all(m.how == "ellipse" for n, m in found.items() if n not in {"F5", "F6", "F8"})
+    assert rb.find_fiducials(project, image).keys() == {"F7"}

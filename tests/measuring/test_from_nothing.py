@@ -10,7 +10,7 @@ from click.testing import CliRunner
 
 import raybundle as rb
 from raybundle.cli.main import cli
-from raybundle.errors import InputError, NoOrientation
+from raybundle.errors import InputError, NoOrientation, NotSolvable
 from raybundle.measuring.actions import Point, Put
 from raybundle.measuring.merge import merge
 from raybundle.measuring.start import begun
@@ -304,6 +304,22 @@ def test_sceaux_castle_in_under_sixty_clicks(tmp_path):
     t = normalised(result, CASTLE_XYZ, names)
     assert (t**2).mean() < 3.0
     assert np.abs(t).max() < 5
+
+
+def test_photographs_that_orient_could_not_join_are_measured_in_its_project(tmp_path):
+    scene = Scene(stations=2)
+    photos = photographs(tmp_path / "archive", scene.images)
+    with pytest.raises(NotSolvable):
+        rb.orient(photos, tmp_path / "run", report=False)
+    rng = np.random.default_rng(1)
+    for image in range(2):
+        for point in range(len(scene.names)):
+            scene.click(tmp_path / "run", image, point, rng)
+    result, left = rb.adjust_marks(tmp_path / "run")
+    assert result.adjusted.images.oriented.all()
+    assert left == {}
+    assert (tmp_path / "run" / "measured.db").is_file()
+    assert not (tmp_path / "archive-project").exists()
 
 
 def test_a_file_that_is_no_photograph_costs_that_file(tmp_path):

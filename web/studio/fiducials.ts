@@ -7,11 +7,26 @@ export class Fiducials {
   private readonly rows = h("table", { "aria-label": "Fiducial marks of the active image" });
   private readonly head = h("summary", {}, "Fiducial marks");
   private readonly about = h("p", { class: "note" });
-  private readonly card = h("details", { class: "card", id: "fiducials", open: true, hidden: true }, this.head, this.about, this.rows);
+  private readonly card = h("details", { class: "card", id: "fiducials", open: true, hidden: true }, this.head, this.about, this.rows,
+    button("Find the others", "Where those that are measured say that they must be", () => void this.find()));
 
   constructor(private readonly model: Model) {
     element("right").prepend(this.card);
     model.on(["state", "overview", "panes", "fiducial"], () => this.show());
+  }
+
+  private async find(): Promise<void> {
+    const { model } = this;
+    const image = model.panes[model.active];
+    try {
+      const answer = await model.actions.fiducials(image);
+      model.take(answer.state);
+      const left = Object.entries(answer.left).map(([name, why]) => `${name}: ${why}`);
+      model.say([`${count(answer.found.length, "fiducial mark")} found`, ...left].join("; "), left.length ? "bad" : "good");
+      model.chooseFiducial("");
+    } catch (error) {
+      model.say((error as Error).message, "bad");
+    }
   }
 
   private show(): void {

@@ -132,6 +132,34 @@ def mark(folder: str | Path, verb: str, *, id: str = "", author: str = "", **arg
         return journal.append_verb(verb, arguments, id=id, author=author)
 
 
+def find_fiducials(folder: str | Path, image: str, *, author: str = "") -> Mapping[str, str]:
+    """Measure the fiducial marks of a scan that are not measured yet, and say of those not found why.
+
+    image   id or file of a scan in which three marks, not in one line, are measured (`mark(folder, "fiducial", ...)`)
+    raises  InputError where these are too few, or its photograph is not there
+    Each mark that is found is an action, brought to what the picture shows at the place that the others give.
+    """
+    from raybundle.io.photos.photo import read_grey, read_photo  # noqa: PLC0415
+    from raybundle.measuring.fiducials import find_fiducials as found_in  # noqa: PLC0415
+    from raybundle.pipeline.project import photographs_of  # noqa: PLC0415
+
+    project = _standing(folder)
+    scans = read_scans(project)
+    with open_journal(project) as journal:
+        name = journal.known.image(image)
+        if scans is None:
+            raise InputError("these photographs are no scans of film; there are no fiducial marks to be found")
+        path = next((f / name for f in photographs_of(project) if (f / name).is_file()), None)
+        if path is None:
+            raise InputError(f"image {quoted(name)}: its photograph is not where the project says", file=project)
+        grey = read_grey(read_photo(path))
+        size = journal.known.size_px[name]
+        found = found_in(journal.state, name, scans, size, lambda x, y: (grey, (0, 0)))  # noqa: ARG005
+        for action in found.actions:
+            journal.append(action, author=author)
+    return found.left
+
+
 def marks(folder: str | Path) -> State:
     """What was measured by hand in a project, result or block folder."""
     return state_of(journal_path(_standing(folder)))

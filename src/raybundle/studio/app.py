@@ -33,7 +33,7 @@ from raybundle.studio.desk import Desk
 from raybundle.studio.guard import POLICY_HEADER, Guard, Session, TooLarge
 from raybundle.studio.live import Live
 from raybundle.studio.scene import scene
-from raybundle.studio.snapping import snapped
+from raybundle.studio.snapping import fiducials_found, snapped
 from raybundle.studio.tables import Wanted
 from raybundle.studio.verbs import command_of
 from raybundle.studio.work import Work
@@ -84,6 +84,7 @@ class Studio:
         posts: dict[str, Callable[[dict[str, Any]], Any]] = {
             "/api/action": self._action,
             "/api/control": self._control,
+            "/api/fiducials": self._fiducials,
             "/api/snap": lambda given: snapped(self.desk, given),
             "/api/adjust": lambda _: {"begun": self.work.begin(measured=True)},
             "/api/stop": lambda _: {"stopping": self.work.stop()},
@@ -200,6 +201,19 @@ class Studio:
         self.live.tell_from_thread({"type": "state", "state": state})
         self.work.soon()
         return {"added": [a.point for a in actions], "remarks": list(remarks), "state": state}
+
+    def _fiducials(self, given: dict[str, Any]) -> dict[str, Any]:
+        """The other fiducial marks of a scan: one action each of those that are found."""
+        first = _text(given, "id")
+        if not first:
+            raise HTTPException(400, "a search has an id, as an action has")
+        found = fiducials_found(self.desk, _text(given, "image"))
+        for k, action in enumerate(found.actions):
+            self.desk.journal.append(action, id=f"{first}-{k}", author=str(given.get("author", ""))[:100])
+        state = answers.state_of(self.desk)
+        self.live.tell_from_thread({"type": "state", "state": state})
+        self.work.soon()
+        return {"found": [a.name for a in found.actions], "left": dict(found.left), "state": state}
 
     def _post(self, make: Callable[[dict[str, Any]], Any]) -> Answer:
         async def answer(request: Request) -> Response:
