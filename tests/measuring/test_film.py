@@ -177,3 +177,15 @@ def test_the_other_fiducials_are_found(archive):
     assert max(off) < 0.1
     assert all(m.how == "ellipse" for n, m in found.items() if n not in {"F5", "F6", "F8"})
     assert rb.find_fiducials(project, image).keys() == {"F7"}
+
+
+def test_scans_stand_in_a_block_folder_whole_or_not_at_all(archive):
+    _, _, project = archive
+    table = project / "block" / "images.csv"
+    head, first, *rest = table.read_text(encoding="utf-8").splitlines()
+    cells = first.split(",")
+    cells[head.split(",").index("scan_xy")] = ""
+    table.write_text("\n".join([head, ",".join(cells), *rest]) + "\n", encoding="utf-8")
+    with pytest.raises(InputError, match="'old_1.jpg' has not all of .*scan_xx") as caught:
+        rb.read_block(project / "block")
+    assert caught.value.line == 2
