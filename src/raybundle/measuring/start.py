@@ -18,7 +18,7 @@ from raybundle.measuring.merge import Merged, merge
 from raybundle.measuring.orienting import unoriented
 from raybundle.measuring.session import Session
 from raybundle.measuring.state import State
-from raybundle.numerics.counting import counted
+from raybundle.numerics.counting import counted, grouped
 from raybundle.orientation.lacking import COMMON, KNOWN, Lack
 
 AT_ONCE = 50_000
@@ -120,8 +120,11 @@ def begun(block: Block, state: State, scans: Scans | None = None) -> Begun:
         session = Session.of_block(block, None)
         return Begun(session=session, standing=_standing(made, block, None, ""), left_out=made.left_out)
     if len(placed.observations) > AT_ONCE:
+        trouble = (
+            f"a block of {grouped(len(placed.observations))} image observations is adjusted when that is asked for"
+        )
         session = Session.of_block(placed, None)
-        return Begun(session=session, standing=_standing(made, placed, None, ""), left_out=made.left_out)
+        return Begun(session=session, standing=_standing(made, placed, None, trouble), left_out=made.left_out)
     options = AdjustmentOptions(reject="snooping", noise=block.noise or "white", datum_over=block.datum_over or "all")
     try:
         result, held = solved(placed, lambda b: decide(b, options))

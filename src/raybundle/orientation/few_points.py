@@ -29,6 +29,7 @@ from raybundle.block.known import known_before, observed_as_known
 from raybundle.block.stored import is_observed_jointly
 from raybundle.errors import InputError, NoOrientation
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.rotation import nearest_rotation
 from raybundle.observations.relation import Relation
 from raybundle.orientation.candidates import Pose, pose_from_solver, resect_all, resect_robust
 from raybundle.orientation.lacking import COMMON, KNOWN, Lack, lacking
@@ -49,6 +50,8 @@ PAIRS, CANDIDATES, POSES, SUBSETS = 4, 6, 3, 60
 """Pairs that are tried as a start, candidates of each, poses of a photograph, choices of five points."""
 PARALLEL = 2e-5
 """Ratio of eigenvalues of an intersection below which it has no depth: rays parallel to half a degree."""
+LINE = 0.02
+"""Breadth of points by their length below which they are in a line: they leave the turn about it open."""
 RADIAL = 0.15
 """Standard deviation of K1 c^2 of a lens of which nothing is known: 15 % at 45 degrees off the axis."""
 CONSTANT = 0.1
@@ -99,9 +102,11 @@ class _Trial:
     cost: float = np.inf
 
     @property
-    def rank(self) -> tuple[int, float]:
-        """The larger, the better."""
-        return int(self.block.images.oriented.sum()), -self.cost
+    def rank(self) -> tuple[int, int, float]:
+        """The larger, the better: images, image points of theirs that meet others, residuals."""
+        placed, o = self.block.images.oriented, self.block.observations
+        rays = np.bincount(o.point[placed[o.image]], minlength=len(self.known)) + self.known
+        return int(placed.sum()), int((placed[o.image] & (rays > 1)[o.point]).sum()), -self.cost
 
 
 def orient_few(block: Block, *, control: bool = True) -> FewPoints:
@@ -179,9 +184,6 @@ def _finite(xyz: Array) -> Mask:
     return np.asarray(np.isfinite(xyz).all(axis=1), bool)
 
 
-# --- what is known of cameras --------------------------------------------------------------------------
-
-
 def _prepared(block: Block, given: Mask) -> tuple[Block, tuple[str, ...]]:
     """The block with cameras as a start frees them, and those whose constant nothing tells."""
     cameras: list[Camera] = []
@@ -254,9 +256,6 @@ def _projective(block: Block, left: Mask) -> dict[str, float] | None:
     return {name: c for name, (c, side) in told.items() if NARROWEST * side < c < WIDEST * side} or None
 
 
-# --- candidates ----------------------------------------------------------------------------------------
-
-
 def pair_poses(block: Block, a: int, b: int) -> list[Pose]:
     """Orientations of an image relative to another (at the origin, R = I), base of length 1; the best first.
 
@@ -273,6 +272,8 @@ def pair_poses(block: Block, a: int, b: int) -> list[Pose]:
         rng = np.random.default_rng(0)
         choices = [tuple(rng.choice(n, 5, replace=False).tolist()) for _ in range(SUBSETS)]
     limit = max(_limit(block, a), _limit(block, b)) * float(rays.px[ra].mean())
+    if _turned_apart(first, second) < limit:
+        return []  # a rotation explains all: from one place
     found: list[tuple[float, Pose]] = []
     for choice in choices:
         five = list(choice)
@@ -285,6 +286,12 @@ def pair_poses(block: Block, a: int, b: int) -> list[Pose]:
                 found.append((cost, pose))
     found.sort(key=lambda f: f[0])
     return _unlike([pose for _, pose in found])
+
+
+def _turned_apart(first: Array, second: Array) -> float:
+    """Median angle [rad] between common rays (n, 3) of two images, one turned onto the other."""
+    turn = nearest_rotation(second.T @ first)
+    return float(np.median(np.linalg.norm(second - first @ turn.T, axis=1)))
 
 
 def _unlike(poses: Sequence[Pose]) -> list[Pose]:
@@ -325,9 +332,6 @@ def _limit(block: Block, image: int) -> float:
     sigma = float(np.sqrt(np.median(block.observations.cov_px2[rows, :2])))
     lens = LENS * float(np.hypot(camera.width_px, camera.height_px)) if camera.estimate else 0.0
     return 3 * sigma + lens
-
-
-# --- one way ---------------------------------------------------------------------------------------------
 
 
 def _set(block: Block, image: int, rotation: Array, centre: Array) -> Block:
@@ -469,8 +473,8 @@ def _resected(block: Block, image: int, rows: Index) -> list[Pose]:
     direction, xyz = rays.direction[rows], block.points.xyz[o.point[rows]]
     limit = _limit(block, image) * float(rays.px[rows].mean())
     spread = np.linalg.svd(xyz - xyz.mean(axis=0), compute_uv=False)
-    if spread[1] < 1e-3 * spread[0]:
-        return []  # in a line
+    if spread[1] < LINE * spread[0]:
+        return []
     if len(rows) >= ROBUST:
         pose = resect_robust(direction, xyz, 2 * limit)
         if pose is not None and 2 * pose.inliers.sum() >= len(rows):
@@ -480,9 +484,6 @@ def _resected(block: Block, image: int, rows: Index) -> list[Pose]:
     except (IndexError, np.linalg.LinAlgError):
         return []
     return [p for p in poses if p.rms < 4 * limit][:POSES]
-
-
-# --- what is handed back ---------------------------------------------------------------------------------
 
 
 def _returned(block: Block, found: Block) -> Block:
