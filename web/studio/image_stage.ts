@@ -24,7 +24,7 @@ export class ImageStage implements Stage {
       dot.style.color = COLOUR[name as keyof typeof COLOUR];
       return h("li", {}, dot, words);
     }));
-    model.on(["looks", "state", "prediction", "current"], () => this.panes.forEach((p) => p.redraw()));
+    model.on(["looks", "state", "prediction", "current", "fiducial"], () => this.panes.forEach((p) => p.redraw()));
     model.on("observations", () => this.panes.forEach((p) => void p.read()));
     model.on("overview", () => this.begin());
   }

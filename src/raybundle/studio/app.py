@@ -25,14 +25,15 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from raybundle.errors import InputError, RaybundleError
 from raybundle.io.reading.trees import json_of
+from raybundle.measuring.journal import measured_result
 from raybundle.studio import answers, tables
 from raybundle.studio.asking import asked
 from raybundle.studio.control import control_actions
 from raybundle.studio.desk import Desk
-from raybundle.studio.guard import Guard, Session, TooLarge
+from raybundle.studio.guard import POLICY_HEADER, Guard, Session, TooLarge
 from raybundle.studio.live import Live
 from raybundle.studio.scene import scene
-from raybundle.studio.snapping import snapped
+from raybundle.studio.snapping import fiducials_found, snapped
 from raybundle.studio.tables import Wanted
 from raybundle.studio.verbs import command_of
 from raybundle.studio.work import Work
@@ -44,6 +45,12 @@ PAGE = {
     "icon.svg": ("icon.svg", "image/svg+xml"),
 }
 Answer = Callable[[Request], Awaitable[Response]]
+REPORTS = ("report.html", "network.html")
+REPORT_POLICY = (
+    "sandbox allow-scripts allow-popups; default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; "
+    "img-src data: blob:; font-src data:"
+)
+"""Of a report, which holds its script and style: as of no origin, without any connection."""
 LONGEST_NUMBER = 9
 """Digits of an image, level, column or row, and less."""
 
@@ -72,10 +79,12 @@ class Studio:
             "/api/points": lambda q: tables.points(self.desk, _wanted(q)),
             "/api/table/observations": lambda q: tables.observations(self.desk, _wanted(q)),
             "/api/journal": lambda _: self._journal(),
+            "/api/standing": lambda _: answers.standing_of(self.desk),
         }
         posts: dict[str, Callable[[dict[str, Any]], Any]] = {
             "/api/action": self._action,
             "/api/control": self._control,
+            "/api/fiducials": self._fiducials,
             "/api/snap": lambda given: snapped(self.desk, given),
             "/api/adjust": lambda _: {"begun": self.work.begin(measured=True)},
             "/api/stop": lambda _: {"stopping": self.work.stop()},
@@ -86,6 +95,7 @@ class Studio:
             Route("/api/predict", self._predict, methods=["GET"]),
             Route("/api/query", self._query, methods=["GET"]),
             Route("/api/scene", self._scene, methods=["GET"]),
+            Route("/report/{name}", self._report, methods=["GET"]),
             Route("/api/tile/{image}/{level}/{column}/{row}", self._tile, methods=["GET"]),
             WebSocketRoute("/api/live", self._live),
             Route("/{name:path}", self._page, methods=["GET"]),
@@ -98,12 +108,14 @@ class Studio:
     @asynccontextmanager
     async def _lifespan(self, _: Starlette) -> AsyncGenerator[None]:
         self.live.loop = asyncio.get_running_loop()
-        if self.desk.adjustment is None:
+        if self.desk.to_begin:
+            self.work.soon()
+        elif self.desk.adjustment is None:
             self.work.begin(measured=False)
         try:
             yield
         finally:
-            self.work.stop()
+            await run_in_threadpool(self.work.close)
             self.desk.close()
 
     async def _page(self, request: Request) -> Response:
@@ -123,6 +135,15 @@ class Studio:
         except (InputError, OSError) as error:
             raise HTTPException(404, str(error)) from None
         return Response(body, media_type="image/jpeg", headers={"cache-control": "private, max-age=3600"})
+
+    async def _report(self, request: Request) -> Response:
+        """A page of the last result, apart from this one: it reaches nothing here."""
+        name = request.path_params["name"]
+        file = measured_result(self.desk.source) / name
+        if name not in REPORTS or not file.is_file():
+            raise HTTPException(404, "there is no such page; adjust first")
+        body = await run_in_threadpool(file.read_bytes)
+        return Response(body, headers={"content-type": "text/html; charset=utf-8", POLICY_HEADER: REPORT_POLICY})
 
     async def _scene(self, _: Request) -> Response:
         return Response(await run_in_threadpool(scene, self.desk), media_type="application/octet-stream")
@@ -155,6 +176,7 @@ class Studio:
             raise HTTPException(409, str(error)) from None
         state = answers.state_of(self.desk)
         self.live.tell_from_thread({"type": "state", "state": state})
+        self.work.soon()
         entry = next(iter(self.desk.journal.entries(seq - 1)))
         return {"seq": seq, "state": state, "command": command_of(self.desk.source, verb, entry.arguments)}
 
@@ -177,7 +199,21 @@ class Studio:
             raise HTTPException(409, str(error)) from None
         state = answers.state_of(self.desk)
         self.live.tell_from_thread({"type": "state", "state": state})
+        self.work.soon()
         return {"added": [a.point for a in actions], "remarks": list(remarks), "state": state}
+
+    def _fiducials(self, given: dict[str, Any]) -> dict[str, Any]:
+        """The other fiducial marks of a scan: one action each of those that are found."""
+        first = _text(given, "id")
+        if not first:
+            raise HTTPException(400, "a search has an id, as an action has")
+        found = fiducials_found(self.desk, _text(given, "image"))
+        for k, action in enumerate(found.actions):
+            self.desk.journal.append(action, id=f"{first}-{k}", author=str(given.get("author", ""))[:100])
+        state = answers.state_of(self.desk)
+        self.live.tell_from_thread({"type": "state", "state": state})
+        self.work.soon()
+        return {"found": [a.name for a in found.actions], "left": dict(found.left), "state": state}
 
     def _post(self, make: Callable[[dict[str, Any]], Any]) -> Answer:
         async def answer(request: Request) -> Response:
