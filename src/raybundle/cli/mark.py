@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FILE_OR_FOLDER, NEW_FOLDER, common_options, counted
 from raybundle.cli.numbers import NUMBER, PIXELS, POSITIVE, Number
 from raybundle.cli.settings import options_of, values_of
-from raybundle.commands.measure_settings import MarkAdjustSettings
+from raybundle.commands.measure_settings import RejectSettings
 from raybundle.errors import InputError
 
 if TYPE_CHECKING:
@@ -273,16 +274,26 @@ def datum(folder: Path, names: tuple[str, ...], author: str) -> None:
 
 
 @_verb("reject")
-@click.argument("image")
-@click.argument("point")
-def reject(folder: Path, image: str, point: str, author: str) -> None:
-    """Leave an image observation of the block out.
+@click.argument("image", required=False)
+@click.argument("point", required=False)
+@options_of(RejectSettings)
+def reject(folder: Path, image: str | None, point: str | None, author: str, **limits: float | None) -> None:
+    """Leave image observations of the block out: one, or all beyond a limit in the last adjustment, as one action.
 
     \b
     Example:
       raybundle mark reject facade-project IMG_3.jpg t17
+      raybundle mark reject facade-project --w 4
+      raybundle mark reject facade-project --sigma 0.02
     """  # noqa: D301
-    _do(folder, "reject", author, image=image, point=point)
+    given = {name: limit for name, limit in limits.items() if limit is not None}
+    if len(given) == 1 and image is None:
+        ((quantity, limit),) = given.items()
+        _do(folder, "reject_beyond", author, quantity=quantity, limit=limit)
+    elif given or image is None or point is None:
+        raise InputError("give an image and a point, or one limit: " + ", ".join(f"--{name}" for name in limits))
+    else:
+        _do(folder, "reject", author, image=image, point=point)
 
 
 @_verb("accept")
@@ -296,6 +307,20 @@ def accept(folder: Path, image: str, point: str, author: str) -> None:
       raybundle mark accept facade-project IMG_3.jpg t17
     """  # noqa: D301
     _do(folder, "accept", author, image=image, point=point)
+
+
+@_verb("parameter")
+@click.argument("camera")
+@click.argument("symbol")
+@click.argument("choice", type=click.Choice(["free", "held", "auto"]))
+def parameter(folder: Path, camera: str, symbol: str, choice: str, author: str) -> None:
+    """Estimate a parameter of a camera in the next adjustments, or hold it; auto: as block and options say.
+
+    \b
+    Example:
+      raybundle mark parameter facade-project canon K3 held
+    """  # noqa: D301
+    _do(folder, "parameter", author, camera=camera, symbol=symbol, choice=choice)
 
 
 @_verb("undo")
@@ -365,6 +390,7 @@ def _shown(state: State) -> list[str]:
     if state.datum is not None:
         lines.append(f" coordinate system: {', '.join(state.datum.points)} (origin, axis, plane)")
     lines += [f" rejected: {p} in {i}" for i, p in sorted(state.rejected)]
+    lines += [f" parameter {s} of camera {c}: {choice}" for (c, s), choice in sorted(state.parameters.items())]
     return lines
 
 
@@ -396,7 +422,7 @@ def export(folder: Path, out: Path, crs: str) -> None:
     help="Result folder; an older result is replaced.  [default: FOLDER/measured-result of a project, else "
     "FOLDER-measured]",
 )  # fmt: skip
-@options_of(MarkAdjustSettings)
+@options_of(AdjustmentOptions)
 @click.option("--no-report", is_flag=True, help="Leave out report.html and network.html.")
 @common_options
 def adjust_(folder: Path, out: Path | None, no_report: bool, progress: str, **given: Any) -> None:  # noqa: FBT001
@@ -417,7 +443,7 @@ def adjust_(folder: Path, out: Path | None, no_report: bool, progress: str, **gi
     target = out or measured_result(folder)
     check_target(target)
     with reporting(progress) as tell:
-        adjustment, left_out = adjust_marks(folder, tell, **values_of(MarkAdjustSettings, given))
+        adjustment, left_out = adjust_marks(folder, tell, **values_of(AdjustmentOptions, given))
         write_result(adjustment, target, report="none" if no_report else "html", progress=tell)
     click.echo("\n".join(summary_lines(adjustment)))
     for name, why in left_out.items():

@@ -13,12 +13,13 @@ import numpy as np
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
-from raybundle.commands.measure_settings import DatumSettings, MarkAdjustSettings, QuerySettings
+from raybundle.commands.measure_settings import DatumSettings, QuerySettings
 from raybundle.errors import InputError
 from raybundle.io.block.folder import ROLES, read_block
 from raybundle.io.folders import new_folder
 from raybundle.io.reading.words import quoted
 from raybundle.io.tables import write_table
+from raybundle.measuring.decisions import with_decisions
 from raybundle.measuring.export import (
     lost_in_csv,
     lost_in_gcp_list,
@@ -30,6 +31,7 @@ from raybundle.measuring.journal import Entry, Journal, entries_of, journal_path
 from raybundle.measuring.known import Known
 from raybundle.measuring.merge import Merged, merge
 from raybundle.measuring.query import Answer, Quantity, ask, in_axes
+from raybundle.measuring.selection import CRITERIA, latest_figures, selected
 from raybundle.measuring.session import block_folder
 from raybundle.measuring.state import State
 from raybundle.numerics.progress import Progress, silent
@@ -123,11 +125,22 @@ def open_journal(folder: str | Path) -> Journal:
 def mark(folder: str | Path, verb: str, *, id: str = "", author: str = "", **arguments: Any) -> int:  # noqa: A002
     """Do an action of measuring, and return its number: `mark("facade", "put", image=..., point=..., x_px=...)`.
 
-    verb    put, move, remove, point, rename, forget, bar, unbar, line, datum, reject, accept, undo, redo
+    verb    put, move, remove, point, rename, forget, bar, unbar, line, datum, reject, accept, reject_beyond (quantity:
+            w, sigma, rays or redundancy, and limit, of the last adjustment), parameter, undo, redo
     raises  InputError where it cannot be done
     """
     with open_journal(folder) as journal:
+        if verb == "reject_beyond" and "rows" not in arguments:
+            arguments["rows"] = _beyond(Path(folder), journal.state, **arguments)
         return journal.append_verb(verb, arguments, id=id, author=author)
+
+
+def _beyond(folder: Path, state: State, quantity: str = "", limit: float = float("nan")) -> list[tuple[str, str]]:
+    """The image observations beyond a limit in the last adjustment of a folder."""
+    found = next((name for name in CRITERIA if name == quantity), None)
+    if found is None:
+        raise InputError(f"quantity {quantity!r} is none of {', '.join(CRITERIA)}")
+    return [*selected(latest_figures(folder), state, found, limit).rows]
 
 
 def marks(folder: str | Path) -> State:
@@ -146,10 +159,12 @@ def merged(folder: str | Path) -> Merged:
 
 
 def adjust_marks(folder: str | Path, progress: Progress = silent, **given: Any) -> tuple[Adjustment, Mapping[str, str]]:
-    """Adjust the block of a folder with what was measured by hand; also what was left out, and why."""
-    s = made(MarkAdjustSettings, given)
+    """Adjust the block of a folder with what was measured and decided by hand; also what was left out, and why.
+
+    given  settings of AdjustmentOptions; parameters that `free` and `hold` name go before those of the journal
+    """
+    options = with_decisions(made(AdjustmentOptions, given), marks(folder))
     found = merged(folder)
-    options = AdjustmentOptions(reject=s.reject, estimate=s.estimate)
     return adjust(found.block, options, progress), found.left_out
 
 
@@ -191,5 +206,6 @@ def as_plain(state: State) -> dict[str, Any]:
         "lines": [{"line": n, **asdict(v)} for n, v in state.lines.items()],
         "datum": None if state.datum is None else cast("Any", asdict(state.datum)),
         "rejected": [{"image": i, "point": p} for i, p in sorted(state.rejected)],
+        "parameters": [{"camera": c, "symbol": s, "choice": v} for (c, s), v in state.parameters.items()],
         "renamed": dict(state.renamed), "can_undo": state.can_undo, "can_redo": state.can_redo,
     }  # fmt: skip

@@ -16,14 +16,16 @@ from raybundle.errors import InputError, NotSolvable
 from raybundle.io.block.folder import read_block
 from raybundle.measuring.joint import Joint
 from raybundle.measuring.known import Known
+from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import option
 
 Adjust = Callable[[Block], Adjustment]
 
 
-def readjusted(block: Block) -> Adjustment:
+def readjusted(block: Block, progress: Progress = silent) -> Adjustment:
     """The adjustment of a block that holds adjusted values: it converges at once, and has all covariances."""
-    return decide(block, AdjustmentOptions(noise=block.noise or "white", datum_over=block.datum_over or "all"))
+    options = AdjustmentOptions(noise=block.noise or "white", datum_over=block.datum_over or "all")
+    return decide(block, options, progress)
 
 
 @dataclass(slots=True)

@@ -72,6 +72,7 @@ def plain_state(state: State) -> dict[str, Any]:
         "datum": None if state.datum is None else
         {"origin": state.datum.origin, "axis": state.datum.axis, "plane": state.datum.plane},
         "rejected": sorted([i, p] for i, p in state.rejected), "renamed": dict(state.renamed),
+        "parameters": [{"camera": c, "symbol": s, "choice": v} for (c, s), v in state.parameters.items()],
     }  # fmt: skip
 
 

@@ -28,6 +28,7 @@ from raybundle.io.reading.trees import json_of
 from raybundle.studio import answers, tables
 from raybundle.studio.asking import asked
 from raybundle.studio.control import control_actions
+from raybundle.studio.deciding import Deciding
 from raybundle.studio.desk import Desk
 from raybundle.studio.guard import Guard, Session, TooLarge
 from raybundle.studio.live import Live
@@ -41,6 +42,7 @@ PAGE = {
     "": ("index.html", "text/html; charset=utf-8"),
     "studio.js": ("studio.js", "text/javascript; charset=utf-8"),
     "studio.css": ("studio.css", "text/css; charset=utf-8"),
+    "decide.css": ("decide.css", "text/css; charset=utf-8"),
     "icon.svg": ("icon.svg", "image/svg+xml"),
 }
 Answer = Callable[[Request], Awaitable[Response]]
@@ -65,6 +67,7 @@ class Studio:
 
     def app(self) -> Starlette:
         """The application."""
+        deciding = Deciding(self.desk, self.work, self.live)
         gets: dict[str, Callable[[Mapping[str, Any]], Any]] = {
             "/api/overview": lambda _: answers.overview(self.desk),
             "/api/observations": lambda q: answers.observations(self.desk, _text(q, "image")),
@@ -72,6 +75,7 @@ class Studio:
             "/api/points": lambda q: tables.points(self.desk, _wanted(q)),
             "/api/table/observations": lambda q: tables.observations(self.desk, _wanted(q)),
             "/api/journal": lambda _: self._journal(),
+            **deciding.gets,
         }
         posts: dict[str, Callable[[dict[str, Any]], Any]] = {
             "/api/action": self._action,
@@ -79,6 +83,7 @@ class Studio:
             "/api/snap": lambda given: snapped(self.desk, given),
             "/api/adjust": lambda _: {"begun": self.work.begin(measured=True)},
             "/api/stop": lambda _: {"stopping": self.work.stop()},
+            **deciding.posts,
         }
         routes = [
             *(Route(path, _get(make), methods=["GET"]) for path, make in gets.items()),
@@ -86,6 +91,7 @@ class Studio:
             Route("/api/predict", self._predict, methods=["GET"]),
             Route("/api/query", self._query, methods=["GET"]),
             Route("/api/scene", self._scene, methods=["GET"]),
+            *deciding.pages,
             Route("/api/tile/{image}/{level}/{column}/{row}", self._tile, methods=["GET"]),
             WebSocketRoute("/api/live", self._live),
             Route("/{name:path}", self._page, methods=["GET"]),

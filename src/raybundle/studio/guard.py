@@ -22,10 +22,11 @@ LARGEST_BODY = 8 * 1024 * 1024
 """Bytes of a request: a table of control with a hundred thousand points."""
 POLICY = (
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob:; connect-src 'self'; "
-    "font-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
+    "frame-src 'self'; font-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
 )
+POLICY_HEADER = "content-security-policy"
 HEADERS = {
-    "content-security-policy": POLICY,
+    POLICY_HEADER: POLICY,
     "x-content-type-options": "nosniff",
     "referrer-policy": "no-referrer",
     "cross-origin-opener-policy": "same-origin",
@@ -159,7 +160,10 @@ def _with_headers(send: Send) -> Send:
         if message["type"] == "http.response.start":
             headers = MutableHeaders(scope=message)
             for name, value in HEADERS.items():
-                headers[name] = value
+                if name != POLICY_HEADER or name not in headers:  # a report has one of its own, as strict
+                    headers[name] = value
+            if "frame-ancestors 'self'" in headers[POLICY_HEADER]:
+                headers["x-frame-options"] = "SAMEORIGIN"
             headers.setdefault("cache-control", "no-store")
         await send(message)
 

@@ -5,15 +5,20 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import partial
 
+from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.errors import RaybundleError
+from raybundle.measuring.decisions import with_decisions
 from raybundle.measuring.journal import measured_result
 from raybundle.measuring.merge import merge
-from raybundle.measuring.session import Session
+from raybundle.measuring.session import Session, readjusted
 from raybundle.report.write import write_result
 from raybundle.studio.answers import finite
 from raybundle.studio.desk import Desk
 from raybundle.studio.live import Live
+from raybundle.studio.shelf import Shelf
+from raybundle.studio.verbs import command_of_adjusting
 from raybundle.workflows.adjust import adjust
 
 
@@ -27,10 +32,17 @@ class Work:
 
     desk: Desk
     live: Live
+    options: AdjustmentOptions = AdjustmentOptions()
+    """of the next adjustments, without what the journal says of parameters"""
+    shelf: Shelf = field(init=False)
     _thread: threading.Thread | None = None
     _over: bool = True
     _stop: threading.Event = field(default_factory=threading.Event)
     _lock: threading.Lock = field(default_factory=threading.Lock)
+
+    def __post_init__(self) -> None:
+        """Keep the result that is there."""
+        self.shelf = Shelf.of(self.desk.source, self.desk.tiles.folder)
 
     @property
     def busy(self) -> bool:
@@ -77,16 +89,18 @@ class Work:
 
     def _as_it_is(self) -> str:
         self._tell("covariances", 0.0)
-        self.desk.replaced(self.desk.adjusted())
+        self.desk.replaced(self.desk.adjusted(partial(readjusted, progress=self._tell)))
         return ""
 
     def _measured(self) -> str:
         """Block and marks, adjusted and written; the block that was opened is not touched."""
         desk = self.desk
-        made = merge(desk.given, desk.journal.state)
-        done = adjust(made.block, progress=self._tell)
+        state, options = desk.journal.state, self.options
+        made = merge(desk.given, state)
+        done = adjust(made.block, with_decisions(options, state), progress=self._tell)
         folder = measured_result(desk.source)
         write_result(done, folder, progress=self._tell)
+        self.shelf.put(folder, command_of_adjusting(desk.source, options))
         desk.replaced(Session.of(done))
         return str(folder)
 
