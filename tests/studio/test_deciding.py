@@ -234,7 +234,8 @@ def test_adjustments_are_kept_and_compared(client, studio, project):
     zero, one, two = client.get("/api/adjustments").json()["adjustments"]
     assert [zero["words"], one["words"], two["words"]] == ["as it was opened", "adjusted here", "adjusted here"]
     assert one["redundancy"] < two["redundancy"] + 2 * two["rejected"]
-    assert two["options"] == ["--hold", camera, "K1", "--reject", "snooping"]
+    assert two["options"][:3] == ["--hold", camera, "K1"]
+    assert "--reject snooping" in " ".join(two["options"])
     assert two["command"] == f"raybundle mark adjust --reject snooping -- {project}"
     assert [w["w"] for w in one["worst"]] == sorted((w["w"] for w in one["worst"]), reverse=True)
     assert one["check"] == {"points": 0, "rms": [None, None, None]}

@@ -34,6 +34,11 @@ export class Actions {
     return this.put("/api/control", { text }) as Promise<ActionAnswer & { added: string[]; remarks: string[] }>;
   }
 
+  /** All image observations beyond a limit: one action. */
+  reject(by: string, limit: number): Promise<ActionAnswer> {
+    return this.put("/api/reject", { by, limit });
+  }
+
   private put(path: string, body: Record<string, unknown>): Promise<ActionAnswer> {
     const whole = { id: crypto.randomUUID(), author: this.author, ...body };
     return new Promise((done, refused) => {

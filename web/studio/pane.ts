@@ -114,7 +114,7 @@ export class Pane {
     const prediction = model.prediction?.predictions.find((p) => p.image === picture.id) ?? null;
     return {
       observations: this.observations, rejectedHere: this.rejectedHere(), marks: this.marks(), prediction,
-      current: model.current, hover: this.hover, hair: this.keyboard && document.activeElement === this.body,
+      image: picture.id, current: model.current, hover: this.hover, hair: this.keyboard && document.activeElement === this.body,
     };
   }
 

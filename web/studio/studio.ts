@@ -1,5 +1,6 @@
 // The studio: the parts of the page put together.
 import { afterPause, element } from "./dom";
+import { Decide } from "./decide";
 import { ImageList } from "./image_list";
 import { ImageStage } from "./image_stage";
 import { Journal } from "./journal";
@@ -41,6 +42,18 @@ async function start(): Promise<void> {
     if (!isPoint(row)) void panel.goTo(row.point, row.image);
   });
   const journal = new Journal(model, () => tabs.now === "journal");
+  const decide = new Decide(model, () => tabs.now === "decide", {
+    images: (image) => {
+      tabs.show("images");
+      if (image) stage.open(image).body.focus();
+    },
+    space: () => tabs.show("space"),
+    visit: (point, image) => {
+      model.choose(point);
+      void panel.goTo(point, image);
+    },
+  });
+  tabs.onopen("decide", () => decide.show());
   tabs.onopen("space", () => void space.show());
   tabs.onopen("tables", () => tables.show());
   tabs.onopen("journal", () => void journal.show());

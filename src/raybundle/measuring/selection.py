@@ -68,7 +68,7 @@ class Selected:
     """Image observations beyond a limit."""
 
     rows: tuple[Key, ...]
-    """(image, point) of those of the block that take part"""
+    """(image, point) of those of the block that take part, the farthest beyond first"""
     points: int
     """object points that they belong to"""
     marks: int
@@ -145,9 +145,12 @@ def selected(figures: Figures, state: State, quantity: Quantity, limit: float) -
     found = figures.used & criterion.beyond(figures.values[quantity], limit)
     if criterion.ties:
         found &= figures.tie
+    chosen = np.flatnonzero(found)
+    far = figures.values[quantity][chosen]
+    chosen = chosen[np.argsort(-far if criterion.above else far, kind="stable")]
     pairs = [
         (figures.images[i], state.renamed.get(figures.points[p], figures.points[p]))
-        for i, p in zip(figures.image[found].tolist(), figures.point[found].tolist(), strict=True)
+        for i, p in zip(figures.image[chosen].tolist(), figures.point[chosen].tolist(), strict=True)
     ]
     rows = tuple(pair for pair in pairs if pair not in state.marks and pair not in state.rejected)
     return Selected(
