@@ -40,14 +40,14 @@ def raw_block(photos, project):
         found.append(raw)
         raise Told
 
-    kept, stage.start_parts = stage.start_parts, instead
+    kept, stage.start_components = stage.start_components, instead
     with tempfile.TemporaryDirectory() as folder:
         try:
             orient([photos], Path(shutil.copytree(project, Path(folder) / "project")), OrientOptions(redo_from="start"))
         except Told:
             return found[0]
         finally:
-            stage.start_parts = kept
+            stage.start_components = kept
     raise SystemExit(f"{photos}: no start was made")
 
 

@@ -25,6 +25,8 @@ if TYPE_CHECKING:
     from raybundle.adjustment.options import AdjustmentOptions
     from raybundle.adjustment.result import Adjustment
     from raybundle.block import Block, Camera, Distances, Images, Instrument, Observations, Points, Role, Stations
+    from raybundle.block.merge import merge_blocks
+    from raybundle.block.transform import transform_block
     from raybundle.commands.calibrate import CalibrateSettings, calibrate
     from raybundle.commands.calibrations import (
         CalibrationAddSettings,
@@ -78,6 +80,7 @@ if TYPE_CHECKING:
     from raybundle.commands.targets import detect_targets
     from raybundle.errors import InputError, NotSolvable, RaybundleError
     from raybundle.io.block.folder import read_block, write_block
+    from raybundle.numerics.transform import SimilarityTransform
     from raybundle.planning.flight import plan_flight
     from raybundle.planning.uav_networks import Flight
     from raybundle.report.compare import write_comparison
@@ -139,6 +142,7 @@ _HOME = {
     "RpcFitSettings": "commands.rpc",
     "RpcProjectSettings": "commands.rpc",
     "SheetSettings": "commands.target_settings",
+    "SimilarityTransform": "numerics.transform",
     "Stations": "block",
     "StraightFilm": "commands.film",
     "ZoomSettings": "commands.calibrations",
@@ -160,6 +164,7 @@ _HOME = {
     "kept_calibrations": "commands.calibrations",
     "mark": "commands.measure",
     "marks": "commands.measure",
+    "merge_blocks": "block.merge",
     "orient": "commands.orient",
     "photos": "commands.photos",
     "plan_flight": "planning.flight",
@@ -178,6 +183,7 @@ _HOME = {
     "show": "report.show",
     "table": "report.tables",
     "table_names": "report.tables",
+    "transform_block": "block.transform",
     "transform_to_points": "commands.measure",
     "write_block": "io.block.folder",
     "write_comparison": "report.compare",
@@ -226,6 +232,7 @@ __all__ = [
     "RpcFitSettings",
     "RpcProjectSettings",
     "SheetSettings",
+    "SimilarityTransform",
     "Stations",
     "StraightFilm",
     "ZoomSettings",
@@ -248,6 +255,7 @@ __all__ = [
     "kept_calibrations",
     "mark",
     "marks",
+    "merge_blocks",
     "orient",
     "photos",
     "plan_flight",
@@ -266,6 +274,7 @@ __all__ = [
     "show",
     "table",
     "table_names",
+    "transform_block",
     "transform_to_points",
     "write_block",
     "write_comparison",

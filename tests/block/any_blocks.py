@@ -1,6 +1,6 @@
 """Any block: every field of every table, drawn by hypothesis from what the tables declare."""
 
-from dataclasses import MISSING, fields
+from dataclasses import MISSING, fields, replace
 
 import numpy as np
 from hypothesis import strategies as st
@@ -44,60 +44,68 @@ ELSEWHERE = {"place", "scene"}
 """Fields that are kept in other ways: a place by the project, a scene as the file that it is read from."""
 
 
+BY_ROW = {"interior": symbols, "frames": frame}
+"""What columns hold that are mappings by row."""
+
+
 @st.composite
-def blocks(draw):
-    """Blocks of any numbers, tables of any length, names in any script."""
+def blocks(draw, elements=None):
+    """Blocks of any numbers, tables of any length, names in any script.
+
+    elements  of arrays of numbers; any by default
+    """
     n, p = draw(st.integers(1, 4)), draw(st.integers(0, 5))
     m = draw(st.integers(0, 8)) if p else 0
-    cameras = tuple(draw(st.lists(camera, min_size=1, max_size=3)))
-    instruments = tuple(draw(st.lists(instrument, max_size=2)))
+    cameras = named_apart(draw(st.lists(camera, min_size=1, max_size=3)))
+    instruments = named_apart(draw(st.lists(instrument, max_size=2)))
+    counts = {
+        "point": p, "image": n, "camera": len(cameras), "instrument": len(instruments), "station": 4, "choice": 3,
+    }  # fmt: skip
 
-    def table(*shape):
-        return draw(arrays(float, shape, elements=st.floats(width=64)))
+    def rows(kind, count):
+        return any_rows(draw, kind, counts, count, elements)
 
-    def index(count, below):
-        return draw(arrays(np.int32, count, elements=st.integers(0, max(below - 1, 0))))
+    def some(kind):
+        least = min(counts[c.of] for _, c in kind.columns() if c.of in counts and not c.empty)
+        return rows(kind, draw(st.integers(0, 4)) if least else 0)
 
-    images = Images(
-        ids=tuple(f"{k} {draw(name)}" for k in range(n)), camera=index(n, len(cameras)),
-        file=tuple(draw(st.one_of(st.just(""), name)) for _ in range(n)), centre=table(n, 3), rotation=table(n, 3, 3),
-        held=draw(st.one_of(st.none(), arrays(bool, n))),
-        interior=draw(st.dictionaries(st.integers(0, n - 1), symbols, max_size=3)),
-        station=draw(st.one_of(st.none(), arrays(np.int32, n, elements=st.integers(0, 3)))),
-        frames=draw(st.dictionaries(st.integers(0, n - 1), frame, max_size=2)),
-    )  # fmt: skip
-    points = Points(
-        ids=tuple(f"{k} {draw(name)}" for k in range(p)), role=index(p, 3), xyz=table(p, 3), sigma=table(p, 3)
+    images, points = (
+        replace(t, ids=tuple(f"{k} {i}" for k, i in enumerate(t.ids))) for t in (rows(Images, n), rows(Points, p))
     )
-    counts = {"point": p, "image": n, "instrument": len(instruments)}
     return Block(
         name=draw(name), about=draw(st.text(max_size=20)), source=draw(name), licence=draw(name),
         length_unit=draw(st.sampled_from(["m", "mm"])), free_scale=draw(st.booleans()), sigma0_apriori=draw(number),
         residuals=draw(st.sampled_from(["measured", "corrected"])),
         noise=draw(st.sampled_from(["", "white", "fields"])), datum_over=draw(st.sampled_from(["", "all", "good"])),
         rejected=tuple(draw(st.lists(st.tuples(name, name), max_size=2))), cameras=cameras, instruments=instruments,
-        images=images, points=points,
-        observations=Observations(image=index(m, n), point=index(m, p), xy_px=table(m, 2), cov_px2=table(m, 3)),
-    ).having(*(any_rows(draw, t, counts) for t in tables.values()))  # fmt: skip
+        images=images, points=points, observations=rows(Observations, m),
+    ).having(*map(some, tables.values()))  # fmt: skip
 
 
-def any_rows(draw, table, counts):
-    """A table of any kind with any content."""
-    least = min(counts[c.of] for _, c in table.cells() if c.of in counts and not c.empty)
-    k = draw(st.integers(0, 4)) if least else 0
+def named_apart(things):
+    """Cameras or instruments with ids of their own."""
+    return tuple(replace(t, id=f"{k} {t.id}") for k, t in enumerate(things))
 
-    def values(c):
+
+def any_rows(draw, kind, counts, k, elements=None):
+    """A table of any kind with any content, from what its columns say."""
+    elements = st.floats(width=64) if elements is None else elements
+
+    def values(field, c):
         if c.optional and draw(st.booleans()):
             return None
         if c.of == "text":
             return tuple(draw(name) for _ in range(k))
+        if c.of == "by row":
+            return draw(st.dictionaries(st.integers(0, k - 1), BY_ROW[field], max_size=3)) if k else {}
+        if c.of == "mask":
+            return draw(arrays(bool, k))
         if c.of != "number":
             low = -1 if c.empty else 0
             return draw(arrays(np.int32, k, elements=st.integers(low, max(counts[c.of] - 1, low))))
-        shape = (k, len(c.names)) if len(c.names) > 1 else k
-        return draw(arrays(float, shape, elements=st.floats(width=64)))
+        return draw(arrays(float, (k, *c.shape), elements=elements))
 
-    return table(**{field: values(c) for field, c in table.cells()})
+    return kind(**{field: values(field, c) for field, c in kind.columns()})
 
 
 def always_as_by_default(drawn):

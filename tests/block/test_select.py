@@ -8,10 +8,10 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from raybundle.block import Role
-from raybundle.block.select import with_points, with_rows, without_images
+from raybundle.block.select import selected, with_rows, without_images
 from raybundle.observations import tables
 from raybundle.placing.positions import without_idle
-from raybundle.workflows.parts import merged
+from raybundle.workflows.connected_components import merged
 from tests.block.any_blocks import blocks
 
 CHECKED = settings(max_examples=60, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
@@ -77,7 +77,7 @@ def named_points(block, table, k):
 def test_points_that_leave_take_their_rows_and_nothing_else(block, random):
     seen = set(block.observations.point.tolist())
     keep = np.array([k in seen or random.random() < 0.5 for k in range(len(block.points))], bool)
-    less = with_points(block, keep)
+    less = selected(block, "point", keep)
     left = {n for n, k in zip(block.points.ids, keep, strict=True) if k}
     assert points_of(less) == {n: v for n, v in points_of(block).items() if n in left}
     assert observations_of(less) == observations_of(block)
@@ -129,7 +129,7 @@ def test_rows_of_rows_and_joined_parts_are_the_table(block):
     for table in block.tables.values():
         k = len(table) // 2
         first, second = table.rows(np.arange(k)), table.rows(np.arange(k, len(table)))
-        again = type(table).joined([first, second])
+        again = first.append(second)
         assert rows_of(block, again) == rows_of(block, table)
         order = np.arange(len(table))[::-1]
         assert rows_of(block, table.rows(order).rows(order)) == rows_of(block, table)

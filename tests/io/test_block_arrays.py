@@ -10,8 +10,10 @@ from hypothesis import strategies as st
 from tests.block.any_blocks import always_as_by_default, blocks
 
 from raybundle.block.block import Relation
-from raybundle.block.select import transformed, with_rows
+from raybundle.block.select import with_rows
+from raybundle.block.transform import transform_block
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
+from raybundle.numerics.transform import SimilarityTransform
 from raybundle.planning.scenes import AerialStrips, TargetField, aerial_scene, field_scene
 from raybundle.planning.simulate import Survey, simulate
 
@@ -84,7 +86,11 @@ def test_parts_and_transformed_blocks_come_back(rich):
     keep = np.random.default_rng(1).random(len(rich.observations)) < 0.6
     part = with_rows(rich, keep)
     assert_equal(part, through_a_file(part))
-    turned = transformed(rich, 2.0, np.eye(3)[[1, 2, 0]], np.array([1.0, 2, 3]))
+    turned = transform_block(
+        rich,
+        SimilarityTransform(scale=2.0, rotation=np.eye(3)[[1, 2, 0]], translation=np.array([1.0, 2, 3])),
+        observed="stay",
+    )
     assert_equal(turned, through_a_file(turned))
 
 

@@ -7,7 +7,8 @@ import pytest
 
 from raybundle.block import Role
 from raybundle.block.frames import file_from_camera, stored_turned
-from raybundle.block.select import transformed, with_rows
+from raybundle.block.select import with_rows
+from raybundle.block.transform import transform_block
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block
 from raybundle.io.geo.control_files import read_control
@@ -19,6 +20,7 @@ from raybundle.measuring.predict import predict
 from raybundle.measuring.session import Session
 from raybundle.measuring.state import EMPTY, folded
 from raybundle.numerics.rotation import rotation_from_vector
+from raybundle.numerics.transform import SimilarityTransform
 from raybundle.workflows.adjust import adjust
 
 from .scenes import simulation, small_block
@@ -49,7 +51,13 @@ def free_block():
     block = small_block()
     p = block.points
     free = replace(block, points=replace(p, role=np.zeros_like(p.role), sigma=np.full_like(p.sigma, np.nan)))
-    return transformed(free, 0.37, rotation_from_vector(np.array([0.4, -1.1, 2.0])), np.array([5.0, 6.0, 7.0]))
+    return transform_block(
+        free,
+        SimilarityTransform(
+            scale=0.37, rotation=rotation_from_vector(np.array([0.4, -1.1, 2.0])), translation=np.array([5.0, 6.0, 7.0])
+        ),
+        observed="stay",
+    )
 
 
 def test_nothing_measured_changes_nothing():

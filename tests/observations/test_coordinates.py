@@ -187,7 +187,7 @@ def test_it_stands_in_folders(tmp_path):
         (lambda t: replace(t, covariance=np.abs(t.covariance) + 1.0), "not positive definite"),
         (lambda t: replace(t, covariance=-t.covariance), "variance is not positive"),
         (lambda t: t.rows(np.arange(len(t)) > 0), "no row with the coordinates of one of the two"),
-        (lambda t: Coordinates.joined([t, t]), "stand in an earlier row"),
+        (lambda t: t.append(t), "stand in an earlier row"),
         (lambda t: replace(t, xyz=np.nan_to_num(t.xyz, nan=1.0)), "leave X, Y, Z empty"),
         (lambda t: replace(t, xyz=np.full_like(t.xyz, np.nan)), "coordinates are lacking"),
     ],

@@ -127,5 +127,5 @@ def test_a_parameter_that_images_share_is_refused(plain):
     block = told(block, 0.01)
     with pytest.raises(InputError, match="no free parameter of its images"):
         adjust(replace(block, cameras=(replace(block.cameras[0], per_image=()),)), ONE)
-    twice = Deviations.joined([block.tables["deviations"]] * 2)
+    twice = block.tables["deviations"].append(block.tables["deviations"])
     assert twice.wrong()[0].rows.any()

@@ -66,7 +66,7 @@ def networks():
                 covariance=C[a, :, b].reshape(-1, 9),
             )
         )
-    return block.having(Coordinates.joined(found))
+    return block.having(found[0].append(found[1]))
 
 
 def single_images():

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from raybundle.block import Distances, Stations
-from raybundle.block.select import with_points, without_images
+from raybundle.block.select import selected, without_images
 from raybundle.observations import observation_kinds, tables
 from raybundle.observations.table import Table
 from raybundle.planning.scenes import TargetField, field_scene
@@ -42,16 +42,16 @@ def test_what_is_selected_and_joined_again_is_whole(table, lacking):
     mask = np.arange(ROWS) < 3
     parts = [t.rows(mask), t.rows(~mask)]
     assert [len(p) for p in parts] == [3, 4]
-    assert content(table.joined(parts)) == content(t)
+    assert content(parts[0].append(parts[1])) == content(t)
     assert content(table.of_arrays(t.arrays())) == content(t)
     assert content(t.rows(np.argsort(mask, kind="stable")).rows([4, 5, 6, 0, 1, 2, 3])) == content(t)
     assert len(table.empty()) == 0
-    assert content(table.joined([table.empty(), t])) == content(t)
+    assert content(table.empty().append(t)) == content(t)
 
 
 @pytest.mark.parametrize("table", tables.values(), ids=tables)
 def test_columns_that_one_table_lacks_are_filled(table):
-    both = table.joined([filled(table, lacking=True), filled(table, lacking=False)])
+    both = filled(table, lacking=True).append(filled(table, lacking=False))
     for field, c in table.cells():
         first = np.asarray(getattr(both, field)[:ROWS])
         if c.optional:
@@ -87,7 +87,7 @@ def test_what_leaves_a_block_takes_its_observations_along():
     o = block.observations
     rows = keep[o.point]
     fewer = replace(o, image=o.image[rows], point=o.point[rows], xy_px=o.xy_px[rows], cov_px2=o.cov_px2[rows])
-    left = with_points(replace(block, observations=fewer), keep)
+    left = selected(replace(block, observations=fewer), "point", keep)
     gone = (block.distances.start == first) | (block.distances.end == first)
     assert len(left.distances) == 3 - gone.sum() < 3
     names = [left.points.ids[k] for k in left.distances.start]

@@ -11,10 +11,11 @@ import pytest
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Role
-from raybundle.block.select import transformed
+from raybundle.block.transform import transform_block
 from raybundle.io.geo.control_files import ControlFile, Measurements
 from raybundle.numerics.geodesy import LocalPlace
 from raybundle.numerics.rotation import rotation_from_angles
+from raybundle.numerics.transform import SimilarityTransform
 from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
 
@@ -49,7 +50,15 @@ def flight():
         points=replace(truth.points, role=role, sigma=np.full_like(xyz, np.nan)),
         observations=simulation.observed.observations,
     )
-    free = transformed(free, 0.013, rotation_from_angles(np.array([0.4, -0.3, 2.0])), np.array([1.0, 2.0, 3.0]))
+    free = transform_block(
+        free,
+        SimilarityTransform(
+            scale=0.013,
+            rotation=rotation_from_angles(np.array([0.4, -0.3, 2.0])),
+            translation=np.array([1.0, 2.0, 3.0]),
+        ),
+        observed="stay",
+    )
     photos = [
         SimpleNamespace(
             name=name, width_px=truth.cameras[0].width_px, height_px=truth.cameras[0].height_px, orientation=1,

@@ -9,7 +9,7 @@ from raybundle.block.select import with_rows
 from raybundle.numerics.geodesy import LocalPlace
 from raybundle.placing.georeference import georeference
 from raybundle.placing.marks import Given
-from raybundle.workflows.parts import place_parts
+from raybundle.workflows.connected_components import place_components
 from tests.workflows.free_flight import PLACE, adjusted, codes, flight, in_degrees, with_gps
 
 __all__ = ["flight"]
@@ -71,12 +71,12 @@ def test_parts_of_two_flights_keep_their_antennas(flight):
     first = np.arange(len(photos)) < 10
     blocks = (part_of(flight.free, first), part_of(flight.free, ~first))
     given = Given(control=(in_degrees(flight, [0, 1, 2, 3, 4, 5]),))
-    whole, apart = place_parts(blocks, photos, given)
+    whole, apart = place_components(blocks, photos, given)
     assert not apart
     stations = whole.block.stations
     names = [whole.block.instruments[a].id for a in stations.antenna.tolist()]
     assert names == ["gnss-1" if first[i] else "gnss-2" for i in stations.image.tolist()]
-    alone, _ = place_parts(blocks[:1], photos, given)
+    alone, _ = place_components(blocks[:1], photos, given)
     assert [i.id for i in alone.block.instruments] == ["gnss-1"]
 
 

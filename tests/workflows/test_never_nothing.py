@@ -177,7 +177,7 @@ def test_a_part_that_nothing_determines_costs_its_photographs_alone():
     asked = SimpleNamespace(groups=(), photos=(), remarks=(), options=OrientOptions(precise=False))
     means = SimpleNamespace(jobs=1, progress=silent)
     done = _adjusted(asked, placed(whole), [placed(few), placed(whole)], means)
-    adjustment, parts = done.adjustment, done.parts
+    adjustment, parts = done.adjustment, done.other_components
     assert len(parts) == 1
     assert adjustment.sigma0 < 2
     lost = dict(left_out(adjustment, parts))

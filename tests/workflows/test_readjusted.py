@@ -18,7 +18,7 @@ from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.report.write import write_result
 from raybundle.workflows.adjust import adjust
-from raybundle.workflows.parts import merged
+from raybundle.workflows.connected_components import merged
 
 ASKED = AdjustmentOptions(reject="snooping", noise="fields", datum_over="good", estimate="auto")
 

@@ -12,7 +12,7 @@ from raybundle.matching.verify import VerifiedPair
 from raybundle.sensors import sensor_models
 from raybundle.ties.block import block_of_tracks
 from raybundle.ties.repeated import CONTRADICTED, contradicted, sound_pairs, spanning
-from raybundle.workflows.parts import start_parts
+from raybundle.workflows.connected_components import start_components
 
 SIDES, PHOTOGRAPHS, C_PX, WIDTH, HEIGHT = 6, 18, 1100.0, 1200, 900
 DIAGONALS = np.full(PHOTOGRAPHS, np.hypot(WIDTH, HEIGHT))
@@ -89,7 +89,7 @@ def orient_with(places):
     def orient(tracks):
         raw = block_of_tracks(photos, [camera], np.zeros(len(photos), int), places, tracks)
         n = len(tracks.image)
-        return start_parts(raw, np.full(n, 4.0), np.zeros(n), 1)
+        return start_components(raw, np.full(n, 4.0), np.zeros(n), 1)
 
     return orient
 

@@ -9,10 +9,11 @@ import pytest
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Role
-from raybundle.block.select import transformed
+from raybundle.block.transform import transform_block
 from raybundle.errors import InputError
 from raybundle.io.geo.control_files import read_control
 from raybundle.numerics.rotation import rotation_from_angles
+from raybundle.numerics.transform import SimilarityTransform
 from raybundle.placing.georeference import georeference
 from raybundle.placing.marks import Given
 from raybundle.planning.scenes import TargetField, brown_camera, field_scene
@@ -83,7 +84,13 @@ def network(seed, folder):
         points=replace(truth.points, role=np.full_like(truth.points.role, Role.TIE),
                        sigma=np.full_like(truth.points.xyz, np.nan)),
     )  # fmt: skip
-    free = transformed(free, 0.4, rotation_from_angles(np.array([0.4, -0.3, 2.0])), np.array([1.0, 2.0, 3.0]))
+    free = transform_block(
+        free,
+        SimilarityTransform(
+            scale=0.4, rotation=rotation_from_angles(np.array([0.4, -0.3, 2.0])), translation=np.array([1.0, 2.0, 3.0])
+        ),
+        observed="stay",
+    )
     photos = [
         SimpleNamespace(
             name=name, width_px=camera.width_px, height_px=camera.height_px, orientation=1,

@@ -85,11 +85,6 @@ def _turns_about_a_line(generator: Array) -> bool:
     return bool(size > STRAIGHT and abs(scale) < STRAIGHT * size and abs(shift @ turn) < STRAIGHT * size**2)
 
 
-def is_length(unit: str) -> bool:
-    """Whether a parameter grows with the object: "length", "length/s", "length/mm"."""
-    return unit.startswith("length")
-
-
 def point_generators(xyz: Array, centre: Array, extent: float) -> Array:
     """The seven generators at points (n, 3): (n, 3, 7), lengths in units of the extent."""
     r = (xyz - centre) / extent
@@ -116,7 +111,7 @@ def node_generators(system: System, state: State, datum: Datum) -> Array:
     G[at] = point_generators(state.xyz[points], datum.centre, datum.extent) * ~system.control_held[points][:, :, None]
     for r, row in enumerate(system.interior):
         for k, position in enumerate(row.free):
-            if is_length(row.model.parameters[position].unit):
+            if row.model.parameters[position].is_length:
                 G[system.offsets[row.node] + row.start + k, 6] = state.interior[r, position]
     for part in system.extra.parts:
         if part.kind.own_width:
@@ -306,7 +301,7 @@ def _fixing_rows(system: System, state: State, centre: Array, extent: float) -> 
             continue
         for position in row.carries:
             held = position not in row.free
-            scaled |= is_length(row.model.parameters[position].unit) and held and state.interior[r, position] != 0
+            scaled |= row.model.parameters[position].is_length and held and state.interior[r, position] != 0
         scaled |= row.model.fixes_scale
     if scaled:
         rows.append(np.eye(7)[6:])

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from raybundle.adjustment.assemble import State, System
-from raybundle.adjustment.datum import Datum, is_length, node_generators, point_generators
+from raybundle.adjustment.datum import Datum, node_generators, point_generators
 from raybundle.adjustment.normals import Normals
 from raybundle.numerics.arrays import Array
 
@@ -115,7 +115,7 @@ def fit_to_given(system: System, state: State, given: State, datum: Datum) -> St
         }
         for r, row in enumerate(system.interior):
             for position in row.free:
-                if is_length(row.model.parameters[position].unit):
+                if row.model.parameters[position].is_length:
                     new.interior[r, position] *= scale
         system.share(new)
         if np.abs(step).max() < 1e-13:

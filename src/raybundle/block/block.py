@@ -7,23 +7,25 @@ x right, y down).  Everything is frozen; `dataclasses.replace` makes a changed c
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import IntEnum
-from typing import Any, Literal, TypeVar
+from typing import Any, ClassVar, Literal, TypeVar
 
 import numpy as np
 
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.counting import counted
 from raybundle.numerics.places import Place
+from raybundle.numerics.records import Records, Refers, Stuck, column
 from raybundle.numerics.rotation import angles_from_rotation
+from raybundle.numerics.transform import SimilarityTransform, kept_after
 from raybundle.observations.attitude import Attitudes
 from raybundle.observations.distance import Distances
 from raybundle.observations.parameter import Calibrated
 from raybundle.observations.relation import Relation
 from raybundle.observations.station import Stations
-from raybundle.observations.table import Refers, Table
+from raybundle.observations.table import Table
 from raybundle.platforms import InstrumentModel, instrument_models, sensor_models
 from raybundle.sensors import SensorModel
 
@@ -146,31 +148,30 @@ class PixelFrame:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Images:
+class Images(Records):
     """Exterior orientations; NaN where not known."""
 
-    ids: tuple[str, ...]
-    camera: Index
+    named_by: ClassVar[tuple[str, ...]] = ("ids",)
+
+    ids: tuple[str, ...] = column("text")
+    camera: Index = column("camera")
     """(n,) position in `Block.cameras`."""
-    file: tuple[str, ...]
-    centre: Array
+    file: tuple[str, ...] = column("text")
+    centre: Array = column("number", shape=(3,), follows="position", approximate="orientation")
     """(n, 3) projection centres."""
-    rotation: Array
+    rotation: Array = column("number", shape=(3, 3), follows="rotation", approximate="orientation")
     """(n, 3, 3) object axes to image axes."""
-    held: Mask | None = None
+    held: Mask | None = column("mask", optional=True)
     """(n,) True where the exterior orientation is known and held; None: nowhere."""
-    interior: Mapping[int, Mapping[str, float]] = field(default_factory=dict[int, Mapping[str, float]])
+    interior: Mapping[int, Mapping[str, float]] = column("by row")
     """Parameters of single images, where a camera has some "per_image" and they are known."""
-    station: Index | None = None
+    station: Index | None = column("station", optional=True)
     """(n,) number of the station whose exterior orientation an image shares with others of a rig; None: each its own.
 
     Images of one station have the same centre and rotation: those of the rig, in whose frame a mounted camera stands.
     """
-    frames: Mapping[int, PixelFrame] = field(default_factory=dict[int, PixelFrame])
+    frames: Mapping[int, PixelFrame] = column("by row")
     """Images whose files are stored turned or reduced; image points are in the camera's pixels all the same."""
-
-    def __len__(self) -> int:
-        return len(self.ids)
 
     @property
     def oriented(self) -> Mask:
@@ -184,36 +185,40 @@ class Images:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Observations:
+class Observations(Records):
     """Image observations, one row per measured image point."""
 
-    image: Index
-    """(m,) position in `Block.images`."""
-    point: Index
-    """(m,) position in `Block.points`."""
-    xy_px: Array
-    """(m, 2) pixel frame."""
-    cov_px2: Array
-    """(m, 3) variances of x and y and their covariance [px^2]."""
+    named_by: ClassVar[tuple[str, ...]] = ("image", "point")
 
-    def __len__(self) -> int:
-        return len(self.image)
+    image: Index = column("image")
+    """(m,) position in `Block.images`."""
+    point: Index = column("point")
+    """(m,) position in `Block.points`."""
+    xy_px: Array = column("number", shape=(2,), follows="stays")
+    """(m, 2) pixel frame."""
+    cov_px2: Array = column("number", shape=(3,), follows="stays")
+    """(m, 3) variances of x and y and their covariance [px^2]."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Points:
+class Points(Records):
     """Object points."""
 
-    ids: tuple[str, ...]
-    role: Index
+    named_by: ClassVar[tuple[str, ...]] = ("ids",)
+
+    ids: tuple[str, ...] = column("text")
+    role: Index = column("choice")
     """(p,) `Role`."""
-    xyz: Array
+    xyz: Array = column("number", shape=(3,), follows="position", approximate="coordinates")
     """(p, 3) given or approximate coordinates; NaN where not known."""
-    sigma: Array
+    sigma: Array = column("number", shape=(3,), follows="deviations")
     """(p, 3) 0 = held, > 0 = observed with this sigma, NaN = only approximate."""
 
-    def __len__(self) -> int:
-        return len(self.ids)
+    def stuck(self, by: SimilarityTransform) -> Sequence[Stuck]:
+        """As of all tables; of coordinates, those that are given to be checked."""
+        given = np.where(self.is_check, 0.0, np.nan)
+        reason = "a coordinate is not given that a rotation mixes with those given"
+        return [*Records.stuck(self, by), Stuck(~kept_after(by.rotation, given, alone=True), reason)]
 
     @property
     def is_control(self) -> Mask:
@@ -285,6 +290,21 @@ class Block:
         """The block with these tables in place of those of the same kinds."""
         new = {**self.tables, **{t.name: t for t in tables}}
         return replace(self, tables={name: t for name, t in new.items() if len(t)})
+
+    def adding(self, *tables: Table) -> Block:
+        """The block with the rows of these tables behind those that it has."""
+        return self.having(*(self.table(type(t)).append(t) for t in tables))
+
+    def row_names(self, table: Table) -> Callable[[int], str]:
+        """What rows of a table are called in messages: number in the file and what they name."""
+        ids = {"point": self.points.ids, "image": self.images.ids, "text": None}
+        shown = [(c.of, getattr(table, name)) for name, c in table.columns() if c.of in ids]
+
+        def called(k: int) -> str:
+            names = [v[k] if of == "text" else f"{of} {(ids[of] or ())[int(v[k])]}" for of, v in shown]
+            return f"{table.name}.csv, row {k + 1} ({', '.join(dict.fromkeys(names))})"
+
+        return called
 
     def of_tables(self, change: Callable[[Table], Table]) -> Block:
         """The block with all its tables changed."""

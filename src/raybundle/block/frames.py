@@ -13,7 +13,8 @@ from typing import Literal
 
 import numpy as np
 
-from raybundle.block.block import Block, Camera, Images, Observations, PixelFrame, Turn
+from raybundle.block.block import Block, Camera, Images, PixelFrame, Turn
+from raybundle.block.select import selected
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
 
@@ -95,7 +96,8 @@ def joined(block: Block, other: int, camera: int, turned: Turn) -> Block:
     of_image = block.images.camera.copy()
     of_image[mine] = camera
     moved = _moved(block, {int(i): (one, frame) for i in mine}, "to the camera")
-    return _without_camera(replace(moved, images=replace(moved.images, camera=of_image, frames=frames)), other)
+    moved = replace(moved, images=replace(moved.images, camera=of_image, frames=frames))
+    return selected(moved, "camera", np.arange(len(block.cameras)) != other)
 
 
 def stored_turned(block: Block, images: Index, turned: Turn) -> Block:
@@ -110,17 +112,6 @@ def stored_turned(block: Block, images: Index, turned: Turn) -> Block:
     moved = _moved(block, which, "to the camera")
     frames = {**block.images.frames, **{i: frame for i, (_, frame) in which.items()}}
     return replace(moved, images=replace(moved.images, frames=frames))
-
-
-def _without_camera(block: Block, gone: int) -> Block:
-    """The block without a camera that has no images."""
-    left = np.arange(len(block.cameras))
-    new: Index = np.where(left == gone, -1, left - (left > gone)).astype(np.int32)
-    return replace(
-        block,
-        cameras=tuple(c for k, c in enumerate(block.cameras) if k != gone),
-        images=replace(block.images, camera=new[block.images.camera]),
-    )
 
 
 def _moved(block: Block, which: Mapping[int, tuple[Camera, PixelFrame]], direction: Direction) -> Block:
@@ -146,8 +137,7 @@ def _moved(block: Block, which: Mapping[int, tuple[Camera, PixelFrame]], directi
         turn = np.eye(3)
         turn[:2, :2] = turn_matrix(frame.turned)
         R[i] = (turn.T if back else turn) @ R[i]
-    moved = Observations(image=o.image, point=o.point, xy_px=xy, cov_px2=cov)
-    return replace(block, observations=moved, images=replace(block.images, rotation=R))
+    return replace(block, observations=replace(o, xy_px=xy, cov_px2=cov), images=replace(block.images, rotation=R))
 
 
 def in_file_frames(block: Block) -> Block:

@@ -3,11 +3,36 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Literal
 
 import numpy as np
 
 from raybundle.block.block import Block, Role
-from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.arrays import Index, Mask
+from raybundle.numerics.records import positions, taken
+
+
+def selected(block: Block, what: Literal["point", "image", "camera", "instrument"], which: Mask | Index) -> Block:
+    """The block with some of its object points, images, cameras or instruments only.
+
+    which  mask (k,), or positions (j,), each once, in the order that is wished
+    Rows that name one that leaves go with it, and the images of a camera; `rejected`, which names by ids, stays.
+    """
+    count = len(getattr(block, f"{what}s"))
+    at = positions(which)
+    new: Index = np.full(count, -1, np.int32)
+    new[at] = np.arange(len(at))
+    if what == "camera":
+        there: Mask = new[block.images.camera] >= 0
+        rest = block if there.all() else selected(block, "image", there)
+        return replace(rest, cameras=taken(rest.cameras, at), images=rest.images.renumbered("camera", new))
+    if what == "instrument":
+        found = replace(block, instruments=taken(block.instruments, at))
+    elif what == "image":
+        found = replace(block, images=block.images.rows(at), observations=block.observations.renumbered("image", new))
+    else:
+        found = replace(block, points=block.points.rows(at), observations=block.observations.renumbered("point", new))
+    return found.of_tables(lambda t: t.renumbered(what, new))
 
 
 def with_rows(block: Block, keep: Mask) -> Block:
@@ -15,33 +40,13 @@ def with_rows(block: Block, keep: Mask) -> Block:
 
     Control points, check points and points that other observations name stay, images stay.
     """
-    o = block.observations
-    seen = np.bincount(o.point[keep], minlength=len(block.points)) > 0
-    seen |= np.asarray(block.points.role) != Role.TIE
-    for t in block.tables.values():
-        seen[t.refers("point")] = True
-    rows = replace(o, image=o.image[keep], point=o.point[keep], xy_px=o.xy_px[keep], cov_px2=o.cov_px2[keep])
-    return with_points(replace(block, observations=rows), seen)
+    return selected(replace(block, observations=block.observations.rows(keep)), "point", points_left(block, keep))
 
 
-def with_points(block: Block, keep: Mask) -> Block:
-    """The block with these object points (p,) only, which are all that its image observations name.
-
-    Other observations of points that leave go with them.
-    """
-    new: Index = np.where(keep, np.cumsum(keep) - 1, -1).astype(np.int32)
-    p = block.points
-    return replace(
-        block,
-        observations=replace(block.observations, point=new[block.observations.point]),
-        points=replace(
-            p,
-            ids=tuple(name for name, k in zip(p.ids, keep, strict=True) if k),
-            role=p.role[keep],
-            xyz=p.xyz[keep],
-            sigma=p.sigma[keep],
-        ),
-    ).of_tables(lambda t: t.renumbered("point", new))
+def points_left(block: Block, keep: Mask) -> Mask:
+    """(p,) object points that `with_rows` leaves in the block."""
+    seen = np.bincount(block.observations.point[keep], minlength=len(block.points)) > 0
+    return seen | (np.asarray(block.points.role) != Role.TIE) | block.points_named
 
 
 def without_images(block: Block, out: Mask) -> Block:
@@ -63,13 +68,3 @@ def without_images(block: Block, out: Mask) -> Block:
     )
     left: Index = np.where(out, -1, np.arange(len(out))).astype(np.int32)
     return replace(thin, images=images).of_tables(lambda t: t.renumbered("image", left))
-
-
-def transformed(block: Block, scale: float, R: Array, t: Array) -> Block:
-    """The block after X -> scale R X + t: coordinates of points and centres, rotations; control, too."""
-    images, points = block.images, block.points
-    return replace(
-        block,
-        images=replace(images, centre=scale * images.centre @ R.T + t, rotation=images.rotation @ R.T),
-        points=replace(points, xyz=scale * points.xyz @ R.T + t),
-    )

@@ -73,7 +73,7 @@ def command(photos: tuple[Path, ...], out: Path, progress: str, **given: Any) ->
 def _lines(done: Orientation, settings: OrientSettings) -> list[str]:
     """What the command prints."""
     from raybundle.report.text.summary import summary_lines  # noqa: PLC0415
-    from raybundle.workflows.orient import part_folder  # noqa: PLC0415
+    from raybundle.workflows.orient import component_folder  # noqa: PLC0415
 
     result = settings.out / "result"
     told = [f" {_oriented(done)}"] if done.photos or not done.scenes else []
@@ -82,9 +82,9 @@ def _lines(done: Orientation, settings: OrientSettings) -> list[str]:
     told += [f"   {name}: {reason}" for name, reason in (*done.refused, *done.not_oriented)]
     if done.oriented < len(done.photos) and settings.features == "rootsift":
         told.append("   --features xfeat matches photographs from farther apart (pip install 'raybundle[learned]')")
-    for k, part in enumerate(done.parts):
+    for k, part in enumerate(done.other_components):
         n = counted(len(part.photographs), "photograph")
-        told.append(f"   {n} in a part of its own: {settings.out / part_folder(k)}")
+        told.append(f"   {n} in a part of its own: {settings.out / component_folder(k)}")
     told += summary_lines(done.adjustment)
     told.append(f" image points: sigma {done.sigma_px:.3f} px (rms of a coordinate, from the residuals)")
     pages = f", report: {result / 'report.html'}, in 3D: {result / 'network.html'}" if settings.report else ""
@@ -94,8 +94,8 @@ def _lines(done: Orientation, settings: OrientSettings) -> list[str]:
 def _oriented(done: Orientation) -> str:
     """How many photographs are oriented, and where, in words."""
     whole = counted(len(done.photos), "photograph")
-    apart = sum(len(set(part.photographs) - {n for n, _ in done.not_oriented}) for part in done.parts)
+    apart = sum(len(set(part.photographs) - {n for n, _ in done.not_oriented}) for part in done.other_components)
     if not apart:
         return f"{done.oriented} of {whole} oriented"
-    others = f"{len(done.parts)} others" if len(done.parts) > 1 else "another"
+    others = f"{len(done.other_components)} others" if len(done.other_components) > 1 else "another"
     return f"{done.oriented - apart} of {whole} oriented in this result, {apart} in {others}"

@@ -259,16 +259,16 @@ def write_orientation(
     settings  what was asked for beside the defaults, for the report
     """
     from raybundle.report.write import write_result  # noqa: PLC0415
-    from raybundle.workflows.orient import part_folder  # noqa: PLC0415
+    from raybundle.workflows.orient import component_folder  # noqa: PLC0415
 
     facts = replace(facts_of(done), settings=tuple((settings or {}).items()))
     write_result(
         done.adjustment, result, report=report, additions=done.additions(), photographs=facts, frame=done.frame,
         progress=progress,
     )  # fmt: skip
-    for k, part in enumerate(done.parts):
-        write_result(part.adjustment, result.parent / part_folder(k), report=report, progress=progress)
-    _remove_older(result.parent, len(done.parts))
+    for k, part in enumerate(done.other_components):
+        write_result(part.adjustment, result.parent / component_folder(k), report=report, progress=progress)
+    _remove_older(result.parent, len(done.other_components))
 
 
 def facts_of(done: Orientation) -> PhotographFacts:
@@ -300,9 +300,9 @@ def _remove_older(project: Path, parts: int) -> None:
     import shutil  # noqa: PLC0415
 
     from raybundle.results.folder import check_target  # noqa: PLC0415
-    from raybundle.workflows.orient import part_folder  # noqa: PLC0415
+    from raybundle.workflows.orient import component_folder  # noqa: PLC0415
 
-    older = project / part_folder(parts)
+    older = project / component_folder(parts)
     while older.is_dir():
         try:
             check_target(older)
@@ -310,4 +310,4 @@ def _remove_older(project: Path, parts: int) -> None:
             return
         shutil.rmtree(older)
         parts += 1
-        older = project / part_folder(parts)
+        older = project / component_folder(parts)

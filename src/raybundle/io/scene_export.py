@@ -106,7 +106,7 @@ def without_scenes(block: Block) -> Block:
             centre=np.where(scenes[:, None], np.nan, block.images.centre),
             rotation=np.where(scenes[:, None, None], np.nan, block.images.rotation),
         ),
-        observations=replace(o, image=o.image[keep], point=o.point[keep], xy_px=o.xy_px[keep], cov_px2=o.cov_px2[keep]),
+        observations=o.rows(keep),
     )
 
 

@@ -8,15 +8,16 @@ from typing import TypeVar
 
 import numpy as np
 
-from raybundle.block import Block, Distances, Role
-from raybundle.block.select import transformed, with_points
+from raybundle.block import Block, Distances, Observations, Points, Role
+from raybundle.block.select import selected
+from raybundle.block.transform import transform_block
 from raybundle.errors import InputError
 from raybundle.io.block.folder import ROLES
 from raybundle.io.reading.words import quoted
 from raybundle.measuring.frames import in_camera
 from raybundle.measuring.state import Axes, State
 from raybundle.numerics.arrays import Array
-from raybundle.numerics.transform import similarity
+from raybundle.numerics.transform import SimilarityTransform, similarity
 from raybundle.observations.alignment import Lines, OnFigure, PlumbLines
 from raybundle.observations.coordinates import Coordinates
 from raybundle.orientation.absolute import partial_similarity
@@ -98,24 +99,18 @@ def _with_marks(block: Block, state: State) -> Block:
     total = len(p) + n
     key = np.asarray(o.image, np.int64) * total + o.point
     marked = np.array([i * total + k for i, k in rows], np.int64)
-    keep = ~np.isin(key, marked)
-    by_hand = np.array(rows, np.int32).reshape(-1, 2)
+    by_hand, none = np.array(rows, np.int32).reshape(-1, 2), np.full((n, 3), np.nan)
     return replace(
         block,
-        observations=replace(
-            o,
-            image=np.concatenate([o.image[keep], by_hand[:, 0]]).astype(np.int32),
-            point=np.concatenate([o.point[keep], by_hand[:, 1]]).astype(np.int32),
-            xy_px=np.concatenate([o.xy_px[keep], np.array(places).reshape(-1, 2)]),
-            cov_px2=np.concatenate([o.cov_px2[keep], np.array(covariances).reshape(-1, 3)]),
+        observations=o.rows(~np.isin(key, marked)).append(
+            Observations(
+                image=by_hand[:, 0],
+                point=by_hand[:, 1],
+                xy_px=np.array(places, float).reshape(-1, 2),
+                cov_px2=np.array(covariances, float).reshape(-1, 3),
+            )
         ),
-        points=replace(
-            p,
-            ids=(*p.ids, *fresh),
-            role=np.concatenate([p.role, np.full(n, Role.TIE)]).astype(np.int32),
-            xyz=np.concatenate([p.xyz, np.full((n, 3), np.nan)]),
-            sigma=np.concatenate([p.sigma, np.full((n, 3), np.nan)]),
-        ),
+        points=p.append(Points(ids=tuple(fresh), role=np.full(n, Role.TIE, np.int32), xyz=none, sigma=none)),
         rejected=tuple(r for r in block.rejected if r not in state.marks),
     )
 
@@ -129,7 +124,7 @@ def _met(block: Block, which: Sequence[int]) -> Array:
     rows = rows[~scenes[block.images.camera[o.image[rows]]]]
     if not len(rows):
         return xyz
-    part = replace(o, image=o.image[rows], point=o.point[rows], xy_px=o.xy_px[rows], cov_px2=o.cov_px2[rows])
+    part = o.rows(rows)
     rays = rays_of(replace(block, observations=part))
     direction = object_rays(block.images.rotation[part.image], rays.direction)
     number, index = np.unique(part.point, return_inverse=True)
@@ -149,7 +144,8 @@ def _placed(block: Block, state: State, places: Array, *, free: bool) -> tuple[B
     if change is None:
         return block, places
     s, R, t = change
-    return replace(transformed(block, s, R, t), free_scale=False), s * places @ R.T + t
+    by = SimilarityTransform(scale=s, rotation=R, translation=t)
+    return replace(transform_block(block, by, observed="stay"), free_scale=False), by.points(places)
 
 
 def _to_control(block: Block, state: State, places: Array) -> tuple[float, Array, Array] | None:
@@ -218,8 +214,7 @@ def _without_thin(block: Block, state: State) -> tuple[Block, dict[str, str]]:
     if not gone.any():
         return block, out
     o, keep = block.observations, ~gone[block.observations.point]
-    rows = replace(o, image=o.image[keep], point=o.point[keep], xy_px=o.xy_px[keep], cov_px2=o.cov_px2[keep])
-    return with_points(replace(block, observations=rows), ~gone), out
+    return selected(replace(block, observations=o.rows(keep)), "point", ~gone), out
 
 
 def _with_tables(block: Block, state: State, out: dict[str, str]) -> Block:
@@ -233,7 +228,7 @@ def _with_tables(block: Block, state: State, out: dict[str, str]) -> Block:
         length=np.array([b.length for b in bars.values()], float),
         sigma=np.array([b.sigma for b in bars.values()], float),
     )  # fmt: skip
-    made = block.having(Distances.joined([d.rows(old), added]))
+    made = block.having(d.rows(old).append(added))
     straight = _lines(made, state, "straight", Lines, index, out)
     return made.having(straight, _lines(made, state, "plumb", PlumbLines, index, out))
 
@@ -248,7 +243,7 @@ def _lines(block: Block, state: State, kind: str, table: type[F], index: Mapping
         figure=tuple(r[0] for r in rows), point=np.array([r[1] for r in rows], np.int32),
         sigma=np.array([r[2] for r in rows], float),
     )  # fmt: skip
-    return table.joined([kept, fresh])
+    return kept.append(fresh)
 
 
 def _there(points: Sequence[str], name: str, index: Mapping[str, int], out: dict[str, str]) -> bool:
@@ -298,7 +293,7 @@ def _in_axes(block: Block, axes: Axes) -> Block:
     xyz = np.array([block.points.xyz[k] if k >= 0 else np.full(3, np.nan) for k in at])
     check_axes(axes.points, xyz)
     R, t = axes_frame(xyz)
-    moved = transformed(block, 1.0, R, t)
+    moved = transform_block(block, SimilarityTransform(rotation=R, translation=t), observed="stay")
     p = moved.points
     role, new, sigma = np.array(p.role), np.array(p.xyz), np.array(p.sigma)
     for k, held in zip(at, ((0, 1, 2), (1, 2), (2,)), strict=True):

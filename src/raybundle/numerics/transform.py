@@ -2,24 +2,86 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.numerics.arrays import Array
+from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.rotation import cross_matrix
+
+COUPLED = 1e-12
+"""Entries of a rotation below which two axes do not touch: products of rotations leave such remains of zeros."""
+CORRELATED = 1e-9
+"""Correlation of two coordinates above which standard deviations alone do not say what is known of them."""
+TILTED = 1e-9
+"""Angle between the verticals before and after [rad] from which what is upright is so no longer: 1 um in 1 km."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Similarity:
-    """target = scale * rotation @ source + translation."""
+class SimilarityTransform:
+    """X -> scale * rotation @ X + translation."""
 
-    scale: float
-    rotation: Array
+    scale: float = 1.0
+    """Larger than 0"""
+    rotation: Array = field(default_factory=lambda: np.eye(3))
     """(3, 3)"""
-    translation: Array
+    translation: Array = field(default_factory=lambda: np.zeros(3))
     """(3,)"""
+
+    @property
+    def inverse(self) -> SimilarityTransform:
+        """The way back."""
+        R = self.rotation.T
+        return SimilarityTransform(scale=1 / self.scale, rotation=R, translation=-(R @ self.translation) / self.scale)
+
+    @property
+    def is_identity(self) -> bool:
+        """Whether nothing moves."""
+        return bool(self.scale == 1 and (self.rotation == np.eye(3)).all() and (self.translation == 0).all())
+
+    @property
+    def tilts(self) -> bool:
+        """Whether what is vertical is so no longer."""
+        return bool(np.linalg.norm(self.rotation[:, 2] - [0, 0, 1]) > TILTED)
+
+    @property
+    def turns(self) -> bool:
+        """Whether one of the axes gets another direction."""
+        return bool(np.abs(self.rotation - np.eye(3)).max() > COUPLED)
+
+    def points(self, xyz: Array) -> Array:
+        """Transformed points (..., 3); NaN where a coordinate that is asked for is not known."""
+        return self.vectors(xyz) + self.translation
+
+    def vectors(self, d: Array) -> Array:
+        """Transformed differences of points (..., 3); NaN where a component that is asked for is not known."""
+        d = np.asarray(d, float)
+        moved = self.scale * d @ self.rotation.T
+        part = np.isnan(d).any(axis=-1) & ~np.isnan(d).all(axis=-1)
+        if part.any():
+            there = _known_after(self.rotation, ~np.isnan(d[part]))
+            rest = self.scale * np.nan_to_num(d[part]) @ _without_remains(self.rotation).T
+            moved[part] = np.where(there, rest, np.nan)
+        return moved
+
+    def covariances(self, covariance: Array) -> Array:
+        """Transformed covariances (..., 3, 3) of points; the transform itself counts as free of error."""
+        return self.scale**2 * self.rotation @ covariance @ self.rotation.T
+
+    def deviations(self, sigma: Array) -> Array:
+        """Transformed standard deviations (k, 3) of uncorrelated coordinates, NaN where not known; see `kept_after`."""
+        return self.scale * deviations_after(self.rotation, sigma)
+
+    def rotations(self, sensor_from_source: Array) -> Array:
+        """Rotations (..., 3, 3) from target axes to image axes."""
+        return sensor_from_source @ self.rotation.T
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Similarity(SimilarityTransform):
+    """target = scale * rotation @ source + translation, as it was fitted."""
+
     residuals: Array
     """(n, 3) transformed source - target"""
     sigma0: float
@@ -27,17 +89,39 @@ class Similarity:
     covariance: Array
     """(7, 7) of translation of the centroid, rotation vector, scale; a-posteriori, isotropic target errors"""
 
-    def points(self, xyz: Array) -> Array:
-        """Transformed points (..., 3)."""
-        return self.scale * np.asarray(xyz) @ self.rotation.T + self.translation
 
-    def covariances(self, covariance: Array) -> Array:
-        """Transformed covariances (..., 3, 3) of points; the transform itself counts as free of error."""
-        return self.scale**2 * self.rotation @ covariance @ self.rotation.T
+def deviations_after(by: Array, sigma: Array) -> Array:
+    """Standard deviations (k, 3) of x' = by x, those of the uncorrelated x being sigma (k, 3), NaN where not known.
 
-    def rotations(self, sensor_from_source: Array) -> Array:
-        """Rotations (..., 3, 3) from target axes to image axes."""
-        return sensor_from_source @ self.rotation.T
+    by  (3, 3), or (k, 3, 3) of each row
+    NaN where x' needs what is not known.  Correlations of x' are lost: `kept_after` tells where there are none.
+    """
+    new = np.sqrt(np.einsum("...ij,...j->...i", _without_remains(by) ** 2, np.nan_to_num(sigma) ** 2))
+    return np.where(_known_after(by, ~np.isnan(sigma)), new, np.nan)
+
+
+def kept_after(by: Array, sigma: Array, *, alone: bool = False) -> Mask:
+    """(k,) whether standard deviations of x' = by x say all that is known of the uncorrelated x, sigma as above.
+
+    alone  sigma tells by its NaN alone what is known; x' may be correlated
+    """
+    known, A = ~np.isnan(sigma), _without_remains(by)
+    lost = known & ((A != 0) & ~_known_after(by, known)[..., :, None]).any(axis=-2)
+    if alone:
+        return ~lost.any(axis=-1)
+    C = (A * np.nan_to_num(sigma)[..., None, :] ** 2) @ np.swapaxes(A, -1, -2)
+    size = np.sqrt(np.diagonal(C, axis1=-2, axis2=-1))
+    off = np.abs(C) > CORRELATED * size[..., :, None] * size[..., None, :]
+    return ~lost.any(axis=-1) & ~(off & ~np.eye(3, dtype=bool)).any(axis=(-1, -2))
+
+
+def _without_remains(by: Array) -> Array:
+    return np.where(np.abs(by) > COUPLED, by, 0.0)
+
+
+def _known_after(by: Array, known: Mask) -> Mask:
+    """(k, 3) coordinates after that need none before that is not known (k, 3)."""
+    return np.asarray(~((np.abs(by) > COUPLED) & ~known[..., None, :]).any(axis=-1))
 
 
 def similarity(source: Array, target: Array, weights: Array | None = None, *, scale: float | None = None) -> Similarity:

@@ -23,6 +23,8 @@ from raybundle.observations.table import Table, cells
 class OnFigure(Table):
     """Points on figures of one kind; the figures are known by their names alone."""
 
+    named_by: ClassVar[tuple[str, ...]] = ("figure", "point")
+
     figure: tuple[str, ...]
     point: Index
     sigma: Array
@@ -36,7 +38,7 @@ class Planes(OnFigure):
     name: ClassVar[str] = "planes"
     figure: tuple[str, ...] = cells("text", "plane")
     point: Index = cells("point", "point")
-    sigma: Array = cells("number", "sigma", limit="> 0")
+    sigma: Array = cells("number", "sigma", follows="length", limit="> 0")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -46,7 +48,7 @@ class Lines(OnFigure):
     name: ClassVar[str] = "lines"
     figure: tuple[str, ...] = cells("text", "line")
     point: Index = cells("point", "point")
-    sigma: Array = cells("number", "sigma", limit="> 0")
+    sigma: Array = cells("number", "sigma", follows="length", limit="> 0")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -54,9 +56,10 @@ class PlumbLines(OnFigure):
     """Points on vertical lines; Z is up."""
 
     name: ClassVar[str] = "plumb_lines"
+    upright: ClassVar[bool] = True
     figure: tuple[str, ...] = cells("text", "plumb_line")
     point: Index = cells("point", "point")
-    sigma: Array = cells("number", "sigma", limit="> 0")
+    sigma: Array = cells("number", "sigma", follows="length", limit="> 0")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -64,9 +67,10 @@ class Levels(OnFigure):
     """Points at common heights; Z is up."""
 
     name: ClassVar[str] = "levels"
+    upright: ClassVar[bool] = True
     figure: tuple[str, ...] = cells("text", "level")
     point: Index = cells("point", "point")
-    sigma: Array = cells("number", "sigma", limit="> 0")
+    sigma: Array = cells("number", "sigma", follows="length", limit="> 0")
 
 
 class _Alignment(ObservationKind, registered=False):

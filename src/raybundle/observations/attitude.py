@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import ClassVar
 
 import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
-from raybundle.numerics.rotation import angle_derivatives, angles_from_rotation
+from raybundle.numerics.records import Stuck
+from raybundle.numerics.rotation import angle_derivatives, angles_from_rotation, rotation_from_angles
+from raybundle.numerics.transform import SimilarityTransform, deviations_after, kept_after
 from raybundle.observations.kind import Named, ObservationKind, Observed, Rows, Scope, Values, partials
 from raybundle.observations.table import Table, Wrong, again, cells
 from raybundle.platforms.imu import told
@@ -24,14 +26,45 @@ class Attitudes(Table):
     """Observed rotations of images (INS)."""
 
     name: ClassVar[str] = "attitudes"
+    named_by: ClassVar[tuple[str, ...]] = ("image",)
 
     image: Index = cells("image", "image")
-    angles: Array = cells("number", "omega_deg", "phi_deg", "kappa_deg", unit="deg")
+    angles: Array = cells("number", "omega_deg", "phi_deg", "kappa_deg", unit="deg", follows="stays")
     """(k, 3) omega, phi, kappa [rad] as the IMU tells them."""
-    sigma: Array = cells("number", "somega_deg", "sphi_deg", "skappa_deg", unit="deg", empty=True, limit="> 0")
+    sigma: Array = cells(
+        "number", "somega_deg", "sphi_deg", "skappa_deg", unit="deg", follows="stays", empty=True, limit="> 0"
+    )
     """(k, 3) [rad]; NaN where an angle was not observed."""
     imu: Index | None = cells("instrument", "imu", model="imu", empty=True, optional=True)
     """(k,) position in `Block.instruments` of the IMU with its misalignment, -1 or None: the image's own rotation."""
+
+    def stuck(self, by: SimilarityTransform) -> Sequence[Stuck]:
+        if not by.turns:
+            return []
+        angles, J = self._turned(by)
+        steep = ~(np.cos(angles[:, 1]) > STEEP) & np.isfinite(angles[:, 1])
+        mixed = ~kept_after(J, self.sigma) & ~steep
+        return [
+            Stuck(steep, "phi would be near a right angle, where omega and kappa turn about the same axis"),
+            Stuck(mixed, "its angles would be correlated, which standard deviations alone cannot say"),
+        ]
+
+    def _followed(self, by: SimilarityTransform) -> Attitudes:
+        if not by.turns:
+            return self
+        angles, J = self._turned(by)
+        return replace(self, angles=angles, sigma=deviations_after(J, self.sigma))
+
+    def _turned(self, by: SimilarityTransform) -> tuple[Array, Array]:
+        """Angles (k, 3) after, and how small changes of them follow from those of the angles before (k, 3, 3)."""
+        old = rotation_from_angles(self.angles)
+        new = by.rotations(old)
+        found = np.broadcast_to(np.eye(3), old.shape).copy()
+        good = np.isfinite(old).all(axis=(1, 2))
+        good &= (np.hypot(old[:, 0, 0], old[:, 1, 0]) > STEEP) & (np.hypot(new[:, 0, 0], new[:, 1, 0]) > STEEP)
+        # a small rotation about the image's own axes is the same in both frames
+        found[good] = angle_derivatives(new[good]) @ np.linalg.inv(angle_derivatives(old[good]))
+        return angles_from_rotation(new), found
 
     def wrong(self) -> Sequence[Wrong]:
         blind: Mask = np.asarray(np.isnan(self.sigma).all(axis=1), bool)

@@ -26,13 +26,16 @@ class Coordinates(Table):
     """A row for each point of a network, and one for each pair of its points that are correlated."""
 
     name: ClassVar[str] = "coordinates"
+    named_by: ClassVar[tuple[str, ...]] = ("network", "point", "other")
     network: tuple[str, ...] = cells("text", "network")
     point: Index = cells("point", "point")
     other: Index = cells("point", "other")
     """The point itself where coordinates and their own covariance stand, or one that it is correlated with"""
-    xyz: Array = cells("number", "X", "Y", "Z", empty=True)
+    xyz: Array = cells("number", "X", "Y", "Z", follows="position", empty=True)
     """(k, 3) [length unit]; NaN in rows of pairs"""
-    covariance: Array = cells("number", "cXX", "cXY", "cXZ", "cYX", "cYY", "cYZ", "cZX", "cZY", "cZZ")
+    covariance: Array = cells(
+        "number", "cXX", "cXY", "cXZ", "cYX", "cYY", "cYZ", "cZX", "cZY", "cZZ", follows="covariance"
+    )
     """(k, 9) of X, Y, Z of the point (rows) with X, Y, Z of the other (columns) [length unit^2]"""
 
     @property

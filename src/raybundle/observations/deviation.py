@@ -24,9 +24,10 @@ class Deviations(Table):
     """How far parameters of single images are from what their camera's images have on average."""
 
     name: ClassVar[str] = "deviations"
+    named_by: ClassVar[tuple[str, ...]] = ("image", "parameter")
     image: Index = cells("image", "image")
     parameter: tuple[str, ...] = cells("text", "parameter")
-    sigma: Array = cells("number", "sigma", limit="> 0")
+    sigma: Array = cells("number", "sigma", follows="stays", limit="> 0")
     """(k,) of one image's value [unit of the parameter]"""
 
     def wrong(self) -> Sequence[Wrong]:

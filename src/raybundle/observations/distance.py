@@ -22,8 +22,8 @@ class Distances(Table):
 
     start: Index = cells("point", "from")
     end: Index = cells("point", "to")
-    length: Array = cells("number", "length", limit="> 0")
-    sigma: Array = cells("number", "sigma", limit="> 0")
+    length: Array = cells("number", "length", follows="length", limit="> 0")
+    sigma: Array = cells("number", "sigma", follows="length", limit="> 0")
 
     def wrong(self) -> Sequence[Wrong]:
         return [Wrong(self.start == self.end, "to", lambda _: "a distance needs two different points")]

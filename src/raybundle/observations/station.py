@@ -20,17 +20,18 @@ class Stations(Table):
     """Observed projection centres (GNSS)."""
 
     name: ClassVar[str] = "stations"
+    named_by: ClassVar[tuple[str, ...]] = ("image",)
 
     image: Index = cells("image", "image")
-    xyz: Array = cells("number", "X", "Y", "Z", empty=True)
+    xyz: Array = cells("number", "X", "Y", "Z", follows="position", empty=True)
     """(k, 3); NaN where a coordinate was not observed."""
-    sigma: Array = cells("number", "sX", "sY", "sZ", empty=True, limit="> 0")
+    sigma: Array = cells("number", "sX", "sY", "sZ", follows="deviations", empty=True, limit="> 0")
     """(k, 3)"""
     antenna: Index | None = cells("instrument", "antenna", model="antenna", empty=True, optional=True)
     """(k,) position in `Block.instruments` of the antenna that was observed, -1 or None: the projection centre."""
-    time: Array | None = cells("number", "time_s", empty=True, optional=True, fill=0.0)
+    time: Array | None = cells("number", "time_s", follows="stays", empty=True, optional=True, fill=0.0)
     """(k,) [s] for an antenna's drift; None: zero."""
-    velocity: Array | None = cells("number", "vX", "vY", "vZ", empty=True, optional=True)
+    velocity: Array | None = cells("number", "vX", "vY", "vZ", follows="vector", empty=True, optional=True)
     """(k, 3) of the image [length unit / s], for an antenna's time offset; None or NaN: by the positions around it."""
 
     def wrong(self) -> Sequence[Wrong]:

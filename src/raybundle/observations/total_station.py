@@ -16,6 +16,8 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.records import Stuck
+from raybundle.numerics.transform import SimilarityTransform
 from raybundle.observations.kind import Named, ObservationKind, Observed, Partials, Rows, Scope, Values, partials
 from raybundle.observations.table import Table, Wrong, cells
 
@@ -36,12 +38,13 @@ class Directions(Sights):
     """Horizontal directions; those of a set have one orientation, which is unknown."""
 
     name: ClassVar[str] = "directions"
+    upright: ClassVar[bool] = True
     set: tuple[str, ...] = cells("text", "set")
     station: Index = cells("point", "station")
     target: Index = cells("point", "target")
-    angle: Array = cells("number", "direction_deg", unit="deg")
+    angle: Array = cells("number", "direction_deg", follows="stays", unit="deg")
     """(k,) clockwise from the zero of the circle [rad]"""
-    sigma: Array = cells("number", "sigma_deg", unit="deg", limit="> 0")
+    sigma: Array = cells("number", "sigma_deg", follows="stays", unit="deg", limit="> 0")
 
     def wrong(self) -> Sequence[Wrong]:
         first = dict[str, int]()
@@ -60,14 +63,17 @@ class ZenithAngles(Sights):
     """Zenith angles: 0 is up."""
 
     name: ClassVar[str] = "zenith_angles"
+    upright: ClassVar[bool] = True
     station: Index = cells("point", "station")
     target: Index = cells("point", "target")
-    angle: Array = cells("number", "zenith_deg", unit="deg")
+    angle: Array = cells("number", "zenith_deg", follows="stays", unit="deg")
     """(k,) [rad]"""
-    sigma: Array = cells("number", "sigma_deg", unit="deg", limit="> 0")
-    instrument: Array | None = cells("number", "instrument_height", optional=True, empty=True, fill=0.0)
+    sigma: Array = cells("number", "sigma_deg", follows="stays", unit="deg", limit="> 0")
+    instrument: Array | None = cells(
+        "number", "instrument_height", follows="length", optional=True, empty=True, fill=0.0
+    )
     """(k,) of its axis above the station point [length unit]"""
-    reflector: Array | None = cells("number", "target_height", optional=True, empty=True, fill=0.0)
+    reflector: Array | None = cells("number", "target_height", follows="length", optional=True, empty=True, fill=0.0)
     """(k,) of what was sighted above the target point [length unit]"""
 
     def wrong(self) -> Sequence[Wrong]:
@@ -89,10 +95,19 @@ class SlopeDistances(Sights):
     name: ClassVar[str] = "slope_distances"
     station: Index = cells("point", "station")
     target: Index = cells("point", "target")
-    length: Array = cells("number", "distance", limit="> 0")
-    sigma: Array = cells("number", "sigma", limit="> 0")
-    instrument: Array | None = cells("number", "instrument_height", optional=True, empty=True, fill=0.0)
-    reflector: Array | None = cells("number", "target_height", optional=True, empty=True, fill=0.0)
+    length: Array = cells("number", "distance", follows="length", limit="> 0")
+    sigma: Array = cells("number", "sigma", follows="length", limit="> 0")
+    instrument: Array | None = cells(
+        "number", "instrument_height", follows="length", optional=True, empty=True, fill=0.0
+    )
+    reflector: Array | None = cells("number", "target_height", follows="length", optional=True, empty=True, fill=0.0)
+
+    def tilted(self, by: SimilarityTransform) -> Sequence[Stuck]:
+        heights = np.zeros(len(self))
+        for h in (self.instrument, self.reflector):
+            heights = heights + (0.0 if h is None else np.abs(h))
+        rows: Mask = np.asarray((heights > 0) & by.tilts, bool)
+        return [Stuck(rows, "instrument and target heights are along the vertical, which is tilted")]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -102,9 +117,9 @@ class Differences(Sights):
     name: ClassVar[str] = "differences"
     station: Index = cells("point", "from")
     target: Index = cells("point", "to")
-    xyz: Array = cells("number", "dX", "dY", "dZ", empty=True)
+    xyz: Array = cells("number", "dX", "dY", "dZ", follows="vector", empty=True)
     """(k, 3) [length unit]; NaN: not observed"""
-    sigma: Array = cells("number", "sX", "sY", "sZ", empty=True, limit="> 0")
+    sigma: Array = cells("number", "sX", "sY", "sZ", follows="deviations", empty=True, limit="> 0")
 
     def wrong(self) -> Sequence[Wrong]:
         lone = (np.isfinite(self.xyz) != np.isfinite(self.sigma)).any(axis=1)

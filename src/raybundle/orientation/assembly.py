@@ -16,8 +16,8 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from raybundle.adjustment.result import Notice
-from raybundle.block import Block, Role
-from raybundle.block.select import with_rows
+from raybundle.block import Block
+from raybundle.block.select import points_left, with_rows
 from raybundle.errors import NoOrientation
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.counting import counted
@@ -112,10 +112,7 @@ def _oriented(block: Block, missing: Mask, failures: _Failures, progress: Progre
         growth = Growth.of(block, rays_of(block))
         _assemble(growth, failures, progress, int(missing.sum()))
         return growth
-    seen = np.bincount(block.observations.point, keep, minlength=len(block.points)) > 0
-    seen |= np.asarray(block.points.role) != Role.TIE
-    seen[block.distances.start] = seen[block.distances.end] = True
-    numbers = np.flatnonzero(seen)
+    numbers = np.flatnonzero(points_left(block, keep))
     part = with_rows(block, keep)
     thin = Growth.of(part, rays_of(part))
     _assemble(thin, failures, progress, int(missing.sum()))

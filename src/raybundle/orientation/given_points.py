@@ -55,7 +55,7 @@ def intersected_where_better(block: Block, roles: Sequence[Role] = (Role.TIE, Ro
     rows = np.flatnonzero(block.images.oriented[o.image] & ours[block.images.camera[o.image]] & given[o.point])
     if not len(rows):
         return nothing
-    part = replace(o, image=o.image[rows], point=o.point[rows], xy_px=o.xy_px[rows], cov_px2=o.cov_px2[rows])
+    part = o.rows(rows)
     sensor = rays_of(replace(block, observations=part)).direction
     rotation, centre = block.images.rotation[part.image], block.images.centre[part.image]
     number, index = np.unique(part.point, return_inverse=True)

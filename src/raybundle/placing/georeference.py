@@ -11,13 +11,14 @@ import numpy as np
 from raybundle.adjustment.identical_control import identical_notices
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Block, Role
-from raybundle.block.select import transformed, with_rows
+from raybundle.block.select import with_rows
+from raybundle.block.transform import transform_block
 from raybundle.errors import InputError
 from raybundle.io.geo.coordinate_systems import WGS84, LocalFrame, local_frame
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.counting import counted
-from raybundle.numerics.transform import similarity
+from raybundle.numerics.transform import SimilarityTransform, similarity
 from raybundle.orientation.onto_rays import KnownRays, onto_rays
 from raybundle.orientation.rays import object_rays, rays_of
 from raybundle.placing.attitudes import observe_attitudes
@@ -278,9 +279,10 @@ def _refuse_little_control(state: Placing, control: Index, given: Given, *, plac
 def _apply(state: Placing, free: Array, s: float, R: Array, t: Array) -> None:
     """Transform the block; control and check points keep what was given, the rest of them is intersected."""
     before = state.block.points
-    moved = transformed(state.block, s, R, t)
+    by = SimilarityTransform(scale=s, rotation=R, translation=t)
+    moved = transform_block(state.block, by, observed="stay")
     special = np.asarray(before.role) != Role.TIE
-    place = s * free @ R.T + t
+    place = by.points(free)
     xyz = moved.points.xyz.copy()
     xyz[special] = np.where(np.isfinite(before.xyz[special]), before.xyz[special], place[special])
     tie = ~special & np.isfinite(free).all(axis=1)

@@ -11,8 +11,8 @@ import numpy as np
 
 from raybundle.adjustment.predict import residuals_px
 from raybundle.adjustment.result import Notice
-from raybundle.block import Block, Distances, Role
-from raybundle.block.select import with_points
+from raybundle.block import Block, Distances, Observations, Points, Role
+from raybundle.block.select import selected
 from raybundle.errors import InputError
 from raybundle.io.geo.control_files import DEFAULTS, ControlDefaults, ControlFile
 from raybundle.io.geo.coordinate_systems import LocalFrame
@@ -227,25 +227,19 @@ def add_points(state: Placing, photos: Sequence[Photo], given: Given, frame: Loc
             )
     if not ids:
         return
-    n, o, p = len(block.points), block.observations, block.points
     variance = given.mark_px**2
     state.block = replace(
         block,
-        observations=replace(
-            o,
-            image=np.concatenate([o.image, np.array(image, np.int32)]),
-            point=np.concatenate([o.point, n + np.array(point, np.int32)]).astype(np.int32),
-            xy_px=np.vstack([o.xy_px, np.array(xy).reshape(-1, 2)]),
-            cov_px2=np.vstack([o.cov_px2, np.tile([variance, variance, 0.0], (len(image), 1))]),
+        observations=block.observations.append(
+            Observations(
+                image=np.array(image, np.int32), point=len(block.points) + np.array(point, np.int32),
+                xy_px=np.array(xy).reshape(-1, 2), cov_px2=np.tile([variance, variance, 0.0], (len(image), 1)),
+            )
         ),
-        points=replace(
-            p,
-            ids=(*p.ids, *ids),
-            role=np.concatenate([p.role, np.array(role, np.int32)]).astype(np.int32),
-            xyz=np.vstack([p.xyz, np.array(xyz)]),
-            sigma=np.vstack([p.sigma, np.array(sigma)]),
+        points=block.points.append(
+            Points(ids=tuple(ids), role=np.array(role, np.int32), xyz=np.array(xyz), sigma=np.array(sigma))
         ),
-    )
+    )  # fmt: skip
 
 
 def without_empty_control(block: Block) -> Block:
@@ -265,10 +259,7 @@ def drop_single_marks(state: Placing) -> None:
         return
     names = tuple(block.points.ids[k] for k in np.flatnonzero(single))
     o, keep = block.observations, ~single[block.observations.point]
-    state.block = replace(
-        block,
-        observations=replace(o, image=o.image[keep], point=o.point[keep], xy_px=o.xy_px[keep], cov_px2=o.cov_px2[keep]),
-    )
+    state.block = replace(block, observations=o.rows(keep))
     state.tell("marked_once", f"marked in one photograph only, and so not determined: {', '.join(names)}", *names)
 
 
@@ -279,7 +270,7 @@ def drop_unseen_checks(state: Placing) -> None:
     if not lost.any():
         return
     names = tuple(block.points.ids[k] for k in np.flatnonzero(lost))
-    state.block = with_points(block, ~lost)
+    state.block = selected(block, "point", ~lost)
     state.tell("check_unseen", f"check points without a measurement that could be used: {', '.join(names)}", *names)
 
 
@@ -314,12 +305,7 @@ def drop_gross_marks(state: Placing, free: Array) -> None:
     if len(wrong):
         keep = np.ones(len(o), bool)
         keep[wrong] = False
-        state.block = replace(
-            block,
-            observations=replace(
-                o, image=o.image[keep], point=o.point[keep], xy_px=o.xy_px[keep], cov_px2=o.cov_px2[keep]
-            ),
-        )
+        state.block = replace(block, observations=o.rows(keep))
 
 
 def rows_near(block: Block, row: int, special: Mask, limit: float) -> str:

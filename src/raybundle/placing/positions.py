@@ -13,6 +13,7 @@ from datetime import UTC
 import numpy as np
 
 from raybundle.block import Block, Instrument, Stations
+from raybundle.block.select import selected
 from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array, Index
@@ -196,9 +197,7 @@ def without_idle(block: Block) -> Block:
     keep = np.array([k in used for k in range(len(block.instruments))], bool)
     if keep.all():
         return block
-    number: Index = np.where(keep, np.cumsum(keep) - 1, -1).astype(np.int32)
-    kept = tuple(i for i, k in zip(block.instruments, keep, strict=True) if k)
-    return replace(block, instruments=kept).of_tables(lambda t: t.renumbered("instrument", number))
+    return selected(block, "instrument", keep)
 
 
 def _name(name: str, taken: set[str]) -> str:

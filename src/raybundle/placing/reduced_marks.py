@@ -143,7 +143,7 @@ def _distances(block: Block, rows: Index, side: float) -> Array:
     factor = _factors(block, rows, side)
     xy = block.observations.xy_px[rows] * factor[:, None]
     o = block.observations
-    few = replace(o, image=o.image[rows], point=o.point[rows], xy_px=xy, cov_px2=o.cov_px2[rows])
+    few = replace(o.rows(rows), xy_px=xy)
     scaled = replace(block, observations=few)
     free = intersected(scaled)
     xyz = np.where(np.isfinite(free), free, block.points.xyz)

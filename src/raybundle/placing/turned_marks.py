@@ -88,12 +88,7 @@ def reading(block: Block, rows: Index, turned: Mask, mark_px: float) -> Reading 
     if not len(looked):
         return None
     mine, which = rows[looked], turned[looked]
-    few = replace(
-        block,
-        observations=replace(
-            o, image=o.image[mine], point=o.point[mine], xy_px=o.xy_px[mine], cov_px2=o.cov_px2[mine]
-        ),
-    )  # fmt: skip
+    few = replace(block, observations=o.rows(mine))
     free = intersected(few)
     xyz = np.where(np.isfinite(free), free, block.points.xyz)
     v = residuals_px(replace(few, points=replace(block.points, xyz=xyz)), np.arange(len(mine)))

@@ -176,10 +176,11 @@ def _with(result: Adjustment, block: Block, k: int, centre: Array, rotation: Arr
             rotation=np.concatenate([old.rotation, rotation]),
             held=None if old.held is None else np.append(old.held, [False] * n), interior=old.interior,
         ),
-        observations=Observations(
-            image=np.concatenate([o.image, len(old) + image[inside]]).astype(np.int32),
-            point=np.concatenate([o.point, point[inside]]).astype(np.int32), xy_px=np.vstack([o.xy_px, at[inside]]),
-            cov_px2=np.vstack([o.cov_px2, np.tile([*np.median(o.cov_px2[used, :2], axis=0), 0.0], (added, 1))]),
+        observations=o.append(
+            Observations(
+                image=(len(old) + image[inside]).astype(np.int32), point=point[inside].astype(np.int32),
+                xy_px=at[inside], cov_px2=np.tile([*np.median(o.cov_px2[used, :2], axis=0), 0.0], (added, 1)),
+            )
         ),
     )  # fmt: skip
     return more, result.image_observations.rejected + (None,) * added

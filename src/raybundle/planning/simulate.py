@@ -23,6 +23,7 @@ from raybundle.block.block import (
     Role,
     Stations,
 )
+from raybundle.block.select import selected
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rotation import rotation_from_vector
@@ -282,23 +283,12 @@ def measured(block: Block, sigma_px: Mapping[str, float] | float, least_rays: in
     by_camera = [sigma_px[c.id] if isinstance(sigma_px, Mapping) else sigma_px for c in block.cameras]
     point, p = np.concatenate([rows for rows, _ in parts]), block.points
     keep = (np.bincount(point, minlength=len(p)) >= least_rays) | (np.asarray(p.role) == Role.CONTROL)
-    rows, new = keep[point], (np.cumsum(keep) - 1).astype(np.int32)
-    variance = np.array(by_camera)[block.images.camera[image[rows]]] ** 2
-    return replace(
-        block,
-        observations=Observations(
-            image=image[rows],
-            point=new[point[rows]],
-            xy_px=np.concatenate([pixel for _, pixel in parts])[rows],
-            cov_px2=np.stack([variance, variance, np.zeros(len(variance))], axis=1),
-        ),
-        points=Points(
-            ids=tuple(name for name, k in zip(p.ids, keep, strict=True) if k),
-            role=p.role[keep],
-            xyz=p.xyz[keep],
-            sigma=p.sigma[keep],
-        ),
-    )
+    variance = np.array(by_camera)[block.images.camera[image]] ** 2
+    seen = Observations(
+        image=image, point=point.astype(np.int32), xy_px=np.concatenate([pixel for _, pixel in parts]),
+        cov_px2=np.stack([variance, variance, np.zeros(len(variance))], axis=1),
+    )  # fmt: skip
+    return selected(replace(block, observations=seen), "point", keep)
 
 
 def shown(block: Block, image: int) -> tuple[Index, Array]:

@@ -18,6 +18,7 @@ class Antenna(InstrumentModel):
     section = "antennas"
     noun = "antenna"
     formula = "X_GNSS = X0 + Rᵀ a + s + d t + v dt"
+    in_object = (("sx", "sy", "sz"), ("dx", "dy", "dz"))
     parameters = (
         Parameter("ax", "length", "lever arm to the right in the image"),
         Parameter("ay", "length", "lever arm upwards in the image"),

@@ -24,6 +24,8 @@ class InstrumentModel:
     formula: ClassVar[str]
     """What it tells, for people"""
     parameters: tuple[Parameter, ...]
+    in_object: ClassVar[tuple[tuple[str, str, str], ...]] = ()
+    """Symbols of those that are vectors in the axes of the object, X, Y and Z of each: they turn with it"""
 
     def __init_subclass__(cls) -> None:
         """Register it."""

@@ -39,6 +39,11 @@ class Parameter:
     """Of the kind affinity: rows and columns that are not at right angles, rather than of unequal scale."""
 
     @property
+    def is_length(self) -> bool:
+        """Whether it grows with the object: "length", "length/s", "length/mm"."""
+        return self.unit.startswith("length")
+
+    @property
     def key(self) -> str:
         """The key in block.toml."""
         return f"{self.symbol}_mm" if self.unit == "mm" else self.symbol

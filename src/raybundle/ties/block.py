@@ -121,7 +121,7 @@ def viewing_lines(block: Block) -> tuple[Array, Array]:
     origin, direction = np.empty((len(o), 3)), np.empty((len(o), 3))
     rows = np.flatnonzero(~of_scene)
     if len(rows):
-        rays = rays_of(replace(block, observations=_rows(o, rows)) if of_scene.any() else block)
+        rays = rays_of(replace(block, observations=o.rows(rows)) if of_scene.any() else block)
         origin[rows] = block.images.centre[rays.image]
         direction[rows] = object_rays(block.images.rotation[rays.image], rays.direction)
     for i in np.unique(o.image[of_scene]):
@@ -132,10 +132,6 @@ def viewing_lines(block: Block) -> tuple[Array, Array]:
         origin[rows] = low
         direction[rows] = (low - high) / np.linalg.norm(low - high, axis=1, keepdims=True)
     return origin, direction
-
-
-def _rows(o: Observations, rows: Index) -> Observations:
-    return replace(o, image=o.image[rows], point=o.point[rows], xy_px=o.xy_px[rows], cov_px2=o.cov_px2[rows])
 
 
 def image_sigma_px(result: Adjustment) -> float:

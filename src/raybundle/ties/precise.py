@@ -16,7 +16,7 @@ from raybundle.adjustment.engine import adjust_block, as_start
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.predict import predicted_px
 from raybundle.adjustment.result import Adjustment
-from raybundle.block import Block, Camera
+from raybundle.block import Block, Camera, Observations
 from raybundle.block.rejection import Rejection, RejectionKind
 from raybundle.block.select import with_rows, without_images
 from raybundle.errors import NotSolvable
@@ -208,21 +208,12 @@ def _take_features(work: _Work, images: Sequence[int]) -> None:
 def _append(work: _Work, fresh: Index, rows: Index, at: Index) -> None:
     """Append the spare rows to the block, at these points of it; `fresh` are points of the start that it lacks."""
     spare, block, start = work.spare, work.block, work.start.points
-    p, o, k = block.points, block.observations, len(rows)
-    points = replace(
-        p,
-        ids=(*p.ids, *(start.ids[f] for f in fresh)),
-        role=np.concatenate([p.role, start.role[fresh]]),
-        xyz=np.vstack([p.xyz, start.xyz[fresh]]),
-        sigma=np.vstack([p.sigma, start.sigma[fresh]]),
-    )
-    observations = replace(
-        o,
-        image=np.concatenate([o.image, spare.image[rows]]).astype(np.int32),
-        point=np.concatenate([o.point, at]).astype(np.int32),
-        xy_px=np.vstack([o.xy_px, spare.xy_px[rows]]),
-        cov_px2=np.vstack([o.cov_px2, np.tile([1.0, 1.0, 0.0], (k, 1))]),
-    )
+    k = len(rows)
+    more = Observations(
+        image=spare.image[rows], point=at.astype(np.int32), xy_px=spare.xy_px[rows],
+        cov_px2=np.tile([1.0, 1.0, 0.0], (k, 1)),
+    )  # fmt: skip
+    points, observations = block.points.append(start.rows(fresh)), block.observations.append(more)
     work.block = replace(block, points=points, observations=observations)
     work.grey = np.vstack([work.grey, np.zeros((k, 3))])
     work.level = np.concatenate([work.level, np.zeros(k, int)])
@@ -235,7 +226,7 @@ def _append(work: _Work, fresh: Index, rows: Index, at: Index) -> None:
         origin, direction = viewing_lines(work.block)
         xyz, _, _ = intersect_linear(origin, direction, observations.point, len(points))
         placed = np.array(points.xyz)
-        placed[len(p) :] = xyz[len(p) :]
+        placed[len(block.points) :] = xyz[len(block.points) :]
         work.block = replace(work.block, points=replace(points, xyz=placed))
 
 
@@ -339,12 +330,13 @@ def _complete(work: _Work, image: Levels, threads: int, progress: Progress, visi
     old = ~np.isin(o.point.astype(np.int64) * images + o.image, new)
     work.block = replace(
         block,
-        observations=replace(
-            o,
-            image=np.concatenate([o.image[old], places.image[good]]).astype(np.int32),
-            point=np.concatenate([o.point[old], places.point[good]]).astype(np.int32),
-            xy_px=np.vstack([o.xy_px[old], found.xy_px[good]]),
-            cov_px2=np.vstack([o.cov_px2[old], np.tile([1.0, 1.0, 0.0], (n, 1))]),
+        observations=o.rows(old).append(
+            Observations(
+                image=places.image[good].astype(np.int32),
+                point=places.point[good].astype(np.int32),
+                xy_px=found.xy_px[good],
+                cov_px2=np.tile([1.0, 1.0, 0.0], (n, 1)),
+            )
         ),
     )
     work.grey = np.vstack([work.grey[old], found.cov_px2[good]])

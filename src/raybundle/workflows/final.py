@@ -25,7 +25,7 @@ from raybundle.orientation.given_points import intersected_where_better
 from raybundle.placing.georeference import Georeferenced, rejected_marks
 from raybundle.placing.told_positions import camera_notices
 from raybundle.ties.block import flat_points
-from raybundle.workflows.parts import Part
+from raybundle.workflows.connected_components import ConnectedComponent
 
 FINAL = 1e-4
 """Last step of the final adjustment, in standard deviations of the unknowns."""
@@ -121,7 +121,7 @@ def _lost_marks(asked: Georeferenced, result: Adjustment) -> list[Notice]:
     ]
 
 
-def left_out(adjustment: Adjustment, parts: Sequence[Part]) -> list[tuple[str, str]]:
+def left_out(adjustment: Adjustment, parts: Sequence[ConnectedComponent]) -> list[tuple[str, str]]:
     """Photographs that the final adjustments left out, and why."""
     notices = [n for a in (adjustment, *(p.adjustment for p in parts)) for n in a.notices]
     return [(n.ids[0], n.reason) for n in notices if n.code == "image_left_out"]
@@ -275,19 +275,19 @@ def _with_block(placed: Georeferenced, block: Block) -> Georeferenced:
     return replace(placed, block=block, marked=placed.marked[np.isin(placed.block.points.ids, block.points.ids)])
 
 
-def adjusted_part(
+def adjusted_component(
     placed: Georeferenced, groups: Sequence[CameraGroup], jobs: int, progress: Progress, noise: NoiseModel = "auto", *,
     weights: Literal["given", "residuals"] = "given",
-) -> Part:  # fmt: skip
+) -> ConnectedComponent:  # fmt: skip
     """The adjustment of a part that nothing joins to the others."""
     images = placed.block.images
     names = tuple(n for n, o in zip(images.ids, images.oriented, strict=True) if o)
-    return Part(
+    return ConnectedComponent(
         adjustment=final_adjustment(placed, groups, jobs, progress, (), noise, weights=weights), photographs=names
     )
 
 
-def undetermined_part(placed: Georeferenced, error: NotSolvable) -> list[Notice]:
+def undetermined_component(placed: Georeferenced, error: NotSolvable) -> list[Notice]:
     """The photographs of a part that nothing determines, each left out by name."""
     images = placed.block.images
     names = [n for n, o in zip(images.ids, images.oriented, strict=True) if o]

@@ -27,16 +27,16 @@ from raybundle.placing.marks import Given
 from raybundle.placing.upright import Upright
 from raybundle.ties.block import image_sigma_px
 from raybundle.ties.precise import Weights
+from raybundle.workflows.connected_components import ConnectedComponent, component_folder
 from raybundle.workflows.dropped import Dropped
 from raybundle.workflows.final import left_out
 from raybundle.workflows.orient_options import OrientOptions
 from raybundle.workflows.orient_state import Asked, OrientState
 from raybundle.workflows.orienting import ORIENT
-from raybundle.workflows.parts import Part, part_folder
 from raybundle.workflows.scenes.images import SceneImage
 from raybundle.workflows.scenes.ties import ScenePair
 
-__all__ = ["OrientOptions", "Orientation", "orient", "part_folder", "stages"]
+__all__ = ["OrientOptions", "Orientation", "component_folder", "orient", "stages"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
@@ -57,7 +57,7 @@ class Orientation:
     weights: Weights | None
     frame: LocalFrame | None
     """coordinate system of object space; None: a free system"""
-    parts: tuple[Part, ...] = ()
+    other_components: tuple[ConnectedComponent, ...] = ()
     """further parts of the photographs that nothing joins to the first"""
     scenes: tuple[SceneImage, ...] = ()
     """satellite scenes that take part"""
@@ -70,7 +70,7 @@ class Orientation:
 
     def __repr__(self) -> str:
         """One line."""
-        parts = f" in {1 + len(self.parts)} parts" if self.parts else ""
+        parts = f" in {1 + len(self.other_components)} parts" if self.other_components else ""
         return (
             f"<Orientation of {self.oriented} of {counted(len(self.photos), 'photograph')}{parts}: {self.adjustment!r}>"
         )
@@ -106,7 +106,7 @@ class Orientation:
                 "oriented": self.oriented + self.oriented_scenes,
                 "not_oriented": lost,
             },
-            "components": 1 + len(self.parts),
+            "components": 1 + len(self.other_components),
             "stages": [
                 {k: v for k, v in asdict(s).items() if k in _STAGE_FIELDS} for s in self.stages
             ],
@@ -189,7 +189,7 @@ def _orientation(state: OrientState, records: Sequence[StageRecord]) -> Orientat
         photos=state.photos,
         groups=state.groups,
         refused=state.refused,
-        not_oriented=(*lost, *left_out(adjustment, state.parts)),
+        not_oriented=(*lost, *left_out(adjustment, state.other_components)),
         pairs=state.pairs,
         stages=tuple(records),
         sigma_px=image_sigma_px(adjustment),
@@ -197,7 +197,7 @@ def _orientation(state: OrientState, records: Sequence[StageRecord]) -> Orientat
         frame=state.placed.frame,
         upright=state.placed.upright,
         dropped=state.dropped,
-        parts=state.parts,
+        other_components=state.other_components,
         scenes=() if scenes is None else scenes.images,
         scene_pairs=() if scenes is None else scenes.pairs,
         remarks=(*state.remarks, *state.told),

@@ -20,10 +20,10 @@ from raybundle.placing.marks import Given
 from raybundle.ties.block import TieBlock
 from raybundle.ties.points import FeatureStore
 from raybundle.ties.precise import Weights
+from raybundle.workflows.connected_components import ConnectedComponent
 from raybundle.workflows.dropped import Dropped
 from raybundle.workflows.kept import Reasons
 from raybundle.workflows.orient_options import OrientOptions
-from raybundle.workflows.parts import Part
 from raybundle.workflows.scenes.block import SceneSet
 from raybundle.workflows.scenes.geometry import place_of_scenes
 from raybundle.workflows.scenes.images import FoundScenes, SceneImage
@@ -107,7 +107,7 @@ class OrientState:
     """None: there are no scenes"""
     placed: Georeferenced | None = None
     adjustment: Adjustment | None = None
-    parts: tuple[Part, ...] = ()
+    other_components: tuple[ConnectedComponent, ...] = ()
     """of photographs that nothing joins to the first"""
 
     @property

@@ -98,7 +98,7 @@ def _result(folder: Path) -> tuple[Export, tuple[str, ...]]:
         free_scale="scale" in result.result.get("datum_defect", ()),
         images=images,
         points=replace(block.points, xyz=xyz),
-        observations=replace(o, image=o.image[kept], point=o.point[kept], xy_px=o.xy_px[kept], cov_px2=o.cov_px2[kept]),
+        observations=o.rows(kept),
     )
     remarks = (f"{counted(int((~kept).sum()), 'rejected image observation')} left out",) if not kept.all() else ()
     frame = result.result.get("frame")

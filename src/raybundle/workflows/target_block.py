@@ -206,18 +206,15 @@ def with_dots(
     rows = [(i, p, d) for p, group in enumerate(groups) for i, d in group]
     first = len(block.points)
     more = Observations(
-        image=np.append(o.image, [i for i, _, _ in rows]).astype(np.int32),
-        point=np.append(o.point, [first + p for _, p, _ in rows]).astype(np.int32),
-        xy_px=np.vstack([o.xy_px, [bare[i][0][d] for i, _, d in rows]]),
-        cov_px2=np.vstack([o.cov_px2, covariance_rows(np.array([bare[i][1][d] for i, _, d in rows]))]),
+        image=np.array([i for i, _, _ in rows], np.int32),
+        point=np.array([first + p for _, p, _ in rows], np.int32),
+        xy_px=np.array([bare[i][0][d] for i, _, d in rows]),
+        cov_px2=covariance_rows(np.array([bare[i][1][d] for i, _, d in rows])),
     )
     k, none = len(groups), np.full((len(groups), 3), np.nan)
-    points = Points(
-        ids=(*block.points.ids, *(f"dot {p + 1}" for p in range(k))), role=np.append(block.points.role, [0] * k),
-        xyz=np.vstack([block.points.xyz, none]), sigma=np.vstack([block.points.sigma, none]),
-    )  # fmt: skip
+    dots = Points(ids=tuple(f"dot {p + 1}" for p in range(k)), role=np.zeros(k, np.int32), xyz=none, sigma=none)
     radii = np.append(radius_px, [bare[i][2][d] for i, _, d in rows])
-    return replace(block, observations=more, points=points), radii, k
+    return replace(block, observations=o.append(more), points=block.points.append(dots)), radii, k
 
 
 def with_coordinates(block: Block) -> Block:
@@ -227,9 +224,7 @@ def with_coordinates(block: Block) -> Block:
     missing: Mask = np.asarray(~np.isfinite(block.points.xyz).all(axis=1))
     o = block.observations
     mine = missing[o.point] & block.images.oriented[o.image]
-    rays = rays_of(replace(block, observations=Observations(
-        image=o.image[mine], point=o.point[mine], xy_px=o.xy_px[mine], cov_px2=o.cov_px2[mine],
-    )))  # fmt: skip
+    rays = rays_of(replace(block, observations=o.rows(mine)))
     xyz, count, _ = intersect_linear(
         block.images.centre[rays.image], object_rays(block.images.rotation[rays.image], rays.direction), rays.point,
         len(block.points),

@@ -11,7 +11,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from raybundle.block import Block, Camera, Observations
+from raybundle.block import Block, Camera
 from raybundle.errors import InputError
 from raybundle.io.cameras.conversions import camera_rays, interiors, parameter_vector
 from raybundle.numerics.arrays import Array, Mask
@@ -162,7 +162,7 @@ def undistorted_block(block: Block, *, area: Area = "inside") -> tuple[Block, tu
         inside[rows] = ((xy[rows] >= 0) & (xy[rows] <= [pinhole.width_px, pinhole.height_px])).all(axis=1)
     out = int((~inside).sum())
     remarks = (f"{out} image observations lie outside the undistorted images and are left out",) if out else ()
-    moved = Observations(image=o.image[inside], point=o.point[inside], xy_px=xy[inside], cov_px2=cov[inside])
+    moved = replace(o, xy_px=xy, cov_px2=cov).rows(inside)
     images = replace(block.images, camera=index, interior={})
     return replace(block, cameras=pinholes, images=images, observations=moved, residuals="measured"), remarks
 

@@ -22,12 +22,18 @@ from raybundle.placing.marks import Given
 from raybundle.placing.positions import GPS_M, flight_lines, without_idle
 from raybundle.placing.told_positions import with_relative_precision
 from raybundle.ties.points import FeatureStore
+from raybundle.workflows.connected_components import (
+    ConnectedComponent,
+    apart_notice,
+    component_folder,
+    joined_notice,
+    place_components,
+)
 from raybundle.workflows.dropped import Dropped
-from raybundle.workflows.final import adjusted_part, final_adjustment, undetermined_part
+from raybundle.workflows.final import adjusted_component, final_adjustment, undetermined_component
 from raybundle.workflows.kept import Reasons
 from raybundle.workflows.orient_options import OrientOptions
 from raybundle.workflows.orient_state import ORIENT, OrientState, SceneState
-from raybundle.workflows.parts import Part, apart_notice, joined_notice, part_folder, place_parts
 from raybundle.workflows.read_out import rolling_shutters, with_cause
 from raybundle.workflows.same_camera import shared_sensors
 from raybundle.workflows.scenes.placing import place_with_scenes
@@ -57,7 +63,7 @@ class Adjusted:
     """What came of the photographs."""
 
     adjustment: Adjustment
-    parts: tuple[Part, ...]
+    other_components: tuple[ConnectedComponent, ...]
     groups: tuple[CameraGroup, ...]
     placed: Georeferenced
     lost: Reasons
@@ -76,13 +82,13 @@ def adjust(i: Inputs, means: Means) -> Adjusted:
     """Bring everything to object space, adjust it, and say what there is to say."""
     lost: Reasons = ()
     if i.scenes is None:
-        placed, apart = place_parts(i.blocks, i.photos, i.given)
+        placed, apart = place_components(i.blocks, i.photos, i.given)
     else:
         placed, apart, lost = place_with_scenes(i.scenes, i.options, i.blocks, i.photos, i.given, i.features, i.method)
     placed, *apart = (replace(p, block=replace(p.block, name=i.name)) for p in (placed, *apart))
     placed = _relative(placed, i.photos, i.options.relative)
     done = _adjusted(i, placed, apart, means)
-    rows = sum(len(a.given.observations) for a in (done.adjustment, *(p.adjustment for p in done.parts)))
+    rows = sum(len(a.given.observations) for a in (done.adjustment, *(p.adjustment for p in done.other_components)))
     told = (*i.notices, *([] if i.dropped is None else [i.dropped.notice(rows)]))
     adjustment = replace(done.adjustment, notices=(*told, *done.adjustment.notices))
     return replace(done, adjustment=adjustment, placed=placed, lost=lost)
@@ -119,13 +125,13 @@ def _adjusted(i: Inputs, placed: Georeferenced, apart: Sequence[Georeferenced], 
     """
     groups, noise = i.groups, i.options.noise
     weights: Literal["given", "residuals"] = "residuals" if i.options.precise else "given"
-    parts, kept, lost = list[Part](), list[Georeferenced](), list[Notice]()
+    parts, kept, lost = list[ConnectedComponent](), list[Georeferenced](), list[Notice]()
     for part in apart:
         try:
-            parts.append(adjusted_part(part, groups, means.jobs, means.progress, noise, weights=weights))
+            parts.append(adjusted_component(part, groups, means.jobs, means.progress, noise, weights=weights))
             kept.append(part)
         except NotSolvable as error:
-            lost += undetermined_part(part, error)
+            lost += undetermined_component(part, error)
     first = replace(placed, notices=(*lost, *placed.notices))
     adjustment = final_adjustment(first, groups, means.jobs, means.progress, i.remarks, noise, weights=weights)
     shared = shared_sensors(adjustment, groups, i.photos)
@@ -141,10 +147,10 @@ def _adjusted(i: Inputs, placed: Georeferenced, apart: Sequence[Georeferenced], 
     told = (*joined_notice(first.joined, adjustment.given), *shared.notices, *moving.notices)
     if kept:  # of what is left in the end: the adjustments leave photographs out
         left = [replace(k, block=p.adjustment.given) for k, p in zip(kept, parts, strict=True)]
-        told = (apart_notice(adjustment.given, left, [part_folder(k) for k in range(len(kept))]), *told)
+        told = (apart_notice(adjustment.given, left, [component_folder(k) for k in range(len(kept))]), *told)
     return Adjusted(
-        adjustment=replace(adjustment, notices=(*told, *adjustment.notices)), parts=tuple(parts), groups=groups,
-        placed=placed, lost=(),
+        adjustment=replace(adjustment, notices=(*told, *adjustment.notices)), other_components=tuple(parts),
+        groups=groups, placed=placed, lost=(),
     )  # fmt: skip
 
 
@@ -153,7 +159,12 @@ def _put(state: OrientState, done: Adjusted) -> OrientState:
     if scenes is not None and done.lost:
         scenes = replace(scenes, lost=done.lost)
     return replace(
-        state, adjustment=done.adjustment, parts=done.parts, groups=done.groups, placed=done.placed, scenes=scenes
+        state,
+        adjustment=done.adjustment,
+        other_components=done.other_components,
+        groups=done.groups,
+        placed=done.placed,
+        scenes=scenes,
     )
 
 

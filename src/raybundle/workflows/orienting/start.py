@@ -20,6 +20,7 @@ from raybundle.ties.block import TieBlock, block_of_tracks
 from raybundle.ties.missing import missing_notices
 from raybundle.ties.points import FeatureStore
 from raybundle.ties.repeated import sound_pairs
+from raybundle.workflows.connected_components import start_components
 from raybundle.workflows.dropped import Dropped
 from raybundle.workflows.kept import (
     arrays_of_tie,
@@ -30,7 +31,6 @@ from raybundle.workflows.kept import (
     unpacked,
 )
 from raybundle.workflows.orient_state import ORIENT, OrientState
-from raybundle.workflows.parts import start_parts
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -86,7 +86,7 @@ def begin(i: Inputs, means: Means) -> Started:
         for k, f in enumerate(features):
             mine = tracks.image == k
             scale[mine], angle[mine] = f.scale_px[tracks.feature[mine]], f.angle[tracks.feature[mine]]
-        return start_parts(raw, scale, angle, means.jobs, means.progress, i.method)
+        return start_components(raw, scale, angle, means.jobs, means.progress, i.method)
 
     names, n = [p.name for p in i.photos], len(i.photos)
     diagonals = np.array([float(np.hypot(p.width_px, p.height_px)) for p in i.photos])

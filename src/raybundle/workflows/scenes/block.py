@@ -214,7 +214,6 @@ def joined(scenes: Block, photographs: Block | None) -> Block:
     if photographs is None:
         return scenes
     a, b = scenes, photographs
-    n, cameras = len(a.images), len(a.cameras)
     position = {name: k for k, name in enumerate(a.points.ids)}
     shared = np.array([position.get(name, -1) for name in b.points.ids], np.int64)
     special = np.asarray(b.points.role) != Role.TIE
@@ -227,44 +226,23 @@ def joined(scenes: Block, photographs: Block | None) -> Block:
     for k in np.flatnonzero(same):
         if rays[shared[k]] < 2 and np.isfinite(b.points.xyz[k]).all() and not a.points.is_control[shared[k]].all():
             xyz[shared[k]] = b.points.xyz[k]
-    keep = ~same
-    o, q = a.observations, b.observations
-    images = n + np.arange(len(b.images))
+    instruments = len(a.instruments) + np.arange(len(b.instruments))
+    images = len(a.images) + np.arange(len(b.images))
     return replace(
         b,
         name=a.name,
         place=a.place,
         rejected=(*a.rejected, *b.rejected),
         cameras=(*a.cameras, *b.cameras),
-        images=replace(
-            b.images,
-            ids=(*a.images.ids, *b.images.ids),
-            camera=np.concatenate([a.images.camera, b.images.camera + cameras]).astype(np.int32),
-            file=(*a.images.file, *b.images.file),
-            centre=np.vstack([a.images.centre, b.images.centre]),
-            rotation=np.concatenate([a.images.rotation, b.images.rotation]),
-            held=np.concatenate([_held(a), _held(b)]),
-            interior={i + n: v for i, v in b.images.interior.items()},
-        ),
-        observations=replace(
-            o,
-            image=np.concatenate([o.image, q.image + n]).astype(np.int32),
-            point=np.concatenate([o.point, new[q.point]]).astype(np.int32),
-            xy_px=np.vstack([o.xy_px, q.xy_px]),
-            cov_px2=np.vstack([o.cov_px2, q.cov_px2]),
-        ),
-        points=replace(
-            a.points,
-            ids=(*a.points.ids, *(i for i, k in zip(ids, keep, strict=True) if k)),
-            role=np.concatenate([a.points.role, b.points.role[keep]]).astype(np.int32),
-            xyz=np.vstack([xyz, b.points.xyz[keep]]),
-            sigma=np.vstack([a.points.sigma, b.points.sigma[keep]]),
-        ),
-    ).of_tables(lambda t: t.renumbered("point", new).renumbered("image", images))
-
-
-def _held(block: Block) -> Array:
-    return np.zeros(len(block.images), bool) if block.images.held is None else block.images.held
+        instruments=(*a.instruments, *b.instruments),
+        images=a.images.append(b.images.renumbered("camera", len(a.cameras) + np.arange(len(b.cameras)))),
+        observations=a.observations.append(b.observations.renumbered("image", images).renumbered("point", new)),
+        points=replace(a.points, xyz=xyz).append(replace(b.points, ids=tuple(ids)).rows(~same)),
+        tables=a.tables,
+    ).adding(
+        *(t.renumbered("point", new).renumbered("image", images).renumbered("instrument", instruments)
+          for t in b.tables.values())
+    )  # fmt: skip
 
 
 def refuse_nothing_common(

@@ -61,16 +61,15 @@ def with_joins(
             told.append(f"{len(point)} in {name}")
     if not added:
         return block, ()
-    o = block.observations
     variance = np.concatenate([np.full(len(p), s**2) for _, p, _, s in added])
     more = Observations(
-        image=np.concatenate([o.image, *(np.full(len(p), i) for i, p, _, _ in added)]).astype(np.int32),
-        point=np.concatenate([o.point, *(p for _, p, _, _ in added)]).astype(np.int32),
-        xy_px=np.vstack([o.xy_px, *(xy for _, _, xy, _ in added)]),
-        cov_px2=np.vstack([o.cov_px2, np.column_stack([variance, variance, np.zeros(len(variance))])]),
+        image=np.concatenate([np.full(len(p), i) for i, p, _, _ in added]).astype(np.int32),
+        point=np.concatenate([p for _, p, _, _ in added]).astype(np.int32),
+        xy_px=np.vstack([xy for _, _, xy, _ in added]),
+        cov_px2=np.column_stack([variance, variance, np.zeros(len(variance))]),
     )
     notice = Notice(code="scene_joins", message=f"tie points of photographs found in scenes: {', '.join(told)}")
-    return replace(block, observations=more), (notice,)
+    return replace(block, observations=block.observations.append(more)), (notice,)
 
 
 def _described_points(

@@ -12,10 +12,10 @@ from raybundle.matching.features import FeatureMethod
 from raybundle.placing.georeference import Georeferenced, Surroundings
 from raybundle.placing.marks import Given, add_bars
 from raybundle.ties.points import FeatureStore
+from raybundle.workflows.connected_components import place_components
 from raybundle.workflows.kept import Reasons
 from raybundle.workflows.orient_options import OrientOptions
 from raybundle.workflows.orient_state import SceneState
-from raybundle.workflows.parts import place_parts
 from raybundle.workflows.scenes.joins import with_joins
 from raybundle.workflows.scenes.place import (
     common_frame,
@@ -51,7 +51,7 @@ def place_with_scenes(
     if not blocks:
         add_bars(placing, given)
         return finish(placing, None, placed, notices), (), state.lost
-    first, apart = place_parts(
+    first, apart = place_components(
         blocks,
         photos,
         marks_in(given, names, inside=False),

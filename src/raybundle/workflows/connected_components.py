@@ -1,8 +1,8 @@
-"""Photographs that do not hang together: every part is oriented, and control joins what it places."""
+"""Photographs that do not hang together: each connected component is oriented, control joins what it places."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -10,12 +10,12 @@ import numpy as np
 
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Block, Role
+from raybundle.block.merge import SUBJECTS, merge_blocks
 from raybundle.block.select import with_rows
 from raybundle.errors import InputError, NoOrientation
 from raybundle.io.photos.photo import Photo
-from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress, silent
-from raybundle.observations.table import Table
 from raybundle.placing.georeference import Georeferenced, Surroundings, georeference
 from raybundle.placing.marks import Given
 from raybundle.placing.positions import without_idle
@@ -23,20 +23,20 @@ from raybundle.ties.block import TieBlock
 from raybundle.ties.start import start
 
 FEWEST_IMAGES = 3
-"""Photographs of a part that is worth a result of its own."""
+"""Photographs of a component that is worth a result of its own."""
 PANORAMAS = ("panorama", "spherical")
 """Sensor models of images that are called panoramas."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Part:
-    """A part of the photographs that nothing joins to the others."""
+class ConnectedComponent:
+    """Photographs that hang together and that nothing joins to the others."""
 
     adjustment: Adjustment
     photographs: tuple[str, ...]
 
 
-def start_parts(
+def start_components(
     raw: Block,
     scale_px: Array,
     angle: Array,
@@ -44,12 +44,12 @@ def start_parts(
     progress: Progress = silent,
     method: Literal["auto", "growing", "averaging"] = "auto",
 ) -> tuple[TieBlock, ...]:
-    """Approximate values of every connected part, the largest first; what is in no part is listed with the first.
+    """Approximate values of every connected component, the largest first; what is in none is listed with the first.
 
     raises  NoOrientation where not even two photographs fit
     """
-    parts = [start(raw, scale_px, angle, threads, progress, method)]
-    left, reasons = _left(raw, parts[0]), dict(parts[0].not_oriented)
+    components = [start(raw, scale_px, angle, threads, progress, method)]
+    left, reasons = _left(raw, components[0]), dict(components[0].not_oriented)
     while left.sum() >= FEWEST_IMAGES:
         rows = np.flatnonzero(left[raw.observations.image])
         try:
@@ -61,11 +61,11 @@ def start_parts(
         oriented = found.block.images.oriented
         if oriented.sum() < FEWEST_IMAGES:
             break
-        parts.append(found)
+        components.append(found)
         left &= ~oriented
-    inside = {n for p in parts for n, o in zip(raw.images.ids, p.block.images.oriented, strict=True) if o}
+    inside = {n for p in components for n, o in zip(raw.images.ids, p.block.images.oriented, strict=True) if o}
     lost = tuple((n, r) for n, r in reasons.items() if n not in inside)
-    return (replace(parts[0], not_oriented=lost), *(replace(p, not_oriented=()) for p in parts[1:]))
+    return (replace(components[0], not_oriented=lost), *(replace(p, not_oriented=()) for p in components[1:]))
 
 
 def _left(raw: Block, first: TieBlock) -> Array:
@@ -74,14 +74,14 @@ def _left(raw: Block, first: TieBlock) -> Array:
     return seen & ~first.block.images.oriented
 
 
-def place_parts(
+def place_components(
     blocks: Sequence[Block], photos: Sequence[Photo], given: Given, around: Surroundings | None = None
 ) -> tuple[Georeferenced, tuple[Georeferenced, ...]]:
-    """Bring every part to object space: the block of all that are placed there, and the parts that are not.
+    """Bring every component to object space: the block of all that are placed there, and those that are not.
 
     around  what stands there already, as `georeference` takes it
-    The first part leads: where nothing places it, no part is joined to it.
-    raises  InputError as `georeference` does for the first part, unless others stand there: it is apart then
+    The first leads: where nothing places it, none is joined to it.
+    raises  InputError as `georeference` does for the first, unless others stand there: it is apart then
     """
     try:
         first = georeference(blocks[0], photos, given, around)
@@ -115,7 +115,7 @@ def place_parts(
 
 
 def joined_notice(joined: Sequence[Sequence[str]], main: Block) -> tuple[Notice, ...]:
-    """What the result says of parts that control or positions join: of those of which photographs are left in it."""
+    """What the result says of components that control or positions join, if photographs of them are left in it."""
     there = set(_names(main))
     counts = [n for part in joined if (n := len(there.intersection(part)))]
     if len(counts) < 2:
@@ -130,76 +130,19 @@ def joined_notice(joined: Sequence[Sequence[str]], main: Block) -> tuple[Notice,
 def merged(blocks: Sequence[Block]) -> Block:
     """One block of blocks over the same images and cameras, each with other images oriented, in one object system.
 
-    Points of the same name are one point; a camera takes its values from the block with the most images.
+    The block with the most images speaks for cameras and instruments, the first for points that several hold.
     """
-    base = max(blocks, key=lambda b: int(b.images.oriented.sum()))
-    centre, rotation = np.array(base.images.centre), np.array(base.images.rotation)
-    position: dict[str, int] = {}
-    xyz, sigma, role = list[Array](), list[Array](), list[int]()
-    image, point, xy, cov = list[Array](), list[Array](), list[Array](), list[Array]()
-    for block in blocks:
-        mine = block.images.oriented
-        centre[mine], rotation[mine] = block.images.centre[mine], block.images.rotation[mine]
-        p, number = block.points, np.empty(len(block.points), np.int64)
-        rays = np.bincount(block.observations.point, minlength=len(p))
-        for k, name in enumerate(p.ids):
-            if name not in position:
-                position[name] = len(xyz)
-                xyz.append(p.xyz[k])
-                sigma.append(p.sigma[k])
-                role.append(int(p.role[k]))
-            elif rays[k] > 1 and not p.is_control[k].all():
-                # the place by the part that sees it stands before that by one that does not
-                xyz[position[name]] = np.where(p.is_control[k], xyz[position[name]], p.xyz[k])
-            number[k] = position[name]
-        o = block.observations
-        image.append(o.image)
-        point.append(number[o.point])
-        xy.append(o.xy_px)
-        cov.append(o.cov_px2)
-    return replace(
-        base,
-        rejected=tuple(dict.fromkeys(pair for block in blocks for pair in block.rejected)),
-        images=replace(base.images, centre=centre, rotation=rotation),
-        points=replace(
-            base.points, ids=tuple(position), role=np.array(role, np.int32), xyz=np.array(xyz), sigma=np.array(sigma)
-        ),
-        observations=replace(
-            base.observations,
-            image=np.concatenate(image).astype(np.int32),
-            point=np.concatenate(point).astype(np.int32),
-            xy_px=np.vstack(xy),
-            cov_px2=np.vstack(cov),
-        ),
-    ).having(*_tables(blocks, base, position))
+    most = max(range(len(blocks)), key=lambda k: int(blocks[k].images.oriented.sum()))
+    return merge_blocks(blocks, prefer={**dict.fromkeys(SUBJECTS, most), "point": 0})
 
 
-def _tables(blocks: Sequence[Block], base: Block, position: Mapping[str, int]) -> list[Table]:
-    """Observations of the images of all parts; those of points alone, which all parts have alike, once.
-
-    All parts number images and cameras alike.
-    """
-    found = list[Table]()
-    for name in dict.fromkeys(name for b in blocks for name in b.tables):
-        parts = [b.tables[name].renumbered("point", _numbers(b, position)) for b in blocks if name in b.tables]
-        of_images = any(c.of == "image" for _, c in type(parts[0]).cells())
-        mine = base.tables.get(name)
-        alone = parts[0] if mine is None else mine.renumbered("point", _numbers(base, position))
-        found.append(type(parts[0]).joined(parts) if of_images else alone)
-    return found
-
-
-def _numbers(block: Block, position: Mapping[str, int]) -> Index:
-    return np.array([position[i] for i in block.points.ids], np.int32)
-
-
-def part_folder(k: int) -> str:
-    """Folder of the result of the k-th further part."""
+def component_folder(k: int) -> str:
+    """Folder of the result of the k-th further component."""
     return f"result-{k + 2}"
 
 
 def apart_notice(main: Block, apart: Sequence[Georeferenced], folders: Sequence[str]) -> Notice:
-    """What the result of the main part says of the others."""
+    """What the result of the main component says of the others."""
     names = [_names(p.block) for p in apart]
     told = "; ".join(
         f"{kinds(p.block)} in {f} ({', '.join(n[:3])}{' ...' if len(n) > 3 else ''})"

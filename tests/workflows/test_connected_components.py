@@ -10,22 +10,24 @@ import pytest
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Role
-from raybundle.block.select import transformed, with_rows
+from raybundle.block.select import with_rows
+from raybundle.block.transform import transform_block
 from raybundle.io.geo.control_files import ControlFile, Measurements
 from raybundle.numerics.rotation import rotation_from_angles
+from raybundle.numerics.transform import SimilarityTransform
 from raybundle.placing.georeference import Georeferenced
 from raybundle.placing.marks import Given
 from raybundle.placing.positions import Positions, turn_sigma
 from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.workflows.parts import (
+from raybundle.workflows.connected_components import (
     FEWEST_IMAGES,
     apart_notice,
     joined_notice,
     kinds,
     merged,
-    place_parts,
-    start_parts,
+    place_components,
+    start_components,
 )
 
 
@@ -61,7 +63,13 @@ def flight():
             ),
         )
         turn = rotation_from_angles(np.array([0.4, -0.3, 1.0 + k]))
-        parts.append(transformed(part, 0.01 * (k + 1), turn, np.array([k, 2.0, 3.0])))
+        parts.append(
+            transform_block(
+                part,
+                SimilarityTransform(scale=0.01 * (k + 1), rotation=turn, translation=np.array([k, 2.0, 3.0])),
+                observed="stay",
+            )
+        )
     photos = [
         SimpleNamespace(
             name=name, width_px=truth.cameras[0].width_px, height_px=truth.cameras[0].height_px, orientation=1,
@@ -100,7 +108,7 @@ def control(flight, images):
 
 def test_control_in_both_parts_joins_them(flight):
     given = Given(control=(control(flight, np.arange(10)),), sigma_given=True)
-    placed, apart = place_parts(flight.parts, flight.photos, given)
+    placed, apart = place_components(flight.parts, flight.photos, given)
     assert not apart
     assert placed.block.images.oriented.all()
     (told,) = joined_notice(placed.joined, placed.block)
@@ -124,7 +132,7 @@ def test_control_in_both_parts_joins_them(flight):
 
 def test_a_part_without_control_stays_apart_and_is_told(flight):
     given = Given(control=(control(flight, np.arange(5)),), sigma_given=True)
-    placed, apart = place_parts(flight.parts, flight.photos, given)
+    placed, apart = place_components(flight.parts, flight.photos, given)
     assert len(apart) == 1
     assert placed.block.images.oriented.tolist() == [True] * 5 + [False] * 5
     assert apart[0].block.images.oriented.tolist() == [False] * 5 + [True] * 5
@@ -142,7 +150,7 @@ def test_a_part_without_control_stays_apart_and_is_told(flight):
 
 def test_what_is_apart_is_called_by_its_name(flight):
     """One scene and panoramas are no photographs."""
-    placed, apart = place_parts(flight.parts, flight.photos, Given(control=(control(flight, np.arange(5)),)))
+    placed, apart = place_components(flight.parts, flight.photos, Given(control=(control(flight, np.arange(5)),)))
     photograph = placed.block.cameras[0]
     scene = replace(photograph, id="scene", scene=photograph.sensor)
     panorama = replace(photograph, id="pano", model="panorama")
@@ -161,12 +169,12 @@ def test_what_is_apart_is_called_by_its_name(flight):
 
 
 def test_without_control_nothing_is_joined(flight):
-    _, apart = place_parts(flight.parts, flight.photos, Given())
+    _, apart = place_components(flight.parts, flight.photos, Given())
     assert len(apart) == 1
 
 
 def test_merging_keeps_every_observation_and_one_point_of_each_name(flight):
-    whole = merged([transformed(p, 1.0, np.eye(3), np.zeros(3)) for p in flight.parts])
+    whole = merged(flight.parts)
     assert len(whole.observations) == sum(len(p.observations) for p in flight.parts)
     names = [n for p in flight.parts for n in p.points.ids]
     assert set(whole.points.ids) == set(names)
@@ -185,7 +193,7 @@ def test_every_part_of_a_set_of_tracks_is_oriented(flight):
         points=replace(block.points, xyz=np.full((len(block.points), 3), np.nan)),
     )  # fmt: skip
     ones = np.ones(len(raw.observations))
-    parts = start_parts(raw, ones, 0 * ones, 1)
+    parts = start_components(raw, ones, 0 * ones, 1)
     assert len(parts) == 2
     oriented = np.array([p.block.images.oriented for p in parts])
     assert oriented.sum(axis=0).tolist() == [1] * 10
@@ -204,7 +212,7 @@ def test_two_photographs_are_no_part(flight):
         points=replace(block.points, xyz=np.full((len(block.points), 3), np.nan)),
     )
     ones = np.ones(len(raw.observations))
-    parts = start_parts(raw, ones, 0 * ones, 1)
+    parts = start_components(raw, ones, 0 * ones, 1)
     assert len(parts) == 1
     lost = dict(parts[0].not_oriented)
     assert {flight.truth.images.ids[5], flight.truth.images.ids[6]} <= set(lost)
@@ -222,8 +230,8 @@ def test_a_part_on_positions_in_a_line_is_not_joined(flight, monkeypatch):
             firm=not second,
         )  # fmt: skip
 
-    monkeypatch.setattr("raybundle.workflows.parts.georeference", placed)
-    whole, apart = place_parts(flight.parts, flight.photos, Given())
+    monkeypatch.setattr("raybundle.workflows.connected_components.georeference", placed)
+    whole, apart = place_components(flight.parts, flight.photos, Given())
     assert asked == [True, True, False]
     assert whole.block.images.oriented.tolist() == [True] * 5 + [False] * 5
     assert len(apart) == 1
