@@ -98,7 +98,9 @@ def test_by_keyboard_alone(decide, hand, project):
         page.wait_for_timeout(700)
         controls = page.locator(CONTROLS).locator("visible=true")
         for control in controls.all():
-            name = control.evaluate("c => c.getAttribute('aria-label') || (c.labels?.[0]?.textContent) || c.textContent")
+            name = control.evaluate(
+                "c => c.getAttribute('aria-label') || (c.labels?.[0]?.textContent) || c.textContent"
+            )
             assert name.strip(), control.evaluate("c => c.outerHTML")
     hand.tab_to("#decide-options")
     page.keyboard.press("Enter")

@@ -15,7 +15,6 @@ from raybundle.measuring.selection import latest_figures, selected
 from raybundle.measuring.state import State
 from raybundle.studio.verbs import command_of
 
-
 LIMITS = {"w": 2.25, "sigma": 0.0123, "rays": 2.5, "redundancy": 0.05}
 
 

@@ -18,8 +18,7 @@ def check_asked(block: Block, options: AdjustmentOptions) -> None:
                 raise InputError(f"{option(name)}: camera {camera!r} is not in the block; known are {cameras}")
             if symbol not in known[camera]:
                 raise InputError(
-                    f"{option(name)}: camera {camera!r} has no parameter {symbol!r}; it has "
-                    f"{', '.join(known[camera])}"
+                    f"{option(name)}: camera {camera!r} has no parameter {symbol!r}; it has {', '.join(known[camera])}"
                 )
     for camera, symbol in sorted(set(options.free) & set(options.hold)):
         raise InputError(

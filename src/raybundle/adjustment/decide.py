@@ -342,9 +342,7 @@ def _hold_next(
     return camera, {symbol: value}
 
 
-def _least_determinable(
-    result: Adjustment, automatic: list[str], choices: Decisions
-) -> tuple[str, str, str] | None:
+def _least_determinable(result: Adjustment, automatic: list[str], choices: Decisions) -> tuple[str, str, str] | None:
     found: list[tuple[int, float, str, str, str]] = []
     for interior in result.interior:
         if interior.camera not in automatic:
@@ -393,12 +391,15 @@ def _drop_insignificant(
         if interior.camera not in automatic or interior.image is not None or result.precision is None:
             continue
         C = result.precision.interior[interior.camera]
-        for group in _candidates(interior, result):
+        for candidates in _candidates(interior, result):
+            group = tuple(s for s in candidates if (interior.camera, s) not in choices.kept_free)
+            if not group:
+                continue
             k = [interior.free.index(s) for s in group]
             x = np.array([interior.parameters[s].value for s in group])
             F = float(x @ np.linalg.solve(C[np.ix_(k, k)], x) / len(k))
             p = fisher_tail(F, len(k), max(result.redundancy, 1))
-            if _hidden(interior, group) > sigma_px or any((interior.camera, s) in choices.kept_free for s in group):
+            if _hidden(interior, group) > sigma_px:
                 continue
             if p > options.significance and (weakest is None or p > weakest[0]):
                 weakest = (p, interior.camera, group)

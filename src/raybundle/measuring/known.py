@@ -75,9 +75,7 @@ class Known:
         if self.block is None:
             return frozenset()
         o, images, points = self.block.observations, self.block.images.ids, self.block.points.ids
-        return frozenset(
-            (images[i], points[p]) for i, p in zip(o.image.tolist(), o.point.tolist(), strict=True)
-        )
+        return frozenset((images[i], points[p]) for i, p in zip(o.image.tolist(), o.point.tolist(), strict=True))
 
 
 def _unique(ids: Iterable[str], pairs: Iterable[tuple[str, str]]) -> dict[str, str]:

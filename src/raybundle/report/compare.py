@@ -84,9 +84,7 @@ def _differences(first: ResultFolder, second: ResultFolder) -> tuple[Common, lis
     return points, [d for d in found if d]
 
 
-def _html(
-    first: ResultFolder, second: ResultFolder, points: Common, differences: Sequence[PointDifferences]
-) -> str:
+def _html(first: ResultFolder, second: ResultFolder, points: Common, differences: Sequence[PointDifferences]) -> str:
     from raybundle.report.document import page  # noqa: PLC0415  (Jinja2 only where it is used)
 
     sections = (

@@ -1,4 +1,4 @@
-"""What is decided before an adjustment: its options as a form, its parameters with their tests, what is beyond a limit."""
+"""What is decided before an adjustment: options as a form, parameters with their tests, what is beyond a limit."""
 
 from __future__ import annotations
 

@@ -126,7 +126,8 @@ def _figures(kept: Kept) -> dict[str, Any]:
     r = read.result
     numbers = ("sigma0", "redundancy", "observations", "unknowns", "image_points", "rejected", "mean_std")
     return {
-        "number": kept.number, "words": kept.words, "command": kept.command, "worst": _worst(read), "check": _check(read),
+        "number": kept.number, "words": kept.words, "command": kept.command,
+        "worst": _worst(read), "check": _check(read),
         **{name: _number(r.get(name)) for name in numbers}, "noise": str(_table(r.get("noise")).get("kind", "")),
         "options": _words(_table(r.get("options"))), "unit": "" if read.block.free_scale else read.block.length_unit,
         "report": (kept.folder / "report.html").is_file(), "network": (kept.folder / "network.html").is_file(),

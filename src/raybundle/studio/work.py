@@ -32,7 +32,7 @@ class Work:
 
     desk: Desk
     live: Live
-    options: AdjustmentOptions = AdjustmentOptions()
+    options: AdjustmentOptions = field(default_factory=AdjustmentOptions)
     """of the next adjustments, without what the journal says of parameters"""
     shelf: Shelf = field(init=False)
     _thread: threading.Thread | None = None
