@@ -10,6 +10,10 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.measuring.journal import entries_of, journal_path, measured_result
 from raybundle.settings import settings_of
 from raybundle.studio import work as work_module
+from raybundle.studio.app import Studio
+from raybundle.studio.desk import Desk
+from raybundle.studio.guard import Session
+from tests.studio.conftest import PORT
 from tests.studio.test_app import act
 
 
@@ -121,6 +125,24 @@ def test_held_in_spite_of_the_automatic_choice(client, studio, desk):
     (interior,) = desk.adjustment.interior
     assert "K1" not in interior.free
     assert "A" in interior.free
+
+
+def test_opened_again_it_is_as_it_was_adjusted(client, studio, desk, tmp_path):
+    """What was held when it was adjusted is held where its covariances are made again."""
+    camera, _ = parameter(client, "K1")
+    act(client, "parameter", camera=camera, symbol="K1", choice="held")
+    adjusted(client, studio)
+    (tmp_path / "again").mkdir()
+    again = Studio.of(Desk.open(desk.source, tmp_path / "again"), Session(port=PORT))
+    again.work.begin(measured=False)
+    again.work.wait()
+    (interior,) = again.desk.adjustment.interior
+    (before,) = desk.adjustment.interior
+    again.desk.close()
+    assert interior.free == before.free
+    assert "K1" not in interior.free
+    w = [d.adjustment.image_observations.w for d in (again.desk, desk)]
+    assert np.nanmax(np.abs(w[0] - w[1])) < 1e-3
 
 
 @pytest.mark.parametrize(

@@ -31,7 +31,7 @@ from raybundle.measuring.journal import Entry, Journal, entries_of, journal_path
 from raybundle.measuring.known import Known
 from raybundle.measuring.merge import Merged, merge
 from raybundle.measuring.query import Answer, Quantity, ask, in_axes
-from raybundle.measuring.selection import CRITERIA, latest_figures, selected
+from raybundle.measuring.selection import latest_figures, quantity_of, selected
 from raybundle.measuring.session import block_folder
 from raybundle.measuring.state import State
 from raybundle.numerics.progress import Progress, silent
@@ -137,10 +137,7 @@ def mark(folder: str | Path, verb: str, *, id: str = "", author: str = "", **arg
 
 def _beyond(folder: Path, state: State, quantity: str = "", limit: float = float("nan")) -> list[tuple[str, str]]:
     """The image observations beyond a limit in the last adjustment of a folder."""
-    found = next((name for name in CRITERIA if name == quantity), None)
-    if found is None:
-        raise InputError(f"quantity {quantity!r} is none of {', '.join(CRITERIA)}")
-    return [*selected(latest_figures(folder), state, found, limit).rows]
+    return [*selected(latest_figures(folder), state, quantity_of(quantity), limit).rows]
 
 
 def marks(folder: str | Path) -> State:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import cast
 
 import numpy as np
 
@@ -114,6 +115,13 @@ def figures_of_result(result: ResultFolder) -> Figures:
             "redundancy": _extreme(pairs["r"], largest=False),
         },
     )  # fmt: skip
+
+
+def quantity_of(name: str) -> Quantity:
+    """The quantity of a name; raises InputError."""
+    if name not in CRITERIA:
+        raise InputError(f"quantity {name!r} is none of {', '.join(CRITERIA)}")
+    return cast("Quantity", name)
 
 
 def latest_result(folder: Path) -> Path | None:

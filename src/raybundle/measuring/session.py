@@ -22,10 +22,14 @@ from raybundle.settings import option
 Adjust = Callable[[Block], Adjustment]
 
 
-def readjusted(block: Block, progress: Progress = silent) -> Adjustment:
-    """The adjustment of a block that holds adjusted values: it converges at once, and has all covariances."""
-    options = AdjustmentOptions(noise=block.noise or "white", datum_over=block.datum_over or "all")
-    return decide(block, options, progress)
+def readjusted(block: Block, progress: Progress = silent, options: AdjustmentOptions | None = None) -> Adjustment:
+    """The adjustment of a block that holds adjusted values: it converges at once, and has all covariances.
+
+    options  which parameters were estimated; rejected image observations, noise and datum are known of the block
+    """
+    asked = options or AdjustmentOptions()
+    like = replace(asked, reject="none", noise=block.noise or "white", datum_over=block.datum_over or "all")
+    return decide(block, like, progress)
 
 
 @dataclass(slots=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import shlex
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 
@@ -15,7 +15,7 @@ from raybundle.adjustment.result import Adjustment, InteriorResult, ParameterRes
 from raybundle.block import Camera, Instrument
 from raybundle.errors import InputError
 from raybundle.measuring.decisions import Quantity
-from raybundle.measuring.selection import CRITERIA, Figures, Selected, figures_of, selected
+from raybundle.measuring.selection import CRITERIA, Figures, Selected, figures_of, quantity_of, selected
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.statistics import fisher_tail
 from raybundle.settings import Range, Setting, made, settings_of
@@ -149,9 +149,7 @@ def figures(desk: Desk) -> Figures:
 
 def beyond(desk: Desk, quantity: str, limit: float) -> tuple[Quantity, Selected]:
     """The image observations beyond a limit; raises InputError for a quantity that is none, or without adjustment."""
-    if quantity not in CRITERIA:
-        raise InputError(f"quantity {quantity!r} is none of {', '.join(CRITERIA)}")
-    known = cast("Quantity", quantity)
+    known = quantity_of(quantity)
     return known, selected(figures(desk), desk.journal.state, known, limit)
 
 

@@ -14,6 +14,7 @@ import numpy as np
 
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.errors import InputError
+from raybundle.io.reading.trees import read_json
 from raybundle.measuring.journal import measured_result
 from raybundle.report.compare import comparison
 from raybundle.results.folder import ResultFolder, read_result
@@ -24,6 +25,7 @@ MOST = 8
 """Adjustments that are kept; the oldest but the first, which was there when the studio was opened, makes room."""
 WORST = 5
 """Residuals that are told of each."""
+BEFORE = "measured before"
 PAGES = ("report.html", "network.html")
 
 
@@ -63,7 +65,7 @@ class Shelf:
             found._put(Kept(number=0, folder=own, words="as it was opened"))
         if (before / "result.json").is_file():
             found._made = 1
-            found._put(Kept(number=1, folder=before, words="measured before"))
+            found._put(Kept(number=1, folder=before, words=BEFORE))
         return found
 
     def put(self, result: Path, command: str) -> int:
@@ -81,6 +83,14 @@ class Shelf:
         copy = self.folder / f"adjustment-{made.number}"
         shutil.copytree(made.folder, copy, copy_function=_linked, ignore=shutil.ignore_patterns("project"))
         self.kept.append(replace(made, folder=copy))
+
+    def parameters_before(self) -> AdjustmentOptions:
+        """Which parameters were estimated in what was measured before; as by default where there is nothing."""
+        before = next((k for k in self.kept if k.words == BEFORE), None)
+        if before is None:
+            return AdjustmentOptions()
+        told = options_of(_table(read_json(before.folder / "result.json").value))
+        return AdjustmentOptions(estimate=told.estimate, free=told.free, hold=told.hold)
 
     def one(self, number: int) -> Kept:
         """An adjustment that is kept; raises InputError."""
@@ -129,7 +139,7 @@ def _figures(kept: Kept) -> dict[str, Any]:
         "number": kept.number, "words": kept.words, "command": kept.command,
         "worst": _worst(read), "check": _check(read),
         **{name: _number(r.get(name)) for name in numbers}, "noise": str(_table(r.get("noise")).get("kind", "")),
-        "options": _words(_table(r.get("options"))), "unit": "" if read.block.free_scale else read.block.length_unit,
+        "options": as_typed(options_of(r)), "unit": "" if read.block.free_scale else read.block.length_unit,
         "report": (kept.folder / "report.html").is_file(), "network": (kept.folder / "network.html").is_file(),
         "parameters": [
             {"camera": camera, "symbol": symbol, "value": _number(p.get("value")), "sigma": _number(p.get("std")),
@@ -147,13 +157,14 @@ def _number(value: Any) -> float | None:
     return finite(float(value)) if isinstance(value, int | float) and not isinstance(value, bool) else None
 
 
-def _words(options: Mapping[str, Any]) -> list[str]:
-    """The options that are not as by default, as they are typed."""
+def options_of(result: Mapping[str, Any]) -> AdjustmentOptions:
+    """The options that a result.json tells, as far as they are options of the command line."""
     given: dict[str, Any] = {}
+    options = _table(result.get("options"))
     for s in settings_of(AdjustmentOptions):
         value = options.get(s.name, s.default)
         given[s.name] = tuple(tuple(v) if isinstance(v, list) else v for v in value) if s.many else value
-    return as_typed(AdjustmentOptions(**given))
+    return AdjustmentOptions(**given)
 
 
 def _worst(read: ResultFolder) -> list[dict[str, Any]]:

@@ -89,7 +89,8 @@ class Work:
 
     def _as_it_is(self) -> str:
         self._tell("covariances", 0.0)
-        self.desk.replaced(self.desk.adjusted(partial(readjusted, progress=self._tell)))
+        as_before = partial(readjusted, progress=self._tell, options=self.shelf.parameters_before())
+        self.desk.replaced(self.desk.adjusted(as_before))
         return ""
 
     def _measured(self) -> str:
