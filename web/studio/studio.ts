@@ -10,6 +10,7 @@ import { connect } from "./live";
 import { looks } from "./looks";
 import { Measuring } from "./measuring";
 import { Model } from "./model";
+import { short } from "./numbers";
 import { Panel } from "./panel";
 import { Space } from "./space";
 import { Status } from "./status";
@@ -87,10 +88,16 @@ async function begin(model: Model, status: Status): Promise<void> {
     model.say((error as Error).message, "bad");
     throw error;
   }
-  const again = afterPause(() => void model.read().catch(() => {}), 100);
+  const told = () => {
+    const { sigma0 } = model.overview;
+    if (sigma0 !== null && !model.message.words) model.say(`Adjusted: sigma0 ${short(sigma0)}`, "good");
+  };
+  told();
+  const again = afterPause(() => void model.read().then(told).catch(() => {}), 100);
   connect((message) => status.heard(message), (open, before) => {
     status.connection(open);
-    if (open && before) again();
+    // an adjustment that ended before the connection stood was told to nobody
+    if (open && (before || model.overview.sigma0 === null)) again();
   });
 }
 
