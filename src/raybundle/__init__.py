@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from raybundle.block import Block, Camera, Distances, Images, Instrument, Observations, Points, Role, Stations
     from raybundle.block.merge import merge_blocks
     from raybundle.block.transform import transform_block
+    from raybundle.commands.begin import begin
     from raybundle.commands.calibrate import CalibrateSettings, calibrate
     from raybundle.commands.calibrations import (
         CalibrationAddSettings,
@@ -53,7 +54,15 @@ if TYPE_CHECKING:
         StraightFilm,
         film,
     )
-    from raybundle.commands.measure import adjust_marks, export_marks, mark, marks, query, transform_to_points
+    from raybundle.commands.measure import (
+        adjust_marks,
+        export_marks,
+        find_fiducials,
+        mark,
+        marks,
+        query,
+        transform_to_points,
+    )
     from raybundle.commands.orient import OrientSettings, orient
     from raybundle.commands.photos import (
         FramesSettings,
@@ -148,6 +157,7 @@ _HOME = {
     "ZoomSettings": "commands.calibrations",
     "adjust": "workflows.adjust",
     "adjust_marks": "commands.measure",
+    "begin": "commands.begin",
     "calibrate": "commands.calibrate",
     "calibrate_zoom": "commands.calibrations",
     "choose_targets": "commands.target_settings",
@@ -162,6 +172,7 @@ _HOME = {
     "frames": "commands.photos",
     "keep_calibration": "commands.calibrations",
     "kept_calibrations": "commands.calibrations",
+    "find_fiducials": "commands.measure",
     "mark": "commands.measure",
     "marks": "commands.measure",
     "merge_blocks": "block.merge",
@@ -239,6 +250,7 @@ __all__ = [
     "__version__",
     "adjust",
     "adjust_marks",
+    "begin",
     "calibrate",
     "calibrate_zoom",
     "choose_targets",
@@ -250,6 +262,7 @@ __all__ = [
     "export_marks",
     "film",
     "find_calibration",
+    "find_fiducials",
     "frames",
     "keep_calibration",
     "kept_calibrations",

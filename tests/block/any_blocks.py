@@ -38,8 +38,9 @@ instrument = st.builds(
     values=st.dictionaries(st.sampled_from(["ax", "sx", "bx"]), number), **common,
 )  # fmt: skip
 frame = st.builds(
-    PixelFrame, turned=st.sampled_from([0, 90, 180, 270]), width_px=st.integers(1, 9999), height_px=st.integers(1, 9999)
-)
+    PixelFrame, turned=st.sampled_from([0, 90, 180, 270]), width_px=st.integers(1, 9999),
+    height_px=st.integers(1, 9999), affine=st.one_of(st.none(), st.tuples(*[number] * 6)),
+)  # fmt: skip
 ELSEWHERE = {"place", "scene"}
 """Fields that are kept in other ways: a place by the project, a scene as the file that it is read from."""
 

@@ -21,6 +21,7 @@ from raybundle.measuring.session import Session
 from raybundle.measuring.state import EMPTY, folded
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.numerics.transform import SimilarityTransform
+from raybundle.observations.alignment import PlumbLines
 from raybundle.workflows.adjust import adjust
 
 from .scenes import simulation, small_block
@@ -138,6 +139,9 @@ def test_axes_by_points_are_held():
     assert (result.precision.object_point_std[at][held] == 0).all()
     with pytest.raises(InputError, match="contradicts the control points"):
         merge(small_block(), folded([SetDatum(origin=names[0], axis=names[1], plane=names[2])]))
+    upright = PlumbLines(figure=("a", "a"), point=np.array(at[:2], np.int32), sigma=np.full(2, 0.01))
+    with pytest.raises(InputError, match="contradicts the points on plumb lines of the block"):
+        merge(block.having(upright), folded([SetDatum(origin=names[0], axis=names[1], plane=names[2])]))
 
 
 def test_lines_rejections_names_and_what_is_left_out():

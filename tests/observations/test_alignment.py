@@ -166,3 +166,17 @@ def test_control_and_a_plane_together():
     result = adjust(replace(block, points=replace(block.points, role=role, sigma=sigma, xyz=xyz)))
     assert result.sigma0 == pytest.approx(1.0, abs=0.2)
     assert result.datum_defect == ()
+
+
+@pytest.mark.parametrize("spread", [1, 10, 40])
+def test_deviations_from_plumb_lines_tell_no_turn_about_the_vertical(spread):
+    """However far points are off: a turn changes no sum of squares; standard deviations are those of a free network."""
+    _, block = observed("plumb_line", 5, spread=spread * SIGMA)
+    result = adjust(block, AdjustmentOptions(threads=1, reject="none"))
+    assert result.datum_defect == ("position X", "position Y", "position Z", "rotation Z")
+    std = result.precision.object_point_std / result.sigma0
+    _, exact = observed("plumb_line", 5, spread=0.0)
+    expected = adjust(exact, AdjustmentOptions(threads=1, reject="none"))
+    np.testing.assert_allclose(
+        np.median(std, axis=0), np.median(expected.precision.object_point_std / expected.sigma0, axis=0), rtol=0.1
+    )

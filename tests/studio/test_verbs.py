@@ -52,6 +52,9 @@ def test_the_commands_of_a_journal_make_the_same_state(project, tmp_path):
         ("parameter", {"camera": block.cameras[0].id, "symbol": "A", "choice": "free"}),
         ("parameter", {"camera": block.cameras[0].id, "symbol": "K3", "choice": "auto"}),
         *(("reject_beyond", beyond(project, name, limit)) for name, limit in LIMITS.items()),
+        ("fiducial", {"image": a, "name": "F1", "x_px": 7.25, "y_px": 8.5, "covariance": [0.04, 0.01, 0.0]}),
+        ("fiducial", {"image": a, "name": "F2", "x_px": 7.25, "y_px": 80.5}),
+        ("fiducial", {"image": a, "name": "F2"}),
         ("remove", {"image": b, "point": "even"}),
         ("forget", {"point": "free"}),
         ("undo", {}),
@@ -59,9 +62,12 @@ def test_the_commands_of_a_journal_make_the_same_state(project, tmp_path):
         ("redo", {}),
     ]
     assert {verb for verb, _ in actions} == set(VERBS)
+    (project / "film").mkdir()
+    (project / "film" / "film.toml").write_text('[film]\npixel_mm = 0.01\nmodel = "affine"\n')
+    (project / "film" / "certificate.csv").write_text("mark,x_mm,y_mm\nF1,-5,0\nF2,5,0\n")
     again = tmp_path / "again"
     shutil.copytree(project, again)
-    with Journal.open(journal_path(project), Known.of(block)) as journal:
+    with Journal.open(journal_path(project), Known.of(block, ("F1", "F2"))) as journal:
         for verb, arguments in actions:
             journal.append_verb(verb, arguments)
     for entry in entries_of(journal_path(project)):

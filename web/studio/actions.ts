@@ -39,6 +39,11 @@ export class Actions {
     return this.put("/api/reject", { by, limit });
   }
 
+  /** Find the other fiducial marks of a scan. */
+  fiducials(image: string): Promise<ActionAnswer & { found: string[]; left: Record<string, string> }> {
+    return this.put("/api/fiducials", { image }) as Promise<ActionAnswer & { found: string[]; left: Record<string, string> }>;
+  }
+
   private put(path: string, body: Record<string, unknown>): Promise<ActionAnswer> {
     const whole = { id: crypto.randomUUID(), author: this.author, ...body };
     return new Promise((done, refused) => {

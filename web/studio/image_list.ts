@@ -42,8 +42,9 @@ export class ImageList {
     this.small.set(canvas, picture);
     queueMicrotask(() => this.watch.observe(canvas));
     const rms = picture.rms_px === null ? "" : `, ${short(picture.rms_px, 2)} px`;
-    const about = picture.oriented ? `${count(picture.rays, "ray")}${rms}` : "not oriented";
-    return [canvas, h("span", { class: "about", title: picture.id }, h("b", {}, picture.id), h("small", {}, about))];
+    const marks = this.model.marksIn(picture.id).length;
+    const about = picture.oriented ? `${count(picture.rays, "ray")}${rms}` : `not oriented${marks ? `, ${count(marks, "mark")}` : ""}`;
+    return [canvas, h("span", { class: "about", title: picture.id }, h("b", {}, picture.id), h("small", { class: picture.oriented ? "" : "open" }, about))];
   }
 
   private seen(entry: IntersectionObserverEntry): void {

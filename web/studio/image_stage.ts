@@ -26,7 +26,7 @@ export class ImageStage implements Stage {
       dot.style.color = COLOUR[name as keyof typeof COLOUR];
       return h("li", { id: `legend-${name}`, hidden: name === "beyond" }, dot, words);
     }));
-    model.on(["looks", "state", "prediction", "current"], () => this.panes.forEach((p) => p.redraw()));
+    model.on(["looks", "state", "prediction", "current", "fiducial"], () => this.panes.forEach((p) => p.redraw()));
     beyond.onchange(() => {
       element("legend-beyond").hidden = !beyond.points.size;
       this.panes.forEach((p) => p.redraw());

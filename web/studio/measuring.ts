@@ -39,11 +39,25 @@ export class Measuring {
   /** Mark the current point where somebody clicked. */
   async place(image: string, x: number, y: number): Promise<void> {
     const { model } = this;
+    if (model.fiducial) return this.placeFiducial(image, x, y);
     const point = model.current;
     if (!point) return model.say("No point is chosen: N begins a new one, or click an image point to choose it.", "bad");
     if (model.mark(image, point)) return model.say(`${point} is marked here already: drag it, or move it with Shift and the arrow keys.`, "bad");
     const [place, why] = await this.snapped(image, point, x, y);
     await model.act("put", { image, point, ...place }, this.words("marked", point, place, why));
+  }
+
+  /** The fiducial mark that is being measured is there; the next one that is not measured is next. */
+  private async placeFiducial(image: string, x: number, y: number): Promise<void> {
+    const { model } = this;
+    const name = model.fiducial;
+    const [place, why] = await this.snapped(image, "", x, y);
+    const done = await model.act("fiducial", { image, name, ...place }, this.words("measured", name, place, why));
+    if (!done) return;
+    const there = new Set(model.fiducialsIn(image).map((f) => f.name));
+    const names = model.overview.fiducials;
+    const after = [...names.slice(names.indexOf(name)), ...names].find((n) => !there.has(n)) ?? "";
+    model.chooseFiducial(after);
   }
 
   /** Bring the mark of a point to another place, snapped as a click is. */

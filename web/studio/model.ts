@@ -2,10 +2,10 @@
 import { Actions } from "./actions";
 import { ask, Refused } from "./api";
 import { afterPause } from "./dom";
-import { ImageInfo, Mark, Observations, Overview, Predictions, Role, State } from "./types";
+import { Fiducial, ImageInfo, Mark, Observations, Overview, Predictions, Role, State } from "./types";
 
 export type Topic =
-  | "overview" | "state" | "current" | "prediction" | "panes" | "looks" | "observations" | "message" | "read";
+  | "overview" | "state" | "current" | "prediction" | "panes" | "looks" | "observations" | "message" | "read" | "fiducial";
 
 export interface Message {
   words: string;
@@ -23,6 +23,8 @@ export class Model {
   state!: State;
   /** The point that is being measured; "": none. */
   current = "";
+  /** The fiducial mark that is being measured, in place of a point; "": none. */
+  fiducial = "";
   prediction: Predictions | null = null;
   /** Images of the panes, and which of them is active. */
   panes: string[] = [];
@@ -50,7 +52,7 @@ export class Model {
     this.images.clear();
     this.overview.images.forEach((image, k) => this.images.set(image.id, { ...image, k }));
     this.given.clear();
-    this.take(this.overview.state, true);
+    this.take(this.overview.state);
     this.emit("overview");
     this.emit("read");
     this.emit("observations");
@@ -58,8 +60,8 @@ export class Model {
   }
 
   /** A state as the server told it; an older one than is known is left out. */
-  take(state: State, always = false): void {
-    if (!always && this.state && state.seq < this.state.seq) return;
+  take(state: State): void {
+    if (this.state && state.seq < this.state.seq) return;
     this.state = state;
     this.marks.clear();
     for (const mark of state.marks) this.marks.set(mark.image, [...(this.marks.get(mark.image) ?? []), mark]);
@@ -87,11 +89,21 @@ export class Model {
   }
 
   choose(point: string): void {
+    if (this.fiducial) this.chooseFiducial("");
     if (point === this.current) return;
     this.current = point;
     this.prediction = null;
     this.emit("current");
     this.predictSoon();
+  }
+
+  chooseFiducial(name: string): void {
+    this.fiducial = name;
+    this.emit("fiducial");
+  }
+
+  fiducialsIn(image: string): Fiducial[] {
+    return this.state.fiducials.filter((f) => f.image === image);
   }
 
   marksIn(image: string): Mark[] {

@@ -1,7 +1,7 @@
 // What lies over a photograph: image points with residuals, marks, the prediction of the current point, the cross hair.
 import { beyond } from "./beyond";
 import { COLOUR, Filter, looks } from "./looks";
-import { Mark, Observations, Prediction } from "./types";
+import { Fiducial, Mark, Observations, Prediction } from "./types";
 import { View } from "./view";
 
 export type Status = "used" | "weak" | "rejected" | "control" | "check";
@@ -12,6 +12,8 @@ export interface Shown {
   marks: { mark: Mark; x: number; y: number }[];
   prediction: Prediction | null;
   image: string;
+  fiducials: Fiducial[];
+  fiducial: string;
   current: string;
   hover: number;
   hair: boolean;
@@ -64,6 +66,7 @@ export function drawOverlay(pen: Pen, view: View, shown: Shown, ratio: number): 
   }
   if (shown.prediction) drawPrediction(pen, view, shown.prediction, shown.current);
   for (const each of shown.marks) drawMark(pen, view, each, each.mark.point === shown.current);
+  for (const f of shown.fiducials) drawFiducial(pen, view, f, f.name === shown.fiducial);
   if (shown.hair) drawHair(pen, view);
 }
 
@@ -174,6 +177,19 @@ function drawMark(pen: Pen, view: View, { mark, x, y }: Shown["marks"][number], 
   twice(pen, colour, current ? 2 : 1.6);
   if (current) ring(pen, u, v, 14, COLOUR.mark);
   label(pen, mark.point, u + r + 4, v - 7, colour);
+}
+
+function drawFiducial(pen: Pen, view: View, f: Fiducial, current: boolean): void {
+  const [u, v] = view.toScreen(f.x, f.y);
+  const colour = current ? COLOUR.current : COLOUR.control;
+  pen.beginPath();
+  pen.rect(u - 9, v - 9, 18, 18);
+  for (const [a, b] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) {
+    pen.moveTo(u + 3 * a, v + 3 * b);
+    pen.lineTo(u + 9 * a, v + 9 * b);
+  }
+  twice(pen, colour, 1.6);
+  label(pen, f.name, u + 14, v - 7, colour);
 }
 
 export function label(pen: Pen, words: string, u: number, v: number, colour: string): void {

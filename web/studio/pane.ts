@@ -114,7 +114,8 @@ export class Pane {
     const prediction = model.prediction?.predictions.find((p) => p.image === picture.id) ?? null;
     return {
       observations: this.observations, rejectedHere: this.rejectedHere(), marks: this.marks(), prediction,
-      image: picture.id, current: model.current, hover: this.hover, hair: this.keyboard && document.activeElement === this.body,
+      image: picture.id, fiducials: model.fiducialsIn(picture.id), fiducial: model.fiducial,
+      current: model.current, hover: this.hover, hair: this.keyboard && document.activeElement === this.body,
     };
   }
 
@@ -277,6 +278,7 @@ export class Pane {
 
   private click(event: MouseEvent, u: number, v: number): void {
     const { model } = this;
+    if (model.fiducial) return this.enter(u, v);
     const mark = this.markAt(u, v);
     if (mark) return model.choose(mark.point);
     const row = this.pointAt(u, v);

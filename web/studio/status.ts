@@ -46,6 +46,7 @@ export class Status {
     const line = element("headline");
     line.textContent = line.title = told || `${o.kind}: ${o.images.length} images, ${o.points} points`;
     line.className = o.grade;
+    element("report").hidden = !o.report;
   }
 
   private async begin(): Promise<void> {
@@ -74,6 +75,7 @@ export class Status {
 
   heard(message: Live): void {
     if (message.type === "state") this.model.take(message.state);
+    else if (message.type === "oriented") void this.model.read().catch(() => {});
     else if (message.type === "progress") {
       element("work").hidden = false;
       this.adjust.disabled = true;

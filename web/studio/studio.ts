@@ -1,6 +1,7 @@
 // The studio: the parts of the page put together.
 import { afterPause, element } from "./dom";
 import { Decide } from "./decide";
+import { Fiducials } from "./fiducials";
 import { ImageList } from "./image_list";
 import { ImageStage } from "./image_stage";
 import { Journal } from "./journal";
@@ -13,6 +14,7 @@ import { Model } from "./model";
 import { short } from "./numbers";
 import { Panel } from "./panel";
 import { Space } from "./space";
+import { StandingLine } from "./standing";
 import { Status } from "./status";
 import { isPoint, Tables } from "./tables";
 import { Tabs } from "./tabs";
@@ -32,6 +34,11 @@ async function start(): Promise<void> {
     stage.open(image, beside).body.focus();
   });
   const panel = new Panel(model, measuring, { visit });
+  new StandingLine(model, (point, image) => {
+    model.choose(point);
+    void panel.goTo(point, image);
+  });
+  new Fiducials(model);
   new Bars(model);
   new Control(model);
   const space = new Space(model, (image) => {

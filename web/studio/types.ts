@@ -30,6 +30,16 @@ export interface Mark {
   clicked: [number, number] | null;
 }
 
+/** A fiducial mark of a scan of film. */
+export interface Fiducial {
+  image: string;
+  name: string;
+  x: number;
+  y: number;
+  cov: Covariance;
+  how: How;
+}
+
 export interface State {
   seq: number;
   can_undo: number;
@@ -38,9 +48,21 @@ export interface State {
   points: { point: string; role: Role; xyz: Three; sigma: Three }[];
   bars: { start: string; end: string; length: number; sigma: number }[];
   lines: { line: string; kind: string; points: string[]; sigma: number }[];
+  fiducials: Fiducial[];
   datum: { origin: string; axis: string; plane: string } | null;
   rejected: [string, string][];
   renamed: Record<string, string>;
+}
+
+/** How far the photographs are oriented, and what the others lack. */
+export interface Standing {
+  oriented: number;
+  images: number;
+  line: string;
+  words: string[];
+  trouble: string;
+  lacking: { image: string; other: string; kind: string; have: number; need: number; words: string }[];
+  wrong: { point: string; images: string[]; words: string }[];
 }
 
 export interface Overview {
@@ -58,6 +80,10 @@ export interface Overview {
   points: number;
   observations: number;
   state: State;
+  standing: Standing;
+  report: boolean;
+  /** Names of the fiducial marks, where the photographs are scans of film. */
+  fiducials: string[];
   notices: { code: string; message: string }[];
 }
 
@@ -249,5 +275,6 @@ export interface Kept {
 
 export type Live =
   | { type: "state"; state: State }
+  | { type: "oriented"; seq: number }
   | { type: "progress"; stage: string; share: number }
   | { type: "adjusted"; sigma0: number | null; folder: string; error: string };

@@ -321,6 +321,7 @@ def _observed_rows(system: System, state: State, centre: Array, extent: float) -
         if not part.kind.carries_datum or part.kind.name == "control":  # control stands in the fixed coordinates
             continue
         row, scale = np.zeros((len(part.rows), 7)), extent if part.kind.unit == "length" else 1.0
+        places = part.kind.places(part.table, part.rows, system.extra.scope, state)
         for by in part.kind.observed(part.table, part.rows, system.extra.scope, state).partials:
             if by.of in {"interior", "own"}:
                 columns = system.columns(part.kind, by)
@@ -333,6 +334,7 @@ def _observed_rows(system: System, state: State, centre: Array, extent: float) -
                 np.add.at(row[:, 3:6], by.row, turned)
             else:
                 at = (state.xyz if by.of == "point" else state.centre)[by.item]
+                at = places[by.row] if by.of == "point" and places is not None else at
                 moved = point_generators(at, centre, extent)[np.arange(len(at)), by.component]
                 np.add.at(row, by.row, moved * (by.value / scale)[:, None])
         fixing.append(row)

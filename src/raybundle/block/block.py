@@ -138,13 +138,16 @@ class Camera(Parametrised):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PixelFrame:
-    """How a file's pixels lie, where they are not those of its camera: stored turned, or a reduced copy."""
+    """How a file's pixels lie, where they are not those of its camera: stored turned, a copy, a scan of film."""
 
     turned: Turn
     """By which the camera's picture was turned"""
     width_px: int
     """Of the file"""
     height_px: int
+    affine: tuple[float, float, float, float, float, float] | None = None
+    """Of a scan, whose place follows from fiducial marks: x = a0 x' + a1 y' + a2, y = a3 x' + a4 y' + a5 of the file by
+    x', y' of the camera; None: a copy"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,4 +1,4 @@
-"""Files whose pixels are not in their camera's frame: stored turned, or reduced copies.
+"""Files whose pixels are not in their camera's frame: stored turned, reduced copies, scans of film.
 
 The interior orientation belongs to the sensor.  A program that turns a picture by quarter turns, or makes it smaller,
 changes the pixels of the file and not the camera: image points are brought to the camera's pixel frame, and a
@@ -53,6 +53,9 @@ def size_ratio(camera: tuple[int, int], file: tuple[int, int]) -> tuple[float, b
 
 def _motion(camera: Camera, frame: PixelFrame) -> _Motion:
     """Of a file in the frame of its camera."""
+    if frame.affine is not None:
+        a = np.array(frame.affine).reshape(2, 3)
+        return _Motion(matrix=a[:, :2], shift=a[:, 2])
     size = np.array([camera.width_px, camera.height_px], float)
     flip = np.diag([1.0, -1.0])  # pixel frames have y down
     turn = flip @ turn_matrix(frame.turned) @ flip
@@ -187,6 +190,8 @@ def stored_ways(block: Block) -> tuple[StoredWay, ...]:
     """The ways in which files of a block are stored other than its cameras have their pixels."""
     found: dict[tuple[int, PixelFrame], list[str]] = {}
     for i, frame in sorted(block.images.frames.items()):
+        if frame.affine is not None:  # a scan lies in its own way
+            continue
         found.setdefault((int(block.images.camera[i]), frame), []).append(block.images.ids[i])
     return tuple(StoredWay(camera=c, frame=f, images=tuple(names)) for (c, f), names in found.items())
 
@@ -204,6 +209,11 @@ def _without_affine_turn(images: Images, which: Mapping[int, tuple[Camera, Pixel
 
 def _in_frame(camera: Camera, frame: PixelFrame) -> Camera:
     """The camera of files in that frame; the same interior orientation, in their axes and pixels."""
+    if frame.affine is not None:
+        raise InputError(
+            f"camera {camera.id}: its files are scans, each of which lies in another way in the camera's frame by its "
+            "fiducial marks; transform the scans first, other programs take no affine interior orientation of an image"
+        )
     size = (frame.height_px, frame.width_px) if frame.turned in (90, 270) else (frame.width_px, frame.height_px)
     w, h = camera.pixel_mm[0] * camera.width_px / size[0], camera.pixel_mm[1] * camera.height_px / size[1]
     turned = f"-turned{frame.turned}" if frame.turned else ""

@@ -13,6 +13,7 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FILE_OR_FOLDER, NEW_FOLDER, common_options, counted
 from raybundle.cli.numbers import NUMBER, PIXELS, POSITIVE, Number
 from raybundle.cli.settings import options_of, values_of
+from raybundle.commands.begin_settings import BeginSettings
 from raybundle.commands.measure_settings import RejectSettings
 from raybundle.errors import InputError
 
@@ -38,11 +39,12 @@ PERHAPS, PERHAPS_SIGMA = PerhapsNumber(), PerhapsNumber(0)
 
 @click.group("mark", context_settings=COMMAND_SETTINGS)
 def command() -> None:
-    """Measure points by hand in the images of a project, result or block folder.
+    """Measure points by hand in the images of a project, result or block folder, or in photographs alone.
 
     What is done is kept, action by action, in FOLDER/measured.db of a project, and in FOLDER.measured.db beside another
-    folder; undo and redo are unlimited. Pixels count from the outer corner of the first one, in the file as it is
-    stored.
+    folder; of a folder of photographs, in a project that is begun beside it, FOLDER-project. There marks orient the
+    photographs: six points that two show, then four with coordinates in each further one. Undo and redo are unlimited.
+    Pixels count from the outer corner of the first one, in the file as it is stored.
 
     \b
     Example:
@@ -70,8 +72,11 @@ def _verb(name: str) -> Callable[[Callable[..., Any]], click.Command]:
 
 
 def _do(folder: Path, verb: str, author: str, **arguments: Any) -> None:
-    from raybundle.commands.measure import mark  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.commands.begin import measuring_folder, standing_folder  # noqa: PLC0415  (loaded after the help)
+    from raybundle.commands.measure import mark  # noqa: PLC0415
 
+    if standing_folder(folder) is None:
+        click.echo(f" project: {measuring_folder(folder, told=lambda line: click.echo(f'   {line}'))}")
     seq = mark(folder, verb, author=author, **arguments)
     told = _moved(folder, seq) if verb in {"undo", "redo"} else ""
     click.echo(f" action {seq}: {verb}{told}")
@@ -109,15 +114,41 @@ def _place(folder: Path, verb: str, author: str, sigma: float, covariance: Covar
     _do(folder, verb, author, covariance=covariance or (sigma**2, sigma**2, 0.0), **given)
 
 
-def _precision(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Add --sigma and --covariance."""
+def _precision(usual: float) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
+    """Add --sigma, with its default, and --covariance."""
     whole = click.option(
         "--covariance", type=(POSITIVE, POSITIVE, NUMBER), metavar="XX YY XY",
         help="Variances of x and y and their covariance [px^2], in place of --sigma.",
     )  # fmt: skip
-    return click.option(
-        "--sigma", type=PIXELS, default=0.5, show_default=True, metavar="PX", help="Standard deviation of the mark."
-    )(whole(function))
+    sigma = click.option(
+        "--sigma", type=PIXELS, default=usual, show_default=True, metavar="PX", help="Standard deviation of the mark."
+    )
+    return lambda function: sigma(whole(function))
+
+
+@command.command("begin", context_settings=COMMAND_SETTINGS)
+@click.argument("photos", type=FOLDER, nargs=-1, required=True)
+@click.option(
+    "--out", type=NEW_FOLDER, metavar="PROJECT", help="Project folder; begun, or continued.  [default: PHOTOS-project]"
+)
+@options_of(BeginSettings)
+@common_options
+def begin_(photos: tuple[Path, ...], out: Path | None, progress: str, **given: Any) -> None:
+    """Begin a project of photographs that matching cannot join, to measure them by hand.
+
+    \b
+    Example:
+      raybundle mark begin archive/ --out archive-project
+      raybundle mark begin archive/ --camera "1938_*" --calibration cameras.toml
+    """  # noqa: D301
+    from raybundle.cli.progress import reporting  # noqa: PLC0415
+    from raybundle.commands.begin import begin  # noqa: PLC0415
+
+    with reporting(progress) as tell:
+        project = begin(
+            photos, out, told=lambda line: click.echo(f"   {line}"), progress=tell, **values_of(BeginSettings, given)
+        )
+    click.echo(f" project: {project}")
 
 
 @_verb("put")
@@ -125,7 +156,7 @@ def _precision(function: Callable[..., Any]) -> Callable[..., Any]:
 @click.argument("point")
 @click.argument("x_px", type=NUMBER, metavar="X")
 @click.argument("y_px", type=NUMBER, metavar="Y")
-@_precision
+@_precision(0.5)
 def put(
     folder: Path, image: str, point: str, x_px: float, y_px: float, sigma: float, covariance: Covariance | None,
     author: str,
@@ -144,7 +175,7 @@ def put(
 @click.argument("point")
 @click.argument("x_px", type=NUMBER, metavar="X")
 @click.argument("y_px", type=NUMBER, metavar="Y")
-@_precision
+@_precision(0.5)
 def move(
     folder: Path, image: str, point: str, x_px: float, y_px: float, sigma: float, covariance: Covariance | None,
     author: str,
@@ -323,6 +354,25 @@ def parameter(folder: Path, camera: str, symbol: str, choice: str, author: str) 
     _do(folder, "parameter", author, camera=camera, symbol=symbol, choice=choice)
 
 
+@_verb("fiducial")
+@click.argument("image")
+@click.argument("name")
+@click.argument("x_px", type=NUMBER, metavar="[X]", required=False)
+@click.argument("y_px", type=NUMBER, metavar="[Y]", required=False)
+@_precision(0.2)
+def fiducial(
+    folder: Path, image: str, name: str, x_px: float | None, y_px: float | None, sigma: float,
+    covariance: Covariance | None, author: str,
+) -> None:  # fmt: skip
+    """Where a fiducial mark is in a scan of film; without X and Y: take it away.
+
+    \b
+    Example:
+      raybundle mark fiducial archive-project 17_0412.tif F1 812.4 9310.7
+    """  # noqa: D301
+    _place(folder, "fiducial", author, sigma, covariance, image=image, name=name, x_px=x_px, y_px=y_px)
+
+
 @_verb("undo")
 def undo(folder: Path, author: str) -> None:
     """Take the last action back.
@@ -356,11 +406,12 @@ def list_(folder: Path, with_history: bool, as_json: bool) -> None:  # noqa: FBT
     Example:
       raybundle mark list facade-project --history
     """  # noqa: D301
+    from raybundle.commands.begin import standing_folder  # noqa: PLC0415
     from raybundle.commands.measure import as_plain, history, marks  # noqa: PLC0415
     from raybundle.measuring.session import block_folder  # noqa: PLC0415
     from raybundle.measuring.state import in_force  # noqa: PLC0415
 
-    block_folder(folder)
+    block_folder(standing_folder(folder) or folder)
     if with_history:
         entries = history(folder)
         counts, _ = in_force([e.action for e in entries])
@@ -389,6 +440,9 @@ def _shown(state: State) -> list[str]:
     lines += [f" {v.kind} line {n}: {', '.join(v.points)}" for n, v in state.lines.items()]
     if state.datum is not None:
         lines.append(f" coordinate system: {', '.join(state.datum.points)} (origin, axis, plane)")
+    lines += [
+        f" fiducial mark {n} in {i}: {m.x_px:.2f} {m.y_px:.2f} px, {m.how}" for (i, n), m in state.fiducials.items()
+    ]
     lines += [f" rejected: {p} in {i}" for i, p in sorted(state.rejected)]
     lines += [f" parameter {s} of camera {c}: {choice}" for (c, s), choice in sorted(state.parameters.items())]
     return lines
@@ -428,18 +482,25 @@ def export(folder: Path, out: Path, crs: str) -> None:
 def adjust_(folder: Path, out: Path | None, no_report: bool, progress: str, **given: Any) -> None:  # noqa: FBT001
     """Adjust the block with what was measured by hand, and write a result folder.
 
+    Photographs without orientation are oriented from their marks, as far as these allow; what the others lack is said.
+
+    \b
+    Exit status: 0 a result is written; 2 bad input; 3 not solvable as given: what is lacking is named.
+
     \b
     Example:
       raybundle mark adjust facade-project
       raybundle mark adjust facade-project --out facade-with-control --reject snooping
     """  # noqa: D301
     from raybundle.cli.progress import reporting  # noqa: PLC0415
+    from raybundle.commands.begin import standing_folder  # noqa: PLC0415
     from raybundle.commands.measure import adjust_marks  # noqa: PLC0415
     from raybundle.measuring.journal import measured_result  # noqa: PLC0415
     from raybundle.report.text.summary import summary_lines  # noqa: PLC0415
     from raybundle.report.write import write_result  # noqa: PLC0415
     from raybundle.results.folder import check_target  # noqa: PLC0415
 
+    folder = standing_folder(folder) or folder
     target = out or measured_result(folder)
     check_target(target)
     with reporting(progress) as tell:

@@ -7,11 +7,14 @@ from pathlib import Path
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER
 
 
 @click.command("studio", context_settings=COMMAND_SETTINGS)
-@click.argument("source", type=FOLDER, metavar="PROJECT|RESULT|BLOCK")
+@click.argument("source", type=FOLDER, metavar="PROJECT|RESULT|BLOCK|PHOTOS")
+@click.option("--out", type=NEW_FOLDER, metavar="PROJECT",
+    help="Project folder of PHOTOS; begun, or continued.  [default: PHOTOS-project]",
+)  # fmt: skip
 @click.option("--photos", type=FOLDER, multiple=True, metavar="FOLDER",
     help="Where the photographs are.  [default: as the project knows]",
 )  # fmt: skip
@@ -20,22 +23,27 @@ from raybundle.cli.common import COMMAND_SETTINGS, FOLDER
 @click.option("--traceback", is_flag=True, expose_value=False,
     help="After an error, show where in the program it arose.",
 )  # fmt: skip
-def command(source: Path, photos: tuple[Path, ...], port: int, no_browser: bool) -> None:  # noqa: FBT001
+def command(source: Path, out: Path | None, photos: tuple[Path, ...], port: int, no_browser: bool) -> None:  # noqa: FBT001
     """Look, measure and adjust in the browser.
 
     The server listens on this computer alone. The address that is printed lets in once, the browser that opens it
     stays in. What is measured is kept, action by action, in PROJECT/measured.db (RESULT.measured.db beside a result
-    or block); what is adjusted with it, in PROJECT/measured-result.
+    or block); what is adjusted with it, in PROJECT/measured-result. Of photographs alone, which matching cannot join, a
+    project is begun beside them: the points that are marked in them orient them, at once.
 
     \b
     Example:
       raybundle studio facade-project
       raybundle studio facade-result --photos facade/ --no-browser
+      raybundle studio archive/ --out archive-project
     """  # noqa: D301
-    from raybundle.studio.serve import serve  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.commands.begin import measuring_folder  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.studio.serve import serve  # noqa: PLC0415
+
+    project = measuring_folder(source, out, lambda line: click.echo(f"   {line}"))
 
     def told(address: str) -> None:
-        click.echo(f" studio of {source}: {address}\n Ctrl-C ends it; what was measured is kept")
+        click.echo(f" studio of {project}: {address}\n Ctrl-C ends it; what was measured is kept")
 
     with contextlib.suppress(KeyboardInterrupt):  # the way in which it ends
-        serve(source, photos, port=port, browser=not no_browser, told=told)
+        serve(project, photos, port=port, browser=not no_browser, told=told)

@@ -13,6 +13,7 @@ import numpy as np
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
+from raybundle.commands.begin import measuring_folder, standing_folder
 from raybundle.commands.measure_settings import DatumSettings, QuerySettings
 from raybundle.errors import InputError
 from raybundle.io.block.folder import ROLES, read_block
@@ -27,12 +28,14 @@ from raybundle.measuring.export import (
     write_gcp_list,
     write_merged_block,
 )
+from raybundle.measuring.film import read_scans
 from raybundle.measuring.journal import Entry, Journal, entries_of, journal_path, measured_result, state_of
 from raybundle.measuring.known import Known
 from raybundle.measuring.merge import Merged, merge
 from raybundle.measuring.query import Answer, Quantity, ask, in_axes
 from raybundle.measuring.selection import latest_figures, quantity_of, selected
 from raybundle.measuring.session import block_folder
+from raybundle.measuring.start import adjusted
 from raybundle.measuring.state import State
 from raybundle.numerics.progress import Progress, silent
 from raybundle.results.folder import ResultFolder
@@ -118,20 +121,26 @@ def transform_to_points(result: Adjustment | str | Path, out: str | Path, **give
 
 
 def open_journal(folder: str | Path) -> Journal:
-    """The journal of a project, result or block folder, with its block to check actions against."""
-    return Journal.open(journal_path(folder), Known.of(read_block(block_folder(folder))))
+    """The journal of a project, result or block folder, with its block to check actions against.
+
+    folder  a folder of photographs, too: its project is begun where there is none (`measuring_folder`)
+    """
+    folder = measuring_folder(folder)
+    scans = read_scans(folder)
+    fiducials = () if scans is None else scans.calibrated.names
+    return Journal.open(journal_path(folder), Known.of(read_block(block_folder(folder)), fiducials))
 
 
 def mark(folder: str | Path, verb: str, *, id: str = "", author: str = "", **arguments: Any) -> int:  # noqa: A002
     """Do an action of measuring, and return its number: `mark("facade", "put", image=..., point=..., x_px=...)`.
 
     verb    put, move, remove, point, rename, forget, bar, unbar, line, datum, reject, accept, reject_beyond (quantity:
-            w, sigma, rays or redundancy, and limit, of the last adjustment), parameter, undo, redo
+            w, sigma, rays or redundancy, and limit, of the last adjustment), parameter, fiducial, undo, redo
     raises  InputError where it cannot be done
     """
     with open_journal(folder) as journal:
         if verb == "reject_beyond" and "rows" not in arguments:
-            arguments["rows"] = _beyond(Path(folder), journal.state, **arguments)
+            arguments["rows"] = _beyond(_standing(folder), journal.state, **arguments)
         return journal.append_verb(verb, arguments, id=id, author=author)
 
 
@@ -140,29 +149,66 @@ def _beyond(folder: Path, state: State, quantity: str = "", limit: float = float
     return [*selected(latest_figures(folder), state, quantity_of(quantity), limit).rows]
 
 
+def find_fiducials(folder: str | Path, image: str, *, author: str = "") -> Mapping[str, str]:
+    """Measure the fiducial marks of a scan that are not measured yet, and say of those not found why.
+
+    image   id or file of a scan in which three marks, not in one line, are measured (`mark(folder, "fiducial", ...)`)
+    raises  InputError where these are too few, or its photograph is not there
+    Each mark that is found is an action, brought to what the picture shows at the place that the others give.
+    """
+    from raybundle.io.photos.photo import read_grey, read_photo  # noqa: PLC0415
+    from raybundle.measuring.fiducials import find_fiducials as found_in  # noqa: PLC0415
+    from raybundle.pipeline.project import photographs_of  # noqa: PLC0415
+
+    project = _standing(folder)
+    scans = read_scans(project)
+    with open_journal(project) as journal:
+        name = journal.known.image(image)
+        if scans is None:
+            raise InputError("these photographs are no scans of film; there are no fiducial marks to be found")
+        path = next((f / name for f in photographs_of(project) if (f / name).is_file()), None)
+        if path is None:
+            raise InputError(f"image {quoted(name)}: its photograph is not where the project says", file=project)
+        grey = read_grey(read_photo(path))
+        size = journal.known.size_px[name]
+        found = found_in(journal.state, name, scans, size, lambda x, y: (grey, (0, 0)))  # noqa: ARG005
+        for action in found.actions:
+            journal.append(action, author=author)
+    return found.left
+
+
 def marks(folder: str | Path) -> State:
     """What was measured by hand in a project, result or block folder."""
-    return state_of(journal_path(folder))
+    return state_of(journal_path(_standing(folder)))
 
 
 def history(folder: str | Path) -> list[Entry]:
     """All actions, those taken back included."""
-    return entries_of(journal_path(folder))
+    return entries_of(journal_path(_standing(folder)))
 
 
 def merged(folder: str | Path) -> Merged:
     """The block of a folder with what was measured by hand."""
-    return merge(read_block(block_folder(folder)), marks(folder))
+    project = _standing(folder)
+    return merge(read_block(block_folder(project)), marks(folder), read_scans(project))
+
+
+def _standing(folder: str | Path) -> Path:
+    """The project of a folder of photographs, where it stands; else the folder."""
+    return standing_folder(folder) or Path(folder)
 
 
 def adjust_marks(folder: str | Path, progress: Progress = silent, **given: Any) -> tuple[Adjustment, Mapping[str, str]]:
     """Adjust the block of a folder with what was measured and decided by hand; also what was left out, and why.
 
-    given  settings of AdjustmentOptions; parameters that `free` and `hold` name go before those of the journal
+    given   settings of AdjustmentOptions; parameters that `free` and `hold` name go before those of the journal
+    raises  NoOrientation that says what the photographs lack where none is oriented
+    Photographs without orientation are oriented from their marks, as far as these allow.
     """
     options = with_decisions(made(AdjustmentOptions, given), marks(folder))
     found = merged(folder)
-    return adjust(found.block, options, progress), found.left_out
+    lacking = {k.image: k.words for k in found.lacking if k.kind != "marks"}
+    return adjusted(found, lambda block: adjust(block, options, progress)), {**found.left_out, **lacking}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -177,7 +223,7 @@ class Exported:
 def export_marks(folder: str | Path, out: str | Path, *, crs: str = "") -> Exported:
     """Write what was measured: NAME.csv as orient reads it, NAME.txt as gcp_list (with `crs`), else a block."""
     out, state = Path(out), marks(folder)
-    block = read_block(block_folder(folder))
+    block = read_block(block_folder(_standing(folder)))
     if out.suffix.lower() == ".csv":
         return Exported(files=write_csv(state, out, Known.of(block)), remarks=lost_in_csv(state))
     if out.suffix.lower() == ".txt":
@@ -189,7 +235,7 @@ def export_marks(folder: str | Path, out: str | Path, *, crs: str = "") -> Expor
             )
         file = write_gcp_list(state, out, Known.of(block), crs)
         return Exported(files=(file,), remarks=lost_in_gcp_list(state))
-    return Exported(files=(write_merged_block(state, out, block),))
+    return Exported(files=(write_merged_block(state, out, block, read_scans(_standing(folder))),))
 
 
 def as_plain(state: State) -> dict[str, Any]:
@@ -202,6 +248,7 @@ def as_plain(state: State) -> dict[str, Any]:
         "bars": [{"start": a, "end": b, **asdict(v)} for (a, b), v in state.bars.items()],
         "lines": [{"line": n, **asdict(v)} for n, v in state.lines.items()],
         "datum": None if state.datum is None else cast("Any", asdict(state.datum)),
+        "fiducials": [{"image": i, "name": n, **asdict(m)} for (i, n), m in state.fiducials.items()],
         "rejected": [{"image": i, "point": p} for i, p in sorted(state.rejected)],
         "parameters": [{"camera": c, "symbol": s, "choice": v} for (c, s), v in state.parameters.items()],
         "renamed": dict(state.renamed), "can_undo": state.can_undo, "can_redo": state.can_redo,

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.adjustment.options import NOISE_HELP, NoiseModel
+from raybundle.commands.camera_settings import APART, KNOWN, LIBRARY
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import (
@@ -39,19 +40,13 @@ class OrientSettings:
     """folders and files"""
     out: Path
     """project folder; begun, or continued"""
-    calibration: Path | None = setting(
-        None, "Known cameras; `estimate = []` in it holds them; those of `raybundle calibrate` are observed with their "
-        "covariance.", metavar="CAMERAS.toml",
-    )  # fmt: skip
-    separate: tuple[str, ...] = setting(
-        (), "Photographs whose names match, as 'left_*' or 'a.jpg|b.jpg', are a camera apart; for those without "
-        "metadata.", flag="camera", metavar="PATTERN",
-    )  # fmt: skip
+    calibration: Path | None = setting(None, KNOWN, metavar="CAMERAS.toml")
+    separate: tuple[str, ...] = setting((), APART, flag="camera", metavar="PATTERN")
     masks: Path | None = setting(
         None, "Masks of the photographs, named photo.jpg.png as by COLMAP, or photo_mask.png or photo.png as by "
         "Metashape: nothing is measured where they are 0.", metavar="DIR",
     )  # fmt: skip
-    library: bool = setting(True, "Leave calibrations of the camera library out.", flag="no-library")
+    library: bool = setting(True, LIBRARY, flag="no-library")
     control: tuple[Path, ...] = setting(
         (), "Control points with their places in the photographs: gcp_list.txt, CSV or a block folder.", metavar="FILE"
     )
@@ -202,7 +197,7 @@ def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orienta
     check_target(result)
     begins = not out.exists()
     try:
-        _keep_settings(settings)
+        keep_settings(settings)
         done = oriented(
             settings.photos, out, options, calibration=cameras, given=given, progress=progress,
             positions=None if settings.positions is None else read_trajectory(settings.positions),
@@ -222,7 +217,7 @@ def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orienta
     return done
 
 
-def _keep_settings(settings: OrientSettings) -> None:
+def keep_settings(settings: OrientSettings) -> None:
     """Write the settings, as given or by default, into project.toml."""
     from raybundle.pipeline.project import Project  # noqa: PLC0415
 

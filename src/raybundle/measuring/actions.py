@@ -21,6 +21,8 @@ from raybundle.measuring.state import Axes, Bar, Draft, How, Line, Mark, Measure
 
 HAND_PX = 0.5
 """Standard deviation of a point marked by hand, as of the marks of control files."""
+FIDUCIAL_PX = 0.2
+"""The same of a fiducial mark, as of the marks of `raybundle film`."""
 Numbers3 = tuple[float | None, float | None, float | None]
 NOTHING: Numbers3 = (None, None, None)
 
@@ -331,6 +333,56 @@ class Accept(Action):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Fiducial(Action):
+    """Where a fiducial mark is in a scan of film; one measured before is replaced, without a place it is taken away."""
+
+    verb: ClassVar[str] = "fiducial"
+    image: str
+    name: str
+    x_px: float | None = None
+    y_px: float | None = None
+    covariance: tuple[float, float, float] = (FIDUCIAL_PX**2, FIDUCIAL_PX**2, 0.0)
+    how: How = "hand"
+    clicked: tuple[float, float] | None = None
+    quality: float | None = None
+
+    @property
+    def mark(self) -> Mark | None:
+        """What it puts there; None: nothing."""
+        if self.x_px is None or self.y_px is None:
+            return None
+        return Mark(
+            x_px=self.x_px, y_px=self.y_px, covariance=self.covariance, how=self.how, clicked=self.clicked,
+            quality=self.quality,
+        )  # fmt: skip
+
+    def settled(self, state: State, known: Known) -> Action:
+        image = known.image(self.image)
+        if self.name not in known.fiducials:
+            there = ", ".join(map(quoted, known.fiducials[:8]))
+            raise InputError(
+                f"fiducial mark {quoted(self.name)} has no calibrated position; known are {there}"
+                if there
+                else "these photographs are no scans of film: no fiducial mark has a calibrated position; begin the "
+                "project with a certificate (--film)"
+            )
+        who = f"fiducial mark {quoted(self.name)} in image {quoted(image)}"
+        if (self.x_px is None) != (self.y_px is None):
+            raise InputError(f"{who} has one coordinate; give x and y, or none to take it away")
+        if self.mark is not None:
+            check_mark(known, image, self.mark)
+        elif (image, self.name) not in state.fiducials:
+            raise InputError(f"{who} was not measured; there is nothing to take away")
+        return replace(self, image=image)
+
+    def apply(self, draft: Draft) -> None:
+        if self.mark is None:
+            draft.fiducials.pop((self.image, self.name), None)
+        else:
+            draft.fiducials[self.image, self.name] = self.mark
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Undo(Action):
     """Take the last action back that is not taken back."""
 
@@ -364,7 +416,7 @@ class Redo(Action):
 
 _KINDS: tuple[type[Action], ...] = (
     Put, Move, Remove, Point, Rename, Forget, SetBar, Unbar, SetLine, SetDatum, Reject, Accept, RejectBeyond,
-    SetParameter, Undo, Redo,
+    SetParameter, Fiducial, Undo, Redo,
 )  # fmt: skip
 VERBS: dict[str, type[Action]] = {kind.verb: kind for kind in _KINDS}
 """Every verb -> its type."""

@@ -15,6 +15,7 @@ from raybundle.io.geo.control_files import MEASUREMENTS
 from raybundle.io.geo.coordinate_systems import parse_crs
 from raybundle.io.reading.words import quoted
 from raybundle.io.tables import write_table
+from raybundle.measuring.film import Scans
 from raybundle.measuring.known import Known
 from raybundle.measuring.merge import merge
 from raybundle.measuring.state import State
@@ -85,9 +86,9 @@ def write_gcp_list(state: State, path: str | Path, known: Known, crs: str) -> Pa
     return path
 
 
-def write_merged_block(state: State, path: str | Path, block: Block) -> Path:
+def write_merged_block(state: State, path: str | Path, block: Block, scans: Scans | None = None) -> Path:
     """The block with what was measured, as a block folder; a folder that holds something is not overwritten."""
-    write_block(merge(block, state).block, path)
+    write_block(merge(block, state, scans).block, path)
     return Path(path)
 
 

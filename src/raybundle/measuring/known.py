@@ -23,18 +23,26 @@ class Known:
     """id or file -> image; files without their folder, too, where one image alone has that name"""
     points: frozenset[str] = frozenset()
     block: Block | None = None
+    fiducials: tuple[str, ...] = ()
+    """fiducial marks of the film that the photographs are scans of; (): they are none"""
     _rows: dict[str, int] = field(default_factory=dict[str, int])
 
     @classmethod
-    def of(cls, block: Block) -> Known:
-        """What a block holds; image points are in the pixels of the files."""
+    def of(cls, block: Block, fiducials: Iterable[str] = ()) -> Known:
+        """What a block holds; image points are in the pixels of the files.
+
+        fiducials  names of the fiducial marks, where the photographs are scans of film
+        """
         size: dict[str, tuple[int, int]] = {}
         pairs: list[tuple[str, str]] = []
         for i, (name, file) in enumerate(zip(block.images.ids, block.images.file, strict=True)):
             frame = block.images.frames.get(i) or block.cameras[int(block.images.camera[i])]
             size[name] = frame.width_px, frame.height_px
             pairs += [(file, name), (Path(file).name, name)] if file else []
-        return cls(size_px=size, names=_unique(size, pairs), points=frozenset(block.points.ids), block=block)
+        return cls(
+            size_px=size, names=_unique(size, pairs), points=frozenset(block.points.ids), block=block,
+            fiducials=tuple(fiducials),
+        )  # fmt: skip
 
     @classmethod
     def of_photos(cls, sizes: Mapping[str, tuple[int, int]]) -> Known:

@@ -14,13 +14,17 @@ from raybundle.block.transform import transform_block
 from raybundle.errors import InputError
 from raybundle.io.block.folder import ROLES
 from raybundle.io.reading.words import quoted
+from raybundle.measuring.film import Scans, placed
 from raybundle.measuring.frames import in_camera
+from raybundle.measuring.orienting import oriented
 from raybundle.measuring.state import Axes, State
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.transform import SimilarityTransform, similarity
 from raybundle.observations.alignment import Lines, OnFigure, PlumbLines
 from raybundle.observations.coordinates import Coordinates
+from raybundle.observations.kind import in_order
 from raybundle.orientation.absolute import partial_similarity
+from raybundle.orientation.lacking import Lack
 from raybundle.orientation.rays import intersect_linear, object_rays, rays_of
 
 F = TypeVar("F", bound=OnFigure)
@@ -35,32 +39,63 @@ class Merged:
     block: Block
     left_out: Mapping[str, str] = field(default_factory=dict[str, str])
     """point, bar or line -> why it does not stand in the block"""
+    new: bool = False
+    """whether photographs were oriented from the marks"""
+    lacking: tuple[Lack, ...] = ()
+    """what photographs without orientation lack; their marks do not stand in the block"""
+    untold: tuple[str, ...] = ()
+    """cameras whose constant comes from the marks alone"""
+    film: tuple[str, ...] = ()
+    """what is to be said of fiducial marks, in sentences"""
 
 
-def merge(block: Block, state: State) -> Merged:
+def merge(block: Block, state: State, scans: Scans | None = None) -> Merged:
     """The block with points, marks, control, bars, lines and rejections of a state.
 
-    A mark stands in place of the block's own observation of that point in that image.  Where nothing fixed the block in
+    A mark stands in place of the block's own observation of that point in that image.  Photographs without orientation
+    are oriented from their marks, as far as these allow.  Where nothing fixed the block in
     space and control is measured now, it is brought there; where bars alone are, to their scale; where axes are
     defined by points, into these: their coordinates that are 0 by definition are held.
+    scans   what is known of the film that photographs are scans of: their fiducial marks say where they lie
     raises  InputError for axes beside control, and for what names an image that the block does not hold
     """
-    base = _renamed(block, state)
+    film = placed(block, state, scans)
+    state = _without_marks(state, {k.image for k in film.lacking})
+    base = _renamed(film.block, state)
     free = not _fixed(base)
-    made = _with_marks(base, state)
+    start = oriented(_with_marks(base, state), state, free=free)
+    made = start.block
     places = _met(made, [k for k, name in enumerate(made.points.ids) if name in state.points or _of_use(name, state)])
-    made, places = _placed(made, state, places, free=free)
+    made, places = _placed(made, state, places, free=free and not start.by_control)
     made = _with_points(made, state, places)
     made, out = _without_thin(made, state)
     made = _with_tables(made, state, out)
     if state.datum is not None:
         made = _in_axes(made, state.datum)
-    return Merged(block=_with_rejected(made, state), left_out=out)
+    return Merged(
+        block=_with_rejected(made, state), left_out=out, new=start.new, untold=start.untold,
+        lacking=(*film.lacking, *(k for k in start.lacking if k.image not in {f.image for f in film.lacking})),
+        film=film.words,
+    )  # fmt: skip
+
+
+def _without_marks(state: State, images: set[str]) -> State:
+    """The state without the marks in some images."""
+    if not images:
+        return state
+    return replace(state, marks={k: m for k, m in state.marks.items() if k[0] not in images})
 
 
 def _fixed(block: Block) -> bool:
     """Whether something puts a block into its object space."""
     return bool(block.points.is_control.any() or len(block.stations) or len(block.table(Coordinates)))
+
+
+def _fixing(block: Block) -> list[str]:
+    """What of a block tells where its axes are, in words: control, and observations in axes that exist already."""
+    found = ["control points"] if block.points.is_control.any() else []
+    kinds = (k for k in in_order() if k.table is not None and k.carries_datum and not k.fixes_scale)
+    return found + [k.title[:1].lower() + k.title[1:] for k in kinds if len(k.table_of(block))]
 
 
 def _of_use(name: str, state: State) -> bool:
@@ -207,9 +242,13 @@ def _without_thin(block: Block, state: State) -> tuple[Block, dict[str, str]]:
         if name not in state.points:
             continue
         if p.role[k] == Role.TIE and rays[k] < 2:
-            out[name] = "marked in one image only" if rays[k] else "not marked in any image"
+            marks = len(state.marks_of(name))
+            here = "marked in one image only" if marks < 2 else "marked in one oriented image only"
+            none = "not marked in any image" if not marks else "not marked in any oriented image"
+            out[name] = here if rays[k] else none
         elif p.role[k] != Role.TIE and rays[k] == 0:
-            out[name] = f"{state.points[name].role} point that is not marked in any image"
+            which = "oriented image" if state.marks_of(name) else "image"
+            out[name] = f"{state.points[name].role} point that is not marked in any {which}"
         gone[k] = name in out
     if not gone.any():
         return block, out
@@ -282,10 +321,10 @@ def check_axes(names: Sequence[str], xyz: Array) -> None:
 
 def _in_axes(block: Block, axes: Axes) -> Block:
     """In the axes of three points, whose coordinates are held as far as they are 0 by definition."""
-    if _fixed(block):
+    if fixing := _fixing(block):
         raise InputError(
-            f"the coordinate system by points {', '.join(map(quoted, axes.points))} contradicts the control points or "
-            "observed positions of the block, which define one; take the one or the other away, or transform the "
+            f"the coordinate system by points {', '.join(map(quoted, axes.points))} contradicts the "
+            f"{', '.join(fixing)} of the block, which tell one; take the one or the other away, or transform the "
             "result (raybundle datum)"
         )
     index = {name: k for k, name in enumerate(block.points.ids)}

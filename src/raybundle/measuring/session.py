@@ -54,7 +54,8 @@ class Session:
         """Of an adjustment, with its full covariances if it has statistics."""
         joint = None if adjustment.handle.work is None else Joint.of(adjustment)
         words = "" if joint else "the adjustment was made without statistics: there are no covariances"
-        return cls._made(adjustment.adjusted, adjustment, words, joint)
+        block = replace(adjustment.adjusted, free_scale="scale" in adjustment.datum_defect)
+        return cls._made(block, adjustment, words, joint)
 
     @classmethod
     def of_block(cls, block: Block, adjust: Adjust | None = readjusted) -> Session:
@@ -124,7 +125,7 @@ class Session:
 def block_folder(folder: str | Path) -> Path:
     """The block folder of a project, a result or a block folder; raises InputError."""
     folder = Path(folder)
-    for inner in (folder / "result" / "block", folder / "block", folder):
+    for inner in _places(folder):
         if (inner / "block.toml").is_file():
             return inner
     raise InputError(
@@ -132,3 +133,12 @@ def block_folder(folder: str | Path) -> Path:
         f"{option('out')} named",
         file=folder,
     )
+
+
+def holds_block(folder: Path) -> bool:
+    """Whether a folder is a project, a result or a block folder."""
+    return any((inner / "block.toml").is_file() for inner in _places(folder))
+
+
+def _places(folder: Path) -> tuple[Path, ...]:
+    return folder / "result" / "block", folder / "block", folder

@@ -90,6 +90,8 @@ class State:
     """(from, to) -> bar"""
     lines: Mapping[str, Line] = field(default_factory=dict[str, Line])
     datum: Axes | None = None
+    fiducials: Mapping[Key, Mark] = field(default_factory=dict[Key, Mark])
+    """(scan, name of the fiducial mark) -> where it is"""
     rejected: frozenset[Key] = frozenset()
     """rows of the block, (image, point), that take no part"""
     renamed: Mapping[str, str] = field(default_factory=dict[str, str])
@@ -103,6 +105,10 @@ class State:
     def marks_of(self, point: str) -> dict[str, Mark]:
         """The marks of a point, by image."""
         return {image: m for (image, p), m in self.marks.items() if p == point}
+
+    def fiducials_in(self, image: str) -> dict[str, Mark]:
+        """The fiducial marks measured in a scan, by name."""
+        return {name: m for (i, name), m in self.fiducials.items() if i == image}
 
     def marks_in(self, image: str) -> dict[str, Mark]:
         """The marks in an image, by point."""
@@ -121,6 +127,7 @@ class Draft:
     bars: dict[Key, Bar] = field(default_factory=dict[Key, Bar])
     lines: dict[str, Line] = field(default_factory=dict[str, Line])
     datum: Axes | None = None
+    fiducials: dict[Key, Mark] = field(default_factory=dict[Key, Mark])
     rejected: set[Key] = field(default_factory=set[Key])
     renamed: dict[str, str] = field(default_factory=dict[str, str])
     parameters: dict[Key, Choice] = field(default_factory=dict[Key, Choice])
@@ -130,7 +137,7 @@ class Draft:
         """A copy that can be changed."""
         return cls(
             dict(state.marks), dict(state.points), dict(state.bars), dict(state.lines), state.datum,
-            set(state.rejected), dict(state.renamed), dict(state.parameters),
+            dict(state.fiducials), set(state.rejected), dict(state.renamed), dict(state.parameters),
         )  # fmt: skip
 
     def done(self, can_undo: int, can_redo: int) -> State:
@@ -138,8 +145,9 @@ class Draft:
         return State(
             marks=MappingProxyType(self.marks), points=MappingProxyType(self.points),
             bars=MappingProxyType(self.bars), lines=MappingProxyType(self.lines), datum=self.datum,
-            rejected=frozenset(self.rejected), renamed=MappingProxyType(self.renamed),
-            parameters=MappingProxyType(self.parameters), can_undo=can_undo, can_redo=can_redo,
+            fiducials=MappingProxyType(self.fiducials), rejected=frozenset(self.rejected),
+            renamed=MappingProxyType(self.renamed), parameters=MappingProxyType(self.parameters),
+            can_undo=can_undo, can_redo=can_redo,
         )  # fmt: skip
 
     def drop_points(self, gone: set[str]) -> None:

@@ -131,15 +131,25 @@ class _Alignment(ObservationKind, registered=False):
         return np.concatenate([*axes, scale * values[:, -3:] @ R.T + t], axis=1)
 
     def observed(self, table: OnFigure, rows: Rows, scope: Scope, values: Values) -> Observed:
-        names = {name: k for k, name in enumerate(self.own(table, scope))}
-        at = np.array([names[table.figure[k]] for k in rows.item.tolist()], np.int32)
-        own, point, n = values.own[self.name], table.point[rows.item], np.arange(len(rows))
-        r = values.xyz[point] - self._anchors(own)[at]
+        own, at, r = self._apart(table, rows, scope, values)
+        n, point = np.arange(len(rows)), table.point[rows.item]
         axis = self._axes(own)[at, rows.component]
         by = self._own_partials(own[at], r, rows.component)
         found: list[Partials] = [partials("point", n, point, k, axis[:, k]) for k in range(3)]
         found += [partials("own", n, at, k, by[:, k]) for k in range(self.own_width)]
         return Observed((axis * r).sum(axis=1), tuple(found))
+
+    def places(self, table: OnFigure, rows: Rows, scope: Scope, values: Values) -> Array:
+        own, at, r = self._apart(table, rows, scope, values)
+        axes = self._axes(own)[at]
+        return values.xyz[table.point[rows.item]] - np.einsum("kc,kci->ki", np.einsum("kci,ki->kc", axes, r), axes)
+
+    def _apart(self, table: OnFigure, rows: Rows, scope: Scope, values: Values) -> tuple[Array, Index, Array]:
+        """Values of the figures, which of them each row is of, and X - A (k, 3)."""
+        names = {name: k for k, name in enumerate(self.own(table, scope))}
+        at = np.array([names[table.figure[k]] for k in rows.item.tolist()], np.int32)
+        own = values.own[self.name]
+        return own, at, values.xyz[table.point[rows.item]] - self._anchors(own)[at]
 
     def named(self, table: OnFigure, rows: Rows, scope: Scope) -> Named:
         ids = (f"{table.figure[k]}: {scope.point_ids[table.point[k]]}" for k in rows.item.tolist())

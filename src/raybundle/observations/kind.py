@@ -269,6 +269,14 @@ class ObservationKind(ABC):
     def observed(self, table: Any, rows: Rows, scope: Scope, values: Values) -> Observed:
         """Residuals and partial derivatives at these values."""
 
+    def places(self, table: Any, rows: Rows, scope: Scope, values: Values) -> Array | None:
+        """(k, 3) where the one point of each row would lie if the row had no residual; None: where it lies.
+
+        Residuals of an item that turn with the object (distances in X and Y from a plumb line) change each by a turn,
+        and their sum of squares not at all: they do not tell it, however large they are.
+        """
+        return None
+
     @abstractmethod
     def named(self, table: Any, rows: Rows, scope: Scope) -> Named:
         """Names of the rows and of their quantities."""

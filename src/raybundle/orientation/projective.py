@@ -75,12 +75,13 @@ class _Model:
             return x[:, :2] / x[:, 2:] - self.xy
 
 
-def self_calibration(block: Block, *, sigma_px: float = 1.0) -> SelfCalibration:
+def self_calibration(block: Block, *, sigma_px: float = 1.0, common: int = 2 * LEAST) -> SelfCalibration:
     """Camera constants, principal points, orientations and points from image points alone.
 
     The cameras' interior orientation is not used but for the pixel's shape; distortion counts as none.  Images of one
     camera share its interior orientation; where it is `per_image`, make a camera for each image.
     sigma_px  standard deviation of image points for the tests; of distorted photographs rather 2 px
+    common    points that the first pair must have in common; points measured by hand are few, and seldom wrong
     raises    NoOrientation where no pair has a fundamental matrix, or no assumption makes the model metric
     """
     half, size = _sizes(block)
@@ -88,7 +89,7 @@ def self_calibration(block: Block, *, sigma_px: float = 1.0) -> SelfCalibration:
     aspect = np.array([c.pixel_mm[1] / c.pixel_mm[0] for c in block.cameras])[block.images.camera]
     scaled = (o.xy_px - half[o.image]) / size[o.image, None]
     scaled[:, 1] *= aspect[o.image]
-    a, b, rows, F = _first_pair(block, sigma_px)
+    a, b, rows, F = _first_pair(block, sigma_px, common)
     model = _Model(
         image=o.image, point=o.point, xy=scaled, used=np.ones(len(o), bool),
         P=np.full((len(block.images), 3, 4), np.nan), X=np.full((len(block.points), 4), np.nan),
@@ -110,14 +111,14 @@ def _sizes(block: Block) -> tuple[Array, Array]:
     return formats / 2, formats.max(axis=1) / 2
 
 
-def _first_pair(block: Block, sigma_px: float) -> tuple[int, int, tuple[Index, Index], FundamentalMatrix]:
+def _first_pair(block: Block, sigma_px: float, least: int) -> tuple[int, int, tuple[Index, Index], FundamentalMatrix]:
     """The pair with most points that agree beyond what a homography explains."""
     o = block.observations
     everything = np.ones(len(block.images), bool)
     best: tuple[float, int, int, tuple[Index, Index], FundamentalMatrix] | None = None
     reasons: list[str] = []
     for a, b, common in image_pairs(o.image, o.point, everything, len(block.points), PAIRS):
-        if common < 2 * LEAST:
+        if common < least:
             break
         rows = common_rows(np.flatnonzero(o.image == a), np.flatnonzero(o.image == b), o.point)
         try:
@@ -129,7 +130,7 @@ def _first_pair(block: Block, sigma_px: float) -> tuple[int, int, tuple[Index, I
         if best is None or score > best[0]:
             best = (score, a, b, rows, F)
     if best is None:
-        why = reasons[0] if reasons else f"no two images have {2 * LEAST} points in common"
+        why = reasons[0] if reasons else f"no two images have {least} points in common"
         raise NoOrientation(f"no pair of images determines a fundamental matrix; {why}")
     return best[1:]
 

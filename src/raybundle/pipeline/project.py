@@ -4,6 +4,8 @@
     PROJECT/project.db       stages, photographs, verified pairs (SQLite)
     PROJECT/cache/xx/KEY.npz products of stages; a key holds the hash of everything that the product depends on
     PROJECT/result/          the result folder
+    PROJECT/block/           the photographs alone, where they are measured by hand and `orient` made no result
+    PROJECT/film/            what is known of the film that the photographs are scans of
     PROJECT/measured.db      what was measured by hand (`raybundle.measuring.journal`)
 
 Nothing is ever changed in place: a product is written beside its place and renamed, a row is inserted in a
@@ -38,7 +40,7 @@ from raybundle.settings import option
 
 SCHEMA = 1
 OWN = {
-    "project.db", "project.db-wal", "project.db-shm", "project.toml", "cache", "result",
+    "project.db", "project.db-wal", "project.db-shm", "project.toml", "cache", "result", "block", "film",
     "measured.db", "measured.db-wal", "measured.db-shm", "measured-result",
 }  # fmt: skip
 _LEFTOVER = re.compile(r"\.result\.[0-9a-f]{8}\.(?:partial|old)|\.project\.toml\.[0-9a-f]{8}")

@@ -56,7 +56,7 @@ def fingerprints(block: Block) -> list[tuple[str, str, str]]:
     ]  # fmt: skip
     held = np.zeros(len(i), bool) if i.held is None else i.held
     own = [json.dumps([k, sorted(v.items())]) for k, v in sorted(i.interior.items())]
-    own += [json.dumps([k, f.turned, f.width_px, f.height_px]) for k, f in sorted(i.frames.items())]
+    own += [json.dumps([k, f.turned, f.width_px, f.height_px, *(f.affine or ())]) for k, f in sorted(i.frames.items())]
     instruments = [
         json.dumps([c.id, c.model, sorted(c.values.items()), c.estimate, sorted(c.sigma.items())])
         for c in block.instruments

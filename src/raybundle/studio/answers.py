@@ -10,6 +10,7 @@ import numpy as np
 
 from raybundle.adjustment.result import Adjustment
 from raybundle.measuring.frames import file_matrix, to_file
+from raybundle.measuring.journal import measured_result
 from raybundle.measuring.predict import Prediction, predict, visible, worst
 from raybundle.measuring.state import State
 from raybundle.numerics.arrays import Array
@@ -43,8 +44,23 @@ def overview(desk: Desk) -> dict[str, Any]:
         "sigma0": None if a is None else finite(a.sigma0), "redundancy": None if a is None else a.redundancy,
         "neglected": desk.session.neglected, "headline": "" if told is None else told.headline,
         "grade": "" if told is None else told.grade, "images": images, "points": len(block.points),
-        "observations": len(o), "state": state_of(desk),
+        "observations": len(o), "state": state_of(desk), "standing": standing_of(desk),
+        "fiducials": [] if desk.scans is None else list(desk.scans.calibrated.names),
+        "report": (measured_result(desk.source) / "report.html").is_file(),
         "notices": [] if a is None else [{"code": n.code, "message": n.message} for n in a.notices],
+    }  # fmt: skip
+
+
+def standing_of(desk: Desk) -> dict[str, Any]:
+    """How far the photographs are oriented, and what the others lack, as data and in words."""
+    s = desk.standing
+    return {
+        "oriented": s.oriented, "images": s.images, "line": s.line, "words": list(s.words), "trouble": s.trouble,
+        "lacking": [
+            {"image": k.image, "other": k.other, "kind": k.kind, "have": k.have, "need": k.need, "words": k.words}
+            for k in s.lacking
+        ],
+        "wrong": [{"point": w.point, "images": list(w.images), "words": w.words} for w in s.wrong],
     }  # fmt: skip
 
 
@@ -71,6 +87,10 @@ def plain_state(state: State) -> dict[str, Any]:
                   for n, v in state.lines.items()],
         "datum": None if state.datum is None else
         {"origin": state.datum.origin, "axis": state.datum.axis, "plane": state.datum.plane},
+        "fiducials": [
+            {"image": i, "name": n, "x": m.x_px, "y": m.y_px, "cov": list(m.covariance), "how": m.how}
+            for (i, n), m in state.fiducials.items()
+        ],
         "rejected": sorted([i, p] for i, p in state.rejected), "renamed": dict(state.renamed),
         "parameters": [{"camera": c, "symbol": s, "choice": v} for (c, s), v in state.parameters.items()],
     }  # fmt: skip

@@ -33,7 +33,7 @@ from raybundle.studio.desk import Desk
 from raybundle.studio.guard import Guard, Session, TooLarge
 from raybundle.studio.live import Live
 from raybundle.studio.scene import scene
-from raybundle.studio.snapping import snapped
+from raybundle.studio.snapping import fiducials_found, snapped
 from raybundle.studio.tables import Wanted
 from raybundle.studio.verbs import command_of
 from raybundle.studio.work import Work
@@ -75,11 +75,13 @@ class Studio:
             "/api/points": lambda q: tables.points(self.desk, _wanted(q)),
             "/api/table/observations": lambda q: tables.observations(self.desk, _wanted(q)),
             "/api/journal": lambda _: self._journal(),
+            "/api/standing": lambda _: answers.standing_of(self.desk),
             **deciding.gets,
         }
         posts: dict[str, Callable[[dict[str, Any]], Any]] = {
             "/api/action": self._action,
             "/api/control": self._control,
+            "/api/fiducials": self._fiducials,
             "/api/snap": lambda given: snapped(self.desk, given),
             "/api/adjust": lambda _: {"begun": self.work.begin(measured=True)},
             "/api/stop": lambda _: {"stopping": self.work.stop()},
@@ -104,12 +106,14 @@ class Studio:
     @asynccontextmanager
     async def _lifespan(self, _: Starlette) -> AsyncGenerator[None]:
         self.live.loop = asyncio.get_running_loop()
-        if self.desk.adjustment is None:
+        if self.desk.to_begin:
+            self.work.soon()
+        elif self.desk.adjustment is None:
             self.work.begin(measured=False)
         try:
             yield
         finally:
-            self.work.stop()
+            await run_in_threadpool(self.work.close)
             self.desk.close()
 
     async def _page(self, request: Request) -> Response:
@@ -161,6 +165,7 @@ class Studio:
             raise HTTPException(409, str(error)) from None
         state = answers.state_of(self.desk)
         self.live.tell_from_thread({"type": "state", "state": state})
+        self.work.soon()
         entry = next(iter(self.desk.journal.entries(seq - 1)))
         return {"seq": seq, "state": state, "command": command_of(self.desk.source, verb, entry.arguments)}
 
@@ -183,7 +188,21 @@ class Studio:
             raise HTTPException(409, str(error)) from None
         state = answers.state_of(self.desk)
         self.live.tell_from_thread({"type": "state", "state": state})
+        self.work.soon()
         return {"added": [a.point for a in actions], "remarks": list(remarks), "state": state}
+
+    def _fiducials(self, given: dict[str, Any]) -> dict[str, Any]:
+        """The other fiducial marks of a scan: one action each of those that are found."""
+        first = _text(given, "id")
+        if not first:
+            raise HTTPException(400, "a search has an id, as an action has")
+        found = fiducials_found(self.desk, _text(given, "image"))
+        for k, action in enumerate(found.actions):
+            self.desk.journal.append(action, id=f"{first}-{k}", author=str(given.get("author", ""))[:100])
+        state = answers.state_of(self.desk)
+        self.live.tell_from_thread({"type": "state", "state": state})
+        self.work.soon()
+        return {"found": [a.name for a in found.actions], "left": dict(found.left), "state": state}
 
     def _post(self, make: Callable[[dict[str, Any]], Any]) -> Answer:
         async def answer(request: Request) -> Response:

@@ -56,6 +56,7 @@ class Deciding:
     def pages(self) -> list[Route]:
         """Reports and comparisons, each a document of its own."""
         return [
+            Route("/report/{name}", self._last, methods=["GET"]),
             Route("/adjustment/{number}/{name}", self._page, methods=["GET"]),
             Route("/comparison/{first}/{second}", self._comparison, methods=["GET"]),
         ]
@@ -87,6 +88,13 @@ class Deciding:
     async def _page(self, request: Request) -> Response:
         number, name = (request.path_params[n] for n in ("number", "name"))
         return await _document(lambda: self.work.shelf.page(_number(number), name))
+
+    async def _last(self, request: Request) -> Response:
+        """A page of the last adjustment with what was measured."""
+        name, kept = request.path_params["name"], self.work.shelf.kept
+        if not kept or kept[-1].number == 0:
+            raise HTTPException(404, "there is no such page; adjust first")
+        return await _document(lambda: self.work.shelf.page(kept[-1].number, name))
 
     async def _comparison(self, request: Request) -> Response:
         first, second = (_number(request.path_params[n]) for n in ("first", "second"))

@@ -14,9 +14,11 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block
+from raybundle.measuring.film import Scans, read_scans
 from raybundle.measuring.journal import Journal, journal_path, measured_result
 from raybundle.measuring.known import Known
 from raybundle.measuring.session import Adjust, Session, block_folder, readjusted
+from raybundle.measuring.start import Standing, standing_of, to_begin
 from raybundle.numerics.arrays import Index
 from raybundle.pipeline.project import photographs_of
 from raybundle.studio.tiles import Tiles
@@ -35,6 +37,10 @@ class Desk:
     session: Session
     journal: Journal
     tiles: Tiles
+    standing: Standing
+    """how far the photographs are oriented"""
+    scans: Scans | None = None
+    """what is known of the film that the photographs are scans of"""
     _rows: tuple[Index, Index] | None = None
     lock: threading.RLock = field(default_factory=threading.RLock)
 
@@ -51,10 +57,13 @@ class Desk:
         kind: Kind = "project" if (source / "project.db").is_file() else "block" if inner == source else "result"
         latest = measured_result(source) / "block"
         block = read_block(latest) if (latest / "block.toml").is_file() else given
-        journal = Journal.open(journal_path(source), Known.of(given))
+        scans = read_scans(source)
+        known = Known.of(given, () if scans is None else scans.calibrated.names)
+        journal = Journal.open(journal_path(source), known)
         paths = _photographs(given, [*photos, *photographs_of(source), *photographs_of(source / "result")])
         sizes = {k: journal.known.size_px[name] for k, name in enumerate(given.images.ids)}
-        return cls(source, kind, given, Session.of_block(block, None), journal, Tiles(folder, paths, sizes))
+        session, tiles = Session.of_block(block, None), Tiles(folder, paths, sizes)
+        return cls(source, kind, given, session, journal, tiles, standing_of(block), scans)
 
     @property
     def block(self) -> Block:
@@ -70,10 +79,16 @@ class Desk:
         """A session of the same block with its adjustment and covariances; takes as long as an adjustment."""
         return Session.of_block(self.block, adjust)
 
-    def replaced(self, session: Session) -> None:
+    @property
+    def to_begin(self) -> bool:
+        """Whether the marks are to orient photographs."""
+        return to_begin(self.given, self.journal.state)
+
+    def replaced(self, session: Session, standing: Standing | None = None) -> None:
         """Go on with another session."""
         with self.lock:
             self.session = session
+            self.standing = standing_of(session.block) if standing is None else standing
             self._rows = None
 
     def rows_in(self, image: int) -> Index:

@@ -8,6 +8,7 @@ import cv2
 import numpy as np
 
 from raybundle.errors import InputError
+from raybundle.measuring.fiducials import Found, find_fiducials
 from raybundle.measuring.predict import affine
 from raybundle.measuring.snap import MARGIN_PX, Reference, Snapped, snap
 from raybundle.numerics.arrays import Array
@@ -37,6 +38,15 @@ def snapped(desk: Desk, given: dict[str, Any]) -> dict[str, Any]:
         "x": found.x_px + corner[0], "y": found.y_px + corner[1], "cov": list(found.covariance), "how": found.kind,
         "quality": found.quality,
     }  # fmt: skip
+
+
+def fiducials_found(desk: Desk, image: str) -> Found:
+    """The other fiducial marks of a scan."""
+    if desk.scans is None:
+        raise InputError("these photographs are no scans of film; there are no fiducial marks to be found")
+    k = named(desk, image)
+    size = desk.session.known.size_px[image]
+    return find_fiducials(desk.journal.state, image, desk.scans, size, lambda x, y: _part(desk, k, x, y))
 
 
 def _number(given: dict[str, Any], name: str) -> float:

@@ -26,6 +26,13 @@ def _mark(folder: str, a: Mapping[str, Any]) -> list[str]:
     return _given(folder, covariance, a["image"], a["point"], float(a["x_px"]), float(a["y_px"]))
 
 
+def _fiducial(folder: str, a: Mapping[str, Any]) -> list[str]:
+    if a["x_px"] is None:
+        return _given(folder, [], a["image"], a["name"])
+    covariance = ["--covariance", *(repr(float(v)) for v in a["covariance"])]
+    return _given(folder, covariance, a["image"], a["name"], float(a["x_px"]), float(a["y_px"]))
+
+
 def _point(folder: str, a: Mapping[str, Any]) -> list[str]:
     options = ["--role", str(a["role"])]
     for flag, values in (("--coordinates", a["xyz"]), ("--sigma", a["sigma"])):
@@ -49,7 +56,8 @@ def _words(*names: str) -> Callable[[str, Mapping[str, Any]], list[str]]:
 
 
 _WORDS: Mapping[str, Callable[[str, Mapping[str, Any]], list[str]]] = {
-    "put": _mark, "move": _mark, "point": _point, "line": _line, "remove": _words("image", "point"),
+    "put": _mark, "move": _mark, "point": _point, "line": _line, "fiducial": _fiducial,
+    "remove": _words("image", "point"),
     "rename": _words("point", "to"), "forget": _words("point"), "bar": _words("start", "end", "length", "sigma"),
     "unbar": _words("start", "end"), "datum": _words("origin", "axis", "plane"), "reject": _words("image", "point"),
     "accept": _words("image", "point"), "reject_beyond": _beyond, "parameter": _words("camera", "symbol", "choice"),

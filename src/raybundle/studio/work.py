@@ -1,10 +1,10 @@
-"""Adjusting in the background: covariances of what was opened, and what was measured together with it."""
+"""Adjusting in the background: what was opened, what was measured with it, photographs oriented from their marks."""
 
 from __future__ import annotations
 
 import threading
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 
 from raybundle.adjustment.options import AdjustmentOptions
@@ -13,6 +13,7 @@ from raybundle.measuring.decisions import with_decisions
 from raybundle.measuring.journal import measured_result
 from raybundle.measuring.merge import merge
 from raybundle.measuring.session import Session, readjusted
+from raybundle.measuring.start import adjusted, begun, standing_after
 from raybundle.report.write import write_result
 from raybundle.studio.answers import finite
 from raybundle.studio.desk import Desk
@@ -20,6 +21,9 @@ from raybundle.studio.live import Live
 from raybundle.studio.shelf import Shelf
 from raybundle.studio.verbs import command_of_adjusting
 from raybundle.workflows.adjust import adjust
+
+REST_S = 0.3
+"""Seconds after a mark from which on photographs are oriented from it."""
 
 
 class Stopped(Exception):
@@ -39,6 +43,9 @@ class Work:
     _over: bool = True
     _stop: threading.Event = field(default_factory=threading.Event)
     _lock: threading.Lock = field(default_factory=threading.Lock)
+    _at_once: threading.Lock = field(default_factory=threading.Lock)
+    _timer: threading.Timer | None = None
+    _closed: bool = False
 
     def __post_init__(self) -> None:
         """Keep the result that is there."""
@@ -57,7 +64,7 @@ class Work:
             self._stop.clear()
             self._over = False
             target = self._measured if measured else self._as_it_is
-            self._thread = threading.Thread(target=self._run, args=(target,), daemon=True)
+            self._thread = threading.Thread(target=self._run, args=(target, self.desk.journal.seq), daemon=True)
             self._thread.start()
         return True
 
@@ -66,12 +73,37 @@ class Work:
         self._stop.set()
         return self.busy
 
+    def close(self) -> None:
+        """Stop, and begin nothing more; until nothing asks the journal."""
+        self.stop()
+        with self._lock:
+            self._closed = True
+            if self._timer is not None:
+                self._timer.cancel()
+        with self._at_once:
+            pass
+
+    def soon(self) -> None:
+        """Orient the photographs from their marks as soon as the hand rests; nothing where that is not asked for."""
+        if not self.desk.to_begin:
+            return
+        with self._lock:
+            if self._closed:
+                return
+            if self._timer is not None:
+                self._timer.cancel()
+            self._timer = threading.Timer(REST_S, self._begin_photographs)
+            self._timer.daemon = True
+            self._timer.start()
+
     def wait(self) -> None:
         """Until nothing is being adjusted."""
+        if self._timer is not None:
+            self._timer.join()
         if self._thread is not None:
             self._thread.join()
 
-    def _run(self, target: Callable[[], str]) -> None:
+    def _run(self, target: Callable[[], str], seq: int) -> None:
         folder, trouble = "", ""
         try:
             folder = target()
@@ -86,6 +118,30 @@ class Work:
         self.live.tell_from_thread({
             "type": "adjusted", "sigma0": None if a is None else finite(a.sigma0), "folder": folder, "error": trouble,
         })  # fmt: skip
+        with self._at_once:
+            if not self._closed and seq != self.desk.journal.seq:
+                self.soon()  # with what was marked meanwhile
+
+    def _begin_photographs(self) -> None:
+        """Orient and adjust with all marks, unless an adjustment is asked for in between."""
+        with self._at_once:
+            if self.busy or self._closed:
+                return
+            seq, state, trouble = self.desk.journal.seq, self.desk.journal.state, ""
+            try:
+                found = begun(self.desk.given, state, self.desk.scans)
+            except RaybundleError as error:
+                trouble, found = str(error), None
+            except Exception as error:  # noqa: BLE001  (a thread of its own: whoever waits must hear of it)
+                trouble, found = f"a fault of the program: {type(error).__name__}: {error}", None
+            if self.busy:
+                return  # an adjustment was asked for, which does the same
+            if found is None:
+                standing = replace(self.desk.standing, trouble=trouble)
+                self.desk.replaced(self.desk.session, standing)
+            else:
+                self.desk.replaced(found.session, found.standing)
+        self.live.tell_from_thread({"type": "oriented", "seq": seq})
 
     def _as_it_is(self) -> str:
         self._tell("covariances", 0.0)
@@ -97,12 +153,13 @@ class Work:
         """Block and marks, adjusted and written; the block that was opened is not touched."""
         desk = self.desk
         state, options = desk.journal.state, self.options
-        made = merge(desk.given, state)
-        done = adjust(made.block, with_decisions(options, state), progress=self._tell)
+        decided = with_decisions(options, state)
+        made = merge(desk.given, state, desk.scans)
+        done = adjusted(made, lambda block: adjust(block, decided, self._tell))
         folder = measured_result(desk.source)
         write_result(done, folder, progress=self._tell)
         self.shelf.put(folder, command_of_adjusting(desk.source, options))
-        desk.replaced(Session.of(done))
+        desk.replaced(Session.of(done), standing_after(made, done))
         return str(folder)
 
     def _tell(self, stage: str, share: float) -> None:

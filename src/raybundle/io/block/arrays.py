@@ -66,6 +66,12 @@ def arrays_of_block(block: Block) -> dict[str, Array]:
     }
 
 
+def _frame(kept: dict[str, Any]) -> PixelFrame:
+    affine: Any = kept.get("affine")
+    same: dict[str, Any] = {**kept, "affine": None if affine is None else tuple(affine)}
+    return PixelFrame(**same)
+
+
 def block_of_arrays(a: Mapping[str, Array]) -> Block:
     """The block that `arrays_of_block` was given."""
     head: dict[str, Any] = own_json_of(str(a["head"]))
@@ -92,7 +98,7 @@ def block_of_arrays(a: Mapping[str, Array]) -> Block:
             held=a["image_held"] if head["held"] else None,
             interior={int(k): v for k, v in head["interior"].items()},
             station=a.get("image_station"),
-            frames={int(k): PixelFrame(**f) for k, f in head["frames"].items()},
+            frames={int(k): _frame(f) for k, f in head["frames"].items()},
         ),
         observations=Observations(
             image=a["observation_image"], point=a["observation_point"], xy_px=a["xy_px"], cov_px2=a["cov_px2"]

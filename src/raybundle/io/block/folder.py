@@ -34,6 +34,8 @@ TABLES = ("images", "observations", "points", *tables, "interior")
 FILES = ("block.toml", *(f"{name}.csv" for name in TABLES), SCENES)
 FRAME = ("turned_deg", "file_width_px", "file_height_px")
 """Of images whose files are stored turned or reduced."""
+SCAN = ("scan_xx", "scan_xy", "scan_x0", "scan_yx", "scan_yy", "scan_y0")
+"""Of images whose files are scans: the file's pixels by those of the camera."""
 NEEDED = "give another folder: a block needs it"
 ROLES = {"tie": Role.TIE, "control": Role.CONTROL, "check": Role.CHECK}
 
@@ -42,6 +44,7 @@ def read_block(path: str | Path, *, progress: Progress = silent) -> Block:
     """The block in a folder.
 
     raises  InputError with file, line and column for anything the format does not allow
+    Photographs alone, without orientation and points, need no image point: they are to be measured.
     What it does not tell: whether the block can be adjusted; points without rays and images without
     orientation are well-formed.
     """
@@ -52,7 +55,10 @@ def read_block(path: str | Path, *, progress: Progress = silent) -> Block:
     images, image_ids = _read_images(folder / "images.csv", head.cameras)
     points, point_ids = _read_points(folder / "points.csv")
     progress("reading", 0.1)
-    observations, rejected = _read_observations(folder / "observations.csv", image_ids, point_ids)
+    alone = not images.oriented.any() and not stands(folder / "points.csv")
+    observations, rejected = _read_observations(
+        folder / "observations.csv", image_ids, point_ids, least_rows=0 if alone else 1
+    )
     progress("reading", 0.9)
     new = tuple(point_ids)[len(points) :]
     points = _with_tie_points(points, new)
@@ -109,7 +115,7 @@ def _image_columns(cameras: tuple[Camera, ...]) -> tuple[Column, ...]:
         *(Column(name=n, kind="number", empty=True) for n in (*XYZ, *ANGLES)),
         Column(name="held", kind="number", optional=True, empty=True),
         Column(name="station", kind="text", optional=True, empty=True),
-        *(Column(name=n, kind="number", optional=True, empty=True) for n in FRAME),
+        *(Column(name=n, kind="number", optional=True, empty=True) for n in (*FRAME, *SCAN)),
     )
 
 
@@ -169,7 +175,8 @@ def _frames_of(path: Path, table: Table, cameras: tuple[Camera, ...], camera: In
     """How the files of images lie that are stored turned or reduced."""
     ids = table.text["image"]
     columns = np.stack([table.number.get(n, np.full(len(ids), np.nan)) for n in FRAME], axis=1)
-    given = np.isfinite(columns)
+    scans = np.stack([table.number.get(n, np.full(len(ids), np.nan)) for n in SCAN], axis=1)
+    given, scanned = np.isfinite(columns), np.isfinite(scans)
     turns = {float(t) for t in TURNS}
     strange = np.array([bool(np.isfinite(t)) and t not in turns for t in columns[:, 0].tolist()], bool)
 
@@ -190,10 +197,20 @@ def _frames_of(path: Path, table: Table, cameras: tuple[Camera, ...], camera: In
             FRAME[0],
             lambda k: f"{columns[k, 0]:g} is none of {', '.join(map(str, TURNS))}",
         ),
+        problems_of(
+            np.asarray(scanned.any(axis=1) & ~(scanned.all(axis=1) & given.all(axis=1)), bool),
+            SCAN[0],
+            lambda k: f"image {quoted(ids[k])} has not all of {', '.join((*FRAME, *SCAN))}; a scan has them, or none",
+        ),
+        problems_of(
+            scanned.all(axis=1) & ~(np.abs(np.linalg.det(np.nan_to_num(scans).reshape(-1, 2, 3)[:, :, :2])) > 1e-12),
+            SCAN[0],
+            lambda k: f"the affine transformation of image {quoted(ids[k])} has no inverse; measure its fiducial marks",
+        ),
     )
     whole = np.flatnonzero(given.all(axis=1))
     wrong = np.zeros(len(ids), bool)
-    wrong[[k for k in whole.tolist() if min(columns[k, 1:]) < 1 or not fits(k)]] = True
+    wrong[[k for k in whole.tolist() if min(columns[k, 1:]) < 1 or not (scanned[k, 0] or fits(k))]] = True
     require(
         path,
         problems_of(
@@ -207,9 +224,16 @@ def _frames_of(path: Path, table: Table, cameras: tuple[Camera, ...], camera: In
     )
     turned: dict[float, Turn] = {float(t): t for t in TURNS}
     return {
-        k: PixelFrame(turned=turned[t], width_px=int(w), height_px=int(h))
+        k: PixelFrame(turned=turned[t], width_px=int(w), height_px=int(h), affine=_affine_of(scans[k]))
         for k, (t, w, h) in zip(whole.tolist(), columns[whole].tolist(), strict=True)
     }
+
+
+def _affine_of(values: Array) -> tuple[float, float, float, float, float, float] | None:
+    if not np.isfinite(values).all():
+        return None
+    a, b, c, d, e, f = values.tolist()
+    return a, b, c, d, e, f
 
 
 def _stations_of(names: tuple[str, ...] | None) -> Index | None:
@@ -279,7 +303,7 @@ def _with_tie_points(points: Points, new: tuple[str, ...]) -> Points:
 
 
 def _read_observations(
-    path: Path, images: dict[str, int], points: dict[str, int]
+    path: Path, images: dict[str, int], points: dict[str, int], *, least_rows: int = 1
 ) -> tuple[Observations, tuple[tuple[str, str], ...]]:
     """The table, and image and point of rows that are known as wrong; points not yet known are added to `points`."""
     table = read_table(
@@ -295,6 +319,7 @@ def _read_observations(
             Column(name="rejected", kind="number", optional=True, empty=True),
         ),
         unique=("image", "point"),
+        least_rows=least_rows,
         without=NEEDED,
     )
     sx, sy = table.number["sx_px"], table.number["sy_px"]
@@ -405,6 +430,9 @@ def write_block_files(block: Block, folder: Path) -> None:
         none = (np.nan,) * 3
         frames = np.array([none if f is None else (f.turned, f.width_px, f.height_px) for f in rows], float)
         columns |= columns_of(FRAME, frames)
+        if any(f is not None and f.affine is not None for f in rows):
+            blanks = (np.nan,) * len(SCAN)
+            columns |= columns_of(SCAN, np.array([blanks if f is None else f.affine or blanks for f in rows], float))
     write_table(folder / "images.csv", columns)
     _write_observations(folder / "observations.csv", block)
     if len(points):

@@ -56,14 +56,15 @@ class Started:
 
 
 def _inputs(state: OrientState) -> Inputs:
-    cameras, of_photo = _cameras(state.groups, len(state.photos))
+    cameras, of_photo = cameras_of(state.groups, len(state.photos))
     return Inputs(
         photos=state.photos, cameras=cameras, camera_of_photo=of_photo, pairs=state.pairs,
         features=state.found, method=state.asked.options.start,
     )  # fmt: skip
 
 
-def _cameras(groups: Sequence[CameraGroup], count: int) -> tuple[tuple[Camera, ...], Index]:
+def cameras_of(groups: Sequence[CameraGroup], count: int) -> tuple[tuple[Camera, ...], Index]:
+    """The cameras of groups of photographs, those without a calibration observed as known, and whose each is."""
     cameras: list[Camera] = []
     of_photo = np.zeros(count, np.int32)
     for k, group in enumerate(groups):

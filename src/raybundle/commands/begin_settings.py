@@ -1,0 +1,31 @@
+"""Settings with which photographs are begun to be measured by hand; nothing is loaded for them that computes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+
+from raybundle.commands.camera_settings import APART, KNOWN, LIBRARY
+from raybundle.settings import POSITIVE, setting
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BeginSettings:
+    """What photographs are begun with."""
+
+    photos: tuple[Path, ...]
+    """folders and files"""
+    out: Path
+    """project folder; begun, or continued"""
+    calibration: Path | None = setting(None, KNOWN, metavar="CAMERAS.toml")
+    separate: tuple[str, ...] = setting((), APART, flag="camera", metavar="PATTERN")
+    library: bool = setting(True, LIBRARY, flag="no-library")
+    film: Path | None = setting(
+        None, "The photographs are scans of film: calibrated positions of its fiducial marks, mark,x_mm,y_mm; their "
+        "camera is the one of {calibration}.", metavar="CERTIFICATE.csv",
+    )  # fmt: skip
+    pixel_mm: float | None = setting(
+        None, "Pixel of the scanner.  [default: that of the camera]", metavar="MM", limits=POSITIVE
+    )
+    film_model: Literal["similarity", "affine"] = setting("affine", "Transformation from a scan to the camera's frame.")

@@ -1,0 +1,224 @@
+"""Photographs without orientation that points are measured in: oriented from these points, or what they lack."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from raybundle.adjustment.decide import decide
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.block import Block
+from raybundle.block.rejection import RejectionKind
+from raybundle.errors import NoOrientation, NotSolvable
+from raybundle.measuring.film import Scans
+from raybundle.measuring.merge import Merged, merge
+from raybundle.measuring.orienting import unoriented
+from raybundle.measuring.session import Session
+from raybundle.measuring.state import State
+from raybundle.numerics.counting import counted, grouped
+from raybundle.orientation.lacking import COMMON, KNOWN, Lack
+
+AT_ONCE = 50_000
+"""Image observations up to which a block is adjusted anew after every mark."""
+HELD = "the points do not determine the interior orientation: it counts as known as the start found it"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Wrong:
+    """A mark that contradicts the others and took no part."""
+
+    point: str
+    images: tuple[str, ...]
+    """where it stands; several where it cannot be told which of them is wrong"""
+    tau: float
+    """its test value; NaN where there is none"""
+
+    @property
+    def words(self) -> str:
+        """A sentence for the person who measures."""
+        test = "" if np.isnan(self.tau) else f" (test value {self.tau:.1f})"
+        if len(self.images) == 1:
+            return f"the mark of {self.point} in {self.images[0]} contradicts the others{test}: look at it again"
+        return f"the marks of {self.point} contradict each other{test}: look at {', '.join(self.images)}"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Standing:
+    """How far the photographs are oriented, and what the next ones need."""
+
+    oriented: int
+    images: int
+    lacking: tuple[Lack, ...] = ()
+    wrong: tuple[Wrong, ...] = ()
+    untold: tuple[str, ...] = ()
+    """sentences on camera constants that nothing states"""
+    film: tuple[str, ...] = ()
+    """sentences on fiducial marks"""
+    trouble: str = ""
+    """why there are no covariances; "" where there are"""
+
+    @property
+    def line(self) -> str:
+        """In one line: how many are oriented, and the next step."""
+        told = f"{self.oriented} of {counted(self.images, 'photograph')} oriented"
+        if not self.lacking:
+            return told
+        # the one that needs least comes next
+        nearest = min(self.lacking, key=lambda k: (k.kind == "marks", k.need - k.have))
+        return f"{told}; {nearest.short}"
+
+    @property
+    def words(self) -> tuple[str, ...]:
+        """All of it in sentences, the line apart."""
+        return (
+            *(k.words for k in self.lacking), *(w.words for w in self.wrong), *self.film, *self.untold,
+            *([self.trouble] if self.trouble else []),
+        )  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Begun:
+    """A block with its marks as far as it can be oriented, adjusted."""
+
+    session: Session
+    standing: Standing
+    left_out: Mapping[str, str] = field(default_factory=dict[str, str])
+
+
+def to_begin(block: Block, state: State) -> bool:
+    """Whether marks stand in photographs without orientation, or none has one."""
+    out = unoriented(block)
+    if out.all():
+        return True
+    names = {name for name, o in zip(block.images.ids, out, strict=True) if o}
+    return any(image in names for image, _ in state.marks)
+
+
+def standing_of(block: Block) -> Standing:
+    """How a block stands in which nothing was measured since."""
+    out = unoriented(block)
+    need = COMMON if out.all() else KNOWN
+    names = [name for name, o in zip(block.images.ids, out, strict=True) if o]
+    lacking = tuple(Lack(image=name, kind="marks", need=need) for name in names)
+    return Standing(oriented=len(out) - len(names), images=len(out), lacking=lacking)
+
+
+def begun(block: Block, state: State, scans: Scans | None = None) -> Begun:
+    """Orient and adjust a block with all that was measured, at once, as far as it goes.
+
+    scans   what is known of the film that photographs are scans of
+    raises  InputError as `merge`
+    Blunders leave by data snooping, and are named.  Where the points do not determine the interior orientation, it is
+    held; where nothing can be adjusted, the photographs stand as the start found them, without covariances.
+    """
+    made = merge(block, state, scans)
+    placed = made.block
+    if not placed.images.oriented.any() or not len(placed.observations):
+        session = Session.of_block(block, None)
+        return Begun(session=session, standing=_standing(made, block, None, ""), left_out=made.left_out)
+    if len(placed.observations) > AT_ONCE:
+        trouble = (
+            f"a block of {grouped(len(placed.observations))} image observations is adjusted when that is asked for"
+        )
+        session = Session.of_block(placed, None)
+        return Begun(session=session, standing=_standing(made, placed, None, trouble), left_out=made.left_out)
+    options = AdjustmentOptions(reject="snooping", noise=block.noise or "white", datum_over=block.datum_over or "all")
+    try:
+        result, held = solved(placed, lambda b: decide(b, options))
+    except NotSolvable as error:
+        trouble = f"the photographs are oriented, not adjusted yet ({error.headline}); measure more points"
+        session = Session.of_block(placed, None)
+        return Begun(session=session, standing=_standing(made, placed, None, trouble), left_out=made.left_out)
+    session = Session.of(result)
+    session.neglected = HELD if held else session.neglected
+    standing = _standing(made, placed, result, f"{HELD}; measure more points" if held else "")
+    return Begun(session=session, standing=standing, left_out=made.left_out)
+
+
+def solved(block: Block, adjust: Callable[[Block], Adjustment]) -> tuple[Adjustment, bool]:
+    """The adjustment of a block, with its interior orientations held where it is not determined with them.
+
+    raises  NotSolvable of the first try where that does not help
+    """
+    try:
+        return adjust(block), False
+    except NotSolvable as error:
+        free = [c.id for c in block.cameras if c.estimate and not c.is_scene]
+        if not free:
+            raise
+        held = tuple(replace(c, estimate=()) if c.id in free else c for c in block.cameras)
+        try:
+            result = adjust(replace(block, cameras=held))
+        except NotSolvable:
+            raise error from None
+    message = f"camera{'s' * (len(free) > 1)} {', '.join(free)}: {HELD}. All that is stated holds for that"
+    notice = Notice(code="held_not_determinable", message=message, ids=tuple(free))
+    return replace(result, notices=(notice, *result.notices)), True
+
+
+def adjusted(made: Merged, adjust: Callable[[Block], Adjustment]) -> Adjustment:
+    """The adjustment of a block with its marks; where photographs were oriented by these alone, see `solved`.
+
+    raises  NoOrientation that says what the photographs lack where none is oriented; what `adjust` raises
+    """
+    if made.lacking and not made.block.images.oriented.any() and not len(made.block.observations):
+        lines = [f"  {k.words}" for k in made.lacking[:20]]
+        raise NoOrientation(
+            "no photograph is oriented yet:\n" + "\n".join(lines), images={k.image: k.words for k in made.lacking}
+        )
+    return solved(made.block, adjust)[0] if made.new else adjust(made.block)
+
+
+def standing_after(made: Merged, result: Adjustment) -> Standing:
+    """How the photographs stand after a block with its marks was adjusted."""
+    return _standing(made, made.block, result, "")
+
+
+def _standing(made: Merged, block: Block, result: Adjustment | None, trouble: str) -> Standing:
+    out = unoriented(block)
+    return Standing(
+        oriented=int((~out).sum()), images=len(out), lacking=made.lacking, untold=_untold(made.untold, result),
+        wrong=() if result is None else _wrong(result), trouble=trouble, film=made.film,
+    )  # fmt: skip
+
+
+def _wrong(result: Adjustment) -> tuple[Wrong, ...]:
+    """Image observations that contradict the others, those of a point together where it cannot be told which."""
+    o, b = result.given.observations, result.given
+    single: list[Wrong] = []
+    together: dict[str, tuple[list[str], float]] = {}
+    for k, reason in enumerate(result.image_observations.rejected):
+        if reason is None:
+            continue
+        point, image = b.points.ids[int(o.point[k])], b.images.ids[int(o.image[k])]
+        if reason.kind is RejectionKind.BLUNDER:
+            single.append(Wrong(point=point, images=(image,), tau=reason.tau))
+        elif reason.kind is not RejectionKind.GIVEN:
+            images, tau = together.setdefault(point, ([], float("nan")))
+            images.append(image)
+            together[point] = images, float(np.fmax(tau, reason.tau))
+    named = {w.point for w in single}
+    shared = [Wrong(point=p, images=tuple(i), tau=t) for p, (i, t) in together.items() if p not in named]
+    return (*sorted(single, key=lambda w: -w.tau), *shared)
+
+
+def _untold(cameras: Sequence[str], result: Adjustment | None) -> tuple[str, ...]:
+    """What became of camera constants that nothing states."""
+    if result is None:
+        return ()
+    said: list[str] = []
+    for found in result.interior:
+        if found.camera not in cameras:
+            continue
+        camera = next(c for c in result.adjusted.cameras if c.id == found.camera)
+        parameter = found.parameters[camera.sensor.scale_symbol]
+        c = parameter.value / camera.pixel_mm[0]
+        if parameter.std is None or parameter.status in {"held", "not determinable"}:
+            said.append(f"camera {camera.id}: the points do not determine its constant; {c:.0f} px is a guess")
+        else:
+            s = parameter.std / camera.pixel_mm[0]
+            said.append(f"camera {camera.id}: its constant is {c:.0f} px, sigma {s:.0f} px, from the points alone")
+    return tuple(said)

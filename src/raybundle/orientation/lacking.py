@@ -1,0 +1,118 @@
+"""What photographs lack to be oriented: data, and the words for whoever measures."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from raybundle.block import Block
+from raybundle.numerics.arrays import Index
+from raybundle.numerics.counting import counted
+from raybundle.orientation.rays import image_pairs
+
+COMMON = 6
+"""Common points that two photographs need for their relative orientation: five unknowns, and one to choose by."""
+KNOWN = 4
+"""Points with coordinates that a photograph needs for its resection: three leave up to four solutions."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Lack:
+    """What a photograph lacks to be oriented."""
+
+    image: str
+    kind: Literal["marks", "common", "known", "fit", "base", "fiducials", "film"]
+    """marks: nothing is measured in it that others show; common: points common with another; known: points with
+    coordinates; fit: no orientation fits its points; base: its rays are parallel to those of the other; fiducials:
+    fiducial marks of a scan; film: its fiducial marks make no film"""
+    have: int = 0
+    need: int = 0
+    other: str = ""
+    """photograph that it has most in common with"""
+    said: str = ""
+    """why its fiducial marks make no film"""
+
+    @property
+    def words(self) -> str:
+        """A sentence for the person who measures."""
+        points = counted(self.have, "point")
+        if self.kind == "fiducials":
+            return f"scan {self.image}: {counted(self.have, 'fiducial mark')} measured: {self.need} are needed"
+        if self.kind == "film":
+            return self.said
+        if self.kind == "marks" and self.have:
+            return f"photograph {self.image}: none of its {points} is marked in another; mark {self.need} of them there"
+        if self.kind == "marks":
+            return f"photograph {self.image}: no point is marked in it; mark {self.need} that others show, too"
+        if self.kind == "common":
+            return (
+                f"photographs {self.image} and {self.other} have {self.have} common "
+                f"{'point' if self.have == 1 else 'points'}: {self.need} are needed"
+            )
+        if self.kind == "known":
+            sees = f"photograph {self.image} sees {points} with coordinates"
+            return f"{sees}: {self.need} are needed"
+        if self.kind == "base":
+            return (
+                f"photographs {self.image} and {self.other}: the rays to their {points} are parallel, they were taken "
+                "from one place; mark points in a photograph from another place"
+            )
+        return (
+            f"photograph {self.image}: no orientation fits its {points}; look at their names and places, and mark more"
+        )
+
+    @property
+    def short(self) -> str:
+        """The next step in a few words."""
+        more = max(self.need - self.have, 1)
+        if self.kind == "fiducials":
+            return f"{self.image} needs {counted(more, 'more fiducial mark')}"
+        if self.kind == "film":
+            return f"the fiducial marks of {self.image} contradict each other"
+        if self.kind == "common":
+            return f"{self.image} and {self.other} need {counted(more, 'more common point')}"
+        if self.kind == "base":
+            return f"{self.image} and {self.other} were taken from one place"
+        if self.kind == "marks" and self.have:
+            return f"{self.image} has no point in common with another photograph"
+        if self.kind == "fit":
+            return f"no orientation fits the points of {self.image}"
+        return f"{self.image} needs {counted(more, 'more point')}"
+
+
+def lacking(block: Block, counts: Index) -> tuple[Lack, ...]:
+    """What the images lack that are not oriented.
+
+    counts  (n,) image points of each image
+    """
+    images, o = block.images, block.observations
+    scenes = np.array([c.is_scene for c in block.cameras], bool)[images.camera]
+    out = ~images.oriented & ~scenes
+    some = bool((images.oriented & ~scenes).any())
+    known = np.asarray(np.isfinite(block.points.xyz).all(axis=1), bool)
+    seen = np.bincount(o.image[known[o.point]], minlength=len(images))
+    partner: dict[int, tuple[int, int]] = {}
+    if not some:
+        for a, b, common in image_pairs(o.image, o.point, out, len(block.points), len(images) ** 2):
+            for one, two in ((a, b), (b, a)):
+                partner.setdefault(one, (two, common))
+    found: list[Lack] = []
+    for i in np.flatnonzero(out):
+        name, k = images.ids[i], int(seen[i])
+        other, common = partner.get(int(i), (-1, 0))
+        if not counts[i]:
+            found.append(Lack(image=name, kind="marks", need=KNOWN if some else COMMON))
+        elif some:
+            kind: Literal["known", "fit"] = "known" if k < KNOWN else "fit"
+            found.append(Lack(image=name, kind=kind, have=k, need=KNOWN))
+        elif other < 0:
+            found.append(Lack(image=name, kind="marks", have=int(counts[i]), need=COMMON))
+        elif other < i and partner.get(other, (-1, 0))[0] == i:
+            continue  # said of the other
+        elif common < COMMON:
+            found.append(Lack(image=name, kind="common", other=images.ids[other], have=common, need=COMMON))
+        else:
+            found.append(Lack(image=name, kind="base", other=images.ids[other], have=common, need=COMMON))
+    return tuple(found)
