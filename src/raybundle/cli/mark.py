@@ -5,20 +5,18 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FILE_OR_FOLDER, NEW_FOLDER, common_options, counted
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FILE_OR_FOLDER, NEW_FOLDER, common_options
+from raybundle.cli.marks_shown import shown
 from raybundle.cli.numbers import NUMBER, PIXELS, POSITIVE, Number
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.begin_settings import BeginSettings
 from raybundle.commands.measure_settings import RejectSettings
 from raybundle.errors import InputError
-
-if TYPE_CHECKING:
-    from raybundle.measuring.state import State
 
 NO_NUMBER = "-"
 """What stands for a coordinate that is not known."""
@@ -424,28 +422,7 @@ def list_(folder: Path, with_history: bool, as_json: bool) -> None:  # noqa: FBT
             click.echo(f" {e.seq:5d}  {e.time}  {e.author or '-'}  {e.verb} {_words(e.arguments)}".rstrip() + gone)
         return
     state = marks(folder)
-    click.echo(json.dumps(as_plain(state), ensure_ascii=False) if as_json else "\n".join(_shown(state)))
-
-
-def _shown(state: State) -> list[str]:
-    lines = [f" {counted(len(state.marks), 'mark')} of {counted(len(state.points), 'point')}"]
-    for name, p in state.points.items():
-        places = state.marks_of(name)
-        given = " ".join("-" if v is None else f"{v:g}" for v in p.xyz) if p.role != "tie" else ""
-        lines.append(f"   {name}: {p.role} {given}".rstrip())
-        for image, m in places.items():
-            sx, sy = m.covariance[0] ** 0.5, m.covariance[1] ** 0.5
-            lines.append(f"     {image}: {m.x_px:.2f} {m.y_px:.2f} px, sigma {sx:.2f} {sy:.2f} px, {m.how}")
-    lines += [f" scale bar {a} - {b}: {v.length:g} +- {v.sigma:g}" for (a, b), v in state.bars.items()]
-    lines += [f" {v.kind} line {n}: {', '.join(v.points)}" for n, v in state.lines.items()]
-    if state.datum is not None:
-        lines.append(f" coordinate system: {', '.join(state.datum.points)} (origin, axis, plane)")
-    lines += [
-        f" fiducial mark {n} in {i}: {m.x_px:.2f} {m.y_px:.2f} px, {m.how}" for (i, n), m in state.fiducials.items()
-    ]
-    lines += [f" rejected: {p} in {i}" for i, p in sorted(state.rejected)]
-    lines += [f" parameter {s} of camera {c}: {choice}" for (c, s), choice in sorted(state.parameters.items())]
-    return lines
+    click.echo(json.dumps(as_plain(state), ensure_ascii=False) if as_json else "\n".join(shown(state)))
 
 
 @command.command("export", context_settings=COMMAND_SETTINGS)
