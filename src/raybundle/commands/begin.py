@@ -13,7 +13,7 @@ from raybundle.io.photos.container import SUFFIXES
 from raybundle.io.reading.trees import read_toml
 from raybundle.measuring.session import block_folder, holds_block
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import asked
+from raybundle.settings import asked, option
 
 if TYPE_CHECKING:
     from raybundle.block import Block
@@ -149,7 +149,8 @@ def _scans(s: BeginSettings) -> Scans | None:
     if s.film is None:
         return read_scans(s.out)
     if s.calibration is None:
-        raise InputError("scans of film need their camera, too; give it by its certificate (--calibration)")
+        how = option("calibration", "CAMERA")
+        raise InputError(f"scans of film need their camera, too; give it by its certificate ({how})")
     cameras = read_cameras(s.calibration)
     if len(cameras) != 1:
         raise InputError(f"{len(cameras)} cameras stand here; give one, that of the film", file=s.calibration)

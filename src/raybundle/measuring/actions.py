@@ -18,6 +18,7 @@ from raybundle.measuring.checks import check_mark, check_name, check_number, che
 from raybundle.measuring.decisions import RejectBeyond, SetParameter
 from raybundle.measuring.known import Known
 from raybundle.measuring.state import Axes, Bar, Draft, How, Line, Mark, MeasuredPoint, RoleName, State
+from raybundle.settings import option
 
 HAND_PX = 0.5
 """Standard deviation of a point marked by hand, as of the marks of control files."""
@@ -364,7 +365,7 @@ class Fiducial(Action):
                 f"fiducial mark {quoted(self.name)} has no calibrated position; known are {there}"
                 if there
                 else "these photographs are no scans of film: no fiducial mark has a calibrated position; begin the "
-                "project with a certificate (--film)"
+                f"project with a certificate ({option('film', 'CERTIFICATE')})"
             )
         who = f"fiducial mark {quoted(self.name)} in image {quoted(image)}"
         if (self.x_px is None) != (self.y_px is None):

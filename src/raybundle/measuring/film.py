@@ -1,6 +1,6 @@
 """Scans of film: what is known of their camera, and where each lies in its frame by the fiducial marks measured in it.
 
-PROJECT/film/certificate.csv   calibrated positions of the marks, as `raybundle film --calibrated` reads them
+PROJECT/film/certificate.csv   calibrated positions of the marks, as `raybundle film` reads them
 PROJECT/film/film.toml         pixel of the scanner, model of the transformation
 """
 
