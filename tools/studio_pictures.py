@@ -115,8 +115,18 @@ def pictures(page: Page) -> None:
     page.select_option("#table-kind", "observations")
     page.get_by_role("button", name="|w|").click()
     keep(page, "tables")
+    decide(page, hand)
     page.click("#tab-journal")
     keep(page, "journal")
+
+
+def decide(page: Page, hand: Hand) -> None:
+    """The parameters of the camera, one of them to be held."""
+    page.click("#tab-decide")
+    page.click("#decide-parameters")
+    page.get_by_role("combobox", name="K3 of camera").select_option("held")
+    hand.wait("held from the next adjustment on")
+    keep(page, "decide")
 
 
 def space(page: Page) -> None:

@@ -285,3 +285,21 @@ def other_than_usual(values: Any) -> dict[str, object]:
         for s in settings_of(type(values))
         if s.default is MISSING or getattr(values, s.name) != s.default
     }
+
+
+def as_typed(values: Any) -> list[str]:
+    """The settings that are not as by default, as words of the command line."""
+    words: list[str] = []
+    for s in settings_of(type(values)):
+        value = getattr(values, s.name)
+        if value == s.default:
+            continue
+        flag = f"--{s.flag}"
+        if s.kind is bool:
+            words.append(flag)
+        elif s.about.joined:
+            words += [flag, ",".join(value)]
+        else:
+            for each in value if s.many else (value,):
+                words += [flag, *map(str, each if isinstance(each, tuple) else (each,))]
+    return words

@@ -11,7 +11,18 @@ from raybundle.io.block.folder import read_block
 from raybundle.measuring.actions import VERBS
 from raybundle.measuring.journal import Journal, entries_of, journal_path, state_of
 from raybundle.measuring.known import Known
+from raybundle.measuring.selection import latest_figures, selected
+from raybundle.measuring.state import State
 from raybundle.studio.verbs import command_of
+
+LIMITS = {"w": 2.25, "sigma": 0.0123, "rays": 2.5, "redundancy": 0.05}
+
+
+def beyond(project, quantity, limit):
+    """What the page sends: the image observations that it found."""
+    rows = selected(latest_figures(project), State(), quantity, limit).rows
+    assert rows
+    return {"quantity": quantity, "limit": limit, "rows": rows}
 
 
 def test_the_commands_of_a_journal_make_the_same_state(project, tmp_path):
@@ -37,6 +48,10 @@ def test_the_commands_of_a_journal_make_the_same_state(project, tmp_path):
         ("reject", {"image": a, "point": seen}),
         ("accept", {"image": a, "point": seen}),
         ("reject", {"image": a, "point": seen}),
+        ("parameter", {"camera": block.cameras[0].id, "symbol": "K3", "choice": "held"}),
+        ("parameter", {"camera": block.cameras[0].id, "symbol": "A", "choice": "free"}),
+        ("parameter", {"camera": block.cameras[0].id, "symbol": "K3", "choice": "auto"}),
+        *(("reject_beyond", beyond(project, name, limit)) for name, limit in LIMITS.items()),
         ("fiducial", {"image": a, "name": "F1", "x_px": 7.25, "y_px": 8.5, "covariance": [0.04, 0.01, 0.0]}),
         ("fiducial", {"image": a, "name": "F2", "x_px": 7.25, "y_px": 80.5}),
         ("fiducial", {"image": a, "name": "F2"}),

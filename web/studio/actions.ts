@@ -34,6 +34,11 @@ export class Actions {
     return this.put("/api/control", { text }) as Promise<ActionAnswer & { added: string[]; remarks: string[] }>;
   }
 
+  /** All image observations beyond a limit: one action. */
+  reject(by: string, limit: number): Promise<ActionAnswer> {
+    return this.put("/api/reject", { by, limit });
+  }
+
   /** Find the other fiducial marks of a scan. */
   fiducials(image: string): Promise<ActionAnswer & { found: string[]; left: Record<string, string> }> {
     return this.put("/api/fiducials", { image }) as Promise<ActionAnswer & { found: string[]; left: Record<string, string> }>;

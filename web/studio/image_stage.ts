@@ -1,4 +1,5 @@
 // The panes of photographs side by side, and how all of them are shown.
+import { beyond } from "./beyond";
 import { button, element, h } from "./dom";
 import { COLOUR, Filter, looks } from "./looks";
 import { Measuring } from "./measuring";
@@ -8,6 +9,7 @@ import { Pane, Stage } from "./pane";
 const LEGEND: [string, string, string][] = [
   ["used", "○", "used"], ["weak", "□", "fewer than 3 rays"], ["rejected", "✕", "rejected"],
   ["control", "△", "control"], ["check", "◇", "check"], ["mark", "✛", "marked by hand"], ["predicted", "◌", "predicted, 1 and 3 sigma"],
+  ["beyond", "◯", "beyond the limit"],
 ];
 
 export class ImageStage implements Stage {
@@ -22,9 +24,13 @@ export class ImageStage implements Stage {
     element("image-legend").append(...LEGEND.map(([name, sign, words]) => {
       const dot = h("span", { class: "sign", "aria-hidden": "true" }, sign);
       dot.style.color = COLOUR[name as keyof typeof COLOUR];
-      return h("li", {}, dot, words);
+      return h("li", { id: `legend-${name}`, hidden: name === "beyond" }, dot, words);
     }));
     model.on(["looks", "state", "prediction", "current", "fiducial"], () => this.panes.forEach((p) => p.redraw()));
+    beyond.onchange(() => {
+      element("legend-beyond").hidden = !beyond.points.size;
+      this.panes.forEach((p) => p.redraw());
+    });
     model.on("observations", () => this.panes.forEach((p) => void p.read()));
     model.on("overview", () => this.begin());
   }

@@ -1,4 +1,5 @@
 // What lies over a photograph: image points with residuals, marks, the prediction of the current point, the cross hair.
+import { beyond } from "./beyond";
 import { COLOUR, Filter, looks } from "./looks";
 import { Fiducial, Mark, Observations, Prediction } from "./types";
 import { View } from "./view";
@@ -10,6 +11,7 @@ export interface Shown {
   rejectedHere: Set<string>;
   marks: { mark: Mark; x: number; y: number }[];
   prediction: Prediction | null;
+  image: string;
   fiducials: Fiducial[];
   fiducial: string;
   current: string;
@@ -60,6 +62,7 @@ export function drawOverlay(pen: Pen, view: View, shown: Shown, ratio: number): 
     const rows = filtered(o, looks.filter, shown.rejectedHere);
     drawVectors(pen, view, o, rows);
     drawPoints(pen, view, o, rows, shown);
+    drawBeyond(pen, view, o, shown.image);
   }
   if (shown.prediction) drawPrediction(pen, view, shown.prediction, shown.current);
   for (const each of shown.marks) drawMark(pen, view, each, each.mark.point === shown.current);
@@ -132,6 +135,17 @@ function drawPoints(pen: Pen, view: View, o: Observations, rows: number[], shown
   if (shown.hover >= 0 && shown.hover < o.x.length) {
     const [u, v] = view.toScreen(o.x[shown.hover], o.y[shown.hover]);
     ring(pen, u, v, 9, "#ffffff");
+  }
+}
+
+/** A ring about what is beyond the limit, whatever else is shown. */
+function drawBeyond(pen: Pen, view: View, o: Observations, image: string): void {
+  if (!beyond.points.size) return;
+  for (const [k, point] of o.point.entries()) {
+    if (!beyond.has(image, point)) continue;
+    const [u, v] = view.toScreen(o.x[k], o.y[k]);
+    if (u < -16 || v < -16 || u > view.width + 16 || v > view.height + 16) continue;
+    ring(pen, u, v, 8, COLOUR.beyond);
   }
 }
 

@@ -114,7 +114,7 @@ export class Pane {
     const prediction = model.prediction?.predictions.find((p) => p.image === picture.id) ?? null;
     return {
       observations: this.observations, rejectedHere: this.rejectedHere(), marks: this.marks(), prediction,
-      fiducials: model.fiducialsIn(picture.id), fiducial: model.fiducial,
+      image: picture.id, fiducials: model.fiducialsIn(picture.id), fiducial: model.fiducial,
       current: model.current, hover: this.hover, hair: this.keyboard && document.activeElement === this.body,
     };
   }

@@ -3,6 +3,7 @@ import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { nearest } from "../common/shapes";
 import { bytes } from "./api";
+import { beyond } from "./beyond";
 import { afterPause, element, h, onceAFrame } from "./dom";
 import { Model } from "./model";
 import { short, withUnit } from "./numbers";
@@ -54,6 +55,7 @@ export class Space {
       this.stale = true;
       if (!element("stage-space").hidden) void this.show();
     });
+    beyond.onchange(() => this.far());
     model.on(["current", "prediction", "state"], () => this.current());
   }
 
@@ -105,6 +107,7 @@ export class Space {
     if (first) this.home();
     this.shown();
     this.current();
+    this.far();
     this.told.textContent = data.points < data.head.total ? `${data.points.toLocaleString("en")} of ${data.head.total.toLocaleString("en")} points are shown.` : "Click a point to choose it, a station to open its image.";
   }
 
@@ -175,6 +178,7 @@ export class Space {
     drawn.ellipsoids.visible = bar.shows("ellipsoids");
     drawn.bars.visible = bar.shows("bars");
     if (drawn.ellipsoids.visible) drawn.enlarge(bar.enlarged);
+    if (beyond.points.size) legend.push(["#c2188f", `beyond the limit: ${beyond.points.size.toLocaleString("en")}`]);
     element("space-legend").replaceChildren(...legend.map(([hex, words]) => {
       const dot = h("span", { class: "dot" });
       dot.style.background = hex;
@@ -191,6 +195,12 @@ export class Space {
     const at = found ? found.map((v, k) => v - drawn.data.head.origin[k]) : row === undefined ? null : drawn.data.at(row);
     drawn.current(model.current ? at : null, model.marksOf(model.current).map((m) => m.image));
     this.render();
+  }
+
+  private far(): void {
+    if (!this.drawn) return;
+    this.drawn.far([...beyond.points].map((n) => this.drawn!.data.rowOf(n)).filter((r) => r !== undefined));
+    this.shown();
   }
 
   private measured(): void {

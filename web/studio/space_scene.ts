@@ -17,6 +17,7 @@ export class SpaceScene {
   private readonly rays: THREE.LineSegments;
   private readonly measured: THREE.Line;
   private readonly ends: THREE.Points;
+  private readonly beyond: THREE.Points;
   private readonly specialRows: number[] = [];
   /** Enlargement at which a typical ellipsoid is seen. */
   readonly typical: number;
@@ -39,9 +40,10 @@ export class SpaceScene {
     this.mark = new THREE.Points(new THREE.BufferGeometry(), dots(14, { color: 0xcc3d8f, depthTest: false }));
     this.measured = new THREE.Line(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: 0x111111, depthTest: false }));
     this.ends = new THREE.Points(new THREE.BufferGeometry(), dots(10, { color: 0x111111, depthTest: false }));
-    for (const each of [this.rays, this.mark, this.measured, this.ends]) each.frustumCulled = false;
+    this.beyond = new THREE.Points(new THREE.BufferGeometry(), dots(8, { color: 0xc2188f, depthTest: false }));
+    for (const each of [this.rays, this.mark, this.measured, this.ends, this.beyond]) each.frustumCulled = false;
     this.scene.background = new THREE.Color(0xf7f5f0);
-    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x9a8f80, 3), this.points, this.special, this.stations, this.ellipsoids, this.bars, this.rays, this.mark, this.measured, this.ends);
+    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x9a8f80, 3), this.points, this.special, this.stations, this.ellipsoids, this.bars, this.rays, this.mark, this.measured, this.ends, this.beyond);
     const sizes = data.sigma.filter((s) => s > 0).sort();
     this.typical = sizes.length ? (0.012 * data.head.extent) / sizes[Math.floor(sizes.length / 2)] : 1;
     this.enlarge(this.typical);
@@ -92,6 +94,12 @@ export class SpaceScene {
       ends.set(c, 6 * k + 3);
     });
     this.rays.geometry = positions(ends);
+  }
+
+  /** Show the points beyond a limit. */
+  far(rows: number[]): void {
+    this.beyond.geometry.dispose();
+    this.beyond.geometry = positions(this.rowsOf(Uint32Array.from(rows)));
   }
 
   /** Show the points that are measured between. */

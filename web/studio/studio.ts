@@ -1,5 +1,6 @@
 // The studio: the parts of the page put together.
 import { afterPause, element } from "./dom";
+import { Decide } from "./decide";
 import { Fiducials } from "./fiducials";
 import { ImageList } from "./image_list";
 import { ImageStage } from "./image_stage";
@@ -10,6 +11,7 @@ import { connect } from "./live";
 import { looks } from "./looks";
 import { Measuring } from "./measuring";
 import { Model } from "./model";
+import { short } from "./numbers";
 import { Panel } from "./panel";
 import { Space } from "./space";
 import { StandingLine } from "./standing";
@@ -48,6 +50,18 @@ async function start(): Promise<void> {
     if (!isPoint(row)) void panel.goTo(row.point, row.image);
   });
   const journal = new Journal(model, () => tabs.now === "journal");
+  const decide = new Decide(model, () => tabs.now === "decide", {
+    images: (image) => {
+      tabs.show("images");
+      if (image) stage.open(image).body.focus();
+    },
+    space: () => tabs.show("space"),
+    visit: (point, image) => {
+      model.choose(point);
+      void panel.goTo(point, image);
+    },
+  });
+  tabs.onopen("decide", () => decide.show());
   tabs.onopen("space", () => void space.show());
   tabs.onopen("tables", () => tables.show());
   tabs.onopen("journal", () => void journal.show());
@@ -81,10 +95,16 @@ async function begin(model: Model, status: Status): Promise<void> {
     model.say((error as Error).message, "bad");
     throw error;
   }
-  const again = afterPause(() => void model.read().catch(() => {}), 100);
+  const told = () => {
+    const { sigma0 } = model.overview;
+    if (sigma0 !== null && !model.message.words) model.say(`Adjusted: sigma0 ${short(sigma0)}`, "good");
+  };
+  told();
+  const again = afterPause(() => void model.read().then(told).catch(() => {}), 100);
   connect((message) => status.heard(message), (open, before) => {
     status.connection(open);
-    if (open && before) again();
+    // an adjustment that ended before the connection stood was told to nobody
+    if (open && (before || model.overview.sigma0 === null)) again();
   });
 }
 

@@ -177,6 +177,102 @@ export interface JournalEntry {
   command: string;
 }
 
+// --- what is decided ---------------------------------------------------------------------------------
+
+export type Choice = "auto" | "free" | "held";
+export type Quantity = "w" | "sigma" | "rays" | "redundancy";
+
+export interface OptionField {
+  name: string;
+  flag: string;
+  kind: "choice" | "flag" | "number" | "names";
+  help: string;
+  choices: string[];
+  whole: boolean;
+  low: number | null;
+  high: number | null;
+  metavar: string;
+  value: string | number | boolean;
+  default: string | number | boolean;
+}
+
+export interface OptionForm {
+  fields: OptionField[];
+  command: string;
+}
+
+export interface ParameterRow {
+  symbol: string;
+  unit: string;
+  meaning: string;
+  value: number | null;
+  sigma: number | null;
+  t: number | null;
+  probability: number | null;
+  effect_px: number | null;
+  effect_sigma_px: number | null;
+  determinability: number | null;
+  correlation: { with: string; value: number; strong: boolean } | null;
+  status: string;
+  remark: string;
+  choice: Choice;
+}
+
+export interface Interior {
+  camera: string;
+  image: string | null;
+  parameters: ParameterRow[];
+  tests: { group: string; F: number | null; probability: number | null }[];
+}
+
+export interface Criterion {
+  name: Quantity;
+  words: string;
+  above: boolean;
+  unit: string;
+  low: number;
+  high: number;
+  middle: number;
+  begin: number;
+  whole: boolean;
+  known: number;
+}
+
+export interface Selection {
+  quantity: Quantity;
+  limit: number;
+  observations: number;
+  points: number;
+  marks: number;
+  used: number;
+  words: string;
+  above: boolean;
+  rows: [string, string][];
+  all_shown: boolean;
+  command: string;
+}
+
+export interface Kept {
+  number: number;
+  words: string;
+  command: string;
+  sigma0: number | null;
+  redundancy: number | null;
+  observations: number | null;
+  unknowns: number | null;
+  image_points: number | null;
+  rejected: number | null;
+  mean_std: number | null;
+  noise: string;
+  options: string[];
+  unit: string;
+  report: boolean;
+  network: boolean;
+  worst: { image: string; point: string; w: number; v_px: number | null }[];
+  check: { points: number; rms: (number | null)[] };
+  parameters: { camera: string; symbol: string; value: number | null; sigma: number | null; status: string; unit: string }[];
+}
+
 export type Live =
   | { type: "state"; state: State }
   | { type: "oriented"; seq: number }

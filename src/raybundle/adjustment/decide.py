@@ -12,6 +12,7 @@ from itertools import groupby
 
 import numpy as np
 
+from raybundle.adjustment.asked_parameters import check_asked, with_asked
 from raybundle.adjustment.engine import Extent, Start, adjust_block, as_start, free_parameters
 from raybundle.adjustment.known_before import against_known
 from raybundle.adjustment.options import AdjustmentOptions
@@ -47,6 +48,8 @@ class Decisions:
 
     free: dict[str, tuple[str, ...]]
     reasons: Rejections
+    kept_free: frozenset[tuple[str, str]]
+    """Camera, symbol: what is estimated in any case"""
     known: Mapping[str, Mapping[str, float]]
     """By camera, what was known before anything was measured: where what is not determinable is held"""
     notices: list[Notice] = field(default_factory=list[Notice])
@@ -59,9 +62,11 @@ def decide(
 ) -> Adjustment:
     """Adjust a block with approximate values, with the decisions that the options and the block ask for."""
     began = time.perf_counter()
+    check_asked(block, options)
     choices = Decisions(
-        free={c.id: free_parameters(c) for c in block.parametrised},
+        free={c.id: with_asked(c, free_parameters(c), options) for c in block.parametrised},
         reasons=given_rejections(block),
+        kept_free=frozenset(options.free),
         known={c.id: {**c.values, **{s: v for s, v in c.known.items() if s in c.values}} for c in block.parametrised},
     )
     automatic = [
@@ -227,9 +232,8 @@ def _choose(
             model = sensor_models[camera.model]
             named = () if camera.estimate == "auto" else camera.estimate  # of the other kinds, what is asked for
             out = {"other"} if _moves(block, camera) else {"other", "read-out"}
-            choices.free[camera.id] = tuple(
-                p.symbol for p in model.parameters if p.kind not in out or p.symbol in named
-            )
+            every = tuple(p.symbol for p in model.parameters if p.kind not in out or p.symbol in named)
+            choices.free[camera.id] = with_asked(camera, every, options)
     result: Adjustment | None = None
     for _ in range(30):
         try:
@@ -242,7 +246,7 @@ def _choose(
             block = _with_values(block, *held)
             continue
         block = as_start(block, result.adjusted)
-        worst = _least_determinable(result, automatic)
+        worst = _least_determinable(result, automatic, choices)
         if worst is not None:
             camera, symbol, reason = worst
             value = choices.known[camera][symbol]
@@ -251,11 +255,11 @@ def _choose(
             block = _with_values(block, camera, {symbol: value})
             continue
         beyond = beyond_sensor(result, automatic) if options.pixel_shape == "sensor" else None
-        if beyond is not None:
+        if beyond is not None and beyond.ids not in choices.kept_free:
             block = _hold_shape(block, choices, beyond, beyond.limit)
             continue
         untold = untold_shape(result, automatic) if options.pixel_shape == "sensor" else None
-        if untold is not None:
+        if untold is not None and untold.ids not in choices.kept_free:
             choices.not_significant.append((untold.ids[0], untold.ids[1]))
             block = _hold_shape(block, choices, untold, shape_limit(_camera(block, untold.ids[0]), untold.ids[1]))
             continue
@@ -338,7 +342,7 @@ def _hold_next(
     return camera, {symbol: value}
 
 
-def _least_determinable(result: Adjustment, automatic: list[str]) -> tuple[str, str, str] | None:
+def _least_determinable(result: Adjustment, automatic: list[str], choices: Decisions) -> tuple[str, str, str] | None:
     found: list[tuple[int, float, str, str, str]] = []
     for interior in result.interior:
         if interior.camera not in automatic:
@@ -346,7 +350,8 @@ def _least_determinable(result: Adjustment, automatic: list[str]) -> tuple[str, 
         model = sensor_models[next(c.model for c in result.given.cameras if c.id == interior.camera)]
         kinds = {p.symbol: p.kind for p in model.parameters}
         for p in interior.parameters.values():
-            if p.status == "not determinable" and kinds[p.symbol] in DROP_ORDER:
+            kept = (interior.camera, p.symbol) in choices.kept_free
+            if p.status == "not determinable" and kinds[p.symbol] in DROP_ORDER and not kept:
                 std = p.std_words(result.length_unit)
                 reason = f"its standard deviation is {std}, {p.effect_std_px or 0:.0f} px in the image"
                 found.append(
@@ -386,7 +391,10 @@ def _drop_insignificant(
         if interior.camera not in automatic or interior.image is not None or result.precision is None:
             continue
         C = result.precision.interior[interior.camera]
-        for group in _candidates(interior, result):
+        for candidates in _candidates(interior, result):
+            group = tuple(s for s in candidates if (interior.camera, s) not in choices.kept_free)
+            if not group:
+                continue
             k = [interior.free.index(s) for s in group]
             x = np.array([interior.parameters[s].value for s in group])
             F = float(x @ np.linalg.solve(C[np.ix_(k, k)], x) / len(k))

@@ -104,7 +104,7 @@ def adjust_block(
     try:
         work, found = carry_out(block, options, free, reasons, progress, start=start)
         result = result_of(work, block, options, found, notices, time.perf_counter() - began, progress, extent)
-        return _finished(_with_settled_components(result, block, options, free, found), extent)
+        return _finished(_with_settled_components(result, block, options, free, found), extent, progress)
     except TooFewObservations:
         raise
     except (RankDefect, NoConvergence) as error:
@@ -118,15 +118,17 @@ def adjust_block(
     seconds = time.perf_counter() - began
     result = result_of(work, steady.block, options, found, notices, seconds, progress, extent, steady.added)
     result = without_priors(_with_settled_components(result, steady.block, options, free, found), block, steady.added)
-    return _finished(result, extent)
+    return _finished(result, extent, progress)
 
 
-def _finished(result: Adjustment, extent: Extent) -> Adjustment:
+def _finished(result: Adjustment, extent: Extent, progress: Progress) -> Adjustment:
     """The result under the noise that is asked for; RankDefect where images turn about a line."""
     if extent != "report":
         return result
+    progress("statistics", 1.0)
     check_turning(result)
     result = under_noise(result) if result.options.noise == "fields" else result
+    progress("statistics", 1.0)
     return replace(result, notices=(*result.notices, *own_field_notices(result), *systematic_notices(result)))
 
 

@@ -35,10 +35,9 @@ def _check_options(options: AdjustmentOptions) -> None:
             raise InputError(f"options: {name} is {value!r}; it is one of {', '.join(map(repr, allowed))}")
         if kind is bool and not isinstance(value, bool):
             raise InputError(f"options: {name} is {value!r}; it is True or False")
-        if typing.get_origin(kind) is tuple and not (
-            isinstance(value, tuple) and all(isinstance(v, str) for v in typing.cast("tuple[object, ...]", value))
-        ):
-            raise InputError(f"options: {name} is {value!r}; it is a tuple of names")
+        pairs = bool(allowed) and typing.get_origin(allowed[0]) is tuple
+        if typing.get_origin(kind) is tuple and not _is_names(value, pairs=pairs):
+            raise InputError(f"options: {name} is {value!r}; it is a tuple of {'pairs of ' if pairs else ''}names")
     numbers: tuple[tuple[str, float, float, bool], ...] = (
         ("max_iterations", 1, 1e6, True), ("threads", 0, 4096, True), ("tolerance", 1e-15, 1.0, False),
         ("significance", 1e-15, 0.5, False),
@@ -49,6 +48,16 @@ def _check_options(options: AdjustmentOptions) -> None:
         if not isinstance(value, kinds) or isinstance(value, bool) or not low <= float(value) <= high:
             what = "a whole number" if whole else "a number"
             raise InputError(f"options: {name} is {value!r}; it is {what} from {low:g} to {high:g}")
+
+
+def _is_names(value: object, *, pairs: bool) -> bool:
+    """Whether a value is a tuple of texts, or of pairs of texts."""
+    if not isinstance(value, tuple):
+        return False
+    values = typing.cast("tuple[object, ...]", value)
+    if pairs:
+        return all(_is_names(v, pairs=False) and len(typing.cast("tuple[str, ...]", v)) == 2 for v in values)
+    return all(isinstance(v, str) for v in values)
 
 
 def _check_shapes(block: Block) -> None:

@@ -46,6 +46,14 @@ class AdjustmentOptions:
     estimate: Literal["given", "auto"] = setting(
         "given", "given: the parameters named in block.toml; auto: chosen by significance and determinability."
     )
+    free: tuple[tuple[str, str], ...] = setting(
+        (), "Estimate this parameter of a camera in any case; may be repeated.", metavar="CAMERA SYMBOL",
+        limits=("text", "text"),
+    )  # fmt: skip
+    hold: tuple[tuple[str, str], ...] = setting(
+        (), "Hold this parameter of a camera as the block has it, in any case; may be repeated.",
+        metavar="CAMERA SYMBOL", limits=("text", "text"),
+    )  # fmt: skip
     pixel_shape: Literal["sensor", "any"] = "sensor"
     """sensor: the automatic choice holds an affinity or a shear beyond what a sensor has; any: it believes each, as of
     scanned pictures.  Parameters that a camera's `estimate` names are free in any case."""

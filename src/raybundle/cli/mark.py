@@ -5,19 +5,18 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FILE_OR_FOLDER, NEW_FOLDER, common_options, counted
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FILE_OR_FOLDER, NEW_FOLDER, common_options
+from raybundle.cli.marks_shown import shown
 from raybundle.cli.numbers import NUMBER, PIXELS, POSITIVE, Number
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.begin_settings import BeginSettings
-from raybundle.commands.measure_settings import MarkAdjustSettings
+from raybundle.commands.measure_settings import RejectSettings
 from raybundle.errors import InputError
-
-if TYPE_CHECKING:
-    from raybundle.measuring.state import State
 
 NO_NUMBER = "-"
 """What stands for a coordinate that is not known."""
@@ -304,16 +303,26 @@ def datum(folder: Path, names: tuple[str, ...], author: str) -> None:
 
 
 @_verb("reject")
-@click.argument("image")
-@click.argument("point")
-def reject(folder: Path, image: str, point: str, author: str) -> None:
-    """Leave an image observation of the block out.
+@click.argument("image", required=False)
+@click.argument("point", required=False)
+@options_of(RejectSettings)
+def reject(folder: Path, image: str | None, point: str | None, author: str, **limits: float | None) -> None:
+    """Leave image observations of the block out: one, or all beyond a limit in the last adjustment, as one action.
 
     \b
     Example:
       raybundle mark reject facade-project IMG_3.jpg t17
+      raybundle mark reject facade-project --w 4
+      raybundle mark reject facade-project --sigma 0.02
     """  # noqa: D301
-    _do(folder, "reject", author, image=image, point=point)
+    given = {name: limit for name, limit in limits.items() if limit is not None}
+    if len(given) == 1 and image is None:
+        ((quantity, limit),) = given.items()
+        _do(folder, "reject_beyond", author, quantity=quantity, limit=limit)
+    elif given or image is None or point is None:
+        raise InputError("give an image and a point, or one limit: " + ", ".join(f"--{name}" for name in limits))
+    else:
+        _do(folder, "reject", author, image=image, point=point)
 
 
 @_verb("accept")
@@ -327,6 +336,20 @@ def accept(folder: Path, image: str, point: str, author: str) -> None:
       raybundle mark accept facade-project IMG_3.jpg t17
     """  # noqa: D301
     _do(folder, "accept", author, image=image, point=point)
+
+
+@_verb("parameter")
+@click.argument("camera")
+@click.argument("symbol")
+@click.argument("choice", type=click.Choice(["free", "held", "auto"]))
+def parameter(folder: Path, camera: str, symbol: str, choice: str, author: str) -> None:
+    """Estimate a parameter of a camera in the next adjustments, or hold it; auto: as block and options say.
+
+    \b
+    Example:
+      raybundle mark parameter facade-project canon K3 held
+    """  # noqa: D301
+    _do(folder, "parameter", author, camera=camera, symbol=symbol, choice=choice)
 
 
 @_verb("fiducial")
@@ -399,27 +422,7 @@ def list_(folder: Path, with_history: bool, as_json: bool) -> None:  # noqa: FBT
             click.echo(f" {e.seq:5d}  {e.time}  {e.author or '-'}  {e.verb} {_words(e.arguments)}".rstrip() + gone)
         return
     state = marks(folder)
-    click.echo(json.dumps(as_plain(state), ensure_ascii=False) if as_json else "\n".join(_shown(state)))
-
-
-def _shown(state: State) -> list[str]:
-    lines = [f" {counted(len(state.marks), 'mark')} of {counted(len(state.points), 'point')}"]
-    for name, p in state.points.items():
-        places = state.marks_of(name)
-        given = " ".join("-" if v is None else f"{v:g}" for v in p.xyz) if p.role != "tie" else ""
-        lines.append(f"   {name}: {p.role} {given}".rstrip())
-        for image, m in places.items():
-            sx, sy = m.covariance[0] ** 0.5, m.covariance[1] ** 0.5
-            lines.append(f"     {image}: {m.x_px:.2f} {m.y_px:.2f} px, sigma {sx:.2f} {sy:.2f} px, {m.how}")
-    lines += [f" scale bar {a} - {b}: {v.length:g} +- {v.sigma:g}" for (a, b), v in state.bars.items()]
-    lines += [f" {v.kind} line {n}: {', '.join(v.points)}" for n, v in state.lines.items()]
-    if state.datum is not None:
-        lines.append(f" coordinate system: {', '.join(state.datum.points)} (origin, axis, plane)")
-    lines += [
-        f" fiducial mark {n} in {i}: {m.x_px:.2f} {m.y_px:.2f} px, {m.how}" for (i, n), m in state.fiducials.items()
-    ]
-    lines += [f" rejected: {p} in {i}" for i, p in sorted(state.rejected)]
-    return lines
+    click.echo(json.dumps(as_plain(state), ensure_ascii=False) if as_json else "\n".join(shown(state)))
 
 
 @command.command("export", context_settings=COMMAND_SETTINGS)
@@ -450,7 +453,7 @@ def export(folder: Path, out: Path, crs: str) -> None:
     help="Result folder; an older result is replaced.  [default: FOLDER/measured-result of a project, else "
     "FOLDER-measured]",
 )  # fmt: skip
-@options_of(MarkAdjustSettings)
+@options_of(AdjustmentOptions)
 @click.option("--no-report", is_flag=True, help="Leave out report.html and network.html.")
 @common_options
 def adjust_(folder: Path, out: Path | None, no_report: bool, progress: str, **given: Any) -> None:  # noqa: FBT001
@@ -478,7 +481,7 @@ def adjust_(folder: Path, out: Path | None, no_report: bool, progress: str, **gi
     target = out or measured_result(folder)
     check_target(target)
     with reporting(progress) as tell:
-        adjustment, left_out = adjust_marks(folder, tell, **values_of(MarkAdjustSettings, given))
+        adjustment, left_out = adjust_marks(folder, tell, **values_of(AdjustmentOptions, given))
         write_result(adjustment, target, report="none" if no_report else "html", progress=tell)
     click.echo("\n".join(summary_lines(adjustment)))
     for name, why in left_out.items():

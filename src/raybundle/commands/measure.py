@@ -14,12 +14,13 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
 from raybundle.commands.begin import measuring_folder, standing_folder
-from raybundle.commands.measure_settings import DatumSettings, MarkAdjustSettings, QuerySettings
+from raybundle.commands.measure_settings import DatumSettings, QuerySettings
 from raybundle.errors import InputError
 from raybundle.io.block.folder import ROLES, read_block
 from raybundle.io.folders import new_folder
 from raybundle.io.reading.words import quoted
 from raybundle.io.tables import write_table
+from raybundle.measuring.decisions import with_decisions
 from raybundle.measuring.export import (
     lost_in_csv,
     lost_in_gcp_list,
@@ -32,6 +33,7 @@ from raybundle.measuring.journal import Entry, Journal, entries_of, journal_path
 from raybundle.measuring.known import Known
 from raybundle.measuring.merge import Merged, merge
 from raybundle.measuring.query import Answer, Quantity, ask, in_axes
+from raybundle.measuring.selection import latest_figures, quantity_of, selected
 from raybundle.measuring.session import block_folder
 from raybundle.measuring.start import adjusted
 from raybundle.measuring.state import State
@@ -132,11 +134,19 @@ def open_journal(folder: str | Path) -> Journal:
 def mark(folder: str | Path, verb: str, *, id: str = "", author: str = "", **arguments: Any) -> int:  # noqa: A002
     """Do an action of measuring, and return its number: `mark("facade", "put", image=..., point=..., x_px=...)`.
 
-    verb    put, move, remove, point, rename, forget, bar, unbar, line, datum, reject, accept, fiducial, undo, redo
+    verb    put, move, remove, point, rename, forget, bar, unbar, line, datum, reject, accept, reject_beyond (quantity:
+            w, sigma, rays or redundancy, and limit, of the last adjustment), parameter, fiducial, undo, redo
     raises  InputError where it cannot be done
     """
     with open_journal(folder) as journal:
+        if verb == "reject_beyond" and "rows" not in arguments:
+            arguments["rows"] = _beyond(_standing(folder), journal.state, **arguments)
         return journal.append_verb(verb, arguments, id=id, author=author)
+
+
+def _beyond(folder: Path, state: State, quantity: str = "", limit: float = float("nan")) -> list[tuple[str, str]]:
+    """The image observations beyond a limit in the last adjustment of a folder."""
+    return [*selected(latest_figures(folder), state, quantity_of(quantity), limit).rows]
 
 
 def find_fiducials(folder: str | Path, image: str, *, author: str = "") -> Mapping[str, str]:
@@ -189,14 +199,14 @@ def _standing(folder: str | Path) -> Path:
 
 
 def adjust_marks(folder: str | Path, progress: Progress = silent, **given: Any) -> tuple[Adjustment, Mapping[str, str]]:
-    """Adjust the block of a folder with what was measured by hand; also what was left out, and why.
+    """Adjust the block of a folder with what was measured and decided by hand; also what was left out, and why.
 
-    Photographs without orientation are oriented from their marks, as far as these allow.
+    given   settings of AdjustmentOptions; parameters that `free` and `hold` name go before those of the journal
     raises  NoOrientation that says what the photographs lack where none is oriented
+    Photographs without orientation are oriented from their marks, as far as these allow.
     """
-    s = made(MarkAdjustSettings, given)
+    options = with_decisions(made(AdjustmentOptions, given), marks(folder))
     found = merged(folder)
-    options = AdjustmentOptions(reject=s.reject, estimate=s.estimate)
     lacking = {k.image: k.words for k in found.lacking if k.kind != "marks"}
     return adjusted(found, lambda block: adjust(block, options, progress)), {**found.left_out, **lacking}
 
@@ -240,5 +250,6 @@ def as_plain(state: State) -> dict[str, Any]:
         "datum": None if state.datum is None else cast("Any", asdict(state.datum)),
         "fiducials": [{"image": i, "name": n, **asdict(m)} for (i, n), m in state.fiducials.items()],
         "rejected": [{"image": i, "point": p} for i, p in sorted(state.rejected)],
+        "parameters": [{"camera": c, "symbol": s, "choice": v} for (c, s), v in state.parameters.items()],
         "renamed": dict(state.renamed), "can_undo": state.can_undo, "can_redo": state.can_redo,
     }  # fmt: skip

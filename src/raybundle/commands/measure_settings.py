@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
 
-from raybundle.settings import setting
+from raybundle.settings import NOT_NEGATIVE, setting
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -32,12 +31,19 @@ class DatumSettings:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class MarkAdjustSettings:
-    """How a block with what was measured by hand is adjusted."""
+class RejectSettings:
+    """Which image observations are left out together, by what the last adjustment says of them; one of these."""
 
-    reject: Literal["none", "snooping"] = setting(
-        "none", "snooping: image observations with significant blunders are left out, one at a time."
+    w: float | None = setting(
+        None, "All whose largest |w|, the normalised residual, is above this.", metavar="LIMIT", limits=NOT_NEGATIVE
     )
-    estimate: Literal["given", "auto"] = setting(
-        "given", "given: the parameters that the block names; auto: chosen by significance and determinability."
+    sigma: float | None = setting(
+        None, "All of tie points of which a standard deviation of X, Y or Z is above this, in the length unit of the "
+        "block.", metavar="LIMIT", limits=NOT_NEGATIVE,
+    )  # fmt: skip
+    rays: float | None = setting(
+        None, "All of tie points with fewer rays that take part.", metavar="LIMIT", limits=NOT_NEGATIVE
+    )
+    redundancy: float | None = setting(
+        None, "All whose smaller redundancy number is below this.", metavar="LIMIT", limits=NOT_NEGATIVE
     )

@@ -15,6 +15,7 @@ from raybundle.errors import InputError
 from raybundle.io.reading.words import quoted
 from raybundle.measuring.action import Action
 from raybundle.measuring.checks import check_mark, check_name, check_number, check_point, exists, marked, name_in_block
+from raybundle.measuring.decisions import RejectBeyond, SetParameter
 from raybundle.measuring.known import Known
 from raybundle.measuring.state import Axes, Bar, Draft, How, Line, Mark, MeasuredPoint, RoleName, State
 from raybundle.settings import option
@@ -415,8 +416,8 @@ class Redo(Action):
 
 
 _KINDS: tuple[type[Action], ...] = (
-    Put, Move, Remove, Point, Rename, Forget, SetBar, Unbar, SetLine, SetDatum, Reject, Accept, Fiducial,
-    Undo, Redo,
+    Put, Move, Remove, Point, Rename, Forget, SetBar, Unbar, SetLine, SetDatum, Reject, Accept, RejectBeyond,
+    SetParameter, Fiducial, Undo, Redo,
 )  # fmt: skip
 VERBS: dict[str, type[Action]] = {kind.verb: kind for kind in _KINDS}
 """Every verb -> its type."""

@@ -78,6 +78,13 @@ class Known:
         i, p = self._rows[f"i{image}"], self._rows[f"p{point}"]
         return bool(np.any(o.image[np.asarray(o.point) == p] == i))
 
+    def pairs(self) -> frozenset[tuple[str, str]]:
+        """(image, point) of every image observation of the block."""
+        if self.block is None:
+            return frozenset()
+        o, images, points = self.block.observations, self.block.images.ids, self.block.points.ids
+        return frozenset((images[i], points[p]) for i, p in zip(o.image.tolist(), o.point.tolist(), strict=True))
+
 
 def _unique(ids: Iterable[str], pairs: Iterable[tuple[str, str]]) -> dict[str, str]:
     """Name -> id; an id means itself, a name of several means none."""

@@ -16,14 +16,20 @@ from raybundle.errors import InputError, NotSolvable
 from raybundle.io.block.folder import read_block
 from raybundle.measuring.joint import Joint
 from raybundle.measuring.known import Known
+from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import option
 
 Adjust = Callable[[Block], Adjustment]
 
 
-def readjusted(block: Block) -> Adjustment:
-    """The adjustment of a block that holds adjusted values: it converges at once, and has all covariances."""
-    return decide(block, AdjustmentOptions(noise=block.noise or "white", datum_over=block.datum_over or "all"))
+def readjusted(block: Block, progress: Progress = silent, options: AdjustmentOptions | None = None) -> Adjustment:
+    """The adjustment of a block that holds adjusted values: it converges at once, and has all covariances.
+
+    options  which parameters were estimated; rejected image observations, noise and datum are known of the block
+    """
+    asked = options or AdjustmentOptions()
+    like = replace(asked, reject="none", noise=block.noise or "white", datum_over=block.datum_over or "all")
+    return decide(block, like, progress)
 
 
 @dataclass(slots=True)

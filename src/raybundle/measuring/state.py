@@ -15,6 +15,8 @@ RoleName = Literal["tie", "control", "check"]
 How = Literal["hand", "ellipse", "corner", "cross", "patch", "file"]
 Key = tuple[str, str]
 """image, point"""
+Choice = Literal["free", "held"]
+"""Of a parameter: estimated in any case, or held in any case."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -94,6 +96,8 @@ class State:
     """rows of the block, (image, point), that take no part"""
     renamed: Mapping[str, str] = field(default_factory=dict[str, str])
     """points of the block -> their new names"""
+    parameters: Mapping[Key, Choice] = field(default_factory=dict[Key, Choice])
+    """(camera, symbol) -> what was decided of that parameter"""
     can_undo: int = 0
     """actions that can be taken back"""
     can_redo: int = 0
@@ -126,13 +130,14 @@ class Draft:
     fiducials: dict[Key, Mark] = field(default_factory=dict[Key, Mark])
     rejected: set[Key] = field(default_factory=set[Key])
     renamed: dict[str, str] = field(default_factory=dict[str, str])
+    parameters: dict[Key, Choice] = field(default_factory=dict[Key, Choice])
 
     @classmethod
     def of(cls, state: State) -> Draft:
         """A copy that can be changed."""
         return cls(
             dict(state.marks), dict(state.points), dict(state.bars), dict(state.lines), state.datum,
-            dict(state.fiducials), set(state.rejected), dict(state.renamed),
+            dict(state.fiducials), set(state.rejected), dict(state.renamed), dict(state.parameters),
         )  # fmt: skip
 
     def done(self, can_undo: int, can_redo: int) -> State:
@@ -141,7 +146,8 @@ class Draft:
             marks=MappingProxyType(self.marks), points=MappingProxyType(self.points),
             bars=MappingProxyType(self.bars), lines=MappingProxyType(self.lines), datum=self.datum,
             fiducials=MappingProxyType(self.fiducials), rejected=frozenset(self.rejected),
-            renamed=MappingProxyType(self.renamed), can_undo=can_undo, can_redo=can_redo,
+            renamed=MappingProxyType(self.renamed), parameters=MappingProxyType(self.parameters),
+            can_undo=can_undo, can_redo=can_redo,
         )  # fmt: skip
 
     def drop_points(self, gone: set[str]) -> None:

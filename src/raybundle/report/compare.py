@@ -63,12 +63,30 @@ def write_comparison(first: ResultFolder, second: ResultFolder, path: str | Path
     Differences are second minus first.  Combined standard deviations take the two results as independent: for two
     adjustments of the same observations real differences should be much smaller.
     """
-    from raybundle.report.document import page  # noqa: PLC0415  (Jinja2 only where it is used)
-
     if Path(path).exists() and not is_comparison(Path(path)):
         raise InputError("stands there already and is no comparison; choose another name, or delete it", file=path)
+    points, differences = _differences(first, second)
+    html = _html(first, second, points, differences)
+    with new_files(Path(path)) as (file,):
+        file.write_text(html, encoding="utf-8")
+    return _cautions(first, second, differences)
+
+
+def comparison(first: ResultFolder, second: ResultFolder) -> str:
+    """The page that `write_comparison` writes."""
+    return _html(first, second, *_differences(first, second))
+
+
+def _differences(first: ResultFolder, second: ResultFolder) -> tuple[Common, list[PointDifferences]]:
+    """The common points, and their differences after a similarity and as they stand."""
     points = common_points(first.points.text["point"], second.points.text["point"], (first.block, second.block))
-    differences = [found for fitted in (True, False) if (found := compared(first, second, points, fitted=fitted))]
+    found = (compared(first, second, points, fitted=fitted) for fitted in (True, False))
+    return points, [d for d in found if d]
+
+
+def _html(first: ResultFolder, second: ResultFolder, points: Common, differences: Sequence[PointDifferences]) -> str:
+    from raybundle.report.document import page  # noqa: PLC0415  (Jinja2 only where it is used)
+
     sections = (
         Section(anchor="summary", title="Side by side", parts=_summary(first, second)),
         Section(anchor="interior", title="Interior orientation", parts=_interior(first, second)),
@@ -77,16 +95,13 @@ def write_comparison(first: ResultFolder, second: ResultFolder, path: str | Path
         Section(anchor="warnings", title="Warnings", parts=_warnings(first, second)),
     )
     told = _apart(first.path, second.path)
-    html = page(
+    return page(
         title=f"{_name(first)} and {_name(second)}",
         subtitle=f"{MARK} First: {told[0]}; second: {told[1]}.",
         headline=_headline(first, second, points, differences),
         grade="remarks",
         sections=sections,
     )
-    with new_files(Path(path)) as (file,):
-        file.write_text(html, encoding="utf-8")
-    return _cautions(first, second, differences)
 
 
 def _cautions(first: ResultFolder, second: ResultFolder, differences: Sequence[PointDifferences]) -> tuple[str, ...]:

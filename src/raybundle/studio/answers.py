@@ -92,6 +92,7 @@ def plain_state(state: State) -> dict[str, Any]:
             for (i, n), m in state.fiducials.items()
         ],
         "rejected": sorted([i, p] for i, p in state.rejected), "renamed": dict(state.renamed),
+        "parameters": [{"camera": c, "symbol": s, "choice": v} for (c, s), v in state.parameters.items()],
     }  # fmt: skip
 
 

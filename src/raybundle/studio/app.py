@@ -25,12 +25,12 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from raybundle.errors import InputError, RaybundleError
 from raybundle.io.reading.trees import json_of
-from raybundle.measuring.journal import measured_result
 from raybundle.studio import answers, tables
 from raybundle.studio.asking import asked
 from raybundle.studio.control import control_actions
+from raybundle.studio.deciding import Deciding
 from raybundle.studio.desk import Desk
-from raybundle.studio.guard import POLICY_HEADER, Guard, Session, TooLarge
+from raybundle.studio.guard import Guard, Session, TooLarge
 from raybundle.studio.live import Live
 from raybundle.studio.scene import scene
 from raybundle.studio.snapping import fiducials_found, snapped
@@ -42,15 +42,10 @@ PAGE = {
     "": ("index.html", "text/html; charset=utf-8"),
     "studio.js": ("studio.js", "text/javascript; charset=utf-8"),
     "studio.css": ("studio.css", "text/css; charset=utf-8"),
+    "decide.css": ("decide.css", "text/css; charset=utf-8"),
     "icon.svg": ("icon.svg", "image/svg+xml"),
 }
 Answer = Callable[[Request], Awaitable[Response]]
-REPORTS = ("report.html", "network.html")
-REPORT_POLICY = (
-    "sandbox allow-scripts allow-popups; default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; "
-    "img-src data: blob:; font-src data:"
-)
-"""Of a report, which holds its script and style: as of no origin, without any connection."""
 LONGEST_NUMBER = 9
 """Digits of an image, level, column or row, and less."""
 
@@ -72,6 +67,7 @@ class Studio:
 
     def app(self) -> Starlette:
         """The application."""
+        deciding = Deciding(self.desk, self.work, self.live)
         gets: dict[str, Callable[[Mapping[str, Any]], Any]] = {
             "/api/overview": lambda _: answers.overview(self.desk),
             "/api/observations": lambda q: answers.observations(self.desk, _text(q, "image")),
@@ -80,6 +76,7 @@ class Studio:
             "/api/table/observations": lambda q: tables.observations(self.desk, _wanted(q)),
             "/api/journal": lambda _: self._journal(),
             "/api/standing": lambda _: answers.standing_of(self.desk),
+            **deciding.gets,
         }
         posts: dict[str, Callable[[dict[str, Any]], Any]] = {
             "/api/action": self._action,
@@ -88,6 +85,7 @@ class Studio:
             "/api/snap": lambda given: snapped(self.desk, given),
             "/api/adjust": lambda _: {"begun": self.work.begin(measured=True)},
             "/api/stop": lambda _: {"stopping": self.work.stop()},
+            **deciding.posts,
         }
         routes = [
             *(Route(path, _get(make), methods=["GET"]) for path, make in gets.items()),
@@ -95,7 +93,7 @@ class Studio:
             Route("/api/predict", self._predict, methods=["GET"]),
             Route("/api/query", self._query, methods=["GET"]),
             Route("/api/scene", self._scene, methods=["GET"]),
-            Route("/report/{name}", self._report, methods=["GET"]),
+            *deciding.pages,
             Route("/api/tile/{image}/{level}/{column}/{row}", self._tile, methods=["GET"]),
             WebSocketRoute("/api/live", self._live),
             Route("/{name:path}", self._page, methods=["GET"]),
@@ -135,15 +133,6 @@ class Studio:
         except (InputError, OSError) as error:
             raise HTTPException(404, str(error)) from None
         return Response(body, media_type="image/jpeg", headers={"cache-control": "private, max-age=3600"})
-
-    async def _report(self, request: Request) -> Response:
-        """A page of the last result, apart from this one: it reaches nothing here."""
-        name = request.path_params["name"]
-        file = measured_result(self.desk.source) / name
-        if name not in REPORTS or not file.is_file():
-            raise HTTPException(404, "there is no such page; adjust first")
-        body = await run_in_threadpool(file.read_bytes)
-        return Response(body, headers={"content-type": "text/html; charset=utf-8", POLICY_HEADER: REPORT_POLICY})
 
     async def _scene(self, _: Request) -> Response:
         return Response(await run_in_threadpool(scene, self.desk), media_type="application/octet-stream")

@@ -22,7 +22,7 @@ LARGEST_BODY = 8 * 1024 * 1024
 """Bytes of a request: a table of control with a hundred thousand points."""
 POLICY = (
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob:; connect-src 'self'; "
-    "font-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
+    "frame-src 'self'; font-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
 )
 POLICY_HEADER = "content-security-policy"
 HEADERS = {
@@ -162,6 +162,8 @@ def _with_headers(send: Send) -> Send:
             for name, value in HEADERS.items():
                 if name != POLICY_HEADER or name not in headers:  # a report has one of its own, as strict
                     headers[name] = value
+            if "frame-ancestors 'self'" in headers[POLICY_HEADER]:
+                headers["x-frame-options"] = "SAMEORIGIN"
             headers.setdefault("cache-control", "no-store")
         await send(message)
 

@@ -7,10 +7,13 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.settings import as_typed
+
 
 def command_of(source: Path, verb: str, arguments: Mapping[str, Any]) -> str:
     """The command line of an action."""
-    return shlex.join(["raybundle", "mark", verb, *_WORDS[verb](str(source), arguments)])
+    return shlex.join(["raybundle", "mark", _SUBCOMMANDS.get(verb, verb), *_WORDS[verb](str(source), arguments)])
 
 
 def _given(folder: str, options: list[str], *words: Any) -> list[str]:
@@ -43,6 +46,10 @@ def _line(folder: str, a: Mapping[str, Any]) -> list[str]:
     return _given(folder, options, a["line"], *a["points"])
 
 
+def _beyond(folder: str, a: Mapping[str, Any]) -> list[str]:
+    return _given(folder, [f"--{a['quantity']}", repr(float(a["limit"]))])
+
+
 def _words(*names: str) -> Callable[[str, Mapping[str, Any]], list[str]]:
     """A verb whose arguments stand as they are."""
     return lambda folder, a: _given(folder, [], *(a[n] for n in names if a[n] != ""))
@@ -53,5 +60,13 @@ _WORDS: Mapping[str, Callable[[str, Mapping[str, Any]], list[str]]] = {
     "remove": _words("image", "point"),
     "rename": _words("point", "to"), "forget": _words("point"), "bar": _words("start", "end", "length", "sigma"),
     "unbar": _words("start", "end"), "datum": _words("origin", "axis", "plane"), "reject": _words("image", "point"),
-    "accept": _words("image", "point"), "undo": _words(), "redo": _words(),
+    "accept": _words("image", "point"), "reject_beyond": _beyond, "parameter": _words("camera", "symbol", "choice"),
+    "undo": _words(), "redo": _words(),
 }  # fmt: skip
+_SUBCOMMANDS = {"reject_beyond": "reject"}
+"""Verbs that are options of another."""
+
+
+def command_of_adjusting(source: Path, options: AdjustmentOptions) -> str:
+    """The command line that adjusts with these options; parameters that are freed or held are in the journal."""
+    return shlex.join(["raybundle", "mark", "adjust", *_given(str(source), as_typed(options))])

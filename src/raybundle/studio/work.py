@@ -5,16 +5,21 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from functools import partial
 
+from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.errors import RaybundleError
+from raybundle.measuring.decisions import with_decisions
 from raybundle.measuring.journal import measured_result
 from raybundle.measuring.merge import merge
-from raybundle.measuring.session import Session
+from raybundle.measuring.session import Session, readjusted
 from raybundle.measuring.start import adjusted, begun, standing_after
 from raybundle.report.write import write_result
 from raybundle.studio.answers import finite
 from raybundle.studio.desk import Desk
 from raybundle.studio.live import Live
+from raybundle.studio.shelf import Shelf
+from raybundle.studio.verbs import command_of_adjusting
 from raybundle.workflows.adjust import adjust
 
 REST_S = 0.3
@@ -31,6 +36,9 @@ class Work:
 
     desk: Desk
     live: Live
+    options: AdjustmentOptions = field(default_factory=AdjustmentOptions)
+    """of the next adjustments, without what the journal says of parameters"""
+    shelf: Shelf = field(init=False)
     _thread: threading.Thread | None = None
     _over: bool = True
     _stop: threading.Event = field(default_factory=threading.Event)
@@ -38,6 +46,10 @@ class Work:
     _at_once: threading.Lock = field(default_factory=threading.Lock)
     _timer: threading.Timer | None = None
     _closed: bool = False
+
+    def __post_init__(self) -> None:
+        """Keep the result that is there."""
+        self.shelf = Shelf.of(self.desk.source, self.desk.tiles.folder)
 
     @property
     def busy(self) -> bool:
@@ -133,16 +145,20 @@ class Work:
 
     def _as_it_is(self) -> str:
         self._tell("covariances", 0.0)
-        self.desk.replaced(self.desk.adjusted())
+        as_before = partial(readjusted, progress=self._tell, options=self.shelf.parameters_before())
+        self.desk.replaced(self.desk.adjusted(as_before))
         return ""
 
     def _measured(self) -> str:
         """Block and marks, adjusted and written; the block that was opened is not touched."""
         desk = self.desk
-        made = merge(desk.given, desk.journal.state, desk.scans)
-        done = adjusted(made, lambda block: adjust(block, progress=self._tell))
+        state, options = desk.journal.state, self.options
+        decided = with_decisions(options, state)
+        made = merge(desk.given, state, desk.scans)
+        done = adjusted(made, lambda block: adjust(block, decided, self._tell))
         folder = measured_result(desk.source)
         write_result(done, folder, progress=self._tell)
+        self.shelf.put(folder, command_of_adjusting(desk.source, options))
         desk.replaced(Session.of(done), standing_after(made, done))
         return str(folder)
 

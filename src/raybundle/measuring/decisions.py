@@ -1,0 +1,83 @@
+"""Verbs that decide: which parameters are free or held, and which image observations beyond a limit are left out."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import ClassVar, Literal
+
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.errors import InputError
+from raybundle.io.reading.words import quoted
+from raybundle.measuring.action import Action
+from raybundle.measuring.checks import check_number
+from raybundle.measuring.known import Known
+from raybundle.measuring.state import Choice, Draft, Key, State
+
+Quantity = Literal["w", "sigma", "rays", "redundancy"]
+"""By what image observations are selected."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SetParameter(Action):
+    """Whether a parameter of a camera is estimated or held in the next adjustments; auto: as block and options say."""
+
+    verb: ClassVar[str] = "parameter"
+    camera: str
+    symbol: str
+    choice: Choice | Literal["auto"]
+
+    def settled(self, state: State, known: Known) -> Action:
+        del state
+        there = {} if known.block is None else {c.id: c.sensor.symbols for c in known.block.parametrised}
+        if self.camera not in there:
+            cameras = ", ".join(map(quoted, [*there][:5])) or "none"
+            raise InputError(f"camera {quoted(self.camera)} is not in the block; known are {cameras}")
+        if self.symbol not in there[self.camera]:
+            raise InputError(
+                f"camera {quoted(self.camera)} has no parameter {quoted(self.symbol)}; it has "
+                f"{', '.join(there[self.camera])}"
+            )
+        return self
+
+    def apply(self, draft: Draft) -> None:
+        draft.parameters.pop((self.camera, self.symbol), None)
+        if self.choice != "auto":
+            draft.parameters[self.camera, self.symbol] = self.choice
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RejectBeyond(Action):
+    """Leave all image observations of the block out that were found beyond a limit: one action, which holds them."""
+
+    verb: ClassVar[str] = "reject_beyond"
+    quantity: Quantity
+    limit: float
+    rows: tuple[Key, ...]
+    """(image, point) of each, as they were found; what the limit finds later does not matter"""
+
+    def settled(self, state: State, known: Known) -> Action:
+        check_number(f"limit of {self.quantity}", self.limit, least=0.0)
+        if not self.rows:
+            raise InputError(f"no image observation is beyond {self.limit:g} in {self.quantity}; nothing is rejected")
+        rows = tuple((known.image(image), point) for image, point in self.rows)
+        there, old = known.pairs(), {new: name for name, new in state.renamed.items()}
+        for image, point in rows:
+            if (image, old.get(point, point)) not in there or point in state.renamed:
+                raise InputError(
+                    f"the block has no observation of point {quoted(point)} in image {quoted(image)}; what was marked "
+                    "by hand is removed, not rejected"
+                )
+        return replace(self, rows=rows)
+
+    def apply(self, draft: Draft) -> None:
+        draft.rejected |= set(self.rows)
+
+
+def with_decisions(options: AdjustmentOptions, state: State) -> AdjustmentOptions:
+    """The options with the parameters that a journal frees and holds; what the options themselves name goes before."""
+    named = {*options.free, *options.hold}
+    decided = {pair: choice for pair, choice in state.parameters.items() if pair not in named}
+    return replace(
+        options, free=(*options.free, *sorted(p for p, choice in decided.items() if choice == "free")),
+        hold=(*options.hold, *sorted(p for p, choice in decided.items() if choice == "held")),
+    )  # fmt: skip

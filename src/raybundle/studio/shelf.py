@@ -1,0 +1,191 @@
+"""The last adjustments of a session: kept as result folders beside one another, told in figures, compared in pairs."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import threading
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any, cast
+
+import numpy as np
+
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.errors import InputError
+from raybundle.io.reading.trees import read_json
+from raybundle.measuring.journal import measured_result
+from raybundle.report.compare import comparison
+from raybundle.results.folder import ResultFolder, read_result
+from raybundle.settings import as_typed, settings_of
+from raybundle.studio.answers import finite
+
+MOST = 8
+"""Adjustments that are kept; the oldest but the first, which was there when the studio was opened, makes room."""
+WORST = 5
+"""Residuals that are told of each."""
+BEFORE = "measured before"
+PAGES = ("report.html", "network.html")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Kept:
+    """One adjustment."""
+
+    number: int
+    """0: the own result of what was opened"""
+    folder: Path
+    words: str
+    """where it comes from"""
+    command: str = ""
+    """that made it; "" of what was there"""
+
+
+@dataclass(slots=True)
+class Shelf:
+    """Adjustments that were made, the one that was there when the studio was opened first."""
+
+    folder: Path
+    kept: list[Kept] = field(default_factory=list[Kept])
+    _made: int = 0
+    _lock: threading.Lock = field(default_factory=threading.Lock)
+    _told: dict[int, dict[str, Any]] = field(default_factory=dict[int, dict[str, Any]])
+
+    @classmethod
+    def of(cls, source: Path, folder: Path) -> Shelf:
+        """A shelf with the own result of a project or result folder and that of what was measured in it before.
+
+        folder  for the copies, which goes with the server
+        """
+        found = cls(folder)
+        own = next((f for f in (source / "result", source) if (f / "result.json").is_file()), None)
+        before = measured_result(source)
+        if own is not None:
+            found._put(Kept(number=0, folder=own, words="as it was opened"))
+        if (before / "result.json").is_file():
+            found._made = 1
+            found._put(Kept(number=1, folder=before, words=BEFORE))
+        return found
+
+    def put(self, result: Path, command: str) -> int:
+        """Keep a copy of a result folder; its number."""
+        with self._lock:
+            self._made += 1
+            self._put(Kept(number=self._made, folder=result, words="adjusted here", command=command))
+            while len(self.kept) > MOST:
+                oldest = self.kept.pop(1)
+                self._told.pop(oldest.number, None)
+                shutil.rmtree(oldest.folder, ignore_errors=True)
+            return self._made
+
+    def _put(self, made: Kept) -> None:
+        copy = self.folder / f"adjustment-{made.number}"
+        shutil.copytree(made.folder, copy, copy_function=_linked, ignore=shutil.ignore_patterns("project"))
+        self.kept.append(replace(made, folder=copy))
+
+    def parameters_before(self) -> AdjustmentOptions:
+        """Which parameters were estimated in what was measured before; as by default where there is nothing."""
+        before = next((k for k in self.kept if k.words == BEFORE), None)
+        if before is None:
+            return AdjustmentOptions()
+        told = options_of(_table(read_json(before.folder / "result.json").value))
+        return AdjustmentOptions(estimate=told.estimate, free=told.free, hold=told.hold)
+
+    def one(self, number: int) -> Kept:
+        """An adjustment that is kept; raises InputError."""
+        for each in [*self.kept]:
+            if each.number == number:
+                return each
+        there = ", ".join(str(k.number) for k in self.kept) or "none"
+        raise InputError(f"adjustment {number} is not kept; kept are: {there}")
+
+    def page(self, number: int, name: str) -> bytes:
+        """A page of an adjustment: its report, or its network in three dimensions; raises InputError."""
+        file = self.one(number).folder / name
+        if name not in PAGES or not file.is_file():
+            raise InputError(f"adjustment {number} has no {name}; adjust here, which writes one")
+        return file.read_bytes()
+
+    def compared(self, first: int, second: int) -> str:
+        """The page that puts two of them side by side, as `raybundle compare` writes it; raises InputError."""
+        a, b = (read_result(self.one(n).folder) for n in (first, second))
+        return comparison(a, b)
+
+    def told(self) -> list[dict[str, Any]]:
+        """Each in figures, the first first."""
+        found: list[dict[str, Any]] = []
+        for each in [*self.kept]:
+            if each.number not in self._told:
+                self._told[each.number] = _figures(each)
+            found.append(self._told[each.number])
+        return found
+
+
+def _linked(source: str, target: str) -> None:
+    """The file under another name, which costs nothing, or a copy: results are replaced whole, never changed."""
+    try:
+        os.link(source, target)
+    except OSError:
+        shutil.copy2(source, target)
+
+
+def _figures(kept: Kept) -> dict[str, Any]:
+    """What is told of an adjustment beside the others."""
+    read = read_result(kept.folder)
+    r = read.result
+    numbers = ("sigma0", "redundancy", "observations", "unknowns", "image_points", "rejected", "mean_std")
+    return {
+        "number": kept.number, "words": kept.words, "command": kept.command,
+        "worst": _worst(read), "check": _check(read),
+        **{name: _number(r.get(name)) for name in numbers}, "noise": str(_table(r.get("noise")).get("kind", "")),
+        "options": as_typed(options_of(r)), "unit": "" if read.block.free_scale else read.block.length_unit,
+        "report": (kept.folder / "report.html").is_file(), "network": (kept.folder / "network.html").is_file(),
+        "parameters": [
+            {"camera": camera, "symbol": symbol, "value": _number(p.get("value")), "sigma": _number(p.get("std")),
+             "status": str(p.get("status", "")), "unit": "" if p.get("unit") == "1" else str(p.get("unit", ""))}
+            for camera, table in _table(r.get("cameras")).items() for symbol, p in _table(table).items()
+        ],
+    }  # fmt: skip
+
+
+def _table(value: Any) -> Mapping[str, Any]:
+    return cast("Mapping[str, Any]", value) if isinstance(value, Mapping) else {}
+
+
+def _number(value: Any) -> float | None:
+    return finite(float(value)) if isinstance(value, int | float) and not isinstance(value, bool) else None
+
+
+def options_of(result: Mapping[str, Any]) -> AdjustmentOptions:
+    """The options that a result.json tells, as far as they are options of the command line."""
+    given: dict[str, Any] = {}
+    options = _table(result.get("options"))
+    for s in settings_of(AdjustmentOptions):
+        value = options.get(s.name, s.default)
+        given[s.name] = tuple(tuple(v) if isinstance(v, list) else v for v in value) if s.many else value
+    return AdjustmentOptions(**given)
+
+
+def _worst(read: ResultFolder) -> list[dict[str, Any]]:
+    """The largest test values of what takes part."""
+    o = read.observations
+    w = np.stack([np.abs(o.number["wx"]), np.abs(o.number["wy"])], axis=1).reshape(-1, 2)
+    size = np.nan_to_num(w, nan=-1.0).max(axis=1, initial=-1.0)
+    size[[bool(reason) for reason in o.text["rejected"]]] = -1.0
+    rows = [k for k in np.argsort(-size, kind="stable")[:WORST].tolist() if size[k] >= 0]
+    v = np.hypot(o.number["vx_px"], o.number["vy_px"])
+    return [
+        {"image": o.text["image"][k], "point": o.text["point"][k], "w": float(size[k]), "v_px": finite(float(v[k]))}
+        for k in rows
+    ]
+
+
+def _check(read: ResultFolder) -> dict[str, Any]:
+    """Root mean square of the differences at check points, in each axis; None where there are none."""
+    rms: list[float | None] = []
+    for axis in "XYZ":
+        d = read.check.number[f"d{axis}"]
+        d = d[np.isfinite(d)]
+        rms.append(float(np.sqrt((d**2).mean())) if len(d) else None)
+    return {"points": len(read.check.text["point"]), "rms": rms}

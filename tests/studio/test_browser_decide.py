@@ -1,0 +1,145 @@
+"""The page that decides, in a browser: an option, a parameter, a limit, two adjustments, all of it taken back."""
+
+import pytest
+
+from raybundle.measuring.journal import entries_of, journal_path, state_of
+from tests.studio.browser import Hand
+from tests.studio.test_browser import SIZES, address, browser, context, hand, overlapping, page, undone, verbs
+
+__all__ = ["address", "browser", "context", "hand", "page"]  # fixtures
+pytestmark = pytest.mark.long
+CONTROLS = "#decide input, #decide select, #decide button"
+
+
+@pytest.fixture
+def decide(page):
+    page.click("#tab-decide")
+    page.locator("#option-reject").wait_for()
+    return page
+
+
+def adjusted(page, press):
+    """Begin an adjustment and wait for its end."""
+    page.evaluate("document.getElementById('message').textContent = ''")
+    press()
+    Hand(page).wait("Adjusted: sigma0")
+
+
+def test_decide_adjust_compare_and_take_back(decide, hand, project):
+    page = decide
+    page.select_option("#option-reject", "snooping")
+    page.locator("#decide code.command", has_text="raybundle mark adjust --reject snooping -- project").wait_for()
+    page.locator(".option.changed", has_text="reject").wait_for()
+    adjusted(page, lambda: page.click("#options-adjust"))
+    page.click("#decide-parameters")
+    row = page.locator(".parameters tbody tr", has=page.locator("th", has_text="K3"))
+    row.locator("select").select_option("held")
+    hand.wait("held from the next adjustment on")
+    assert "estimated" in row.inner_text()
+    page.click("#decide-select")
+    page.fill("#select-limit", "2.25")
+    page.keyboard.press("Tab")
+    counts = page.locator(".counts", has_text="beyond it")
+    counts.wait_for()
+    n = int(counts.inner_text().split()[0].replace(",", ""))
+    assert n > 0
+    page.get_by_role("button", name="Show in images").click()
+    page.locator("#legend-beyond:visible").wait_for()
+    page.click("#tab-space")
+    page.locator("#space-legend", has_text="beyond the limit").wait_for()
+    page.click("#tab-decide")
+    page.click("#select-reject")
+    hand.wait("Rejected what is beyond 2.25")
+    page.locator(".counts", has_text="0 image observations").wait_for()
+    assert len(state_of(journal_path(project)).rejected) == n
+    adjusted(page, lambda: page.click("#adjust"))
+    page.click("#decide-parameters")
+    page.locator(".parameters tbody tr", has=page.locator("th", has_text="K3")).filter(has_text="held").wait_for()
+    assert row.locator("td").nth(1).inner_text() == "held"
+    page.click("#decide-compare")
+    frame = page.frame_locator("#decide iframe[title^=Comparison]")
+    frame.locator("text=Comparison of two adjustments.").wait_for()
+    assert frame.locator("td", has_text="setting hold").count() == 1
+    assert page.locator(".kept tbody tr").count() == 3
+    page.click("#decide-report")
+    page.frame_locator("#decide iframe[title^=Report]").locator("h1", has_text="Adjustment of").wait_for()
+    assert undone(page, lambda: page.click("#undo")) == 2
+    assert verbs(project) == ["parameter", "reject_beyond", "undo", "undo"]
+    state = state_of(journal_path(project))
+    assert (state.parameters, state.rejected) == ({}, frozenset())
+
+
+def test_reports_reach_nothing_of_the_page(decide, context):
+    """The report runs its own script, of no origin; its window of its own is the same."""
+    page = decide
+    adjusted(page, lambda: page.click("#adjust"))
+    page.click("#decide-report")
+    page.frame_locator("#decide iframe[title^=Report]").locator("h1").wait_for()
+    inner = next(f for f in page.frames if "/adjustment/" in f.url)
+    assert inner.evaluate("origin") == "null"
+    assert inner.evaluate("document.body.childElementCount") > 0
+    reached = inner.evaluate("() => { try { return String(parent.document.title) } catch (e) { return e.name } }")
+    assert reached == "SecurityError"
+    asked = inner.evaluate("() => fetch('/api/overview').then(() => 'answered', () => 'refused')")
+    assert asked == "refused"
+    with context.expect_page() as opened:
+        page.get_by_role("link", name="In a window of its own").click()
+    opened.value.locator("h1", has_text="Adjustment of").wait_for()
+    assert opened.value.evaluate("origin") == "null"
+    context.wrong[:] = [w for w in context.wrong if "connect" not in w and "Connect" not in w]
+
+
+def test_by_keyboard_alone(decide, hand, project):
+    """Every control of every part is reached with the Tab key and has a name."""
+    page = decide
+    for part in ("options", "parameters", "select", "compare", "report"):
+        hand.tab_to(f"#decide-{part}")
+        page.keyboard.press("Enter")
+        page.wait_for_timeout(700)
+        controls = page.locator(CONTROLS).locator("visible=true")
+        for control in controls.all():
+            name = control.evaluate(
+                "c => c.getAttribute('aria-label') || (c.labels?.[0]?.textContent) || c.textContent"
+            )
+            assert name.strip(), control.evaluate("c => c.outerHTML")
+    hand.tab_to("#decide-options")
+    page.keyboard.press("Enter")
+    hand.tab_to("#option-robust_start")
+    page.keyboard.press("Space")
+    page.locator("#decide code.command", has_text="--robust-start").wait_for()
+    hand.tab_to("#decide-parameters")
+    page.keyboard.press("Enter")
+    hand.tab_to(".parameters select")
+    page.keyboard.press("ArrowDown")
+    hand.wait("free from the next adjustment on")
+    assert [e.verb for e in entries_of(journal_path(project))] == ["parameter"]
+    assert page.locator(".parameters select:focus").count() == 1
+
+
+def test_a_refusal_says_what_is_wrong(decide, hand, context):
+    page = decide
+    page.fill("#option-datum_points", "nowhere")
+    page.keyboard.press("Tab")
+    hand.wait("Options of the next")
+    page.click("#options-adjust")
+    page.locator("#message.bad", has_text="nowhere").wait_for()
+    page.fill("#option-threads", "-1")
+    page.keyboard.press("Tab")
+    page.locator("#message.bad", has_text="threads = -1 must be at least 0").wait_for()
+    context.wrong[:] = [w for w in context.wrong if "409" not in w]
+
+
+@pytest.mark.parametrize("size", SIZES, ids=lambda s: f"{s[0]}x{s[1]}")
+def test_nothing_lies_over_another(decide, size):
+    page = decide
+    page.set_viewport_size({"width": size[0], "height": size[1]})
+    for part in ("options", "parameters", "select", "compare", "report"):
+        page.click(f"#decide-{part}")
+        page.wait_for_timeout(700)
+        stage = page.locator("#stage").bounding_box()
+        boxes = {f"{k}": c.bounding_box() for k, c in enumerate(page.locator(CONTROLS).locator("visible=true").all())}
+        boxes = {k: b for k, b in boxes.items() if b is not None}
+        assert not overlapping(boxes)
+        for box in boxes.values():
+            assert box["x"] >= stage["x"]
+            assert box["x"] + box["width"] <= stage["x"] + stage["width"] + 0.5

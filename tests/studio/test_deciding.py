@@ -1,0 +1,348 @@
+"""The page that decides: options as a form, parameters, limits, adjustments beside one another, reports within."""
+
+import shutil
+import threading
+
+import numpy as np
+import pytest
+
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.measuring.journal import entries_of, journal_path, measured_result
+from raybundle.settings import settings_of
+from raybundle.studio import work as work_module
+from raybundle.studio.app import Studio
+from raybundle.studio.desk import Desk
+from raybundle.studio.guard import Session
+from tests.studio.conftest import PORT
+from tests.studio.test_app import act
+
+
+def adjusted(client, studio, **values):
+    """Adjust with these options and wait."""
+    assert client.post("/api/options", json={"values": values}).status_code == 200
+    assert client.post("/api/adjust", json={}).json() == {"begun": True}
+    studio.work.wait()
+
+
+def parameter(client, symbol):
+    (interior, *_) = client.get("/api/parameters").json()["interiors"]
+    return interior["camera"], next(p for p in interior["parameters"] if p["symbol"] == symbol)
+
+
+def test_the_form_is_the_data_class(client, project):
+    found = client.get("/api/options").json()
+    fields = {f["name"]: f for f in found["fields"]}
+    known = {s.name: s for s in settings_of(AdjustmentOptions)}
+    assert set(fields) == set(known) - {"free", "hold"}
+    for name, field in fields.items():
+        assert field["help"] == known[name].help
+        assert field["choices"] == list(known[name].choices)
+        assert field["value"] in (known[name].default, "")
+    assert (fields["threads"]["low"], fields["threads"]["whole"]) == (0, True)
+    assert found["command"] == f"raybundle mark adjust -- {project}"
+
+
+def test_options_are_kept_for_every_button_and_shown_as_a_command(client, studio, project):
+    values = {"reject": "snooping", "robust_start": True, "datum_points": "t1,t 2", "threads": 2}
+    found = client.post("/api/options", json={"values": values}).json()
+    command = f"raybundle mark adjust --datum-points 't1,t 2' --reject snooping --robust-start --threads 2 -- {project}"
+    assert found["command"] == command
+    assert studio.work.options == AdjustmentOptions(
+        reject="snooping", robust_start=True, datum_points=("t1", "t 2"), threads=2
+    )
+    assert client.get("/api/options").json() == found
+
+
+@pytest.mark.parametrize(
+    ("values", "words"),
+    [
+        ({"reject": "all"}, "reject = 'all' is not one of 'none', 'snooping'"),
+        ({"threads": -1}, "threads = -1 must be at least 0"),
+        ({"threads": 1.5}, "no whole number"),
+        ({"robust_start": "yes"}, "neither true nor false"),
+        ({"hold": [["a", "b"]]}, "hold is no option of the form"),
+        ({"datum_points": ["a"]}, "no single value"),
+        ({"evil": 1}, "evil is no option"),
+    ],
+)
+def test_options_that_cannot_be_are_refused_by_name(client, studio, values, words):
+    answer = client.post("/api/options", json={"values": values})
+    assert answer.status_code == 409
+    assert words in answer.json()["error"]
+    assert studio.work.options == AdjustmentOptions()
+
+
+def test_options_that_are_no_table(client):
+    assert client.post("/api/options", json={"values": 1}).status_code == 400
+
+
+def test_the_options_are_those_of_the_adjustment(client, studio, desk):
+    adjusted(client, studio, reject="snooping", estimate="auto")
+    assert desk.adjustment.options.reject == "snooping"
+    assert desk.adjustment.options.estimate == "auto"
+
+
+def test_parameters_with_their_tests(client, desk):
+    found = client.get("/api/parameters").json()
+    (interior,) = found["interiors"]
+    (own,) = desk.adjustment.interior
+    assert [p["symbol"] for p in interior["parameters"]] == list(own.parameters)
+    for p in interior["parameters"]:
+        assert p["value"] == own.parameters[p["symbol"]].value
+        assert p["sigma"] == own.parameters[p["symbol"]].std
+        assert p["choice"] == "auto"
+        if p["status"] == "estimated":
+            assert 0 < abs(p["correlation"]["value"]) <= 1
+            assert p["correlation"]["strong"] == (abs(p["correlation"]["value"]) > found["strong"])
+            assert p["effect_sigma_px"] > 0
+        if p["t"] is not None:
+            assert 0 <= p["probability"] <= 1
+            assert (p["t"] > 1.97) == (p["probability"] < 0.05) or 1.95 < p["t"] < 1.99
+
+
+def test_a_parameter_held_stays_and_is_free_again(client, studio, desk):
+    camera, before = parameter(client, "K1")
+    assert before["status"] == "estimated"
+    assert act(client, "parameter", camera=camera, symbol="K1", choice="held").status_code == 200
+    assert parameter(client, "K1")[1]["choice"] == "held"
+    given = next(c for c in desk.given.cameras if c.id == camera).values["K1"]
+    adjusted(client, studio)
+    _, held = parameter(client, "K1")
+    assert held["status"] == "held"
+    assert held["value"] == given
+    assert held["sigma"] is None
+    assert desk.adjustment.options.hold == ((camera, "K1"),)
+    act(client, "undo")
+    adjusted(client, studio)
+    assert parameter(client, "K1")[1]["status"] == "estimated"
+
+
+def test_held_in_spite_of_the_automatic_choice(client, studio, desk):
+    camera, _ = parameter(client, "K1")
+    act(client, "parameter", camera=camera, symbol="K1", choice="held")
+    act(client, "parameter", camera=camera, symbol="A", choice="free")
+    adjusted(client, studio, estimate="auto")
+    (interior,) = desk.adjustment.interior
+    assert "K1" not in interior.free
+    assert "A" in interior.free
+
+
+def test_opened_again_it_is_as_it_was_adjusted(client, studio, desk, tmp_path):
+    """What was held when it was adjusted is held where its covariances are made again."""
+    camera, _ = parameter(client, "K1")
+    act(client, "parameter", camera=camera, symbol="K1", choice="held")
+    adjusted(client, studio)
+    (tmp_path / "again").mkdir()
+    again = Studio.of(Desk.open(desk.source, tmp_path / "again"), Session(port=PORT))
+    again.work.begin(measured=False)
+    again.work.wait()
+    (interior,) = again.desk.adjustment.interior
+    (before,) = desk.adjustment.interior
+    again.desk.close()
+    assert interior.free == before.free
+    assert "K1" not in interior.free
+    w = [d.adjustment.image_observations.w for d in (again.desk, desk)]
+    assert np.nanmax(np.abs(w[0] - w[1])) < 1e-3
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ({"camera": "none", "symbol": "K1", "choice": "held"}, "camera 'none' is not in the block; known are"),
+        ({"symbol": "K99", "choice": "held"}, "has no parameter 'K99'; it has c"),
+        ({"symbol": "K1", "choice": "perhaps"}, "parameter: Invalid enum value"),
+    ],
+)
+def test_parameters_that_are_not_there(client, desk, arguments, words):
+    answer = act(client, "parameter", **{"camera": desk.given.cameras[0].id, **arguments})
+    assert answer.status_code == 409
+    assert words in answer.json()["error"]
+
+
+def counted(desk, quantity, limit):
+    """Image observations beyond a limit, counted one by one."""
+    a = desk.adjustment
+    o, s, n = a.given.observations, a.image_observations, 0
+    for k in range(len(o)):
+        if s.rejected[k] is not None:
+            continue
+        p = o.point[k]
+        n += {
+            "w": lambda k=k: np.nanmax(np.abs(s.w[k])) > limit,
+            "redundancy": lambda k=k: np.nanmin(s.redundancy[k]) < limit,
+            "sigma": lambda p=p: a.precision.object_point_std[p].max() > limit,
+            "rays": lambda p=p: sum(o.point[i] == p for i in range(len(o)) if s.rejected[i] is None) < limit,
+        }[quantity]()
+    return n
+
+
+def test_limits_select_what_is_beyond_them(client, desk):
+    found = {c["name"]: c for c in client.get("/api/criteria").json()["criteria"]}
+    assert list(found) == ["w", "sigma", "rays", "redundancy"]
+    for name, limit in (("w", 2.5), ("sigma", found["sigma"]["middle"]), ("redundancy", 0.4), ("rays", 3)):
+        s = client.get("/api/selection", params={"by": name, "limit": limit}).json()
+        assert s["observations"] == counted(desk, name, limit) > 0
+        assert s["observations"] == len(s["rows"])
+        assert s["points"] == len({p for _, p in s["rows"]})
+        assert s["used"] == desk.adjustment.image_observations.used.sum()
+        assert found[name]["low"] <= found[name]["middle"] <= found[name]["high"]
+    nothing = client.get("/api/selection", params={"by": "w", "limit": 1e6}).json()
+    assert (nothing["observations"], nothing["rows"]) == (0, [])
+
+
+def test_all_beyond_a_limit_are_one_action_sent_twice_too(client, studio, project, desk):
+    given = {"id": "once", "author": "A", "by": "w", "limit": 2.5}
+    rows = client.get("/api/selection", params=given).json()["rows"]
+    first, second = (client.post("/api/reject", json=given).json() for _ in range(2))
+    assert first["seq"] == second["seq"]
+    assert sorted(first["state"]["rejected"]) == sorted(rows)
+    assert first["command"] == f"raybundle mark reject --w 2.5 -- {project}"
+    assert [e.verb for e in entries_of(journal_path(project))] == ["reject_beyond"]
+    assert client.get("/api/selection", params=given).json()["observations"] == 0
+    adjusted(client, studio)
+    block, taken = desk.adjustment.given, set()
+    for k in np.flatnonzero(desk.adjustment.image_observations.used):
+        taken.add((block.images.ids[block.observations.image[k]], block.points.ids[block.observations.point[k]]))
+    assert not taken & {(i, p) for i, p in rows}
+    act(client, "undo")
+    assert client.get("/api/overview").json()["state"]["rejected"] == []
+
+
+def test_marks_made_by_hand_are_counted_apart(client, studio, desk):
+    """A mark 30 px off is beyond every limit; it is removed by hand, not rejected."""
+    o = desk.block.observations
+    p = int(np.argmax(np.bincount(o.point)))
+    row = int(np.flatnonzero(o.point == p)[0])
+    image, point = desk.block.images.ids[o.image[row]], desk.block.points.ids[p]
+    x, y = o.xy_px[row]
+    act(client, "put", image=image, point=point, x_px=x + 30, y_px=y, covariance=[0.04, 0.04, 0.0])
+    adjusted(client, studio)
+    found = client.get("/api/selection", params={"by": "w", "limit": 8}).json()
+    assert found["marks"] == 1
+    assert [image, point] not in found["rows"]
+
+
+@pytest.mark.parametrize(
+    ("given", "status", "words"),
+    [
+        ({"by": "w", "limit": 1e6}, 409, "no image observation is beyond 1e+06 in w"),
+        ({"by": "beauty", "limit": 1}, 409, "quantity 'beauty' is none of w, sigma, rays, redundancy"),
+        ({"by": "w", "limit": "x"}, 400, "limit 'x' is no number"),
+        ({"by": "w", "limit": 1, "id": ""}, 400, "an action has an id"),
+    ],
+)
+def test_selections_that_cannot_be(client, given, status, words):
+    answer = client.post("/api/reject", json={"id": "one", **given})
+    assert answer.status_code == status
+    assert words in answer.json()["error"]
+    assert client.get("/api/overview").json()["state"]["seq"] == 0
+
+
+def test_nothing_to_select_by_before_there_is_an_adjustment(client, desk):
+    desk.session.adjustment = None
+    for path in ("/api/criteria", "/api/selection?by=w&limit=1"):
+        answer = client.get(path)
+        assert answer.status_code == 409
+        assert "no adjustment yet" in answer.json()["error"]
+    (interior,) = client.get("/api/parameters").json()["interiors"]
+    assert {p["status"] for p in interior["parameters"]} == {"not adjusted"}
+
+
+def test_adjustments_are_kept_and_compared(client, studio, project):
+    camera, _ = parameter(client, "K1")
+    adjusted(client, studio)
+    act(client, "parameter", camera=camera, symbol="K1", choice="held")
+    adjusted(client, studio, reject="snooping")
+    zero, one, two = client.get("/api/adjustments").json()["adjustments"]
+    assert [zero["words"], one["words"], two["words"]] == ["as it was opened", "adjusted here", "adjusted here"]
+    assert one["redundancy"] < two["redundancy"] + 2 * two["rejected"]
+    assert two["options"][:3] == ["--hold", camera, "K1"]
+    assert "--reject snooping" in " ".join(two["options"])
+    assert two["command"] == f"raybundle mark adjust --reject snooping -- {project}"
+    assert [w["w"] for w in one["worst"]] == sorted((w["w"] for w in one["worst"]), reverse=True)
+    assert one["check"] == {"points": 0, "rms": [None, None, None]}
+    assert {p["symbol"]: p["status"] for p in two["parameters"]}["K1"] == "held"
+    page = client.get("/comparison/1/2")
+    assert page.status_code == 200
+    assert "Comparison of two adjustments." in page.text
+    assert "setting hold" in page.text
+    assert page.headers["content-security-policy"].startswith("sandbox allow-scripts; default-src 'none'")
+    assert page.headers["x-frame-options"] == "SAMEORIGIN"
+
+
+def test_what_was_measured_before_is_there_beside_the_own_result(client, studio, desk):
+    adjusted(client, studio)
+    again = type(studio.work.shelf).of(desk.source, desk.tiles.folder / "again")
+    assert [(k.number, k.words) for k in again.kept] == [(0, "as it was opened"), (1, "measured before")]
+    assert again.put(measured_result(desk.source), "") == 2
+
+
+def test_the_oldest_but_the_first_make_room(client, studio, desk):
+    adjusted(client, studio)
+    shelf = studio.work.shelf
+    for _ in range(9):
+        shelf.put(measured_result(desk.source), "")
+    assert [k.number for k in shelf.kept] == [0, 4, 5, 6, 7, 8, 9, 10]
+    assert not (desk.tiles.folder / "adjustment-1").exists()
+
+
+def test_a_kept_adjustment_outlives_the_next_one(client, studio, desk):
+    adjusted(client, studio)
+    before = studio.work.shelf.page(1, "report.html")
+    adjusted(client, studio, reject="snooping")
+    assert studio.work.shelf.page(1, "report.html") == before
+    assert studio.work.shelf.page(2, "report.html") != before
+
+
+def test_reports_are_pages_of_no_origin(client, studio):
+    adjusted(client, studio)
+    page = client.get("/adjustment/1/report.html")
+    assert page.status_code == 200
+    assert "<html" in page.text
+    assert "sandbox allow-scripts;" in page.headers["content-security-policy"]
+    assert "allow-same-origin" not in page.headers["content-security-policy"]
+    own = client.get("/").headers
+    assert "frame-src 'self'" in own["content-security-policy"]
+    assert own["x-frame-options"] == "DENY"
+
+
+@pytest.mark.parametrize(
+    "path",
+    ["/adjustment/7/report.html", "/adjustment/0/report.html", "/adjustment/0/result.json", "/adjustment/x/report.html",
+     "/adjustment/0/..%2fresult.json", "/comparison/0/9", "/comparison/0/x"],
+)  # fmt: skip
+def test_pages_that_are_not_there(client, path):
+    assert client.get(path).status_code == 404  # the project was oriented without a report
+
+
+def test_stopped_nothing_is_changed(client, studio, desk, project, monkeypatch):
+    """Stop while it adjusts: block, adjustment, results and journal stay, and the next one runs."""
+    adjusted(client, studio)
+    before, result = desk.adjustment, (measured_result(project) / "result.json").read_bytes()
+    at, go = threading.Event(), threading.Event()
+    tell = work_module.Work._tell
+
+    def slowly(self, stage, share):
+        at.set()
+        go.wait(20)
+        tell(self, stage, share)
+
+    monkeypatch.setattr(work_module.Work, "_tell", slowly)
+    assert client.post("/api/adjust", json={}).json() == {"begun": True}
+    assert at.wait(20)
+    assert client.post("/api/adjust", json={}).json() == {"begun": False}
+    assert client.post("/api/stop", json={}).json() == {"stopping": True}
+    go.set()
+    studio.work.wait()
+    monkeypatch.undo()
+    assert desk.adjustment is before
+    assert (measured_result(project) / "result.json").read_bytes() == result
+    assert [k.number for k in studio.work.shelf.kept] == [0, 1]
+    assert not [p for p in project.iterdir() if p.name.endswith(".partial")]
+    adjusted(client, studio)
+    assert desk.adjustment is not before
+
+
+def test_the_studio_closes_with_its_copies(client, desk):
+    shutil.rmtree(desk.tiles.folder)
+    assert client.get("/api/options").status_code == 200

@@ -1,0 +1,56 @@
+// The page on which an adjustment is decided: its options, its parameters, what is left out, and what came of it.
+import { button, element, h } from "./dom";
+import { DecideCompare } from "./decide_compare";
+import { DecideOptions } from "./decide_options";
+import { DecideParameters } from "./decide_parameters";
+import { DecideReport } from "./decide_report";
+import { DecideSelect } from "./decide_select";
+import { Model } from "./model";
+
+export interface Ways {
+  /** Show the photographs, one of them in front. */
+  images(image: string): void;
+  space(): void;
+  /** Go to a point in an image. */
+  visit(point: string, image: string): void;
+}
+
+export interface Leaf {
+  readonly root: HTMLElement;
+  /** Read what it shows, anew. */
+  show(): Promise<void>;
+}
+
+export class Decide {
+  private readonly leaves: [name: string, words: string, leaf: Leaf][];
+  private readonly heads: HTMLButtonElement[];
+  private now = 0;
+
+  constructor(private readonly model: Model, private readonly isOpen: () => boolean, ways: Ways) {
+    this.leaves = [
+      ["options", "Options", new DecideOptions(model)], ["parameters", "Parameters", new DecideParameters(model)],
+      ["select", "Select", new DecideSelect(model, ways)], ["compare", "Compare", new DecideCompare(model, ways)],
+      ["report", "Report", new DecideReport()],
+    ];
+    this.heads = this.leaves.map(([name, words], k) => {
+      const head = button(words, `Show ${words.toLowerCase()}`, () => this.turn(k));
+      head.id = `decide-${name}`;
+      return head;
+    });
+    element("decide-bar").append(h("span", { class: "group", role: "group", "aria-label": "What is decided" }, ...this.heads));
+    element("decide").append(...this.leaves.map(([, , leaf]) => leaf.root));
+    this.turn(0);
+    model.on(["read", "state"], () => this.isOpen() && this.show());
+  }
+
+  private turn(k: number): void {
+    this.now = k;
+    this.heads.forEach((head, i) => head.setAttribute("aria-pressed", String(i === k)));
+    this.leaves.forEach(([, , leaf], i) => (leaf.root.hidden = i !== k));
+    if (this.isOpen()) this.show();
+  }
+
+  show(): void {
+    this.leaves[this.now][2].show().catch((error: Error) => this.model.say(error.message, "bad"));
+  }
+}
