@@ -22,7 +22,7 @@ KILLED = """
 import os, signal, sys
 from raybundle.io import tables
 tables.WRITTEN_ROWS = 2
-rows, calls = tables._plain_rows, []
+rows, calls = tables.rows_of, []
 
 def fatal(values):
     calls.append(values)
@@ -31,7 +31,7 @@ def fatal(values):
     return rows(values)
 
 if sys.argv.pop(1) == "kill":
-    tables._plain_rows = fatal
+    tables.rows_of = fatal
 from raybundle.cli.main import main
 sys.exit(main(sys.argv[1:]))
 """

@@ -13,7 +13,6 @@ from itertools import chain
 from pathlib import Path
 from typing import Any, Literal, NoReturn
 
-import msgspec
 import numpy as np
 
 from raybundle.errors import InputError
@@ -21,6 +20,7 @@ from raybundle.io.reading import words
 from raybundle.io.reading.files import decoded, opened
 from raybundle.io.reading.rows import BadRow, cells_of
 from raybundle.io.reading.words import quoted
+from raybundle.io.rows import rows_of
 from raybundle.numerics import native
 from raybundle.numerics.arrays import Array, Index
 
@@ -478,65 +478,11 @@ def write_table(path: Path, columns: Mapping[str, Sequence[str] | Array]) -> Non
         file.write(",".join(columns) + "\n")
         for start in range(0, max(rows, default=0), WRITTEN_ROWS):
             parts = [c[start : start + WRITTEN_ROWS] for c in columns.values()]
-            file.write(_plain_rows(parts) or _quoted_rows(parts))
+            file.write(rows_of(parts))
 
 
 WRITTEN_ROWS = 1 << 13
 """Rows whose cells are made at a time: some 10 MB of text in a table of twenty columns."""
-
-
-WHOLE = 1e15
-"""Below this, whole numbers are written alike with and without a fraction."""
-
-SPECIAL = frozenset(',"\\[]') | {chr(k) for k in range(32)} | {chr(127)}
-"""What a text must not hold for its row to be had from JSON."""
-
-
-def _plain_rows(parts: Sequence[Sequence[str] | Array]) -> str:
-    """Rows of texts without special characters, by way of JSON; empty where a text has one.
-
-    In `["a",1.5,2.0]` brackets and quotes are marks, and `.0` stands between marks or commas only.
-    """
-    texts = [p for p in parts if not isinstance(p, np.ndarray)]
-    if any(not SPECIAL.isdisjoint("".join(text)) for text in texts):
-        return ""
-    cells = [_plain_cells(np.asarray(p, float)) if isinstance(p, np.ndarray) else p for p in parts]
-    lines = msgspec.json.encode(list(zip(*cells, strict=True)))
-    for mark, cell in ((b".0,", b","), (b".0]", b"]"), (b"],[", b"\n")):
-        lines = lines.replace(mark, cell)
-    return lines[2:-2].translate(None, b'"').decode() + "\n"
-
-
-def _plain_cells(values: Array) -> list[Any]:
-    """Numbers; where all are whole, as such; an empty text for what is not finite, as JSON has no number for it."""
-    finite = np.isfinite(values)
-    known = values[finite]
-    if np.array_equal(known, np.rint(known)) and (abs(known) < WHOLE).all() and not np.signbit(known).any():
-        cells: list[Any] = np.where(finite, values, 0).astype(np.int64).tolist()
-    else:
-        cells = values.tolist()
-    for k in np.flatnonzero(~finite).tolist():
-        cells[k] = ""
-    return cells
-
-
-def _quoted_rows(parts: Sequence[Sequence[str] | Array]) -> str:
-    cells = [_number_cells(p) if isinstance(p, np.ndarray) else _text_cells(p) for p in parts]
-    return "".join(f"{row}\n" for row in map(",".join, zip(*cells, strict=True)))
-
-
-def _number_cells(values: Array) -> list[str]:
-    if len(values) == 0:
-        return []
-    text = msgspec.json.encode(np.asarray(values, float).tolist()).decode()[1:-1] + ","
-    return text.replace("null", "").replace(".0,", ",")[:-1].split(",")
-
-
-def _text_cells(values: Sequence[str]) -> list[str]:
-    joined = "".join(values)
-    if not any(special in joined for special in ',"\r\n'):
-        return list(values)
-    return [f'"{v.replace(chr(34), chr(34) * 2)}"' if any(s in v for s in ',"\r\n') else v for v in values]
 
 
 def times_in_order(table: Table, file: Path) -> Array:
