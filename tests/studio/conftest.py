@@ -34,9 +34,15 @@ def project(portal, tmp_path):
 
 
 @pytest.fixture
-def desk(project, tmp_path):
+def photo_folders(project):
+    """Where the photographs of the project lie, beside the places that it names itself."""
+    return [project.parent / "photos"]
+
+
+@pytest.fixture
+def desk(project, photo_folders, tmp_path):
     (tmp_path / "tiles").mkdir()
-    desk = Desk.open(project, tmp_path / "tiles", [project.parent / "photos"])
+    desk = Desk.open(project, tmp_path / "tiles", photo_folders)
     yield desk
     desk.close()
 

@@ -2,14 +2,10 @@
 
 import numpy as np
 import pytest
-from starlette.testclient import TestClient
 
 from raybundle.commands.begin import measuring_folder
-from raybundle.studio.app import Studio
-from raybundle.studio.desk import Desk
-from raybundle.studio.guard import Session
 from tests.measuring.hand_made import Scene, photographs
-from tests.studio.conftest import BASE, LIVE, PORT
+from tests.studio.conftest import BASE, LIVE
 
 
 @pytest.fixture
@@ -18,25 +14,13 @@ def scene():
 
 
 @pytest.fixture
-def desk(tmp_path, scene):
-    (tmp_path / "tiles").mkdir()
-    project = measuring_folder(photographs(tmp_path / "archive", scene.images))
-    desk = Desk.open(project, tmp_path / "tiles")
-    yield desk
-    desk.close()
+def project(tmp_path, scene):
+    return measuring_folder(photographs(tmp_path / "archive", scene.images))
 
 
 @pytest.fixture
-def studio(desk):
-    return Studio.of(desk, Session(port=PORT))
-
-
-@pytest.fixture
-def client(studio):
-    with TestClient(studio.app(), base_url=BASE) as client:
-        client.get("/", params={"token": studio.session.token})
-        client.headers["origin"] = BASE
-        yield client
+def photo_folders():
+    return []
 
 
 def put(client, scene, image, point, rng, error=(0.0, 0.0)):

@@ -1,12 +1,13 @@
 """The data model of a photogrammetric block, and its simulation."""
 
-from raybundle.block.block import Block, Camera, Images, Instrument, Observations, PixelFrame, Points, Role
+from raybundle.block.block import ROLES, Block, Camera, Images, Instrument, Observations, PixelFrame, Points, Role
 from raybundle.observations.attitude import Attitudes
 from raybundle.observations.distance import Distances
 from raybundle.observations.relation import Relation
 from raybundle.observations.station import Stations
 
 __all__ = [
+    "ROLES",
     "Attitudes",
     "Block",
     "Camera",

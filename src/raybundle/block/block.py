@@ -7,6 +7,7 @@ x right, y down).  Everything is frozen; `dataclasses.replace` makes a changed c
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import IntEnum
@@ -43,9 +44,18 @@ class Role(IntEnum):
     CONTROL = 1
     CHECK = 2
 
+    @property
+    def word(self) -> str:
+        """As tables write it: tie, control or check."""
+        return self.name.lower()
+
+
+ROLES: Mapping[str, Role] = {role.word: role for role in Role}
+"""By the word that tables write."""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Parametrised:
+class Parametrised(ABC):
     """What has parameters that are held, free or observed: a camera, an instrument."""
 
     id: str
@@ -66,9 +76,9 @@ class Parametrised:
     not determine is held there.  Not written to files: what a file gives is what is known."""
 
     @property
+    @abstractmethod
     def sensor(self) -> SensorModel | InstrumentModel:
         """The model."""
-        raise NotImplementedError
 
     @property
     def parameters(self) -> Array:

@@ -23,7 +23,6 @@ SUBJECTS: tuple[Subject, ...] = get_args(Subject)
 WORDS = {"name": " + ", "about": "; ", "source": "; ", "licence": "; "}
 """Texts of a block, which contradict nothing: what stands between those that differ."""
 ROWS = {"cameras", "instruments", "images", "observations", "points", "tables", "rejected"}
-ROLES = {Role.TIE: "tie point", Role.CONTROL: "control point", Role.CHECK: "check point"}
 PER_M = {"m": 1.0, "mm": 1000.0}
 
 
@@ -194,7 +193,8 @@ class _Merge:
             code = codes(c, getattr(told, name), count)
             for k in np.flatnonzero(speaks & (code != code[stands]))[:1].tolist():
                 one, two = (
-                    ROLES[Role(int(role[j]))] if name == "role" else _entry(told, name, j) for j in (int(stands[k]), k)
+                    f"{Role(int(role[j])).word} point" if name == "role" else _entry(told, name, j)
+                    for j in (int(stands[k]), k)
                 )
                 label = f"point {whole.ids[k]}: {name}"
                 self.refuse_rows("point", label, rows, (int(stands[k]), one), (k, two))

@@ -12,11 +12,11 @@ import numpy as np
 
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
-from raybundle.block import Block
+from raybundle.block import Block, Role
 from raybundle.commands.begin import measuring_folder, standing_folder
 from raybundle.commands.measure_settings import DatumSettings, QuerySettings
 from raybundle.errors import InputError
-from raybundle.io.block.folder import ROLES, read_block
+from raybundle.io.block.folder import read_block
 from raybundle.io.folders import new_folder
 from raybundle.io.reading.words import quoted
 from raybundle.io.tables import write_table
@@ -102,11 +102,10 @@ def transform_to_points(result: Adjustment | str | Path, out: str | Path, **give
     adjustment = result if isinstance(result, Adjustment) else adjust(read_block(block_folder(result)))
     moved = in_axes(adjustment, s.origin, s.axis, s.plane)
     C, std = moved.covariance, np.sqrt(np.maximum(np.diagonal(moved.covariance, axis1=1, axis2=2), 0))
-    names = {int(role): name for name, role in ROLES.items()}
     role = dict(zip(adjustment.adjusted.points.ids, np.asarray(adjustment.adjusted.points.role).tolist(), strict=True))
     with new_folder(out) as folder:
         write_table(folder / "points.csv", {
-            "point": moved.ids, "role": [names[role[p]] for p in moved.ids],
+            "point": moved.ids, "role": [Role(role[p]).word for p in moved.ids],
             **{c: moved.xyz[:, k] for k, c in enumerate("XYZ")},
             **{f"s{c}": std[:, k] for k, c in enumerate("XYZ")},
             "cXY": C[:, 0, 1], "cXZ": C[:, 0, 2], "cYZ": C[:, 1, 2],

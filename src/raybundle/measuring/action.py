@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from dataclasses import asdict, dataclass
 from typing import Any, ClassVar, Literal
 
@@ -10,7 +11,7 @@ from raybundle.measuring.state import Draft, State
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Action:
+class Action(ABC):
     """One verb with its arguments."""
 
     verb: ClassVar[str] = ""
@@ -30,6 +31,6 @@ class Action:
         del state, known
         return self
 
+    @abstractmethod
     def apply(self, draft: Draft) -> None:
         """Change a draft."""
-        raise NotImplementedError

@@ -384,7 +384,15 @@ class Fiducial(Action):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Undo(Action):
+class _Turn(Action):
+    """What moves among the actions before it: the fold does that, and the state itself stays."""
+
+    def apply(self, draft: Draft) -> None:
+        del draft
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Undo(_Turn):
     """Take the last action back that is not taken back."""
 
     verb: ClassVar[str] = "undo"
@@ -400,7 +408,7 @@ class Undo(Action):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Redo(Action):
+class Redo(_Turn):
     """Do again what was taken back last."""
 
     verb: ClassVar[str] = "redo"

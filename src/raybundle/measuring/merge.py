@@ -8,11 +8,10 @@ from typing import TypeVar
 
 import numpy as np
 
-from raybundle.block import Block, Distances, Observations, Points, Role
+from raybundle.block import ROLES, Block, Distances, Observations, Points, Role
 from raybundle.block.select import selected
 from raybundle.block.transform import transform_block
 from raybundle.errors import InputError
-from raybundle.io.block.folder import ROLES
 from raybundle.io.reading.words import quoted
 from raybundle.measuring.film import Scans, placed
 from raybundle.measuring.frames import in_camera

@@ -6,8 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from raybundle.block import Block
-from raybundle.io.block.folder import ROLES
+from raybundle.block import ROLES, Block
 from raybundle.measuring.state import State
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.orientation.few_points import FewPoints, orient_few

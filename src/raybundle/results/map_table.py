@@ -27,8 +27,7 @@ def map_table(adjustment: Adjustment, frame: LocalFrame) -> dict[str, Sequence[s
     if precision is not None:
         C = np.concatenate([precision.images[taken, :3, :3], precision.object_points[rows]])
         std = np.sqrt(np.diagonal(frame.crs_covariance(there, C), axis1=1, axis2=2))
-    kinds = {Role.TIE: "tie", Role.CONTROL: "control", Role.CHECK: "check"}
-    roles = [kinds[Role(int(r))] for r in np.asarray(points.role)[rows]]
+    roles = [Role(r).word for r in np.asarray(points.role)[rows].tolist()]
     columns: dict[str, Sequence[str] | Array] = {
         "kind": ["image"] * len(taken) + roles,
         "id": [*(images.ids[i] for i in taken), *(points.ids[i] for i in rows)],

@@ -7,14 +7,13 @@ from typing import Any
 
 import numpy as np
 
-from raybundle.block import Role
+from raybundle.block import ROLES, Role
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.studio.answers import finite
 from raybundle.studio.desk import Desk
 
 MOST_ROWS = 1000
-ROLE_NAMES = {int(Role.TIE): "tie", int(Role.CONTROL): "control", int(Role.CHECK): "check"}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -47,10 +46,10 @@ def points(desk: Desk, wanted: Wanted) -> dict[str, Any]:
     }  # fmt: skip
     keep = _containing(block.points.ids, wanted.search)
     if wanted.role:
-        keep &= role == next((k for k, n in ROLE_NAMES.items() if n == wanted.role), -1)
+        keep &= role == ROLES.get(wanted.role, -1)
     total, rows = _page(columns, keep, wanted)
     return {"total": total, "rows": [
-        {"point": block.points.ids[k], "role": ROLE_NAMES[int(role[k])], "xyz": [finite(v) for v in xyz[k]],
+        {"point": block.points.ids[k], "role": Role(int(role[k])).word, "xyz": [finite(v) for v in xyz[k]],
          "sigma": [finite(v) for v in std[k]], "rays": int(block.ray_count[k]), "w": finite(w[k])}
         for k in rows
     ]}  # fmt: skip

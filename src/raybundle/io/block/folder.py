@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.block import Block, Camera, Images, Observations, Points, Role
+from raybundle.block import ROLES, Block, Camera, Images, Observations, Points, Role
 from raybundle.block.block import PixelFrame, Turn
 from raybundle.block.frames import TURNS, size_ratio
 from raybundle.block.rejection import known_wrong
@@ -37,7 +37,6 @@ FRAME = ("turned_deg", "file_width_px", "file_height_px")
 SCAN = ("scan_xx", "scan_xy", "scan_x0", "scan_yx", "scan_yy", "scan_y0")
 """Of images whose files are scans: the file's pixels by those of the camera."""
 NEEDED = "give another folder: a block needs it"
-ROLES = {"tie": Role.TIE, "control": Role.CONTROL, "check": Role.CHECK}
 
 
 def read_block(path: str | Path, *, progress: Progress = silent) -> Block:
@@ -259,7 +258,7 @@ def _read_points(path: Path) -> tuple[Points, dict[str, int]]:
     )
     ids, roles = table.text["point"], table.text["role"]
     unknown = np.array([r not in ROLES for r in roles])
-    require(path, problems_of(unknown, "role", lambda k: f"{quoted(roles[k])} is not one of tie, control, check"))
+    require(path, problems_of(unknown, "role", lambda k: f"{quoted(roles[k])} is not one of {', '.join(ROLES)}"))
     role = np.fromiter((ROLES[r] for r in roles), np.int32, len(roles))
     xyz, sigma = table.numbers(*XYZ), table.numbers(*SIGMA_XYZ)
     given, weighted = np.isfinite(xyz), np.isfinite(sigma)
@@ -485,5 +484,4 @@ def angles_deg(images: Images) -> Array:
 
 def point_columns(points: Points) -> dict[str, Sequence[str] | Array]:
     """The columns `point` and `role`."""
-    names = {int(role): name for name, role in ROLES.items()}
-    return {"point": points.ids, "role": [names[r] for r in np.asarray(points.role).tolist()]}
+    return {"point": points.ids, "role": [Role(r).word for r in np.asarray(points.role).tolist()]}

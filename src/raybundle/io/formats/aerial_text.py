@@ -18,7 +18,7 @@ from typing import NoReturn
 
 import numpy as np
 
-from raybundle.block import Camera, Images, Role
+from raybundle.block import ROLES, Camera, Images, Role
 from raybundle.block.block import Distances, Stations
 from raybundle.errors import InputError
 from raybundle.io.block.toml import read_cameras
@@ -31,7 +31,6 @@ from raybundle.io.tables import Column, Table, read_table, write_table
 from raybundle.numerics.arrays import Array
 
 CAMERAS, IMAGES, POINTS = "cameras.toml", "raybundle-images.csv", "raybundle-points.csv"
-ROLES = {"tie": Role.TIE, "control": Role.CONTROL, "check": Role.CHECK}
 END = "-99"
 METRES = {"m": 1.0, "mm": 0.001}
 NOMINAL_PIXEL_MM = 0.005
@@ -161,7 +160,6 @@ def write_own(folder: Path, s: Scene, export: Export, photographs: Sequence[str]
     (folder / CAMERAS).write_text(cameras_text(cameras), encoding="utf-8")
     of_image = [s.cameras[k].id for k in s.camera.tolist()]
     write_table(folder / IMAGES, {"number": list(photographs), "image": list(s.names), "camera": of_image})
-    words = {v: k for k, v in ROLES.items()}
     kept = s.points.tolist()
     sigma = block.points.sigma[s.points]
     if len(kept) == 0:
@@ -171,7 +169,7 @@ def write_own(folder: Path, s: Scene, export: Export, photographs: Sequence[str]
         {
             "number": list(points),
             "point": [block.points.ids[k] for k in kept],
-            "role": [words[Role(int(block.points.role[k]))] for k in kept],
+            "role": [Role(int(block.points.role[k])).word for k in kept],
             **{n: sigma[:, k] for k, n in enumerate(("sX", "sY", "sZ"))},
         },
     )

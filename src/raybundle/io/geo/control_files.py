@@ -15,10 +15,9 @@ from typing import Literal
 
 import numpy as np
 
-from raybundle.block import Role
+from raybundle.block import ROLES, Role
 from raybundle.block.frames import in_file_frames
 from raybundle.errors import InputError
-from raybundle.io.block.folder import ROLES
 from raybundle.io.geo.coordinate_systems import parse_crs
 from raybundle.io.reading.files import read_lines
 from raybundle.io.reading.words import no_number, number_of, quoted
