@@ -1,8 +1,9 @@
 # Everything from nothing but python3, pip and a C++ compiler; uv is used if it is there.
 #   make demo    simulate a testfield, calibrate it, print truth beside estimate and sigma, write the report
 #   make test    the tests
+#   make test-long  those that take more than five seconds each or need a browser
 #   make test-versions  the tests with every Python from 3.11 that is here, and with the oldest dependencies allowed
-#   make check   the whole gate: format, lint, types, layers, generated files, docs, tests
+#   make check   the whole gate: format, lint, types, layers, generated files, docs
 #   make bench   benchmarks and long truth tests (figures into benchmarks/results)
 PYTHON ?= python3
 VENV := .venv
@@ -11,7 +12,7 @@ UV := $(shell command -v uv 2>/dev/null)
 export RAYBUNDLE_REQUIRE_NATIVE ?= 1
 SOURCES := $(wildcard cpp/*) CMakeLists.txt pyproject.toml
 
-.PHONY: setup setup-dev demo test test-versions check format lint types layers generated docs bench clean
+.PHONY: setup setup-dev demo test test-long test-versions check format lint types layers generated docs bench clean
 
 setup: $(VENV)/.installed
 
@@ -46,7 +47,10 @@ demo: setup
 	$(BIN)/raybundle demo --set demo_data/portal --out demo
 
 test: setup-dev
-	$(BIN)/python -m pytest -n 2
+	$(BIN)/python -m pytest -n 2 -m "not long"
+
+test-long: setup-dev
+	$(BIN)/python -m pytest -n 2 -m long
 
 test-versions: setup-dev
 	$(BIN)/python tools/versions.py $(VERSIONS) -n 2

@@ -77,6 +77,7 @@ def test_it_starts_without_a_guess_and_ends_in_the_noise(lens):
     assert abs(c.value - truth.values["c"]) < 3.5 * c.std
 
 
+@pytest.mark.long
 def test_the_shape_of_the_board_is_found():
     """Free points show the bend; points held on a plane move the camera."""
     truth = camera_of("brown", c=10.0)

@@ -126,6 +126,7 @@ def test_a_calibration_that_is_none_is_refused(calibrated, tmp_path, line, words
         read_cameras(path)
 
 
+@pytest.mark.long
 def test_object_points_carry_the_uncertainty_of_the_calibration(calibrated):
     """60 blocks, each with a calibration drawn from its covariance: held it is far too sure, observed it is true."""
     camera, C = calibrated

@@ -104,6 +104,7 @@ def held(block, **off):
     return replace(block, cameras=(replace(camera, values=values, estimate=()), *block.cameras[1:]))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("noise", ["white", "fields"])
 def test_a_held_calibration_that_is_right_is_not_mentioned(noise):
     """Twenty networks, of a test at 0.1 %."""

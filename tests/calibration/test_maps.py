@@ -22,6 +22,7 @@ def calibrated(seed):
     return adjust_block(simulate(scene, survey).observed, AdjustmentOptions(threads=1, tolerance=1e-3))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("distance", [None, 2.0])
 def test_the_map_is_the_scatter_of_repeated_calibrations(distance):
     first = calibrated(0)

@@ -21,6 +21,7 @@ needs_portal = pytest.mark.skipif(
 QUICK = ("--quick", "--feature-count", "600", "--jobs", "1", "--no-library")
 
 
+@pytest.mark.long
 @needs_portal
 def test_a_file_of_attitudes_is_observed_and_compared_in_the_report(tmp_path, capsys):
     photos = tmp_path / "photos"

@@ -12,6 +12,7 @@ from raybundle.planning.uav_networks import Flight, flight_block
 PUBLISHED = ("--base", "16", "--spacing", "48", "--ground", "120", "--points", "9")
 
 
+@pytest.mark.long
 def test_one_heading_is_warned_of_and_mended(capsys, tmp_path):
     out = tmp_path / "block"
     assert main(["plan", "flight", *PUBLISHED[:-1], "12", "--out", str(out)]) == 0
@@ -38,6 +39,7 @@ def test_what_is_lost_is_no_figure(capsys):
     assert "fault: c cannot be determined by this flight; what mends it" in told
 
 
+@pytest.mark.long
 def test_a_sound_plan_and_a_held_camera(capsys):
     assert main(["plan", "flight", *PUBLISHED, "--cross", "30", "--control", "1"]) == 0
     assert "everything is determined by design" in capsys.readouterr().out
@@ -45,6 +47,7 @@ def test_a_sound_plan_and_a_held_camera(capsys):
     assert "everything is determined by design" in capsys.readouterr().out
 
 
+@pytest.mark.long
 def test_gaps_are_said(capsys):
     assert (
         main(

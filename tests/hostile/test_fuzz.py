@@ -76,6 +76,7 @@ def raw(folder):
     raise error
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("read", "kind"),
     [

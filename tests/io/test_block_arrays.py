@@ -94,6 +94,7 @@ def test_parts_and_transformed_blocks_come_back(rich):
     assert_equal(turned, through_a_file(turned))
 
 
+@pytest.mark.long
 @given(st.lists(blocks(), min_size=1, max_size=1))
 @settings(max_examples=120, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
 def test_any_block_comes_back(drawn):

@@ -306,6 +306,7 @@ def test_sceaux_castle_in_under_sixty_clicks(tmp_path):
     assert np.abs(t).max() < 5
 
 
+@pytest.mark.long
 def test_photographs_that_orient_could_not_join_are_measured_in_its_project(tmp_path):
     scene = Scene(stations=2)
     photos = photographs(tmp_path / "archive", scene.images)

@@ -72,6 +72,7 @@ def check_kept(path, acknowledged):
     assert len(state_of(path).marks) == len(ids)
 
 
+@pytest.mark.long
 def test_killed_at_random_instants_nothing_acknowledged_is_lost_or_counts_twice(tmp_path):
     path = tmp_path / "measured.db"
     acknowledged = killed_while_writing(path, 30, seed=1)

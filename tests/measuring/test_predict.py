@@ -119,6 +119,7 @@ def simulated_predictions(runs, kind):
     return np.array(errors), np.array(covariances)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("kind", ["intersected", "adjusted", "updated"])
 def test_the_covariance_of_a_prediction_is_true(kind):
     e, C = simulated_predictions(60, kind)

@@ -62,6 +62,7 @@ def squared(result, truth, points):
     return float(np.einsum("pi,pij,pj->", error, np.linalg.inv(C), error)) / error.size
 
 
+@pytest.mark.long
 def test_standard_deviations_hold_and_would_not_without_correlations():
     """Squared errors over the stated covariance; coordinates of one point, over runs, are chi-square distributed."""
     C = covariance()

@@ -64,6 +64,7 @@ def plain():
                                                           for s, v in camera.values.items()}))  # fmt: skip
 
 
+@pytest.mark.long
 def test_standard_deviations_hold(plain):
     """Camera constants of single images about the truth, over what is stated; and the group's variance component."""
     squares, ratio, sigma0, shared = [], [], [], []

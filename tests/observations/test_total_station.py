@@ -89,6 +89,7 @@ def with_control(truth, block, rows=(0, 5), sigma=5e-4, rng=None):
     return replace(block, points=replace(points, xyz=xyz, sigma=s, role=role))
 
 
+@pytest.mark.long
 def test_standard_deviations_hold():
     """Squared errors of points and set-ups over their covariance, and each group's square sum over its redundancy."""
     squares, setups, groups, degrees = [], [], dict.fromkeys(KINDS, 0.0), dict.fromkeys(KINDS, 0.0)

@@ -47,6 +47,7 @@ def test_resection_without_noise_is_exact(plane):
     np.testing.assert_allclose(pose_error(result, 0), 0, atol=1e-9)
 
 
+@pytest.mark.long
 def test_resection_covariance_is_true():
     xyz, rng = object_points(10), np.random.default_rng(1)
     errors = []

@@ -72,6 +72,7 @@ def portal():
     return block, [read_photo(PORTAL / "photos" / name, name=name) for name in names]
 
 
+@pytest.mark.long
 @pytest.mark.skipif(not PORTAL.is_dir(), reason="demo_data/portal is absent")
 def test_a_rendered_facade_stands_upright(portal):
     block, photos = portal

@@ -11,9 +11,10 @@ from raybundle.io.block.folder import read_block
 from raybundle.workflows.orient import OrientOptions, orient
 
 PORTAL = Path(__file__).resolve().parents[2] / "demo_data/portal"
-pytestmark = pytest.mark.skipif(
-    not PORTAL.is_dir(), reason="demo_data/portal is part of the repository, not of the package"
-)
+pytestmark = [
+    pytest.mark.long,
+    pytest.mark.skipif(not PORTAL.is_dir(), reason="demo_data/portal is part of the repository, not of the package"),
+]
 
 
 @pytest.fixture(scope="module")

@@ -168,6 +168,7 @@ def test_boresight_and_clock_are_found_again(tmp_path):
     assert not result.not_determinable
 
 
+@pytest.mark.long
 def test_curves_boresight_and_clock_have_true_sigmas(tmp_path):
     """GNSS of 5 cm and INS of 0.003 degrees drift within the strips: fixes whose prior the table tells."""
     model = CorrectionModel(

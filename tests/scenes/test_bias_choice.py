@@ -67,6 +67,7 @@ def test_what_was_simulated_is_advised(rpc, place, scene, kind):
         assert error @ np.linalg.solve(advice.advised.covariance, error) < 25
 
 
+@pytest.mark.long
 def test_stated_covariance_is_true(rpc, place, scene):
     from scipy.stats import chi2, kstest
 
@@ -148,6 +149,7 @@ def test_two_wrong_points_that_hide_each_other(rpc, place, scene):
     assert advice.advised.values == pytest.approx(bias, abs=0.6)
 
 
+@pytest.mark.long
 def test_good_points_are_not_set_aside_more_often_than_stated(rpc, place, scene):
     """At 1 % over all points of a set, among 400 sets: 4, at most 12 by chance (probability 3e-4)."""
     rng = np.random.default_rng(8)

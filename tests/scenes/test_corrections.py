@@ -288,6 +288,7 @@ def test_a_step_out_of_the_scene_is_taken_back():
     assert solve._cost(Normals(), None, 0.0) == (np.inf, 0)
 
 
+@pytest.mark.long
 def test_smoothness_has_true_sigmas():
     """Corrections drawn from their priors; the observed bends are zero, as in every real adjustment."""
     model = CorrectionModel(attitude_curve=Fixes(count=6))

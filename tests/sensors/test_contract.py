@@ -146,7 +146,14 @@ def test_it_is_compiled(model):
     assert model.native != bool(model.local_width), "a model of many parameters is evaluated in NumPy"
 
 
-@models
+DERIVED = [
+    pytest.param(m, marks=pytest.mark.long) if isinstance(m, Carried) and m.sensor.name != "brown" else m
+    for m in sensor_models.values()
+]
+"""The chain of sensor and platform is the same code for all: with one sensor it is looked at in every run."""
+
+
+@pytest.mark.parametrize("model", DERIVED, ids=str)
 def test_the_derivation_is_what_was_generated(model):
     """The committed NumPy function against one derived anew."""
     if model.local_width:

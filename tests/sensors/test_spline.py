@@ -63,6 +63,7 @@ def test_normal_equations_are_those_of_the_twin(name):
     close(a[1], b[1], 1e-6)
 
 
+@pytest.mark.long
 @compiled_only
 @pytest.mark.parametrize("name", ["with another model", "retained points", "one image"])
 def test_adjustments_are_those_of_the_twin(name, monkeypatch):

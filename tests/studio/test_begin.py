@@ -37,6 +37,7 @@ def line(client, studio):
     return client.get("/api/standing").json()["line"]
 
 
+@pytest.mark.long
 def test_photographs_are_oriented_while_points_are_marked(client, studio, desk, scene):
     rng = np.random.default_rng(1)
     o = client.get("/api/overview").json()

@@ -176,6 +176,7 @@ def counted(desk, quantity, limit):
     return n
 
 
+@pytest.mark.long
 def test_limits_select_what_is_beyond_them(client, desk):
     found = {c["name"]: c for c in client.get("/api/criteria").json()["criteria"]}
     assert list(found) == ["w", "sigma", "rays", "redundancy"]

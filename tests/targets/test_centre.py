@@ -67,6 +67,7 @@ def bound(s, blur, noise=2.0, low=40.0, contrast=160.0):
     return np.trace(np.linalg.inv(N)[:2, :2]) / 2
 
 
+@pytest.mark.long
 def test_centres_come_near_the_bound():
     """Over tilts, blurs and slopes of the light; each error in units of its own bound."""
     rng = np.random.default_rng(11)

@@ -29,6 +29,7 @@ def check(rows):
     return square[fine & (part > 0)]
 
 
+@pytest.mark.long
 def test_stated_covariance_of_what_is_free_is_true():
     check(measured(measure_dots, 160, 1))
 
@@ -49,6 +50,7 @@ def test_a_fit_to_the_whole_would_be_noticed():
     assert np.nanmean(square[part > 0]) / 2 > 50
 
 
+@pytest.mark.long
 def test_whole_dots_keep_their_fit():
     changed, count, kept = 0, 0, []
     rng = np.random.default_rng(3)

@@ -61,6 +61,7 @@ def test_small_targets_seen_askew():
     assert lost <= 1
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", ["aicon20", "agisoft20"])
 def test_large_rings_of_many_sectors(name):
     """Near targets are bent by perspective, and their sectors begin between the steps of the reading."""

@@ -62,6 +62,7 @@ def test_printed_targets_can_be_read(tmp_path, name, polarity):
     assert abs(radius - 4).max() < 0.06  # the raster's polygons are half a fine pixel too large
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("polarity", ["dark", "light"])
 @pytest.mark.parametrize("name", ["aicon12", "aicon14", "agisoft12", "agisoft14"])
 def test_every_ring_survives_print_and_turn(tmp_path, name, polarity):

@@ -56,6 +56,7 @@ def whole_tags(marks):
     return {int(n) for n in set(numbers) if numbers.count(n) == 4}
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("least", "most", "count"), [(8, 24, 110), (10, 16, 75), (14, 25, 150)])
 def test_as_many_small_tags_as_opencv_of_whatever_version(least, most, count):
     """OpenCV before 4.14 reads 19 of those of 10 to 16 px, later ones 76."""
@@ -76,6 +77,7 @@ def test_as_many_small_tags_as_opencv_of_whatever_version(least, most, count):
     assert np.median(off) < 0.04
 
 
+@pytest.mark.long
 def test_sigmas_of_corners_are_true():
     """Mean normalised squared error of a corner, 2 for two coordinates; a tenth more sigma would be seen.
 

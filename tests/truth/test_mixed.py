@@ -43,6 +43,7 @@ def errors(name):
     return errors_and_joint(block(), runs, seed=17)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", BLOCKS)
 def test_errors_follow_the_stated_covariance(name):
     found, _ = errors(name)

@@ -38,6 +38,7 @@ def errors(scene, runs=RUNS, **smooth):
     return np.array(rows), found
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("scene", SCENES)
 def test_white_noise_is_left_alone(scene):
     rows, found = errors(scene)
@@ -61,6 +62,7 @@ def test_smooth_errors_are_in_the_standard_deviations(case):
     assert BAND[0] < rows[:, 1].mean() < BAND[1]
 
 
+@pytest.mark.long
 def test_errors_of_a_flight_are_in_the_standard_deviations_of_its_check_points():
     squares = []
     for seed in range(6):

@@ -75,6 +75,7 @@ def photographs(tmp_path_factory):
     return shots, folder / "sheet.toml"
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("known", [True, False], ids=["with the sheet's file", "with the family alone"])
 def test_truth_is_within_what_is_stated(photographs, known):
     shots, toml = photographs

@@ -23,6 +23,7 @@ from tests.targets.photographs import (
     true_camera,
 )
 
+pytestmark = pytest.mark.long
 PLANS = [
     SheetNetwork(width_px=1000, height_px=750, barrel_px=25.0, radius_mm=8.0, photographs=8, seed=s) for s in (3, 4)
 ]

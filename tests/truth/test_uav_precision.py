@@ -53,6 +53,7 @@ def test_tilted_cross_strips_determine_it():
     assert result.interior[0].parameters["c"].std / result.sigma0 / pixel < 0.5
 
 
+@pytest.mark.long
 def test_the_stated_precision_is_the_scatter_of_the_points():
     """Errors of all points of 12 flights against the covariance that each states, before sigma0."""
     d2, degrees = [], 0

@@ -47,6 +47,7 @@ def processor_flags():
 COMBINATIONS = [("avx2", "Haswell", ()), ("baseline", "Prescott", ()), ("0", "SkylakeX", QUICK)]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", CASES)
 def test_the_verdict_is_that_of_the_construction_whatever_the_order(name):
     found = {verdict(name, seed) for seed in range(3)}
@@ -56,6 +57,7 @@ def test_the_verdict_is_that_of_the_construction_whatever_the_order(name):
     assert (told.status, {n.split(" ")[0] for n in told.lost}) == (status, lost)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("instructions", "blas", "cases"), COMBINATIONS)
 def test_another_processor_says_the_same(instructions, blas, cases):
     if native.module() is None and instructions != "0":

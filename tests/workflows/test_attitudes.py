@@ -127,6 +127,7 @@ def test_attitudes_of_a_file_are_observed_with_their_misalignment(flight, tmp_pa
     assert not held.block.instruments
 
 
+@pytest.mark.long
 def test_attitudes_and_misalignment_have_true_sigmas(flight, tmp_path):
     rng = np.random.default_rng(3)
     squares, sums, runs = [], [], 5
@@ -144,6 +145,7 @@ def test_attitudes_and_misalignment_have_true_sigmas(flight, tmp_path):
     assert np.mean(sums) == pytest.approx(1, abs=0.2)
 
 
+@pytest.mark.long
 def test_a_grid_needs_its_system_and_its_convergence_is_taken_out(flight, tmp_path):
     rng = np.random.default_rng(2)
     frame = local_frame(UTM, (*place_in(UTM), 500.0))

@@ -203,6 +203,7 @@ def test_coded_targets_and_two_cameras_mixed():
         assert a.values["c"] == pytest.approx(b.values["c"], rel=1e-6)
 
 
+@pytest.mark.long
 def test_a_board_that_looks_the_same_when_turned_is_held(tmp_path):
     """8 x 6 inner corners, photographs of a pinhole camera of 620 px, some of them upside down."""
     square, px = 25.0, 4.0

@@ -80,6 +80,7 @@ def test_every_file_is_one_stage():
     assert CALIBRATE.titles() == ("photographs", "targets", "start", "adjustment", "verdict")
 
 
+@pytest.mark.long
 def test_a_stopped_run_continues(photos, done, tmp_path, monkeypatch, capsys, measured):
     out = tmp_path / "calibration"
     monkeypatch.setattr(start, "board_oriented", lambda *_: (_ for _ in ()).throw(KeyboardInterrupt))

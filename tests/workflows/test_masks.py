@@ -82,6 +82,7 @@ def turns(out):
     return np.arccos(np.clip((np.trace(relative, axis1=1, axis2=2) - 1) / 2, -1, 1))
 
 
+@pytest.mark.long
 def test_a_turntable_before_a_wall_is_wrong_or_refused_without_masks_and_that_is_said(scene, tmp_path, capsys):
     status = orient(scene, tmp_path / "project")
     told = capsys.readouterr()
@@ -92,6 +93,7 @@ def test_a_turntable_before_a_wall_is_wrong_or_refused_without_masks_and_that_is
         assert any(n["code"] == "static_background" for n in notices)
 
 
+@pytest.mark.long
 def test_with_masks_it_is_right(scene, tmp_path, capsys):
     assert orient(scene, tmp_path / "project", "--masks", str(scene / "masks")) == 0
     told = capsys.readouterr().out

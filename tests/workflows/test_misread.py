@@ -89,6 +89,7 @@ def test_a_point_of_another_unit_is_named_and_takes_no_part(flight, given, facto
     assert np.linalg.norm(centre - flight.truth.images.centre, axis=1).max() < 0.5
 
 
+@pytest.mark.long
 def test_nothing_else_looks_exchanged_or_in_another_unit(flight):
     """Right control, scattered control, and every single or double error that is no exchange."""
     rng = np.random.default_rng(8)

@@ -165,6 +165,7 @@ def counted(monkeypatch):
     return count
 
 
+@pytest.mark.long
 def test_photographs_that_are_added_are_matched_with_the_others_and_only_they(project, photos, tmp_path, counted):
     more = tmp_path / "more"
     more.mkdir()
@@ -179,6 +180,7 @@ def test_photographs_that_are_added_are_matched_with_the_others_and_only_they(pr
     assert len(again.pairs) == 10
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("first", "kept"),
     [
@@ -202,6 +204,7 @@ def products(project, kind):
     return found
 
 
+@pytest.mark.long
 def test_a_damaged_product_is_made_again(project, photos):
     before = numbers(project)
     for kind in ("start", "precision"):
@@ -232,6 +235,7 @@ def test_features_that_are_damaged_during_the_work_say_what_to_do(project, photo
         orient([photos], project, replace(QUICK, redo_from="matching"))
 
 
+@pytest.mark.long
 def test_the_number_of_jobs_changes_no_result(project, photos):
     a, b = (orient([photos], project, replace(QUICK, jobs=k, redo_from="matching")) for k in (1, 3))
     # sums are formed in another order: the last digits differ, and nothing else

@@ -29,6 +29,7 @@ def texture(width, height, seed=3):
     return (total / 3).astype(np.uint8)
 
 
+@pytest.mark.long
 def test_places_and_sizes_are_those_of_the_photograph():
     grey, method = texture(3200, 2400), feature_method("rootsift")
     found = Reduced(method).detect(grey, 10_000)

@@ -93,6 +93,7 @@ def killed(photos, project, seconds):
     return True
 
 
+@pytest.mark.long
 def test_killed_at_ten_random_instants_it_continues_with_nothing_lost_and_gives_the_same(done, photos, tmp_path):
     reference, seconds = done
     expected = result_of(reference)

@@ -115,6 +115,7 @@ def squared_errors(networks, which):
     return np.array(found), placed.notices
 
 
+@pytest.mark.long
 def test_points_are_where_their_covariance_says(networks):
     """Errors of the points of one network depend on each other, those of networks do not: the band of their mean."""
     radii = np.concatenate([n.radii for n in networks])
@@ -125,6 +126,7 @@ def test_points_are_where_their_covariance_says(networks):
     assert "target_eccentricity" in {n.code for n in notices}
 
 
+@pytest.mark.long
 def test_centres_of_ellipses_taken_for_images_of_centres_would_be_noticed(networks):
     error, notices = squared_errors(networks, 1)
     assert error.mean() - 3 > 3.29 * error.std(ddof=1) / np.sqrt(len(error))
