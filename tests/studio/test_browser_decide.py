@@ -39,7 +39,7 @@ def test_decide_adjust_compare_and_take_back(decide, hand, project):
     page.click("#decide-select")
     page.fill("#select-limit", "2.25")
     page.keyboard.press("Tab")
-    counts = page.locator(".counts", has_text="beyond it")
+    counts = page.locator(".counts[aria-busy=false]", has_text="beyond it")
     counts.wait_for()
     n = int(counts.inner_text().split()[0].replace(",", ""))
     assert n > 0

@@ -119,6 +119,8 @@ export class DecideSelect {
 
   private async count(): Promise<void> {
     const turn = ++this.turn;
+    this.reject.disabled = true; // nothing is rejected whose count is not shown
+    this.counts.setAttribute("aria-busy", "true");
     try {
       const found = await ask<Selection>("/api/selection", { by: this.by, limit: this.limits.get(this.by)! });
       if (turn === this.turn) this.told(found);
@@ -130,6 +132,7 @@ export class DecideSelect {
   private told(s: Selection): void {
     beyond.show(this.draw.checked ? s.rows : []);
     const share = s.used ? (100 * s.observations) / s.used : 0;
+    this.counts.setAttribute("aria-busy", "false");
     this.counts.textContent = `${count(s.observations, "image observation")} of ${count(s.points, "point")} beyond it: ${short(share, 2)} % of ${s.used.toLocaleString("en")}.`;
     this.hand.textContent = s.marks ? `${count(s.marks, "mark")} made by hand beyond it: not rejected here; move or remove ${s.marks === 1 ? "it" : "them"}.` : "";
     this.command.textContent = s.command;
