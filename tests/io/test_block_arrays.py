@@ -103,6 +103,7 @@ def test_any_block_comes_back(drawn):
         assert_equal(block, through_a_file(block))
 
 
+@pytest.mark.long
 def test_every_field_was_among_them():
     if not DRAWN:
         pytest.skip("the blocks are drawn by the test before")

@@ -7,6 +7,7 @@ import pytest
 
 from raybundle.block import Distances, Stations
 from raybundle.block.select import selected, without_images
+from raybundle.io.block.arrays import arrays_of_records, records_of_arrays
 from raybundle.observations import observation_kinds, tables
 from raybundle.observations.table import Table
 from raybundle.planning.scenes import TargetField, field_scene
@@ -43,7 +44,7 @@ def test_what_is_selected_and_joined_again_is_whole(table, lacking):
     parts = [t.rows(mask), t.rows(~mask)]
     assert [len(p) for p in parts] == [3, 4]
     assert content(parts[0].append(parts[1])) == content(t)
-    assert content(table.of_arrays(t.arrays())) == content(t)
+    assert content(records_of_arrays(table, dict(arrays_of_records(t)))) == content(t)
     assert content(t.rows(np.argsort(mask, kind="stable")).rows([4, 5, 6, 0, 1, 2, 3])) == content(t)
     assert len(table.empty()) == 0
     assert content(table.empty().append(t)) == content(t)

@@ -9,6 +9,7 @@ from scipy.stats import chi2
 from raybundle import adjust
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.errors import InputError
+from raybundle.io.block.arrays import arrays_of_records
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.observations.total_station import Differences, Directions, SlopeDistances, ZenithAngles
 from raybundle.planning.scenes import TargetField, field_scene
@@ -207,8 +208,8 @@ def test_folders_degrees_and_gon(tmp_path):
     write_block(block, tmp_path / "block")
     again = read_block(tmp_path / "block")
     for name, table in block.tables.items():
-        found = again.tables[name].arrays()
-        for field, values in table.arrays().items():
+        found = dict(arrays_of_records(again.tables[name]))
+        for field, values in arrays_of_records(table):
             if values.dtype.kind == "f":
                 np.testing.assert_allclose(found[field], values, rtol=1e-12)
             else:

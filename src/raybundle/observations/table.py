@@ -5,14 +5,14 @@ A table is a frozen dataclass whose fields are arrays with a row for each observ
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations
-from typing import Any, ClassVar, Literal, Self, cast
+from typing import Any, ClassVar, Literal, cast
 
 import numpy as np
 
-from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.arrays import Index, Mask
 from raybundle.numerics.records import Column, Records, Refers, Stuck, as_field
 from raybundle.numerics.transform import SimilarityTransform
 
@@ -80,21 +80,6 @@ class Table(Records):
         found = [f for name, c in self.cells() if c.of == to and (f := getattr(self, name)) is not None]
         pairs = [np.stack([a, b], axis=1) for a, b in combinations(found, 2)]
         return np.concatenate([np.zeros((0, 2), np.int32), *pairs])
-
-    def arrays(self) -> dict[str, Array]:
-        """Its fields as arrays, of which `of_arrays` makes the equal table."""
-        found = {name: getattr(self, name) for name, _ in self.cells()}
-        return {name: np.array(v, np.str_) if isinstance(v, tuple) else v for name, v in found.items() if v is not None}
-
-    @classmethod
-    def of_arrays(cls, found: Mapping[str, Array]) -> Self:
-        """The table that `arrays` was called of."""
-        made = {
-            name: tuple(found[name].tolist()) if c.of == "text" else found[name]
-            for name, c in cls.cells()
-            if name in found
-        }
-        return cls(**made)
 
     def wrong(self) -> Sequence[Wrong]:
         """What no file may hold beyond what `cells` says."""

@@ -9,7 +9,7 @@ import numpy as np
 
 from raybundle.adjustment.check_points import check_differences, used_rays
 from raybundle.adjustment.result import Adjustment, InteriorResult
-from raybundle.block import Block, Role
+from raybundle.block import Block
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.report.figures.distortion import Interior, interior_of
 
@@ -64,11 +64,6 @@ class View:
     def free_frame(self) -> bool:
         """Whether any part of the datum was left open by the observations."""
         return bool(self.adjustment.datum_defect)
-
-    @property
-    def control_rows(self) -> Index:
-        """(k,) control points."""
-        return np.flatnonzero(np.asarray(self.given.points.role) == Role.CONTROL).astype(np.int32)
 
     def cameras(self) -> list[tuple[int, Mask]]:
         """Each camera with used observations, and these (m,)."""

@@ -177,7 +177,7 @@ def _product(a: Mapping[str, Array]) -> Start:
 STAGE = CALIBRATE.register(
     Stage(
         name="start",
-        version=2,
+        version=3,
         after=("targets",),
         inputs=_inputs,
         function=begin,

@@ -155,7 +155,7 @@ def _product(a: Mapping[str, Array]) -> Measured:
 STAGE = ORIENT.register(
     Stage(
         name="precision",
-        version=24,
+        version=25,
         after=("scene_start",),
         inputs=_inputs,
         function=measure,

@@ -58,7 +58,7 @@ STAGE = ORIENT.register(
     Stage(
         name="scene_start",
         line="start",
-        version=4,
+        version=5,
         after=("start",),
         inputs=_inputs,
         function=begin,

@@ -136,7 +136,7 @@ def _product(a: Mapping[str, Array]) -> Started:
 STAGE = ORIENT.register(
     Stage(
         name="start",
-        version=17,
+        version=18,
         after=("scene_matching",),
         inputs=_inputs,
         function=begin,
