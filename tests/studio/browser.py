@@ -44,12 +44,11 @@ def targets() -> dict[str, dict[str, tuple[float, float]]]:
 
 
 class Hand:
-    """What a person does with mouse and keys; photographs of 1600 x 1200 px."""
+    """What a person does with mouse and keys; photographs of a size [px]."""
 
-    WIDTH, HEIGHT = 1600, 1200
-
-    def __init__(self, page):
+    def __init__(self, page, size=(1600, 1200)):
         self.page = page
+        self.width, self.height = size
         self.at = (0.0, 0.0)
 
     def wait(self, words, seconds=60):
@@ -66,9 +65,9 @@ class Hand:
         self.open(image)
         self.page.keyboard.press("0")
         box = self.page.locator(".pane.active .canvas").bounding_box()
-        scale = 0.98 * min(box["width"] / self.WIDTH, box["height"] / self.HEIGHT)
-        u = box["x"] + box["width"] / 2 + (x - self.WIDTH / 2) * scale
-        v = box["y"] + box["height"] / 2 + (y - self.HEIGHT / 2) * scale
+        scale = 0.98 * min(box["width"] / self.width, box["height"] / self.height)
+        u = box["x"] + box["width"] / 2 + (x - self.width / 2) * scale
+        v = box["y"] + box["height"] / 2 + (y - self.height / 2) * scale
         self.page.mouse.move(u, v)
         for _ in range(zoom):
             self.page.mouse.wheel(0, -200)
@@ -97,7 +96,7 @@ class Hand:
         """The cross hair of the pane at a place, from the middle of the photograph, with keys alone."""
         self.page.keyboard.press("0")
         self.page.keyboard.press("1")
-        for value, keys in ((x - self.WIDTH / 2, "Left Right"), (y - self.HEIGHT / 2, "Up Down")):
+        for value, keys in ((x - self.width / 2, "Left Right"), (y - self.height / 2, "Up Down")):
             key = "Arrow" + keys.split()[value > 0]
             steps, rest = divmod(round(abs(value)), 40)
             for _ in range(steps):
