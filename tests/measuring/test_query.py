@@ -40,17 +40,33 @@ def test_a_distance_has_the_sigma_of_both_ends_together(result):
     assert found.unit == "m"
 
 
-@pytest.mark.parametrize(("quantity", "count"), [("coordinates", 1), ("distance", 2), ("angle", 3), ("area", 4)])
+@pytest.mark.parametrize(
+    ("quantity", "count"),
+    [
+        ("coordinates", 1),
+        ("distance", 2),
+        ("angle", 3),
+        ("area", 4),
+        ("length", 4),
+        ("plane", 5),
+        ("line", 3),
+        ("to_plane", 5),
+        ("to_line", 4),
+    ],
+)
 def test_sigmas_are_true_and_derivatives_right(quantity, count):
     square, freedom = 0.0, 0
     for seed in range(30):
         made = simulation(seed=seed + 500)
         found = adjust(made.observed)
-        points = names_of(made.observed, 4)[:count]
+        points = names_of(made.observed, 5)[:count]
         answer, true = ask(found, quantity, points), value_of(made.truth, quantity, points)
         e = np.array(answer.values) - true
-        square += float(e @ np.linalg.solve(answer.covariance, e))
-        freedom += len(e)
+        # deviations from a form depend on each other: those that are left are all the same in their sum
+        values, vectors = np.linalg.eigh(answer.covariance)
+        free = values > 1e-9 * values[-1]
+        square += float(((vectors[:, free].T @ e) ** 2 / values[free]).sum())
+        freedom += int(free.sum())
     low, high = chi2(freedom).ppf([0.0005, 0.9995])
     assert low < square < high
 
@@ -64,7 +80,22 @@ def value_of(block, quantity, points):
     if quantity == "angle":
         a, b = X[0] - X[1], X[2] - X[1]
         return np.degrees(np.arccos(a @ b / np.linalg.norm(a) / np.linalg.norm(b)))
-    return np.linalg.norm(np.cross(X, np.roll(X, -1, axis=0)).sum(axis=0)) / 2
+    if quantity == "area":
+        return np.linalg.norm(np.cross(X, np.roll(X, -1, axis=0)).sum(axis=0)) / 2
+    if quantity == "length":
+        return np.linalg.norm(np.diff(X, axis=0), axis=1).sum()
+    form = X[1:] if quantity.startswith("to_") else X
+    centre = form.mean(axis=0)
+    axes = np.linalg.eigh((form - centre).T @ (form - centre))[1]
+    axes = axes * np.sign(axes[np.argmax(np.abs(axes), axis=0), range(3)])
+    off = (X - centre) @ axes
+    if quantity == "to_plane":
+        return abs(off[0, 0])
+    if quantity == "to_line":
+        return np.hypot(*off[0, :2])
+    if quantity == "plane":
+        return np.array([np.ptp(off[:, 0]), *off[:, 0]])
+    return np.array([np.hypot(*off[:, :2].T).max(), *np.hypot(*off[:, :2].T)])
 
 
 def test_axes_by_points_carry_their_errors(result):

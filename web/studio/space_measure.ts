@@ -11,7 +11,12 @@ interface Answer {
   remark: string;
 }
 
-const KINDS = ["", "coordinates", "distance", "angle", "area"] as const;
+const KINDS: Record<string, string> = {
+  "": "by number of points", coordinates: "coordinates", distance: "distance", angle: "angle", area: "area",
+  length: "length of a polyline", plane: "flatness", line: "straightness",
+  to_plane: "first to a plane", to_line: "first to a line",
+};
+const SHOWN = 6; // values of an answer; the command line tells all
 
 export class SpaceMeasure {
   readonly parts: HTMLElement[];
@@ -19,7 +24,7 @@ export class SpaceMeasure {
   words = "";
   private readonly box = h("input", { type: "checkbox", id: "space-measure" });
   private readonly kind = h("select", { id: "space-kind", "aria-label": "What is measured" },
-    ...KINDS.map((kind) => h("option", { value: kind }, kind || "by number of points")));
+    ...Object.entries(KINDS).map(([kind, words]) => h("option", { value: kind }, words)));
   private turn = 0;
 
   constructor(model: Model, private readonly changed: () => void) {
@@ -72,7 +77,8 @@ export class SpaceMeasure {
         const whole = `${fixed(value, decimalsOf(sigma))} ± ${fixed(sigma, decimalsOf(sigma))}`;
         return `${found.values.length > 1 ? `${name} ` : ""}${withUnit(whole, unit.replace("^2", "²").replace("deg", "°"))}`;
       });
-      this.words = `${found.words}: ${values.join(", ")}${found.remark ? `\n${found.remark}` : ""}`;
+      const rest = values.length > SHOWN ? ` and ${values.length - SHOWN} more` : "";
+      this.words = `${found.words}: ${values.slice(0, SHOWN).join(", ")}${rest}${found.remark ? `\n${found.remark}` : ""}`;
     } catch (error) {
       if (turn !== this.turn) return;
       this.words = `${this.names.join(", ")}: ${(error as Error).message}`;

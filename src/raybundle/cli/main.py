@@ -27,7 +27,7 @@ COMMANDS = {
     "calibrate": "Calibrate cameras from photographs of coded targets or a board.",
     "adjust": "Adjust a block and write a result folder with its report.",
     "mark": "Measure points by hand: marks, control, scale bars, undo; adjust them with the block.",
-    "query": "Coordinates, distances, angles and areas of a result, with standard deviations.",
+    "query": "Coordinates, distances, angles, areas, planes of a result, with standard deviations.",
     "datum": "The points of a result in a coordinate system by three of them.",
     "compare": "Put two results side by side.",
     "convert": "Convert to and from the formats of other programs.",

@@ -11,11 +11,12 @@ import click
 from raybundle.cli.common import COMMAND_SETTINGS, FOLDER
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.measure_settings import QuerySettings
+from raybundle.settings import settings_of
 
 if TYPE_CHECKING:
     from raybundle.measuring.query import Answer
 
-SEVERAL = ("--coordinates", "--area")
+SEVERAL = [f"--{s.flag}" for s in settings_of(QuerySettings) if s.each is str and s.many]
 """Options that take all words up to the next option."""
 
 
@@ -45,7 +46,7 @@ class SeveralNames(click.Command):
     "--traceback", is_flag=True, expose_value=False, help="After an error, show where in the program it arose."
 )
 def command(result: Path, as_json: bool, **given: Any) -> None:  # noqa: FBT001  (a flag of the command line)
-    """Coordinates, distances, angles and areas of a result, each with its standard deviation.
+    """Coordinates, distances, angles, areas, planes and lines of a result, each with its standard deviation.
 
     From the full covariance of the points, correlations included. RESULT is a result, project or block folder; its
     block is adjusted once more, which ends at once, since it holds adjusted values.
@@ -54,6 +55,7 @@ def command(result: Path, as_json: bool, **given: Any) -> None:  # noqa: FBT001 
     Example:
       raybundle query facade-project --distance A B --coordinates A
       raybundle query camcal21-result --angle 1 2 3 --area 1 2 3 4 --json
+      raybundle query facade-project --plane A B C D E --to-line P A B
     """  # noqa: D301
     from raybundle.commands.measure import query  # noqa: PLC0415
 
@@ -62,10 +64,11 @@ def command(result: Path, as_json: bool, **given: Any) -> None:  # noqa: FBT001 
         for a in answers:
             click.echo(json.dumps(_plain(a), ensure_ascii=False))
         return
+    width = max(8, *(len(name) for a in answers for name in a.names))
     for a in answers:
-        click.echo(f" {a.quantity} {' '.join(a.points)}")
+        click.echo(f" {a.quantity.replace('_', ' ')} {' '.join(a.points)}")
         for name, value, sigma in zip(a.names, a.values, a.sigma, strict=True):
-            click.echo(f"   {name:8s} {_figures(value, sigma)} {a.unit}".rstrip())
+            click.echo(f"   {name:{width}s} {_figures(value, sigma)} {a.unit}".rstrip())
     for remark in dict.fromkeys(a.remark for a in answers if a.remark):
         click.echo(f" {remark}")
 

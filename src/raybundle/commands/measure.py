@@ -32,7 +32,8 @@ from raybundle.measuring.film import read_scans
 from raybundle.measuring.journal import Entry, Journal, entries_of, journal_path, measured_result, state_of
 from raybundle.measuring.known import Known
 from raybundle.measuring.merge import Merged, merge
-from raybundle.measuring.query import Answer, Quantity, ask, in_axes
+from raybundle.measuring.quantities import QUANTITIES, Quantity
+from raybundle.measuring.query import Answer, ask, in_axes
 from raybundle.measuring.selection import latest_figures, quantity_of, selected
 from raybundle.measuring.session import block_folder
 from raybundle.measuring.start import adjusted
@@ -42,13 +43,17 @@ from raybundle.results.folder import ResultFolder
 from raybundle.settings import made, option
 from raybundle.workflows.adjust import adjust
 
+LISTS: tuple[Quantity, ...] = tuple(q for q in QUANTITIES if q not in {"coordinates", "distance", "angle"})
+"""Quantities of one list of points each"""
+
 
 def query(result: Adjustment | ResultFolder | str | Path, **given: Any) -> list[Answer]:
-    """Coordinates, distances, angles and areas with standard deviations from the full covariance.
+    """Coordinates, distances, angles, areas, lengths, planes and lines with sigmas from the full covariance.
 
     result       an adjustment, or a result, project or block folder, whose block is adjusted again (at once, since it
                  holds adjusted values)
-    coordinates  names of points; distance (A, B) or several; angle (A, B, C) at B or several; area: points in order
+    coordinates  names of points; distance (A, B) or several; angle (A, B, C) at B or several; area, length, plane,
+                 line: points in order; to_plane, to_line: a point, then those of the plane or line
     raises       InputError for points that are not there, and where nothing is asked
     """
     pairs = {"distance": 2, "angle": 3}
@@ -59,12 +64,11 @@ def query(result: Adjustment | ResultFolder | str | Path, **given: Any) -> list[
     s = made(QuerySettings, given)
     questions: list[tuple[Quantity, Sequence[str]]] = [
         *(("coordinates", (p,)) for p in s.coordinates),
-        *(("distance", pair) for pair in s.distance),
-        *(("angle", three) for three in s.angle),
-        *([("area", s.area)] if s.area else []),
+        *((name, points) for name in ("distance", "angle") for points in getattr(s, name)),
+        *((name, points) for name in LISTS if (points := getattr(s, name))),
     ]
     if not questions:
-        raise InputError("nothing is asked; give coordinates, distance, angle or area")
+        raise InputError(f"nothing is asked; give one of {', '.join(QUANTITIES)}")
     if isinstance(result, Adjustment):
         return [ask(result, quantity, points) for quantity, points in questions]
     folder = result.path if isinstance(result, ResultFolder) else Path(result)

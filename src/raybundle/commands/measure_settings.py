@@ -19,6 +19,22 @@ class QuerySettings:
         (), "Angle at B between A and C; may be repeated.", metavar="A B C", limits=("text", "text", "text")
     )
     area: tuple[str, ...] = setting((), "Area of the polygon through these points, in order.", metavar="A B C...")
+    length: tuple[str, ...] = setting((), "Length of the line from point to point, in order.", metavar="A B C...")
+    plane: tuple[str, ...] = setting(
+        (),
+        "Flatness of four or more points: from the lowest to the highest about their best plane, and the deviation "
+        "of each from it.",
+        metavar="A B C D...",
+    )
+    line: tuple[str, ...] = setting(
+        (), "Largest distance of three or more points from their best line, and that of each.", metavar="A B C..."
+    )
+    to_plane: tuple[str, ...] = setting(
+        (), "Distance of the first point from the best plane through the others.", metavar="P A B C..."
+    )
+    to_line: tuple[str, ...] = setting(
+        (), "Distance of the first point from the best line through the others.", metavar="P A B..."
+    )  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,13 +1,12 @@
-"""Coordinates, distances, angles and areas of a result, each with its standard deviation.
+"""Coordinates, distances, angles, areas, planes and lines of a result, each with its standard deviation.
 
 From the joint covariance of all points that take part, correlations included: never as if points were independent.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 
@@ -17,12 +16,9 @@ from raybundle.errors import InputError
 from raybundle.io.reading.words import quoted
 from raybundle.measuring.joint import Joint
 from raybundle.measuring.merge import axes_frame, check_axes
+from raybundle.measuring.quantities import QUANTITIES, Quantity, expected_extent
 from raybundle.numerics.arrays import Array
 
-Quantity = Literal["coordinates", "distance", "angle", "area"]
-NAMES: dict[Quantity, tuple[str, ...]] = {
-    "coordinates": ("X", "Y", "Z"), "distance": ("distance",), "angle": ("angle",), "area": ("area",),
-}  # fmt: skip
 TOGETHER = 3000
 """Points of which the covariance with a frame is formed at once."""
 
@@ -48,31 +44,35 @@ class Answer:
 def ask(result: Adjustment, quantity: Quantity, points: Sequence[str]) -> Answer:
     """Answer a question to a result.
 
-    coordinates  of one point
-    distance     between two points
-    angle        at the second of three points, between the other two [deg]
-    area         of the polygon through the points in their order: that of its projection in which it is largest
-    raises       InputError for points that take no part, that coincide, or of the wrong number
+    quantity  of QUANTITIES; its points in their order
+    raises    InputError for points that take no part, that coincide, or of the wrong number
     """
-    least, most = {"coordinates": (1, 1), "distance": (2, 2), "angle": (3, 3), "area": (3, 10_000)}[quantity]
-    if not least <= len(points) <= most:
-        number = str(least) if least == most else f"{least} or more"
-        raise InputError(f"{quantity}: {len(points)} points are given, {number} are needed")
+    question = QUANTITIES[quantity]
+    if not question.least <= len(points) <= question.most:
+        raise InputError(f"{quantity}: {len(points)} points are given, {question.count} are needed")
     at = positions(result.adjusted, points)
-    xyz = result.adjusted.points.xyz[at]
-    value, J = _FUNCTIONS[quantity](xyz)
+    try:
+        found = question.of(result.adjusted.points.xyz[at])
+    except InputError as error:
+        raise InputError(f"{quantity} {', '.join(map(quoted, points))}: {error}") from None
+    J = found.by_points
     if not np.isfinite(J).all():
         raise InputError(f"{quantity} {', '.join(map(quoted, points))}: points coincide; choose others")
     # a polygon may come back to a point
     unique, place = np.unique(at, return_inverse=True)
-    whole = np.zeros((len(J), 3 * len(unique)))
-    for k, p in enumerate(place):
-        whole[:, 3 * p : 3 * p + 3] += J[:, 3 * k : 3 * k + 3]
-    C = whole @ Joint.of(result).of_points([int(p) for p in unique]) @ whole.T
+    own = Joint.of(result).of_points([int(p) for p in unique])
+    rows = (3 * place[:, None] + np.arange(3)).ravel()
+    covariance = own[np.ix_(rows, rows)]
+    C = J @ covariance @ J.T
     unit, remark = _unit(result, quantity)
+    remarks = [remark, question.remark]
+    if found.deviations is not None:
+        expected = expected_extent(found, covariance)
+        remarks.append(f"with this precision {expected:.2g} is to be expected of a perfect {quantity}")
     return Answer(
-        quantity=quantity, points=tuple(points), names=NAMES[quantity], values=tuple(value.tolist()),
-        sigma=tuple(np.sqrt(np.maximum(np.diagonal(C), 0)).tolist()), covariance=C, unit=unit, remark=remark,
+        quantity=quantity, points=tuple(points), names=question.names(points), values=tuple(found.values.tolist()),
+        sigma=tuple(np.sqrt(np.maximum(np.diagonal(C), 0)).tolist()), covariance=C, unit=unit,
+        remark="; ".join(filter(None, remarks)),
     )  # fmt: skip
 
 
@@ -89,52 +89,14 @@ def positions(block: Block, points: Sequence[str]) -> Array:
 def _unit(result: Adjustment, quantity: Quantity) -> tuple[str, str]:
     free = "scale" in " ".join(result.datum_defect)
     length = "" if free else result.adjusted.length_unit
-    unit = {"coordinates": length, "distance": length, "angle": "deg", "area": f"{length}^2" if length else ""}
+    power = QUANTITIES[quantity].power
+    unit = {0: "deg", 1: length, 2: f"{length}^2" if length else ""}[power]
     remarks: list[str] = []
-    if free and quantity != "angle":
+    if free and power:
         remarks.append("nothing fixes the scale: the value is in no unit, its sigma within the network alone")
     elif result.datum_defect and quantity == "coordinates":
         remarks.append(f"the datum is free ({', '.join(result.datum_defect)}): sigma holds within the network")
-    return unit[quantity], "; ".join(remarks)
-
-
-def _coordinates(xyz: Array) -> tuple[Array, Array]:
-    return xyz[0], np.eye(3)
-
-
-def _distance(xyz: Array) -> tuple[Array, Array]:
-    d = xyz[1] - xyz[0]
-    with np.errstate(invalid="ignore", divide="ignore"):
-        u = d / np.linalg.norm(d)
-    return np.array([np.linalg.norm(d)]), np.concatenate([-u, u])[None]
-
-
-def _angle(xyz: Array) -> tuple[Array, Array]:
-    a, b = xyz[0] - xyz[1], xyz[2] - xyz[1]
-    ra, rb = np.linalg.norm(a), np.linalg.norm(b)
-    with np.errstate(invalid="ignore", divide="ignore"):
-        u, v = a / ra, b / rb
-        angle = np.arctan2(np.linalg.norm(np.cross(u, v)), u @ v)
-        # the direction in which each end opens the angle
-        p, q = (u * (u @ v) - v), (v * (u @ v) - u)
-        p, q = p / np.linalg.norm(p) / ra, q / np.linalg.norm(q) / rb
-    J = np.concatenate([p, -p - q, q])[None]
-    return np.degrees(np.array([angle])), np.degrees(J)
-
-
-def _area(xyz: Array) -> tuple[Array, Array]:
-    d = xyz - xyz.mean(axis=0)  # products of large numbers round
-    before, after = np.roll(d, 1, axis=0), np.roll(d, -1, axis=0)
-    vector = np.cross(d, after).sum(axis=0) / 2
-    area = np.linalg.norm(vector)
-    with np.errstate(invalid="ignore", divide="ignore"):
-        n = vector / area
-    return np.array([area]), (np.cross(after - before, n) / 2).reshape(1, -1)
-
-
-_FUNCTIONS: dict[Quantity, Callable[[Array], tuple[Array, Array]]] = {
-    "coordinates": _coordinates, "distance": _distance, "angle": _angle, "area": _area,
-}  # fmt: skip
+    return unit, "; ".join(remarks)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

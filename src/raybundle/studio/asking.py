@@ -5,20 +5,21 @@ from __future__ import annotations
 from typing import Any
 
 from raybundle.errors import InputError
-from raybundle.measuring.query import NAMES, ask
+from raybundle.measuring.quantities import QUANTITIES
+from raybundle.measuring.query import ask
 from raybundle.studio.desk import Desk
 
 
 def asked(desk: Desk, kind: str, points: tuple[str, ...]) -> dict[str, Any]:
     """Values with their standard deviations; raises InputError where there is no adjustment to ask."""
-    if kind not in NAMES:
-        raise InputError(f"kind {kind!r} is none of {', '.join(NAMES)}")
+    if kind not in QUANTITIES:
+        raise InputError(f"kind {kind!r} is none of {', '.join(QUANTITIES)}")
     a = desk.adjustment
     if a is None:
         raise InputError(desk.session.neglected or "there is no adjustment yet; wait until it is done")
     found = ask(a, kind, points)
     return {
-        "words": f"{kind} {', '.join(points)}", "remark": found.remark,
+        "words": f"{kind.replace('_', ' ')} {', '.join(points)}", "remark": found.remark,
         "values": [
             {"name": n, "value": v, "sigma": s, "unit": found.unit}
             for n, v, s in zip(found.names, found.values, found.sigma, strict=True)
