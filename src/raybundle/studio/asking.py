@@ -12,12 +12,13 @@ from raybundle.studio.desk import Desk
 
 def asked(desk: Desk, kind: str, points: tuple[str, ...]) -> dict[str, Any]:
     """Values with their standard deviations; raises InputError where there is no adjustment to ask."""
-    if kind not in QUANTITIES:
+    quantity = next((q for q in QUANTITIES if q == kind), None)
+    if quantity is None:
         raise InputError(f"kind {kind!r} is none of {', '.join(QUANTITIES)}")
     a = desk.adjustment
     if a is None:
         raise InputError(desk.session.neglected or "there is no adjustment yet; wait until it is done")
-    found = ask(a, kind, points)
+    found = ask(a, quantity, points)
     return {
         "words": f"{kind.replace('_', ' ')} {', '.join(points)}", "remark": found.remark,
         "values": [
