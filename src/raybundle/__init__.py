@@ -79,6 +79,7 @@ if TYPE_CHECKING:
         rpc_fit,
         rpc_project,
     )
+    from raybundle.commands.show import show
     from raybundle.commands.target_settings import (
         ChooseSettings,
         DetectSettings,
@@ -102,7 +103,6 @@ if TYPE_CHECKING:
         plot_reliability,
         plot_residuals,
     )
-    from raybundle.report.show import show
     from raybundle.report.tables import table, table_names
     from raybundle.report.write import write_result
     from raybundle.results.folder import read_result
@@ -191,7 +191,7 @@ _HOME = {
     "rpc_correct": "commands.rpc",
     "rpc_fit": "commands.rpc",
     "rpc_project": "commands.rpc",
-    "show": "report.show",
+    "show": "commands.show",
     "table": "report.tables",
     "table_names": "report.tables",
     "transform_block": "block.transform",

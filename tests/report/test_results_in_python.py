@@ -11,10 +11,10 @@ import pytest
 import raybundle as rb
 from raybundle.adjustment.queries import covariance_between
 from raybundle.adjustment.result import Notice
+from raybundle.commands.show import show
 from raybundle.errors import InputError
 from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.report.show import show
 from raybundle.report.tables import table, table_names
 from raybundle.results.tables import result_tables
 

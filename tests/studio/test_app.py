@@ -269,3 +269,19 @@ def test_a_photograph_of_another_size_is_not_shown(client, desk):
     assert "300 x 200 px" in answer.json()["error"]
     snap = {"image": desk.block.images.ids[0], "x": 800.0, "y": 600.0, "kind": "auto", "point": "p"}
     assert client.post("/api/snap", json=snap).status_code == 409
+
+
+def test_pairs_of_images_and_the_points_that_they_share(client, desk):
+    page = client.get("/api/table/pairs", params={"sort": "common", "down": "1", "limit": 3}).json()
+    o = desk.block.observations
+    used = desk.adjustment.image_observations.used
+    ids, row = desk.block.images.ids, page["rows"][0]
+    a, b = ids.index(row["image"]), ids.index(row["other"])
+    shared = np.intersect1d(o.point[used & (o.image == a)], o.point[used & (o.image == b)])
+    assert row["common"] == len(shared)
+    assert row["base"] == pytest.approx(np.linalg.norm(desk.block.images.centre[a] - desk.block.images.centre[b]))
+    common = [r["common"] for r in page["rows"]]
+    assert common == sorted(common, reverse=True)
+    assert page["total"] == len(ids) * (len(ids) - 1) / 2
+    found = client.get("/api/table/pairs", params={"search": ids[a]}).json()
+    assert found["total"] == len(ids) - 1

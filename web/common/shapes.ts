@@ -60,10 +60,10 @@ export function enlarge(mesh: THREE.InstancedMesh, xyz: Float32Array, rows: Uint
   mesh.instanceMatrix.needsUpdate = true;
 }
 
-/** Row of the position (every `stride` numbers) nearest to a place on the canvas, within some px; null: none is. */
+/** Row of the position (every `stride` numbers) nearest to a place on the canvas, within some px, among those that are shown; null: none is. */
 export function nearest(
   xyz: Float32Array, stride: number, camera: THREE.Camera, box: { width: number; height: number }, at: [number, number],
-  within = 9,
+  within = 9, shown: (x: number, y: number, z: number) => boolean = () => true,
 ): number | null {
   // one matrix for all: a hundred thousand points take a millisecond or two
   const e = new THREE.Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse).elements;
@@ -78,7 +78,7 @@ export function nearest(
     const u = (((e[0] * x + e[4] * y + e[8] * z + e[12]) / w + 1) / 2) * box.width - at[0];
     const v = ((1 - (e[1] * x + e[5] * y + e[9] * z + e[13]) / w) / 2) * box.height - at[1];
     const d = u * u + v * v;
-    if (d < least) {
+    if (d < least && shown(x, y, z)) {
       least = d;
       best = k / stride;
     }

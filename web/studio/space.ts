@@ -10,7 +10,9 @@ import { short, withUnit } from "./numbers";
 import { SpaceBar } from "./space_bar";
 import { SpaceData } from "./space_data";
 import { SpaceMeasure } from "./space_measure";
+import { SpacePairs } from "./space_pairs";
 import { SpaceScene } from "./space_scene";
+import { SpaceSection } from "./space_section";
 
 const NEAR_PX = 10;
 /** Time between two pictures of a motion that is too long, and that which leaves room for more [ms]. */
@@ -34,6 +36,8 @@ export class Space {
   private readonly tip = h("div", { class: "tip", hidden: true });
   private readonly bar: SpaceBar;
   private readonly measure: SpaceMeasure;
+  private readonly pairs: SpacePairs;
+  private readonly section: SpaceSection;
   private renderer: THREE.WebGLRenderer | null = null;
   private controls!: OrbitControls;
   private readonly camera = new THREE.PerspectiveCamera(40, 1, 0.01, 1000);
@@ -50,7 +54,9 @@ export class Space {
   constructor(private readonly model: Model, private readonly open: (image: string) => void) {
     this.bar = new SpaceBar(() => this.shown(), () => this.home());
     this.measure = new SpaceMeasure(model, () => this.measured());
-    element("space-bar").append(...this.bar.parts, ...this.measure.parts);
+    this.pairs = new SpacePairs(() => this.shown());
+    this.section = new SpaceSection(() => this.measure.names, () => this.cut());
+    element("space-bar").append(...this.bar.parts, ...this.measure.parts, ...this.pairs.parts, ...this.section.parts);
     model.on("read", () => {
       this.stale = true;
       if (!element("stage-space").hidden) void this.show();
@@ -81,6 +87,7 @@ export class Space {
       this.box.textContent = "This browser shows no 3D graphics (WebGL is switched off). Tables and images show the same points.";
       return false;
     }
+    this.renderer.localClippingEnabled = true;
     const canvas = this.renderer.domElement;
     canvas.tabIndex = 0;
     canvas.setAttribute("role", "application");
@@ -98,8 +105,10 @@ export class Space {
   private take(data: SpaceData): void {
     const first = !this.drawn;
     this.drawn?.dispose();
-    this.drawn = new SpaceScene(data);
+    this.drawn = new SpaceScene(data, this.pairs.lines);
     this.measure.take(data);
+    this.pairs.take(data);
+    this.section.take(data);
     const { extent } = data.head;
     this.camera.near = extent / 1000;
     this.camera.far = extent * 200;
@@ -178,12 +187,19 @@ export class Space {
     drawn.ellipsoids.visible = bar.shows("ellipsoids");
     drawn.bars.visible = bar.shows("bars");
     if (drawn.ellipsoids.visible) drawn.enlarge(bar.enlarged);
+    legend.push(...this.pairs.legend);
     if (beyond.points.size) legend.push(["#c2188f", `beyond the limit: ${beyond.points.size.toLocaleString("en")}`]);
     element("space-legend").replaceChildren(...legend.map(([hex, words]) => {
       const dot = h("span", { class: "dot" });
       dot.style.background = hex;
       return h("li", {}, dot, words);
     }));
+    this.render();
+  }
+
+  private cut(): void {
+    this.section.tell();
+    this.drawn?.cut(this.section.planes);
     this.render();
   }
 
@@ -207,6 +223,7 @@ export class Space {
     if (!this.drawn) return;
     const rows = this.measure.names.map((n) => this.drawn!.data.rowOf(n)).filter((r) => r !== undefined);
     this.drawn.between(rows, this.measure.closed);
+    this.section.measured();
     if (this.measure.words) this.told.textContent = this.measure.words;
     this.render();
   }
@@ -244,9 +261,10 @@ export class Space {
     const { drawn, box } = this;
     if (!drawn) return {};
     const size = { width: box.clientWidth, height: box.clientHeight };
+    const within = (x: number, y: number, z: number) => this.section.holds(x, y, z);
     const image = drawn.stations.visible ? nearest(drawn.data.centre, 3, this.camera, size, at, NEAR_PX) : null;
     if (image !== null) return { image: drawn.data.head.image_ids[image] };
-    const row = drawn.points.visible ? nearest(drawn.data.xyz, 3, this.camera, size, at, NEAR_PX) : null;
+    const row = drawn.points.visible ? nearest(drawn.data.xyz, 3, this.camera, size, at, NEAR_PX, within) : null;
     return row === null ? {} : { row };
   }
 

@@ -9,6 +9,9 @@ export interface Head {
   image_ids: string[];
   names: string[];
   total: number;
+  /** Common points below which a connection is weak, and from which on it is strong. */
+  few: number;
+  strong: number;
 }
 
 type Numbers = Float32Array<ArrayBuffer> | Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer> | Uint32Array<ArrayBuffer>;
@@ -27,6 +30,9 @@ export class SpaceData {
   readonly ellipsoid: Uint32Array<ArrayBuffer>;
   readonly axes: Float32Array<ArrayBuffer>;
   readonly bars: Uint32Array<ArrayBuffer>;
+  /** Pairs of images that share points, and how many; most first. */
+  readonly pairs: Uint32Array<ArrayBuffer>;
+  readonly common: Uint32Array<ArrayBuffer>;
   private rows: Map<string, number> | null = null;
 
   constructor(buffer: ArrayBuffer) {
@@ -50,6 +56,8 @@ export class SpaceData {
     this.ellipsoid = of("ellipsoid_of", new Uint32Array(0));
     this.axes = of("ellipsoid", new Float32Array(0));
     this.bars = of("bars", new Uint32Array(0));
+    this.pairs = of("pair", new Uint32Array(0));
+    this.common = of("common", new Uint32Array(0));
     this.frusta = this.pyramids(of("frustum", new Float32Array(0)));
   }
 

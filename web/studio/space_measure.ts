@@ -30,11 +30,11 @@ export class SpaceMeasure {
   constructor(model: Model, private readonly changed: () => void) {
     this.box.addEventListener("change", () => this.clear());
     this.kind.addEventListener("change", () => void this.asked());
-    this.parts = [
+    this.parts = [h("span", { class: "group" },
       h("label", { title: "Clicks choose points to measure between: 2 a distance, 3 an angle, more an area" }, this.box, "measure"),
       this.kind, button("Add current", "Measure to the current point, too", () => model.current && this.add(model.current)),
       button("Clear", "Measure anew", () => this.clear()),
-    ];
+    )];
   }
 
   get on(): boolean {

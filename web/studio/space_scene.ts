@@ -22,7 +22,7 @@ export class SpaceScene {
   /** Enlargement at which a typical ellipsoid is seen. */
   readonly typical: number;
 
-  constructor(readonly data: SpaceData) {
+  constructor(readonly data: SpaceData, pairs: THREE.LineSegments) {
     const map = disc();
     const dots = (size: number, more: THREE.PointsMaterialParameters = { vertexColors: true }) =>
       new THREE.PointsMaterial({ size: size * Math.min(devicePixelRatio, 2), map, alphaTest: 0.4, sizeAttenuation: false, ...more });
@@ -43,7 +43,7 @@ export class SpaceScene {
     this.beyond = new THREE.Points(new THREE.BufferGeometry(), dots(8, { color: 0xc2188f, depthTest: false }));
     for (const each of [this.rays, this.mark, this.measured, this.ends, this.beyond]) each.frustumCulled = false;
     this.scene.background = new THREE.Color(0xf7f5f0);
-    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x9a8f80, 3), this.points, this.special, this.stations, this.ellipsoids, this.bars, this.rays, this.mark, this.measured, this.ends, this.beyond);
+    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x9a8f80, 3), this.points, this.special, this.stations, this.ellipsoids, this.bars, this.rays, this.mark, this.measured, this.ends, this.beyond, pairs);
     const sizes = data.sigma.filter((s) => s > 0).sort();
     this.typical = sizes.length ? (0.012 * data.head.extent) / sizes[Math.floor(sizes.length / 2)] : 1;
     this.enlarge(this.typical);
@@ -94,6 +94,11 @@ export class SpaceScene {
       ends.set(c, 6 * k + 3);
     });
     this.rays.geometry = positions(ends);
+  }
+
+  /** Draw of the object what lies on the positive side of some planes; photographs stay whole. */
+  cut(planes: THREE.Plane[]): void {
+    for (const each of [this.points, this.special, this.ellipsoids, this.bars]) (each.material as THREE.Material).clippingPlanes = planes;
   }
 
   /** Show the points beyond a limit. */

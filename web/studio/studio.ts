@@ -16,7 +16,7 @@ import { Panel } from "./panel";
 import { Space } from "./space";
 import { StandingLine } from "./standing";
 import { Status } from "./status";
-import { isPoint, Tables } from "./tables";
+import { isPair, isPoint, Tables } from "./tables";
 import { Tabs } from "./tabs";
 
 async function start(): Promise<void> {
@@ -46,6 +46,11 @@ async function start(): Promise<void> {
     stage.open(image);
   });
   const tables = new Tables(model, () => tabs.now === "tables", (row) => {
+    if (isPair(row)) {
+      tabs.show("images");
+      stage.open(row.image).body.focus();
+      return void stage.open(row.other, true);
+    }
     model.choose(row.point);
     if (!isPoint(row)) void panel.goTo(row.point, row.image);
   });

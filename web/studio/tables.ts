@@ -3,16 +3,17 @@ import { ask } from "./api";
 import { afterPause, element, h, onceAFrame } from "./dom";
 import { Model } from "./model";
 import { fixed, decimalsOf, short } from "./numbers";
-import { ObservationRow, Page, PointRow } from "./types";
+import { ObservationRow, Page, PairRow, PointRow } from "./types";
 
 const ROW = 26;
 const PAGE = 200;
 /** Height of the longest thing that a browser scrolls exactly. */
 const TALLEST = 8e6;
 
-type Row = PointRow | ObservationRow;
+type Row = PointRow | ObservationRow | PairRow;
 type Column = [name: string, head: string, cell: (row: never) => string];
-type Kind = "points" | "observations";
+type Kind = "points" | "observations" | "pairs";
+const PATHS: Record<Kind, string> = { points: "/api/points", observations: "/api/table/observations", pairs: "/api/table/pairs" };
 
 const COLUMNS: Record<Kind, Column[]> = {
   points: [
@@ -26,6 +27,10 @@ const COLUMNS: Record<Kind, Column[]> = {
     ["x", "x px", (r: ObservationRow) => r.x.toFixed(2)], ["y", "y px", (r: ObservationRow) => r.y.toFixed(2)],
     ["vx", "vx px", (r: ObservationRow) => fixed(r.vx, 3)], ["vy", "vy px", (r: ObservationRow) => fixed(r.vy, 3)],
     ["w", "|w|", (r: ObservationRow) => fixed(r.w, 2)], ["", "rejected", (r: ObservationRow) => r.rejected],
+  ],
+  pairs: [
+    ["image", "image", (r: PairRow) => r.image], ["other", "other image", (r: PairRow) => r.other],
+    ["common", "common points", (r: PairRow) => r.common.toLocaleString("en")], ["base", "base", (r: PairRow) => short(r.base, 4)],
   ],
 };
 
@@ -47,7 +52,7 @@ export class Tables {
   private readonly drawSoon = onceAFrame(() => this.draw());
 
   constructor(model: Model, private readonly isOpen: () => boolean, private readonly opened: (row: Row) => void) {
-    const kinds = h("select", { id: "table-kind", "aria-label": "Table" }, h("option", { value: "points" }, "points"), h("option", { value: "observations" }, "image observations"));
+    const kinds = h("select", { id: "table-kind", "aria-label": "Table" }, h("option", { value: "points" }, "points"), h("option", { value: "observations" }, "image observations"), h("option", { value: "pairs" }, "pairs of images"));
     kinds.addEventListener("change", () => this.of(kinds.value as Kind));
     element("table-bar").append(kinds, this.search, this.told);
     element("table").append(this.grid);
@@ -77,7 +82,7 @@ export class Tables {
     this.head.replaceChildren(...COLUMNS[this.kind].map(([name, words]) => {
       const sorted = name && name === this.sort;
       const press = () => {
-        this.down = sorted ? !this.down : name === "w" || name.startsWith("s");
+        this.down = sorted ? !this.down : ["w", "common", "base"].includes(name) || name.startsWith("s");
         this.sort = name;
         this.begin();
       };
@@ -101,9 +106,8 @@ export class Tables {
     if (this.pages.has(page)) return;
     const { turn } = this;
     this.pages.set(page, null);
-    const path = this.kind === "points" ? "/api/points" : "/api/table/observations";
     try {
-      const found = await ask<Page<Row>>(path, {
+      const found = await ask<Page<Row>>(PATHS[this.kind], {
         sort: this.sort, down: this.down ? 1 : 0, search: this.search.value.trim(), offset: page * PAGE, limit: PAGE,
       });
       if (turn !== this.turn) return;
@@ -178,5 +182,6 @@ export class Tables {
   }
 }
 
+export const isPair = (row: Row): row is PairRow => "other" in row;
 export const isPoint = (row: Row): row is PointRow => "xyz" in row;
 export const rowWords = (row: ObservationRow): string => `${row.point} in ${row.image}: v ${short(row.vx, 2)}, ${short(row.vy, 2)} px, |w| ${short(row.w, 2)}`;

@@ -163,6 +163,14 @@ export interface ObservationRow {
   rejected: string;
 }
 
+/** Two images that share points. */
+export interface PairRow {
+  image: string;
+  other: string;
+  common: number;
+  base: number | null;
+}
+
 export interface Page<Row> {
   total: number;
   rows: Row[];

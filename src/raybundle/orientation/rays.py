@@ -159,8 +159,8 @@ def refine_pose(
     return R, C, angular_residuals(np.broadcast_to(R, (len(xyz), 3, 3)), np.broadcast_to(C, xyz.shape), xyz, direction)
 
 
-def image_pairs(image: Index, point: Index, chosen: Mask, points: int, most: int = 200) -> list[tuple[int, int, int]]:
-    """Pairs (a, b, common points) of the chosen images (n,), most common points first, by observations (m,)."""
+def common_counts(image: Index, point: Index, chosen: Mask, points: int) -> Index:
+    """(k, 3) pairs a < b of the chosen images (n,) and their common points, most first, by observations (m,)."""
     from scipy.sparse import coo_matrix  # noqa: PLC0415
 
     rows = chosen[image]
@@ -168,9 +168,13 @@ def image_pairs(image: Index, point: Index, chosen: Mask, points: int, most: int
     seen = coo_matrix((ones, (image[rows], point[rows])), shape=(len(chosen), points)).tocsr()
     common = (seen @ seen.T).tocoo()
     keep = common.row < common.col
-    order = np.argsort(-common.data[keep], kind="stable")[:most]
-    table = np.stack([common.row[keep], common.col[keep], common.data[keep]], axis=1)[order]
-    return [(int(a), int(b), int(c)) for a, b, c in table]
+    order = np.argsort(-common.data[keep], kind="stable")
+    return np.stack([common.row[keep], common.col[keep], common.data[keep]], axis=1)[order]
+
+
+def image_pairs(image: Index, point: Index, chosen: Mask, points: int, most: int = 200) -> list[tuple[int, int, int]]:
+    """The pairs of `common_counts` with most common points."""
+    return [(int(a), int(b), int(c)) for a, b, c in common_counts(image, point, chosen, points)[:most]]
 
 
 def common_rows(first: Index, second: Index, point: Index) -> tuple[Index, Index]:

@@ -37,7 +37,9 @@ class Page:
         return f'<iframe srcdoc="{text}" width="100%" height="640" style="border:1px solid #d5dbe1"></iframe>'
 
 
-def show(result: Adjustment, path: str | Path | None = None, *, what: Literal["report", "network"] = "report") -> Page:
+def show_page(
+    result: Adjustment, path: str | Path | None = None, *, what: Literal["report", "network"] = "report"
+) -> Page:
     """Write the report of a result, or its network in three dimensions, and open it in the browser.
 
     path     the HTML file; None: one in a new temporary folder, which stays

@@ -32,6 +32,7 @@ from raybundle.studio.deciding import Deciding
 from raybundle.studio.desk import Desk
 from raybundle.studio.guard import Guard, Session, TooLarge
 from raybundle.studio.live import Live
+from raybundle.studio.pairs import pairs
 from raybundle.studio.scene import scene
 from raybundle.studio.snapping import fiducials_found, snapped
 from raybundle.studio.tables import Wanted
@@ -74,6 +75,7 @@ class Studio:
             "/api/worst": lambda _: answers.worst_of(self.desk),
             "/api/points": lambda q: tables.points(self.desk, _wanted(q)),
             "/api/table/observations": lambda q: tables.observations(self.desk, _wanted(q)),
+            "/api/table/pairs": lambda q: pairs(self.desk, _wanted(q)),
             "/api/journal": lambda _: self._journal(),
             "/api/standing": lambda _: answers.standing_of(self.desk),
             **deciding.gets,

@@ -5,14 +5,15 @@ from __future__ import annotations
 from typing import Any
 
 from raybundle.errors import InputError
-from raybundle.measuring.quantities import QUANTITIES
+from raybundle.measuring.quantities import QUANTITIES, Quantity
 from raybundle.measuring.query import ask
 from raybundle.studio.desk import Desk
 
 
 def asked(desk: Desk, kind: str, points: tuple[str, ...]) -> dict[str, Any]:
     """Values with their standard deviations; raises InputError where there is no adjustment to ask."""
-    quantity = next((q for q in QUANTITIES if q == kind), None)
+    known: dict[str, Quantity] = {q: q for q in QUANTITIES}
+    quantity = known.get(kind)
     if quantity is None:
         raise InputError(f"kind {kind!r} is none of {', '.join(QUANTITIES)}")
     a = desk.adjustment

@@ -7,15 +7,19 @@ from typing import Any
 
 import numpy as np
 
+from raybundle.adjustment.network import FEW
 from raybundle.block import Block, Role
 from raybundle.numerics.arrays import Array, Index
 from raybundle.report.figures.network import frusta
+from raybundle.report.figures.photographs import STRONG
 from raybundle.report.figures.svg import spread_rows
 from raybundle.report.network_page import basis_of, ellipsoids_of, extent_of
 from raybundle.studio.desk import Desk
+from raybundle.studio.pairs import shared
 
 MOST_POINTS = 1_000_000
 MOST_NAMES = 200_000
+MOST_PAIRS = 200_000
 KINDS = {"f4": "<f4", "u1": "u1", "u2": "<u2", "u4": "<u4"}
 
 
@@ -47,11 +51,17 @@ def scene(desk: Desk) -> bytes:
     ends = place[np.stack([block.distances.start, block.distances.end], axis=1)] if len(block.distances) else None
     if ends is not None:
         arrays.append(("bars", "u4", ends[(ends >= 0).all(axis=1)]))
+    where = np.full(len(block.images), -1)
+    where[images] = np.arange(len(images))
+    graph = shared(desk)[:MOST_PAIRS]
+    graph = graph[(where[graph[:, :2]] >= 0).all(axis=1)]
+    arrays += [("pair", "u4", where[graph[:, :2]]), ("common", "u4", graph[:, 2])]
     head: dict[str, Any] = {
         "origin": origin.tolist(), "extent": extent, "unit": "" if block.free_scale else block.length_unit,
         "basis": basis_of(block, images, xyz, free=free).ravel().tolist(),
         "arrays": [{"name": n, "kind": k, "shape": list(v.shape)} for n, k, v in arrays],
         "image_ids": [block.images.ids[i] for i in images], "total": len(block.points),
+        "few": FEW, "strong": STRONG,
         "names": [block.points.ids[p] for p in rows[:MOST_NAMES]],
     }  # fmt: skip
     text = json.dumps(head, allow_nan=False, separators=(",", ":")).encode()

@@ -44,10 +44,10 @@ def points(desk: Desk, wanted: Wanted) -> dict[str, Any]:
         "point": ids, "role": role, "rays": block.ray_count, "w": w,
         **{n: xyz[:, k] for k, n in enumerate("XYZ")}, **{f"s{n}": std[:, k] for k, n in enumerate("XYZ")},
     }  # fmt: skip
-    keep = _containing(block.points.ids, wanted.search)
+    keep = containing(block.points.ids, wanted.search)
     if wanted.role:
         keep &= role == ROLES.get(wanted.role, -1)
-    total, rows = _page(columns, keep, wanted)
+    total, rows = page_of(columns, keep, wanted)
     return {"total": total, "rows": [
         {"point": block.points.ids[k], "role": Role(int(role[k])).word, "xyz": [finite(v) for v in xyz[k]],
          "sigma": [finite(v) for v in std[k]], "rays": int(block.ray_count[k]), "w": finite(w[k])}
@@ -70,9 +70,9 @@ def observations(desk: Desk, wanted: Wanted) -> dict[str, Any]:
     }  # fmt: skip
     keep = np.ones(len(o), bool)
     if wanted.search:
-        of_point, of_image = _containing(block.points.ids, wanted.search), _containing(block.images.ids, wanted.search)
+        of_point, of_image = containing(block.points.ids, wanted.search), containing(block.images.ids, wanted.search)
         keep = of_point[o.point] | of_image[o.image]
-    total, rows = _page(columns, keep, wanted)
+    total, rows = page_of(columns, keep, wanted)
     reasons = None if a is None else a.image_observations.rejected
     return {"total": total, "rows": [
         {"image": block.images.ids[o.image[k]], "point": block.points.ids[o.point[k]], "x": float(o.xy_px[k, 0]),
@@ -82,7 +82,7 @@ def observations(desk: Desk, wanted: Wanted) -> dict[str, Any]:
     ]}  # fmt: skip
 
 
-def _containing(names: tuple[str, ...], text: str) -> Mask:
+def containing(names: tuple[str, ...], text: str) -> Mask:
     """Which names hold a text, small and capital letters alike; all where none is asked for."""
     if not text:
         return np.ones(len(names), bool)
@@ -90,7 +90,7 @@ def _containing(names: tuple[str, ...], text: str) -> Mask:
     return np.array([small in n.casefold() for n in names], bool)
 
 
-def _page(columns: dict[str, Array], keep: Mask, wanted: Wanted) -> tuple[int, list[int]]:
+def page_of(columns: dict[str, Array], keep: Mask, wanted: Wanted) -> tuple[int, list[int]]:
     """Number of rows that are kept, and those of one page; what has no value comes last."""
     rows = np.flatnonzero(keep)
     if wanted.sort:

@@ -1,0 +1,49 @@
+"""The studio from Python: a process beside the program, of a folder or of an adjustment in memory."""
+
+import urllib.request
+
+import pytest
+
+import raybundle as rb
+from raybundle.errors import InputError
+from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.planning.simulate import Survey, simulate
+
+
+@pytest.fixture
+def quiet(monkeypatch):
+    opened = []
+    monkeypatch.setattr("webbrowser.open", opened.append)
+    return opened
+
+
+@pytest.fixture
+def result():
+    return rb.adjust(simulate(field_scene(TargetField(rows=4, columns=5, stations=4)), Survey(control=4)).observed)
+
+
+@pytest.mark.long
+def test_an_adjustment_opens_in_a_folder_and_the_folder_again(result, quiet, tmp_path):
+    studio = rb.show(result, tmp_path / "result", what="studio")
+    try:
+        assert quiet == [studio.address]
+        opener = urllib.request.build_opener(urllib.request.HTTPCookieProcessor())
+        assert b"studio" in opener.open(studio.address, timeout=20).read()
+        assert studio.address in studio._repr_html_()
+        assert str(tmp_path / "result") in repr(studio)
+    finally:
+        studio.stop()
+    assert repr(studio).endswith("ended>")
+    again = rb.show(rb.read_result(tmp_path / "result"))
+    again.stop()
+    assert again.folder == tmp_path / "result"
+
+
+def test_what_cannot_be_opened_is_said(result, quiet, tmp_path):
+    with pytest.raises(InputError, match="is no project, result or block folder"):
+        rb.show(tmp_path)
+    with pytest.raises(InputError, match="of an adjustment"):
+        rb.show(tmp_path, what="report")
+    with pytest.raises(InputError, match="leave it out"):
+        rb.show(tmp_path, tmp_path / "x")
+    assert not quiet
