@@ -65,6 +65,7 @@ def test_what_the_photographs_do_not_tell_stays_as_uncertain_as_it_was():
     assert "lean on it" in told.message
 
 
+@pytest.mark.long
 def test_photographs_with_a_camera_each_are_told_in_one_notice():
     """Five cameras, each of which nothing tells: three are named, the others counted."""
     block = known(block_of(5, 25.0, (0.0,)), SIGMA | {"c": 0.001}, x0=0.1)
@@ -92,6 +93,7 @@ def test_a_camera_that_cannot_be_is_a_fault_with_its_numbers(wrong, contradicts)
         assert "to a factor of 1.05 was known" in notice.message
 
 
+@pytest.mark.long
 def test_cameras_as_known_contradict_seldom_and_the_stated_covariance_is_true():
     """Truth drawn from what was known, network that hardly tells it: the errors are in the band of their covariance."""
     rng, squares, contradictions = np.random.default_rng(4), [], 0

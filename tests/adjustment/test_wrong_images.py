@@ -60,6 +60,7 @@ def test_a_wrong_point_does_not_accuse_its_image(block):
     assert not accused(result)
 
 
+@pytest.mark.long
 def test_none_is_accused_by_chance_or_by_smooth_errors_that_differ_from_image_to_image():
     for seed in range(5):
         one = simulate(field_scene(FIELD), Survey(seed=seed)).observed

@@ -76,6 +76,7 @@ def test_constants_of_a_line_change_nothing(truth):
     assert absolute.global_test[1] > 3 * absolute.global_test[2]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("drift", [False, True])
 def test_stated_sigmas_are_true(truth, drift):
     rng = np.random.default_rng(2)

@@ -4,6 +4,7 @@ from collections import Counter
 from dataclasses import fields, replace
 
 import numpy as np
+import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
@@ -90,6 +91,7 @@ def test_points_that_leave_take_their_rows_and_nothing_else(block, random):
         assert (rows_of(less, found) if found is not None else Counter()) == wanted
 
 
+@pytest.mark.long
 @given(blocks())
 @CHECKED
 def test_all_rows_are_the_block_but_for_points_that_nobody_names(block):
@@ -105,6 +107,7 @@ def test_all_rows_are_the_block_but_for_points_that_nobody_names(block):
     assert all(points_of(block)[n][0] == Role.TIE for n in gone)
 
 
+@pytest.mark.long
 @given(blocks(), st.randoms(use_true_random=False))
 @CHECKED
 def test_images_that_leave_take_what_is_observed_of_them(block, random):
@@ -123,6 +126,7 @@ def test_images_that_leave_take_what_is_observed_of_them(block, random):
             assert kept == rows_of(block, table.rows(np.array(stays, int)))
 
 
+@pytest.mark.long
 @given(blocks())
 @CHECKED
 def test_rows_of_rows_and_joined_parts_are_the_table(block):
@@ -139,6 +143,7 @@ def test_rows_of_rows_and_joined_parts_are_the_table(block):
         assert rows_of(block, table.renumbered("point", turn).renumbered("point", back)) == rows_of(block, table)
 
 
+@pytest.mark.long
 @given(blocks())
 @CHECKED
 def test_parts_of_a_block_merge_to_the_block(block):

@@ -36,7 +36,15 @@ PAGES = [
 ]
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda p: p.stem)
+LONG = {
+    "calibrate", "exchange", "line-scanner", "measure-by-hand", "rectify", "results-in-python", "satellite-pair",
+    "satellite-rpc", "targets", "video", "without-a-compiler",
+}  # fmt: skip
+"""Pages whose examples take more than five seconds"""
+RUN_PAGES = [pytest.param(p, marks=pytest.mark.long if p.stem in LONG else (), id=p.stem) for p in PAGES]
+
+
+@pytest.mark.parametrize("page", RUN_PAGES)
 def test_page(page, tmp_path):
     script = [RUN]
     for kind, text in FENCE.findall(page.read_text()):

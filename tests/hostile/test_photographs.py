@@ -294,6 +294,7 @@ def in_a_namespace():
 needs_mounts = pytest.mark.skipif(not in_a_namespace(), reason="a disk cannot be mounted here")
 
 
+@pytest.mark.long
 @needs_mounts
 @pytest.mark.parametrize("size", ["100k", "450k"])
 def test_a_full_disk_is_named_and_what_is_finished_is_kept(photos, tmp_path, size):

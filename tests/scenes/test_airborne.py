@@ -203,6 +203,7 @@ def test_on_a_steady_flight_the_clock_is_not_told_from_a_shift(tmp_path):
     assert result.interior[0].parameters["dt"].std / result.sigma0 == pytest.approx(0.05 / 60, rel=0.05)
 
 
+@pytest.mark.long
 def test_a_lever_arm_is_estimated_where_headings_differ(tmp_path):
     model = CorrectionModel(lever_arm=True)
     truth = noisy(strips(tmp_path, model, (30.0, 210.0, 120.0)), 0.1)

@@ -217,6 +217,7 @@ FIXES = CorrectionModel(attitude_degree=0, attitude_curve=Fixes(count=6))
 SIGMA = {"rx": 2e-6, "ry": 2e-6, "rz": 2e-5, "rz0": 1e-4}
 
 
+@pytest.mark.long
 def test_fixes_in_an_adjustment_have_true_sigmas():  # benchmarks/truth_trajectories.py has 200 runs
     runs = 40
     found = MonteCarlo.of(pair(FIXES, SIGMA, points=40)).errors(runs, seed=6)
@@ -227,6 +228,7 @@ def test_fixes_in_an_adjustment_have_true_sigmas():  # benchmarks/truth_trajecto
         assert low < d2.sum() < high, kind
 
 
+@pytest.mark.long
 def test_the_answer_does_not_depend_on_how_an_observation_touches_its_parameters():
     # up to 64 parameters may be touched by every point: the same adjustment without the short way
     block = MonteCarlo.of(pair(FIXES, SIGMA)).noisy(np.random.default_rng(7))
@@ -249,6 +251,7 @@ def test_the_answer_does_not_depend_on_how_an_observation_touches_its_parameters
             assert p.value == pytest.approx(b.parameters[s].value, abs=2e-5 * p.std)
 
 
+@pytest.mark.long
 def test_fixes_without_points_are_named_and_a_smoothness_prior_determines_them():
     free = CorrectionModel(attitude_curve=Fixes(count=14))
     axes = ("rx", "ry", "rz")

@@ -92,6 +92,7 @@ def test_local_derivatives_are_all_that_there_are():
         np.testing.assert_array_equal(J[:, 5 + touched[k], k], near[:, 5:, k])
 
 
+@pytest.mark.long
 def test_a_lens_that_no_formula_has_is_calibrated_with_true_sigma():
     """A wavy lens, which Brown's model leaves at several pixels; the spline brings it to the noise."""
     width, height = 24.0, 16.0
@@ -119,6 +120,7 @@ def test_a_lens_that_no_formula_has_is_calibrated_with_true_sigma():
     assert (adjusted.size_mm == [width, height]).all()
 
 
+@pytest.mark.long
 def test_a_knot_without_observations_keeps_its_sigma():
     scene = field_scene(TargetField(rows=5, columns=5, size=(0.5, 0.5), stations=6, frontal=1))
     block = simulate(scene, Survey(points="exact", orientation="exact", interior="exact")).observed

@@ -112,6 +112,7 @@ def test_rings_around_covered_dots_are_read():
     assert np.max(squares) < chi2(2).isf(1e-5)
 
 
+@pytest.mark.long
 def test_covered_dots_are_found():
     rng = np.random.default_rng(8)
     found = wrong = 0

@@ -86,6 +86,7 @@ def test_rings_of_all_sizes(name, radius, shots):
         assert detect_targets(s.image, f, ONLY_RINGS).id.tolist() == [f.ids[k]]
 
 
+@pytest.mark.long
 def test_a_ring_moved_to_where_the_grey_values_want_it():
     """A turn of a fifth of a sector and perspective are found; another code is not made to fit."""
     f = families["aicon20"]

@@ -54,6 +54,7 @@ def test_errors_follow_the_stated_covariance(name):
         assert kstest(d2, chi2(degrees).cdf).pvalue > 1e-4, kind
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("together", TOGETHER)
 @pytest.mark.parametrize("name", BLOCKS)
 def test_stated_covariances_are_true_to_ten_percent(name, together):

@@ -22,6 +22,7 @@ def rms_mm(result):
 
 
 # the benchmark benchmarks/uav_precision.py takes ten seeds
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("plan", "low", "high"),
     [

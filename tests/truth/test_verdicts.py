@@ -1,11 +1,14 @@
 """The verdict on a calibration against the true error, over simulated networks of all kinds."""
 
 import numpy as np
+import pytest
 from scipy.stats import kstest
 
 from raybundle.calibration import quality as calibration_quality
 from raybundle.calibration.quality import GOOD_PX, USABLE_PX
 from tests.truth.verdicts import GRADES, confusion, evenly, judged
+
+pytestmark = pytest.mark.long
 
 
 def test_the_verdict_agrees_with_the_truth():

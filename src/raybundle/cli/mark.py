@@ -10,7 +10,6 @@ from typing import Any
 import click
 
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.block import ROLES
 from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FILE_OR_FOLDER, NEW_FOLDER, common_options
 from raybundle.cli.marks_shown import shown
 from raybundle.cli.numbers import NUMBER, PIXELS, POSITIVE, Number
@@ -203,7 +202,7 @@ def remove(folder: Path, image: str, point: str, author: str) -> None:
 
 @_verb("point")
 @click.argument("point")
-@click.option("--role", type=click.Choice(list(ROLES)), default="tie", show_default=True)
+@click.option("--role", type=click.Choice(["tie", "control", "check"]), default="tie", show_default=True)
 @click.option("--coordinates", type=(PERHAPS,) * 3, metavar="X Y Z", help="Given coordinates; - for one not known.")
 @click.option(
     "--sigma", type=(PERHAPS_SIGMA,) * 3, metavar="sX sY sZ", help="Their standard deviations; 0 holds, - for none."
