@@ -90,6 +90,7 @@ export class ImageStage implements Stage {
 
   private begin(): void {
     this.panes = this.panes.filter((pane) => this.model.images.has(pane.picture.id) || (pane.gone(), false));
+    for (const { picture } of this.panes) Object.assign(picture, this.model.images.get(picture.id)); // it may have another number
     const first = [...this.model.images.values()];
     if (!this.panes.length && first.length) this.open((first.find((p) => p.photo) ?? first[0]).id);
     this.arranged();

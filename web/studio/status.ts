@@ -4,7 +4,7 @@ import { element } from "./dom";
 import { Measuring } from "./measuring";
 import { Model } from "./model";
 import { short } from "./numbers";
-import { Live } from "./types";
+import { Live, Run } from "./types";
 
 export class Status {
   private readonly undo = element<HTMLButtonElement>("undo");
@@ -81,7 +81,24 @@ export class Status {
       this.adjust.disabled = true;
       this.progress.value = message.share;
       element("work-stage").textContent = message.stage;
-    } else void this.adjusted(message);
+    } else if (message.type === "run") this.ran(message.run);
+    else void this.adjusted(message);
+  }
+
+  private ran(run: Run): void {
+    const before = this.model.run?.outcome;
+    this.model.run = run;
+    const goes = run.outcome === "running";
+    element("work").hidden = !goes;
+    this.adjust.disabled = goes;
+    this.progress.value = run.share;
+    element("work-stage").textContent = `${run.name}: ${run.step}`;
+    this.model.emit("run");
+    if (goes || before === run.outcome) return;
+    const last = run.words.split("\n");
+    if (run.outcome === "done") this.model.say(last[0].trim(), "good");
+    else this.model.say(run.outcome === "failed" ? last[last.length - 1] : run.words, run.outcome === "failed" ? "bad" : "");
+    if (run.outcome === "done") void this.model.read().catch(() => {});
   }
 
   private async adjusted(message: Live & { type: "adjusted" }): Promise<void> {

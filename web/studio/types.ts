@@ -66,6 +66,8 @@ export interface Standing {
 }
 
 export interface Overview {
+  /** How often the folder was read anew: images may have other numbers then. */
+  times: number;
   title: string;
   kind: string;
   path: string;
@@ -185,20 +187,41 @@ export type Quantity = "w" | "sigma" | "rays" | "redundancy";
 export interface OptionField {
   name: string;
   flag: string;
-  kind: "choice" | "flag" | "number" | "names";
+  kind: "choice" | "flag" | "number" | "names" | "words" | "text";
   help: string;
   choices: string[];
   whole: boolean;
   low: number | null;
   high: number | null;
   metavar: string;
-  value: string | number | boolean;
-  default: string | number | boolean;
+  value: string | number | boolean | null;
+  default: string | number | boolean | null;
 }
 
 export interface OptionForm {
   fields: OptionField[];
   command: string;
+}
+
+export interface RunStage {
+  title: string;
+  state: "waiting" | "at work" | "done" | "kept" | "not needed";
+  seconds: number | null;
+  summary: string;
+}
+
+/** A run of stages as it stands. */
+export interface Run {
+  name: string;
+  command: string;
+  outcome: "running" | "done" | "stopped" | "failed";
+  words: string;
+  seconds: number;
+  step: string;
+  share: number;
+  left_s: number | null;
+  stopping: boolean;
+  stages: RunStage[];
 }
 
 export interface ParameterRow {
@@ -277,4 +300,5 @@ export type Live =
   | { type: "state"; state: State }
   | { type: "oriented"; seq: number }
   | { type: "progress"; stage: string; share: number }
+  | { type: "run"; run: Run }
   | { type: "adjusted"; sigma0: number | null; folder: string; error: string };
