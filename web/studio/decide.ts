@@ -7,6 +7,7 @@ import { DecideParameters } from "./decide_parameters";
 import { DecideReport } from "./decide_report";
 import { DecideRun } from "./decide_run";
 import { DecideSelect } from "./decide_select";
+import { DecideTargets } from "./decide_targets";
 import { Model } from "./model";
 
 export interface Ways {
@@ -32,7 +33,7 @@ export class Decide {
     this.leaves = [
       ["run", "Run", new DecideRun(model)], ["options", "Options", new DecideOptions(model)], ["parameters", "Parameters", new DecideParameters(model)],
       ["select", "Select", new DecideSelect(model, ways)], ["compare", "Compare", new DecideCompare(model, ways)],
-      ["calibration", "Calibration", new DecideCalibration(model)], ["report", "Report", new DecideReport()],
+      ["calibration", "Calibration", new DecideCalibration(model)], ["targets", "Targets", new DecideTargets(model, ways)], ["report", "Report", new DecideReport()],
     ];
     this.heads = this.leaves.map(([name, words], k) => {
       const head = button(words, `Show ${words.toLowerCase()}`, () => this.turn(k));
@@ -42,7 +43,7 @@ export class Decide {
     element("decide-bar").append(h("span", { class: "group", role: "group", "aria-label": "What is decided" }, ...this.heads));
     element("decide").append(...this.leaves.map(([, , leaf]) => leaf.root));
     this.turn(1);
-    model.on(["read", "state"], () => this.isOpen() && this.show());
+    model.on(["read", "state", "targets"], () => this.isOpen() && this.show());
   }
 
   private turn(k: number): void {

@@ -69,7 +69,7 @@ export class DecideCalibration {
 
   private verdict(c: Calibrated, v: Verdict): HTMLElement[] {
     const how = c.verdict_is === "stored" ? "As `raybundle calibrate` judged it, cross-validated." : "Judged from the last adjustment here, without cross-validation: `raybundle calibrate` adds it.";
-    const found: HTMLElement[] = [h("p", { class: `verdict ${LOOKS[v.grade] ?? "attention"}` }, h("strong", {}, v.grade), `: ${v.headline}`), h("p", { class: "note" }, how)];
+    const found: HTMLElement[] = [h("p", { class: `verdict ${LOOKS[v.grade] ?? "attention"}` }, v.headline), h("p", { class: "note" }, how)];
     if (v.reasons.length) found.push(h("h4", {}, "What speaks against it"), h("ul", { class: "reasons" }, ...v.reasons.map((r) => h("li", {}, r))));
     if (v.advice.length)
       found.push(h("h4", {}, "What to photograph next"),
@@ -85,7 +85,7 @@ export class DecideCalibration {
   private parameters(c: Calibrated): HTMLElement {
     const heads = ["parameter", "value", "sigma", "unit", "determinability", "status"];
     return h("div", { class: "wide" }, h("table", { class: "figures-of", "aria-label": `Parameters of camera ${c.camera} with sigma` },
-      h("thead", {}, h("tr", {}, ...heads.map((w) => h("th", { scope: "col" }, w)))),
+      h("thead", {}, h("tr", {}, ...heads.map((w) => h("th", { scope: "col", class: ["unit", "status"].includes(w) ? "l" : "" }, w)))),
       h("tbody", {}, ...c.parameters.map((p) => h("tr", {},
         h("th", { scope: "row" }, p.symbol, h("small", { class: "note" }, ` ${p.meaning}`)), h("td", {}, value(p.value, p.sigma)), h("td", {}, sigma(p.sigma)),
         h("td", { class: "l" }, p.unit), h("td", {}, short(p.determinability, 2)), h("td", { class: `l ${p.status === "not determinable" ? "doubt" : ""}` }, p.status))))));

@@ -6,7 +6,7 @@ import { tiles } from "./tiles";
 import { Fiducial, ImageInfo, Mark, Observations, Overview, Predictions, Role, Run, State } from "./types";
 
 export type Topic =
-  | "overview" | "state" | "current" | "prediction" | "panes" | "looks" | "observations" | "message" | "read" | "fiducial" | "run";
+  | "overview" | "state" | "current" | "prediction" | "panes" | "looks" | "observations" | "message" | "read" | "fiducial" | "run" | "targets";
 
 export interface Message {
   words: string;

@@ -4,6 +4,7 @@ import { element } from "./dom";
 import { Measuring } from "./measuring";
 import { Model } from "./model";
 import { short } from "./numbers";
+import { targetLayer } from "./target_layer";
 import { Live, Run } from "./types";
 
 export class Status {
@@ -82,7 +83,17 @@ export class Status {
       this.progress.value = message.share;
       element("work-stage").textContent = message.stage;
     } else if (message.type === "run") this.ran(message.run);
+    else if (message.type === "targets") this.found(message.images, message.error);
     else void this.adjusted(message);
+  }
+
+  private found(images: string[], error: string): void {
+    element("work").hidden = true;
+    this.adjust.disabled = false;
+    if (error) this.model.say(error, "bad");
+    else this.model.say(`Targets found in ${images.length === 1 ? images[0] : `${images.length} photographs`}.`, "good");
+    targetLayer.forget();
+    this.model.emit("targets");
   }
 
   private ran(run: Run): void {

@@ -224,6 +224,18 @@ export interface Run {
   stages: RunStage[];
 }
 
+/** What became of a target in the block. */
+export type Fate = "used" | "rejected" | "not in the block" | "unidentified";
+
+export interface TargetsOf {
+  image: string;
+  families: string;
+  from: string;
+  why: string;
+  remarks: string[];
+  rows: { name: string; x: number; y: number; s: number | null; ellipse: { a: number; b: number; angle_deg: number } | null; fate: Fate }[];
+}
+
 export interface ParameterRow {
   symbol: string;
   unit: string;
@@ -301,4 +313,5 @@ export type Live =
   | { type: "oriented"; seq: number }
   | { type: "progress"; stage: string; share: number }
   | { type: "run"; run: Run }
+  | { type: "targets"; images: string[]; error: string }
   | { type: "adjusted"; sigma0: number | null; folder: string; error: string };

@@ -31,12 +31,14 @@ from raybundle.studio.calibrated import Calibrations
 from raybundle.studio.control import control_actions
 from raybundle.studio.deciding import PAGE_POLICY, Deciding
 from raybundle.studio.desk import Desk
+from raybundle.studio.detecting import Detecting
 from raybundle.studio.guard import POLICY_HEADER, Guard, Session, TooLarge
 from raybundle.studio.live import Live
 from raybundle.studio.running import Running
 from raybundle.studio.scene import scene
 from raybundle.studio.snapping import fiducials_found, snapped
 from raybundle.studio.tables import Wanted
+from raybundle.studio.targeting import Targeting
 from raybundle.studio.verbs import command_of
 from raybundle.studio.work import Work
 
@@ -61,17 +63,19 @@ class Studio:
     live: Live
     work: Work
     running: Running
+    detecting: Detecting
 
     @classmethod
     def of(cls, desk: Desk, session: Session) -> Studio:
         """A studio for a desk."""
         live = Live()
         work = Work(desk, live)
-        return cls(desk, session, live, work, Running(desk, work, live))
+        return cls(desk, session, live, work, Running(desk, work, live), Detecting(desk, live))
 
     def app(self) -> Starlette:
         """The application."""
         deciding = Deciding(self.desk, self.work, self.live)
+        targeting = Targeting(self.desk, self.detecting)
         calibrations = Calibrations(self.desk, self.work.shelf)
         gets: dict[str, Callable[[Mapping[str, Any]], Any]] = {
             "/api/overview": lambda _: answers.overview(self.desk),
@@ -83,6 +87,7 @@ class Studio:
             "/api/standing": lambda _: answers.standing_of(self.desk),
             "/api/run": lambda _: self.running.told(),
             "/api/calibration": lambda _: calibrations.told(),
+            **targeting.gets,
             **deciding.gets,
         }
         posts: dict[str, Callable[[dict[str, Any]], Any]] = {
@@ -91,9 +96,10 @@ class Studio:
             "/api/fiducials": self._fiducials,
             "/api/snap": lambda given: snapped(self.desk, given),
             "/api/adjust": lambda _: {"begun": not self.running.busy and self.work.begin(measured=True)},
-            "/api/stop": lambda _: {"stopping": self.running.stop() or self.work.stop()},
+            "/api/stop": lambda _: self._stop(),
             "/api/run": lambda _: self.running.begin(),
             "/api/run/settings": lambda given: self.running.choose(_table(given, "values")),
+            **targeting.posts,
             **deciding.posts,
         }
         routes = [
@@ -103,6 +109,7 @@ class Studio:
             Route("/api/query", self._query, methods=["GET"]),
             Route("/api/scene", self._scene, methods=["GET"]),
             *deciding.pages,
+            *targeting.pages,
             Route("/figure/calibration/{number}.svg", _figure(calibrations), methods=["GET"]),
             Route("/api/tile/{image}/{level}/{column}/{row}", self._tile, methods=["GET"]),
             WebSocketRoute("/api/live", self._live),
@@ -123,6 +130,7 @@ class Studio:
         try:
             yield
         finally:
+            self.detecting.stop()
             await run_in_threadpool(self.running.close)
             await run_in_threadpool(self.work.close)
             self.desk.close()
@@ -156,6 +164,11 @@ class Studio:
     async def _query(self, request: Request) -> Response:
         q = request.query_params
         return _json(await run_in_threadpool(asked, self.desk, _text(q, "kind"), tuple(q.getlist("points"))))
+
+    def _stop(self) -> dict[str, Any]:
+        """Stop whatever is at work."""
+        stopping = [part.stop() for part in (self.running, self.detecting, self.work)]
+        return {"stopping": any(stopping)}
 
     def _journal(self) -> dict[str, Any]:
         return {"actions": [
