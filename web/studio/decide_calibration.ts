@@ -1,8 +1,9 @@
 // What the calibration of each camera is worth, what to photograph next, its parameters and figures.
 import { ask } from "./api";
+import { exact, raised, small } from "./decide_parameters";
 import { h } from "./dom";
 import { Model } from "./model";
-import { decimalsOf, fixed, short } from "./numbers";
+import { decimalsOf, short } from "./numbers";
 
 interface Verdict {
   grade: string;
@@ -87,8 +88,8 @@ export class DecideCalibration {
     return h("div", { class: "wide" }, h("table", { class: "figures-of", "aria-label": `Parameters of camera ${c.camera} with sigma` },
       h("thead", {}, h("tr", {}, ...heads.map((w) => h("th", { scope: "col", class: ["unit", "status"].includes(w) ? "l" : "" }, w)))),
       h("tbody", {}, ...c.parameters.map((p) => h("tr", {},
-        h("th", { scope: "row" }, p.symbol, h("small", { class: "note" }, ` ${p.meaning}`)), h("td", {}, value(p.value, p.sigma)), h("td", {}, sigma(p.sigma)),
-        h("td", { class: "l" }, p.unit), h("td", {}, short(p.determinability, 2)), h("td", { class: `l ${p.status === "not determinable" ? "doubt" : ""}` }, p.status))))));
+        h("th", { scope: "row" }, p.symbol, h("small", { class: "note" }, ` ${p.meaning}`)), h("td", {}, p.sigma === null ? short(p.value, 6) : exact(p.value, p.sigma, decimalsOf(p.sigma, 6))), h("td", {}, small(p.sigma)),
+        h("td", { class: "l" }, raised(p.unit)), h("td", {}, short(p.determinability, 2)), h("td", { class: `l ${p.status === "not determinable" ? "doubt" : ""}` }, p.status))))));
   }
 }
 
@@ -101,13 +102,4 @@ function facts(v: Verdict): HTMLElement {
     ["cross-validation", v.cross_validation ? `${short(v.cross_validation.rms_px, 2)} px left out, ${short(v.cross_validation.fit_px, 2)} px in the fit` : "–"],
   ];
   return h("dl", { class: "facts" }, ...rows.map(([words, what]) => h("div", {}, h("dt", {}, words), h("dd", {}, what))));
-}
-
-const small = (s: number | null): boolean => s !== null && s > 0 && s < 1e-4;
-const sigma = (s: number | null): string => (s !== null && small(s) ? s.toExponential(1) : short(s, 2));
-
-function value(v: number | null, s: number | null): string {
-  if (v === null) return "–";
-  if (s === null || !(s > 0)) return short(v, 6);
-  return small(s) ? v.toExponential(2) : fixed(v, decimalsOf(s, 6));
 }

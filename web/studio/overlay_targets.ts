@@ -5,6 +5,7 @@ import { Fate, TargetsOf } from "./types";
 import { View } from "./view";
 
 type Pen = CanvasRenderingContext2D;
+type Box = [left: number, top: number, width: number, height: number];
 const FULL = 2 * Math.PI;
 const MOST_LABELS = 400;
 export const FATES: [Fate, string, string, string][] = [
@@ -19,6 +20,7 @@ export function drawTargets(pen: Pen, view: View, shown: TargetsOf): void {
     const [u, v] = view.toScreen(t.x, t.y);
     return u > -40 && v > -40 && u < view.width + 40 && v < view.height + 40;
   });
+  const labels: Box[] = [];
   for (const [fate, colour] of FATES)
     for (const t of seen.filter((s) => s.fate === fate)) {
       const [u, v] = view.toScreen(t.x, t.y);
@@ -32,10 +34,18 @@ export function drawTargets(pen: Pen, view: View, shown: TargetsOf): void {
       pen.setLineDash([]);
       if (fate === "rejected") cross(pen, u, v, Math.max(a, 7), colour);
       if (view.scale > 1) cross(pen, u, v, 3, colour);
-      if (seen.length > MOST_LABELS && view.scale < 1) continue;
       const precise = view.scale > 1.5 && t.s !== null ? ` ± ${t.s.toFixed(3)} px` : "";
-      if (t.name || precise) label(pen, `${t.name}${precise}`, u + a + 4, v, colour);
+      const words = `${t.name}${precise}`;
+      if (words && labels.length < MOST_LABELS && free(labels, [u + a + 4, v - 8, 8 * words.length, 16])) label(pen, words, u + a + 4, v, colour);
     }
+}
+
+/** Whether a label lies over none of those that are there; it is then one of them. */
+function free(labels: Box[], box: Box): boolean {
+  const [x, y, w, h] = box;
+  if (labels.some(([p, q, r, s]) => x < p + r && p < x + w && y < q + s && q < y + h)) return false;
+  labels.push(box);
+  return true;
 }
 
 function cross(pen: Pen, u: number, v: number, r: number, colour: string): void {
