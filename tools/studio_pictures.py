@@ -118,6 +118,7 @@ def pictures(page: Page) -> None:
     decide(page, hand)
     page.click("#tab-journal")
     keep(page, "journal")
+    stages(page)
 
 
 def decide(page: Page, hand: Hand) -> None:
@@ -127,6 +128,30 @@ def decide(page: Page, hand: Hand) -> None:
     page.get_by_role("combobox", name="K3 of camera").select_option("held")
     hand.wait("held from the next adjustment on")
     keep(page, "decide")
+
+
+def stages(page: Page) -> None:
+    """What the calibration is worth, targets over a photograph, and a run of all stages at work."""
+    page.click("#tab-decide")
+    page.click("#decide-calibration")
+    page.locator("#decide .verdict").wait_for()
+    keep(page, "calibration")
+    page.click("#decide-targets")
+    page.fill("#targets-family", "dots")
+    page.keyboard.press("Tab")
+    page.get_by_role("button", name=SEEN[0], exact=True).click()
+    page.locator("#message", has_text="Targets found").wait_for()
+    keep(page, "targets")
+    page.click("#tab-decide")
+    page.click("#decide-run")
+    page.fill("#run-feature_count", "12000")
+    page.keyboard.press("Tab")
+    page.locator("#decide .command", has_text="12000").wait_for()
+    page.click("#run-begin")
+    page.locator(".stages .at-work", has_text="features:").wait_for()
+    keep(page, "run")
+    page.click("#run-stop")
+    page.locator(".counts", has_text="Stopped after").wait_for()
 
 
 def space(page: Page) -> None:

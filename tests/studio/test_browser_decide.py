@@ -8,6 +8,7 @@ from tests.studio.test_browser import SIZES, address, browser, context, hand, ov
 
 __all__ = ["address", "browser", "context", "hand", "page"]  # fixtures
 pytestmark = pytest.mark.long
+PARTS = ("run", "options", "parameters", "select", "compare", "calibration", "targets", "report")
 CONTROLS = "#decide input, #decide select, #decide button"
 
 
@@ -92,7 +93,7 @@ def test_reports_reach_nothing_of_the_page(decide, context):
 def test_by_keyboard_alone(decide, hand, project):
     """Every control of every part is reached with the Tab key and has a name."""
     page = decide
-    for part in ("options", "parameters", "select", "compare", "report"):
+    for part in PARTS:
         hand.tab_to(f"#decide-{part}")
         page.keyboard.press("Enter")
         page.wait_for_timeout(700)
@@ -133,7 +134,7 @@ def test_a_refusal_says_what_is_wrong(decide, hand, context):
 def test_nothing_lies_over_another(decide, size):
     page = decide
     page.set_viewport_size({"width": size[0], "height": size[1]})
-    for part in ("options", "parameters", "select", "compare", "report"):
+    for part in PARTS:
         page.click(f"#decide-{part}")
         page.wait_for_timeout(700)
         stage = page.locator("#stage").bounding_box()

@@ -76,13 +76,13 @@ export class DecideParameters {
 /** Standard deviations below this are written with an exponent. */
 const SMALL = 1e-4;
 
-const small = (sigma: number | null): string => (sigma !== null && sigma > 0 && sigma < SMALL ? sigma.toExponential(1) : short(sigma, 2));
+export const small = (sigma: number | null): string => (sigma !== null && sigma > 0 && sigma < SMALL ? sigma.toExponential(1) : short(sigma, 2));
 
 /** mm^-2 as it is printed. */
-const raised = (unit: string): string => unit.replace(/\^(-?\d)/, (_, power: string) => [...power].map((c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(c)])).join(""));
+export const raised = (unit: string): string => unit.replace(/\^(-?\d)/, (_, power: string) => [...power].map((c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(c)])).join(""));
 
 /** A value with the decimals that its standard deviation lets it have; very small ones with an exponent. */
-function exact(value: number | null, sigma: number, decimals: number): string {
+export function exact(value: number | null, sigma: number, decimals: number): string {
   if (value === null) return "–";
   if (sigma > 0 && sigma < SMALL) return value.toExponential(Math.min(Math.max(Math.floor(Math.log10(Math.abs(value) / sigma)) + 1, 1), 8));
   return fixed(value, decimals);

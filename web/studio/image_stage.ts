@@ -4,7 +4,9 @@ import { button, element, h } from "./dom";
 import { COLOUR, Filter, looks } from "./looks";
 import { Measuring } from "./measuring";
 import { Model } from "./model";
+import { FATES } from "./overlay_targets";
 import { Pane, Stage } from "./pane";
+import { targetLayer } from "./target_layer";
 
 const LEGEND: [string, string, string][] = [
   ["used", "○", "used"], ["weak", "□", "fewer than 3 rays"], ["rejected", "✕", "rejected"],
@@ -18,6 +20,7 @@ export class ImageStage implements Stage {
   private readonly box = element("panes");
   private counts: HTMLButtonElement[] = [];
   private loupe!: HTMLInputElement;
+  private readonly targets = h("input", { type: "checkbox", id: "targets" });
 
   constructor(private readonly model: Model, private readonly measuring: Measuring, private readonly tell: (words: string) => void) {
     element("looks").append(...this.bar());
@@ -31,6 +34,20 @@ export class ImageStage implements Stage {
       element("legend-beyond").hidden = !beyond.points.size;
       this.panes.forEach((p) => p.redraw());
     });
+    this.targets.addEventListener("change", () => targetLayer.switch(this.targets.checked));
+    const legend = FATES.map(([, colour, sign, words]) => {
+      const dot = h("span", { class: "sign", "aria-hidden": "true" }, sign);
+      dot.style.color = colour;
+      return h("li", { hidden: true }, dot, words);
+    });
+    element("image-legend").append(...legend);
+    targetLayer.onchange(() => {
+      this.targets.checked = targetLayer.on;
+      legend.forEach((each) => (each.hidden = !targetLayer.on));
+      if (targetLayer.on && targetLayer.told) model.say(targetLayer.told, "bad");
+      this.panes.forEach((p) => p.redraw());
+    });
+    model.on("read", () => targetLayer.forget());
     model.on("observations", () => this.panes.forEach((p) => void p.read()));
     model.on("overview", () => this.begin());
   }
@@ -54,7 +71,7 @@ export class ImageStage implements Stage {
     return [
       h("span", { class: "group", role: "group", "aria-label": "Number of images" }, ...this.counts),
       h("label", {}, linked, "linked"), h("label", {}, this.loupe, "loupe"),
-      h("label", {}, "points", select),
+      h("label", { title: "Targets found in the photographs" }, this.targets, "targets"), h("label", {}, "points", select),
       this.slider("vectors", "residuals", 0, 30, 16, (v) => (looks.vectors = v ? Math.round(10 ** (v / 10)) : 0), () => String(looks.vectors)),
       this.slider("brightness", "brightness", 2, 30, 10, (v) => (looks.brightness = v / 10), () => looks.brightness.toFixed(1)),
       this.slider("contrast", "contrast", 2, 30, 10, (v) => (looks.contrast = v / 10), () => looks.contrast.toFixed(1)),
@@ -90,6 +107,7 @@ export class ImageStage implements Stage {
 
   private begin(): void {
     this.panes = this.panes.filter((pane) => this.model.images.has(pane.picture.id) || (pane.gone(), false));
+    for (const { picture } of this.panes) Object.assign(picture, this.model.images.get(picture.id)); // it may have another number
     const first = [...this.model.images.values()];
     if (!this.panes.length && first.length) this.open((first.find((p) => p.photo) ?? first[0]).id);
     this.arranged();

@@ -2,10 +2,11 @@
 import { Actions } from "./actions";
 import { ask, Refused } from "./api";
 import { afterPause } from "./dom";
-import { Fiducial, ImageInfo, Mark, Observations, Overview, Predictions, Role, State } from "./types";
+import { tiles } from "./tiles";
+import { Fiducial, ImageInfo, Mark, Observations, Overview, Predictions, Role, Run, State } from "./types";
 
 export type Topic =
-  | "overview" | "state" | "current" | "prediction" | "panes" | "looks" | "observations" | "message" | "read" | "fiducial";
+  | "overview" | "state" | "current" | "prediction" | "panes" | "looks" | "observations" | "message" | "read" | "fiducial" | "run" | "targets";
 
 export interface Message {
   words: string;
@@ -29,6 +30,8 @@ export class Model {
   /** Images of the panes, and which of them is active. */
   panes: string[] = [];
   active = 0;
+  /** The run that goes on or was the last; null: none. */
+  run: Run | null = null;
   message: Message = { words: "", kind: "" };
   command = "";
   private readonly marks = new Map<string, Mark[]>();
@@ -49,6 +52,7 @@ export class Model {
   /** Read everything; again after an adjustment or a lost connection. */
   async read(): Promise<void> {
     this.overview = await ask<Overview>("/api/overview");
+    tiles.readAnew(this.overview.times);
     this.images.clear();
     this.overview.images.forEach((image, k) => this.images.set(image.id, { ...image, k }));
     this.given.clear();

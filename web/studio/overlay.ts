@@ -156,7 +156,7 @@ function ring(pen: Pen, u: number, v: number, r: number, colour: string): void {
 }
 
 /** A line with a dark edge, seen on bright and dark pictures alike. */
-function twice(pen: Pen, colour: string, width: number): void {
+export function twice(pen: Pen, colour: string, width: number): void {
   pen.lineWidth = width + 2;
   pen.strokeStyle = "#000000b0";
   pen.stroke();

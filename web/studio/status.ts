@@ -4,7 +4,8 @@ import { element } from "./dom";
 import { Measuring } from "./measuring";
 import { Model } from "./model";
 import { short } from "./numbers";
-import { Live } from "./types";
+import { targetLayer } from "./target_layer";
+import { Live, Run } from "./types";
 
 export class Status {
   private readonly undo = element<HTMLButtonElement>("undo");
@@ -81,7 +82,34 @@ export class Status {
       this.adjust.disabled = true;
       this.progress.value = message.share;
       element("work-stage").textContent = message.stage;
-    } else void this.adjusted(message);
+    } else if (message.type === "run") this.ran(message.run);
+    else if (message.type === "targets") this.found(message.images, message.error);
+    else void this.adjusted(message);
+  }
+
+  private found(images: string[], error: string): void {
+    element("work").hidden = true;
+    this.adjust.disabled = false;
+    if (error) this.model.say(error, "bad");
+    else this.model.say(`Targets found in ${images.length === 1 ? images[0] : `${images.length} photographs`}.`, "good");
+    targetLayer.forget();
+    this.model.emit("targets");
+  }
+
+  private ran(run: Run): void {
+    const before = this.model.run?.outcome;
+    this.model.run = run;
+    const goes = run.outcome === "running";
+    element("work").hidden = !goes;
+    this.adjust.disabled = goes;
+    this.progress.value = run.share;
+    element("work-stage").textContent = `${run.name}: ${run.step}`;
+    this.model.emit("run");
+    if (goes || before === run.outcome) return;
+    const last = run.words.split("\n");
+    if (run.outcome === "done") this.model.say(last[0].trim(), "good");
+    else this.model.say(run.outcome === "failed" ? last[last.length - 1] : run.words, run.outcome === "failed" ? "bad" : "");
+    if (run.outcome === "done") void this.model.read().catch(() => {});
   }
 
   private async adjusted(message: Live & { type: "adjusted" }): Promise<void> {

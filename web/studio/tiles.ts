@@ -25,12 +25,23 @@ export class Tiles {
   private readonly failed = new Map<string, string>();
   private readonly listeners = new Set<() => void>();
   private readonly told = onceAFrame(() => this.listeners.forEach((call) => call()));
+  private timesRead = 0;
   /** How long each took [ms]. */
   readonly times: number[] = [];
 
   onarrival(call: () => void): () => void {
     this.listeners.add(call);
     return () => this.listeners.delete(call);
+  }
+
+  /** Images have other numbers after the folder was read anew: nothing that was kept is theirs. */
+  readAnew(times: number): void {
+    if (times === this.timesRead) return;
+    this.timesRead = times;
+    this.loading.forEach((control) => control.abort());
+    this.kept.forEach((bitmap) => bitmap.close());
+    this.kept.clear();
+    this.failed.clear();
   }
 
   get(key: string): ImageBitmap | undefined {
@@ -85,12 +96,14 @@ export class Tiles {
     const control = new AbortController();
     this.loading.set(key, control);
     const began = performance.now();
+    const times = this.timesRead;
     try {
-      const answer = await fetch(`/api/tile/${key}`, { signal: control.signal });
+      const answer = await fetch(`/api/tile/${key}?read=${times}`, { signal: control.signal });
       if (answer.status === 404) this.failed.set(key, ((await answer.json()) as { error: string }).error);
       else if (!answer.ok) throw new Error(String(answer.status));
       else {
-        this.keep(key, await createImageBitmap(await answer.blob()));
+        const bitmap = await createImageBitmap(await answer.blob());
+        if (times === this.timesRead) this.keep(key, bitmap);
         this.times.push(performance.now() - began);
       }
     } catch {

@@ -66,6 +66,8 @@ export interface Standing {
 }
 
 export interface Overview {
+  /** How often the folder was read anew: images may have other numbers then. */
+  times: number;
   title: string;
   kind: string;
   path: string;
@@ -193,20 +195,53 @@ export type Quantity = "w" | "sigma" | "rays" | "redundancy";
 export interface OptionField {
   name: string;
   flag: string;
-  kind: "choice" | "flag" | "number" | "names";
+  kind: "choice" | "flag" | "number" | "names" | "words" | "text";
   help: string;
   choices: string[];
   whole: boolean;
   low: number | null;
   high: number | null;
   metavar: string;
-  value: string | number | boolean;
-  default: string | number | boolean;
+  value: string | number | boolean | null;
+  default: string | number | boolean | null;
 }
 
 export interface OptionForm {
   fields: OptionField[];
   command: string;
+}
+
+export interface RunStage {
+  title: string;
+  state: "waiting" | "at work" | "done" | "kept" | "not needed";
+  seconds: number | null;
+  summary: string;
+}
+
+/** A run of stages as it stands. */
+export interface Run {
+  name: string;
+  command: string;
+  outcome: "running" | "done" | "stopped" | "failed";
+  words: string;
+  seconds: number;
+  step: string;
+  share: number;
+  left_s: number | null;
+  stopping: boolean;
+  stages: RunStage[];
+}
+
+/** What became of a target in the block. */
+export type Fate = "used" | "rejected" | "not in the block" | "unidentified";
+
+export interface TargetsOf {
+  image: string;
+  families: string;
+  from: string;
+  why: string;
+  remarks: string[];
+  rows: { name: string; x: number; y: number; s: number | null; ellipse: { a: number; b: number; angle_deg: number } | null; fate: Fate }[];
 }
 
 export interface ParameterRow {
@@ -285,4 +320,6 @@ export type Live =
   | { type: "state"; state: State }
   | { type: "oriented"; seq: number }
   | { type: "progress"; stage: string; share: number }
+  | { type: "run"; run: Run }
+  | { type: "targets"; images: string[]; error: string }
   | { type: "adjusted"; sigma0: number | null; folder: string; error: string };

@@ -148,7 +148,7 @@ def additions(done: Calibration) -> dict[str, object]:
             "largest_eccentricity_px": done.largest_eccentricity_px,
             "radius_scale": None if done.radius is None else {"value": done.radius.value, "std": done.radius.std},
         },
-        "calibration": {q.camera: {**_as_table(q), "exif": _exif(done, q.camera)} for q in done.quality},
+        "calibration": {q.camera: {**quality_table(q), "exif": _exif(done, q.camera)} for q in done.quality},
     }
 
 
@@ -169,7 +169,8 @@ def _first_image(done: Calibration, camera: str) -> int:
     return next(i for i, of in enumerate(given.images.camera) if of == k)
 
 
-def _as_table(q: CalibrationQuality) -> dict[str, Any]:
+def quality_table(q: CalibrationQuality) -> dict[str, Any]:
+    """A verdict as result.json says it."""
     v = q.validation
     return {
         "grade": q.grade, "headline": q.headline, "reasons": list(q.reasons),

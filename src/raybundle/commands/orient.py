@@ -21,6 +21,7 @@ from raybundle.settings import (
     option,
     other_than_usual,
     setting,
+    settings_of,
     toml_lines,
 )
 
@@ -215,6 +216,22 @@ def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orienta
             discard_empty(out)
         raise
     return done
+
+
+def settings_asked(project: Path) -> OrientSettings:
+    """What the last run in a project folder was asked for, as its project.toml says; all stages from the first one.
+
+    raises  InputError where the file is missing, damaged or holds what no setting can be
+    """
+    from raybundle.io.reading.trees import read_toml  # noqa: PLC0415  (what computes is loaded after the help)
+
+    known = {s.name for s in settings_of(OrientSettings)} - {"redo_from"}
+    kept = {
+        name: each.value for name, each in read_toml(project / "project.toml").tree().get("orient").mapping().items()
+    }
+    photos = kept.get("photos", [])
+    given = {name: value for name, value in kept.items() if name in known}
+    return asked(OrientSettings, [str(p) for p in photos] if isinstance(photos, list) else [], project, given)
 
 
 def keep_settings(settings: OrientSettings) -> None:

@@ -13,7 +13,7 @@ from pathlib import Path
 from raybundle.adjustment.result import Adjustment
 from raybundle.errors import InputError
 from raybundle.io.folders import new_files
-from raybundle.report.parts import Figures, Folded, Part, Section
+from raybundle.report.parts import Figure, Figures, Folded, Part, Section
 from raybundle.report.sections.control import control_section
 from raybundle.report.sections.interior import interior_section
 from raybundle.report.sections.network import network_section
@@ -100,10 +100,14 @@ def _of(result: Adjustment, section: Callable[[View], Section | None]) -> Pictur
 def _pictures(parts: Iterable[Part]) -> Iterator[Picture]:
     for part in parts:
         if isinstance(part, Figures):
-            for figure in part.figures:
-                yield Picture(caption=figure.caption, svg=_alone(str(figure.drawing.svg)))
+            yield from map(picture_of, part.figures)
         elif isinstance(part, Folded):
             yield from _pictures(part.parts)
+
+
+def picture_of(figure: Figure) -> Picture:
+    """A figure of a section as one that needs no other file."""
+    return Picture(caption=figure.caption, svg=_alone(str(figure.drawing.svg)))
 
 
 def _alone(svg: str) -> str:

@@ -39,7 +39,8 @@ def overview(desk: Desk) -> dict[str, Any]:
         })  # fmt: skip
     told = None if a is None else verdict(view_of(a))
     return {
-        "title": block.name, "kind": desk.kind, "path": str(desk.source), "free_scale": bool(block.free_scale),
+        "title": block.name, "kind": desk.kind, "times": desk.times, "path": str(desk.source),
+        "free_scale": bool(block.free_scale),
         "unit": "" if block.free_scale else block.length_unit,
         "sigma0": None if a is None else finite(a.sigma0), "redundancy": None if a is None else a.redundancy,
         "neglected": desk.session.neglected, "headline": "" if told is None else told.headline,

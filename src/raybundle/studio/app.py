@@ -12,7 +12,7 @@ from contextlib import asynccontextmanager
 from dataclasses import dataclass
 from importlib.resources import files
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 from starlette.applications import Starlette
 from starlette.concurrency import run_in_threadpool
@@ -27,15 +27,19 @@ from raybundle.errors import InputError, RaybundleError
 from raybundle.io.reading.trees import json_of
 from raybundle.studio import answers, tables
 from raybundle.studio.asking import asked
+from raybundle.studio.calibrated import Calibrations
 from raybundle.studio.control import control_actions
-from raybundle.studio.deciding import Deciding
+from raybundle.studio.deciding import PAGE_POLICY, Deciding
 from raybundle.studio.desk import Desk
-from raybundle.studio.guard import Guard, Session, TooLarge
+from raybundle.studio.detecting import Detecting
+from raybundle.studio.guard import POLICY_HEADER, Guard, Session, TooLarge
 from raybundle.studio.live import Live
 from raybundle.studio.pairs import pairs
+from raybundle.studio.running import Running
 from raybundle.studio.scene import scene
 from raybundle.studio.snapping import fiducials_found, snapped
 from raybundle.studio.tables import Wanted
+from raybundle.studio.targeting import Targeting
 from raybundle.studio.verbs import command_of
 from raybundle.studio.work import Work
 
@@ -59,16 +63,21 @@ class Studio:
     session: Session
     live: Live
     work: Work
+    running: Running
+    detecting: Detecting
 
     @classmethod
     def of(cls, desk: Desk, session: Session) -> Studio:
         """A studio for a desk."""
         live = Live()
-        return cls(desk, session, live, Work(desk, live))
+        work = Work(desk, live)
+        return cls(desk, session, live, work, Running(desk, work, live), Detecting(desk, live))
 
     def app(self) -> Starlette:
         """The application."""
         deciding = Deciding(self.desk, self.work, self.live)
+        targeting = Targeting(self.desk, self.detecting)
+        calibrations = Calibrations(self.desk, self.work.shelf)
         gets: dict[str, Callable[[Mapping[str, Any]], Any]] = {
             "/api/overview": lambda _: answers.overview(self.desk),
             "/api/observations": lambda q: answers.observations(self.desk, _text(q, "image")),
@@ -78,6 +87,9 @@ class Studio:
             "/api/table/pairs": lambda q: pairs(self.desk, _wanted(q)),
             "/api/journal": lambda _: self._journal(),
             "/api/standing": lambda _: answers.standing_of(self.desk),
+            "/api/run": lambda _: self.running.told(),
+            "/api/calibration": lambda _: calibrations.told(),
+            **targeting.gets,
             **deciding.gets,
         }
         posts: dict[str, Callable[[dict[str, Any]], Any]] = {
@@ -85,8 +97,11 @@ class Studio:
             "/api/control": self._control,
             "/api/fiducials": self._fiducials,
             "/api/snap": lambda given: snapped(self.desk, given),
-            "/api/adjust": lambda _: {"begun": self.work.begin(measured=True)},
-            "/api/stop": lambda _: {"stopping": self.work.stop()},
+            "/api/adjust": lambda _: {"begun": not self.running.busy and self.work.begin(measured=True)},
+            "/api/stop": lambda _: self._stop(),
+            "/api/run": lambda _: self.running.begin(),
+            "/api/run/settings": lambda given: self.running.choose(_table(given, "values")),
+            **targeting.posts,
             **deciding.posts,
         }
         routes = [
@@ -96,6 +111,8 @@ class Studio:
             Route("/api/query", self._query, methods=["GET"]),
             Route("/api/scene", self._scene, methods=["GET"]),
             *deciding.pages,
+            *targeting.pages,
+            Route("/figure/calibration/{number}.svg", _figure(calibrations), methods=["GET"]),
             Route("/api/tile/{image}/{level}/{column}/{row}", self._tile, methods=["GET"]),
             WebSocketRoute("/api/live", self._live),
             Route("/{name:path}", self._page, methods=["GET"]),
@@ -115,6 +132,8 @@ class Studio:
         try:
             yield
         finally:
+            self.detecting.stop()
+            await run_in_threadpool(self.running.close)
             await run_in_threadpool(self.work.close)
             self.desk.close()
 
@@ -147,6 +166,11 @@ class Studio:
     async def _query(self, request: Request) -> Response:
         q = request.query_params
         return _json(await run_in_threadpool(asked, self.desk, _text(q, "kind"), tuple(q.getlist("points"))))
+
+    def _stop(self) -> dict[str, Any]:
+        """Stop whatever is at work."""
+        stopping = [part.stop() for part in (self.running, self.detecting, self.work)]
+        return {"stopping": any(stopping)}
 
     def _journal(self) -> dict[str, Any]:
         return {"actions": [
@@ -261,6 +285,17 @@ def _get(make: Callable[[Mapping[str, Any]], Any]) -> Answer:
     return answer
 
 
+def _figure(calibrations: Calibrations) -> Answer:
+    async def answer(request: Request) -> Response:
+        number = request.path_params["number"]
+        if not (number.isascii() and number.isdigit() and len(number) < LONGEST_NUMBER):
+            raise HTTPException(404, "a figure has a number")
+        body = await run_in_threadpool(calibrations.figure, int(number))
+        return Response(body, media_type="image/svg+xml", headers={POLICY_HEADER: PAGE_POLICY})
+
+    return answer
+
+
 def _json(content: Any) -> Response:
     out = io.StringIO()
     json.dump(content, out, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
@@ -272,6 +307,13 @@ def _text(given: Mapping[str, Any], name: str) -> str:
     if not isinstance(value, str):
         raise HTTPException(400, f"{name} is no text")
     return value
+
+
+def _table(given: Mapping[str, Any], name: str) -> dict[str, Any]:
+    value = given.get(name)
+    if not isinstance(value, dict):
+        raise HTTPException(400, f"{name} is no table")
+    return cast("dict[str, Any]", value)
 
 
 def _wanted(q: Mapping[str, Any]) -> Wanted:

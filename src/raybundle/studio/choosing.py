@@ -18,9 +18,9 @@ from raybundle.measuring.decisions import Quantity
 from raybundle.measuring.selection import CRITERIA, Figures, Selected, figures_of, quantity_of, selected
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.statistics import fisher_tail
-from raybundle.settings import Range, Setting, made, settings_of
 from raybundle.studio.answers import finite
 from raybundle.studio.desk import Desk
+from raybundle.studio.forms import fields_of, settings_of_form
 from raybundle.studio.verbs import command_of_adjusting
 
 APART = ("free", "hold")
@@ -33,34 +33,12 @@ MOST_SHOWN = 20_000
 
 def form(options: AdjustmentOptions, source: Path) -> dict[str, Any]:
     """The options of the next adjustment, each with help, limits and choices, and the command that adjusts so."""
-    fields = [_field(s, getattr(options, s.name)) for s in settings_of(AdjustmentOptions) if s.name not in APART]
-    return {"fields": fields, "command": command_of_adjusting(source, options)}
-
-
-def _field(s: Setting, value: Any) -> dict[str, Any]:
-    limits = next((r for r in s.about.limits if isinstance(r, Range)), Range())
-    kind = "choice" if s.choices else "flag" if s.kind is bool else "number" if s.kind in {int, float} else "names"
-    return {
-        "name": s.name, "flag": f"--{s.flag}", "kind": kind, "help": s.help, "choices": list(s.choices),
-        "whole": s.kind is int, "low": limits.low, "high": limits.high, "metavar": s.about.metavar,
-        "value": ",".join(value) if kind == "names" else value,
-        "default": ",".join(s.default) if kind == "names" else s.default,
-    }  # fmt: skip
+    return {"fields": fields_of(options, apart=APART), "command": command_of_adjusting(source, options)}
 
 
 def options_of_form(given: Mapping[str, Any]) -> AdjustmentOptions:
     """The options that a form gives; raises InputError that names the option, the value and what is allowed."""
-    known = {s.name for s in settings_of(AdjustmentOptions)} - set(APART)
-    for name in given:
-        if name not in known:
-            raise InputError(f"{name} is no option of the form; known are {', '.join(sorted(known))}")
-    kinds = {s.name: s.kind for s in settings_of(AdjustmentOptions)}
-    for name, value in given.items():
-        if (kinds[name] is bool) != isinstance(value, bool):
-            raise InputError(f"{name} = {value!r} is {'neither true nor false' if kinds[name] is bool else 'no value'}")
-        if isinstance(value, list | dict):
-            raise InputError(f"{name} = {value!r} is no single value; names stand in one text, with commas between")
-    return made(AdjustmentOptions, given)
+    return settings_of_form(AdjustmentOptions, given, {}, APART)
 
 
 def parameters(desk: Desk) -> dict[str, Any]:

@@ -41,6 +41,10 @@ class Desk:
     """how far the photographs are oriented"""
     scans: Scans | None = None
     """what is known of the film that the photographs are scans of"""
+    photos: Sequence[Path] = ()
+    """where the photographs are, beside where the project says"""
+    times: int = 0
+    """how often it was read anew: images may have other numbers then"""
     _rows: tuple[Index, Index] | None = None
     lock: threading.RLock = field(default_factory=threading.RLock)
 
@@ -52,18 +56,32 @@ class Desk:
         photos  where the photographs are, beside where the project says
         raises  InputError where it is none of these, or a file of it is damaged
         """
-        inner = block_folder(source)
-        given = read_block(inner)
-        kind: Kind = "project" if (source / "project.db").is_file() else "block" if inner == source else "result"
-        latest = measured_result(source) / "block"
-        block = read_block(latest) if (latest / "block.toml").is_file() else given
+        given = read_block(block_folder(source))
         scans = read_scans(source)
         known = Known.of(given, () if scans is None else scans.calibrated.names)
         journal = Journal.open(journal_path(source), known)
-        paths = _photographs(given, [*photos, *photographs_of(source), *photographs_of(source / "result")])
-        sizes = {k: journal.known.size_px[name] for k, name in enumerate(given.images.ids)}
-        session, tiles = Session.of_block(block, None), Tiles(folder, paths, sizes)
-        return cls(source, kind, given, session, journal, tiles, standing_of(block), scans)
+        block = _latest(source, given)
+        tiles = _tiles(folder, source, given, known, photos)
+        session = Session.of_block(block, None)
+        return cls(source, _kind(source), given, session, journal, tiles, standing_of(block), scans, photos)
+
+    def read_anew(self) -> None:
+        """Go on with what a run has written in the folder; the journal stays open, and what was measured with it.
+
+        raises  InputError where the folder holds no block any more; the desk is then as it was
+        """
+        given = read_block(block_folder(self.source))
+        known = Known.of(given, () if self.scans is None else self.scans.calibrated.names)
+        block, times = _latest(self.source, given), self.times + 1
+        folder = self.tiles.folder.parent if self.times else self.tiles.folder
+        folder = folder / f"read-{times}"
+        folder.mkdir()
+        with self.lock:
+            self.given, self.kind, self.times = given, _kind(self.source), times
+            self.journal.known, before = known, self.tiles
+            self.tiles = _tiles(folder, self.source, given, known, self.photos)
+            self.replaced(Session.of_block(block, None))
+        before.forget()
 
     @property
     def block(self) -> Block:
@@ -104,6 +122,25 @@ class Desk:
     def close(self) -> None:
         """Close the journal."""
         self.journal.close()
+
+
+def _kind(source: Path) -> Kind:
+    if (source / "project.db").is_file():
+        return "project"
+    return "block" if block_folder(source) == source else "result"
+
+
+def _latest(source: Path, given: Block) -> Block:
+    """The block with what was measured, as it was adjusted last; as it was opened where that was written later."""
+    inner, latest = block_folder(source) / "block.toml", measured_result(source) / "block" / "block.toml"
+    if latest.is_file() and latest.stat().st_mtime >= inner.stat().st_mtime:
+        return read_block(latest.parent)
+    return given
+
+
+def _tiles(folder: Path, source: Path, given: Block, known: Known, photos: Sequence[Path]) -> Tiles:
+    paths = _photographs(given, [*photos, *photographs_of(source), *photographs_of(source / "result")])
+    return Tiles(folder, paths, {k: known.size_px[name] for k, name in enumerate(given.images.ids)})
 
 
 def _photographs(block: Block, folders: Sequence[Path]) -> dict[int, Path]:

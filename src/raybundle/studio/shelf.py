@@ -59,7 +59,7 @@ class Shelf:
         folder  for the copies, which goes with the server
         """
         found = cls(folder)
-        own = next((f for f in (source / "result", source) if (f / "result.json").is_file()), None)
+        own = own_result(source)
         before = measured_result(source)
         if own is not None:
             found._put(Kept(number=0, folder=own, words="as it was opened"))
@@ -68,11 +68,11 @@ class Shelf:
             found._put(Kept(number=1, folder=before, words=BEFORE))
         return found
 
-    def put(self, result: Path, command: str) -> int:
+    def put(self, result: Path, command: str, words: str = "adjusted here") -> int:
         """Keep a copy of a result folder; its number."""
         with self._lock:
             self._made += 1
-            self._put(Kept(number=self._made, folder=result, words="adjusted here", command=command))
+            self._put(Kept(number=self._made, folder=result, words=words, command=command))
             while len(self.kept) > MOST:
                 oldest = self.kept.pop(1)
                 self._told.pop(oldest.number, None)
@@ -120,6 +120,11 @@ class Shelf:
                 self._told[each.number] = _figures(each)
             found.append(self._told[each.number])
         return found
+
+
+def own_result(source: Path) -> Path | None:
+    """The result folder that a project or result folder has without anything measured; None where there is none."""
+    return next((f for f in (source / "result", source) if (f / "result.json").is_file()), None)
 
 
 def _linked(source: str, target: str) -> None:

@@ -125,10 +125,19 @@ class Tiles:
     def _make_room(self, latest: int) -> None:
         while sum(p.size for p in self._pyramids.values()) > self.most_bytes and len(self._pyramids) > 1:
             oldest = next(k for k in self._pyramids if k != latest)
-            gone = self._pyramids.pop(oldest)
-            # what still reads it keeps its mapping, the file goes with the last of them
-            for level in range(len(gone.levels)):
-                (self.folder / f"{oldest}-{level}.npy").unlink(missing_ok=True)
+            self._remove(oldest)
+
+    def forget(self) -> None:
+        """Remove all copies: nobody asks for them any more."""
+        with self._lock:
+            for image in [*self._pyramids]:
+                self._remove(image)
+
+    def _remove(self, image: int) -> None:
+        """Remove a copy; what still reads it keeps its mapping, the file goes with the last of them."""
+        gone = self._pyramids.pop(image)
+        for level in range(len(gone.levels)):
+            (self.folder / f"{image}-{level}.npy").unlink(missing_ok=True)
 
 
 def _halved(source: Array, file: Path) -> Array:

@@ -18,7 +18,7 @@ from raybundle.report.write import write_result
 from raybundle.studio.answers import finite
 from raybundle.studio.desk import Desk
 from raybundle.studio.live import Live
-from raybundle.studio.shelf import Shelf
+from raybundle.studio.shelf import Shelf, own_result
 from raybundle.studio.verbs import command_of_adjusting
 from raybundle.workflows.adjust import adjust
 
@@ -95,6 +95,19 @@ class Work:
             self._timer = threading.Timer(REST_S, self._begin_photographs)
             self._timer.daemon = True
             self._timer.start()
+
+    def read_anew(self, words: str, command: str) -> None:
+        """Go on with the result that a run wrote; raises InputError where there is none.
+
+        words    what it is called beside the adjustments
+        command  that made it
+        """
+        with self._at_once:  # not while photographs are oriented from their marks
+            self.desk.read_anew()
+            result = own_result(self.desk.source)
+            if result is not None:
+                self.shelf.put(result, command, words)
+        self.begin(measured=False)
 
     def wait(self) -> None:
         """Until nothing is being adjusted."""

@@ -30,6 +30,8 @@ from raybundle.report.text.numbers import fixed, significant
 
 MOST_CELLS = 600
 """Cells of a map of uncertainty that are drawn: each shows the largest of those computed in it."""
+COVERAGE_CELLS = 10
+"""Cells along a side of the format, as the verdict on a calibration counts them."""
 NEGATIVE, POSITIVE = (31, 90, 138), (181, 83, 42)
 """Colours of a heat map at -1 and at +1."""
 
@@ -174,6 +176,26 @@ def uncertainty_figure(camera: Camera, found: UncertaintyMap) -> Drawing:
     ]
     parts.append(label(100, y + 8, f"0 … {significant(most, 2)} px", "t"))
     return drawing(plot.width, plot.height, parts, "standard deviation of projection over the format")
+
+
+def coverage_map(camera: Camera, xy_px: Array, what: str) -> Drawing:
+    """Counts of image points (n, 2) in the 10 x 10 cells of the format: an empty cell is calibrated by none."""
+    plot, parts = format_plot(camera.size_mm, 400, foot=4)
+    n = COVERAGE_CELLS
+    cell = np.clip((xy_px / np.array([camera.width_px, camera.height_px]) * n).astype(int), 0, n - 1)
+    counts = np.bincount(cell[:, 1] * n + cell[:, 0], minlength=n * n)
+    most = float(max(counts.max(initial=0), 1))
+    x0, y0, w, h = plot.box
+    for k, count in enumerate(counts.tolist()):
+        x, y = x0 + (k % n) * w / n, y0 + (k // n) * h / n
+        share = math.sqrt(count / most)
+        colour = mixed(0.1 + 0.8 * share, NEGATIVE) if count else "#ffffff"
+        parts.append(
+            f'<rect class="cell" x="{x:.1f}" y="{y:.1f}" width="{w / n:.1f}" height="{h / n:.1f}" fill="{colour}"/>'
+        )
+        style = "t cellvalue light" if share > 0.6 else "t cellvalue"
+        parts.append(label(x + w / n / 2, y + h / n / 2 + 3, str(count), style, "middle"))
+    return drawing(plot.width, plot.height, parts, what)
 
 
 def coarser(values: Array, most: int) -> Array:

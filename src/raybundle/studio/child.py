@@ -1,0 +1,99 @@
+"""A command of raybundle as a process of its own: its progress as it comes, what it says in the end, and stopped."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from tempfile import TemporaryFile
+from typing import IO, Any, cast
+
+from raybundle.numerics.progress import Progress
+
+MOST_LINES = 200
+"""Lines of a command's errors that are kept, the last ones."""
+PATIENCE_S = 10.0
+"""Seconds that a command has to end by itself when the studio ends."""
+
+
+@dataclass(slots=True)
+class Child:
+    """One run of a command."""
+
+    process: subprocess.Popen[str]
+    printed: IO[str]
+    told: list[str] = field(default_factory=list[str])
+    """lines of errors"""
+    asked: int = 0
+    """how often it was asked to stop"""
+
+    @classmethod
+    def begin(cls, words: Sequence[str]) -> Child:
+        """Begin `raybundle` with these words of its command line; progress is asked for as JSON lines."""
+        printed = TemporaryFile("w+", encoding="utf-8", errors="replace")  # noqa: SIM115  (closed by `ended`)
+        # a group of its own: an interrupt at the terminal reaches the studio, which stops it once
+        apart: dict[str, Any] = {"start_new_session": True}
+        if sys.platform == "win32":
+            apart = {"creationflags": subprocess.CREATE_NEW_PROCESS_GROUP}
+        process = subprocess.Popen(  # noqa: S603  (this program, no shell)
+            [sys.executable, "-m", "raybundle", *words], stdin=subprocess.DEVNULL, stdout=printed,
+            stderr=subprocess.PIPE, text=True, encoding="utf-8", errors="replace",
+            env={**os.environ, "PYTHONUTF8": "1"}, **apart,
+        )  # fmt: skip
+        return cls(process, printed)
+
+    def follow(self, progress: Progress) -> tuple[int, str]:
+        """Tell its progress until it ends; its exit status and what it printed."""
+        assert self.process.stderr is not None
+        for line in self.process.stderr:
+            found = _progress(line)
+            if found is not None:
+                progress(*found)
+            elif line.strip():
+                self.told = [*self.told[-MOST_LINES:], line.rstrip()]
+        self.process.stderr.close()
+        status = self.process.wait()
+        self.printed.seek(0)
+        words = self.printed.read()
+        self.printed.close()
+        return status, words
+
+    def stop(self) -> None:
+        """Ask it to stop between two tasks, as Ctrl-C does; asked again, end it where it is.
+
+        Both keep what is finished: products and results appear whole or not at all.
+        """
+        self.asked += 1
+        if self.process.poll() is not None:
+            return
+        if self.asked > 1 or sys.platform == "win32":  # there is no Ctrl-C for another process
+            self.process.kill()
+        else:
+            self.process.send_signal(signal.SIGINT)
+
+    def close(self) -> None:
+        """Stop it, by force where it does not end in time."""
+        self.stop()
+        try:
+            self.process.wait(PATIENCE_S)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+
+
+def _progress(line: str) -> tuple[str, float] | None:
+    """Stage and share of a line of progress; None for another line."""
+    if not line.startswith("{"):
+        return None
+    try:
+        found: Any = json.loads(line)
+    except ValueError:
+        return None
+    if not isinstance(found, dict):
+        return None
+    table = cast("dict[str, Any]", found)
+    stage, share = table.get("stage"), table.get("share")
+    return (stage, float(share)) if isinstance(stage, str) and isinstance(share, int | float) else None

@@ -1,0 +1,180 @@
+"""A run of stages in the background: begun, told of as it goes, stopped; at its end the desk is read anew."""
+
+from __future__ import annotations
+
+import threading
+import time
+from calendar import timegm
+from dataclasses import dataclass, field
+from typing import Any
+
+from raybundle.errors import InputError, RaybundleError
+from raybundle.pipeline.project import StageRecord
+from raybundle.studio.child import Child
+from raybundle.studio.desk import Desk
+from raybundle.studio.live import Live
+from raybundle.studio.runnable import Runnable, runnable
+from raybundle.studio.work import Work
+
+EVERY_S = 0.25
+"""Seconds between two messages of progress."""
+
+
+@dataclass(slots=True)
+class Run:
+    """One run, as it stands."""
+
+    what: Runnable
+    child: Child
+    began: float
+    """seconds since 1970"""
+    ended: float | None = None
+    step: str = ""
+    """what is done at the moment, in words"""
+    share: float = 0.0
+    step_began: float = 0.0
+    outcome: str = "running"
+    """running, done, stopped, failed"""
+    words: str = ""
+    """what the command printed, or why it failed"""
+
+    def told(self) -> dict[str, Any]:
+        """As the page shows it."""
+        now = time.time() if self.ended is None else self.ended
+        spent = now - self.step_began
+        left = spent * (1 - self.share) / self.share if self.share > 0 and self.outcome == "running" else None
+        return {
+            "name": self.what.name, "command": self.what.command, "outcome": self.outcome, "words": self.words,
+            "seconds": now - self.began, "step": self.step, "share": self.share, "left_s": left,
+            "stopping": bool(self.child.asked) and self.outcome == "running", "stages": self._stages(),
+        }  # fmt: skip
+
+    def _stages(self) -> list[dict[str, Any]]:
+        titles = self.what.titles
+        # the record tells whole seconds; what an earlier run did is another's
+        mine = {r.name: r for r in self.what.records() if _seconds(r) >= int(self.began)}
+        last = max((k for k, t in enumerate(titles) if t in mine), default=-1)
+        at = last + 1 if self.outcome == "running" else -1
+        return [_stage(t, mine.get(t), behind=k < last, at=k == at) for k, t in enumerate(titles)]
+
+
+def _stage(title: str, record: StageRecord | None, *, behind: bool, at: bool) -> dict[str, Any]:
+    state = "at work" if at else "not needed" if behind else "waiting"
+    if record is not None:
+        state = "kept" if record.from_cache else "done"
+    return {
+        "title": title, "state": state, "seconds": None if record is None else record.seconds,
+        "summary": "" if record is None else record.summary,
+    }  # fmt: skip
+
+
+def _seconds(record: StageRecord) -> float:
+    """When a stage ended [s since 1970]; 0 where the record does not tell."""
+    try:
+        return timegm(time.strptime(record.finished, "%Y-%m-%dT%H:%M:%SZ"))
+    except ValueError:
+        return 0.0
+
+
+@dataclass(slots=True)
+class Running:
+    """One run at a time, beside which nothing is adjusted."""
+
+    desk: Desk
+    work: Work
+    live: Live
+    chosen: Runnable | None = None
+    """with the settings of the page"""
+    run: Run | None = None
+    _thread: threading.Thread | None = None
+    _told: float = 0.0
+    _lock: threading.Lock = field(default_factory=threading.Lock)
+
+    @property
+    def busy(self) -> bool:
+        """Whether something runs."""
+        return self._thread is not None and self._thread.is_alive()
+
+    def what(self) -> Runnable:
+        """What would be run; raises InputError where nothing can be."""
+        if self.chosen is None:
+            self.chosen = runnable(self.desk)
+        return self.chosen
+
+    def told(self) -> dict[str, Any]:
+        """The form, or why nothing can be run, and the run that goes on or was the last."""
+        run = None if self.run is None else self.run.told()
+        try:
+            return {"form": self.what().form(), "why": "", "run": run}
+        except InputError as error:
+            return {"form": None, "why": str(error), "run": run}
+
+    def choose(self, values: dict[str, Any]) -> dict[str, Any]:
+        """The settings of the next run; raises InputError that names the one that cannot be."""
+        self.chosen = self.what().chosen(values)
+        return self.told()
+
+    def begin(self) -> dict[str, Any]:
+        """Begin the run; raises InputError where something runs or is adjusted."""
+        what = self.what()
+        with self._lock:
+            if self.busy or self.work.busy:
+                raise InputError("something runs or is adjusted already; stop it, or wait until it is done")
+            if not what.settings.photos:
+                raise InputError("the photographs are not known; give their folder in the first field")
+            now = time.time()
+            self.run = Run(what, Child.begin(what.child_words), now, step="beginning", step_began=now)
+            self._thread = threading.Thread(target=self._follow, args=(self.run,), daemon=True)
+            self._thread.start()
+        return self.told()
+
+    def stop(self) -> bool:
+        """Stop between two tasks; asked again, at once.  False where nothing runs."""
+        if self.run is None or not self.busy:
+            return False
+        self.run.child.stop()
+        self._tell(self.run)
+        return True
+
+    def close(self) -> None:
+        """End with the studio."""
+        if self.run is not None and self.busy:
+            self.run.child.close()
+            self.wait()
+
+    def wait(self) -> None:
+        """Until nothing runs."""
+        if self._thread is not None:
+            self._thread.join()
+
+    def _follow(self, run: Run) -> None:
+        def progress(step: str, share: float) -> None:
+            if step != run.step:
+                run.step, run.step_began = step, time.time()
+            run.share = share
+            if time.time() - self._told > EVERY_S:
+                self._tell(run)
+
+        status, printed = run.child.follow(progress)
+        run.ended = time.time()
+        said = "\n".join(run.child.told)
+        if run.child.asked and status:
+            run.outcome, run.words = "stopped", "stopped; what is finished is kept, another run continues there"
+        elif status == 0:
+            run.outcome, run.words = "done", printed.strip("\n")
+            self._read_anew(run)
+        else:
+            run.outcome, run.words = "failed", said or f"the command ended with status {status}"
+        self._tell(run)
+
+    def _read_anew(self, run: Run) -> None:
+        """Go on with the new result."""
+        words = "oriented here" if run.what.name == "orient" else "calibrated here"
+        try:
+            self.work.read_anew(words, run.what.command)
+        except RaybundleError as error:
+            run.outcome, run.words = "failed", f"the new result cannot be read: {error}"
+
+    def _tell(self, run: Run) -> None:
+        self._told = time.time()
+        self.live.tell_from_thread({"type": "run", "run": run.told()})

@@ -1,0 +1,54 @@
+"""Stages run, stopped and run again in the browser; the calibration and its targets looked at."""
+
+import pytest
+
+from tests.studio.browser import Hand, served
+from tests.studio.test_browser import browser, context
+from tests.studio.test_targets import COLUMNS, ROWS, board
+
+__all__ = ["board", "browser", "context"]  # fixtures
+pytestmark = pytest.mark.long
+
+
+@pytest.fixture
+def address(board):  # noqa: F811
+    with served(board / "calibration", board / "photos") as address:
+        yield address
+
+
+def test_run_stop_run_again_and_look(context, address, board):  # noqa: F811
+    page = context.new_page()
+    page.goto(address)
+    hand = Hand(page)
+    hand.wait("Adjusted")
+    page.click("#tab-decide")
+    page.click("#decide-run")
+    page.check("#run-shear")
+    page.locator("code.command", has_text="raybundle calibrate --target chessboard-7x6 --shear --out calibration").wait_for()
+    page.uncheck("#run-shear")
+    hand.tab_to("#run-begin")
+    page.keyboard.press("Enter")
+    page.locator(".stages .at-work").wait_for()
+    page.click("#run-stop")
+    page.locator(".counts", has_text="Stopped after").wait_for()
+    assert (board / "calibration" / "result.json").is_file()
+    page.click("#run-begin")
+    page.locator(".counts", has_text="Done after").wait_for()
+    assert page.locator(".stages tbody tr", has_text="kept from before").count() >= 1
+    assert f"{COLUMNS * ROWS}" in page.locator(".stages").inner_text() or "points of" in page.locator(".stages").inner_text()
+    page.locator(".printed", has_text="7 of 7 photographs used").wait_for()
+    hand.wait("7 of 7 photographs used")
+    page.click("#decide-calibration")
+    page.locator(".verdict").wait_for()
+    page.locator(".figures img").first.scroll_into_view_if_needed()
+    page.wait_for_function("[...document.querySelectorAll('.figures img')].some(i => i.complete && i.naturalWidth > 100)")
+    page.click("#decide-targets")
+    page.locator("table[aria-label='Targets by photograph'] tbody tr").nth(6).wait_for()
+    page.get_by_role("button", name="board_1.jpg").first.click()
+    page.locator("#tab-images[aria-selected=true]").wait_for()
+    assert page.locator("#targets").is_checked()
+    page.locator("#image-legend", has_text="target used").wait_for()
+    before = page.locator(".pane.active canvas.over").screenshot()
+    page.uncheck("#targets")
+    page.wait_for_timeout(200)
+    assert page.locator(".pane.active canvas.over").screenshot() != before

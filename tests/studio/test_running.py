@@ -1,0 +1,144 @@
+"""Stages run from the page: the settings of the command, progress, stop, what is kept, the desk with the new result."""
+
+import time
+
+import pytest
+
+from raybundle.commands.orient import OrientSettings, orient, settings_asked
+from raybundle.errors import InputError
+from raybundle.pipeline.project import Project
+from raybundle.results.folder import read_result
+from raybundle.settings import settings_of
+from raybundle.studio.forms import settings_of_form
+from tests.studio.test_app import act
+
+
+def until(client, wanted, seconds=60):
+    """What is told of the run as soon as something of it is so."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        run = client.get("/api/run").json()["run"]
+        if wanted(run):
+            return run
+        time.sleep(0.05)
+    raise AssertionError(run)
+
+
+def chosen(client, **values):
+    return client.post("/api/run/settings", json={"values": values})
+
+
+def test_the_form_is_the_data_class_with_what_was_asked_for(client, project):
+    found = client.get("/api/run").json()
+    assert found["why"] == ""
+    fields = {f["name"]: f for f in found["form"]["fields"]}
+    assert [*fields] == ["photos", *(s.name for s in settings_of(OrientSettings))]
+    assert (fields["precise"]["flag"], fields["precise"]["value"]) == ("--quick", True)
+    assert (fields["report"]["value"], fields["library"]["value"]) == (True, False)
+    assert fields["photos"]["value"].count(".jpg") == 5
+    assert found["form"]["command"].startswith("raybundle orient --quick --no-report --out")
+    assert settings_asked(project).precise is False
+
+
+def test_settings_are_those_of_the_command_line(client, project, studio):
+    values = {
+        "photos": "'a b' c.jpg", "control": "one.csv 'two b.csv'", "scale_bar": "A B 1.5 0.001 C 'D 1' 2 0.002",
+        "control_sigma": "0.01 0.02", "crs": "EPSG:32633", "start": "growing", "gps": True, "jobs": 2,
+        "read_out": None,
+    }  # fmt: skip
+    answer = chosen(client, **values)
+    assert answer.status_code == 200
+    assert answer.json()["form"]["command"] == (
+        "raybundle orient --control one.csv --control 'two b.csv' --control-sigma 0.01 0.02 --scale-bar A B 1.5 0.001 "
+        f"--scale-bar C 'D 1' 2.0 0.002 --crs EPSG:32633 --no-gps --start growing --jobs 2 --out {project} -- 'a b' c.jpg"
+    )
+    assert studio.running.chosen.settings.gps is False
+    fields = {f["name"]: f["value"] for f in answer.json()["form"]["fields"]}
+    assert {k: fields[k] for k in values if k != "scale_bar"} == {k: values[k] for k in values if k != "scale_bar"}
+
+
+@pytest.mark.parametrize(
+    ("values", "words"),
+    [
+        ({"feature_count": 3}, "feature_count = 3 must be at least 100"),
+        ({"start": "now"}, "start = 'now' is not one of"),
+        ({"scale_bar": "A B 1.5"}, "A B LENGTH SIGMA are needed"),
+        ({"scale_bar": "A B one 0.1"}, "A B LENGTH SIGMA are needed"),
+        ({"control": "'open"}, "a quotation mark is not closed"),
+        ({"photos": " "}, "no folder or file is given"),
+        ({"photos": ["a"]}, "is no text"),
+        ({"gps": "yes"}, "neither true nor false"),
+        ({"out": "/elsewhere"}, "out is no option of the form"),
+    ],
+)
+def test_settings_that_cannot_be_are_refused_by_name(client, studio, values, words):
+    before = studio.running.what()
+    answer = chosen(client, **values)
+    assert answer.status_code == 409
+    assert words in answer.json()["error"]
+    assert studio.running.chosen == before
+
+
+def test_settings_that_are_no_table(client):
+    assert client.post("/api/run/settings", json={"values": 3}).status_code == 400
+
+
+def test_two_values_are_two_words():
+    with pytest.raises(InputError, match="2 values are needed"):
+        settings_of_form(OrientSettings, {"control_sigma": "1 2 3"}, {"photos": (), "out": "x"})
+
+
+def test_run_stop_run_again(client, studio, project, tmp_path):
+    """Stopped in the middle, the project is readable and goes on; the end is what the command makes; marks stay."""
+    photos = sorted((project.parent / "photos").glob("*.jpg"))[:4]
+    act(client, "put", image="portal_02.jpg", point="gate", x_px=800.0, y_px=600.0)
+    folder = str(project.parent / "photos")
+    names = " ".join(f"'{folder}/{p.name}'" for p in photos)
+    assert chosen(client, photos=names, precise=True, feature_count=2000).status_code == 200
+    begun = client.post("/api/run", json={}).json()["run"]
+    assert begun["outcome"] == "running"
+    assert client.post("/api/run", json={}).status_code == 409
+    assert client.post("/api/adjust", json={}).json() == {"begun": False}
+    until(client, lambda r: any(s["state"] in {"done", "kept"} for s in r["stages"]))
+    assert client.post("/api/stop", json={}).json() == {"stopping": True}
+    stopped = until(client, lambda r: r["outcome"] != "running")
+    assert stopped["outcome"] == "stopped"
+    assert "what is finished is kept" in stopped["words"]
+    kept = {s["title"] for s in stopped["stages"] if s["state"] in {"done", "kept"}}
+    opened = Project.open(project, create=False)
+    assert kept <= {r.name for r in opened.stages()}
+    opened.close()
+    assert read_result(project / "result").block.images.ids  # the one before, whole
+    before = client.get("/api/overview").json()["times"]
+    client.post("/api/run", json={})
+    done = until(client, lambda r: r["outcome"] != "running", 120)
+    assert (done["outcome"], [s["state"] for s in done["stages"]][-1]) == ("done", "done")
+    assert done["stages"][0]["title"] in kept
+    assert "4 of 4 photographs oriented" in done["words"]
+    studio.work.wait()
+    overview = client.get("/api/overview").json()
+    assert overview["times"] == before + 1
+    assert [m["point"] for m in overview["state"]["marks"]] == ["gate"]
+    assert client.get("/api/adjustments").json()["adjustments"][-1]["words"] == "oriented here"
+    orient(photos, tmp_path / "same", feature_count=2000, precise=False, report=False)
+    ours, theirs = (read_result(p / "result") for p in (project, tmp_path / "same"))
+    for name in ("sigma0", "redundancy", "observations"):
+        assert ours.result[name] == pytest.approx(theirs.result[name], rel=1e-12)
+
+
+def test_a_run_that_fails_says_what_the_command_says(client, project):
+    chosen(client, photos=str(project / "nowhere"))
+    client.post("/api/run", json={})
+    failed = until(client, lambda r: r["outcome"] != "running")
+    assert failed["outcome"] == "failed"
+    assert failed["words"].startswith("InputError: ")
+    assert "nowhere" in failed["words"]
+    assert client.get("/api/overview").status_code == 200
+
+
+def test_nothing_runs_in_a_block(client, studio, project, monkeypatch):
+    monkeypatch.setattr(studio.desk, "source", project / "result" / "block")
+    found = client.get("/api/run").json()
+    assert found["form"] is None
+    assert "nothing can be run here" in found["why"]
+    assert client.post("/api/run", json={}).status_code == 409
