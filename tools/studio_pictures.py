@@ -148,7 +148,7 @@ def stages(page: Page) -> None:
     page.keyboard.press("Tab")
     page.locator("#decide .command", has_text="12000").wait_for()
     page.click("#run-begin")
-    page.locator(".stages .at-work", has_text="features:").wait_for()
+    page.locator(".stages .at-work th", has_text="features").wait_for()
     keep(page, "run")
     page.click("#run-stop")
     page.locator(".counts", has_text="Stopped after").wait_for()
