@@ -39,8 +39,8 @@ def test_axe_finds_nothing_serious(page):  # noqa: F811
         for k in range(tabs.count()):
             tabs.nth(k).click()
             page.wait_for_timeout(300)
-            parts = page.locator("#decide-bar button:visible").all() or [tabs.nth(k)]
-            for part in parts:
+            parts = page.locator("#decide-bar button:visible").all() if (width, height) == SIZES[0] else []
+            for part in parts or [tabs.nth(k)]:
                 part.click()
                 page.wait_for_timeout(300)
                 found += [(part.inner_text(), *v) for v in serious(page)]

@@ -50,7 +50,8 @@ def test_settings_are_those_of_the_command_line(client, project, studio):
     assert answer.status_code == 200
     assert answer.json()["form"]["command"] == (
         "raybundle orient --control one.csv --control 'two b.csv' --control-sigma 0.01 0.02 --scale-bar A B 1.5 0.001 "
-        f"--scale-bar C 'D 1' 2.0 0.002 --crs EPSG:32633 --no-gps --start growing --jobs 2 --out {project} -- 'a b' c.jpg"
+        f"--scale-bar C 'D 1' 2.0 0.002 --crs EPSG:32633 --no-gps --start growing --jobs 2 --out {project} "
+        "-- 'a b' c.jpg"
     )
     assert studio.running.chosen.settings.gps is False
     fields = {f["name"]: f["value"] for f in answer.json()["form"]["fields"]}
@@ -124,6 +125,16 @@ def test_run_stop_run_again(client, studio, project, tmp_path):
     ours, theirs = (read_result(p / "result") for p in (project, tmp_path / "same"))
     for name in ("sigma0", "redundancy", "observations"):
         assert ours.result[name] == pytest.approx(theirs.result[name], rel=1e-12)
+
+
+def test_a_run_ends_with_the_studio_and_at_once_where_it_is_asked_twice(client, studio, project):
+    for end in (studio.running.close, lambda: (studio.running.stop(), studio.running.stop())):
+        assert client.post("/api/run", json={}).status_code == 200
+        end()
+        studio.running.wait()
+        assert studio.running.run.child.process.poll() is not None
+        assert client.get("/api/run").json()["run"]["outcome"] == "stopped"
+        Project.open(project).close()  # nobody holds it
 
 
 def test_a_run_that_fails_says_what_the_command_says(client, project):

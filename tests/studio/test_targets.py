@@ -45,7 +45,9 @@ def board(tmp_path_factory):
     (folder / "photos").mkdir()
     for k, tilt in enumerate(VIEWS):
         photograph(folder / "photos" / f"board_{k}.jpg", tilt)
-    calibrate(folder / "photos", folder / "calibration", target=f"chessboard-{COLUMNS}x{ROWS}", model="brown", report=False)
+    calibrate(
+        folder / "photos", folder / "calibration", target=f"chessboard-{COLUMNS}x{ROWS}", model="brown", report=False
+    )
     return folder
 
 
@@ -99,9 +101,10 @@ def test_before_the_first_adjustment_nothing_is_judged(client, studio):
     from raybundle.measuring.session import Session as Measured
 
     studio.desk.replaced(Measured.of_block(studio.desk.block, None))
-    answer = client.get("/api/calibration")
-    assert answer.status_code == 409
-    assert "no adjustment yet" in answer.json()["error"]
+    found = client.get("/api/calibration").json()
+    assert found["cameras"] == []
+    assert "Nothing is adjusted yet" in found["why"]
+    assert client.get("/figure/calibration/0.svg").status_code == 409
 
 
 def test_targets_that_are_kept_are_shown_with_what_became_of_them(calibration):
@@ -167,7 +170,9 @@ def test_a_sheet_is_made_to_be_printed(client):
     form = client.get("/api/sheet").json()
     assert form["command"].startswith("raybundle targets sheet --family aicon14 --codes 1-50 --paper A3")
     assert client.get("/sheet/sheet.pdf").status_code == 404
-    answer = client.post("/api/sheet", json={"values": {"family": "aicon14", "codes": "1-4", "count": "", "paper": "A4"}})
+    answer = client.post(
+        "/api/sheet", json={"values": {"family": "aicon14", "codes": "1-4", "count": "", "paper": "A4"}}
+    )
     assert answer.status_code == 200, answer.text
     assert sorted(answer.json()["files"]) == ["sheet.pdf", "sheet.toml"]
     pdf = client.get("/sheet/sheet.pdf")
@@ -178,7 +183,11 @@ def test_a_sheet_is_made_to_be_printed(client):
 
 @pytest.mark.parametrize(
     ("values", "words"),
-    [({"family": "aicon14"}, "give either"), ({"family": "none"}, "unknown target family"), ({"out": "/x"}, "no option")],
+    [
+        ({"family": "aicon14"}, "give either"),
+        ({"family": "none"}, "unknown target family"),
+        ({"out": "/x"}, "no option"),
+    ],
 )
 def test_a_sheet_that_cannot_be(client, values, words):
     answer = client.post("/api/sheet", json={"values": values})

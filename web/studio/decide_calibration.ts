@@ -47,10 +47,10 @@ export class DecideCalibration {
     this.told.hidden = false;
     this.told.textContent = "Judging the calibration …";
     try {
-      const { cameras } = await ask<{ cameras: Calibrated[] }>("/api/calibration");
+      const { cameras, why } = await ask<{ cameras: Calibrated[]; why: string }>("/api/calibration");
       if (turn !== this.turn) return;
-      this.told.hidden = cameras.length > 0;
-      this.told.textContent = "No camera has an interior orientation of its own that was adjusted.";
+      this.told.hidden = !why;
+      this.told.textContent = why;
       this.box.replaceChildren(...cameras.map((c) => this.camera(c)));
     } catch (error) {
       if (turn !== this.turn) return;

@@ -86,7 +86,7 @@ export class DecideRun {
     if (!run) return;
     this.bar.value = run.share;
     this.told.textContent = headline(run);
-    this.body.replaceChildren(...run.stages.map((s) => row(s, run)));
+    this.body.replaceChildren(...run.stages.map(row));
     this.words.textContent = run.words;
     this.words.classList.toggle("bad", run.outcome === "failed");
   }
@@ -101,9 +101,9 @@ function headline(run: Run): string {
 
 const WORDS: Record<RunStage["state"], string> = { waiting: "waiting", "at work": "at work", done: "done", kept: "kept from before", "not needed": "not needed" };
 
-const row = (s: RunStage, run: Run): HTMLElement =>
+const row = (s: RunStage): HTMLElement =>
   h("tr", { class: s.state.replace(" ", "-") }, h("th", { scope: "row" }, s.title),
-    h("td", { class: "l" }, s.state === "at work" ? `${WORDS[s.state]}: ${run.step}` : WORDS[s.state]), h("td", {}, s.seconds === null ? "–" : time(s.seconds)), h("td", { class: "l" }, s.summary));
+    h("td", { class: "l" }, WORDS[s.state]), h("td", {}, s.seconds === null ? "–" : time(s.seconds)), h("td", { class: "l" }, s.summary));
 
 /** Seconds as people say them. */
 function time(seconds: number): string {

@@ -11,6 +11,7 @@ export class Status {
   private readonly undo = element<HTMLButtonElement>("undo");
   private readonly redo = element<HTMLButtonElement>("redo");
   private readonly adjust = element<HTMLButtonElement>("adjust");
+  private outcome: Run["outcome"] | "" = "";
   private readonly progress = element<HTMLProgressElement>("progress");
 
   constructor(private readonly model: Model, measuring: Measuring) {
@@ -97,7 +98,8 @@ export class Status {
   }
 
   private ran(run: Run): void {
-    const before = this.model.run?.outcome;
+    const before = this.outcome;
+    this.outcome = run.outcome;
     this.model.run = run;
     const goes = run.outcome === "running";
     element("work").hidden = !goes;

@@ -48,20 +48,25 @@ class Calibrations:
     _lock: threading.Lock = field(default_factory=threading.Lock)
 
     def told(self) -> dict[str, Any]:
-        """The cameras with their verdicts, parameters and numbers of figures; raises InputError without adjustment."""
-        return {"cameras": self._made().cameras}
+        """The cameras with their verdicts, parameters and numbers of figures, or why there are none."""
+        drawn = self._made()
+        if drawn is None:
+            return {"cameras": [], "why": "Nothing is adjusted yet; wait until it is done."}
+        why = "" if drawn.cameras else "No camera has an interior orientation of its own that was adjusted."
+        return {"cameras": drawn.cameras, "why": why}
 
     def figure(self, number: int) -> str:
         """A figure as an SVG document; raises InputError where it is not there."""
-        figures = self._made().figures
+        drawn = self._made()
+        figures = [] if drawn is None else drawn.figures
         if not 0 <= number < len(figures):
             raise InputError(f"there is no figure {number}; there are {len(figures)}")
         return figures[number]
 
-    def _made(self) -> Drawn:
+    def _made(self) -> Drawn | None:
         a = self.desk.adjustment
         if a is None:
-            raise InputError("there is no adjustment yet; wait until it is done")
+            return None
         with self._lock:
             if self._drawn is None or self._drawn.adjustment is not a:
                 self._drawn = _drawn(a, self._stored())

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from scipy.spatial import cKDTree
+from scipy.spatial import KDTree
 
 from raybundle.errors import InputError, RaybundleError
 from raybundle.io.photos.photo import Photo, read_grey
@@ -193,10 +193,10 @@ def _fates(desk: Desk, image: str, names: Sequence[str], xy: Array) -> tuple[lis
     bare = [i for i, n in enumerate(called) if not n]
     if bare and len(rows):
         places = to_file(block, k, block.observations.xy_px[rows])
-        far, nearest = cKDTree(places).query(xy[bare])
-        for i, d, r in zip(bare, far, nearest, strict=True):
+        far, nearest = KDTree(places).query(xy[bare])
+        for i, d, r in zip(bare, np.atleast_1d(far).tolist(), np.atleast_1d(nearest).tolist(), strict=True):
             if d < NEAR_PX:
-                called[i] = points[int(r)]
+                called[i] = points[r]
     fates = [UNNAMED if not n else APART if n not in at else USED if at[n] else REJECTED for n in called]
     return called, fates
 
@@ -206,7 +206,7 @@ def _rows(desk: Desk, image: str, sets: Sets) -> list[dict[str, Any]]:
     names, xy, covariance, C = _joined(sets)
     called, fates = _fates(desk, image, names, xy)
     s = numbers(np.sqrt((covariance[:, 0, 0] + covariance[:, 1, 1]) / 2))
-    round_ = np.isfinite(C).all(axis=(1, 2))
+    round_: Mask = np.asarray(np.isfinite(C).all(axis=(1, 2)))
     axes, directions = np.linalg.eigh(np.where(round_[:, None, None], C, np.eye(2)))
     found: list[dict[str, Any]] = []
     for i, name in enumerate(called):

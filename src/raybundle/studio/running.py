@@ -18,6 +18,8 @@ from raybundle.studio.work import Work
 
 EVERY_S = 0.25
 """Seconds between two messages of progress."""
+BEAT_S = 1.0
+"""Seconds after which stages are told anew where there is no progress."""
 
 
 @dataclass(slots=True)
@@ -42,7 +44,7 @@ class Run:
         """As the page shows it."""
         now = time.time() if self.ended is None else self.ended
         spent = now - self.step_began
-        left = spent * (1 - self.share) / self.share if self.share > 0 and self.outcome == "running" else None
+        left = spent * (1 - self.share) / self.share if 0 < self.share < 1 and self.outcome == "running" else None
         return {
             "name": self.what.name, "command": self.what.command, "outcome": self.outcome, "words": self.words,
             "seconds": now - self.began, "step": self.step, "share": self.share, "left_s": left,
@@ -155,7 +157,12 @@ class Running:
             if time.time() - self._told > EVERY_S:
                 self._tell(run)
 
+        over = threading.Event()
+        beat = threading.Thread(target=self._beat, args=(run, over), daemon=True)
+        beat.start()
         status, printed = run.child.follow(progress)
+        over.set()
+        beat.join()
         run.ended = time.time()
         said = "\n".join(run.child.told)
         if run.child.asked and status:
@@ -166,6 +173,12 @@ class Running:
         else:
             run.outcome, run.words = "failed", said or f"the command ended with status {status}"
         self._tell(run)
+
+    def _beat(self, run: Run, over: threading.Event) -> None:
+        """Tell of the stages where the command itself says nothing for a while."""
+        while not over.wait(BEAT_S):
+            if time.time() - self._told > BEAT_S:
+                self._tell(run)
 
     def _read_anew(self, run: Run) -> None:
         """Go on with the new result."""

@@ -107,7 +107,10 @@ class Work:
             result = own_result(self.desk.source)
             if result is not None:
                 self.shelf.put(result, command, words)
-        self.begin(measured=False)
+        if self.desk.to_begin:
+            self.soon()
+        else:
+            self.begin(measured=False)
 
     def wait(self) -> None:
         """Until nothing is being adjusted."""
