@@ -99,8 +99,10 @@ class Detecting:
 
     def wait(self) -> None:
         """Until nothing is sought."""
-        if self._thread is not None:
-            self._thread.join()
+        with self._lock:  # whoever begins holds it until what it began can be waited for
+            thread = self._thread
+        if thread is not None:
+            thread.join()
 
     def _work(self) -> None:
         done, trouble = list[str](), ""

@@ -146,8 +146,10 @@ class Running:
 
     def wait(self) -> None:
         """Until nothing runs."""
-        if self._thread is not None:
-            self._thread.join()
+        with self._lock:  # whoever begins holds it until what it began can be waited for
+            thread = self._thread
+        if thread is not None:
+            thread.join()
 
     def _follow(self, run: Run) -> None:
         def progress(step: str, share: float) -> None:

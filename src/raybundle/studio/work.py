@@ -114,10 +114,14 @@ class Work:
 
     def wait(self) -> None:
         """Until nothing is being adjusted."""
-        if self._timer is not None:
-            self._timer.join()
-        if self._thread is not None:
-            self._thread.join()
+        with self._lock:  # whoever begins holds it until what it began can be waited for
+            timer = self._timer
+        if timer is not None:
+            timer.join()
+        with self._lock:
+            thread = self._thread
+        if thread is not None:
+            thread.join()
 
     def _run(self, target: Callable[[], str], seq: int) -> None:
         folder, trouble = "", ""
