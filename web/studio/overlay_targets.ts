@@ -5,9 +5,12 @@ import { Fate, TargetsOf } from "./types";
 import { View } from "./view";
 
 type Pen = CanvasRenderingContext2D;
+type Target = TargetsOf["rows"][number];
 type Box = [left: number, top: number, width: number, height: number];
 const FULL = 2 * Math.PI;
 const MOST_LABELS = 400;
+/** Semi-axis of the smallest ones on the screen. */
+const LEAST = 5;
 export const FATES: [Fate, string, string, string][] = [
   ["used", COLOUR.used, "◯", "target used"], ["rejected", COLOUR.rejected, "⊗", "target rejected"],
   ["not in the block", COLOUR.check, "◌", "target not in the block"], ["unidentified", COLOUR.weak, "◍", "dot without a name"],
@@ -20,24 +23,31 @@ export function drawTargets(pen: Pen, view: View, shown: TargetsOf): void {
     const [u, v] = view.toScreen(t.x, t.y);
     return u > -40 && v > -40 && u < view.width + 40 && v < view.height + 40;
   });
+  for (const [fate, colour] of FATES) for (const t of seen.filter((s) => s.fate === fate)) drawTarget(pen, view, t, colour, turned);
   const labels: Box[] = [];
   for (const [fate, colour] of FATES)
     for (const t of seen.filter((s) => s.fate === fate)) {
       const [u, v] = view.toScreen(t.x, t.y);
-      const a = Math.max((t.ellipse?.a ?? 0) * view.scale, 5);
-      const b = t.ellipse ? Math.max(t.ellipse.b * view.scale, (5 * t.ellipse.b) / t.ellipse.a) : a;
-      pen.setLineDash(DASH[fate]);
-      pen.beginPath();
-      if (t.ellipse) pen.ellipse(u, v, a, b, (t.ellipse.angle_deg * Math.PI) / 180 + turned, 0, FULL);
-      else pen.rect(u - a, v - a, 2 * a, 2 * a);
-      twice(pen, colour, 1.8);
-      pen.setLineDash([]);
-      if (fate === "rejected") cross(pen, u, v, Math.max(a, 7), colour);
-      if (view.scale > 1) cross(pen, u, v, 3, colour);
       const precise = view.scale > 1.5 && t.s !== null ? ` ± ${t.s.toFixed(3)} px` : "";
       const words = `${t.name}${precise}`;
-      if (words && labels.length < MOST_LABELS && free(labels, [u + a + 4, v - 8, 8 * words.length, 16])) label(pen, words, u + a + 4, v, colour);
+      const up = semiAxis(t, view) + 9; // above its target, where no other one of its row stands
+      if (words && labels.length < MOST_LABELS && free(labels, [u - 5, v - up - 7, 7.6 * words.length, 14])) label(pen, words, u - 5, v - up, colour);
     }
+}
+
+const semiAxis = (t: Target, view: View): number => Math.max((t.ellipse?.a ?? 0) * view.scale, LEAST);
+
+function drawTarget(pen: Pen, view: View, t: Target, colour: string, turned: number): void {
+  const [u, v] = view.toScreen(t.x, t.y);
+  const a = semiAxis(t, view);
+  pen.setLineDash(DASH[t.fate]);
+  pen.beginPath();
+  if (t.ellipse) pen.ellipse(u, v, a, (a * t.ellipse.b) / t.ellipse.a, (t.ellipse.angle_deg * Math.PI) / 180 + turned, 0, FULL);
+  else pen.rect(u - a, v - a, 2 * a, 2 * a);
+  twice(pen, colour, 1.8);
+  pen.setLineDash([]);
+  if (t.fate === "rejected") cross(pen, u, v, a + 3, colour);
+  else if (view.scale > 1) cross(pen, u, v, 3, colour);
 }
 
 /** Whether a label lies over none of those that are there; it is then one of them. */
