@@ -9,7 +9,7 @@ import { Pane, Stage } from "./pane";
 const LEGEND: [string, string, string][] = [
   ["used", "○", "used"], ["weak", "□", "fewer than 3 rays"], ["rejected", "✕", "rejected"],
   ["control", "△", "control"], ["check", "◇", "check"], ["mark", "✛", "marked by hand"], ["predicted", "◌", "predicted, 1 and 3 sigma"],
-  ["beyond", "◯", "beyond the limit"],
+  ["beyond", "◯", "beyond the limit"], ["masked", "▨", "masked"],
 ];
 
 export class ImageStage implements Stage {
@@ -24,7 +24,7 @@ export class ImageStage implements Stage {
     element("image-legend").append(...LEGEND.map(([name, sign, words]) => {
       const dot = h("span", { class: "sign", "aria-hidden": "true" }, sign);
       dot.style.color = COLOUR[name as keyof typeof COLOUR];
-      return h("li", { id: `legend-${name}`, hidden: name === "beyond" }, dot, words);
+      return h("li", { id: `legend-${name}`, hidden: name === "beyond" || name === "masked" }, dot, words);
     }));
     model.on(["looks", "state", "prediction", "current", "fiducial"], () => this.panes.forEach((p) => p.redraw()));
     beyond.onchange(() => {
@@ -33,6 +33,7 @@ export class ImageStage implements Stage {
     });
     model.on("observations", () => this.panes.forEach((p) => void p.read()));
     model.on("overview", () => this.begin());
+    model.on(["overview", "state"], () => (element("legend-masked").hidden = !model.state.masks.length && !model.overview.masks_given));
   }
 
   private bar(): HTMLElement[] {
