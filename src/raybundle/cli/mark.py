@@ -12,7 +12,7 @@ import click
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import ROLES
 from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FILE_OR_FOLDER, NEW_FOLDER, common_options
-from raybundle.cli.marking import command, do, verb, words
+from raybundle.cli.marking import command, do, subcommand, words
 from raybundle.cli.marking_areas import control, mask, unmask
 from raybundle.cli.marks_shown import shown
 from raybundle.cli.numbers import NUMBER, PIXELS, POSITIVE, Number
@@ -41,8 +41,10 @@ PERHAPS, PERHAPS_SIGMA = PerhapsNumber(), PerhapsNumber(0)
 Covariance = tuple[float, float, float]
 
 
-def _place(folder: Path, name: str, author: str, sigma: float, covariance: Covariance | None, **given: Any) -> None:
-    do(folder, name, author, covariance=covariance or (sigma**2, sigma**2, 0.0), **given)
+def _place(
+    folder: Path, verb: str, author: str, sigma: float, covariance: Covariance | None, /, **given: Any
+) -> None:
+    do(folder, verb, author, covariance=covariance or (sigma**2, sigma**2, 0.0), **given)
 
 
 def _precision(usual: float) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
@@ -82,7 +84,7 @@ def begin_(photos: tuple[Path, ...], out: Path | None, progress: str, **given: A
     click.echo(f" project: {project}")
 
 
-@verb("put")
+@subcommand("put")
 @click.argument("image")
 @click.argument("point")
 @click.argument("x_px", type=NUMBER, metavar="X")
@@ -101,7 +103,7 @@ def put(
     _place(folder, "put", author, sigma, covariance, image=image, point=point, x_px=x_px, y_px=y_px)
 
 
-@verb("move")
+@subcommand("move")
 @click.argument("image")
 @click.argument("point")
 @click.argument("x_px", type=NUMBER, metavar="X")
@@ -120,7 +122,7 @@ def move(
     _place(folder, "move", author, sigma, covariance, image=image, point=point, x_px=x_px, y_px=y_px)
 
 
-@verb("remove")
+@subcommand("remove")
 @click.argument("image")
 @click.argument("point")
 def remove(folder: Path, image: str, point: str, author: str) -> None:
@@ -133,7 +135,7 @@ def remove(folder: Path, image: str, point: str, author: str) -> None:
     do(folder, "remove", author, image=image, point=point)
 
 
-@verb("point")
+@subcommand("point")
 @click.argument("point")
 @click.option("--role", type=click.Choice(list(ROLES)), default="tie", show_default=True)
 @click.option("--coordinates", type=(PERHAPS,) * 3, metavar="X Y Z", help="Given coordinates; - for one not known.")
@@ -153,7 +155,7 @@ def point_(
     do(folder, "point", author, point=point, role=role, xyz=xyz, sigma=s)
 
 
-@verb("rename")
+@subcommand("rename")
 @click.argument("point")
 @click.argument("to")
 def rename(folder: Path, point: str, to: str, author: str) -> None:
@@ -166,7 +168,7 @@ def rename(folder: Path, point: str, to: str, author: str) -> None:
     do(folder, "rename", author, point=point, to=to)
 
 
-@verb("forget")
+@subcommand("forget")
 @click.argument("point")
 def forget(folder: Path, point: str, author: str) -> None:
     """Take away all that was measured of a point, and the bars and lines that name it.
@@ -178,7 +180,7 @@ def forget(folder: Path, point: str, author: str) -> None:
     do(folder, "forget", author, point=point)
 
 
-@verb("bar")
+@subcommand("bar")
 @click.argument("start", metavar="A")
 @click.argument("end", metavar="B")
 @click.argument("length", type=POSITIVE)
@@ -193,7 +195,7 @@ def bar(folder: Path, start: str, end: str, length: float, sigma: float, author:
     do(folder, "bar", author, start=start, end=end, length=length, sigma=sigma)
 
 
-@verb("unbar")
+@subcommand("unbar")
 @click.argument("start", metavar="A")
 @click.argument("end", metavar="B")
 def unbar(folder: Path, start: str, end: str, author: str) -> None:
@@ -206,7 +208,7 @@ def unbar(folder: Path, start: str, end: str, author: str) -> None:
     do(folder, "unbar", author, start=start, end=end)
 
 
-@verb("line")
+@subcommand("line")
 @click.argument("line")
 @click.argument("points", nargs=-1, metavar="POINT...")
 @click.option("--plumb", is_flag=True, help="A plumb line.")
@@ -221,7 +223,7 @@ def line_(folder: Path, line: str, points: tuple[str, ...], plumb: bool, sigma: 
     do(folder, "line", author, line=line, points=points, kind="plumb" if plumb else "straight", sigma=sigma)
 
 
-@verb("datum")
+@subcommand("datum")
 @click.argument("names", nargs=-1, metavar="[ORIGIN AXIS PLANE]")
 def datum(folder: Path, names: tuple[str, ...], author: str) -> None:
     """The coordinate system by three points; without any: as the block has it.
@@ -235,7 +237,7 @@ def datum(folder: Path, names: tuple[str, ...], author: str) -> None:
     do(folder, "datum", author, **dict(zip(("origin", "axis", "plane"), names, strict=False)))
 
 
-@verb("reject")
+@subcommand("reject")
 @click.argument("image", required=False)
 @click.argument("point", required=False)
 @options_of(RejectSettings)
@@ -258,7 +260,7 @@ def reject(folder: Path, image: str | None, point: str | None, author: str, **li
         do(folder, "reject", author, image=image, point=point)
 
 
-@verb("accept")
+@subcommand("accept")
 @click.argument("image")
 @click.argument("point")
 def accept(folder: Path, image: str, point: str, author: str) -> None:
@@ -271,7 +273,7 @@ def accept(folder: Path, image: str, point: str, author: str) -> None:
     do(folder, "accept", author, image=image, point=point)
 
 
-@verb("parameter")
+@subcommand("parameter")
 @click.argument("camera")
 @click.argument("symbol")
 @click.argument("choice", type=click.Choice(["free", "held", "auto"]))
@@ -285,7 +287,7 @@ def parameter(folder: Path, camera: str, symbol: str, choice: str, author: str) 
     do(folder, "parameter", author, camera=camera, symbol=symbol, choice=choice)
 
 
-@verb("fiducial")
+@subcommand("fiducial")
 @click.argument("image")
 @click.argument("name")
 @click.argument("x_px", type=NUMBER, metavar="[X]", required=False)
@@ -304,7 +306,7 @@ def fiducial(
     _place(folder, "fiducial", author, sigma, covariance, image=image, name=name, x_px=x_px, y_px=y_px)
 
 
-@verb("undo")
+@subcommand("undo")
 def undo(folder: Path, author: str) -> None:
     """Take the last action back.
 
@@ -315,7 +317,7 @@ def undo(folder: Path, author: str) -> None:
     do(folder, "undo", author)
 
 
-@verb("redo")
+@subcommand("redo")
 def redo(folder: Path, author: str) -> None:
     """Do again what was taken back.
 

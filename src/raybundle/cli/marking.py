@@ -35,7 +35,7 @@ def _author(function: Callable[..., Any]) -> Callable[..., Any]:
     return click.option("--author", default="", metavar="TEXT", help="Who does it, for the journal.")(function)
 
 
-def verb(name: str) -> Callable[[Callable[..., Any]], click.Command]:
+def subcommand(name: str) -> Callable[[Callable[..., Any]], click.Command]:
     """A subcommand that is one action on a folder."""
 
     def made(function: Callable[..., Any]) -> click.Command:
@@ -45,16 +45,16 @@ def verb(name: str) -> Callable[[Callable[..., Any]], click.Command]:
     return made
 
 
-def do(folder: Path, name: str, author: str, **arguments: Any) -> None:
+def do(folder: Path, verb: str, author: str, /, **arguments: Any) -> None:
     """Do an action of a verb, and say its number; a folder of photographs has its project begun."""
     from raybundle.commands.begin import measuring_folder, standing_folder  # noqa: PLC0415  (loaded after the help)
     from raybundle.commands.measure import mark  # noqa: PLC0415
 
     if standing_folder(folder) is None:
         click.echo(f" project: {measuring_folder(folder, told=lambda line: click.echo(f'   {line}'))}")
-    seq = mark(folder, name, author=author, **arguments)
-    told = _moved(folder, seq) if name in {"undo", "redo"} else ""
-    click.echo(f" action {seq}: {name}{told}")
+    seq = mark(folder, verb, author=author, **arguments)
+    told = _moved(folder, seq) if verb in {"undo", "redo"} else ""
+    click.echo(f" action {seq}: {verb}{told}")
 
 
 def _moved(folder: Path, seq: int) -> str:

@@ -6,12 +6,12 @@ from pathlib import Path
 
 import click
 
-from raybundle.cli.marking import do, verb
+from raybundle.cli.marking import do, subcommand
 from raybundle.errors import InputError
 from raybundle.io.reading.words import number_of, quoted
 
 
-@verb("control")
+@subcommand("control")
 @click.argument("file", metavar="TABLE.csv")
 def control(folder: Path, file: str, author: str) -> None:
     """Give all points of a table their coordinates, as one action: point,X,Y,Z and, if known, sX,sY,sZ,role.
@@ -25,7 +25,7 @@ def control(folder: Path, file: str, author: str) -> None:
     do(folder, "control", author, file=file)
 
 
-@verb("mask")
+@subcommand("mask")
 @click.argument("mask", metavar="NAME")
 @click.argument("image")
 @click.option(
@@ -46,7 +46,7 @@ def mask(folder: Path, mask: str, image: str, polygon: str, camera: bool, author
     do(folder, "mask", author, mask=mask, image=image, polygon=_corners(polygon), camera=camera)
 
 
-@verb("unmask")
+@subcommand("unmask")
 @click.argument("mask", metavar="NAME")
 def unmask(folder: Path, mask: str, author: str) -> None:
     """Take a drawn mask away.

@@ -14,8 +14,8 @@ LONGEST = 200
 """Characters of a name."""
 LARGEST = 1e12
 """Size of a length or coordinate, as on the command line."""
-FARTHEST = 1e9
-"""Size of a coordinate: in metres beyond the Moon, and of double precision a tenth of a micrometre is left."""
+FARTHEST = 1e11
+"""Size of a coordinate: more than the Earth's radius in millimetres; of double precision 15 um are left there."""
 WIDEST_PX = 1e5
 """Standard deviation of a mark: no format is wider."""
 
