@@ -39,7 +39,7 @@ def test_masks_are_told_of_each_image(client, desk):
     a, b = desk.given.images.ids[:2]
     done = act(client, "mask", "m1", mask="tree", image=a, polygon=SQUARE)
     assert done.status_code == 200
-    assert "--polygon '10.0,20.0 300.0,20.0" in done.json()["command"]
+    assert "--polygon '10,20 300,20" in done.json()["command"]
     assert act(client, "mask", "m2", mask="bonnet", image=a, polygon=SQUARE, camera=True).status_code == 200
     areas = {i: [x["mask"] for x in client.get("/api/masks", params={"image": i}).json()["areas"]] for i in (a, b)}
     assert areas == {a: ["tree", "bonnet"], b: ["bonnet"]}

@@ -36,9 +36,10 @@ export class Lines {
       this.add();
     });
     const form = h("form", {},
-      h("div", { class: "row" }, this.name, this.kind, this.sigma),
+      h("div", { class: "row" }, this.name),
+      h("div", { class: "row" }, this.kind, this.sigma),
       h("div", { class: "row" }, point, names, button("Add", "Add the point that is named, or the current one", () => this.add())),
-      h("label", { class: "row", title: "A point that is chosen in a photograph, in space or in a list is the next one of the line" }, this.follow, "add each point that is chosen"),
+      h("label", { class: "check", title: "A point that is chosen in a photograph, in space or in a list is the next one of the line" }, this.follow, "add each point that is chosen"),
       this.picked,
       h("div", { class: "row" }, h("button", { type: "submit", id: "line-give" }, "Give"), button("Clear", "No points", () => this.pick([]))));
     form.addEventListener("submit", (event) => {
@@ -92,7 +93,7 @@ export class Lines {
   }
 }
 
-const AXES = [["origin", "origin"], ["axis", "on the X axis"], ["plane", "in the XY plane"]] as const;
+const AXES = [["origin", "origin"], ["axis", "point on the X axis"], ["plane", "point in the XY plane"]] as const;
 
 export class Datum {
   private readonly inputs: HTMLInputElement[];
@@ -100,9 +101,9 @@ export class Datum {
   private readonly away = button("Take away", "The coordinate system as the block has it", () => void this.model.act("datum", {}, "coordinate system as the block has it"));
 
   constructor(private readonly model: Model) {
-    const fields = AXES.map(([name, words]) => pointField(`datum-${name}`, `${words} point`));
+    const fields = AXES.map(([name, words]) => pointField(`datum-${name}`, words));
     this.inputs = fields.map(([input]) => input);
-    const here = (input: HTMLInputElement, words: string) => button("⇤", `The current point is the ${words} point`, () => (input.value = model.current));
+    const here = (input: HTMLInputElement, words: string) => button("⇤", `The current point is the ${words}`, () => (input.value = model.current));
     const form = h("form", {}, this.about,
       ...fields.map(([input, names], k) => h("div", { class: "row" }, input, names, here(input, AXES[k][1]))),
       h("div", { class: "row" }, h("button", { type: "submit", id: "datum-give" }, "Give"), this.away));

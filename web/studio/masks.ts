@@ -16,14 +16,14 @@ export class Masks {
   private readonly about = h("p", { class: "note", "aria-live": "polite" });
   private readonly begin = button("Draw an area", "Click its corners in a photograph, or bring the cross hair there and press Enter", () => this.draw());
   private readonly give = h("button", { type: "submit", id: "mask-give", class: "main" }, "Exclude this area");
-  private readonly last = button("Last corner back", "Take the last corner away (Delete)", () => drawing.removeLast());
+  private readonly last = button("Back", "Take the last corner away (Delete)", () => drawing.removeLast());
   private readonly form: HTMLFormElement;
 
   constructor(private readonly model: Model, private readonly toPhoto: (image: string) => void) {
     this.form = h("form", { hidden: true },
       h("div", { class: "row" }, this.name),
-      h("label", { class: "row" }, this.camera, "in all photographs of the camera"),
-      h("div", { class: "row" }, this.give, this.last, button("Cancel", "Draw no mask (Esc)", () => drawing.end())));
+      h("label", { class: "check" }, this.camera, "in all photographs of the camera"),
+      h("div", { class: "row" }, this.last, button("Cancel", "Draw no mask (Esc)", () => drawing.end()), this.give));
     this.form.addEventListener("submit", (event) => {
       event.preventDefault();
       void this.exclude();
@@ -45,6 +45,7 @@ export class Masks {
     this.camera.checked = false;
     drawing.begin();
     this.toPhoto("");
+    this.form.scrollIntoView({ block: "nearest" });
   }
 
   private edit(mask: Drawn): void {
@@ -52,6 +53,7 @@ export class Masks {
     this.camera.checked = mask.camera;
     drawing.begin(mask.image, mask.polygon.map(([x, y]): Corner => [x, y]));
     this.toPhoto(mask.image);
+    this.form.scrollIntoView({ block: "nearest" });
   }
 
   private async exclude(): Promise<void> {

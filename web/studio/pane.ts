@@ -310,8 +310,9 @@ export class Pane {
 
   /** A place of the pane in the file, or the nearest one within the format: a mask may reach to its edge. */
   private clamped(u: number, v: number): [number, number] {
+    const within = (value: number, most: number) => Math.round(100 * Math.min(Math.max(value, 0), most)) / 100;
     const [x, y] = this.view.toImage(u, v);
-    return [Math.min(Math.max(x, 0), this.picture.width), Math.min(Math.max(y, 0), this.picture.height)];
+    return [within(x, this.picture.width), within(y, this.picture.height)];
   }
 
   private left(): void {

@@ -50,8 +50,13 @@ def _beyond(folder: str, a: Mapping[str, Any]) -> list[str]:
     return _given(folder, [f"--{a['quantity']}", repr(float(a["limit"]))])
 
 
+def _short(value: float) -> str:
+    """A number without the decimals of a whole one."""
+    return repr(float(value)).removesuffix(".0")
+
+
 def _mask(folder: str, a: Mapping[str, Any]) -> list[str]:
-    corners = " ".join(f"{float(x)!r},{float(y)!r}" for x, y in a["polygon"])
+    corners = " ".join(f"{_short(x)},{_short(y)}" for x, y in a["polygon"])
     return _given(folder, ["--polygon", corners, *(["--camera"] if a["camera"] else [])], a["mask"], a["image"])
 
 
