@@ -15,6 +15,11 @@ from raybundle.measuring.selection import latest_figures, selected
 from raybundle.measuring.state import State
 from raybundle.studio.verbs import command_of
 
+ROWS = [
+    {"point": "G1", "role": "control", "xyz": [1.5, -2.0, 3.0], "sigma": [0.01, 0.0, 0.02]},
+    {"point": "G2", "role": "check", "xyz": [4.0, 5.0, None], "sigma": [0.01, 0.01, None]},
+]
+TABLE = "point,X,Y,Z,sX,sY,sZ,role\nG1,1.5,-2,3,0.01,0,0.02,control\nG2,4,5,,0.01,0.01,,check\n"
 LIMITS = {"w": 2.25, "sigma": 0.0123, "rays": 2.5, "redundancy": 0.05}
 
 
@@ -25,7 +30,9 @@ def beyond(project, quantity, limit):
     return {"quantity": quantity, "limit": limit, "rows": rows}
 
 
-def test_the_commands_of_a_journal_make_the_same_state(project, tmp_path):
+def test_the_commands_of_a_journal_make_the_same_state(project, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "given 1.csv").write_text(TABLE)
     block = read_block(project / "result" / "block")
     a, b = block.images.ids[:2]
     o = block.observations
@@ -55,6 +62,11 @@ def test_the_commands_of_a_journal_make_the_same_state(project, tmp_path):
         ("fiducial", {"image": a, "name": "F1", "x_px": 7.25, "y_px": 8.5, "covariance": [0.04, 0.01, 0.0]}),
         ("fiducial", {"image": a, "name": "F2", "x_px": 7.25, "y_px": 80.5}),
         ("fiducial", {"image": a, "name": "F2"}),
+        ("control", {"file": "given 1.csv", "points": ROWS}),
+        ("mask", {"mask": "tree", "image": a, "polygon": [[0.5, 0], [90.25, 0], [90, 70.125]]}),
+        ("mask", {"mask": "-bonnet", "image": b, "polygon": [[0, 9], [9, 0], [9, 9]], "camera": True}),
+        ("mask", {"mask": "sky", "image": b, "polygon": [[0, 9], [9, 0], [9, 9], [1, 9]]}),
+        ("unmask", {"mask": "sky"}),
         ("remove", {"image": b, "point": "even"}),
         ("forget", {"point": "free"}),
         ("undo", {}),

@@ -30,8 +30,8 @@ export class Actions {
   }
 
   /** A table of control coordinates. */
-  control(text: string): Promise<ActionAnswer & { added: string[]; remarks: string[] }> {
-    return this.put("/api/control", { text }) as Promise<ActionAnswer & { added: string[]; remarks: string[] }>;
+  control(file: string, text: string): Promise<ActionAnswer & { added: string[]; remarks: string[] }> {
+    return this.put("/api/control", { file, text }) as Promise<ActionAnswer & { added: string[]; remarks: string[] }>;
   }
 
   /** All image observations beyond a limit: one action. */

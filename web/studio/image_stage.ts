@@ -11,7 +11,7 @@ import { targetLayer } from "./target_layer";
 const LEGEND: [string, string, string][] = [
   ["used", "○", "used"], ["weak", "□", "fewer than 3 rays"], ["rejected", "✕", "rejected"],
   ["control", "△", "control"], ["check", "◇", "check"], ["mark", "✛", "marked by hand"], ["predicted", "◌", "predicted, 1 and 3 sigma"],
-  ["beyond", "◯", "beyond the limit"],
+  ["beyond", "◯", "beyond the limit"], ["masked", "▨", "masked"],
 ];
 
 export class ImageStage implements Stage {
@@ -27,7 +27,7 @@ export class ImageStage implements Stage {
     element("image-legend").append(...LEGEND.map(([name, sign, words]) => {
       const dot = h("span", { class: "sign", "aria-hidden": "true" }, sign);
       dot.style.color = COLOUR[name as keyof typeof COLOUR];
-      return h("li", { id: `legend-${name}`, hidden: name === "beyond" }, dot, words);
+      return h("li", { id: `legend-${name}`, hidden: name === "beyond" || name === "masked" }, dot, words);
     }));
     model.on(["looks", "state", "prediction", "current", "fiducial"], () => this.panes.forEach((p) => p.redraw()));
     beyond.onchange(() => {
@@ -50,6 +50,7 @@ export class ImageStage implements Stage {
     model.on("read", () => targetLayer.forget());
     model.on("observations", () => this.panes.forEach((p) => void p.read()));
     model.on("overview", () => this.begin());
+    model.on(["overview", "state"], () => (element("legend-masked").hidden = !model.state.masks.length && !model.overview.masks_given));
   }
 
   private bar(): HTMLElement[] {

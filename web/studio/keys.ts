@@ -17,6 +17,7 @@ const TOLD: [string, [string, string][]][] = [
     ["Arrow keys", "move the cross hair; with Ctrl 1 px"], ["Enter", "mark the current point at the cross hair"],
     ["Shift and arrows", "move the mark of the current point by 0.1 px; with Alt 0.01 px"], ["Delete", "remove the mark"],
     ["P", "choose the image point here"], ["X", "reject the image observation here, or accept it again"],
+    ["Enter, Delete, Esc", "while a mask is drawn: one corner more at the cross hair, the last one back, no mask"],
     ["+  -", "zoom"], ["0", "whole photograph"], ["1", "pixel by pixel"], ["R", "turn"],
   ]],
   ["By mouse", [

@@ -5,16 +5,16 @@ import { Model } from "./model";
 import { count, short, withUnit } from "./numbers";
 import { Page, PointRow, Role, Three } from "./types";
 
-const field = (id: string, words: string, more: Record<string, string> = {}) =>
+export const field = (id: string, words: string, more: Record<string, string> = {}) =>
   h("input", { id, "aria-label": words, placeholder: words, autocomplete: "off", spellcheck: "false", ...more });
 
 /** A number as people write it; NaN for what is none, null for nothing. */
-function number(input: HTMLInputElement): number | null {
+export function number(input: HTMLInputElement): number | null {
   const text = input.value.trim().replace(",", ".");
   return text ? Number(text) : null;
 }
 
-function need(model: Model, input: HTMLInputElement, value: number | null): value is number {
+export function need(model: Model, input: HTMLInputElement, value: number | null): value is number {
   if (value !== null && Number.isFinite(value)) return true;
   model.say(`${input.getAttribute("aria-label")}: give a number.`, "bad");
   input.focus();
@@ -89,8 +89,7 @@ export class Control {
     const file = h("input", { type: "file", id: "control-file", accept: ".csv,.txt,text/csv", "aria-label": "Table of control coordinates" });
     file.addEventListener("change", () => void (file.files?.[0] && this.drop(file.files[0]).then(() => (file.value = ""))));
     const form = h("form", {}, this.whose,
-      h("div", { class: "row" }, this.role, button("Forget", "Take away all that was measured of the current point", () => this.forgetPoint()),
-        h("button", { type: "submit", id: "control-give" }, "Give")),
+      h("div", { class: "row" }, this.role, h("button", { type: "submit", id: "control-give" }, "Give")),
       h("div", { class: "row three" }, ...this.xyz), h("div", { class: "row three" }, ...this.sigma),
       h("p", { class: "note" }, "A table point,X,Y,Z,sX,sY,sZ may be dropped anywhere on this window."), file);
     form.addEventListener("submit", (event) => {
@@ -122,7 +121,8 @@ export class Control {
   private async drop(file: File): Promise<void> {
     if (file.size > 4e6) return this.model.say(`${file.name} is too large for a table of control coordinates.`, "bad");
     try {
-      const answer = await this.model.actions.control(await file.text());
+      const answer = await this.model.actions.control(file.name, await file.text());
+      this.model.command = answer.command;
       this.model.take(answer.state);
       this.model.say([`${count(answer.added.length, "control point")} from ${file.name}`, ...answer.remarks].join("; "), "good");
     } catch (error) {
@@ -140,12 +140,6 @@ export class Control {
     }
     const role = this.role.value as Role;
     await model.act("point", { point: model.current, role, xyz, sigma }, `${model.current}: ${role}`);
-  }
-
-  private forgetPoint(): void {
-    const { model } = this;
-    if (!model.current) return model.say("No point is chosen.", "bad");
-    void model.act("forget", { point: model.current }, `${model.current} forgotten, with its marks`);
   }
 
   private fields(role: Role, xyz: Three, sigma: Three): void {

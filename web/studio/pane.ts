@@ -1,5 +1,7 @@
 // One photograph in its pane: drawn, moved, measured in.
 import { button, h, onceAFrame } from "./dom";
+import { drawing } from "./drawing";
+import { masked } from "./masked";
 import { COLOUR, looks, photoFilter } from "./looks";
 import { Measuring } from "./measuring";
 import { Model, Picture } from "./model";
@@ -133,6 +135,7 @@ export class Pane {
     const over = this.over.getContext("2d")!;
     over.setTransform(1, 0, 0, 1, 0, 0);
     over.clearRect(0, 0, this.over.width, this.over.height);
+    masked.draw(over, view, this.model, picture, ratio);
     drawOverlay(over, view, this.shown(), ratio);
     const targets = targetLayer.on ? targetLayer.of(picture.id) : null;
     if (targets) drawTargets(over, view, targets);
@@ -220,13 +223,15 @@ export class Pane {
     let down: [number, number] | null = null;
     let last: [number, number] = [0, 0];
     let dragged: Mark | null = null;
+    let corner = -1;
     let far = false;
     body.addEventListener("pointerdown", (event) => {
       if (event.button > 1) return;
       body.focus();
       body.setPointerCapture(event.pointerId);
       down = last = this.place(event);
-      dragged = event.button === 0 ? this.markAt(...down) : null;
+      corner = event.button === 0 ? drawing.cornerAt(this.picture.id, this.view, ...down) : -1;
+      dragged = event.button === 0 && !drawing.on ? this.markAt(...down) : null;
       far = false;
     });
     body.addEventListener("pointermove", (event) => {
@@ -235,7 +240,8 @@ export class Pane {
       this.at = at;
       if (down) {
         far ||= Math.hypot(at[0] - down[0], at[1] - down[1]) > 4;
-        if (far && dragged) this.measuring.moving.set(Measuring.key(dragged.image, dragged.point), this.view.toImage(...at));
+        if (far && corner >= 0) drawing.move(corner, this.clamped(...at));
+        else if (far && dragged) this.measuring.moving.set(Measuring.key(dragged.image, dragged.point), this.view.toImage(...at));
         else if (far) this.pan(at[0] - last[0], at[1] - last[1]);
         last = at;
         this.redraw();
@@ -282,6 +288,10 @@ export class Pane {
 
   private click(event: MouseEvent, u: number, v: number): void {
     const { model } = this;
+    if (drawing.on) {
+      if (drawing.cornerAt(this.picture.id, this.view, u, v) < 0) this.enter(u, v);
+      return;
+    }
     if (model.fiducial) return this.enter(u, v);
     const mark = this.markAt(u, v);
     if (mark) return model.choose(mark.point);
@@ -293,9 +303,20 @@ export class Pane {
 
   /** Mark the current point at a place of the pane. */
   enter(u = this.view.width / 2, v = this.view.height / 2): void {
+    if (drawing.on) {
+      if (!drawing.add(this.picture.id, this.clamped(u, v))) this.model.say(`The area is drawn in ${drawing.image}: Esc ends that.`, "bad");
+      return;
+    }
     const [x, y] = this.view.toImage(u, v);
     if (!this.view.inside(x, y)) return this.model.say("This is outside the photograph.", "bad");
     void this.measuring.place(this.picture.id, x, y);
+  }
+
+  /** A place of the pane in the file, or the nearest one within the format: a mask may reach to its edge. */
+  private clamped(u: number, v: number): [number, number] {
+    const within = (value: number, most: number) => Math.round(100 * Math.min(Math.max(value, 0), most)) / 100;
+    const [x, y] = this.view.toImage(u, v);
+    return [within(x, this.picture.width), within(y, this.picture.height)];
   }
 
   private left(): void {

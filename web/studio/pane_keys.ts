@@ -1,4 +1,5 @@
 // Keys of a pane: moving, zooming, marking without a mouse.
+import { drawing } from "./drawing";
 import type { Pane } from "./pane";
 
 const ARROWS: Record<string, [number, number]> = {
@@ -18,7 +19,9 @@ export function paneKeys(pane: Pane, event: KeyboardEvent): boolean {
     case "1": pane.zoom(1 / pane.view.scale); return true;
     case "Enter": pane.enter(); return true;
     case "r": pane.turn(1); return true;
-    case "Delete": case "Backspace": void pane.measuring.remove(pane.picture.id); return true;
+    case "Delete": case "Backspace": if (drawing.on) drawing.removeLast();
+      else void pane.measuring.remove(pane.picture.id);
+      return true;
     case "p": return chosen(pane);
     case "x": return rejected(pane);
     default: return false;

@@ -1,7 +1,9 @@
 // The studio: the parts of the page put together.
 import { afterPause, element } from "./dom";
 import { Decide } from "./decide";
+import { drawing } from "./drawing";
 import { Fiducials } from "./fiducials";
+import { Datum, Lines, Naming } from "./figures";
 import { ImageList } from "./image_list";
 import { ImageStage } from "./image_stage";
 import { Journal } from "./journal";
@@ -9,6 +11,7 @@ import { help, keys } from "./keys";
 import { Bars, Control } from "./known";
 import { connect } from "./live";
 import { looks } from "./looks";
+import { Masks } from "./masks";
 import { Measuring } from "./measuring";
 import { Model } from "./model";
 import { short } from "./numbers";
@@ -41,6 +44,13 @@ async function start(): Promise<void> {
   new Fiducials(model);
   new Bars(model);
   new Control(model);
+  new Lines(model);
+  new Datum(model);
+  new Naming(model);
+  new Masks(model, (image) => {
+    tabs.show("images");
+    (image ? stage.open(image) : stage.activePane)?.body.focus();
+  });
   const space = new Space(model, (image) => {
     tabs.show("images");
     stage.open(image);
@@ -88,6 +98,7 @@ async function start(): Promise<void> {
 }
 
 function escape(model: Model, stage: ImageStage): void {
+  if (drawing.on) return drawing.end();
   if (document.activeElement !== stage.activePane?.body) stage.activePane?.body.focus();
   else model.choose("");
 }

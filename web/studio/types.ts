@@ -52,6 +52,7 @@ export interface State {
   datum: { origin: string; axis: string; plane: string } | null;
   rejected: [string, string][];
   renamed: Record<string, string>;
+  masks: { mask: string; image: string; camera: boolean; polygon: [number, number][] }[];
 }
 
 /** How far the photographs are oriented, and what the others lack. */
@@ -84,6 +85,8 @@ export interface Overview {
   state: State;
   standing: Standing;
   report: boolean;
+  /** The folder of masks that the project's run was given; "": none. */
+  masks_given: string;
   /** Names of the fiducial marks, where the photographs are scans of film. */
   fiducials: string[];
   notices: { code: string; message: string }[];

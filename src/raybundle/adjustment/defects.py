@@ -437,17 +437,39 @@ def check_scatter(system: System, whitened: Array) -> None:
     camera = block.images.camera[block.observations.image[system.rows]]
     if not len(whitened) or any(block.cameras[k].is_scene for k in np.unique(camera)):
         return
-    diagonal = np.array([np.hypot(c.width_px, c.height_px) for c in block.cameras])[camera]
-    sigma = np.sqrt(block.observations.cov_px2[system.rows, :2].mean(axis=1))
-    share = np.abs(whitened) * (sigma / diagonal)[:, None]
+    share = _of_diagonal(system, whitened)
     redundancy = max(system.observations - system.unknowns, 1)
     found = 1.4826 * float(np.median(share)) * np.sqrt(max(system.observations / redundancy, 1.0))
     if found > SCATTERED:
         raise NoConvergence(
             f"the image points contradict each other: they lie {100 * found:.0f} % of the image's diagonal beside any "
-            f"solution that was found, by their median (limit {100 * SCATTERED:.0f} %). Look at point numbers, names "
-            "of images, the unit and the origin of image coordinates, the camera constant and the control."
+            f"solution that was found, by their median (limit {100 * SCATTERED:.0f} %). {_farthest(system, share)}Look at "
+            "names of points and images, the unit and the origin of image coordinates, the camera constant and the "
+            "control."
         )
+
+
+def _of_diagonal(system: System, whitened: Array) -> Array:
+    """(m, 2) residuals as shares of the diagonal of their image."""
+    block = system.block
+    camera = block.images.camera[block.observations.image[system.rows]]
+    diagonal = np.array([np.hypot(c.width_px, c.height_px) for c in block.cameras])[camera]
+    sigma = np.sqrt(block.observations.cov_px2[system.rows, :2].mean(axis=1))
+    return np.abs(whitened) * (sigma / diagonal)[:, None]
+
+
+def _farthest(system: System, shares: Array, most: int = 3) -> str:
+    """The image points that lie farthest beside a solution, in words; shares (m, 2) of the image's diagonal."""
+    block, rows, share = system.block, np.asarray(system.rows), np.linalg.norm(shares, axis=1)
+    order = [k for k in np.argsort(-np.nan_to_num(share))[:most].tolist() if share[k] > SCATTERED]
+    o = block.observations
+    told = ", ".join(
+        f"point {block.points.ids[o.point[rows[k]]]} in image {block.images.ids[o.image[rows[k]]]} "
+        f"({100 * share[k]:.0f} %)"
+        for k in order
+    )
+    limit = f"beyond {100 * SCATTERED:.0f} % of the diagonal"
+    return f"The image points that lie farthest beside it, {limit}: {told}. " if told else ""
 
 
 def no_convergence(normals: Normals, state: State, iterations: int, step: float) -> NoConvergence:
@@ -455,7 +477,6 @@ def no_convergence(normals: Normals, state: State, iterations: int, step: float)
 
     normals  in a minimal datum, formed at the state
     """
-    del state
     if not np.isfinite(normals.values).all():
         return NoConvergence(
             f"no convergence: after {iterations} iterations the normal equations are not finite. Image points, "
@@ -465,8 +486,9 @@ def no_convergence(normals: Normals, state: State, iterations: int, step: float)
     values, vectors = null_vectors(normals)
     lost = [u for u in shares(normals, vectors[:, values < NULL]) if u.share > 1e-4]
     return NoConvergence(
-        f"no convergence after {iterations} iterations (last step {step:.2g} standard deviations). Look for gross "
-        f"errors ({option('robust_start', True)}, {option('reject', 'snooping')}), wrong point numbers, or better "
-        "approximate values.",
+        f"no convergence after {iterations} iterations (last step {step:.2g} standard deviations). "
+        f"{_farthest(normals.system, _of_diagonal(normals.system, normals.residuals(state)[0]))}Look for gross errors "
+        f"({option('robust_start', True)}, {option('reject', 'snooping')}), marks under the name of another point, or "
+        "better approximate values.",
         undetermined=lost,
     )

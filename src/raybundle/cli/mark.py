@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +11,7 @@ import click
 
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FILE_OR_FOLDER, NEW_FOLDER, common_options
+from raybundle.cli.marking import command, do, subcommand, words
 from raybundle.cli.marks_shown import shown
 from raybundle.cli.numbers import NUMBER, PIXELS, POSITIVE, Number
 from raybundle.cli.settings import options_of, values_of
@@ -35,81 +36,11 @@ class PerhapsNumber(Number):
 PERHAPS, PERHAPS_SIGMA = PerhapsNumber(), PerhapsNumber(0)
 
 
-@click.group("mark", context_settings=COMMAND_SETTINGS)
-def command() -> None:
-    """Measure points by hand in the images of a project, result or block folder, or in photographs alone.
-
-    What is done is kept, action by action, in FOLDER/measured.db of a project, and in FOLDER.measured.db beside another
-    folder; of a folder of photographs, in a project that is begun beside it, FOLDER-project. There marks orient the
-    photographs: six points that two show, then four with coordinates in each further one. Undo and redo are unlimited.
-    Pixels count from the outer corner of the first one, in the file as it is stored.
-
-    \b
-    Example:
-      raybundle mark put facade-project IMG_3.jpg gate 1204.3 880.1 --sigma 0.3
-      raybundle mark bar facade-project A B 1.0003 0.0001
-      raybundle mark adjust facade-project
-    """  # noqa: D301
-
-
-def _author(function: Callable[..., Any]) -> Callable[..., Any]:
-    function = click.option(
-        "--traceback", is_flag=True, expose_value=False, help="After an error, show where in the program it arose."
-    )(function)
-    return click.option("--author", default="", metavar="TEXT", help="Who does it, for the journal.")(function)
-
-
-def _verb(name: str) -> Callable[[Callable[..., Any]], click.Command]:
-    """A subcommand that is one action on a folder."""
-
-    def made(function: Callable[..., Any]) -> click.Command:
-        with_options = click.argument("folder", type=FOLDER)(_author(function))
-        return command.command(name, context_settings=COMMAND_SETTINGS)(with_options)
-
-    return made
-
-
-def _do(folder: Path, verb: str, author: str, **arguments: Any) -> None:
-    from raybundle.commands.begin import measuring_folder, standing_folder  # noqa: PLC0415  (loaded after the help)
-    from raybundle.commands.measure import mark  # noqa: PLC0415
-
-    if standing_folder(folder) is None:
-        click.echo(f" project: {measuring_folder(folder, told=lambda line: click.echo(f'   {line}'))}")
-    seq = mark(folder, verb, author=author, **arguments)
-    told = _moved(folder, seq) if verb in {"undo", "redo"} else ""
-    click.echo(f" action {seq}: {verb}{told}")
-
-
-def _moved(folder: Path, seq: int) -> str:
-    """What an undo took back, or a redo did again."""
-    from raybundle.commands.measure import history  # noqa: PLC0415
-    from raybundle.measuring.state import in_force  # noqa: PLC0415
-
-    entries = [e for e in history(folder) if e.seq <= seq]
-    _, moved = in_force([e.action for e in entries])
-    if moved[-1] is None:
-        return ""
-    e = entries[moved[-1]]
-    return f" of action {e.seq}, {e.verb} {_words(e.arguments)}".rstrip()
-
-
-def _words(arguments: Mapping[str, Any]) -> str:
-    """The arguments of an action, without what was not given."""
-    told = (f"{n} {_plain(v)}" for n, v in arguments.items() if v not in (None, "", [], [None, None, None]))
-    return ", ".join(told)
-
-
-def _plain(value: Any) -> str:
-    if isinstance(value, float):
-        return f"{value:.10g}"
-    return " ".join(map(_plain, value)) if isinstance(value, list | tuple) else str(value)
-
-
 Covariance = tuple[float, float, float]
 
 
-def _place(folder: Path, verb: str, author: str, sigma: float, covariance: Covariance | None, **given: Any) -> None:
-    _do(folder, verb, author, covariance=covariance or (sigma**2, sigma**2, 0.0), **given)
+def _place(folder: Path, verb: str, author: str, sigma: float, covariance: Covariance | None, /, **given: Any) -> None:
+    do(folder, verb, author, covariance=covariance or (sigma**2, sigma**2, 0.0), **given)
 
 
 def _precision(usual: float) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
@@ -149,7 +80,7 @@ def begin_(photos: tuple[Path, ...], out: Path | None, progress: str, **given: A
     click.echo(f" project: {project}")
 
 
-@_verb("put")
+@subcommand("put")
 @click.argument("image")
 @click.argument("point")
 @click.argument("x_px", type=NUMBER, metavar="X")
@@ -168,7 +99,7 @@ def put(
     _place(folder, "put", author, sigma, covariance, image=image, point=point, x_px=x_px, y_px=y_px)
 
 
-@_verb("move")
+@subcommand("move")
 @click.argument("image")
 @click.argument("point")
 @click.argument("x_px", type=NUMBER, metavar="X")
@@ -187,7 +118,7 @@ def move(
     _place(folder, "move", author, sigma, covariance, image=image, point=point, x_px=x_px, y_px=y_px)
 
 
-@_verb("remove")
+@subcommand("remove")
 @click.argument("image")
 @click.argument("point")
 def remove(folder: Path, image: str, point: str, author: str) -> None:
@@ -197,10 +128,10 @@ def remove(folder: Path, image: str, point: str, author: str) -> None:
     Example:
       raybundle mark remove facade-project IMG_3.jpg gate
     """  # noqa: D301
-    _do(folder, "remove", author, image=image, point=point)
+    do(folder, "remove", author, image=image, point=point)
 
 
-@_verb("point")
+@subcommand("point")
 @click.argument("point")
 @click.option("--role", type=click.Choice(["tie", "control", "check"]), default="tie", show_default=True)
 @click.option("--coordinates", type=(PERHAPS,) * 3, metavar="X Y Z", help="Given coordinates; - for one not known.")
@@ -217,10 +148,10 @@ def point_(
       raybundle mark point facade-project gate --role control --coordinates 12.5 3.25 - --sigma 0.01 0.01 -
     """  # noqa: D301
     xyz, s = ([None if v == NO_NUMBER else v for v in values or (NO_NUMBER,) * 3] for values in (coordinates, sigma))
-    _do(folder, "point", author, point=point, role=role, xyz=xyz, sigma=s)
+    do(folder, "point", author, point=point, role=role, xyz=xyz, sigma=s)
 
 
-@_verb("rename")
+@subcommand("rename")
 @click.argument("point")
 @click.argument("to")
 def rename(folder: Path, point: str, to: str, author: str) -> None:
@@ -230,10 +161,10 @@ def rename(folder: Path, point: str, to: str, author: str) -> None:
     Example:
       raybundle mark rename facade-project t17 gate
     """  # noqa: D301
-    _do(folder, "rename", author, point=point, to=to)
+    do(folder, "rename", author, point=point, to=to)
 
 
-@_verb("forget")
+@subcommand("forget")
 @click.argument("point")
 def forget(folder: Path, point: str, author: str) -> None:
     """Take away all that was measured of a point, and the bars and lines that name it.
@@ -242,10 +173,10 @@ def forget(folder: Path, point: str, author: str) -> None:
     Example:
       raybundle mark forget facade-project gate
     """  # noqa: D301
-    _do(folder, "forget", author, point=point)
+    do(folder, "forget", author, point=point)
 
 
-@_verb("bar")
+@subcommand("bar")
 @click.argument("start", metavar="A")
 @click.argument("end", metavar="B")
 @click.argument("length", type=POSITIVE)
@@ -257,10 +188,10 @@ def bar(folder: Path, start: str, end: str, length: float, sigma: float, author:
     Example:
       raybundle mark bar facade-project A B 1.0003 0.0001
     """  # noqa: D301
-    _do(folder, "bar", author, start=start, end=end, length=length, sigma=sigma)
+    do(folder, "bar", author, start=start, end=end, length=length, sigma=sigma)
 
 
-@_verb("unbar")
+@subcommand("unbar")
 @click.argument("start", metavar="A")
 @click.argument("end", metavar="B")
 def unbar(folder: Path, start: str, end: str, author: str) -> None:
@@ -270,10 +201,10 @@ def unbar(folder: Path, start: str, end: str, author: str) -> None:
     Example:
       raybundle mark unbar facade-project A B
     """  # noqa: D301
-    _do(folder, "unbar", author, start=start, end=end)
+    do(folder, "unbar", author, start=start, end=end)
 
 
-@_verb("line")
+@subcommand("line")
 @click.argument("line")
 @click.argument("points", nargs=-1, metavar="POINT...")
 @click.option("--plumb", is_flag=True, help="A plumb line.")
@@ -285,10 +216,10 @@ def line_(folder: Path, line: str, points: tuple[str, ...], plumb: bool, sigma: 
     Example:
       raybundle mark line facade-project edge gate sill-1 sill-2 --plumb
     """  # noqa: D301
-    _do(folder, "line", author, line=line, points=points, kind="plumb" if plumb else "straight", sigma=sigma)
+    do(folder, "line", author, line=line, points=points, kind="plumb" if plumb else "straight", sigma=sigma)
 
 
-@_verb("datum")
+@subcommand("datum")
 @click.argument("names", nargs=-1, metavar="[ORIGIN AXIS PLANE]")
 def datum(folder: Path, names: tuple[str, ...], author: str) -> None:
     """The coordinate system by three points; without any: as the block has it.
@@ -299,10 +230,10 @@ def datum(folder: Path, names: tuple[str, ...], author: str) -> None:
     """  # noqa: D301
     if len(names) not in {0, 3}:
         raise InputError(f"{len(names)} points are given; a coordinate system needs origin, axis and plane, or none")
-    _do(folder, "datum", author, **dict(zip(("origin", "axis", "plane"), names, strict=False)))
+    do(folder, "datum", author, **dict(zip(("origin", "axis", "plane"), names, strict=False)))
 
 
-@_verb("reject")
+@subcommand("reject")
 @click.argument("image", required=False)
 @click.argument("point", required=False)
 @options_of(RejectSettings)
@@ -318,14 +249,14 @@ def reject(folder: Path, image: str | None, point: str | None, author: str, **li
     given = {name: limit for name, limit in limits.items() if limit is not None}
     if len(given) == 1 and image is None:
         ((quantity, limit),) = given.items()
-        _do(folder, "reject_beyond", author, quantity=quantity, limit=limit)
+        do(folder, "reject_beyond", author, quantity=quantity, limit=limit)
     elif given or image is None or point is None:
         raise InputError("give an image and a point, or one limit: " + ", ".join(f"--{name}" for name in limits))
     else:
-        _do(folder, "reject", author, image=image, point=point)
+        do(folder, "reject", author, image=image, point=point)
 
 
-@_verb("accept")
+@subcommand("accept")
 @click.argument("image")
 @click.argument("point")
 def accept(folder: Path, image: str, point: str, author: str) -> None:
@@ -335,10 +266,10 @@ def accept(folder: Path, image: str, point: str, author: str) -> None:
     Example:
       raybundle mark accept facade-project IMG_3.jpg t17
     """  # noqa: D301
-    _do(folder, "accept", author, image=image, point=point)
+    do(folder, "accept", author, image=image, point=point)
 
 
-@_verb("parameter")
+@subcommand("parameter")
 @click.argument("camera")
 @click.argument("symbol")
 @click.argument("choice", type=click.Choice(["free", "held", "auto"]))
@@ -349,10 +280,10 @@ def parameter(folder: Path, camera: str, symbol: str, choice: str, author: str) 
     Example:
       raybundle mark parameter facade-project canon K3 held
     """  # noqa: D301
-    _do(folder, "parameter", author, camera=camera, symbol=symbol, choice=choice)
+    do(folder, "parameter", author, camera=camera, symbol=symbol, choice=choice)
 
 
-@_verb("fiducial")
+@subcommand("fiducial")
 @click.argument("image")
 @click.argument("name")
 @click.argument("x_px", type=NUMBER, metavar="[X]", required=False)
@@ -371,7 +302,7 @@ def fiducial(
     _place(folder, "fiducial", author, sigma, covariance, image=image, name=name, x_px=x_px, y_px=y_px)
 
 
-@_verb("undo")
+@subcommand("undo")
 def undo(folder: Path, author: str) -> None:
     """Take the last action back.
 
@@ -379,10 +310,10 @@ def undo(folder: Path, author: str) -> None:
     Example:
       raybundle mark undo facade-project
     """  # noqa: D301
-    _do(folder, "undo", author)
+    do(folder, "undo", author)
 
 
-@_verb("redo")
+@subcommand("redo")
 def redo(folder: Path, author: str) -> None:
     """Do again what was taken back.
 
@@ -390,7 +321,7 @@ def redo(folder: Path, author: str) -> None:
     Example:
       raybundle mark redo facade-project
     """  # noqa: D301
-    _do(folder, "redo", author)
+    do(folder, "redo", author)
 
 
 @command.command("list", context_settings=COMMAND_SETTINGS)
@@ -419,7 +350,7 @@ def list_(folder: Path, with_history: bool, as_json: bool) -> None:  # noqa: FBT
                 click.echo(json.dumps(row | {"counts": counted_in}, ensure_ascii=False))
                 continue
             gone = "" if counted_in or e.verb in {"undo", "redo"} else "  (taken back)"
-            click.echo(f" {e.seq:5d}  {e.time}  {e.author or '-'}  {e.verb} {_words(e.arguments)}".rstrip() + gone)
+            click.echo(f" {e.seq:5d}  {e.time}  {e.author or '-'}  {e.verb} {words(e.arguments)}".rstrip() + gone)
         return
     state = marks(folder)
     click.echo(json.dumps(as_plain(state), ensure_ascii=False) if as_json else "\n".join(shown(state)))
@@ -428,19 +359,26 @@ def list_(folder: Path, with_history: bool, as_json: bool) -> None:  # noqa: FBT
 @command.command("export", context_settings=COMMAND_SETTINGS)
 @click.argument("folder", type=FOLDER)
 @click.argument("out", type=NEW_FILE_OR_FOLDER)
+@click.option(
+    "--masks",
+    "as_masks",
+    is_flag=True,
+    help="OUT is a folder of masks, one picture a photograph, as `orient --masks` reads it.",
+)
 @click.option("--crs", default="", help="Coordinate system of the points, for gcp_list.txt: EPSG:32633 ...")
-def export(folder: Path, out: Path, crs: str) -> None:
-    """Write what was measured: NAME.csv as --control reads it, gcp_list.txt, or else a block folder.
+def export(folder: Path, out: Path, as_masks: bool, crs: str) -> None:  # noqa: FBT001
+    """Write what was measured: NAME.csv as --control reads it, gcp_list.txt, or else a block folder; or the masks.
 
     \b
     Example:
       raybundle mark export facade-project marks.csv
       raybundle mark export facade-project gcp_list.txt --crs EPSG:32633
       raybundle mark export facade-project facade-measured
+      raybundle mark export facade-project masks --masks
     """  # noqa: D301
-    from raybundle.commands.measure import export_marks  # noqa: PLC0415
+    from raybundle.commands.measure import export_marks, export_masks  # noqa: PLC0415
 
-    done = export_marks(folder, out, crs=crs)
+    done = export_masks(folder, out) if as_masks else export_marks(folder, out, crs=crs)
     for remark in done.remarks:
         click.echo(f" remark: {remark}")
     click.echo(f" {', '.join(str(p) for p in done.files)}")

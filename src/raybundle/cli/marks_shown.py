@@ -29,4 +29,7 @@ def shown(state: State) -> list[str]:
     ]
     lines += [f" rejected: {p} in {i}" for i, p in sorted(state.rejected)]
     lines += [f" parameter {s} of camera {c}: {choice}" for (c, s), choice in sorted(state.parameters.items())]
+    for name, m in state.masks.items():
+        where = f"all photographs of the camera of {m.image}" if m.camera else m.image
+        lines.append(f" mask {name}: {counted(len(m.polygon), 'corner')}, in {where}")
     return lines

@@ -20,6 +20,7 @@ from raybundle.io.block.folder import read_block
 from raybundle.io.folders import new_folder
 from raybundle.io.reading.words import quoted
 from raybundle.io.tables import write_table
+from raybundle.measuring.control import control_of
 from raybundle.measuring.decisions import with_decisions
 from raybundle.measuring.export import (
     lost_in_csv,
@@ -31,6 +32,7 @@ from raybundle.measuring.export import (
 from raybundle.measuring.film import read_scans
 from raybundle.measuring.journal import Entry, Journal, entries_of, journal_path, measured_result, state_of
 from raybundle.measuring.known import Known
+from raybundle.measuring.masks import drawn_by_file, photographs_in, write_masks
 from raybundle.measuring.merge import Merged, merge
 from raybundle.measuring.quantities import QUANTITIES, Quantity
 from raybundle.measuring.query import Answer, ask, in_axes
@@ -38,7 +40,9 @@ from raybundle.measuring.selection import latest_figures, quantity_of, selected
 from raybundle.measuring.session import block_folder
 from raybundle.measuring.start import adjusted
 from raybundle.measuring.state import State
+from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Progress, silent
+from raybundle.pipeline.project import masks_given, photographs_of
 from raybundle.results.folder import ResultFolder
 from raybundle.settings import made, option
 from raybundle.workflows.adjust import adjust
@@ -138,12 +142,15 @@ def mark(folder: str | Path, verb: str, *, id: str = "", author: str = "", **arg
     """Do an action of measuring, and return its number: `mark("facade", "put", image=..., point=..., x_px=...)`.
 
     verb    put, move, remove, point, rename, forget, bar, unbar, line, datum, reject, accept, reject_beyond (quantity:
-            w, sigma, rays or redundancy, and limit, of the last adjustment), parameter, fiducial, undo, redo
+            w, sigma, rays or redundancy, and limit, of the last adjustment), parameter, fiducial, control (file: a
+            table), mask, unmask, undo, redo
     raises  InputError where it cannot be done
     """
     with open_journal(folder) as journal:
         if verb == "reject_beyond" and "rows" not in arguments:
             arguments["rows"] = _beyond(_standing(folder), journal.state, **arguments)
+        if verb == "control" and "points" not in arguments:
+            return journal.append(control_of(str(arguments.get("file", "")))[0], id=id, author=author)
         return journal.append_verb(verb, arguments, id=id, author=author)
 
 
@@ -161,7 +168,6 @@ def find_fiducials(folder: str | Path, image: str, *, author: str = "") -> Mappi
     """
     from raybundle.io.photos.photo import read_grey, read_photo  # noqa: PLC0415
     from raybundle.measuring.fiducials import find_fiducials as found_in  # noqa: PLC0415
-    from raybundle.pipeline.project import photographs_of  # noqa: PLC0415
 
     project = _standing(folder)
     scans = read_scans(project)
@@ -241,6 +247,23 @@ def export_marks(folder: str | Path, out: str | Path, *, crs: str = "") -> Expor
     return Exported(files=(write_merged_block(state, out, block, read_scans(_standing(folder))),))
 
 
+def export_masks(folder: str | Path, out: str | Path) -> Exported:
+    """Write the masks of a project as pictures that `orient` reads: those drawn, together with those it was given.
+
+    out     a folder that is not there, or empty
+    raises  InputError where there is no mask, a photograph is not where the project says, or something stands at `out`
+    """
+    folder, out = _standing(folder), Path(out)
+    if out.exists() and (not out.is_dir() or any(out.iterdir())):
+        raise InputError("stands there already and is not overwritten; choose another name", file=out)
+    block = read_block(block_folder(folder))
+    photos = photographs_in(block, photographs_of(folder))
+    written = write_masks(out, photos, drawn_by_file(block, marks(folder)), masks_given(folder))
+    lost = len(block.images) - len(photos)
+    remark = f"{counted(lost, 'photograph')} not found where the project says: without masks"
+    return Exported(files=(out,), remarks=(f"{counted(written, 'mask')} written", *((remark,) if lost else ())))
+
+
 def as_plain(state: State) -> dict[str, Any]:
     """A state as JSON says it: lists of objects in place of pairs of names as keys."""
     from dataclasses import asdict  # noqa: PLC0415
@@ -254,5 +277,6 @@ def as_plain(state: State) -> dict[str, Any]:
         "fiducials": [{"image": i, "name": n, **asdict(m)} for (i, n), m in state.fiducials.items()],
         "rejected": [{"image": i, "point": p} for i, p in sorted(state.rejected)],
         "parameters": [{"camera": c, "symbol": s, "choice": v} for (c, s), v in state.parameters.items()],
+        "masks": [{"mask": n, **asdict(m)} for n, m in state.masks.items()],
         "renamed": dict(state.renamed), "can_undo": state.can_undo, "can_redo": state.can_redo,
     }  # fmt: skip

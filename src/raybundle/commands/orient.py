@@ -180,6 +180,7 @@ def orient(
 
 def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orientation:
     """Orient what the settings ask for, and write the result."""
+    from raybundle.commands.drawn_masks import masks_of_run  # noqa: PLC0415
     from raybundle.io.block.toml import read_cameras  # noqa: PLC0415
     from raybundle.io.photos.photo import shown  # noqa: PLC0415
     from raybundle.io.trajectories import read_trajectory  # noqa: PLC0415
@@ -199,6 +200,7 @@ def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orienta
     begins = not out.exists()
     try:
         keep_settings(settings)
+        options = replace(options, masks=masks_of_run(settings))
         done = oriented(
             settings.photos, out, options, calibration=cameras, given=given, progress=progress,
             positions=None if settings.positions is None else read_trajectory(settings.positions),

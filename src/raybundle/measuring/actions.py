@@ -14,17 +14,27 @@ import msgspec
 from raybundle.errors import InputError
 from raybundle.io.reading.words import quoted
 from raybundle.measuring.action import Action
-from raybundle.measuring.checks import check_mark, check_name, check_number, check_point, exists, marked, name_in_block
+from raybundle.measuring.checks import (
+    check_given,
+    check_mark,
+    check_name,
+    check_number,
+    check_point,
+    exists,
+    marked,
+    name_in_block,
+)
+from raybundle.measuring.control import GiveControl
 from raybundle.measuring.decisions import RejectBeyond, SetParameter
 from raybundle.measuring.known import Known
-from raybundle.measuring.state import Axes, Bar, Draft, How, Line, Mark, MeasuredPoint, RoleName, State
+from raybundle.measuring.masks import SetMask, Unmask
+from raybundle.measuring.state import Axes, Bar, Draft, How, Line, Mark, MeasuredPoint, Numbers3, RoleName, State
 from raybundle.settings import option
 
 HAND_PX = 0.5
 """Standard deviation of a point marked by hand, as of the marks of control files."""
 FIDUCIAL_PX = 0.2
 """The same of a fiducial mark, as of the marks of `raybundle film`."""
-Numbers3 = tuple[float | None, float | None, float | None]
 NOTHING: Numbers3 = (None, None, None)
 
 
@@ -105,23 +115,7 @@ class Point(Action):
 
     def settled(self, state: State, known: Known) -> Action:
         del state, known
-        check_name("point", self.point)
-        who = f"point {quoted(self.point)}"
-        for axis, value, sigma in zip("XYZ", self.xyz, self.sigma, strict=True):
-            if value is not None:
-                check_number(f"{who}, {axis}", value)
-            if sigma is not None:
-                check_number(f"{who}, sigma of {axis}", sigma, least=0.0)
-                if value is None:
-                    raise InputError(f"{who} has a sigma of {axis} but no {axis}; give the coordinate too")
-        given = [k for k in range(3) if self.xyz[k] is not None]
-        if self.role != "tie" and not given:
-            raise InputError(f"{who} is {self.role} without a coordinate; give at least one, or make it a tie point")
-        lacking = [k for k in given if self.sigma[k] is None]
-        if self.role == "control" and lacking:
-            raise InputError(
-                f"{who}: {'XYZ'[lacking[0]]} is control without a standard deviation; give its sigma, 0 to hold it"
-            )
+        check_given(self.point, self.role, self.xyz, self.sigma)
         return self
 
     def apply(self, draft: Draft) -> None:
@@ -425,7 +419,7 @@ class Redo(_Turn):
 
 _KINDS: tuple[type[Action], ...] = (
     Put, Move, Remove, Point, Rename, Forget, SetBar, Unbar, SetLine, SetDatum, Reject, Accept, RejectBeyond,
-    SetParameter, Fiducial, Undo, Redo,
+    SetParameter, Fiducial, GiveControl, SetMask, Unmask, Undo, Redo,
 )  # fmt: skip
 VERBS: dict[str, type[Action]] = {kind.verb: kind for kind in _KINDS}
 """Every verb -> its type."""

@@ -8,12 +8,14 @@ from collections.abc import Iterable
 from raybundle.errors import InputError
 from raybundle.io.reading.words import quoted
 from raybundle.measuring.known import Known
-from raybundle.measuring.state import Mark, State
+from raybundle.measuring.state import Mark, Numbers3, RoleName, State
 
 LONGEST = 200
 """Characters of a name."""
 LARGEST = 1e12
 """Size of a length or coordinate, as on the command line."""
+FARTHEST = 1e11
+"""Size of a coordinate: more than the Earth's radius in millimetres; of double precision 15 um are left there."""
 WIDEST_PX = 1e5
 """Standard deviation of a mark: no format is wider."""
 
@@ -39,6 +41,27 @@ def check_number(
         raise InputError(f"{what} is {value:g}; it must be at least {least:g}")
     if abs(value) > most:
         raise InputError(f"{what} is {value:g}; it must be at most {most:g} in size")
+
+
+def check_given(point: str, role: RoleName, xyz: Numbers3, sigma: Numbers3) -> None:
+    """Raise InputError for a name, role, coordinates and standard deviations that do not go together."""
+    check_name("point", point)
+    who = f"point {quoted(point)}"
+    for axis, value, s in zip("XYZ", xyz, sigma, strict=True):
+        if value is not None:
+            check_number(f"{who}, {axis}", value, most=FARTHEST)
+        if s is not None:
+            check_number(f"{who}, sigma of {axis}", s, least=0.0)
+            if value is None:
+                raise InputError(f"{who} has a sigma of {axis} but no {axis}; give the coordinate too")
+    given = [k for k in range(3) if xyz[k] is not None]
+    if role != "tie" and not given:
+        raise InputError(f"{who} is {role} without a coordinate; give at least one, or make it a tie point")
+    lacking = [k for k in given if sigma[k] is None]
+    if role == "control" and lacking:
+        raise InputError(
+            f"{who}: {'XYZ'[lacking[0]]} is control without a standard deviation; give its sigma, 0 to hold it"
+        )
 
 
 def check_point(name: str, state: State, known: Known) -> None:

@@ -27,6 +27,8 @@ from raybundle.orientation.lacking import Lack
 from raybundle.orientation.rays import intersect_linear, object_rays, rays_of
 
 F = TypeVar("F", bound=OnFigure)
+FAR_APART = 1e5
+"""How many times farther than the others a control point may lie: a metre apart, and 100 km away."""
 PARALLEL = 1e-7
 """Ratio of eigenvalues below which rays are parallel, as where control is intersected."""
 
@@ -67,6 +69,7 @@ def merge(block: Block, state: State, scans: Scans | None = None) -> Merged:
     places = _met(made, [k for k, name in enumerate(made.points.ids) if name in state.points or _of_use(name, state)])
     made, places = _placed(made, state, places, free=free and not start.by_control)
     made = _with_points(made, state, places)
+    check_far_apart(made, state)
     made, out = _without_thin(made, state)
     made = _with_tables(made, state, out)
     if state.datum is not None:
@@ -230,6 +233,27 @@ def _with_points(block: Block, state: State, places: Array) -> Block:
         elif not np.isfinite(xyz[k]).all():
             xyz[k] = places[k]
     return replace(block, points=replace(p, role=role.astype(np.int32), xyz=xyz, sigma=sigma))
+
+
+def check_far_apart(block: Block, state: State) -> None:
+    """Raise InputError for control given by hand that lies absurdly far from all other control of a block.
+
+    Distances are from the median of all control with three coordinates, each against the median distance of the others.
+    """
+    p = block.points
+    at = np.flatnonzero(np.isfinite(p.xyz).all(axis=1) & p.is_control.all(axis=1))
+    if len(at) < 3:
+        return
+    far = np.linalg.norm(p.xyz[at] - np.median(p.xyz[at], axis=0), axis=1)
+    worst = int(np.argmax(far))
+    rest = float(np.median(np.delete(far, worst)))
+    name = p.ids[at[worst]]
+    if name in state.points and far[worst] > FAR_APART * rest > 0:
+        raise InputError(
+            f"control point {quoted(name)} lies {far[worst]:.3g} {block.length_unit} from the other control, "
+            f"{far[worst] / rest:.1g} times as far as that lies apart (limit {FAR_APART:.0e}); look for a decimal point "
+            "or a unit in its coordinates"
+        )
 
 
 def _without_thin(block: Block, state: State) -> tuple[Block, dict[str, str]]:

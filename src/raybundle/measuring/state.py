@@ -17,6 +17,8 @@ Key = tuple[str, str]
 """image, point"""
 Choice = Literal["free", "held"]
 """Of a parameter: estimated in any case, or held in any case."""
+Numbers3 = tuple[float | None, float | None, float | None]
+"""X, Y, Z, or their standard deviations; None: not known"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -39,9 +41,9 @@ class MeasuredPoint:
     """An object point that was named by hand."""
 
     role: RoleName = "tie"
-    xyz: tuple[float | None, float | None, float | None] = (None, None, None)
+    xyz: Numbers3 = (None, None, None)
     """given coordinates [length unit of the block]; None: not known"""
-    sigma: tuple[float | None, float | None, float | None] = (None, None, None)
+    sigma: Numbers3 = (None, None, None)
     """0: held"""
     told: bool = False
     """whether role and coordinates were given, not only the point marked"""
@@ -80,6 +82,18 @@ class Axes:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class MaskedArea:
+    """A polygon in which nothing is to be measured."""
+
+    image: str
+    """in which it was drawn"""
+    polygon: tuple[tuple[float, float], ...]
+    """corners in the pixels of that image's file"""
+    camera: bool = False
+    """whether it holds for all images of the same camera"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class State:
     """All that is measured."""
 
@@ -98,6 +112,7 @@ class State:
     """points of the block -> their new names"""
     parameters: Mapping[Key, Choice] = field(default_factory=dict[Key, Choice])
     """(camera, symbol) -> what was decided of that parameter"""
+    masks: Mapping[str, MaskedArea] = field(default_factory=dict[str, MaskedArea])
     can_undo: int = 0
     """actions that can be taken back"""
     can_redo: int = 0
@@ -131,6 +146,7 @@ class Draft:
     rejected: set[Key] = field(default_factory=set[Key])
     renamed: dict[str, str] = field(default_factory=dict[str, str])
     parameters: dict[Key, Choice] = field(default_factory=dict[Key, Choice])
+    masks: dict[str, MaskedArea] = field(default_factory=dict[str, MaskedArea])
 
     @classmethod
     def of(cls, state: State) -> Draft:
@@ -138,6 +154,7 @@ class Draft:
         return cls(
             dict(state.marks), dict(state.points), dict(state.bars), dict(state.lines), state.datum,
             dict(state.fiducials), set(state.rejected), dict(state.renamed), dict(state.parameters),
+            dict(state.masks),
         )  # fmt: skip
 
     def done(self, can_undo: int, can_redo: int) -> State:
@@ -147,7 +164,7 @@ class Draft:
             bars=MappingProxyType(self.bars), lines=MappingProxyType(self.lines), datum=self.datum,
             fiducials=MappingProxyType(self.fiducials), rejected=frozenset(self.rejected),
             renamed=MappingProxyType(self.renamed), parameters=MappingProxyType(self.parameters),
-            can_undo=can_undo, can_redo=can_redo,
+            masks=MappingProxyType(self.masks), can_undo=can_undo, can_redo=can_redo,
         )  # fmt: skip
 
     def drop_points(self, gone: set[str]) -> None:

@@ -7,6 +7,7 @@
     PROJECT/block/           the photographs alone, where they are measured by hand and `orient` made no result
     PROJECT/film/            what is known of the film that the photographs are scans of
     PROJECT/measured.db      what was measured by hand (`raybundle.measuring.journal`)
+    PROJECT/measured-masks/  masks drawn by hand as pictures, with those that were given, as the last run took them
 
 Nothing is ever changed in place: a product is written beside its place and renamed, a row is inserted in a
 transaction.  What is there is complete; what is missing or damaged is made again.  One run at a time works in a
@@ -41,7 +42,7 @@ from raybundle.settings import option
 SCHEMA = 1
 OWN = {
     "project.db", "project.db-wal", "project.db-shm", "project.toml", "cache", "result", "block", "film",
-    "measured.db", "measured.db-wal", "measured.db-shm", "measured-result",
+    "measured.db", "measured.db-wal", "measured.db-shm", "measured-result", "measured-masks",
 }  # fmt: skip
 _LEFTOVER = re.compile(r"\.result\.[0-9a-f]{8}\.(?:partial|old)|\.project\.toml\.[0-9a-f]{8}")
 """Names under which a killed run leaves what it had begun to write."""
@@ -442,3 +443,17 @@ def photographs_of(result: Path) -> tuple[Path, ...]:
             continue
         return tuple(dict.fromkeys(p if p.is_dir() else p.parent for p in paths if p.exists()))
     return ()
+
+
+def masks_given(result: Path) -> Path | None:
+    """The folder of masks that the run of a project, or of its result folder, was given; None: none."""
+    for folder in (result, result.parent):
+        file = folder / "project.toml"
+        if not file.is_file():
+            continue
+        try:
+            found = Path(read_toml(file).tree().get("orient").get("masks").text())
+        except InputError:
+            return None
+        return found if found.is_dir() else None
+    return None

@@ -14,6 +14,7 @@ from raybundle.measuring.journal import measured_result
 from raybundle.measuring.predict import Prediction, predict, visible, worst
 from raybundle.measuring.state import State
 from raybundle.numerics.arrays import Array
+from raybundle.pipeline.project import masks_given
 from raybundle.report.text.words import verdict
 from raybundle.report.view import view_of
 from raybundle.studio.desk import Desk, named
@@ -46,6 +47,7 @@ def overview(desk: Desk) -> dict[str, Any]:
         "neglected": desk.session.neglected, "headline": "" if told is None else told.headline,
         "grade": "" if told is None else told.grade, "images": images, "points": len(block.points),
         "observations": len(o), "state": state_of(desk), "standing": standing_of(desk),
+        "masks_given": "" if (given := masks_given(desk.source)) is None else str(given),
         "fiducials": [] if desk.scans is None else list(desk.scans.calibrated.names),
         "report": (measured_result(desk.source) / "report.html").is_file(),
         "notices": [] if a is None else [{"code": n.code, "message": n.message} for n in a.notices],
@@ -94,6 +96,8 @@ def plain_state(state: State) -> dict[str, Any]:
         ],
         "rejected": sorted([i, p] for i, p in state.rejected), "renamed": dict(state.renamed),
         "parameters": [{"camera": c, "symbol": s, "choice": v} for (c, s), v in state.parameters.items()],
+        "masks": [{"mask": n, "image": m.image, "camera": m.camera, "polygon": [list(xy) for xy in m.polygon]}
+                  for n, m in state.masks.items()],
     }  # fmt: skip
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-import csv
 import io
 import json
 from collections.abc import AsyncGenerator, Awaitable, Callable, Mapping
@@ -25,10 +24,10 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from raybundle.errors import InputError, RaybundleError
 from raybundle.io.reading.trees import json_of
-from raybundle.studio import answers, tables
+from raybundle.measuring.control import control_of_text
+from raybundle.studio import answers, masking, tables
 from raybundle.studio.asking import asked
 from raybundle.studio.calibrated import Calibrations
-from raybundle.studio.control import control_actions
 from raybundle.studio.deciding import PAGE_POLICY, Deciding
 from raybundle.studio.desk import Desk
 from raybundle.studio.detecting import Detecting
@@ -86,6 +85,7 @@ class Studio:
             "/api/table/observations": lambda q: tables.observations(self.desk, _wanted(q)),
             "/api/table/pairs": lambda q: pairs(self.desk, _wanted(q)),
             "/api/journal": lambda _: self._journal(),
+            "/api/masks": lambda q: masking.drawn(self.desk, _text(q, "image")),
             "/api/standing": lambda _: answers.standing_of(self.desk),
             "/api/run": lambda _: self.running.told(),
             "/api/calibration": lambda _: calibrations.told(),
@@ -113,6 +113,7 @@ class Studio:
             *deciding.pages,
             *targeting.pages,
             Route("/figure/calibration/{number}.svg", _figure(calibrations), methods=["GET"]),
+            Route("/api/mask", self._mask, methods=["GET"]),
             Route("/api/tile/{image}/{level}/{column}/{row}", self._tile, methods=["GET"]),
             WebSocketRoute("/api/live", self._live),
             Route("/{name:path}", self._page, methods=["GET"]),
@@ -155,6 +156,10 @@ class Studio:
             raise HTTPException(404, str(error)) from None
         return Response(body, media_type="image/jpeg", headers={"cache-control": "private, max-age=3600"})
 
+    async def _mask(self, request: Request) -> Response:
+        body = await run_in_threadpool(masking.picture, self.desk, _text(request.query_params, "image"))
+        return Response(body, media_type="image/png") if body else Response(status_code=204)
+
     async def _scene(self, _: Request) -> Response:
         return Response(await run_in_threadpool(scene, self.desk), media_type="application/octet-stream")
 
@@ -189,33 +194,28 @@ class Studio:
             )
         except InputError as error:
             raise HTTPException(409, str(error)) from None
+        return self._done(seq)
+
+    def _done(self, seq: int) -> dict[str, Any]:
+        """What is answered of an action that was done, when all tabs have been told."""
         state = answers.state_of(self.desk)
         self.live.tell_from_thread({"type": "state", "state": state})
         self.work.soon()
-        entry = next(iter(self.desk.journal.entries(seq - 1)))
-        return {"seq": seq, "state": state, "command": command_of(self.desk.source, verb, entry.arguments)}
+        e = next(iter(self.desk.journal.entries(seq - 1)))
+        return {"seq": seq, "state": state, "command": command_of(self.desk.source, e.verb, e.arguments)}
 
     def _control(self, given: dict[str, Any]) -> dict[str, Any]:
-        """Control coordinates of a table: one action a point, all or none of them checked before."""
-        try:
-            actions, remarks = control_actions(_text(given, "text"))
-        except (InputError, csv.Error) as error:
-            raise HTTPException(409, str(error)) from None
-        first = _text(given, "id")
-        if not first:
+        """Control coordinates of a table: one action, which holds the rows."""
+        name = _text(given, "id")
+        if not name:
             raise HTTPException(400, "a table has an id, as an action has")
-        author, journal = str(given.get("author", ""))[:100], self.desk.journal
         try:
-            for action in actions:  # all of them, before the first is kept
-                action.settled(journal.state, journal.known)
-            for k, action in enumerate(actions):
-                journal.append(action, id=f"{first}-{k}", author=author)
+            action, remarks = control_of_text(_text(given, "text"), _text(given, "file") or "control.csv")
+            seq = self.desk.journal.append(action, id=name, author=str(given.get("author", ""))[:100])
         except InputError as error:
             raise HTTPException(409, str(error)) from None
-        state = answers.state_of(self.desk)
-        self.live.tell_from_thread({"type": "state", "state": state})
-        self.work.soon()
-        return {"added": [a.point for a in actions], "remarks": list(remarks), "state": state}
+        done = self._done(seq)
+        return {"added": [p.point for p in action.points], "remarks": list(remarks), **done}
 
     def _fiducials(self, given: dict[str, Any]) -> dict[str, Any]:
         """The other fiducial marks of a scan: one action each of those that are found."""
@@ -261,7 +261,7 @@ class Studio:
                 message = waiting.result()
                 if message is None:
                     break
-                await socket.send_json(message)
+                await socket.send_text(message)
         except (WebSocketDisconnect, RuntimeError):
             pass
         finally:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import json
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -14,25 +15,26 @@ QUEUE = 200
 class Live:
     """Queues of the open tabs."""
 
-    tabs: set[asyncio.Queue[dict[str, Any] | None]] = field(default_factory=set[asyncio.Queue[dict[str, Any] | None]])
+    tabs: set[asyncio.Queue[str | None]] = field(default_factory=set[asyncio.Queue[str | None]])
     loop: asyncio.AbstractEventLoop | None = None
 
-    def join(self) -> asyncio.Queue[dict[str, Any] | None]:
+    def join(self) -> asyncio.Queue[str | None]:
         """A queue for one more tab."""
-        queue: asyncio.Queue[dict[str, Any] | None] = asyncio.Queue(QUEUE)
+        queue: asyncio.Queue[str | None] = asyncio.Queue(QUEUE)
         self.tabs.add(queue)
         self.loop = asyncio.get_running_loop()
         return queue
 
-    def leave(self, queue: asyncio.Queue[dict[str, Any] | None]) -> None:
+    def leave(self, queue: asyncio.Queue[str | None]) -> None:
         """A tab was closed."""
         self.tabs.discard(queue)
 
     def tell(self, message: dict[str, Any]) -> None:
-        """Tell every tab, from the server's own thread."""
+        """Tell every tab, from the server's own thread; what is told is written down once for all of them."""
+        text = json.dumps(message, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
         for queue in [*self.tabs]:
             try:
-                queue.put_nowait(message)
+                queue.put_nowait(text)
             except asyncio.QueueFull:
                 self.tabs.discard(queue)
                 while not queue.empty():

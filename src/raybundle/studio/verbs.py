@@ -50,6 +50,16 @@ def _beyond(folder: str, a: Mapping[str, Any]) -> list[str]:
     return _given(folder, [f"--{a['quantity']}", repr(float(a["limit"]))])
 
 
+def _short(value: float) -> str:
+    """A number without the decimals of a whole one."""
+    return repr(float(value)).removesuffix(".0")
+
+
+def _mask(folder: str, a: Mapping[str, Any]) -> list[str]:
+    corners = " ".join(f"{_short(x)},{_short(y)}" for x, y in a["polygon"])
+    return _given(folder, ["--polygon", corners, *(["--camera"] if a["camera"] else [])], a["mask"], a["image"])
+
+
 def _words(*names: str) -> Callable[[str, Mapping[str, Any]], list[str]]:
     """A verb whose arguments stand as they are."""
     return lambda folder, a: _given(folder, [], *(a[n] for n in names if a[n] != ""))
@@ -61,7 +71,7 @@ _WORDS: Mapping[str, Callable[[str, Mapping[str, Any]], list[str]]] = {
     "rename": _words("point", "to"), "forget": _words("point"), "bar": _words("start", "end", "length", "sigma"),
     "unbar": _words("start", "end"), "datum": _words("origin", "axis", "plane"), "reject": _words("image", "point"),
     "accept": _words("image", "point"), "reject_beyond": _beyond, "parameter": _words("camera", "symbol", "choice"),
-    "undo": _words(), "redo": _words(),
+    "control": _words("file"), "mask": _mask, "unmask": _words("mask"), "undo": _words(), "redo": _words(),
 }  # fmt: skip
 _SUBCOMMANDS = {"reject_beyond": "reject"}
 """Verbs that are options of another."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -16,6 +16,9 @@ from raybundle.io.photos.photo import find_photos
 from raybundle.measuring.film import Scans, as_scans
 from raybundle.numerics.progress import Progress, silent
 from raybundle.workflows.orienting.start import cameras_of
+
+SMALL_PX = 100
+"""Side of a picture below which it is said that it is small: a mark of 0.5 px is then 1/200 of it."""
 
 
 def bare_block(
@@ -38,6 +41,8 @@ def bare_block(
         raise InputError("\n".join(lines), file=", ".join(map(str, inputs)))
     for line in (*(f"{n}: {why}" for n, why in refused), *found.remarks):
         told(line)
+    for line in small_pictures({p.name: (p.width_px, p.height_px) for p in found.photos}):
+        told(line)
     groups = camera_groups(found.photos, calibration, separate)
     groups = groups if library is None else with_library(found.photos, groups, library)
     cameras, of_photo = cameras_of(groups, len(found.photos))
@@ -53,6 +58,16 @@ def bare_block(
         ),
         points=Points(ids=(), role=np.zeros(0, np.int32), xyz=np.zeros((0, 3)), sigma=np.zeros((0, 3))),
     )  # fmt: skip
+
+
+def small_pictures(sizes: Mapping[str, tuple[int, int]]) -> list[str]:
+    """A line of each picture in which hardly anything can be measured: name -> width and height [px]."""
+    return [
+        f"{name}: has {w} x {h} px, fewer than {SMALL_PX} on a side: hardly anything can be measured in it; look "
+        "whether it is a preview of the photograph"
+        for name, (w, h) in sizes.items()
+        if min(w, h) < SMALL_PX
+    ]
 
 
 def of_film(block: Block, cameras: Sequence[Camera], scans: Scans) -> Block:

@@ -145,7 +145,7 @@ def find_masks(folder: Path, photos: Sequence[Photo]) -> Masks:
     alike: list[tuple[str, str]] = []
     own = {p.path.absolute() for p in photos}
     for photo in photos:
-        path = _mask_of(folder, photo)
+        path = mask_file(folder, photo)
         if path is None:
             other = _named_alike(folder, photo, own)
             alike += [] if other is None else [(photo.name, _alike_words(other, photo))]
@@ -186,7 +186,7 @@ def _alike_words(other: Path, photo: Photo) -> str:
     return f"{shown(other).name} is there, but a mask is named {_names(photo)}, in these letters"
 
 
-def _mask_of(folder: Path, photo: Photo) -> Path | None:
+def mask_file(folder: Path, photo: Photo) -> Path | None:
     """The mask of a photograph: its path repeated from the longest part to the name alone."""
     parts = photo.path.absolute().parts
     least = len(Path(photo.name).parts)  # names that repeat are told apart by their folders

@@ -1,0 +1,88 @@
+"""What the subcommands of `raybundle mark` have in common: the group, and how one is an action on a folder."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+import click
+
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER
+
+
+@click.group("mark", context_settings=COMMAND_SETTINGS)
+def command() -> None:
+    """Measure points by hand in the images of a project, result or block folder, or in photographs alone.
+
+    What is done is kept, action by action, in FOLDER/measured.db of a project, and in FOLDER.measured.db beside another
+    folder; of a folder of photographs, in a project that is begun beside it, FOLDER-project. There marks orient the
+    photographs: six points that two show, then four with coordinates in each further one. Undo and redo are unlimited.
+    Pixels count from the outer corner of the first one, in the file as it is stored.
+
+    \b
+    Example:
+      raybundle mark put facade-project IMG_3.jpg gate 1204.3 880.1 --sigma 0.3
+      raybundle mark bar facade-project A B 1.0003 0.0001
+      raybundle mark adjust facade-project
+    """  # noqa: D301
+
+
+def _author(function: Callable[..., Any]) -> Callable[..., Any]:
+    function = click.option(
+        "--traceback", is_flag=True, expose_value=False, help="After an error, show where in the program it arose."
+    )(function)
+    return click.option("--author", default="", metavar="TEXT", help="Who does it, for the journal.")(function)
+
+
+def subcommand(name: str) -> Callable[[Callable[..., Any]], click.Command]:
+    """A subcommand that is one action on a folder."""
+
+    def made(function: Callable[..., Any]) -> click.Command:
+        with_options = click.argument("folder", type=FOLDER)(_author(function))
+        return command.command(name, context_settings=COMMAND_SETTINGS)(with_options)
+
+    return made
+
+
+def do(folder: Path, verb: str, author: str, /, **arguments: Any) -> None:
+    """Do an action of a verb, and say its number; a folder of photographs has its project begun."""
+    from raybundle.commands.begin import measuring_folder, standing_folder  # noqa: PLC0415  (loaded after the help)
+    from raybundle.commands.measure import mark  # noqa: PLC0415
+
+    if standing_folder(folder) is None:
+        click.echo(f" project: {measuring_folder(folder, told=lambda line: click.echo(f'   {line}'))}")
+    seq = mark(folder, verb, author=author, **arguments)
+    told = _moved(folder, seq) if verb in {"undo", "redo"} else ""
+    click.echo(f" action {seq}: {verb}{told}")
+
+
+def _moved(folder: Path, seq: int) -> str:
+    """What an undo took back, or a redo did again."""
+    from raybundle.commands.measure import history  # noqa: PLC0415
+    from raybundle.measuring.state import in_force  # noqa: PLC0415
+
+    entries = [e for e in history(folder) if e.seq <= seq]
+    _, moved = in_force([e.action for e in entries])
+    if moved[-1] is None:
+        return ""
+    e = entries[moved[-1]]
+    return f" of action {e.seq}, {e.verb} {words(e.arguments)}".rstrip()
+
+
+def words(arguments: Mapping[str, Any]) -> str:
+    """The arguments of an action, without what was not given."""
+    told = (f"{n} {_plain(v)}" for n, v in arguments.items() if v not in (None, "", [], [None, None, None]))
+    return ", ".join(told)
+
+
+SHOWN = 12
+"""Values of an argument that are told one by one."""
+
+
+def _plain(value: Any) -> str:
+    if isinstance(value, float):
+        return f"{value:.10g}"
+    if isinstance(value, list) and len(value) > SHOWN:
+        return f"{len(value)} of them"
+    return " ".join(map(_plain, value)) if isinstance(value, list | tuple) else str(value)

@@ -1,0 +1,71 @@
+"""`raybundle mark control | mask | unmask`: tables and areas as one action each."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from raybundle.cli.marking import do, subcommand
+from raybundle.errors import InputError
+from raybundle.io.reading.words import number_of, quoted
+
+
+@subcommand("control")
+@click.argument("file", metavar="TABLE.csv")
+def control(folder: Path, file: str, author: str) -> None:
+    """Give all points of a table their coordinates, as one action: point,X,Y,Z and, if known, sX,sY,sZ,role.
+
+    The action holds the rows: the table is not read again.
+
+    \b
+    Example:
+      raybundle mark control facade-project total-station.csv
+    """  # noqa: D301
+    do(folder, "control", author, file=file)
+
+
+@subcommand("mask")
+@click.argument("mask", metavar="NAME")
+@click.argument("image")
+@click.option(
+    "--polygon", required=True, metavar="'X,Y X,Y X,Y'",
+    help="Corners in pixels of the file, x and y with a comma, with a blank between corners.",
+)  # fmt: skip
+@click.option("--camera", is_flag=True, help="At the same place in every photograph of the image's camera.")
+def mask(folder: Path, mask: str, image: str, polygon: str, camera: bool, author: str) -> None:  # noqa: FBT001
+    """Leave an area of a photograph out of all measuring; one of that name is replaced.
+
+    `orient` heeds it when it runs again in the project; `raybundle mark export --masks` writes pictures of all masks.
+
+    \b
+    Example:
+      raybundle mark mask facade-project tree IMG_3.jpg --polygon "0,0 800,0 760,1200 0,1300"
+      raybundle mark mask car-project bonnet IMG_3.jpg --polygon "0,1700 4000,1700 4000,2000 0,2000" --camera
+    """  # noqa: D301
+    do(folder, "mask", author, mask=mask, image=image, polygon=_corners(polygon), camera=camera)
+
+
+@subcommand("unmask")
+@click.argument("mask", metavar="NAME")
+def unmask(folder: Path, mask: str, author: str) -> None:
+    """Take a drawn mask away.
+
+    \b
+    Example:
+      raybundle mark unmask facade-project tree
+    """  # noqa: D301
+    do(folder, "unmask", author, mask=mask)
+
+
+def _corners(text: str) -> list[list[float]]:
+    found: list[list[float]] = []
+    for k, word in enumerate(text.split()):
+        values = [number_of(part) for part in word.split(",")]
+        if len(values) != 2 or None in values:
+            raise InputError(
+                f"corner {k + 1} of the polygon is {quoted(word)}; give x and y with a comma, corners with a blank "
+                "between: '10,20 300,20 300,200'"
+            )
+        found.append([float(v) for v in values if v is not None])
+    return found
