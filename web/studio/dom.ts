@@ -40,6 +40,20 @@ export function onceAFrame(call: () => void): () => void {
   };
 }
 
+/** A call at once where the page is seen, else once when it is: three hundred tabs behind another ask nothing. */
+export function whenSeen(call: () => void): () => void {
+  let asked = false;
+  return () => {
+    if (!document.hidden) return call();
+    if (asked) return;
+    asked = true;
+    document.addEventListener("visibilitychange", () => {
+      asked = false;
+      call();
+    }, { once: true });
+  };
+}
+
 /** A call when nothing new was asked for some time. */
 export function afterPause(call: () => void, ms: number): () => void {
   let timer = 0;

@@ -1,6 +1,6 @@
 // The journal: every action with its time and its command; nothing is taken out of it.
 import { ask } from "./api";
-import { button, element, h } from "./dom";
+import { button, element, h, whenSeen } from "./dom";
 import { Model } from "./model";
 import { count } from "./numbers";
 import { JournalEntry } from "./types";
@@ -20,7 +20,7 @@ export class Journal {
     });
     element("journal-bar").append(h("label", {}, "your name", this.author),
       button("Copy all", "Copy all commands", () => this.copy(this.entries.map((e) => e.command).filter((c) => c).join("\n"))), this.told);
-    model.on("state", () => this.isOpen() && void this.show());
+    model.on("state", whenSeen(() => this.isOpen() && void this.show()));
   }
 
   async show(): Promise<void> {

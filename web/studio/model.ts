@@ -1,7 +1,7 @@
 // What is open, what is measured, what is looked at; the parts of the page hear of what changes.
 import { Actions } from "./actions";
 import { ask, Refused } from "./api";
-import { afterPause } from "./dom";
+import { afterPause, whenSeen } from "./dom";
 import { tiles } from "./tiles";
 import { Fiducial, ImageInfo, Mark, Observations, Overview, Predictions, Role, Run, State } from "./types";
 
@@ -38,7 +38,7 @@ export class Model {
   private readonly given = new Map<string, Promise<Observations>>();
   private readonly listeners = new Map<Topic, (() => void)[]>();
   private asked = 0;
-  private readonly predictSoon = afterPause(() => void this.predict(), 20);
+  private readonly predictSoon = afterPause(whenSeen(() => void this.predict()), 20);
 
   on(topics: Topic | Topic[], call: () => void): void {
     for (const topic of Array.isArray(topics) ? topics : [topics])

@@ -1,7 +1,7 @@
 // The measuring panel: the current point, its marks, where else it may be measured.
 import { ask } from "./api";
 import { Choice } from "./choice";
-import { afterPause, button, element, h } from "./dom";
+import { afterPause, button, element, h, whenSeen } from "./dom";
 import { looks, SNAPS } from "./looks";
 import { Measuring } from "./measuring";
 import { Model } from "./model";
@@ -48,7 +48,7 @@ export class Panel {
       this.points.select(model.current);
     });
     model.on(["current", "prediction", "state"], () => this.show());
-    const later = afterPause(() => void this.showPoints(), 60);
+    const later = afterPause(whenSeen(() => void this.showPoints()), 60);
     model.on(["state", "read"], later);
   }
 

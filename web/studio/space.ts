@@ -18,6 +18,8 @@ const NEAR_PX = 10;
 /** Time between two pictures of a motion that is too long, and that which leaves room for more [ms]. */
 const SLOW_MS = 40;
 const FAST_MS = 24;
+/** Points that a processor draws in time. */
+const QUICK = 100_000;
 /** Pixels of a picture that a processor does not make in time. */
 const LARGE_PX = 1.5e6;
 
@@ -106,6 +108,7 @@ export class Space {
     const first = !this.drawn;
     this.drawn?.dispose();
     this.drawn = new SpaceScene(data, this.pairs.lines);
+    if (this.software) this.share = Math.min(this.share, QUICK / Math.max(data.points, 1));
     this.measure.take(data);
     this.pairs.take(data);
     this.section.take(data);

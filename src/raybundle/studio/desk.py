@@ -20,6 +20,7 @@ from raybundle.measuring.known import Known
 from raybundle.measuring.session import Adjust, Session, block_folder, readjusted
 from raybundle.measuring.start import Standing, standing_of, to_begin
 from raybundle.numerics.arrays import Index
+from raybundle.orientation.rays import common_counts
 from raybundle.pipeline.project import photographs_of
 from raybundle.studio.tiles import Tiles
 
@@ -46,6 +47,7 @@ class Desk:
     times: int = 0
     """how often it was read anew: images may have other numbers then"""
     _rows: tuple[Index, Index] | None = None
+    _shared: Index | None = None
     lock: threading.RLock = field(default_factory=threading.RLock)
 
     @classmethod
@@ -107,7 +109,19 @@ class Desk:
         with self.lock:
             self.session = session
             self.standing = standing_of(session.block) if standing is None else standing
-            self._rows = None
+            self._rows = self._shared = None
+
+    @property
+    def shared(self) -> Index:
+        """(k, 3) pairs of images and the points that they share by observations that take part, most first."""
+        with self.lock:
+            if self._shared is None:
+                block, a = self.block, self.adjustment
+                o = block.observations
+                used = np.ones(len(o), bool) if a is None else a.image_observations.used
+                every = np.ones(len(block.images), bool)
+                self._shared = common_counts(o.image[used], o.point[used], every, len(block.points))
+            return self._shared
 
     def rows_in(self, image: int) -> Index:
         """Rows of the image observations of an image."""

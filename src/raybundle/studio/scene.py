@@ -15,10 +15,8 @@ from raybundle.report.figures.photographs import STRONG
 from raybundle.report.figures.svg import spread_rows
 from raybundle.report.network_page import basis_of, ellipsoids_of, extent_of
 from raybundle.studio.desk import Desk
-from raybundle.studio.pairs import shared
 
 MOST_POINTS = 1_000_000
-MOST_NAMES = 200_000
 MOST_PAIRS = 200_000
 KINDS = {"f4": "<f4", "u1": "u1", "u2": "<u2", "u4": "<u4"}
 
@@ -53,7 +51,7 @@ def scene(desk: Desk) -> bytes:
         arrays.append(("bars", "u4", ends[(ends >= 0).all(axis=1)]))
     where = np.full(len(block.images), -1)
     where[images] = np.arange(len(images))
-    graph = shared(desk)[:MOST_PAIRS]
+    graph = desk.shared[:MOST_PAIRS]
     graph = graph[(where[graph[:, :2]] >= 0).all(axis=1)]
     arrays += [("pair", "u4", where[graph[:, :2]]), ("common", "u4", graph[:, 2])]
     head: dict[str, Any] = {
@@ -62,7 +60,7 @@ def scene(desk: Desk) -> bytes:
         "arrays": [{"name": n, "kind": k, "shape": list(v.shape)} for n, k, v in arrays],
         "image_ids": [block.images.ids[i] for i in images], "total": len(block.points),
         "few": FEW, "strong": STRONG,
-        "names": [block.points.ids[p] for p in rows[:MOST_NAMES]],
+        "names": [block.points.ids[p] for p in rows],
     }  # fmt: skip
     text = json.dumps(head, allow_nan=False, separators=(",", ":")).encode()
     text += b" " * (-(len(text) + 4) % 8)
