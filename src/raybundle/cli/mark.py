@@ -12,6 +12,7 @@ import click
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FILE_OR_FOLDER, NEW_FOLDER, common_options
 from raybundle.cli.marking import command, do, subcommand, words
+from raybundle.cli.marking_areas import control, mask, unmask
 from raybundle.cli.marks_shown import shown
 from raybundle.cli.numbers import NUMBER, PIXELS, POSITIVE, Number
 from raybundle.cli.settings import options_of, values_of
@@ -19,6 +20,7 @@ from raybundle.commands.begin_settings import BeginSettings
 from raybundle.commands.measure_settings import RejectSettings
 from raybundle.errors import InputError
 
+__all__ = ["command", "control", "mask", "unmask"]
 NO_NUMBER = "-"
 """What stands for a coordinate that is not known."""
 
