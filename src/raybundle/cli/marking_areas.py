@@ -8,7 +8,6 @@ import click
 
 from raybundle.cli.marking import do, subcommand
 from raybundle.errors import InputError
-from raybundle.io.reading.words import number_of, quoted
 
 
 @subcommand("control")
@@ -59,6 +58,8 @@ def unmask(folder: Path, mask: str, author: str) -> None:
 
 
 def _corners(text: str) -> list[list[float]]:
+    from raybundle.io.reading.words import number_of, quoted  # noqa: PLC0415  (NumPy is loaded with it)
+
     found: list[list[float]] = []
     for k, word in enumerate(text.split()):
         values = [number_of(part) for part in word.split(",")]
