@@ -2,8 +2,8 @@
 
     python benchmarks/studio_space.py [POINTS]
 
-A flight over a hilly ground: every point in the photographs whose stations are nearest, exact but for 0.3 px.  The page is
-opened in Chromium, which draws with the processor (SwiftShader).  Figures go to standard output and to
+A flight over a hilly ground: every point in the photographs whose stations are nearest, exact but for 0.3 px.  The page
+is opened in Chromium, which draws with the processor (SwiftShader).  Figures go to standard output and to
 benchmarks/results/studio_space.json.  Needs playwright and a Chromium (RAYBUNDLE_CHROMIUM names one).
 """
 
@@ -89,7 +89,8 @@ PICTURES = """async (count) => {
     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
     done(performance.now());
   }));
-  const turn = () => canvas.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowLeft", bubbles: true, cancelable: true }));
+  const left = { key: "ArrowLeft", bubbles: true, cancelable: true };
+  const turn = () => canvas.dispatchEvent(new KeyboardEvent("keydown", left));
   const found = [];
   for (let k = 0; k < count; k++) {
     const began = performance.now();
@@ -106,7 +107,8 @@ HOVER = """() => {
     const step = (k) => {
       if (k === 20) return done(found);
       const began = performance.now();
-      canvas.dispatchEvent(new PointerEvent("pointermove", { clientX: box.left + 300 + 9 * k, clientY: box.top + 250, bubbles: true }));
+      const at = { clientX: box.left + 300 + 9 * k, clientY: box.top + 250, bubbles: true };
+      canvas.dispatchEvent(new PointerEvent("pointermove", at));
       requestAnimationFrame(() => { found.push(performance.now() - began); step(k + 1); });
     };
     step(0);
@@ -141,8 +143,9 @@ def in_page(address: str) -> dict:
         colour = {}
         for by in ("rays", "sigma"):
             colour[by] = page.evaluate(
-                "(by) => { const s = document.querySelector('#space-colour'); s.value = by; const t = performance.now();"
-                " s.dispatchEvent(new Event('change')); return performance.now() - t; }", by,
+                "(by) => { const s = document.querySelector('#space-colour'); s.value = by;"
+                " const t = performance.now(); s.dispatchEvent(new Event('change'));"
+                " return performance.now() - t; }", by,
             )  # fmt: skip
         chosen = chosen_in(page)
         browser.close()
