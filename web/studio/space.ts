@@ -15,11 +15,10 @@ import { SpaceScene } from "./space_scene";
 import { SpaceSection } from "./space_section";
 
 const NEAR_PX = 10;
-/** Time between two pictures of a motion that is too long, and that which leaves room for more [ms]. */
-const SLOW_MS = 40;
-const FAST_MS = 24;
-/** Points that a processor draws in time. */
-const QUICK = 100_000;
+/** Time that a picture of a motion should take [ms]. */
+const PICTURE_MS = 33;
+/** Points that a processor draws in about that time: the first share of a motion. */
+const AT_FIRST = 30_000;
 /** Pixels of a picture that a processor does not make in time. */
 const LARGE_PX = 1.5e6;
 
@@ -45,13 +44,14 @@ export class Space {
   private readonly camera = new THREE.PerspectiveCamera(40, 1, 0.01, 1000);
   private drawn: SpaceScene | null = null;
   private stale = true;
-  private readonly render = onceAFrame(() => this.frame());
+  private readonly frameSoon = onceAFrame(() => this.frame());
   /** Share of the points that is drawn while it is turned. */
   private share = 1;
   private software = false;
   private coarse = false;
-  private last = 0;
-  private readonly rest = afterPause(() => this.still(), 200);
+  private turning = false;
+  private timed = false;
+  private readonly rest = afterPause(() => this.still(), 250);
 
   constructor(private readonly model: Model, private readonly open: (image: string) => void) {
     this.bar = new SpaceBar(() => this.shown(), () => this.home());
@@ -108,7 +108,6 @@ export class Space {
     const first = !this.drawn;
     this.drawn?.dispose();
     this.drawn = new SpaceScene(data, this.pairs.lines);
-    if (this.software) this.share = Math.min(this.share, QUICK / Math.max(data.points, 1));
     this.measure.take(data);
     this.pairs.take(data);
     this.section.take(data);
@@ -116,6 +115,7 @@ export class Space {
     this.camera.near = extent / 1000;
     this.camera.far = extent * 200;
     this.bar.typical = this.drawn.typical;
+    if (first) this.share = this.software ? Math.min(AT_FIRST / Math.max(data.points, 1), 1) : 1;
     if (first) this.home();
     this.shown();
     this.current();
@@ -147,23 +147,47 @@ export class Space {
     this.frame();
   }
 
+  /** The next picture; where one of all points takes long, one of some comes first. */
+  private render(): void {
+    if (this.share < 1) {
+      this.drawn?.thin(this.share);
+      this.rest();
+    }
+    this.frameSoon();
+  }
+
   private frame(): void {
     if (!this.renderer || !this.drawn || element("stage-space").hidden) return;
     this.renderer.render(this.drawn.scene, this.camera);
+    if (this.turning) this.timing();
   }
 
-  /** The next picture of a motion: fewer points where the last ones came too late, more where they came in time. */
+  /** The next picture of a motion, of as many points as are drawn in time. */
   private moving(): void {
-    const now = performance.now();
-    const took = now - this.last;
-    this.last = now;
-    if (took > SLOW_MS && took < 10 * SLOW_MS) this.share = Math.max(0.7 * this.share, 0.02);
-    else if (took < FAST_MS) this.share = Math.min(1.1 * this.share, 1);
-    this.drawn?.thin(this.share);
     const large = this.box.clientWidth * this.box.clientHeight > LARGE_PX;
     if (this.software && large && !this.coarse) this.fine(false);
+    this.turning = true;
     this.render();
     this.rest();
+  }
+
+  /** Let the share of points follow the time that a picture takes: until the graphics card, or the processor, has it done. */
+  private timing(): void {
+    const gl = this.renderer!.getContext() as WebGL2RenderingContext;
+    const done = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    if (!done) return;
+    if (this.timed) return gl.deleteSync(done);
+    this.timed = true;
+    const began = performance.now();
+    gl.flush();
+    const look = () => {
+      if (gl.getSyncParameter(done, gl.SYNC_STATUS) !== gl.SIGNALED) return void setTimeout(look, 4);
+      gl.deleteSync(done);
+      this.timed = false;
+      const wanted = PICTURE_MS / Math.max(performance.now() - began, 1);
+      this.share = Math.min(Math.max(this.share * Math.min(Math.max(wanted, 0.25), 1.25), 0.005), 1);
+    };
+    setTimeout(look, 4);
   }
 
   /** Every pixel of the screen, or a quarter of them. */
@@ -173,10 +197,10 @@ export class Space {
   }
 
   private still(): void {
-    this.last = 0;
+    this.turning = false;
     this.drawn?.thin(1);
     if (this.coarse) this.fine(true);
-    this.render();
+    this.frameSoon();
   }
 
   // --- what is shown --------------------------------------------------------------------------------

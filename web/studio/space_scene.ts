@@ -70,7 +70,7 @@ export class SpaceScene {
   /** Colour the points; returns the legend. */
   colour(by: Colouring): [string, string][] {
     const { rgb, legend } = coloured(this.data, by);
-    this.points.geometry.setAttribute("color", new THREE.BufferAttribute(rgb, 3));
+    this.points.geometry.setAttribute("color", new THREE.BufferAttribute(rgb, 4, true));
     const roles = new Float32Array(3 * this.specialRows.length);
     const colours = ROLE_COLOURS.map((hex) => new THREE.Color(hex));
     this.specialRows.forEach((i, k) => colours[Math.min(this.data.role[i], 2)].toArray(roles, 3 * k));
