@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 from PIL import Image
-from tests.measuring.scenes import simulation
 
 from raybundle.errors import InputError
 from raybundle.io.photos.masks import find_masks
@@ -15,6 +14,7 @@ from raybundle.measuring.known import Known
 from raybundle.measuring.masks import drawn_by_file, free_of, write_masks
 from raybundle.measuring.merge import merge
 from raybundle.measuring.state import folded
+from tests.measuring.scenes import simulation
 
 TABLE = "point,X,Y,Z,sX,sY,sZ,role\nA,1,2,3,0.01,0.01,0.02,control\nB,4,5,6,,,,check\n"
 SQUARE = [[10, 20], [30, 20], [30, 60], [10, 60]]

@@ -443,8 +443,8 @@ def check_scatter(system: System, whitened: Array) -> None:
     if found > SCATTERED:
         raise NoConvergence(
             f"the image points contradict each other: they lie {100 * found:.0f} % of the image's diagonal beside any "
-            f"solution that was found, by their median (limit {100 * SCATTERED:.0f} %). {_farthest(system, share)}Look at "
-            "names of points and images, the unit and the origin of image coordinates, the camera constant and the "
+            f"solution that was found, by their median (limit {100 * SCATTERED:.0f} %). {_farthest(system, share)}Look "
+            "at names of points and images, the unit and the origin of image coordinates, the camera constant and the "
             "control."
         )
 

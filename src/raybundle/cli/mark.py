@@ -21,6 +21,7 @@ from raybundle.commands.begin_settings import BeginSettings
 from raybundle.commands.measure_settings import RejectSettings
 from raybundle.errors import InputError
 
+__all__ = ["command", "control", "mask", "unmask"]
 NO_NUMBER = "-"
 """What stands for a coordinate that is not known."""
 
@@ -41,9 +42,7 @@ PERHAPS, PERHAPS_SIGMA = PerhapsNumber(), PerhapsNumber(0)
 Covariance = tuple[float, float, float]
 
 
-def _place(
-    folder: Path, verb: str, author: str, sigma: float, covariance: Covariance | None, /, **given: Any
-) -> None:
+def _place(folder: Path, verb: str, author: str, sigma: float, covariance: Covariance | None, /, **given: Any) -> None:
     do(folder, verb, author, covariance=covariance or (sigma**2, sigma**2, 0.0), **given)
 
 
@@ -363,7 +362,12 @@ def list_(folder: Path, with_history: bool, as_json: bool) -> None:  # noqa: FBT
 @command.command("export", context_settings=COMMAND_SETTINGS)
 @click.argument("folder", type=FOLDER)
 @click.argument("out", type=NEW_FILE_OR_FOLDER)
-@click.option("--masks", "as_masks", is_flag=True, help="OUT is a folder of masks, one picture a photograph, as `orient --masks` reads it.")
+@click.option(
+    "--masks",
+    "as_masks",
+    is_flag=True,
+    help="OUT is a folder of masks, one picture a photograph, as `orient --masks` reads it.",
+)
 @click.option("--crs", default="", help="Coordinate system of the points, for gcp_list.txt: EPSG:32633 ...")
 def export(folder: Path, out: Path, as_masks: bool, crs: str) -> None:  # noqa: FBT001
     """Write what was measured: NAME.csv as --control reads it, gcp_list.txt, or else a block folder; or the masks.

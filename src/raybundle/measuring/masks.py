@@ -1,4 +1,4 @@
-"""Areas of photographs in which nothing is to be measured, drawn as polygons; and the pictures that are made of them."""
+"""Areas of photographs in which nothing is to be measured, drawn as polygons; and the pictures made of them."""
 
 from __future__ import annotations
 
@@ -124,7 +124,7 @@ def free_of(polygons: Sequence[Array], size_px: tuple[int, int]) -> Mask:
 
 
 def drawn_by_file(block: Block, state: State) -> dict[str, list[Array]]:
-    """File of an image, as the block names it -> the polygons (n, 2) left out of it; images without any are left out."""
+    """File of an image, as the block names it -> the polygons (n, 2) left out of it; only images with any."""
     found: dict[str, list[Array]] = {}
     for k, name in enumerate(block.images.ids):
         if polygons := masked_in(block, state, k):

@@ -251,8 +251,8 @@ def check_far_apart(block: Block, state: State) -> None:
     if name in state.points and far[worst] > FAR_APART * rest > 0:
         raise InputError(
             f"control point {quoted(name)} lies {far[worst]:.3g} {block.length_unit} from the other control, "
-            f"{far[worst] / rest:.1g} times as far as that lies apart (limit {FAR_APART:.0e}); look for a decimal point "
-            "or a unit in its coordinates"
+            f"{far[worst] / rest:.1g} times as far as that lies apart (limit {FAR_APART:.0e}); look for a decimal "
+            "point or a unit in its coordinates"
         )
 
 

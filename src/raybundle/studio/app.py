@@ -24,9 +24,9 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from raybundle.errors import InputError, RaybundleError
 from raybundle.io.reading.trees import json_of
+from raybundle.measuring.control import control_of_text
 from raybundle.studio import answers, masking, tables
 from raybundle.studio.asking import asked
-from raybundle.measuring.control import control_of_text
 from raybundle.studio.deciding import Deciding
 from raybundle.studio.desk import Desk
 from raybundle.studio.guard import Guard, Session, TooLarge

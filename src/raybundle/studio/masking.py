@@ -27,7 +27,7 @@ def drawn(desk: Desk, image: str) -> dict[str, Any]:
 
 
 def picture(desk: Desk, image: str) -> bytes:
-    """PNG of the mask that was read from a folder, coloured where it hides; b"": there is none, or it cannot be used."""
+    """PNG of the mask that was read from a folder, coloured where it hides; b"": there is none that can be used."""
     from PIL import Image  # noqa: PLC0415
 
     k, folder = named(desk, image), masks_given(desk.source)

@@ -62,7 +62,8 @@ def serve(
             session = Session(port=connection.getsockname()[1])
             config = uvicorn.Config(
                 Studio.of(desk, session).app(), log_level="warning", access_log=False, ws="websockets-sansio",
-                ws_max_size=LARGEST_MESSAGE, limit_concurrency=512, ws_per_message_deflate=False, timeout_graceful_shutdown=2, server_header=False,
+                ws_max_size=LARGEST_MESSAGE, ws_per_message_deflate=False, limit_concurrency=512,
+                timeout_graceful_shutdown=2, server_header=False,
             )  # fmt: skip
             told(session.address)
             if browser:
