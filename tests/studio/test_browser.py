@@ -273,7 +273,7 @@ def test_every_tab_and_control_by_file(page, hand, tmp_path, project):
     page.locator("summary", has_text="Control").click()
     page.set_input_files("#control-file", table)
     hand.wait("1 control point")
-    assert verbs(project) == ["point"]
+    assert verbs(project) == ["control"]
 
 
 @pytest.mark.parametrize("size", SIZES, ids=lambda s: f"{s[0]}x{s[1]}")
