@@ -1,6 +1,7 @@
 """Questions to results: standard deviations from the full covariance, and true."""
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -8,6 +9,7 @@ from scipy.stats import chi2
 
 import raybundle as rb
 from raybundle.adjustment.queries import covariance_between
+from raybundle.block import Distances, Role
 from raybundle.cli.main import main
 from raybundle.errors import InputError
 from raybundle.io.block.folder import write_block
@@ -188,3 +190,31 @@ def test_measuring_on_the_command_line(folder, capsys):
     assert run(capsys, "mark", "put", folder, image, "gate", "nan", 1)[0] == 2
     assert rb.marks(folder).points["gate"].role == "tie"
     assert rb.mark(folder, "forget", point="gate") == len(rows) + 7
+
+
+def test_held_coordinates_have_no_variance_even_at_the_end_of_a_scale_bar():
+    """A point that a scale bar retains among the unknowns, held in Y and Z."""
+    block = small_block()
+    names = names_of(block, 3)
+    a, b, _ = (block.points.ids.index(n) for n in names)
+    role, sigma = np.array(block.points.role), block.points.sigma.copy()
+    role[a] = Role.CONTROL
+    sigma[a] = [np.nan, 0.0, 0.0]
+    length = float(np.linalg.norm(block.points.xyz[a] - block.points.xyz[b]))
+    bar = Distances(
+        start=np.array([a], np.int32), end=np.array([b], np.int32), length=np.array([length]), sigma=np.array([1e-3])
+    )
+    held = replace(block, points=replace(block.points, role=role, sigma=sigma)).having(bar)
+    found = adjust(held)
+    std = found.precision.object_point_std[a]
+    answer = ask(found, "coordinates", (names[0],))
+    assert answer.sigma[1:] == (0.0, 0.0)
+    assert answer.sigma[0] == pytest.approx(std[0], rel=1e-6)
+    own = covariance_between(found, f"point:{names[0]}", f"point:{names[0]}")
+    np.testing.assert_allclose(np.sqrt(np.diagonal(own)), std, rtol=1e-6, atol=1e-12)
+    without = ask(
+        adjust(replace(held, tables={k: t for k, t in held.tables.items() if k != "distances"})),
+        "distance",
+        (names[0], names[2]),
+    )
+    assert ask(found, "distance", (names[0], names[2])).sigma[0] < 1.5 * without.sigma[0]

@@ -199,6 +199,12 @@ class Normals:
             self.diagonal[system.offsets[node] + axis] = 1.0
             self.right[system.offsets[node] + axis] = 0.0
 
+    def _held_unknowns(self) -> Index:
+        """Unknowns of nodes that are held coordinates of retained points."""
+        system = self.system
+        point, axis = np.nonzero(system.held & (system.point_node >= 0)[:, None])
+        return (system.offsets[system.point_node[point]] + axis).astype(np.int64)
+
     def step(self, state: State, *, damping: float = 0.0, huber: float = 0.0) -> tuple[Array, Array, float] | int:
         """Solve for a step after `reduce`; returns nodes, points (p, 3) and the linearised cost.
 
@@ -285,7 +291,9 @@ class Normals:
         """The nodes' part (N, k) of N^-1 applied to right sides for nodes (N, k) and points (p, 3, k)."""
         columns = nodes.shape[1]
         condensed = self.solver.condense(*self.arguments(state), self.threads, self._free_rows(points), columns)
-        return self.solved(nodes + condensed)
+        right = nodes + condensed
+        right[self._held_unknowns()] = 0.0  # what is held has no variance
+        return self.solved(right)
 
     def solve_points(self, state: State, nodes: Array, points: Array) -> Array:
         """The points' part (p, 3, k) that belongs to the nodes' part (N, k) of a solution."""
