@@ -11,11 +11,13 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import PixelFrame, Relation
 from raybundle.block.merge import SUBJECTS, merge_blocks
 from raybundle.block.select import selected, with_rows
+from raybundle.block.transform import transform_block
 from raybundle.errors import InputError
 from raybundle.numerics.places import Local
+from raybundle.numerics.transform import SimilarityTransform
 from raybundle.observations.alignment import Planes
 from raybundle.observations.total_station import Directions
-from raybundle.planning.scenes import AerialStrips, aerial_scene
+from raybundle.planning.scenes import AerialStrips, TargetField, aerial_scene, field_scene
 from raybundle.planning.simulate import Survey, simulate
 from tests.observations.test_kinds import EXAMPLES
 
@@ -243,3 +245,46 @@ def test_rules_name_what_there_is(flights):
             merge_blocks([first, second], prefer=prefer)
     with pytest.raises(InputError, match="no blocks to merge"):
         merge_blocks([])
+
+
+@pytest.mark.parametrize("unit", ["mm", "turned"])
+def test_rounding_is_no_contradiction_and_nothing_stands_twice(unit):
+    made = simulate(
+        field_scene(TargetField(rows=4, columns=5, stations=4)),
+        Survey(control=4, control_sigma=(1e-3, 1e-3, 1e-3), scale_bars=3, station_sigma=0.01),
+    ).observed
+    turn = np.array([[0.6, -0.8, 0.0], [0.8, 0.6, 0.0], [0.0, 0.0, 1.0]])
+    there = (
+        SimilarityTransform(scale=1 / 3, rotation=np.eye(3), translation=np.array([1000.0, -170.0, 3.0]))
+        if unit == "mm"
+        else SimilarityTransform(scale=1.0, rotation=turn, translation=np.array([1000.0, -170.0, 3.0]))
+    )
+    far = transform_block(made, there, observed="follow")
+    near = transform_block(transform_block(far, there.inverse, observed="follow"), there, observed="follow")
+    assert (near.points.xyz != far.points.xyz).any(), "rounded, or this says nothing"
+    whole = merge_blocks([far, near])
+    assert len(whole.distances) == len(made.distances)
+    assert len(whole.stations) == len(made.stations)
+    assert len(whole.observations) == len(made.observations)
+    worse = replace(near, points=replace(near.points, xyz=near.points.xyz * (1 + 1e-9)))
+    with pytest.raises(InputError, match="correct one of them"):
+        merge_blocks([far, worse])
+
+
+def test_what_is_no_block_rule_or_rotation_is_refused(flights):
+    block, _ = flights
+    for wrong, words in (
+        (lambda: merge_blocks(["folder", block]), "is no block but a str"),
+        (lambda: merge_blocks([block, block], prefer="x"), "is no mapping"),
+        (lambda: transform_block(block, SimilarityTransform(), observed="folow"), "neither 'follow' nor 'stay'"),
+        (
+            lambda: transform_block(block, SimilarityTransform(rotation=np.diag([1, 1, -1.0])), observed="stay"),
+            "mirror",
+        ),
+        (
+            lambda: transform_block(block, SimilarityTransform(rotation=2 * np.eye(3)), observed="stay"),
+            "differs from 1",
+        ),
+    ):
+        with pytest.raises(InputError, match=words):
+            wrong()

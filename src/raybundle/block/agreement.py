@@ -13,6 +13,9 @@ from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.records import Column, Records, said, taken
 
 R = TypeVar("R", bound=Records)
+ROUNDING = 64 * np.finfo(float).eps
+"""Difference of numbers, as a share of the largest of their column, that is no contradiction: a change of the frame or
+of the unit and back leaves some units of the last place."""
 Refuse = Callable[[str, int, int], None]
 """Called with the name of a column and two rows that contradict each other in it; raises where no rule says which
 stands."""
@@ -39,7 +42,7 @@ class Rows:
 
 
 def codes(c: Column, values: Any, count: int) -> Index:
-    """(k,) numbers that are equal where entries of a column are, NaN with NaN."""
+    """(k,) numbers that are equal where entries of a column are, NaN with NaN, but for the rounding of numbers."""
     if values is None:
         return np.zeros(count, np.int64)
     if c.of == "by row":
@@ -51,9 +54,22 @@ def codes(c: Column, values: Any, count: int) -> Index:
         return found
     flat = np.array(values, np.str_) if c.of == "text" else np.asarray(values)
     if flat.dtype.kind == "f":
-        flat = np.where(np.isnan(flat), np.nan, flat) + 0.0  # one NaN, one zero
+        flat = _rounded(flat.reshape(count, -1)) if count else flat
     flat = np.ascontiguousarray(flat.reshape(count, -1)) if count else np.zeros((0, 1))
     return _numbered(flat.view(np.dtype((np.void, flat.dtype.itemsize * flat.shape[1]))).ravel())
+
+
+def _rounded(values: Array) -> Index:
+    """(k, j) numbers that are equal, in each column, where values are but for the rounding of a change of frame."""
+    size = np.abs(values[np.isfinite(values)]).max(initial=0.0)
+    found = np.empty(values.shape, np.int64)
+    for j, column in enumerate(values.T):
+        order = np.argsort(column)  # NaN comes last
+        with np.errstate(invalid="ignore"):
+            apart = np.diff(column[order]) > ROUNDING * size
+        apart |= np.isfinite(column[order])[1:] != np.isfinite(column[order])[:-1]
+        found[order, j] = np.concatenate([[0], np.cumsum(apart)])
+    return found
 
 
 def all_codes(table: Records, names: tuple[str, ...] = ()) -> Index:

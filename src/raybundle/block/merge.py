@@ -42,6 +42,11 @@ def merge_blocks(blocks: Sequence[Block], *, prefer: Mapping[Subject, int] | Non
     pair of points that differ are two observations, image points and positions of one image that differ contradict.
     What it does not do: bring blocks into one frame (`transform_block`), tell whether two ids are one thing.
     """
+    for k, b in enumerate(blocks):
+        if not isinstance(b, Block):  # pyright: ignore[reportUnnecessaryIsInstance]
+            raise InputError(f"blocks[{k}] is no block but a {type(b).__name__}; read a folder with read_block")
+    if prefer is not None and not isinstance(prefer, Mapping):  # pyright: ignore[reportUnnecessaryIsInstance]
+        raise InputError(f"prefer = {prefer!r} is no mapping; give for instance {{'point': 0}}")
     rules = dict(prefer or {})
     for what, k in rules.items():
         if what not in SUBJECTS or not 0 <= k < len(blocks):

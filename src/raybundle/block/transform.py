@@ -19,6 +19,8 @@ from raybundle.observations.table import Table
 from raybundle.sensors.model import Parameter
 
 P = TypeVar("P", Camera, Instrument)
+SQUARE = 1e-6
+"""By how much a matrix may be no rotation: what six printed digits leave."""
 
 
 def transform_block(block: Block, by: SimilarityTransform, *, observed: Literal["follow", "stay"]) -> Block:
@@ -31,8 +33,16 @@ def transform_block(block: Block, by: SimilarityTransform, *, observed: Literal[
     raises    InputError for the first thing that cannot follow: what is about the vertical after a tilt, standard
               deviations of coordinates that a rotation would correlate, a geodetic place, a satellite scene
     """
+    if observed not in ("follow", "stay"):
+        raise InputError(f"observed = {observed!r} is neither 'follow' nor 'stay'")
     if not by.scale > 0 or not np.isfinite(by.scale):
         raise InputError(f"scale {by.scale:g} of a transformation: it must be larger than 0")
+    if not np.isfinite(by.translation).all():
+        raise InputError(f"translation {by.translation.tolist()} of a transformation: three numbers are needed")
+    off = float(np.abs(by.rotation @ by.rotation.T - np.eye(3)).max())
+    if not off < SQUARE or np.linalg.det(by.rotation) < 0:
+        what = f"R R' differs from 1 by {off:.2g} (limit {SQUARE:g})" if not off < SQUARE else "it is a mirror image"
+        raise InputError(f"rotation of a transformation: {what}; give an orthogonal matrix of determinant +1")
     if observed == "stay":
         points = replace(block.points, xyz=by.points(block.points.xyz))
         return replace(block, images=block.images.transformed(by), points=points)
