@@ -21,6 +21,9 @@ const byHand = (x: number, y: number, clicked: [number, number] | null): Place =
   x_px: x, y_px: y, covariance: [HAND_PX ** 2, HAND_PX ** 2, 0], how: "hand", clicked, quality: null,
 });
 
+/** From which on it is said how far a mark was brought from the click: a hand is as fine as this. */
+const FAR_PX = 2;
+
 export class Measuring {
   /** Marks that are being moved, where they are now: image and point -> place. */
   readonly moving = new Map<string, [number, number]>();
@@ -70,7 +73,9 @@ export class Measuring {
 
   private words(done: string, point: string, place: Place, why: string): string {
     const s = Math.sqrt(Math.max(place.covariance[0], place.covariance[1]));
-    return why ? `${point} ${done} as clicked, ${HAND_PX} px: ${why}` : `${point} ${done}: ${place.how}, ${short(s, 2)} px`;
+    if (why) return `${point} ${done} as clicked, ${HAND_PX} px: ${why}`;
+    const moved = place.clicked ? Math.hypot(place.x_px - place.clicked[0], place.y_px - place.clicked[1]) : 0;
+    return `${point} ${done}: ${place.how}, ${short(s, 2)} px${moved >= FAR_PX ? `; ${moved.toFixed(1)} px from the click: look at it` : ""}`;
   }
 
   private async snapped(image: string, point: string, x: number, y: number): Promise<[Place, string]> {
