@@ -139,7 +139,7 @@ def stages(page: Page) -> None:
     page.click("#decide-targets")
     page.fill("#targets-family", "dots")
     page.keyboard.press("Tab")
-    page.get_by_role("button", name=SEEN[0], exact=True).click()
+    page.locator("#decide").get_by_role("button", name=SEEN[0], exact=True).click()
     page.locator("#message", has_text="Targets found").wait_for()
     page.select_option("#filter", "none")
     keep(page, "targets")

@@ -48,6 +48,8 @@ class Merged:
     """cameras whose constant comes from the marks alone"""
     film: tuple[str, ...] = ()
     """what is to be said of fiducial marks, in sentences"""
+    marked: frozenset[str] = frozenset()
+    """points that are marked by hand"""
 
 
 def merge(block: Block, state: State, scans: Scans | None = None) -> Merged:
@@ -77,7 +79,7 @@ def merge(block: Block, state: State, scans: Scans | None = None) -> Merged:
     return Merged(
         block=_with_rejected(made, state), left_out=out, new=start.new, untold=start.untold,
         lacking=(*film.lacking, *(k for k in start.lacking if k.image not in {f.image for f in film.lacking})),
-        film=film.words,
+        film=film.words, marked=frozenset(p for _, p in state.marks),
     )  # fmt: skip
 
 

@@ -181,12 +181,15 @@ def _standing(made: Merged, block: Block, result: Adjustment | None, trouble: st
     out = unoriented(block)
     return Standing(
         oriented=int((~out).sum()), images=len(out), lacking=made.lacking, untold=_untold(made.untold, result),
-        wrong=() if result is None else _wrong(result), trouble=trouble, film=made.film,
+        wrong=() if result is None else _wrong(result, made.marked), trouble=trouble, film=made.film,
     )  # fmt: skip
 
 
-def _wrong(result: Adjustment) -> tuple[Wrong, ...]:
-    """Image observations that contradict the others, those of a point together where it cannot be told which."""
+def _wrong(result: Adjustment, marked: frozenset[str]) -> tuple[Wrong, ...]:
+    """Marks that contradict the others, those of a point together where it cannot be told which.
+
+    marked  the points that are marked by hand: of others nobody can look a mark at again
+    """
     o, b = result.given.observations, result.given
     single: list[Wrong] = []
     together: dict[str, tuple[list[str], float]] = {}
@@ -194,6 +197,8 @@ def _wrong(result: Adjustment) -> tuple[Wrong, ...]:
         if reason is None:
             continue
         point, image = b.points.ids[int(o.point[k])], b.images.ids[int(o.image[k])]
+        if point not in marked:
+            continue
         if reason.kind is RejectionKind.BLUNDER:
             single.append(Wrong(point=point, images=(image,), tau=reason.tau))
         elif reason.kind is not RejectionKind.GIVEN:
