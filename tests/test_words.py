@@ -54,8 +54,8 @@ def test_this_would_notice():
 
 FLAG = re.compile(r"(?<![\w-])--[a-z]")
 OF_OTHER_PROGRAMS = ("pyproj sync --file", "pip install --no-deps")
-TELLS_COMMANDS = {"studio/verbs.py"}
-"""What makes command lines of actions."""
+TELLS_COMMANDS = {"commands/show.py", "studio/runnable.py", "studio/verbs.py"}
+"""What makes command lines: of actions, of runs, of the studio itself."""
 
 
 def flags_in(tree):

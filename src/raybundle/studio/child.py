@@ -2,20 +2,27 @@
 
 from __future__ import annotations
 
-import json
 import os
 import signal
 import subprocess
 import sys
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 from tempfile import TemporaryFile
 from typing import IO, Any, cast
 
+from raybundle.errors import InputError
+from raybundle.io.reading.trees import json_of
 from raybundle.numerics.progress import Progress
 
 MOST_LINES = 200
 """Lines of a command's errors that are kept, the last ones."""
+START = (
+    "import runpy, signal; signal.signal(signal.SIGINT, signal.default_int_handler); "
+    "runpy.run_module('raybundle', run_name='__main__')"
+)
+"""Begins the program so that it hears an interrupt, which a studio begun in the background (`&`) does not."""
 PATIENCE_S = 10.0
 """Seconds that a command has to end by itself when the studio ends."""
 
@@ -40,7 +47,7 @@ class Child:
         if sys.platform == "win32":
             apart = {"creationflags": subprocess.CREATE_NEW_PROCESS_GROUP}
         process = subprocess.Popen(  # noqa: S603  (this program, no shell)
-            [sys.executable, "-m", "raybundle", *words], stdin=subprocess.DEVNULL, stdout=printed,
+            [sys.executable, "-c", START, *words], stdin=subprocess.DEVNULL, stdout=printed,
             stderr=subprocess.PIPE, text=True, encoding="utf-8", errors="replace",
             env={**os.environ, "PYTHONUTF8": "1"}, **apart,
         )  # fmt: skip
@@ -89,8 +96,8 @@ def _progress(line: str) -> tuple[str, float] | None:
     if not line.startswith("{"):
         return None
     try:
-        found: Any = json.loads(line)
-    except ValueError:
+        found: Any = json_of(line, Path("progress"))
+    except InputError:
         return None
     if not isinstance(found, dict):
         return None
