@@ -47,10 +47,10 @@ demo: setup
 	$(BIN)/raybundle demo --set demo_data/portal --out demo
 
 test: setup-dev
-	$(BIN)/python -m pytest -n 2 -m "not long"
+	$(BIN)/python -m pytest -n 2 -m "not long and not bench"
 
 test-long: setup-dev
-	$(BIN)/python -m pytest -n 2 -m long
+	$(BIN)/python -m pytest -n 2 -m "long and not bench"
 
 test-versions: setup-dev
 	$(BIN)/python tools/versions.py $(VERSIONS) -n 2
@@ -77,6 +77,7 @@ docs: setup-dev
 	$(BIN)/mkdocs build --strict --quiet --site-dir build/site
 
 bench: setup-dev
+	$(BIN)/python -m pytest -n 2 -m bench
 	$(BIN)/python benchmarks/run.py
 
 clean:

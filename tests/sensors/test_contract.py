@@ -147,10 +147,11 @@ def test_it_is_compiled(model):
 
 
 DERIVED = [
-    pytest.param(m, marks=pytest.mark.long) if isinstance(m, Carried) and m.sensor.name != "brown" else m
+    pytest.param(m, marks=pytest.mark.bench) if isinstance(m, Carried) and m.sensor.name != "brown" else m
     for m in sensor_models.values()
 ]
-"""The chain of sensor and platform is the same code for all: with one sensor it is looked at in every run."""
+"""The chain of sensor and platform is the same code for all: with one sensor it is looked at in every run, the
+others, of which the largest takes a minute, by `make bench`; all of them against differences above."""
 
 
 @pytest.mark.parametrize("model", DERIVED, ids=str)
