@@ -50,6 +50,8 @@ class Hand:
         self.page = page
         self.width, self.height = size
         self.at = (0.0, 0.0)
+        self.fineness = 0.0
+        """A pixel of the screen, in pixels of the photograph, where it was pointed at before it was zoomed"""
 
     def wait(self, words, seconds=60):
         """Until the line below says something."""
@@ -68,6 +70,7 @@ class Hand:
         scale = 0.98 * min(box["width"] / self.width, box["height"] / self.height)
         u = box["x"] + box["width"] / 2 + (x - self.width / 2) * scale
         v = box["y"] + box["height"] / 2 + (y - self.height / 2) * scale
+        self.fineness = 1 / scale
         self.page.mouse.move(u, v)
         for _ in range(zoom):
             self.page.mouse.wheel(0, -200)

@@ -185,7 +185,7 @@ def test_a_mark_is_dragged_and_removed_an_observation_rejected(page, hand, proje
     entries = list(entries_of(journal_path(project)))
     assert [e.verb for e in entries] == ["put", "move", "remove", "reject", "accept"]
     put, moved, rejected = (entries[k].arguments for k in (0, 1, 3))
-    assert np.hypot(put["x_px"] - x, put["y_px"] - y) < 2  # the hand is as fine as the screen
+    assert np.hypot(put["x_px"] - x, put["y_px"] - y) < hand.fineness
     scale = 41 / (moved["x_px"] - put["x_px"])
     assert 2 < scale < 20
     assert moved["y_px"] == pytest.approx(put["y_px"], abs=0.3)
