@@ -17,7 +17,7 @@ LIVE = f"ws://127.0.0.1:{PORT}/api/live"
 
 
 @pytest.fixture(scope="session")
-def portal(tmp_path_factory):
+def oriented(tmp_path_factory):
     """The demonstration's photographs, oriented once."""
     from raybundle.commands.orient import orient
 
@@ -28,8 +28,8 @@ def portal(tmp_path_factory):
 
 
 @pytest.fixture
-def project(portal, tmp_path):
-    shutil.copytree(portal, tmp_path / "set")
+def project(oriented, tmp_path):
+    shutil.copytree(oriented, tmp_path / "set")
     return tmp_path / "set" / "project"
 
 

@@ -5,7 +5,6 @@ The places are those of tie points that the orientation found; a click beside on
 
 import itertools
 import os
-import shutil
 from pathlib import Path
 
 import numpy as np
@@ -32,12 +31,6 @@ def oriented(tmp_path_factory):
     folder = tmp_path_factory.mktemp("sceaux")
     orient([PHOTOS], folder / "project", report=False)
     return folder
-
-
-@pytest.fixture
-def project(oriented, tmp_path):
-    shutil.copytree(oriented, tmp_path / "set")
-    return tmp_path / "set" / "project"
 
 
 @pytest.fixture

@@ -192,18 +192,21 @@ class Normals:
 
     def _hold_retained(self) -> None:
         """Held coordinates of retained points: one on the diagonal."""
+        for node, axis in zip(*self._held_of_nodes(), strict=True):
+            self.values[self.solver.block_start(self.solver.block(int(node), int(node))) + 4 * axis] = 1.0
+        held = self._held_unknowns()
+        self.diagonal[held], self.right[held] = 1.0, 0.0
+
+    def _held_of_nodes(self) -> tuple[Index, Index]:
+        """Nodes of retained points and their coordinates that are held."""
         system = self.system
-        for point, axis in np.argwhere(system.held & (system.point_node >= 0)[:, None]):
-            node = int(system.point_node[point])
-            self.values[self.solver.block_start(self.solver.block(node, node)) + 4 * axis] = 1.0
-            self.diagonal[system.offsets[node] + axis] = 1.0
-            self.right[system.offsets[node] + axis] = 0.0
+        point, axis = np.nonzero(system.held & (system.point_node >= 0)[:, None])
+        return system.point_node[point], axis.astype(np.int32)
 
     def _held_unknowns(self) -> Index:
         """Unknowns of nodes that are held coordinates of retained points."""
-        system = self.system
-        point, axis = np.nonzero(system.held & (system.point_node >= 0)[:, None])
-        return (system.offsets[system.point_node[point]] + axis).astype(np.int64)
+        node, axis = self._held_of_nodes()
+        return (self.system.offsets[node] + axis).astype(np.int64)
 
     def step(self, state: State, *, damping: float = 0.0, huber: float = 0.0) -> tuple[Array, Array, float] | int:
         """Solve for a step after `reduce`; returns nodes, points (p, 3) and the linearised cost.

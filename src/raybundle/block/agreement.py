@@ -65,9 +65,10 @@ def _rounded(values: Array) -> Index:
     found = np.empty(values.shape, np.int64)
     for j, column in enumerate(values.T):
         order = np.argsort(column)  # NaN comes last
+        row = column[order]
         with np.errstate(invalid="ignore"):
-            apart = np.diff(column[order]) > ROUNDING * size
-        apart |= np.isfinite(column[order])[1:] != np.isfinite(column[order])[:-1]
+            apart = np.diff(row) > ROUNDING * size
+        apart |= (np.diff(np.isfinite(row)) | np.diff(np.isnan(row))).astype(bool)
         found[order, j] = np.concatenate([[0], np.cumsum(apart)])
     return found
 

@@ -11,7 +11,7 @@ from contextlib import asynccontextmanager
 from dataclasses import dataclass
 from importlib.resources import files
 from pathlib import Path
-from typing import Any, cast
+from typing import Any
 
 from starlette.applications import Starlette
 from starlette.concurrency import run_in_threadpool
@@ -31,6 +31,7 @@ from raybundle.studio.calibrated import Calibrations
 from raybundle.studio.deciding import PAGE_POLICY, Deciding
 from raybundle.studio.desk import Desk
 from raybundle.studio.detecting import Detecting
+from raybundle.studio.forms import table_of
 from raybundle.studio.guard import POLICY_HEADER, Guard, Session, TooLarge
 from raybundle.studio.live import Live
 from raybundle.studio.pairs import pairs
@@ -100,7 +101,7 @@ class Studio:
             "/api/adjust": lambda _: {"begun": not self.running.busy and self.work.begin(measured=True)},
             "/api/stop": lambda _: self._stop(),
             "/api/run": lambda _: self.running.begin(),
-            "/api/run/settings": lambda given: self.running.choose(_table(given, "values")),
+            "/api/run/settings": lambda given: self.running.choose(table_of(given, "values")),
             **targeting.posts,
             **deciding.posts,
         }
@@ -307,13 +308,6 @@ def _text(given: Mapping[str, Any], name: str) -> str:
     if not isinstance(value, str):
         raise HTTPException(400, f"{name} is no text")
     return value
-
-
-def _table(given: Mapping[str, Any], name: str) -> dict[str, Any]:
-    value = given.get(name)
-    if not isinstance(value, dict):
-        raise HTTPException(400, f"{name} is no table")
-    return cast("dict[str, Any]", value)
 
 
 def _wanted(q: Mapping[str, Any]) -> Wanted:

@@ -4,12 +4,22 @@ from __future__ import annotations
 
 import shlex
 from collections.abc import Collection, Mapping, Sequence
-from typing import Any, TypeVar, get_args, get_origin
+from typing import Any, TypeVar, cast, get_args, get_origin
+
+from starlette.exceptions import HTTPException
 
 from raybundle.errors import InputError
 from raybundle.settings import Range, Setting, made, settings_of
 
 T = TypeVar("T")
+
+
+def table_of(given: Mapping[str, Any], name: str) -> dict[str, Any]:
+    """A table of what the page sends; refuses what is none."""
+    value = given.get(name)
+    if not isinstance(value, dict):
+        raise HTTPException(400, f"{name} is no table")
+    return cast("dict[str, Any]", value)
 
 
 def fields_of(values: Any, *, apart: Collection[str] = ()) -> list[dict[str, Any]]:

@@ -19,7 +19,7 @@ from raybundle.io.reading.trees import read_json
 from raybundle.settings import as_typed
 from raybundle.studio.desk import Desk
 from raybundle.studio.detecting import Detecting
-from raybundle.studio.forms import fields_of, settings_of_form
+from raybundle.studio.forms import fields_of, settings_of_form, table_of
 from raybundle.studio.shelf import own_result
 
 SHEET = SheetSettings(family="aicon14", codes="1-50", paper="A3", out=Path("sheet.pdf"))
@@ -83,10 +83,7 @@ class Targeting:
 
     def _print(self, given: dict[str, Any]) -> dict[str, Any]:
         """Make the sheet of these settings; raises InputError for what does not fit or go together."""
-        values = given.get("values")
-        if not isinstance(values, dict):
-            raise HTTPException(400, "values is no table")
-        said: dict[str, Any] = {k: v for k, v in values.items() if v != ""}
+        said = {k: v for k, v in table_of(given, "values").items() if v != ""}
         settings = settings_of_form(SheetSettings, said, {"out": SHEET.out}, APART)
         with TemporaryDirectory() as folder:
             _, written = run_sheet(replace(settings, out=Path(folder) / SHEET.out))
