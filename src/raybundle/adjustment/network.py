@@ -17,6 +17,8 @@ COMMON = 6
 MANY = 200
 """Points beyond which the extent leaves the outermost 0.25 % at either end of an axis out: a far point is no size."""
 
+CELLS = 10
+"""Cells along a side of the format, of which coverage is a share"""
 FEW = 30
 """Common points below which a connection of two photographs is weak."""
 
@@ -158,14 +160,19 @@ def _pairs(system: System, state: State, image: Index, point: Index) -> tuple[In
     return np.stack([i, j], axis=1).astype(np.int32), common.astype(np.int32), ratio
 
 
+def format_cells(share: Array) -> Index:
+    """(n,) number of the cell of the format, row by row, in which a place lies; share (n, 2) of width and height."""
+    column, row = np.clip((share * CELLS).astype(np.int32), 0, CELLS - 1).T
+    return row * CELLS + column
+
+
 def _coverage(system: System, image: Index, n: int) -> Array:
-    """Share of the 10 x 10 cells of the format that hold an observation."""
+    """Share of the cells of the format that hold an observation."""
     block = system.block
     size = np.array([[c.width_px, c.height_px] for c in block.cameras])[block.images.camera]
     xy = block.observations.xy_px[system.rows] / size[image]
-    cell = np.clip((xy * 10).astype(int), 0, 9)
-    code = np.unique(image.astype(np.int64) * 100 + cell[:, 0] * 10 + cell[:, 1])
-    return np.bincount(code // 100, minlength=n) / 100
+    code = np.unique(image.astype(np.int64) * CELLS**2 + format_cells(xy))
+    return np.bincount(code // CELLS**2, minlength=n) / CELLS**2
 
 
 def _rolls(system: System, state: State) -> Array:

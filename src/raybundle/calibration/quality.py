@@ -11,6 +11,7 @@ from typing import Literal
 
 import numpy as np
 
+from raybundle.adjustment.network import CELLS, format_cells
 from raybundle.adjustment.pixel_shape import UNTOLD
 from raybundle.adjustment.result import Adjustment, InteriorResult
 from raybundle.adjustment.severity import Severity
@@ -210,8 +211,7 @@ def _format(result: Adjustment, k: int, mine: Mask) -> tuple[float, float]:
         return 0.0, 0.0
     half = np.array([camera.width_px, camera.height_px]) / 2
     radius = np.linalg.norm((xy - 0.5) * 2 * half, axis=1) / np.linalg.norm(half)
-    cell = np.clip((xy * 10).astype(int), 0, 9)
-    return float(radius.max()), len(np.unique(cell[:, 0] * 10 + cell[:, 1])) / 100
+    return float(radius.max()), len(np.unique(format_cells(xy))) / CELLS**2
 
 
 def _views(result: Adjustment, images: Array) -> tuple[int, float]:

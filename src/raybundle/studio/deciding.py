@@ -16,6 +16,7 @@ from raybundle.errors import InputError
 from raybundle.studio import choosing
 from raybundle.studio.answers import state_of
 from raybundle.studio.desk import Desk
+from raybundle.studio.forms import table_of
 from raybundle.studio.guard import POLICY_HEADER
 from raybundle.studio.live import Live
 from raybundle.studio.verbs import command_of
@@ -63,10 +64,7 @@ class Deciding:
 
     def _options(self, given: dict[str, Any]) -> dict[str, Any]:
         """The options of the next adjustments, those of the button above included; what is not given is as usual."""
-        values = given.get("values")
-        if not isinstance(values, dict):
-            raise HTTPException(400, "values is no table")
-        self.work.options = choosing.options_of_form(values)
+        self.work.options = choosing.options_of_form(table_of(given, "values"))
         return choosing.form(self.work.options, self.desk.source)
 
     def _reject(self, given: dict[str, Any]) -> dict[str, Any]:

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from raybundle.adjustment.network import CELLS, format_cells
 from raybundle.block import Camera
 from raybundle.calibration.maps import UncertaintyMap
 from raybundle.numerics.arrays import Array
@@ -30,8 +31,6 @@ from raybundle.report.text.numbers import fixed, significant
 
 MOST_CELLS = 600
 """Cells of a map of uncertainty that are drawn: each shows the largest of those computed in it."""
-COVERAGE_CELLS = 10
-"""Cells along a side of the format, as the verdict on a calibration counts them."""
 NEGATIVE, POSITIVE = (31, 90, 138), (181, 83, 42)
 """Colours of a heat map at -1 and at +1."""
 
@@ -181,9 +180,8 @@ def uncertainty_figure(camera: Camera, found: UncertaintyMap) -> Drawing:
 def coverage_map(camera: Camera, xy_px: Array, what: str) -> Drawing:
     """Counts of image points (n, 2) in the 10 x 10 cells of the format: an empty cell is calibrated by none."""
     plot, parts = format_plot(camera.size_mm, 400, foot=4)
-    n = COVERAGE_CELLS
-    cell = np.clip((xy_px / np.array([camera.width_px, camera.height_px]) * n).astype(int), 0, n - 1)
-    counts = np.bincount(cell[:, 1] * n + cell[:, 0], minlength=n * n)
+    n = CELLS
+    counts = np.bincount(format_cells(xy_px / np.array([camera.width_px, camera.height_px])), minlength=n * n)
     most = float(max(counts.max(initial=0), 1))
     x0, y0, w, h = plot.box
     for k, count in enumerate(counts.tolist()):
