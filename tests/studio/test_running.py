@@ -1,5 +1,6 @@
 """Stages run from the page: the settings of the command, progress, stop, what is kept, the desk with the new result."""
 
+import signal
 import time
 
 import pytest
@@ -127,6 +128,16 @@ def test_run_stop_run_again(client, studio, project, tmp_path):
         assert ours.result[name] == pytest.approx(theirs.result[name], rel=1e-12)
 
 
+@pytest.fixture(params=["in front", "in the background"])
+def interrupts(request):
+    """A studio at the terminal, and one begun by `&`: an interrupt before a child listens is lost."""
+    before = signal.getsignal(signal.SIGINT)
+    signal.signal(signal.SIGINT, signal.SIG_IGN if request.param == "in the background" else signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
+@pytest.mark.usefixtures("interrupts")
 def test_a_run_ends_with_the_studio_and_at_once_where_it_is_asked_twice(client, studio, project):
     for end in (studio.running.close, lambda: (studio.running.stop(), studio.running.stop())):
         assert client.post("/api/run", json={}).status_code == 200

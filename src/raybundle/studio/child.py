@@ -37,6 +37,8 @@ class Child:
     """lines of errors"""
     asked: int = 0
     """how often it was asked to stop"""
+    hears: bool = False
+    """whether it has told of its progress: an interrupt before that may be lost while the program is loaded"""
 
     @classmethod
     def begin(cls, words: Sequence[str]) -> Child:
@@ -59,6 +61,7 @@ class Child:
         for line in self.process.stderr:
             found = _progress(line)
             if found is not None:
+                self.hears = True
                 progress(*found)
             elif line.strip():
                 self.told = [*self.told[-MOST_LINES:], line.rstrip()]
@@ -70,14 +73,14 @@ class Child:
         return status, words
 
     def stop(self) -> None:
-        """Ask it to stop between two tasks, as Ctrl-C does; asked again, end it where it is.
+        """Ask it to stop between two tasks, as Ctrl-C does; asked again, or before it has begun, end it where it is.
 
         Both keep what is finished: products and results appear whole or not at all.
         """
         self.asked += 1
         if self.process.poll() is not None:
             return
-        if self.asked > 1 or sys.platform == "win32":  # there is no Ctrl-C for another process
+        if self.asked > 1 or not self.hears or sys.platform == "win32":  # there is no Ctrl-C for another process
             self.process.kill()
         else:
             self.process.send_signal(signal.SIGINT)
