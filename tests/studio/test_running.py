@@ -10,6 +10,7 @@ from raybundle.errors import InputError
 from raybundle.pipeline.project import Project
 from raybundle.results.folder import read_result
 from raybundle.settings import settings_of
+from raybundle.studio.child import Child
 from raybundle.studio.forms import settings_of_form
 from tests.studio.test_app import act
 
@@ -146,6 +147,15 @@ def test_a_run_ends_with_the_studio_and_at_once_where_it_is_asked_twice(client, 
         assert studio.running.run.child.process.poll() is not None
         assert client.get("/api/run").json()["run"]["outcome"] == "stopped"
         Project.open(project).close()  # nobody holds it
+
+
+@pytest.mark.usefixtures("interrupts")
+def test_a_program_that_is_stopped_while_it_is_loaded_ends():
+    child = Child.begin(["doctor"])
+    child.stop()
+    status, printed = child.follow(lambda *_: None)
+    assert status
+    assert not printed
 
 
 def test_a_run_that_fails_says_what_the_command_says(client, project):
