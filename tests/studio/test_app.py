@@ -169,6 +169,30 @@ def test_the_scene_is_what_its_head_says(client):
     assert shapes["frustum"] == [5, 4, 3]
 
 
+def test_points_are_coloured_by_what_their_image_observations_tell(client, desk):
+    body = client.get("/api/scene").content
+    length = int(np.frombuffer(body[:4], "<u4")[0])
+    head, at = json.loads(body[4 : 4 + length]), 4 + length
+    told = {}
+    for a in head["arrays"]:
+        size = int(np.prod(a["shape"])) * int(a["kind"][1])
+        told[a["name"]] = np.frombuffer(body[at : at + size], f"<{a['kind']}")
+        at += size + -size % 4
+    rows = client.get("/api/table/observations", params={"limit": "100000"}).json()["rows"]
+    assert len(rows) < len(desk.block.observations)
+    name = rows[0]["point"]
+    mine = client.get("/api/table/observations", params={"search": name, "limit": "1000"}).json()["rows"]
+    mine = [m for m in mine if m["point"] == name and not m["rejected"]]
+    p = head["names"].index(name)
+    assert told["rays"][p] == len(mine)
+    assert told["r"][p] == pytest.approx(min(m["r"] for m in mine), rel=1e-6)
+    square = [m["vx"] ** 2 + m["vy"] ** 2 for m in mine]
+    assert told["v"][p] == pytest.approx(np.sqrt(np.mean(square)), rel=1e-6)
+    assert told["w"][p] == pytest.approx(max(m["w"] for m in mine), rel=1e-6)
+    r = [x["r"] for x in client.get("/api/table/observations", params={"sort": "r"}).json()["rows"]]
+    assert r == sorted(r)
+
+
 def test_control_that_is_dropped_on_the_page(client):
     text = "point,X,Y,Z,sX,sY,sZ\nA,1,2,3,0.01,0.01,0.02\nB,4,5,6,0.01,0.01,0.02\n"
     answer = client.post("/api/control", json={"text": text, "id": "c"}).json()

@@ -8,7 +8,8 @@ export class SpaceBar {
   readonly parts: HTMLElement[];
   private readonly boxes = new Map<Shown, HTMLInputElement>();
   private readonly select = h("select", { id: "space-colour" },
-    ...[["role", "role"], ["rays", "rays"], ["sigma", "sigma"], ["w", "largest |w|"]].map(([value, words]) => h("option", { value }, words)));
+    ...[["role", "role"], ["rays", "rays"], ["sigma", "sigma"], ["w", "largest |w|"],
+      ["redundancy", "redundancy"], ["residual", "residual"]].map(([value, words]) => h("option", { value }, words)));
   private readonly scale = h("input", { type: "range", id: "ellipsoid-scale", min: -20, max: 20, value: 0 });
   private readonly scaleWords = h("output", { for: "ellipsoid-scale" });
   private typicalSize = 1;

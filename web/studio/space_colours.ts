@@ -1,9 +1,9 @@
-// Colours of the points of object space: by role, rays, standard deviation, test value; blue to orange, told apart by everybody.
+// Colours of the points of object space: by role, rays, standard deviation, test value, redundancy, residual; blue to orange, told apart by everybody.
 import { Color } from "three";
 import { short } from "./numbers";
 import { SpaceData } from "./space_data";
 
-export type Colouring = "role" | "rays" | "sigma" | "w";
+export type Colouring = "role" | "rays" | "sigma" | "w" | "redundancy" | "residual";
 
 export interface Coloured {
   /** Four bytes each: less to fill and to send to the graphics card than numbers. */
@@ -19,7 +19,9 @@ export function coloured(data: SpaceData, by: Colouring): Coloured {
   if (by === "role") return byRole(data);
   if (by === "rays") return inClasses(data.rays, [2, 3, 5, 9], [...SCALE].reverse(), ["2 rays or fewer", "3", "4 to 5", "6 to 9", "10 and more"]);
   if (by === "w") return inClasses(data.w, [1, 2, 2.6, 3.3], SCALE, ["|w| up to 1", "to 2", "to 2.6", "to 3.3", "above 3.3"]);
-  return bySigma(data);
+  if (by === "redundancy") return inClasses(data.r, [0.1, 0.3, 0.5, 0.7], [...SCALE].reverse(), ["smallest redundancy number up to 0.1", "to 0.3", "to 0.5", "to 0.7", "above 0.7"]);
+  if (by === "residual") return inFifths(data.v, "residual (rms)", "px");
+  return inFifths(data.sigma, "sigma", data.head.unit);
 }
 
 function byRole(data: SpaceData): Coloured {
@@ -30,13 +32,13 @@ function byRole(data: SpaceData): Coloured {
   return { rgb: new Uint8Array(rgb.buffer), legend: names.map((n, k): [string, string] => [ROLE_COLOURS[k], n]).filter((_, k) => data.role.includes(k)) };
 }
 
-/** Five classes of equal number: standard deviations are spread too wide for a linear scale. */
-function bySigma(data: SpaceData): Coloured {
-  const known = data.sigma.filter((s) => s > 0).sort();
-  if (!known.length) return inClasses(data.sigma, [0, 0, 0, 0], SCALE, []);
+/** Five classes of equal number: the values are spread too wide for a linear scale. */
+function inFifths(values: Float32Array, what: string, unit: string): Coloured {
+  const known = values.filter((s) => s > 0).sort();
+  if (!known.length) return inClasses(values, [0, 0, 0, 0], SCALE, []);
   const limits = [0.2, 0.4, 0.6, 0.8].map((q) => known[Math.floor(q * (known.length - 1))]);
-  const name = (k: number) => `${short(limits[k], 2)} ${data.head.unit}`.trim();
-  return inClasses(data.sigma, limits, SCALE, [`sigma up to ${name(0)}`, `to ${name(1)}`, `to ${name(2)}`, `to ${name(3)}`, `above ${name(3)}`]);
+  const name = (k: number) => `${short(limits[k], 2)} ${unit}`.trim();
+  return inClasses(values, limits, SCALE, [`${what} up to ${name(0)}`, `to ${name(1)}`, `to ${name(2)}`, `to ${name(3)}`, `above ${name(3)}`]);
 }
 
 function inClasses(values: Float32Array | Uint16Array, limits: number[], scale: string[], words: string[]): Coloured {

@@ -24,6 +24,9 @@ export class SpaceData {
   readonly rays: Uint16Array<ArrayBuffer>;
   readonly sigma: Float32Array<ArrayBuffer>;
   readonly w: Float32Array<ArrayBuffer>;
+  /** Smallest redundancy number of its image observations, and the root mean square of their residuals in px. */
+  readonly r: Float32Array<ArrayBuffer>;
+  readonly v: Float32Array<ArrayBuffer>;
   readonly centre: Float32Array<ArrayBuffer>;
   /** Each image: centre and four corners. */
   readonly frusta: Float32Array<ArrayBuffer>;
@@ -52,6 +55,8 @@ export class SpaceData {
     this.rays = of("rays", new Uint16Array(0));
     this.sigma = of("sigma", new Float32Array(0));
     this.w = of("w", new Float32Array(0));
+    this.r = of("r", new Float32Array(0));
+    this.v = of("v", new Float32Array(0));
     this.centre = of("centre", new Float32Array(0));
     this.ellipsoid = of("ellipsoid_of", new Uint32Array(0));
     this.axes = of("ellipsoid", new Float32Array(0));

@@ -6,7 +6,7 @@ import { SpaceData } from "./space_data";
 
 const STEPS = 100;
 /** Weak, middle and strong connections, told apart by all eyes. */
-export const PAIR_COLOURS = ["#d55e00", "#e69f00", "#0072b2"];
+export const PAIR_COLOURS = ["#882255", "#ddaa33", "#0072b2"];
 
 export class SpacePairs {
   readonly parts: HTMLElement[];

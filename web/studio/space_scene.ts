@@ -36,7 +36,7 @@ export class SpaceScene {
     this.stations = new THREE.LineSegments(positions(edges(data.frusta)), new THREE.LineBasicMaterial({ color: 0x2a3a49 }));
     this.ellipsoids = ellipsoids(data.ellipsoid.length);
     this.bars = new THREE.LineSegments(positions(this.rowsOf(data.bars)), new THREE.LineBasicMaterial({ color: 0x007f5f, linewidth: 2 }));
-    this.rays = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: 0xb45f00 }));
+    this.rays = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: 0x5b2a86 }));
     this.mark = new THREE.Points(new THREE.BufferGeometry(), dots(14, { color: 0xcc3d8f, depthTest: false }));
     this.measured = new THREE.Line(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: 0x111111, depthTest: false }));
     this.ends = new THREE.Points(new THREE.BufferGeometry(), dots(10, { color: 0x111111, depthTest: false }));

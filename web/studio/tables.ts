@@ -26,7 +26,7 @@ const COLUMNS: Record<Kind, Column[]> = {
     ["image", "image", (r: ObservationRow) => r.image], ["point", "point", (r: ObservationRow) => r.point],
     ["x", "x px", (r: ObservationRow) => r.x.toFixed(2)], ["y", "y px", (r: ObservationRow) => r.y.toFixed(2)],
     ["vx", "vx px", (r: ObservationRow) => fixed(r.vx, 3)], ["vy", "vy px", (r: ObservationRow) => fixed(r.vy, 3)],
-    ["w", "|w|", (r: ObservationRow) => fixed(r.w, 2)], ["", "rejected", (r: ObservationRow) => r.rejected],
+    ["w", "|w|", (r: ObservationRow) => fixed(r.w, 2)], ["r", "redundancy", (r: ObservationRow) => fixed(r.r, 2)], ["", "rejected", (r: ObservationRow) => r.rejected],
   ],
   pairs: [
     ["image", "image", (r: PairRow) => r.image], ["other", "other image", (r: PairRow) => r.other],

@@ -165,6 +165,8 @@ export interface ObservationRow {
   vx: number | null;
   vy: number | null;
   w: number | null;
+  /** The smaller redundancy number of x and y. */
+  r: number | null;
   rejected: string;
 }
 

@@ -38,7 +38,8 @@ def scene(desk: Desk) -> bytes:
         sigma = np.max(precision.object_point_std[rows], axis=1, initial=0.0)
     arrays: list[tuple[str, str, Array]] = [
         ("xyz", "f4", xyz - origin), ("role", "u1", np.asarray(block.points.role)[rows]),
-        ("rays", "u2", np.minimum(block.ray_count[rows], 65535)), ("sigma", "f4", sigma), ("w", "f4", _w(desk)[rows]),
+        ("rays", "u2", np.minimum(block.ray_count[rows], 65535)), ("sigma", "f4", sigma),
+        *((name, "f4", values[rows]) for name, values in _of_rays(desk).items()),
         ("centre", "f4", centre - origin), ("frustum", "f4", frusta(block, images, 0.05 * extent)[:, 1:] - origin),
     ]  # fmt: skip
     if precision is not None:
@@ -80,12 +81,21 @@ def _shown(block: Block) -> Index:
     return np.concatenate([np.flatnonzero(special), tie[spread_rows(len(tie), room)]]).astype(np.int32)
 
 
-def _w(desk: Desk) -> Array:
-    """(p,) largest test value among the image observations of each point; NaN without."""
+def _of_rays(desk: Desk) -> dict[str, Array]:
+    """What the image observations of each point tell together, (p,) each, NaN without.
+
+    w  largest |w|, rejected ones included; r  smallest redundancy number of those that take part; v  root mean square
+    of their residuals [px].
+    """
     block, a = desk.block, desk.adjustment
-    found = np.full(len(block.points), np.nan)
+    w, r, v = (np.full(len(block.points), np.nan) for _ in range(3))
     if a is not None:
-        w = np.nan_to_num(np.abs(a.image_observations.w)).max(axis=1, initial=0.0)
-        found[:] = 0.0
-        np.maximum.at(found, block.observations.point, w)
-    return found
+        s, point = a.image_observations, block.observations.point
+        w[:] = 0.0
+        np.maximum.at(w, point, np.nan_to_num(np.abs(s.w)).max(axis=1, initial=0.0))
+        used = np.flatnonzero(s.used)
+        np.fmin.at(r, point[used], np.fmin.reduce(s.redundancy[used], axis=1, initial=np.nan))
+        count = np.bincount(point[used], minlength=len(v))
+        square = np.bincount(point[used], (s.residuals_px[used] ** 2).sum(axis=1), minlength=len(v))
+        np.sqrt(square / count, out=v, where=count > 0)
+    return {"w": w, "r": r, "v": v}

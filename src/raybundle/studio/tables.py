@@ -66,9 +66,10 @@ def observations(desk: Desk, wanted: Wanted) -> dict[str, Any]:
     if a is not None:
         w = np.nanmax(np.nan_to_num(np.abs(a.image_observations.w), nan=-1.0), axis=1, initial=-1.0)
         w = np.where(w < 0, np.nan, w)
+    r = np.full(len(o), np.nan) if a is None else a.image_observations.redundancy.min(axis=1, initial=np.inf)
     columns = {
         "image": o.image, "point": o.point, "x": o.xy_px[:, 0], "y": o.xy_px[:, 1], "vx": v[:, 0], "vy": v[:, 1],
-        "w": w,
+        "w": w, "r": r,
     }  # fmt: skip
     keep = np.ones(len(o), bool)
     if wanted.search:
@@ -78,7 +79,7 @@ def observations(desk: Desk, wanted: Wanted) -> dict[str, Any]:
     reasons = None if a is None else a.image_observations.rejected
     return {"total": total, "rows": [
         {"image": block.images.ids[o.image[k]], "point": block.points.ids[o.point[k]], "x": float(o.xy_px[k, 0]),
-         "y": float(o.xy_px[k, 1]), "vx": finite(v[k, 0]), "vy": finite(v[k, 1]), "w": finite(w[k]),
+         "y": float(o.xy_px[k, 1]), "vx": finite(v[k, 0]), "vy": finite(v[k, 1]), "w": finite(w[k]), "r": finite(r[k]),
          "rejected": "" if reasons is None or reasons[k] is None else str(reasons[k])}
         for k in rows
     ]}  # fmt: skip
