@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.stats import chi2
 
 from raybundle.block import Role
 from raybundle.block.frames import file_from_camera, stored_turned
@@ -13,6 +14,7 @@ from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block
 from raybundle.io.geo.control_files import read_control
 from raybundle.measuring.actions import Point, Put, Reject, Rename, SetBar, SetDatum, SetLine
+from raybundle.measuring.axes import by_level
 from raybundle.measuring.export import lost_in_csv, lost_in_gcp_list, write_csv, write_gcp_list, write_merged_block
 from raybundle.measuring.known import Known
 from raybundle.measuring.merge import merge
@@ -142,6 +144,68 @@ def test_axes_by_points_are_held():
     upright = PlumbLines(figure=("a", "a"), point=np.array(at[:2], np.int32), sigma=np.full(2, 0.01))
     with pytest.raises(InputError, match="contradicts the points on plumb lines of the block"):
         merge(block.having(upright), folded([SetDatum(origin=names[0], axis=names[1], plane=names[2])]))
+
+
+def level_state(block, truth, bar_sigma=1e-4):
+    """A level of three points, two of them origin and axis, and a length; with their numbers."""
+    at = some_points(small_block(), 40)[::9][:5]
+    n = [block.points.ids[p] for p in at]
+    length = float(np.linalg.norm(truth[at[3]] - truth[at[4]]))
+    state = folded([
+        SetLine(line="water", points=tuple(n[:3]), kind="level", sigma=1e-4), SetDatum(origin=n[0], axis=n[1]),
+        SetBar(start=n[3], end=n[4], length=length, sigma=bar_sigma),
+    ])  # fmt: skip
+    return state, at
+
+
+def test_a_level_and_two_points_are_axes_with_true_standard_deviations():
+    """Of a block that lies on its side; against the truth in the axes of the same points."""
+    block, truth = replace(free_block(), free_scale=True), simulation().truth.points.xyz
+    state, at = level_state(block, truth)
+    result = adjust(merge(block, state).block)
+    assert result.datum_defect == ()
+    found, C = result.adjusted.points.xyz, result.precision.object_points
+    assert (found[at[0]] == 0).all()
+    assert found[at[1], 1] == 0
+    assert found[at[1], 0] > 0
+    up = np.cross(*(truth[at[1:3]] - truth[at[0]]))
+    up /= np.linalg.norm(up)
+    up = up if (found[at[4]] @ [0, 0, 1]) * ((truth[at[4]] - truth[at[0]]) @ up) > 0 else -up
+    true = (truth - truth[at[0]]) @ by_level(truth[at[:3]][[0, 1, 0, 1, 2]], up).T
+    free = [p for p in some_points(small_block(), 400) if p not in at[:2]]
+    square = [(e := found[p] - true[p]) @ np.linalg.solve(C[p], e) for p in free]
+    # points share the errors of the axes, so that their mean is wide; one block of many is told by the next test
+    assert 0.2 < np.mean(square) / 3 < 5
+    assert np.abs(found[free] - true[free]).max() < 0.02
+
+
+def test_axes_and_level_of_many_blocks_are_in_the_band():
+    square, freedom = 0.0, 0
+    for seed in range(25):
+        made = simulation(seed=100 + seed, stations=8)
+        truth, observed = made.truth.points.xyz, made.observed
+        p = observed.points
+        bare = replace(p, role=np.zeros_like(p.role), sigma=np.full_like(p.sigma, np.nan))
+        block = replace(observed, points=bare, free_scale=True)
+        state, at = level_state(block, truth)
+        result = adjust(merge(block, state).block)
+        up = np.array([0.0, 0.0, 1.0])
+        true = (truth - truth[at[0]]) @ by_level(truth[at[:3]][[0, 1, 0, 1, 2]], up).T
+        e = (result.adjusted.points.xyz - true)[at[3]]
+        square += float(e @ np.linalg.solve(result.precision.object_points[at[3]], e))
+        freedom += 3
+    low, high = chi2.ppf([0.0005, 0.9995], freedom)
+    assert low < square < high
+
+
+def test_two_points_are_no_axes_without_a_vertical():
+    block = free_block()
+    a, b = (block.points.ids[p] for p in some_points(small_block(), 2))
+    with pytest.raises(InputError, match="lacks the vertical: measure a level or a plumb line"):
+        merge(block, folded([SetDatum(origin=a, axis=b)]))
+    state = folded([SetLine(line="drop", points=(a, b), kind="plumb", sigma=1e-3), SetDatum(origin=a, axis=b)])
+    with pytest.raises(InputError, match="stand above each other"):
+        merge(block, state)
 
 
 def test_lines_rejections_names_and_what_is_left_out():

@@ -13,6 +13,8 @@ from raybundle.block import Distances, Role
 from raybundle.cli.main import main
 from raybundle.errors import InputError
 from raybundle.io.block.folder import write_block
+from raybundle.measuring.axes import by_level
+from raybundle.measuring.joint import Joint
 from raybundle.measuring.query import ask, in_axes
 from raybundle.results.folder import read_result
 from raybundle.workflows.adjust import adjust
@@ -114,6 +116,39 @@ def test_axes_by_points_carry_their_errors(result):
     # X of the axis point is its distance from the origin
     assert np.sqrt(moved.covariance[at[b], 0, 0]) == pytest.approx(ask(result, "distance", (a, b)).sigma[0], rel=1e-5)
     assert np.linalg.eigvalsh(moved.covariance).min() > -1e-12
+
+
+def test_axes_by_a_level_carry_the_errors_of_all_its_points(result):
+    """Against differences of the whole transformation, and the joint covariance."""
+    block = result.adjusted
+    a, b, *level = names = names_of(block, 6)
+    moved = in_axes(result, a, b, level=level)
+    at = [block.points.ids.index(n) for n in names]
+    xyz, C = block.points.xyz[at], Joint.of(result).of_points(at)
+
+    def into(x):
+        r = x.reshape(-1, 3)
+        return (r - r[0]) @ by_level(r, np.array([0.0, 0.0, 1.0])).T
+
+    J = np.zeros((18, 18))
+    for k in range(18):
+        d = np.zeros(18)
+        d[k] = 1e-5
+        J[:, k] = (into(xyz.ravel() + d) - into(xyz.ravel() - d)).ravel() / 2e-5
+    expected = J @ C @ J.T
+    rows = [moved.ids.index(n) for n in names]
+    np.testing.assert_allclose(moved.xyz[rows], into(xyz.ravel()), atol=1e-9)
+    for k, row in enumerate(rows):
+        np.testing.assert_allclose(
+            moved.covariance[row], expected[3 * k : 3 * k + 3, 3 * k : 3 * k + 3], atol=1e-7 * np.abs(expected).max()
+        )
+    for given, words in (
+        ({"level": level[:2]}, "2 points tell no plane"),
+        ({"level": [level[0], level[0], level[1]]}, "give different points"),
+        ({}, "is not in the result"),
+    ):
+        with pytest.raises(InputError, match=words):
+            in_axes(result, a, b, **given)
 
 
 def test_what_is_refused(result):

@@ -31,7 +31,7 @@ def test_line_datum_table_and_mask(page, hand, project):  # noqa: F811
     page.keyboard.press("Enter")
     page.keyboard.press("Enter")
     hand.wait("plumb line edge")
-    page.locator("#command", has_text="mark line --sigma 0.01 --plumb").wait_for()
+    page.locator("#command", has_text="mark line --sigma 0.01 --kind plumb").wait_for()
     for field, name in zip(("origin", "axis", "plane"), names, strict=True):
         page.fill(f"#datum-{field}", name)
     page.keyboard.press("Enter")

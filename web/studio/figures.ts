@@ -1,10 +1,13 @@
-// Points together: lines, a coordinate system by three of them; and another name for a point.
+// Points together: lines, levels and planes, a coordinate system by some of them; and another name for a point.
 import { ask } from "./api";
 import { afterPause, button, element, h } from "./dom";
 import { field, need, number } from "./known";
 import { Model } from "./model";
 import { short, withUnit } from "./numbers";
 import { Page, PointRow } from "./types";
+
+/** What a figure is called. */
+const named = (kind: string) => (kind === "level" || kind === "plane" ? kind : `${kind} line`);
 
 /** A field for a point's name that suggests those that there are. */
 function pointField(id: string, words: string): [HTMLInputElement, HTMLDataListElement] {
@@ -16,15 +19,15 @@ function pointField(id: string, words: string): [HTMLInputElement, HTMLDataListE
 }
 
 export class Lines {
-  private readonly name = field("line-name", "name of the line", { maxlength: "200" });
-  private readonly kind = h("select", { id: "line-kind", "aria-label": "Kind of the line" },
-    ...["straight", "plumb"].map((kind) => h("option", { value: kind }, kind)));
+  private readonly name = field("line-name", "name of the line, level or plane", { maxlength: "200" });
+  private readonly kind = h("select", { id: "line-kind", "aria-label": "Kind of the figure" },
+    ...["straight", "plumb", "level", "plane"].map((kind) => h("option", { value: kind }, kind)));
   private readonly sigma = field("line-sigma", "sigma", { inputmode: "decimal" });
   private readonly point: HTMLInputElement;
   private readonly follow = h("input", { type: "checkbox", id: "line-follow" });
   private readonly picked = h("ol", { class: "picked", id: "line-points", "aria-label": "Points of the line" });
   private readonly rows = h("table", { "aria-label": "Lines" });
-  private readonly head = h("summary", {}, "Lines");
+  private readonly head = h("summary", {}, "Lines, levels, planes");
   private points: string[] = [];
 
   constructor(private readonly model: Model) {
@@ -72,7 +75,7 @@ export class Lines {
     if (!need(model, this.sigma, sigma)) return;
     const line = this.name.value.trim();
     const kind = this.kind.value;
-    const done = await model.act("line", { line, points: this.points, kind, sigma }, `${kind} line ${line}: ${this.points.join(", ")}`);
+    const done = await model.act("line", { line, points: this.points, kind, sigma }, `${named(kind)} ${line}: ${this.points.join(", ")}`);
     if (!done) return;
     this.name.value = "";
     this.follow.checked = false;
@@ -82,18 +85,18 @@ export class Lines {
   private show(): void {
     const { state, overview } = this.model;
     this.sigma.placeholder = withUnit("sigma", overview.unit);
-    this.sigma.title = "Standard deviation of a point's distance from the line";
-    this.head.textContent = state.lines.length ? `Lines: ${state.lines.length}` : "Lines";
+    this.sigma.title = "Standard deviation of a point's distance from it";
+    this.head.textContent = state.lines.length ? `Lines, levels, planes: ${state.lines.length}` : "Lines, levels, planes";
     this.rows.hidden = !state.lines.length;
     this.rows.replaceChildren(...state.lines.map((l) => h("tr", {},
       h("td", {}, l.line), h("td", {}, l.kind), h("td", { class: "l" }, l.points.join(", ")), h("td", {}, `± ${short(l.sigma)}`),
-      h("td", {}, button("✕", `Take the line ${l.line} away`,
-        () => void this.model.act("line", { line: l.line, points: [] }, `line ${l.line} taken away`), "small")))));
+      h("td", {}, button("✕", `Take the ${named(l.kind)} ${l.line} away`,
+        () => void this.model.act("line", { line: l.line, points: [] }, `${named(l.kind)} ${l.line} taken away`), "small")))));
     this.picked.hidden = !this.points.length;
   }
 }
 
-const AXES = [["origin", "origin"], ["axis", "point on the X axis"], ["plane", "point in the XY plane"]] as const;
+const AXES = [["origin", "origin"], ["axis", "point on the X axis"], ["plane", "point in the XY plane, or none"]] as const;
 
 export class Datum {
   private readonly inputs: HTMLInputElement[];
@@ -117,7 +120,7 @@ export class Datum {
 
   private async give(): Promise<void> {
     const [origin, axis, plane] = this.inputs.map((input) => input.value.trim());
-    const done = await this.model.act("datum", { origin, axis, plane }, `coordinate system: ${origin}, ${axis}, ${plane}`);
+    const done = await this.model.act("datum", { origin, axis, plane }, `coordinate system: ${[origin, axis, plane].filter((p) => p).join(", ")}`);
     if (done) this.inputs.forEach((input) => (input.value = ""));
   }
 
@@ -125,8 +128,8 @@ export class Datum {
     const { datum } = this.model.state;
     this.away.disabled = !datum;
     this.about.textContent = datum
-      ? `Origin ${datum.origin}, X axis through ${datum.axis}, ${datum.plane} in the XY plane.`
-      : "As the block has it. Three points make another: origin, X axis, XY plane.";
+      ? `Origin ${datum.origin}, X axis ${datum.plane ? "through" : "towards"} ${datum.axis}, ${datum.plane ? `${datum.plane} in the XY plane` : "levels and plumb lines tell the vertical"}.`
+      : "As the block has it. Three points make another: origin, X axis, XY plane; or two where levels or plumb lines tell the vertical.";
   }
 }
 

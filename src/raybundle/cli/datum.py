@@ -22,14 +22,15 @@ from raybundle.commands.measure_settings import DatumSettings
     "--traceback", is_flag=True, expose_value=False, help="After an error, show where in the program it arose."
 )
 def command(result: Path, out: Path, **given: Any) -> None:
-    """The points of a result in a coordinate system by three of them: origin, X axis, XY plane.
+    """The points of a result in a coordinate system by some of them: origin, X axis, XY plane or a level.
 
     Writes a folder with points.csv (coordinates, standard deviations, covariances) and transformation.json (rotation
-    and translation). The errors of the three points are carried into all coordinates; scale and residuals stay.
+    and translation). The errors of these points are carried into all coordinates; scale and residuals stay.
 
     \b
     Example:
       raybundle datum facade-project --origin A --axis B --plane C --out facade-axes
+      raybundle datum pond-project --origin A --axis B --level W1 --level W2 --level W3 --out pond-axes
     """  # noqa: D301
     from raybundle.commands.measure import transform_to_points  # noqa: PLC0415
 

@@ -28,7 +28,7 @@ COMMANDS = {
     "adjust": "Adjust a block and write a result folder with its report.",
     "mark": "Measure points by hand: marks, control, scale bars, undo; adjust them with the block.",
     "query": "Coordinates, distances, angles, areas, planes of a result, with standard deviations.",
-    "datum": "The points of a result in a coordinate system by three of them.",
+    "datum": "The points of a result in a coordinate system by some of them.",
     "compare": "Put two results side by side.",
     "convert": "Convert to and from the formats of other programs.",
     "studio": "Look, measure and adjust in the browser.",

@@ -209,29 +209,41 @@ def unbar(folder: Path, start: str, end: str, author: str) -> None:
 @subcommand("line")
 @click.argument("line")
 @click.argument("points", nargs=-1, metavar="POINT...")
-@click.option("--plumb", is_flag=True, help="A plumb line.")
-@click.option("--sigma", type=POSITIVE, default=0.01, show_default=True, help="Of a point's distance from the line.")
-def line_(folder: Path, line: str, points: tuple[str, ...], plumb: bool, sigma: float, author: str) -> None:  # noqa: FBT001
-    """Points on one straight line; without points: take the line away.
+@click.option(
+    "--kind", type=click.Choice(["straight", "plumb", "level", "plane"]), default="straight", show_default=True,
+    help="A straight line, a plumb line, points at one height, points on one plane.",
+)  # fmt: skip
+@click.option("--sigma", type=POSITIVE, default=0.01, show_default=True, help="Of a point's distance from the figure.")
+def line_(folder: Path, line: str, points: tuple[str, ...], kind: str, sigma: float, author: str) -> None:
+    """Points on one line, level or plane; without points: take it away.
+
+    Plumb lines and levels tell the vertical.
 
     \b
     Example:
-      raybundle mark line facade-project edge gate sill-1 sill-2 --plumb
+      raybundle mark line facade-project edge gate sill-1 sill-2 --kind plumb
+      raybundle mark line pond-project water W1 W2 W3 --kind level --sigma 0.002
     """  # noqa: D301
-    do(folder, "line", author, line=line, points=points, kind="plumb" if plumb else "straight", sigma=sigma)
+    do(folder, "line", author, line=line, points=points, kind=kind, sigma=sigma)
 
 
 @subcommand("datum")
-@click.argument("names", nargs=-1, metavar="[ORIGIN AXIS PLANE]")
+@click.argument("names", nargs=-1, metavar="[ORIGIN AXIS [PLANE]]")
 def datum(folder: Path, names: tuple[str, ...], author: str) -> None:
-    """The coordinate system by three points; without any: as the block has it.
+    """The coordinate system by three points, or two and the vertical; without any: as the block has it.
+
+    With two points, levels and plumb lines that are measured tell the vertical, and the axis point lies on X in plan.
 
     \b
     Example:
       raybundle mark datum facade-project A B C
+      raybundle mark datum pond-project A B
     """  # noqa: D301
-    if len(names) not in {0, 3}:
-        raise InputError(f"{len(names)} points are given; a coordinate system needs origin, axis and plane, or none")
+    if len(names) not in {0, 2, 3}:
+        raise InputError(
+            f"{len(names)} points are given; a coordinate system needs origin, axis and plane, or two where "
+            "levels or plumb lines tell the vertical, or none"
+        )
     do(folder, "datum", author, **dict(zip(("origin", "axis", "plane"), names, strict=False)))
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from raybundle.cli.common import counted
 
 if TYPE_CHECKING:
-    from raybundle.measuring.state import State
+    from raybundle.measuring.state import Axes, State
 
 
 def shown(state: State) -> list[str]:
@@ -21,9 +21,9 @@ def shown(state: State) -> list[str]:
             sx, sy = m.covariance[0] ** 0.5, m.covariance[1] ** 0.5
             lines.append(f"     {image}: {m.x_px:.2f} {m.y_px:.2f} px, sigma {sx:.2f} {sy:.2f} px, {m.how}")
     lines += [f" scale bar {a} - {b}: {v.length:g} +- {v.sigma:g}" for (a, b), v in state.bars.items()]
-    lines += [f" {v.kind} line {n}: {', '.join(v.points)}" for n, v in state.lines.items()]
+    lines += [f" {_called(v.kind)} {n}: {', '.join(v.points)}" for n, v in state.lines.items()]
     if state.datum is not None:
-        lines.append(f" coordinate system: {', '.join(state.datum.points)} (origin, axis, plane)")
+        lines.append(f" coordinate system: {', '.join(state.datum.points)} ({_axes(state.datum)})")
     lines += [
         f" fiducial mark {n} in {i}: {m.x_px:.2f} {m.y_px:.2f} px, {m.how}" for (i, n), m in state.fiducials.items()
     ]
@@ -33,3 +33,11 @@ def shown(state: State) -> list[str]:
         where = f"all photographs of the camera of {m.image}" if m.camera else m.image
         lines.append(f" mask {name}: {counted(len(m.polygon), 'corner')}, in {where}")
     return lines
+
+
+def _called(kind: str) -> str:
+    return kind if kind in {"level", "plane"} else f"{kind} line"
+
+
+def _axes(datum: Axes) -> str:
+    return "origin, axis, plane" if datum.plane else "origin, axis; levels and plumb lines tell the vertical"

@@ -95,20 +95,25 @@ def _check_named(folder: Path, block: Block, points: Sequence[str]) -> None:
 
 
 def transform_to_points(result: Adjustment | str | Path, out: str | Path, **given: Any) -> Path:
-    """Write the points of a result in a coordinate system by three points: OUT/points.csv and transformation.json.
+    """Write the points of a result in a coordinate system by points: OUT/points.csv and transformation.json.
+
+    `transform_to_points("facade-project", "facade-axes", origin="A", axis="B", plane="C")`, or `level=("P", "Q", "R")`.
 
     points.csv           point, role, X, Y, Z, sX, sY, sZ, and the covariances cXY, cXZ, cYZ
     transformation.json  rotation and translation: X_new = rotation X + translation
     """
     s = made(DatumSettings, given)
-    for name in ("origin", "axis", "plane"):
+    for name in ("origin", "axis"):
         if not getattr(s, name):
-            raise InputError(f"no {name} point is given; a coordinate system needs origin, axis and plane")
+            raise InputError(f"no {name} point is given; a coordinate system needs origin, axis, and a plane or level")
+    if bool(s.plane) == bool(s.level):
+        which = "both are" if s.plane else "none is"
+        raise InputError(f"a coordinate system needs a plane point or the points of a level, and {which} given")
     out = Path(out)
     if out.exists() and (not out.is_dir() or {p.name for p in out.iterdir()} - {"points.csv", "transformation.json"}):
         raise InputError("stands there already and is not overwritten; choose another name", file=out)
     adjustment = result if isinstance(result, Adjustment) else adjust(read_block(block_folder(result)))
-    moved = in_axes(adjustment, s.origin, s.axis, s.plane)
+    moved = in_axes(adjustment, s.origin, s.axis, s.plane, level=s.level)
     C, std = moved.covariance, np.sqrt(np.maximum(np.diagonal(moved.covariance, axis1=1, axis2=2), 0))
     role = dict(zip(adjustment.adjusted.points.ids, np.asarray(adjustment.adjusted.points.role).tolist(), strict=True))
     with new_folder(out) as folder:
@@ -119,7 +124,8 @@ def transform_to_points(result: Adjustment | str | Path, out: str | Path, **give
             "cXY": C[:, 0, 1], "cXZ": C[:, 0, 2], "cYZ": C[:, 1, 2],
         })  # fmt: skip
         told = {
-            "origin": s.origin, "axis": s.axis, "plane": s.plane, "length_unit": adjustment.adjusted.length_unit,
+            "origin": s.origin, "axis": s.axis, **({"level": s.level} if s.level else {"plane": s.plane}),
+            "length_unit": adjustment.adjusted.length_unit,
             "rotation": moved.rotation.tolist(), "translation": moved.translation.tolist(),
         }  # fmt: skip
         text = json.dumps(told, indent=1, ensure_ascii=False, allow_nan=False)

@@ -42,8 +42,14 @@ class DatumSettings:
     """A coordinate system by points."""
 
     origin: str = setting("", "Point with X = Y = Z = 0.", metavar="POINT")
-    axis: str = setting("", "Point on the X axis: Y = Z = 0, X above 0.", metavar="POINT")
+    axis: str = setting(
+        "", "Point on the X axis: Y = Z = 0, X above 0; with a level: Y = 0, X above 0.", metavar="POINT"
+    )
     plane: str = setting("", "Point in the XY plane: Z = 0, Y above 0.", metavar="POINT")
+    level: tuple[str, ...] = setting(
+        (), "Point at the height of the others that are given so, three or more: the surface of water, a floor. They "
+        "tell the XY plane instead of a plane point. Several times.", metavar="POINT",
+    )  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

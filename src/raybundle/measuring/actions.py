@@ -6,7 +6,7 @@ Names are data: they are kept, compared and written, never interpreted.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from typing import Any, ClassVar, Literal
 
 import msgspec
@@ -28,8 +28,23 @@ from raybundle.measuring.control import GiveControl
 from raybundle.measuring.decisions import RejectBeyond, SetParameter
 from raybundle.measuring.known import Known
 from raybundle.measuring.masks import SetMask, Unmask
-from raybundle.measuring.state import Axes, Bar, Draft, How, Line, Mark, MeasuredPoint, Numbers3, RoleName, State
+from raybundle.measuring.state import (
+    Axes,
+    Bar,
+    Draft,
+    How,
+    Line,
+    LineKind,
+    Mark,
+    MeasuredPoint,
+    Numbers3,
+    RoleName,
+    State,
+)
 from raybundle.settings import option
+
+LEAST: Mapping[LineKind, int] = {"straight": 3, "plumb": 2, "level": 2, "plane": 4}
+"""Points from which on a figure says something."""
 
 HAND_PX = 0.5
 """Standard deviation of a point marked by hand, as of the marks of control files."""
@@ -158,7 +173,7 @@ class Rename(Action):
         d.lines = {n: replace(v, points=tuple(map(of, v.points))) for n, v in d.lines.items()}
         d.rejected = {(i, of(p)) for i, p in d.rejected}
         if d.datum is not None:
-            d.datum = Axes(origin=of(d.datum.origin), axis=of(d.datum.axis), plane=of(d.datum.plane))
+            d.datum = Axes(**{k: of(p) if p else "" for k, p in asdict(d.datum).items()})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -228,12 +243,12 @@ class Unbar(Action):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SetLine(Action):
-    """Points on one straight or plumb line; one of that name is replaced, no points: it is taken away."""
+    """Points on one line, level or plane; one of that name is replaced, no points: it is taken away."""
 
     verb: ClassVar[str] = "line"
     line: str
     points: tuple[str, ...]
-    kind: Literal["straight", "plumb"] = "straight"
+    kind: LineKind = "straight"
     sigma: float = 0.01
 
     def settled(self, state: State, known: Known) -> Action:
@@ -245,9 +260,10 @@ class SetLine(Action):
             return self
         for name in self.points:
             check_point(name, state, known)
-        least = 2 if self.kind == "plumb" else 3
+        least = LEAST[self.kind]
         if len(set(self.points)) < len(self.points) or len(self.points) < least:
-            raise InputError(f"{who}: {len(set(self.points))} different points, a {self.kind} line needs {least}")
+            what = self.kind if self.kind in {"level", "plane"} else f"{self.kind} line"
+            raise InputError(f"{who}: {len(set(self.points))} different points, a {what} needs {least}")
         check_number(f"{who}, sigma", self.sigma, above=0.0)
         return self
 
@@ -260,7 +276,10 @@ class SetLine(Action):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SetDatum(Action):
-    """The coordinate system by three points; all empty: as the block has it."""
+    """The coordinate system by three points, or by two where levels or plumb lines tell the vertical.
+
+    All empty: as the block has it.
+    """
 
     verb: ClassVar[str] = "datum"
     origin: str = ""
@@ -272,14 +291,16 @@ class SetDatum(Action):
         if not any(names):
             return self
         for what, name in zip(("origin", "axis", "plane"), names, strict=True):
-            if not name:
-                raise InputError(f"coordinate system: no {what} point is given; give all three, or none")
-            check_point(name, state, known)
-        if len(set(names)) < 3:
-            raise InputError(
-                f"coordinate system: origin, axis and plane are {', '.join(map(quoted, names))}; give three different "
-                "points"
-            )
+            if name:
+                check_point(name, state, known)
+            elif what != "plane":
+                raise InputError(
+                    f"coordinate system: no {what} point is given; give origin and axis, and a plane point where no "
+                    "level or plumb line tells the vertical; or none"
+                )
+        given = [n for n in names if n]
+        if len(set(given)) < len(given):
+            raise InputError(f"coordinate system: {', '.join(map(quoted, given))} are given; give different points")
         return self
 
     def apply(self, draft: Draft) -> None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import TypeVar
 
 import numpy as np
 
@@ -13,20 +12,34 @@ from raybundle.block.select import selected
 from raybundle.block.transform import transform_block
 from raybundle.errors import InputError
 from raybundle.io.reading.words import quoted
+from raybundle.measuring.axes import (
+    BY_POINTS,
+    BY_VERTICAL,
+    by_points,
+    by_vertical,
+    check_direction,
+    check_points,
+    turn_between,
+    vertical,
+)
 from raybundle.measuring.film import Scans, placed
 from raybundle.measuring.frames import in_camera
 from raybundle.measuring.orienting import oriented
-from raybundle.measuring.state import Axes, State
+from raybundle.measuring.state import Axes, LineKind, State
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.transform import SimilarityTransform, similarity
-from raybundle.observations.alignment import Lines, OnFigure, PlumbLines
+from raybundle.observations.alignment import Levels, Lines, OnFigure, Planes, PlumbLines
 from raybundle.observations.coordinates import Coordinates
 from raybundle.observations.kind import in_order
 from raybundle.orientation.absolute import partial_similarity
 from raybundle.orientation.lacking import Lack
 from raybundle.orientation.rays import intersect_linear, object_rays, rays_of
 
-F = TypeVar("F", bound=OnFigure)
+FIGURES: Mapping[LineKind, type[OnFigure]] = {
+    "straight": Lines, "plumb": PlumbLines, "level": Levels, "plane": Planes,
+}  # fmt: skip
+"""The tables of the figures that are measured by hand."""
+UP = np.array([0.0, 0.0, 1.0])
 FAR_APART = 1e5
 """How many times farther than the others a control point may lie: a metre apart, and 100 km away."""
 PARALLEL = 1e-7
@@ -95,10 +108,14 @@ def _fixed(block: Block) -> bool:
     return bool(block.points.is_control.any() or len(block.stations) or len(block.table(Coordinates)))
 
 
-def _fixing(block: Block) -> list[str]:
-    """What of a block tells where its axes are, in words: control, and observations in axes that exist already."""
+def _fixing(block: Block, *, upright: bool = True) -> list[str]:
+    """What of a block tells where its axes are, in words: control, and observations in axes that exist already.
+
+    upright  whether what tells no more than the vertical counts
+    """
     found = ["control points"] if block.points.is_control.any() else []
     kinds = (k for k in in_order() if k.table is not None and k.carries_datum and not k.fixes_scale)
+    kinds = (k for k in kinds if upright or not (k.table is not None and k.table.upright))
     return found + [k.title[:1].lower() + k.title[1:] for k in kinds if len(k.table_of(block))]
 
 
@@ -292,12 +309,27 @@ def _with_tables(block: Block, state: State, out: dict[str, str]) -> Block:
         length=np.array([b.length for b in bars.values()], float),
         sigma=np.array([b.sigma for b in bars.values()], float),
     )  # fmt: skip
-    made = block.having(d.rows(old).append(added))
-    straight = _lines(made, state, "straight", Lines, index, out)
-    return made.having(straight, _lines(made, state, "plumb", PlumbLines, index, out))
+    made = _upright(block, state, index).having(d.rows(old).append(added))
+    return made.having(*(_lines(made, state, kind, table, index, out) for kind, table in FIGURES.items()))
 
 
-def _lines(block: Block, state: State, kind: str, table: type[F], index: Mapping[str, int], out: dict[str, str]) -> F:
+def _upright(block: Block, state: State, index: Mapping[str, int]) -> Block:
+    """Turned so that the vertical that is measured by hand is Z, where nothing has told the vertical before."""
+    figures = [line for line in state.lines.values() if line.upright and all(p in index for p in line.points)]
+    if not figures or _fixing(block):
+        return block
+    told: dict[str, list[Array]] = {"level": [], "plumb": []}
+    for line in figures:
+        told[line.kind].append(block.points.xyz[[index[p] for p in line.points]])
+    if not all(np.isfinite(xyz).all() for part in told.values() for xyz in part):
+        return block
+    R = turn_between(vertical(told["level"], told["plumb"], UP), UP)
+    return transform_block(block, SimilarityTransform(rotation=R, translation=np.zeros(3)), observed="stay")
+
+
+def _lines(
+    block: Block, state: State, kind: str, table: type[OnFigure], index: Mapping[str, int], out: dict[str, str]
+) -> OnFigure:
     """The block's figures of a kind with those measured by hand, which replace those of the same name."""
     lines = {n: line for n, line in state.lines.items() if line.kind == kind and _there(line.points, n, index, out)}
     there = block.table(table)
@@ -317,36 +349,9 @@ def _there(points: Sequence[str], name: str, index: Mapping[str, int], out: dict
     return not lacking
 
 
-def axes_frame(xyz: Array) -> tuple[Array, Array]:
-    """R, t of X -> R X + t into the axes of three points (3, 3): origin, on +X, in XY with Y > 0."""
-    a, b = xyz[1] - xyz[0], xyz[2] - xyz[0]
-    x = a / np.linalg.norm(a)
-    across = b - (b @ x) * x
-    y = across / np.linalg.norm(across)
-    R = np.stack([x, y, np.cross(x, y)])
-    return R, -R @ xyz[0]
-
-
-def check_axes(names: Sequence[str], xyz: Array) -> None:
-    """Raise InputError for three points (3, 3) that define no axes."""
-    shown = ", ".join(map(quoted, names))
-    if not np.isfinite(xyz).all():
-        lost = [n for n, X in zip(names, xyz, strict=True) if not np.isfinite(X).all()]
-        raise InputError(
-            f"coordinate system {shown}: point {quoted(lost[0])} has no coordinates; mark it in two images"
-        )
-    a, b = xyz[1] - xyz[0], xyz[2] - xyz[0]
-    sine = np.linalg.norm(np.cross(a, b)) / max(float(np.linalg.norm(a) * np.linalg.norm(b)), 1e-300)
-    if not sine > 1e-3:
-        raise InputError(
-            f"coordinate system {shown}: the points lie in one line (sine of the angle at the origin {sine:.1e}, limit "
-            "1e-3); choose a plane point off the axis"
-        )
-
-
 def _in_axes(block: Block, axes: Axes) -> Block:
-    """In the axes of three points, whose coordinates are held as far as they are 0 by definition."""
-    if fixing := _fixing(block):
+    """In the axes of points, whose coordinates are held as far as they are 0 by definition."""
+    if fixing := _fixing(block, upright=bool(axes.plane)):
         raise InputError(
             f"the coordinate system by points {', '.join(map(quoted, axes.points))} contradicts the "
             f"{', '.join(fixing)} of the block, which tell one; take the one or the other away, or transform the "
@@ -355,12 +360,21 @@ def _in_axes(block: Block, axes: Axes) -> Block:
     index = {name: k for k, name in enumerate(block.points.ids)}
     at = [index.get(name, -1) for name in axes.points]
     xyz = np.array([block.points.xyz[k] if k >= 0 else np.full(3, np.nan) for k in at])
-    check_axes(axes.points, xyz)
-    R, t = axes_frame(xyz)
-    moved = transform_block(block, SimilarityTransform(rotation=R, translation=t), observed="stay")
+    if axes.plane:
+        check_points(axes.points, xyz)
+        R, zero = by_points(xyz), BY_POINTS
+    else:
+        if not any(len(k.table_of(block)) for k in in_order() if k.table is not None and k.table.upright):
+            raise InputError(
+                f"the coordinate system by points {', '.join(map(quoted, axes.points))} lacks the vertical: measure a "
+                "level or a plumb line (mark line --kind level or plumb), or give a third point, in the XY plane"
+            )
+        check_direction(axes.points, xyz, UP)
+        R, zero = by_vertical(xyz, UP), BY_VERTICAL
+    moved = transform_block(block, SimilarityTransform(rotation=R, translation=-R @ xyz[0]), observed="stay")
     p = moved.points
     role, new, sigma = np.array(p.role), np.array(p.xyz), np.array(p.sigma)
-    for k, held in zip(at, ((0, 1, 2), (1, 2), (2,)), strict=True):
+    for k, held in zip(at, zero, strict=True):
         role[k] = Role.CONTROL
         new[k, list(held)], sigma[k] = 0.0, np.nan
         sigma[k, list(held)] = 0.0

@@ -14,8 +14,17 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
 from raybundle.errors import InputError
 from raybundle.io.reading.words import quoted
+from raybundle.measuring.axes import (
+    BY_POINTS,
+    BY_VERTICAL,
+    Turn,
+    by_level,
+    by_points,
+    check_direction,
+    check_level,
+    check_points,
+)
 from raybundle.measuring.joint import Joint
-from raybundle.measuring.merge import axes_frame, check_axes
 from raybundle.measuring.quantities import QUANTITIES, Quantity, expected_extent
 from raybundle.numerics.arrays import Array
 
@@ -101,7 +110,7 @@ def _unit(result: Adjustment, quantity: Quantity) -> tuple[str, str]:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class InAxes:
-    """All points in a coordinate system by three of them."""
+    """All points in a coordinate system by some of them."""
 
     ids: tuple[str, ...]
     xyz: Array
@@ -113,51 +122,72 @@ class InAxes:
     """X_new = rotation X + translation"""
 
 
-def in_axes(result: Adjustment, origin: str, axis: str, plane: str) -> InAxes:
-    """The adjusted points in the system of three points: origin, X towards the axis point, the plane point in XY.
+def in_axes(result: Adjustment, origin: str, axis: str, plane: str = "", *, level: Sequence[str] = ()) -> InAxes:
+    """The adjusted points in the system of some of them: origin, X towards the axis point, the plane point in XY.
 
-    The three points' own errors are carried into all coordinates (S-transformation by points), correlations included.
+    The points' own errors are carried into all coordinates (S-transformation by points), correlations included.
+    plane   at Z = 0, Y above 0; or
+    level   three or more points at one height: Z is across the plane that fits them best, on the side of the result's
+            own Z, and X towards the axis point in plan
     raises  InputError for points that take no part, or lie in one line
     """
-    names = (origin, axis, plane)
-    if len(set(names)) < 3:
-        raise InputError(f"origin, axis and plane are {', '.join(map(quoted, names))}; give three different points")
+    names = (origin, axis, *(level or (plane,)))
+    _check_different(names, level)
     block, joint = result.adjusted, Joint.of(result)
     at = positions(block, names)
     frame = block.points.xyz[at]
-    check_axes(names, frame)
-    R, t = axes_frame(frame)
+    turn, zero = _turn(names, frame, by_plane=not level)
+    R = turn(frame)
+    t = -R @ frame[0]
     assert result.precision is not None
     used = np.array([k for k in range(len(block.points)) if joint.takes_part(k)], np.int64)
     xyz = block.points.xyz[used]
     C = np.zeros((len(used), 3, 3))
     own = joint.of_points(at.tolist())
-    by_frame = _by_frame(frame)
+    by_frame = _by_frame(frame, turn)
     for first in range(0, len(used), TOGETHER):
         part = slice(first, first + TOGETHER)
         across = joint.points_with(used[part].tolist(), at.tolist())
-        # X_new = R (X - A): by X it is R, by the nine coordinates of the frame F
+        # X_new = R (X - A): by X it is R, by the coordinates of the frame's points F
         F = np.einsum("ijk,nj->nik", by_frame, xyz[part] - frame[0])
         F[:, :, :3] -= R
         mixed = R @ across @ F.swapaxes(1, 2)
         C[part] = R @ result.precision.object_points[used[part]] @ R.T + mixed + mixed.swapaxes(1, 2)
         C[part] += F @ own @ F.swapaxes(1, 2)
-    for k, zero in zip(at, ((0, 1, 2), (1, 2), (2,)), strict=True):
+    for k, none in zip(at[: len(zero)], zero, strict=True):
         row = int(np.flatnonzero(used == k)[0])
-        C[row, list(zero)] = 0.0
-        C[row][:, list(zero)] = 0.0
+        C[row, list(none)] = 0.0
+        C[row][:, list(none)] = 0.0
     ids = tuple(block.points.ids[k] for k in used)
     return InAxes(ids=ids, xyz=xyz @ R.T + t, covariance=C, rotation=R, translation=t)
 
 
-def _by_frame(frame: Array) -> Array:
-    """(3, 3, 9) derivatives of the rotation by the coordinates of its three points, by central differences."""
-    size = float(np.linalg.norm(frame[1:] - frame[0], axis=1).min())
+def _check_different(names: Sequence[str], level: Sequence[str]) -> None:
+    """Raise InputError where a point stands twice, but for origin and axis among those of a level."""
+    part = names[: 2 if level else 3]
+    if len(set(part)) < len(part) or len(set(level)) < len(level):
+        raise InputError(f"the points {', '.join(map(quoted, names))} are given; give different points")
+
+
+def _turn(names: Sequence[str], frame: Array, *, by_plane: bool) -> tuple[Turn, tuple[tuple[int, ...], ...]]:
+    """The rotation as a function of the points, and which coordinates are 0 by definition."""
+    if by_plane:
+        check_points(names, frame)
+        return by_points, BY_POINTS
+    check_level(names[2:], frame[2:])
+    up = by_level(frame, np.array([0.0, 0.0, 1.0]))[2]
+    check_direction(names[:2], frame[:2], up)
+    return lambda xyz: by_level(xyz, up), BY_VERTICAL
+
+
+def _by_frame(frame: Array, turn: Turn) -> Array:
+    """(3, 3, 3 k) derivatives of the rotation by the coordinates of its points (k, 3), by central differences."""
+    size = float(np.linalg.norm(frame[1] - frame[0]))
     step = 1e-6 * size
-    found = np.zeros((3, 3, 9))
-    for k in range(9):
-        moved = np.zeros(9)
+    found = np.zeros((3, 3, frame.size))
+    for k in range(frame.size):
+        moved = np.zeros(frame.size)
         moved[k] = step
-        moved = moved.reshape(3, 3)
-        found[:, :, k] = (axes_frame(frame + moved)[0] - axes_frame(frame - moved)[0]) / (2 * step)
+        moved = moved.reshape(-1, 3)
+        found[:, :, k] = (turn(frame + moved) - turn(frame - moved)) / (2 * step)
     return found

@@ -57,14 +57,22 @@ class Bar:
     sigma: float
 
 
+LineKind = Literal["straight", "plumb", "level", "plane"]
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Line:
-    """Points that lie on one straight line, or on one plumb line."""
+    """Points that lie on one straight or plumb line, at one level, or on one plane."""
 
-    kind: Literal["straight", "plumb"]
+    kind: LineKind
     points: tuple[str, ...]
     sigma: float
-    """of a point's distance from the line [length unit of the block]"""
+    """of a point's distance from the figure [length unit of the block]"""
+
+    @property
+    def upright(self) -> bool:
+        """Whether it tells the vertical."""
+        return self.kind in {"plumb", "level"}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -73,12 +81,13 @@ class Axes:
 
     origin: str
     axis: str
-    plane: str
+    plane: str = ""
+    """"": levels and plumb lines tell the vertical, and the axis point lies on X in plan"""
 
     @property
-    def points(self) -> tuple[str, str, str]:
-        """All three."""
-        return self.origin, self.axis, self.plane
+    def points(self) -> tuple[str, ...]:
+        """All that are given."""
+        return tuple(p for p in (self.origin, self.axis, self.plane) if p)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -42,7 +42,8 @@ def _point(folder: str, a: Mapping[str, Any]) -> list[str]:
 
 
 def _line(folder: str, a: Mapping[str, Any]) -> list[str]:
-    options = ["--sigma", repr(float(a["sigma"])), *(["--plumb"] if a["kind"] == "plumb" else [])]
+    kind = [] if a["kind"] == "straight" else ["--kind", str(a["kind"])]
+    options = ["--sigma", repr(float(a["sigma"])), *kind]
     return _given(folder, options, a["line"], *a["points"])
 
 
