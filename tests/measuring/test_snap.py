@@ -96,11 +96,14 @@ def test_nothing_there_nothing_found():
 def test_a_jump_is_refused():
     rng = np.random.default_rng(2)
     image, at, _ = pictures.ellipse(rng)
-    far = snap(image, at[0] + 5, at[1], "ellipse", reach_px=1.0)
+    far = snap(image, at[0] + 15, at[1], "ellipse", reach_px=1.0)
     assert isinstance(far, NotSnapped)
     assert "px" in far.why
-    near = snap(image, at[0] + 5, at[1], "ellipse")
-    assert near.moved_px <= 12
+    within = snap(image, at[0] + 5, at[1], "ellipse", reach_px=1.0)  # of the dot: its centre is meant
+    np.testing.assert_allclose((within.x_px, within.y_px), at, atol=0.1)
+    image, at, _ = pictures.corner(rng)
+    assert isinstance(snap(image, at[0] + 5, at[1], "corner", reach_px=2.0), NotSnapped)
+    assert snap(image, at[0] + 1, at[1], "corner", reach_px=2.0).moved_px <= 2
 
 
 def test_two_places_that_look_alike_are_not_chosen_between():

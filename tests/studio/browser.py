@@ -1,6 +1,7 @@
 """The studio in a browser: its server as a child process, the page driven as a person would."""
 
 import csv
+import math
 import os
 import shutil
 import subprocess
@@ -43,6 +44,10 @@ def targets() -> dict[str, dict[str, tuple[float, float]]]:
     return found
 
 
+WHEEL, LARGEST = 0.0016, 64
+"""Of the page: how much a turn of the wheel zooms, and the largest scale."""
+
+
 class Hand:
     """What a person does with mouse and keys; photographs of a size [px]."""
 
@@ -74,6 +79,9 @@ class Hand:
         self.page.mouse.move(u, v)
         for _ in range(zoom):
             self.page.mouse.wheel(0, -200)
+        # the pointer stands on whole pixels; zoomed in, a person sees how far it is off
+        grown = min(math.exp(200 * WHEEL) ** zoom, LARGEST / scale)
+        u, v = (math.floor(at) + (at - math.floor(at)) * grown for at in (u, v))
         self.page.mouse.move(u + 1, v)
         self.page.mouse.move(u, v)
         self.at = u, v

@@ -226,7 +226,14 @@ def test_snapping_brings_a_click_to_the_picture_or_says_why_not(client, desk):
         "/api/snap", json={"image": image, "x": 800.0, "y": 600.0, "kind": "patch", "point": "n"}
     ).json()
     assert "first image" in patch["why"]
-    for wrong in ({"x": "a"}, {"x": -5.0}, {"kind": "star"}, {"image": "nowhere"}):
+    o = desk.block.observations
+    x, y = (float(v) for v in o.xy_px[np.flatnonzero(o.image == 0)[0]])
+    for reach in (2.0, 6.0):
+        for dx in range(-8, 9, 2):
+            given = {"image": image, "x": x + dx, "y": y, "kind": "auto", "point": "n", "reach": reach}
+            near = client.post("/api/snap", json=given).json()
+            assert "why" in near or np.hypot(near["x"] - x - dx, near["y"] - y) <= reach
+    for wrong in ({"x": "a"}, {"x": -5.0}, {"kind": "star"}, {"image": "nowhere"}, {"reach": -1}, {"reach": "far"}):
         given = {"image": image, "x": 8.0, "y": 6.0, "kind": "auto", "point": "n"} | wrong
         assert client.post("/api/snap", json=given).status_code == 409
 

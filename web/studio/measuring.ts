@@ -24,6 +24,14 @@ const byHand = (x: number, y: number, clicked: [number, number] | null): Place =
 /** From which on it is said how far a mark was brought from the click: a hand is as fine as this. */
 const FAR_PX = 2;
 
+/** A hand's miss on the screen [CSS px]. */
+const MISSED_PX = 6;
+/** Fineness of a picture's places, and as far as the server looks [px]. */
+const [LEAST_REACH_PX, MOST_REACH_PX] = [2, 12];
+
+/** How far a click is moved at most [px]: no farther than a hand misses on the screen, and within what is looked at. */
+const reachAt = (scale: number): number => Math.min(Math.max(MISSED_PX / scale, LEAST_REACH_PX), MOST_REACH_PX);
+
 export class Measuring {
   /** Marks that are being moved, where they are now: image and point -> place. */
   readonly moving = new Map<string, [number, number]>();
@@ -39,22 +47,22 @@ export class Measuring {
     return `${image}\n${point}`;
   }
 
-  /** Mark the current point where somebody clicked. */
-  async place(image: string, x: number, y: number): Promise<void> {
+  /** Mark the current point where somebody clicked, at a scale of the picture [CSS px per px]. */
+  async place(image: string, x: number, y: number, scale: number): Promise<void> {
     const { model } = this;
-    if (model.fiducial) return this.placeFiducial(image, x, y);
+    if (model.fiducial) return this.placeFiducial(image, x, y, scale);
     const point = model.current;
     if (!point) return model.say("No point is chosen: N begins a new one, or click an image point to choose it.", "bad");
     if (model.mark(image, point)) return model.say(`${point} is marked here already: drag it, or move it with Shift and the arrow keys.`, "bad");
-    const [place, why] = await this.snapped(image, point, x, y);
+    const [place, why] = await this.snapped(image, point, x, y, scale);
     await model.act("put", { image, point, ...place }, this.words("marked", point, place, why));
   }
 
   /** The fiducial mark that is being measured is there; the next one that is not measured is next. */
-  private async placeFiducial(image: string, x: number, y: number): Promise<void> {
+  private async placeFiducial(image: string, x: number, y: number, scale: number): Promise<void> {
     const { model } = this;
     const name = model.fiducial;
-    const [place, why] = await this.snapped(image, "", x, y);
+    const [place, why] = await this.snapped(image, "", x, y, scale);
     const done = await model.act("fiducial", { image, name, ...place }, this.words("measured", name, place, why));
     if (!done) return;
     const there = new Set(model.fiducialsIn(image).map((f) => f.name));
@@ -64,8 +72,8 @@ export class Measuring {
   }
 
   /** Bring the mark of a point to another place, snapped as a click is. */
-  async move(image: string, point: string, x: number, y: number): Promise<void> {
-    const [place, why] = await this.snapped(image, point, x, y);
+  async move(image: string, point: string, x: number, y: number, scale: number): Promise<void> {
+    const [place, why] = await this.snapped(image, point, x, y, scale);
     await this.model.act("move", { image, point, ...place }, this.words("moved", point, place, why));
     this.moving.delete(Measuring.key(image, point));
     this.model.emit("looks");
@@ -78,10 +86,10 @@ export class Measuring {
     return `${point} ${done}: ${place.how}, ${short(s, 2)} px${moved >= FAR_PX ? `; ${moved.toFixed(1)} px from the click: look at it` : ""}`;
   }
 
-  private async snapped(image: string, point: string, x: number, y: number): Promise<[Place, string]> {
+  private async snapped(image: string, point: string, x: number, y: number, scale: number): Promise<[Place, string]> {
     if (looks.snap === "hand") return [byHand(x, y, [x, y]), ""];
     try {
-      const found = await tell<Snapped>("/api/snap", { image, x, y, kind: looks.snap, point });
+      const found = await tell<Snapped>("/api/snap", { image, x, y, kind: looks.snap, point, reach: reachAt(scale) });
       if ("why" in found) return [byHand(x, y, [x, y]), found.why];
       const { cov, how, quality } = found;
       return [{ x_px: found.x, y_px: found.y, covariance: cov, how, clicked: [x, y], quality }, ""];

@@ -250,7 +250,7 @@ export class Pane {
     });
     body.addEventListener("pointerup", (event) => {
       const at = this.place(event);
-      if (down && far && dragged) void this.measuring.move(dragged.image, dragged.point, ...this.view.toImage(...at));
+      if (down && far && dragged) void this.measuring.move(dragged.image, dragged.point, ...this.view.toImage(...at), this.view.scale);
       else if (down && !far && event.button === 0) this.click(event, ...at);
       down = dragged = null;
     });
@@ -309,7 +309,7 @@ export class Pane {
     }
     const [x, y] = this.view.toImage(u, v);
     if (!this.view.inside(x, y)) return this.model.say("This is outside the photograph.", "bad");
-    void this.measuring.place(this.picture.id, x, y);
+    void this.measuring.place(this.picture.id, x, y, this.view.scale);
   }
 
   /** A place of the pane in the file, or the nearest one within the format: a mask may reach to its edge. */

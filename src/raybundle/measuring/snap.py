@@ -96,7 +96,7 @@ def snap(
     grey       (h, w) uint8 or uint16; a part of a picture does, with MARGIN_PX around the click
     x, y       the click, pixel frame of `grey`
     kind       what the point is; auto: the first of ellipse, patch (with a reference), corner and cross that fits
-    reach_px   farthest that the click is moved
+    reach_px   farthest that the click is moved; within a round target, to its centre, REACH_PX
     raises     InputError for a picture that is none, a click outside, and a patch without a reference
     """
     _check(grey, x, y, kind, reach_px)
@@ -141,9 +141,10 @@ def _snap(
         return NotSnapped(kind=kind, why=found)
     xy, C, quality = found
     moved = float(np.hypot(*(xy - click)))
-    if moved > reach_px:
+    limit = max(reach_px, REACH_PX) if kind == "ellipse" else reach_px  # a click within a dot means its centre
+    if moved > limit:
         return NotSnapped(
-            kind=kind, why=f"what is found lies {moved:.1f} px from the click (limit {reach_px:g} px); click nearer"
+            kind=kind, why=f"what is found lies {moved:.1f} px from the click (limit {limit:g} px); click nearer"
         )
     C = C + np.eye(2) * FLOOR_PX.get(kind, 0.0) ** 2
     return Snapped(
@@ -165,19 +166,19 @@ def _crop(grey: Array, at: Array, half: int) -> tuple[Array, Array]:
 
 def _ellipse(grey: Array, click: Array, reach: float) -> Point | str:
     """The dot under the click, or the nearest within reach; looked at again around itself, whatever the click."""
-    at, found = click, None
+    at, found, most = click, None, max(reach, REACH_PX)
     for _ in range(3):
         part, origin = _crop(grey, at, MARGIN_PX)
         if min(part.shape) < 16:
             return "too little picture around the click"
-        found = _dot(np.ascontiguousarray(part), at - origin, reach)
+        found = _dot(np.ascontiguousarray(part), at - origin, reach if at is click else most)
         if found is None:
             return f"there is no round target within {reach:g} px; click into it, or choose another kind"
         found = found[0] + origin, *found[1:]
         if (np.floor(found[0]) == np.floor(at)).all():
             break
-        if np.hypot(*(found[0] - click)) > reach:
-            return f"the nearest round target lies {np.hypot(*(found[0] - click)):.1f} px away (limit {reach:g} px)"
+        if np.hypot(*(found[0] - click)) > most:
+            return f"the nearest round target lies {np.hypot(*(found[0] - click)):.1f} px away (limit {most:g} px)"
         at = found[0]
     assert found is not None
     return found
@@ -215,8 +216,9 @@ def _nearest(at: Array, xy: Array, ellipse: Array, reach: float) -> int | None:
     offset = xy - at
     distance = np.hypot(*offset.T)
     inside = np.einsum("ni,nij,nj->n", offset, np.linalg.inv(ellipse), offset) < 1
-    k = int(np.argmin(distance - 1e6 * (inside & (distance <= reach))))
-    return k if distance[k] <= reach else None
+    limit = np.where(inside, max(reach, REACH_PX), reach)
+    k = int(np.argmin(distance - 1e6 * (inside & (distance <= limit))))
+    return k if distance[k] <= limit[k] else None
 
 
 def _junction(grey: Array, click: Array, kind: Model, reach: float) -> Point | str:

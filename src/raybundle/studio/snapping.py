@@ -10,7 +10,7 @@ import numpy as np
 from raybundle.errors import InputError
 from raybundle.measuring.fiducials import Found, find_fiducials
 from raybundle.measuring.predict import affine
-from raybundle.measuring.snap import MARGIN_PX, Reference, Snapped, snap
+from raybundle.measuring.snap import MARGIN_PX, REACH_PX, Reference, Snapped, snap
 from raybundle.numerics.arrays import Array
 from raybundle.studio.desk import Desk, named
 
@@ -20,18 +20,22 @@ KINDS = ("auto", "ellipse", "corner", "cross", "patch")
 
 
 def snapped(desk: Desk, given: dict[str, Any]) -> dict[str, Any]:
-    """Place and covariance, or why there is none."""
+    """Place and covariance, or why there is none.
+
+    given  image, x, y [px], kind, point, reach: how far the click is moved at most [px]
+    """
     image, kind, point = str(given.get("image", "")), given.get("kind", "auto"), str(given.get("point", ""))
     k = named(desk, image)
     x, y = _number(given, "x"), _number(given, "y")
     desk.session.known.inside(image, x, y)
     if kind not in KINDS:
         raise InputError(f"kind {kind!r} is none of {', '.join(KINDS)}")
+    reach = _number(given, "reach") if "reach" in given else REACH_PX
     part, corner = _part(desk, k, x, y)
     reference = _reference(desk, point, image) if point and kind in {"auto", "patch"} else None
     if kind == "patch" and reference is None:
         return {"why": "a patch is matched against the first image of its point; mark the point in another image first"}
-    found = snap(part, x - corner[0], y - corner[1], kind, reference)
+    found = snap(part, x - corner[0], y - corner[1], kind, reference, reach_px=reach)
     if not isinstance(found, Snapped):
         return {"why": found.why}
     return {
