@@ -8,6 +8,7 @@ import pytest
 from scipy.stats import chi2
 
 import raybundle as rb
+from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.queries import covariance_between
 from raybundle.block import Distances, Role
 from raybundle.cli.main import main
@@ -253,3 +254,36 @@ def test_held_coordinates_have_no_variance_even_at_the_end_of_a_scale_bar():
         (names[0], names[2]),
     )
     assert ask(found, "distance", (names[0], names[2])).sigma[0] < 1.5 * without.sigma[0]
+
+
+OPTIONS = (
+    {},
+    {"hold": (("camera", "K1"),)},
+    {"datum": "inner"},
+    {"datum": "minimal"},
+    {"datum": "inner", "datum_points": ("1", "20", "60", "110", "200")},
+    {"residuals": "corrected"},
+    {"estimate": "auto"},
+    {"noise": "fields"},
+    {"reject": "snooping"},
+)
+
+
+@pytest.mark.parametrize("options", OPTIONS, ids=str)
+def test_a_result_is_asked_under_the_options_that_it_was_made_with(options, tmp_path):
+    """Coordinates and standard deviations are those of its own tables."""
+    block = small_block()
+    options = {k: ((block.cameras[0].id, "K1"),) if k == "hold" else v for k, v in options.items()}
+    rb.write_result(adjust(block, AdjustmentOptions(**options)), tmp_path / "result", report=False)
+    read = read_result(tmp_path / "result")
+    names = names_of(block, 5)
+    at = [read.points.text["point"].index(n) for n in names]
+    found = rb.query(tmp_path / "result", coordinates=names)
+    for name, k, answer in zip(names, at, found, strict=True):
+        stated = [read.points.number[f"s{c}"][k] for c in "XYZ"]
+        np.testing.assert_allclose(answer.values, [read.points.number[c][k] for c in "XYZ"], atol=1e-3 * min(stated))
+        np.testing.assert_allclose(answer.sigma, stated, rtol=1e-3, err_msg=name)
+    moved = rb.transform_to_points(
+        tmp_path / "result", tmp_path / "axes", **dict(zip(("origin", "axis", "plane"), names, strict=False))
+    )
+    assert (moved / "points.csv").is_file()

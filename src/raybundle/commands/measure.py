@@ -37,12 +37,13 @@ from raybundle.measuring.merge import Merged, merge
 from raybundle.measuring.quantities import QUANTITIES, Quantity
 from raybundle.measuring.query import Answer, ask, in_axes
 from raybundle.measuring.selection import latest_figures, quantity_of, selected
-from raybundle.measuring.session import block_folder
+from raybundle.measuring.session import adjusted_again, block_folder, readjusted
 from raybundle.measuring.start import adjusted
 from raybundle.measuring.state import State
 from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Progress, silent
 from raybundle.pipeline.project import masks_given, photographs_of
+from raybundle.results.asked import made_as
 from raybundle.results.folder import ResultFolder
 from raybundle.settings import made, option
 from raybundle.workflows.adjust import adjust
@@ -54,8 +55,8 @@ LISTS: tuple[Quantity, ...] = tuple(q for q in QUANTITIES if q not in {"coordina
 def query(result: Adjustment | ResultFolder | str | Path, **given: Any) -> list[Answer]:
     """Coordinates, distances, angles, areas, lengths, planes and lines with sigmas from the full covariance.
 
-    result       an adjustment, or a result, project or block folder, whose block is adjusted again (at once, since it
-                 holds adjusted values)
+    result       an adjustment, or a result, project or block folder, whose block is adjusted again under the options
+                 of the result (at once, since it holds adjusted values)
     coordinates  names of points; distance (A, B) or several; angle (A, B, C) at B or several; area, length, plane,
                  line: points in order; to_plane, to_line: a point, then those of the plane or line
     raises       InputError for points that are not there, and where nothing is asked
@@ -76,9 +77,11 @@ def query(result: Adjustment | ResultFolder | str | Path, **given: Any) -> list[
     if isinstance(result, Adjustment):
         return [ask(result, quantity, points) for quantity, points in questions]
     folder = result.path if isinstance(result, ResultFolder) else Path(result)
-    block = read_block(block_folder(folder))
+    inner = block_folder(folder)
+    block = read_block(inner)
     _check_named(folder, block, [p for _, points in questions for p in points])
-    adjustment = adjust(block)
+    block, options = made_as(inner, block)
+    adjustment = readjusted(block, options=options)
     return [ask(adjustment, quantity, points) for quantity, points in questions]
 
 
@@ -112,7 +115,7 @@ def transform_to_points(result: Adjustment | str | Path, out: str | Path, **give
     out = Path(out)
     if out.exists() and (not out.is_dir() or {p.name for p in out.iterdir()} - {"points.csv", "transformation.json"}):
         raise InputError("stands there already and is not overwritten; choose another name", file=out)
-    adjustment = result if isinstance(result, Adjustment) else adjust(read_block(block_folder(result)))
+    adjustment = result if isinstance(result, Adjustment) else adjusted_again(result)
     moved = in_axes(adjustment, s.origin, s.axis, s.plane, level=s.level)
     C, std = moved.covariance, np.sqrt(np.maximum(np.diagonal(moved.covariance, axis1=1, axis2=2), 0))
     role = dict(zip(adjustment.adjusted.points.ids, np.asarray(adjustment.adjusted.points.role).tolist(), strict=True))

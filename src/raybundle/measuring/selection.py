@@ -13,10 +13,9 @@ from raybundle.adjustment.check_points import used_rays
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Role
 from raybundle.errors import InputError
-from raybundle.io.block.folder import read_block
 from raybundle.measuring.decisions import Quantity
 from raybundle.measuring.journal import measured_result
-from raybundle.measuring.session import block_folder, readjusted
+from raybundle.measuring.session import adjusted_again
 from raybundle.measuring.state import Key, State
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.results.folder import ResultFolder, read_result
@@ -136,7 +135,7 @@ def latest_figures(folder: Path) -> Figures:
     """The figures of the last result of a folder; of a block that has none, of its adjustment."""
     found = latest_result(folder)
     if found is None:
-        return figures_of(readjusted(read_block(block_folder(folder))))
+        return figures_of(adjusted_again(folder))
     return figures_of_result(read_result(found))
 
 

@@ -17,6 +17,7 @@ from raybundle.io.block.folder import read_block
 from raybundle.measuring.joint import Joint
 from raybundle.measuring.known import Known
 from raybundle.numerics.progress import Progress, silent
+from raybundle.results.asked import made_as
 from raybundle.settings import option
 
 Adjust = Callable[[Block], Adjustment]
@@ -25,11 +26,22 @@ Adjust = Callable[[Block], Adjustment]
 def readjusted(block: Block, progress: Progress = silent, options: AdjustmentOptions | None = None) -> Adjustment:
     """The adjustment of a block that holds adjusted values: it converges at once, and has all covariances.
 
-    options  which parameters were estimated; rejected image observations, noise and datum are known of the block
+    options  under which it was adjusted; rejected image observations, parameters that were chosen, noise and what
+             carries the datum are known of the block
     """
     asked = options or AdjustmentOptions()
-    like = replace(asked, reject="none", noise=block.noise or "white", datum_over=block.datum_over or "all")
+    like = replace(
+        asked, reject="none", estimate="given", robust_start=False, noise=block.noise or "white",
+        datum_over=block.datum_over or "all",
+    )  # fmt: skip
     return decide(block, like, progress)
+
+
+def adjusted_again(folder: str | Path, progress: Progress = silent) -> Adjustment:
+    """The adjustment of a project, result or block folder, of a result under its options; see `readjusted`."""
+    inner = block_folder(folder)
+    block, options = made_as(inner, read_block(inner))
+    return readjusted(block, progress, options)
 
 
 @dataclass(slots=True)
@@ -70,11 +82,6 @@ class Session:
         except NotSolvable as error:
             words = f"the block could not be adjusted ({error.headline}): orientations count as free of error"
             return cls._made(block, None, words, None)
-
-    @classmethod
-    def open(cls, folder: str | Path, adjust: Adjust | None = readjusted) -> Session:
-        """Of a project, result or block folder; see `of_block`."""
-        return cls.of_block(read_block(block_folder(folder)), adjust)
 
     @classmethod
     def _made(cls, block: Block, adjustment: Adjustment | None, neglected: str, joint: Joint | None) -> Session:

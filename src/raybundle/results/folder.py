@@ -144,6 +144,16 @@ def _block_again(adjustment: Adjustment) -> Block:
     )
 
 
+def columns_of_table(name: str) -> tuple[Column, ...]:
+    """What the columns of one table of a result folder hold."""
+    first, numbers, last = TABLES[name]
+    return (
+        *(Column(name=n, kind="text", empty=True) for n in first),
+        *(Column(name=n, kind="number", empty=True) for n in numbers),
+        *(Column(name=n, kind="text", empty=True) for n in last),
+    )
+
+
 def read_result(path: str | Path) -> ResultFolder:
     """A result folder's tables and result.json; raises InputError where it is not one."""
     folder = Path(path)
@@ -157,15 +167,10 @@ def read_result(path: str | Path) -> ResultFolder:
     block = read_block(folder / "block")
     known = {"image": frozenset(block.images.ids), "point": frozenset(block.points.ids)}
     tables: dict[str, Table] = {}
-    for name, (first, numbers, last) in TABLES.items():
+    for name in TABLES:
         if (name == "attitudes" or name not in ALWAYS) and not (folder / f"{name}.csv").is_file():
             continue
-        columns = (
-            *(Column(name=n, kind="text", empty=True) for n in first),
-            *(Column(name=n, kind="number", empty=True) for n in numbers),
-            *(Column(name=n, kind="text", empty=True) for n in last),
-        )
-        tables[name] = read_table(folder / f"{name}.csv", columns, least_rows=0)
+        tables[name] = read_table(folder / f"{name}.csv", columns_of_table(name), least_rows=0)
         for column, ids in known.items():
             _check_ids(folder / f"{name}.csv", column, tables[name].text.get(column, ()), ids)
     return ResultFolder(

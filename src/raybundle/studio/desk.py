@@ -17,11 +17,13 @@ from raybundle.io.block.folder import read_block
 from raybundle.measuring.film import Scans, read_scans
 from raybundle.measuring.journal import Journal, journal_path, measured_result
 from raybundle.measuring.known import Known
-from raybundle.measuring.session import Adjust, Session, block_folder, readjusted
+from raybundle.measuring.session import Session, block_folder, readjusted
 from raybundle.measuring.start import Standing, standing_of, to_begin
 from raybundle.numerics.arrays import Index
+from raybundle.numerics.progress import Progress, silent
 from raybundle.orientation.rays import common_counts
 from raybundle.pipeline.project import photographs_of
+from raybundle.results.asked import made_as
 from raybundle.studio.tiles import Tiles
 
 Kind = Literal["project", "result", "block"]
@@ -62,7 +64,7 @@ class Desk:
         scans = read_scans(source)
         known = Known.of(given, () if scans is None else scans.calibrated.names)
         journal = Journal.open(journal_path(source), known)
-        block = _latest(source, given)
+        block = _latest_block(source, given)
         tiles = _tiles(folder, source, given, known, photos)
         session = Session.of_block(block, None)
         return cls(source, _kind(source), given, session, journal, tiles, standing_of(block), scans, photos)
@@ -74,7 +76,7 @@ class Desk:
         """
         given = read_block(block_folder(self.source))
         known = Known.of(given, () if self.scans is None else self.scans.calibrated.names)
-        block, times = _latest(self.source, given), self.times + 1
+        block, times = _latest_block(self.source, given), self.times + 1
         folder = self.tiles.folder.parent if self.times else self.tiles.folder
         folder = folder / f"read-{times}"
         folder.mkdir()
@@ -95,9 +97,10 @@ class Desk:
         """The current adjustment; None until there is one."""
         return self.session.adjustment
 
-    def adjusted(self, adjust: Adjust = readjusted) -> Session:
+    def adjusted(self, progress: Progress = silent) -> Session:
         """A session of the same block with its adjustment and covariances; takes as long as an adjustment."""
-        return Session.of_block(self.block, adjust)
+        block, options = made_as(_latest(self.source), self.block)
+        return Session.of_block(block, lambda block: readjusted(block, progress, options))
 
     @property
     def to_begin(self) -> bool:
@@ -144,12 +147,16 @@ def _kind(source: Path) -> Kind:
     return "block" if block_folder(source) == source else "result"
 
 
-def _latest(source: Path, given: Block) -> Block:
+def _latest(source: Path) -> Path:
     """The block with what was measured, as it was adjusted last; as it was opened where that was written later."""
-    inner, latest = block_folder(source) / "block.toml", measured_result(source) / "block" / "block.toml"
-    if latest.is_file() and latest.stat().st_mtime >= inner.stat().st_mtime:
-        return read_block(latest.parent)
-    return given
+    inner, latest = block_folder(source), measured_result(source) / "block"
+    times = [(folder / "block.toml").stat().st_mtime if folder.is_dir() else -1.0 for folder in (inner, latest)]
+    return latest if times[1] >= times[0] else inner
+
+
+def _latest_block(source: Path, given: Block) -> Block:
+    folder = _latest(source)
+    return given if folder == block_folder(source) else read_block(folder)
 
 
 def _tiles(folder: Path, source: Path, given: Block, known: Known, photos: Sequence[Path]) -> Tiles:

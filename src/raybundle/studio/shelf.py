@@ -12,13 +12,12 @@ from typing import Any, cast
 
 import numpy as np
 
-from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.errors import InputError
-from raybundle.io.reading.trees import read_json
 from raybundle.measuring.journal import measured_result
 from raybundle.report.compare import comparison
+from raybundle.results.asked import options_of
 from raybundle.results.folder import ResultFolder, read_result
-from raybundle.settings import as_typed, settings_of
+from raybundle.settings import as_typed
 from raybundle.studio.answers import finite
 
 MOST = 8
@@ -83,14 +82,6 @@ class Shelf:
         copy = self.folder / f"adjustment-{made.number}"
         shutil.copytree(made.folder, copy, copy_function=_linked, ignore=shutil.ignore_patterns("project"))
         self.kept.append(replace(made, folder=copy))
-
-    def parameters_before(self) -> AdjustmentOptions:
-        """Which parameters were estimated in what was measured before; as by default where there is nothing."""
-        before = next((k for k in self.kept if k.words == BEFORE), None)
-        if before is None:
-            return AdjustmentOptions()
-        told = options_of(_table(read_json(before.folder / "result.json").value))
-        return AdjustmentOptions(estimate=told.estimate, free=told.free, hold=told.hold)
 
     def one(self, number: int) -> Kept:
         """An adjustment that is kept; raises InputError."""
@@ -160,16 +151,6 @@ def _table(value: Any) -> Mapping[str, Any]:
 
 def _number(value: Any) -> float | None:
     return finite(float(value)) if isinstance(value, int | float) and not isinstance(value, bool) else None
-
-
-def options_of(result: Mapping[str, Any]) -> AdjustmentOptions:
-    """The options that a result.json tells, as far as they are options of the command line."""
-    given: dict[str, Any] = {}
-    options = _table(result.get("options"))
-    for s in settings_of(AdjustmentOptions):
-        value = options.get(s.name, s.default)
-        given[s.name] = tuple(tuple(v) if isinstance(v, list) else v for v in value) if s.many else value
-    return AdjustmentOptions(**given)
 
 
 def _worst(read: ResultFolder) -> list[dict[str, Any]]:

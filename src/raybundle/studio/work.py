@@ -5,14 +5,13 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
-from functools import partial
 
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.errors import RaybundleError
 from raybundle.measuring.decisions import with_decisions
 from raybundle.measuring.journal import measured_result
 from raybundle.measuring.merge import merge
-from raybundle.measuring.session import Session, readjusted
+from raybundle.measuring.session import Session
 from raybundle.measuring.start import adjusted, begun, standing_after
 from raybundle.report.write import write_result
 from raybundle.studio.answers import finite
@@ -165,8 +164,7 @@ class Work:
 
     def _as_it_is(self) -> str:
         self._tell("covariances", 0.0)
-        as_before = partial(readjusted, progress=self._tell, options=self.shelf.parameters_before())
-        self.desk.replaced(self.desk.adjusted(as_before))
+        self.desk.replaced(self.desk.adjusted(self._tell))
         return ""
 
     def _measured(self) -> str:
