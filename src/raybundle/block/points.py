@@ -17,6 +17,11 @@ def automatic_name(k: int) -> str:
     return f"t{k + 1}"
 
 
+def automatic_number(name: str) -> int:
+    """Which tie point (from 0) has this automatic name; -1 for another name."""
+    return int(name[1:]) - 1 if is_automatic(name) else -1
+
+
 def is_automatic(name: str) -> bool:
     """Whether a point has a name that a program gave it, and nobody else."""
     return _AUTOMATIC.fullmatch(name) is not None

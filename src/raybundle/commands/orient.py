@@ -181,6 +181,7 @@ def orient(
 def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orientation:
     """Orient what the settings ask for, and write the result."""
     from raybundle.commands.drawn_masks import masks_of_run  # noqa: PLC0415
+    from raybundle.commands.earlier_run import earlier_run  # noqa: PLC0415
     from raybundle.io.block.toml import read_cameras  # noqa: PLC0415
     from raybundle.io.photos.photo import shown  # noqa: PLC0415
     from raybundle.io.trajectories import read_trajectory  # noqa: PLC0415
@@ -204,6 +205,7 @@ def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orienta
         done = oriented(
             settings.photos, out, options, calibration=cameras, given=given, progress=progress,
             positions=None if settings.positions is None else read_trajectory(settings.positions),
+            earlier=earlier_run(out),
         )  # fmt: skip
         lost = less_fixed(result, done.adjustment)
         if lost is not None:

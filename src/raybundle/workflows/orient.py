@@ -29,6 +29,7 @@ from raybundle.ties.block import image_sigma_px
 from raybundle.ties.precise import Weights
 from raybundle.workflows.connected_components import ConnectedComponent, component_folder
 from raybundle.workflows.dropped import Dropped
+from raybundle.workflows.earlier_names import Earlier
 from raybundle.workflows.final import left_out
 from raybundle.workflows.orient_options import OrientOptions
 from raybundle.workflows.orient_state import Asked, OrientState
@@ -129,6 +130,7 @@ def orient(
     calibration: Sequence[Camera] = (),
     given: Given | None = None,
     positions: Trajectory | None = None,
+    earlier: Earlier | None = None,
     progress: Progress = silent,
 ) -> Orientation:
     """Orient photographs and satellite scenes within a project folder; finished stages are taken from there.
@@ -139,6 +141,7 @@ def orient(
     given        control, check points, scale bars; GPS positions of the photographs place the block, or are observed
                  beside control
     positions    positions of the photographs from a file, in place of those that they state
+    earlier      what an earlier run in the folder left: its tie points keep their names
     raises       InputError, NoOrientation
 
     What it does not tell: without control or scale bars the position, orientation and scale of the result are
@@ -153,7 +156,7 @@ def orient(
     run = Run(project=project, executor=Threads(jobs, memory), progress=progress, jobs=jobs, memory=memory)
     asked = Asked(
         inputs=tuple(inputs), name=folder.name, options=options, calibration=tuple(calibration), given=given,
-        positions=positions, method=method,
+        positions=positions, method=method, earlier=earlier,
     )  # fmt: skip
     try:
         if options.redo_from:

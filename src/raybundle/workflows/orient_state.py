@@ -22,6 +22,7 @@ from raybundle.ties.points import FeatureStore
 from raybundle.ties.precise import Weights
 from raybundle.workflows.connected_components import ConnectedComponent
 from raybundle.workflows.dropped import Dropped
+from raybundle.workflows.earlier_names import Earlier
 from raybundle.workflows.kept import Reasons
 from raybundle.workflows.orient_options import OrientOptions
 from raybundle.workflows.scenes.block import SceneSet
@@ -42,6 +43,7 @@ class Asked:
     given: Given
     positions: Trajectory | None = None
     method: FeatureMethod
+    earlier: Earlier | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

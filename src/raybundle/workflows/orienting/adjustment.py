@@ -30,6 +30,7 @@ from raybundle.workflows.connected_components import (
     place_components,
 )
 from raybundle.workflows.dropped import Dropped
+from raybundle.workflows.earlier_names import Earlier, named_as_before
 from raybundle.workflows.final import adjusted_component, final_adjustment, undetermined_component
 from raybundle.workflows.kept import Reasons
 from raybundle.workflows.orient_options import OrientOptions
@@ -56,6 +57,7 @@ class Inputs:
     notices: tuple[Notice, ...]
     dropped: Dropped | None
     scenes: SceneState | None
+    earlier: Earlier | None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -75,6 +77,7 @@ def _inputs(state: OrientState) -> Inputs:
         name=state.asked.name, options=state.asked.options, given=state.given, photos=state.photos,
         blocks=state.blocks, groups=state.groups, features=state.found, method=state.method,
         remarks=(*state.remarks, *state.told), notices=state.notices, dropped=state.dropped, scenes=state.scenes,
+        earlier=state.asked.earlier,
     )  # fmt: skip
 
 
@@ -86,6 +89,7 @@ def adjust(i: Inputs, means: Means) -> Adjusted:
     else:
         placed, apart, lost = place_with_scenes(i.scenes, i.options, i.blocks, i.photos, i.given, i.features, i.method)
     placed, *apart = (replace(p, block=replace(p.block, name=i.name)) for p in (placed, *apart))
+    placed = replace(placed, block=named_as_before(placed.block, i.earlier, placed.marked))
     placed = _relative(placed, i.photos, i.options.relative)
     done = _adjusted(i, placed, apart, means)
     rows = sum(len(a.given.observations) for a in (done.adjustment, *(p.adjustment for p in done.other_components)))

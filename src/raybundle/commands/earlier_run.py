@@ -1,0 +1,41 @@
+"""What an earlier run in a project folder left, for the names of its tie points."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from raybundle.errors import InputError
+
+if TYPE_CHECKING:
+    from raybundle.workflows.earlier_names import Earlier
+
+
+def earlier_run(project: Path) -> Earlier | None:
+    """The block of the result that is there, and the names that the journal of measuring holds; None: there is none.
+
+    A result that cannot be read is about to be replaced, and is passed over.
+    """
+    from raybundle.io.block.folder import read_block  # noqa: PLC0415  (loaded after the help)
+    from raybundle.measuring.journal import entries_of, journal_path  # noqa: PLC0415
+    from raybundle.workflows.earlier_names import Earlier  # noqa: PLC0415
+
+    folder = project / "result" / "block"
+    if not (folder / "block.toml").is_file():
+        return None
+    try:
+        block = read_block(folder)
+        texts = [text for e in entries_of(journal_path(project)) for text in _texts(e.arguments)]
+    except InputError:
+        return None
+    return Earlier(block=block, taken=frozenset(t for t in texts if re.fullmatch("t[0-9]+", t)))
+
+
+def _texts(value: object) -> list[str]:
+    """All texts within arguments of an action."""
+    if isinstance(value, str):
+        return [value]
+    if isinstance(value, dict):
+        return [t for v in value.values() for t in _texts(v)]
+    return [t for v in value for t in _texts(v)] if isinstance(value, list | tuple) else []
