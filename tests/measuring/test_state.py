@@ -72,6 +72,8 @@ def after(actions, known=KNOWN):
         ([put("A"), SetBar(start="A", end="B", length=1, sigma=1)], "point 'B' is neither"),
         ([*THREE, SetBar(start="A", end="B", length=0, sigma=1)], "length is 0; it must be above 0"),
         ([*THREE, SetBar(start="A", end="B", length=1, sigma=NAN)], "sigma is nan"),
+        ([*THREE, SetBar(start="A", end="B", length=1e-320, sigma=1e-320)], "at least 1e-12"),
+        ([*THREE, SetBar(start="A", end="B", length=1, sigma=0.5)], "tells no scale; it must be at most a 3rd"),
         ([*THREE, Unbar(start="A", end="B")], "there is no scale bar 'A' - 'B'; measured are: none"),
         ([*THREE, SetLine(line="l", points=("A", "B"))], "2 different points, a straight line needs 3"),
         ([*THREE, SetLine(line="l", points=("A", "A"), kind="plumb")], "1 different points, a plumb line needs 2"),

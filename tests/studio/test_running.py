@@ -158,6 +158,28 @@ def test_a_program_that_is_stopped_while_it_is_loaded_ends():
     assert not printed
 
 
+def test_a_program_ends_with_a_studio_that_is_killed(project, tmp_path):
+    """Its input ends then, and it stops as if interrupted; what it has finished is kept."""
+    photos = [str(p) for p in sorted((project.parent / "photos").glob("*.jpg"))]
+    child = Child.begin(["orient", *photos, "--out", str(tmp_path / "other"), "--progress", "json"])
+    told = []
+
+    def progress(step, _):
+        if not told:
+            child.process.stdin.close()
+        told.append(step)
+
+    status, _ = child.follow(progress)
+    assert status == 130
+    assert not (tmp_path / "other" / "result").exists()
+
+
+def test_nul_in_a_path_is_refused(client):
+    answer = chosen(client, photos="a\0b.jpg")
+    assert answer.status_code == 409
+    assert "no name of a file can have" in answer.json()["error"]
+
+
 def test_a_run_that_fails_says_what_the_command_says(client, project):
     chosen(client, photos=str(project / "nowhere"))
     client.post("/api/run", json={})

@@ -46,6 +46,9 @@ from raybundle.settings import option
 LEAST: Mapping[LineKind, int] = {"straight": 3, "plumb": 2, "level": 2, "plane": 4}
 """Points from which on a figure says something."""
 
+LEAST_RATIO = 3
+"""Of a measured length to its standard deviation: below, a length of nothing is within three of them."""
+
 HAND_PX = 0.5
 """Standard deviation of a point marked by hand, as of the marks of control files."""
 FIDUCIAL_PX = 0.2
@@ -215,6 +218,11 @@ class SetBar(Action):
             raise InputError(f"{who}: both ends are the same point")
         check_number(f"{who}, length", self.length, above=0.0)
         check_number(f"{who}, sigma", self.sigma, above=0.0)
+        if not LEAST_RATIO * self.sigma <= self.length:
+            raise InputError(
+                f"{who}: a sigma of {self.sigma:g} for a length of {self.length:g} tells no scale; it must be at most "
+                f"a {LEAST_RATIO}rd of the length"
+            )
         return self
 
     def apply(self, draft: Draft) -> None:

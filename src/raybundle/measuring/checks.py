@@ -12,8 +12,8 @@ from raybundle.measuring.state import Mark, Numbers3, RoleName, State
 
 LONGEST = 200
 """Characters of a name."""
-LARGEST = 1e12
-"""Size of a length or coordinate, as on the command line."""
+SMALLEST, LARGEST = 1e-12, 1e12
+"""Size of a number other than 0, as on the command line."""
 FARTHEST = 1e11
 """Size of a coordinate: more than the Earth's radius in millimetres; of double precision 15 um are left there."""
 WIDEST_PX = 1e5
@@ -41,6 +41,8 @@ def check_number(
         raise InputError(f"{what} is {value:g}; it must be at least {least:g}")
     if abs(value) > most:
         raise InputError(f"{what} is {value:g}; it must be at most {most:g} in size")
+    if 0 < abs(value) < SMALLEST and above is not None:
+        raise InputError(f"{what} is {value:g}; it must be at least {SMALLEST:g}")
 
 
 def check_given(point: str, role: RoleName, xyz: Numbers3, sigma: Numbers3) -> None:

@@ -55,10 +55,10 @@ class SetMask(Action):
             for axis, value in zip("xy", place, strict=True):
                 check_number(f"{who}, corner {k + 1}, {axis}", value)
             known.inside(image, *place)
-        if not area(self.polygon) >= LEAST_PX2:
+        if not (hull := hull_area(self.polygon)) >= LEAST_PX2:
             raise InputError(
-                f"{who} covers {area(self.polygon):.2g} px^2, less than {LEAST_PX2:g}; give corners that are not in "
-                "one line"
+                f"{who}: its corners span {hull:.2g} px^2, less than {LEAST_PX2:g}; give corners that are not in one "
+                "line"
             )
         return replace(self, image=image)
 
@@ -84,10 +84,12 @@ class Unmask(Action):
         draft.masks.pop(self.mask, None)
 
 
-def area(polygon: Sequence[tuple[float, float]]) -> float:
-    """Area of a polygon [px^2], without a sign; 0 for corners in one line."""
-    x, y = (np.array(polygon, float) - polygon[0]).T
-    return float(abs(x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2)
+def hull_area(polygon: Sequence[tuple[float, float]]) -> float:
+    """Area [px^2] of the convex hull of a polygon that may cross itself; 0 for corners in one line."""
+    import cv2  # noqa: PLC0415  (where a mask is drawn)
+
+    corners = (np.array(polygon, float) - polygon[0]).astype(np.float32)
+    return float(cv2.contourArea(cv2.convexHull(corners)))
 
 
 def masked_in(block: Block, state: State, image: int) -> dict[str, Array]:

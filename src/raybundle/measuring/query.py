@@ -28,6 +28,8 @@ from raybundle.measuring.joint import Joint
 from raybundle.measuring.quantities import QUANTITIES, Quantity, expected_extent
 from raybundle.numerics.arrays import Array
 
+MANY = 10
+"""Points of a question from which on their number is limited by nothing but what is computed at once."""
 TOGETHER = 3000
 """Points of which the covariance with a frame is formed at once."""
 
@@ -58,7 +60,9 @@ def ask(result: Adjustment, quantity: Quantity, points: Sequence[str]) -> Answer
     """
     question = QUANTITIES[quantity]
     if not question.least <= len(points) <= question.most:
-        raise InputError(f"{quantity}: {len(points)} points are given, {question.count} are needed")
+        most = f"at most {question.most} can be asked at once"
+        why = f"{question.count} are needed" if len(points) < question.least or question.most < MANY else most
+        raise InputError(f"{quantity}: {len(points)} points are given, {why}")
     at = positions(result.adjusted, points)
     try:
         found = question.of(result.adjusted.points.xyz[at])

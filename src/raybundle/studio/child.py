@@ -18,11 +18,14 @@ from raybundle.numerics.progress import Progress
 
 MOST_LINES = 200
 """Lines of a command's errors that are kept, the last ones."""
-START = (
-    "import runpy, signal; signal.signal(signal.SIGINT, signal.default_int_handler); "
-    "runpy.run_module('raybundle', run_name='__main__')"
-)
-"""Begins the program so that it hears an interrupt, which a studio begun in the background (`&`) does not."""
+START = """
+import os, runpy, signal, threading, _thread
+signal.signal(signal.SIGINT, signal.default_int_handler)
+threading.Thread(target=lambda: (os.read(0, 1), _thread.interrupt_main()), daemon=True).start()
+runpy.run_module('raybundle', run_name='__main__')
+"""
+"""Begins the program so that it hears an interrupt, which a studio begun in the background (`&`) does not, and ends
+with a studio that is killed: then its input ends."""
 PATIENCE_S = 10.0
 """Seconds that a command has to end by itself when the studio ends."""
 
@@ -49,7 +52,7 @@ class Child:
         if sys.platform == "win32":
             apart = {"creationflags": subprocess.CREATE_NEW_PROCESS_GROUP}
         process = subprocess.Popen(  # noqa: S603  (this program, no shell)
-            [sys.executable, "-c", START, *words], stdin=subprocess.DEVNULL, stdout=printed,
+            [sys.executable, "-c", START, *words], stdin=subprocess.PIPE, stdout=printed,
             stderr=subprocess.PIPE, text=True, encoding="utf-8", errors="replace",
             env={**os.environ, "PYTHONUTF8": "1"}, **apart,
         )  # fmt: skip
@@ -67,6 +70,8 @@ class Child:
                 self.told = [*self.told[-MOST_LINES:], line.rstrip()]
         self.process.stderr.close()
         status = self.process.wait()
+        if self.process.stdin is not None:
+            self.process.stdin.close()
         self.printed.seek(0)
         words = self.printed.read()
         self.printed.close()

@@ -13,6 +13,7 @@ from starlette.responses import Response
 from starlette.routing import Route
 
 from raybundle.errors import InputError
+from raybundle.measuring.journal import Entry
 from raybundle.studio import choosing
 from raybundle.studio.answers import state_of
 from raybundle.studio.desk import Desk
@@ -79,6 +80,8 @@ class Deciding:
             author = str(given.get("author", ""))[:100]
             seq = journal.append_verb("reject_beyond", arguments, id=name, author=author)
             entry = next(iter(journal.entries(seq - 1)))
+        elif not _same_asked(entry, given):
+            raise HTTPException(409, f"action id {name[:40]!r} was used before; give each action an id of its own")
         state = state_of(self.desk)
         self.live.tell_from_thread({"type": "state", "state": state})
         return {"seq": entry.seq, "state": state, "command": command_of(self.desk.source, entry.verb, entry.arguments)}
@@ -97,6 +100,12 @@ class Deciding:
     async def _comparison(self, request: Request) -> Response:
         first, second = (_number(request.path_params[n]) for n in ("first", "second"))
         return await _document(lambda: self.work.shelf.compared(first, second).encode())
+
+
+def _same_asked(entry: Entry, given: Mapping[str, Any]) -> bool:
+    """Whether an action of the journal is what is asked for, sent before."""
+    a, limit = entry.arguments, _limit(given.get("limit"))
+    return (entry.verb, a.get("quantity"), a.get("limit")) == ("reject_beyond", given.get("by"), limit)
 
 
 async def _document(make: Callable[[], bytes]) -> Response:

@@ -46,6 +46,8 @@ class Desk:
     """what is known of the film that the photographs are scans of"""
     photos: Sequence[Path] = ()
     """where the photographs are, beside where the project says"""
+    stamp: tuple[int, ...] = ()
+    """of the block as it was read"""
     times: int = 0
     """how often it was read anew: images may have other numbers then"""
     _rows: tuple[Index, Index] | None = None
@@ -60,6 +62,7 @@ class Desk:
         photos  where the photographs are, beside where the project says
         raises  InputError where it is none of these, or a file of it is damaged
         """
+        stamp = _stamp(source)
         given = read_block(block_folder(source))
         scans = read_scans(source)
         known = Known.of(given, () if scans is None else scans.calibrated.names)
@@ -67,13 +70,14 @@ class Desk:
         block = _latest_block(source, given)
         tiles = _tiles(folder, source, given, known, photos)
         session = Session.of_block(block, None)
-        return cls(source, _kind(source), given, session, journal, tiles, standing_of(block), scans, photos)
+        return cls(source, _kind(source), given, session, journal, tiles, standing_of(block), scans, photos, stamp)
 
     def read_anew(self) -> None:
         """Go on with what a run has written in the folder; the journal stays open, and what was measured with it.
 
         raises  InputError where the folder holds no block any more; the desk is then as it was
         """
+        stamp = _stamp(self.source)
         given = read_block(block_folder(self.source))
         known = Known.of(given, () if self.scans is None else self.scans.calibrated.names)
         block, times = _latest_block(self.source, given), self.times + 1
@@ -81,11 +85,16 @@ class Desk:
         folder = folder / f"read-{times}"
         folder.mkdir()
         with self.lock:
-            self.given, self.kind, self.times = given, _kind(self.source), times
+            self.given, self.kind, self.times, self.stamp = given, _kind(self.source), times, stamp
             self.journal.known, before = known, self.tiles
             self.tiles = _tiles(folder, self.source, given, known, self.photos)
             self.replaced(Session.of_block(block, None))
         before.forget()
+
+    @property
+    def written_elsewhere(self) -> bool:
+        """Whether another program has written the block since it was read."""
+        return _stamp(self.source) != self.stamp
 
     @property
     def block(self) -> Block:
@@ -145,6 +154,15 @@ def _kind(source: Path) -> Kind:
     if (source / "project.db").is_file():
         return "project"
     return "block" if block_folder(source) == source else "result"
+
+
+def _stamp(source: Path) -> tuple[int, ...]:
+    """What changes when a block is written again; raises InputError where there is none."""
+    try:
+        stat = (block_folder(source) / "block.toml").stat()
+    except OSError:
+        return ()
+    return stat.st_mtime_ns, stat.st_size, stat.st_ino
 
 
 def _latest(source: Path) -> Path:

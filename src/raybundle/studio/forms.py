@@ -43,6 +43,7 @@ def settings_of_form(kind: type[T], given: Mapping[str, Any], own: Mapping[str, 
         if (known[name].plain is bool) != isinstance(value, bool):
             wrong = "neither true nor false" if known[name].plain is bool else "no value"
             raise InputError(f"{name} = {value!r} is {wrong}")
+        _check_text(name, value)
         if isinstance(value, list | dict):
             raise InputError(f"{name} = {value!r} is no single value; names stand in one text, with commas between")
     return made(kind, {**own, **{name: _value(known[name], value) for name, value in given.items()}})
@@ -50,10 +51,16 @@ def settings_of_form(kind: type[T], given: Mapping[str, Any], own: Mapping[str, 
 
 def words_of(text: str, name: str) -> list[str]:
     """The words of a text, those with blanks in quotation marks; raises InputError where a mark is not closed."""
+    _check_text(name, text)
     try:
         return shlex.split(text)
     except ValueError:
         raise InputError(f"{name} = {text!r}: a quotation mark is not closed") from None
+
+
+def _check_text(name: str, value: Any) -> None:
+    if isinstance(value, str) and "\0" in value:
+        raise InputError(f"{name} = {value!r} has a character that no name of a file can have; write it anew")
 
 
 def _kind(s: Setting) -> str:

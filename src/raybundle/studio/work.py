@@ -170,6 +170,11 @@ class Work:
     def _measured(self) -> str:
         """Block and marks, adjusted and written; the block that was opened is not touched."""
         desk = self.desk
+        if desk.written_elsewhere:
+            desk.read_anew()
+            result = own_result(desk.source)
+            if result is not None:
+                self.shelf.put(result, "", "written by another program")
         state, options = desk.journal.state, self.options
         decided = with_decisions(options, state)
         made = merge(desk.given, state, desk.scans)
