@@ -1,5 +1,8 @@
 """Rejection beyond a limit and parameters free or held: on the command line, in Python, in the next adjustment."""
 
+import os
+import shutil
+
 import numpy as np
 import pytest
 from click.testing import CliRunner
@@ -9,9 +12,9 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.cli.main import cli
 from raybundle.errors import InputError
 from raybundle.measuring.decisions import with_decisions
-from raybundle.measuring.journal import entries_of, journal_path
+from raybundle.measuring.journal import entries_of, journal_path, measured_result
 from raybundle.measuring.known import Known
-from raybundle.measuring.selection import figures_of, figures_of_result, latest_figures, selected
+from raybundle.measuring.selection import figures_of, figures_of_result, latest_figures, latest_result, selected
 from raybundle.measuring.state import EMPTY, State
 from raybundle.report.write import write_result
 from raybundle.results.folder import read_result
@@ -41,6 +44,17 @@ def test_a_result_folder_says_the_same_as_the_adjustment(adjusted, folder):
     assert (a.images, a.points) == (b.images, b.points)
     assert np.array_equal(a.image, b.image)
     assert np.array_equal(a.tie, b.tie)
+
+
+def test_what_is_rejected_is_looked_up_in_the_later_result(folder):
+    """That of what was measured, unless the block itself was adjusted again after."""
+    measured = measured_result(folder)
+    shutil.copytree(folder, measured)
+    toml = folder / "block" / "block.toml", measured / "block" / "block.toml"
+    for later in (0, 1):
+        for k, file in enumerate(toml):
+            os.utime(file, (1000 + (k == later), 1000 + (k == later)))
+        assert latest_result(folder) == (folder, measured)[later]
 
 
 @pytest.mark.parametrize(("quantity", "limit"), [("w", 2.5), ("rays", 4.5), ("redundancy", 0.5)])

@@ -14,8 +14,7 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.block import Role
 from raybundle.errors import InputError
 from raybundle.measuring.decisions import Quantity
-from raybundle.measuring.journal import measured_result
-from raybundle.measuring.session import adjusted_again
+from raybundle.measuring.session import adjusted_again, latest_block
 from raybundle.measuring.state import Key, State
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.results.folder import ResultFolder, read_result
@@ -124,11 +123,9 @@ def quantity_of(name: str) -> Quantity:
 
 
 def latest_result(folder: Path) -> Path | None:
-    """The last result of a project, result or block folder: with what was measured, or as it was opened; or None."""
-    for found in (measured_result(folder), folder / "result", folder):
-        if (found / "result.json").is_file():
-            return found
-    return None
+    """The last result of a project, result or block folder: with what was measured, or its own if later; or None."""
+    found = latest_block(folder).parent
+    return found if (found / "result.json").is_file() else None
 
 
 def latest_figures(folder: Path) -> Figures:

@@ -15,6 +15,7 @@ from raybundle.block import Block, Camera
 from raybundle.errors import InputError, NotSolvable
 from raybundle.io.block.folder import read_block
 from raybundle.measuring.joint import Joint
+from raybundle.measuring.journal import measured_result
 from raybundle.measuring.known import Known
 from raybundle.numerics.progress import Progress, silent
 from raybundle.results.asked import made_as
@@ -140,6 +141,13 @@ def block_folder(folder: str | Path) -> Path:
         f"{option('out')} named",
         file=folder,
     )
+
+
+def latest_block(folder: str | Path) -> Path:
+    """The block folder with what was measured, as it was adjusted last; the own one where that was written later."""
+    inner, latest = block_folder(folder), measured_result(folder) / "block"
+    own, measured = ((b / "block.toml").stat().st_mtime if b.is_dir() else -1.0 for b in (inner, latest))
+    return latest if measured >= own else inner
 
 
 def holds_block(folder: Path) -> bool:

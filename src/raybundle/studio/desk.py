@@ -15,9 +15,9 @@ from raybundle.block import Block
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block
 from raybundle.measuring.film import Scans, read_scans
-from raybundle.measuring.journal import Journal, journal_path, measured_result
+from raybundle.measuring.journal import Journal, journal_path
 from raybundle.measuring.known import Known
-from raybundle.measuring.session import Session, block_folder, readjusted
+from raybundle.measuring.session import Session, block_folder, latest_block, readjusted
 from raybundle.measuring.start import Standing, standing_of, to_begin
 from raybundle.numerics.arrays import Index
 from raybundle.numerics.progress import Progress, silent
@@ -108,7 +108,7 @@ class Desk:
 
     def adjusted(self, progress: Progress = silent) -> Session:
         """A session of the same block with its adjustment and covariances; takes as long as an adjustment."""
-        block, options = made_as(_latest(self.source), self.block)
+        block, options = made_as(latest_block(self.source), self.block)
         return Session.of_block(block, lambda block: readjusted(block, progress, options))
 
     @property
@@ -165,15 +165,8 @@ def _stamp(source: Path) -> tuple[int, ...]:
     return stat.st_mtime_ns, stat.st_size, stat.st_ino
 
 
-def _latest(source: Path) -> Path:
-    """The block with what was measured, as it was adjusted last; as it was opened where that was written later."""
-    inner, latest = block_folder(source), measured_result(source) / "block"
-    times = [(folder / "block.toml").stat().st_mtime if folder.is_dir() else -1.0 for folder in (inner, latest)]
-    return latest if times[1] >= times[0] else inner
-
-
 def _latest_block(source: Path, given: Block) -> Block:
-    folder = _latest(source)
+    folder = latest_block(source)
     return given if folder == block_folder(source) else read_block(folder)
 
 
