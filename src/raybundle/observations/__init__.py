@@ -6,7 +6,7 @@ from pkgutil import iter_modules
 from raybundle.observations.kind import Interior, ObservationKind, Observed, Partials, Rows, Scope, Values, in_order
 
 for _module in iter_modules(__path__):
-    if _module.name not in {"kind", "table"}:
+    if _module.name not in {"correlation", "kind", "table"}:
         import_module(f"{__name__}.{_module.name}")
 
 observation_kinds = ObservationKind.registry
