@@ -17,6 +17,7 @@ from raybundle.observations import in_order, observation_kinds, tables
 from raybundle.observations.alignment import Levels, Lines, Planes, PlumbLines
 from raybundle.observations.coordinates import Coordinates
 from raybundle.observations.deviation import Deviations
+from raybundle.observations.total_station import Differences
 from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
 
@@ -85,7 +86,25 @@ def sighted():
     return truth.having(*block.tables.values())
 
 
+def correlated():
+    """Positions, attitudes and coordinate differences with correlations within their rows."""
+    block = noisy()
+    points, rng = np.flatnonzero(block.points.role == 0)[:6].astype(np.int32), np.random.default_rng(12)
+    steps = Differences(
+        station=points[:-1], target=points[1:], xyz=np.diff(block.points.xyz[points], axis=0),
+        sigma=np.array([[0.01, 0.02, 0.03]] * 4 + [[0.01, 0.02, np.nan]]),
+    )  # fmt: skip
+    steps = replace(steps, xyz=np.where(np.isnan(steps.sigma), np.nan, steps.xyz))
+    block = block.having(steps)
+    return block.of_tables(
+        lambda t: replace(
+            t, correlation=np.where(np.isfinite(t.sigma[:, [1, 2, 2]]), rng.uniform(-0.45, 0.45, (len(t), 3)), 0.0)
+        )
+    )
+
+
 EXAMPLES = {
+    "correlated": correlated,
     "total station": sighted,
     "single images": single_images,
     "networks": networks,
