@@ -195,8 +195,8 @@ def stuck_together(by: Array, sigma: Array, coefficients: Array | None, *, noun:
         ),
         Stuck(
             ~kept_after(by, sigma, alone=True),
-            f"one {noun} was not observed that the rotation mixes with those observed; give it a standard deviation, or "
-            "leave the row out",
+            f"one {noun} was not observed that the rotation mixes with those observed; give it a standard deviation, "
+            "or leave the row out",
         ),
         Stuck(
             ~(least > SMALLEST),
