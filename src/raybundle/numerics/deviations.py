@@ -38,6 +38,12 @@ def least_eigenvalues(coefficients: Array | None, count: int) -> Array:
     return np.linalg.eigvalsh(correlation_matrices(coefficients, count))[:, 0]
 
 
+def deviations_of(covariance: Array) -> tuple[Array, Array]:
+    """Standard deviations (k, 3) and correlation coefficients (k, 3) of covariances (k, 3, 3)."""
+    sigma = np.sqrt(np.diagonal(covariance, axis1=1, axis2=2))
+    return sigma, np.stack([covariance[:, i, j] / (sigma[:, i] * sigma[:, j]) for i, j in PAIRS], axis=1)
+
+
 def unfounded(sigma: Array, coefficients: Array) -> Mask:
     """(k, 3) coefficients other than 0 with a quantity that was not observed: sigma (k, 3) is not greater than 0."""
     observed = np.nan_to_num(sigma) > 0
