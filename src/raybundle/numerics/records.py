@@ -161,9 +161,10 @@ class Records:
         for s in self.stuck(by):
             for k in np.flatnonzero(s.rows)[:1].tolist():
                 raise InputError(f"{called(k)} cannot follow the transformation: {s.reason}")
-        return self._followed(by)
+        return self.followed(by)
 
-    def _followed(self, by: SimilarityTransform) -> Self:
+    def followed(self, by: SimilarityTransform) -> Self:
+        """What `transformed` gives where no row is stuck; stated by a table whose quantities follow in another way."""
         changed = {
             name: following(c, values, by)
             for name, c in self.columns()

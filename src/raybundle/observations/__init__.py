@@ -3,20 +3,31 @@
 from importlib import import_module
 from pkgutil import iter_modules
 
-from raybundle.observations.kind import Interior, ObservationKind, Observed, Partials, Rows, Scope, Values, in_order
+from raybundle.observations.kind import (
+    Interior,
+    ObservationKind,
+    Observed,
+    OfKinds,
+    Partials,
+    Rows,
+    Scope,
+    Values,
+    in_order,
+)
 
 for _module in iter_modules(__path__):
     if _module.name not in {"correlation", "kind", "table"}:
         import_module(f"{__name__}.{_module.name}")
 
 observation_kinds = ObservationKind.registry
-tables = {kind.table.name: kind.table for kind in in_order() if kind.table is not None}
-"""Tables of a block by the names of their files"""
+tables = OfKinds(lambda: {kind.table.name: kind.table for kind in in_order() if kind.table is not None})
+"""Tables of a block by the names of their files, those of kinds that are registered later included"""
 
 __all__ = [
     "Interior",
     "ObservationKind",
     "Observed",
+    "OfKinds",
     "Partials",
     "Rows",
     "Scope",

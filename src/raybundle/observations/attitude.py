@@ -63,7 +63,8 @@ class Attitudes(Table):
             *stuck_together(J, self.sigma, self.correlation, noun="angle"),
         ]
 
-    def _followed(self, by: SimilarityTransform) -> Attitudes:
+    def followed(self, by: SimilarityTransform) -> Attitudes:
+        """Angles of the same rotation from the axes after."""
         if not by.turns:
             return self
         angles, J = self._turned(by)
