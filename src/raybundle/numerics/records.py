@@ -165,7 +165,7 @@ class Records:
 
     def followed(self, by: SimilarityTransform) -> Self:
         """What `transformed` gives where no row is stuck; stated by a table whose quantities follow in another way."""
-        changed = {
+        changed: dict[str, Any] = {
             name: following(c, values, by)
             for name, c in self.columns()
             if c.follows not in {"stays", "correlations"} and (values := getattr(self, name)) is not None
