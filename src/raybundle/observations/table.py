@@ -62,6 +62,8 @@ class Table(Records):
     """Of its file, without the ending"""
     upright: ClassVar[bool] = False
     """Whether its rows are true only of what stands upright in the frame of the object"""
+    observed: ClassVar[str] = ""
+    """Field of what was measured, in the unit of the field `sigma`; "": of what is observed to be 0"""
 
     @classmethod
     def cells(cls) -> Iterator[tuple[str, Cells]]:
@@ -125,9 +127,6 @@ class Table(Records):
                 "digits, or look which is wrong",
             ),
         ]  # fmt: skip
-
-    observed: ClassVar[str] = ""
-    """Field of what was measured, in the unit of the field `sigma`; "": of what is observed to be 0"""
 
     def with_errors(self, rng: np.random.Generator) -> Self:
         """What another measurement of the same would give.
