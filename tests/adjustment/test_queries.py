@@ -7,9 +7,10 @@ import pytest
 
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.queries import covariance_between, design_row, precision_in_datum
+from raybundle.adjustment.queries import covariance_between, design_row, own_values, precision_in_datum
 from raybundle.block.select import with_rows
 from raybundle.errors import InputError
+from raybundle.observations.alignment import Levels, Planes
 from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.sensors.model import ProjectionDiverged, SensorModel
@@ -196,3 +197,33 @@ def test_a_suspect_where_the_lens_has_no_image_is_listed_all_the_same(monkeypatc
     found = adjust_block(observed, AdjustmentOptions()).suspects
     assert [s[:3] for s in found] == [s[:3] for s in expected]
     assert np.allclose([s[3] for s in found], [s[3] for s in expected], atol=0.01)
+
+
+@pytest.mark.parametrize("survey", [{"scale_bars": 2}, {"control": 4, "control_sigma": (1e-3, 1e-3, 1e-3)}])
+def test_what_a_kind_has_as_unknowns_is_told_in_the_frame_of_the_object(survey):
+    """Of a plane: the distances of its points follow from its values; of a level: its height has a true variance."""
+    block = simulate(SCENE, Survey(points="exact", orientation="exact", interior="exact", **survey)).observed
+    points = np.array([1, 4, 8, 11, 15], np.int32)
+    planes = Planes(figure=("wall",) * 5, point=points, sigma=np.full(5, 1e-2))
+    result = adjust_block(block.having(planes), AdjustmentOptions())
+    (g,) = [g for g in result.groups if g.kind == "plane"]
+    values = own_values(result, "plane:wall")
+    xyz = result.adjusted.points.xyz[points]
+    np.testing.assert_allclose((xyz - values[6:]) @ values[:3], g.residual, atol=1e-9)
+    C = covariance_between(result, "plane:wall", "plane:wall")
+    assert C.shape == (3, 3)
+    assert np.linalg.eigvalsh(C)[0] > 0
+    level = Levels(figure=("water",) * 5, point=points, sigma=np.full(5, 1e-2))
+    levelled = adjust_block(block.having(level), AdjustmentOptions())
+    z = own_values(levelled, "level:water")[2]
+    np.testing.assert_allclose(z, levelled.adjusted.points.xyz[points, 2].mean(), atol=1e-9)
+    own = covariance_between(levelled, "level:water", "level:water")[0, 0]
+    assert own > 0
+    for k in points:  # as of any two unknowns
+        name = f"point:{levelled.given.points.ids[k]}"
+        both = covariance_between(levelled, "level:water", name)[0, 2]
+        assert both**2 <= own * covariance_between(levelled, name, name)[2, 2]
+    with pytest.raises(InputError, match="'plane:roof' is no unknown of a kind"):
+        own_values(result, "plane:roof")
+    with pytest.raises(InputError, match="or KIND:NAME of an unknown"):
+        covariance_between(result, "plane:roof", "plane:wall")

@@ -37,8 +37,8 @@ PAGES = [
 
 
 LONG = {
-    "calibrate", "exchange", "line-scanner", "measure-by-hand", "rectify", "results-in-python", "satellite-pair",
-    "satellite-rpc", "targets", "video", "without-a-compiler",
+    "calibrate", "exchange", "line-scanner", "measure-by-hand", "own-observation-kind", "rectify",
+    "results-in-python", "satellite-pair", "satellite-rpc", "targets", "video", "without-a-compiler",
 }  # fmt: skip
 """Pages whose examples take more than five seconds"""
 RUN_PAGES = [pytest.param(p, marks=pytest.mark.long if p.stem in LONG else (), id=p.stem) for p in PAGES]

@@ -9,14 +9,16 @@ from tests.observations.test_total_station import total_station
 from tests.truth.mixed_blocks import mixed
 
 from raybundle.adjustment.assemble import assemble
-from raybundle.adjustment.normals import Normals
+from raybundle.adjustment.laws import partials_off, partials_off_in
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Relation
+from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.observations import in_order, observation_kinds, tables
 from raybundle.observations.alignment import Levels, Lines, Planes, PlumbLines
 from raybundle.observations.coordinates import Coordinates
 from raybundle.observations.deviation import Deviations
+from raybundle.observations.total_station import Differences
 from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
 
@@ -85,7 +87,25 @@ def sighted():
     return truth.having(*block.tables.values())
 
 
+def correlated():
+    """Positions, attitudes and coordinate differences with correlations within their rows."""
+    block = noisy()
+    points, rng = np.flatnonzero(block.points.role == 0)[:6].astype(np.int32), np.random.default_rng(12)
+    steps = Differences(
+        station=points[:-1], target=points[1:], xyz=np.diff(block.points.xyz[points], axis=0),
+        sigma=np.array([[0.01, 0.02, 0.03]] * 4 + [[0.01, 0.02, np.nan]]),
+    )  # fmt: skip
+    steps = replace(steps, xyz=np.where(np.isnan(steps.sigma), np.nan, steps.xyz))
+    block = block.having(steps)
+    return block.of_tables(
+        lambda t: replace(
+            t, correlation=np.where(np.isfinite(t.sigma[:, [1, 2, 2]]), rng.uniform(-0.45, 0.45, (len(t), 3)), 0.0)
+        )
+    )
+
+
 EXAMPLES = {
+    "correlated": correlated,
     "total station": sighted,
     "single images": single_images,
     "networks": networks,
@@ -122,32 +142,26 @@ def test_each_kind_has_an_example(parts, kind):
 
 @pytest.mark.parametrize("kind", observation_kinds)
 def test_partials_are_those_of_the_residuals(parts, kind):
-    for system, part in parts[kind]:
-        normals, state = Normals.of(system, 1), system.initial_state()
-        entries = normals.extra(state)
-        mine = np.isin(entries.row, part.positions)
-        unknowns = np.unique(entries.unknown[mine])
-        assert len(unknowns)
-        rng = np.random.default_rng(2)
-        A = np.zeros((len(part.rows), len(unknowns)))
-        at = np.searchsorted(unknowns, entries.unknown[mine])
-        np.add.at(A, (entries.row[mine] - part.start, at), entries.value[mine])
-        step = np.zeros(int(system.offsets[-1]))
-        nothing = np.zeros_like(state.xyz)
-        for k in rng.permutation(len(unknowns))[:60]:
-            size = 1e-5
-            found = []
-            for sign in (1, -1):
-                step[:] = 0
-                step[unknowns[k]] = sign * size
-                points = nothing.copy()
-                kept = np.flatnonzero(system.point_node >= 0)
-                points[kept] = step[system.offsets[system.point_node[kept]][:, None] + np.arange(3)]
-                moved = system.updated(state, step, points)
-                found.append(normals.extra(moved).residual[part.positions])
-            numerical = (found[0] - found[1]) / (2 * size)
-            scale = max(np.abs(A[:, k]).max(), 1.0)
-            np.testing.assert_allclose(A[:, k] / scale, numerical / scale, atol=2e-6)
+    for system, _ in parts[kind]:
+        assert partials_off_in(system, kind) < 2e-6
+
+
+def test_partials_that_are_wrong_are_found(monkeypatch):
+    kind = observation_kinds["distance"]
+    right = type(kind).observed
+    block = EXAMPLES["field"]()
+    assert partials_off(block, "distance") < 1e-6
+
+    def half(self, *args):
+        found = right(self, *args)
+        return replace(
+            found, partials=(replace(found.partials[0], value=found.partials[0].value / 2), *found.partials[1:])
+        )
+
+    monkeypatch.setattr(type(kind), "observed", half)
+    assert partials_off(block, "distance") > 0.1
+    with pytest.raises(InputError, match="no observations of the kind zenith_angle"):
+        partials_off(block, "zenith_angle")
 
 
 @pytest.mark.parametrize("kind", observation_kinds)

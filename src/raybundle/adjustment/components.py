@@ -14,7 +14,7 @@ from raybundle.block.points import automatic
 from raybundle.errors import NotSolvable
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.statistics import fisher_tail
-from raybundle.observations import in_order
+from raybundle.observations import OfKinds, in_order
 
 LEVEL = 0.01
 """Two-sided level of significance of one group."""
@@ -27,7 +27,7 @@ FARTHEST = 1e3
 """Ratio beyond which a group is not wrongly weighted but something else."""
 LARGE = 400_000
 """Image observations above which components are those of one step: each step is an adjustment with statistics."""
-NAMES = {kind.name: kind.group for kind in in_order()}
+NAMES = OfKinds(lambda: {kind.name: kind.group for kind in in_order()})
 
 Found = tuple[System, Array, ObservationStatistics, tuple[ObservationGroup, ...]]
 """A system, its whitened residuals of the image points, and their statistics and those of the other groups."""

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -102,10 +104,9 @@ class Normals:
     def _weight(self, first: Index, second: Index) -> Array:
         """Weights (e,) of pairs of rows in units of their standard deviations."""
         found = (first == second).astype(float)
-        place = np.full(len(self.system.extra), -1)
-        for joint in self.system.extra.correlated:
-            place[joint.rows] = np.arange(len(joint.rows))
-            mine = np.flatnonzero(np.isin(first, joint.rows))
+        correlated = self.system.extra.correlated
+        place, _ = _places(correlated, len(self.system.extra))
+        for joint, mine in zip(correlated, _entries_of(correlated, first, len(self.system.extra)), strict=True):
             found[mine] = joint.weight[place[first[mine]], place[second[mine]]]
         return found
 
@@ -145,9 +146,8 @@ class Normals:
         Of correlated ones a row is a sum of those that were observed.
         """
         e = self.standardised(state)
-        for joint in self.system.extra.correlated:
-            e = _mixed(e, joint)
-        return e
+        correlated = self.system.extra.correlated
+        return _mixed(e, correlated) if correlated else e
 
     def refresh_external(self, state: State) -> None:
         """Evaluate models that are not compiled at a state and hand them to the native solver."""
@@ -324,23 +324,39 @@ class Normals:
         return block if a <= b else block.T
 
 
-def _mixed(e: Linearised, joint: Correlated) -> Linearised:
-    """With the rows of a group whitened."""
-    place = np.full(int(max(e.row.max(initial=-1), joint.rows.max())) + 1, -1)
-    place[joint.rows] = np.arange(len(joint.rows))
-    mine = place[e.row] >= 0
-    unknown, column = np.unique(e.unknown[mine], return_inverse=True)
-    dense = np.zeros((len(joint.rows), len(unknown)))
-    np.add.at(dense, (place[e.row[mine]], column), e.value[mine])
-    dense = joint.root @ dense
+def _places(correlated: Sequence[Correlated], count: int) -> tuple[Index, Index]:
+    """(count,) of rows: place in the group, and number of the group that they are correlated in; -1: in none."""
+    place, group = np.full(count, -1), np.full(count, -1)
+    for k, joint in enumerate(correlated):
+        place[joint.rows], group[joint.rows] = np.arange(len(joint.rows)), k
+    return place, group
+
+
+def _entries_of(correlated: Sequence[Correlated], row: Index, count: int) -> list[Array]:
+    """Positions of the entries whose rows (e,) are of each group, ascending."""
+    group = _places(correlated, count)[1][row]
+    order = np.argsort(group, kind="stable")
+    bounds = np.searchsorted(group[order], np.arange(len(correlated) + 1))
+    return [order[a:b] for a, b in pairwise(bounds.tolist())]
+
+
+def _mixed(e: Linearised, correlated: Sequence[Correlated]) -> Linearised:
+    """With the rows of each group whitened."""
+    count = len(e.residual)
+    place, group = _places(correlated, count)
+    alone = group[e.row] < 0
     residual = e.residual.copy()
-    residual[joint.rows] = joint.root @ residual[joint.rows]
-    return Linearised(
-        residual,
-        np.concatenate([e.row[~mine], np.repeat(joint.rows, len(unknown))]).astype(np.int32),
-        np.concatenate([e.unknown[~mine], np.tile(unknown, len(joint.rows))]),
-        np.concatenate([e.value[~mine], dense.ravel()]),
-    )
+    rows, unknowns, values = [e.row[alone]], [e.unknown[alone]], [e.value[alone]]
+    for joint, mine in zip(correlated, _entries_of(correlated, e.row, count), strict=True):
+        unknown, column = np.unique(e.unknown[mine], return_inverse=True)
+        dense = np.zeros((len(joint.rows), len(unknown)))
+        np.add.at(dense, (place[e.row[mine]], column), e.value[mine])
+        residual[joint.rows] = joint.root @ residual[joint.rows]
+        rows.append(np.repeat(joint.rows, len(unknown)))
+        unknowns.append(np.tile(unknown, len(joint.rows)))
+        values.append((joint.root @ dense).ravel())
+    row, unknown = np.concatenate(rows).astype(np.int32), np.concatenate(unknowns)
+    return Linearised(residual, row, unknown, np.concatenate(values))
 
 
 def _pairs_of_rows(row: Index) -> tuple[Array, Array]:

@@ -11,6 +11,7 @@ import numpy as np
 
 from raybundle.adjustment.assemble import State, System
 from raybundle.adjustment.datum import Datum
+from raybundle.adjustment.extra import Part
 from raybundle.adjustment.noise import spread_in_datum
 from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.precision import angle_form, image_unknowns, interior_unknowns, precision
@@ -32,7 +33,8 @@ def covariance_between(result: Adjustment, first: str, second: str) -> Array:
     """Covariance (k, l) between any two of: object points, images, cameras; a-posteriori, in the result's datum.
 
     first, second  "point:7", "image:DSC01", "camera:1"; components X, Y, Z; X, Y, Z, omega, phi, kappa [rad];
-                   the free parameters of the camera in their order
+                   the free parameters of the camera in their order; KIND:NAME of what a kind of observation has as
+                   unknowns of its own ("plane:floor"), in the order of its steps
     raises         InputError for names that took no part
 
     One solution of the normal equations, not a read-out: it exists for every pair, near or far.
@@ -60,6 +62,21 @@ def covariance_between(result: Adjustment, first: str, second: str) -> Array:
         )
     C = np.array([points[at, axis] if kind == "point" else nodes[at] for kind, at, axis in b]).T
     return _variance(result) * Da @ C @ Db.T
+
+
+def own_values(result: Adjustment, name: str) -> Array:
+    """Adjusted values (w,) of an unknown that a kind of observation has for itself, in the frame of the object.
+
+    name    KIND:NAME, as "plane:floor"; the values are those that the kind states (`ObservationKind.own_start`)
+    raises  InputError for a name that took no part
+    Their covariance is that of the small steps that the kind takes: `covariance_between(result, name, name)`.
+    """
+    work, state = _work(result)
+    found = _own(work.system, name)
+    if found is None:
+        raise InputError(f"{name!r} is no unknown of a kind of observation that takes part; give KIND:NAME")
+    part, k = found
+    return part.kind.own_placed(state.own[part.kind.name], 1.0, np.eye(3), work.system.shift)[k]
 
 
 def precision_in_datum(result: Adjustment, datum_points: tuple[str, ...]) -> Precision:
@@ -127,9 +144,23 @@ def _selection(system: System, state: State, name: str) -> tuple[list[tuple[str,
             if row.key(block) == identity and row.node >= 0:
                 unknowns = interior_unknowns(system, row)
                 return [("node", int(u), 0) for u in unknowns], np.eye(len(unknowns))
+    if (found := _own(system, name)) is not None:
+        columns = system.own_columns(found[0].kind)[found[1]]
+        return [("node", int(u), 0) for u in columns], np.eye(len(columns))
     raise InputError(
-        f"{name!r} is no unknown of this adjustment; give point:ID, image:ID or camera:ID of what is estimated"
+        f"{name!r} is no unknown of this adjustment; give point:ID, image:ID or camera:ID of what is estimated, or "
+        "KIND:NAME of an unknown that a kind of observation has for itself, as plane:floor"
     )
+
+
+def _own(system: System, name: str) -> tuple[Part, int] | None:
+    """The rows of a kind with unknowns of its own, and which of them has this name."""
+    kind, _, identity = name.partition(":")
+    part = system.extra.of(kind)
+    if part is None or not part.kind.own_width:
+        return None
+    names = part.kind.own(part.table, system.extra.scope)
+    return (part, names.index(identity)) if identity in names else None
 
 
 def _gauge(system: System, t: Transformation, chosen: list[tuple[str, int, int]]) -> tuple[Array, Array]:

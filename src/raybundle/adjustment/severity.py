@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from enum import StrEnum
 
-from raybundle.observations import observation_kinds
+from raybundle.observations import OfKinds, observation_kinds
 
 
 class Severity(StrEnum):
@@ -47,9 +47,10 @@ _CODES = {
     ),
 }
 
-SEVERITY: Mapping[str, Severity] = {code: s for s, codes in _CODES.items() for code in codes.split()} | {
-    f"{kind}_suspect": Severity.FAULT for kind in observation_kinds
-}
+_CODE = {code: s for s, codes in _CODES.items() for code in codes.split()}
+SEVERITY: Mapping[str, Severity] = OfKinds(
+    lambda: {**_CODE, **{f"{kind}_suspect": Severity.FAULT for kind in observation_kinds}}
+)
 """Severity of each code; `Notice.severity` may state another where it hangs on the numbers."""
 
 POOR_FIT = 3.0

@@ -17,10 +17,11 @@ import numpy as np
 
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.counting import counted
+from raybundle.numerics.deviations import kept_after
 from raybundle.numerics.places import Place
 from raybundle.numerics.records import Records, Refers, Stuck, column
 from raybundle.numerics.rotation import angles_from_rotation
-from raybundle.numerics.transform import SimilarityTransform, kept_after
+from raybundle.numerics.transform import SimilarityTransform
 from raybundle.observations.attitude import Attitudes
 from raybundle.observations.distance import Distances
 from raybundle.observations.parameter import Calibrated

@@ -249,8 +249,8 @@ class _Merge:
         rows = self.sources(moved, "observation")
         merged = once(whole, rows, refuse)
         with np.errstate(invalid="ignore"):
-            bad = [w for w in merged.wrong() if w.rows.any()]
-            fresh = bad and not any(w.rows.any() for t in moved for w in t.wrong())
+            bad = [w for w in merged.faults() if w.rows.any()]
+            fresh = bad and not any(w.rows.any() for t in moved for w in t.faults())
         if fresh:
             k = int(np.flatnonzero(bad[0].rows)[0])
             raise InputError(f"the blocks do not fit together: {made.row_names(merged)(k)}: {bad[0].message(k)}")

@@ -11,7 +11,8 @@ import numpy as np
 from raybundle.block.block import Block, Camera, Instrument
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Mask
-from raybundle.numerics.transform import COUPLED, SimilarityTransform, deviations_after, kept_after
+from raybundle.numerics.deviations import COUPLED, deviations_after, kept_after
+from raybundle.numerics.transform import SimilarityTransform
 from raybundle.observations.deviation import Deviations
 from raybundle.observations.parameter import Calibrated
 from raybundle.observations.relation import Relation

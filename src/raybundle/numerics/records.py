@@ -15,14 +15,16 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
-from raybundle.numerics.transform import SimilarityTransform, kept_after
+from raybundle.numerics.deviations import SMALLEST, correlated_after, kept_after, least_eigenvalues, unfounded
+from raybundle.numerics.transform import SimilarityTransform
 
 Refers = Literal["point", "image", "instrument", "camera", "station"]
 REFERS = ("point", "image", "instrument", "camera", "station")
 Holds = Literal["number", "text", "choice", "mask", "by row", "point", "image", "instrument", "camera", "station"]
-Follows = Literal["stays", "length", "position", "vector", "deviations", "covariance", "rotation"]
+Follows = Literal["stays", "length", "position", "vector", "deviations", "correlations", "covariance", "rotation"]
 """How numbers follow X -> s R X + t: not at all; as a length (s x), a point, a difference of points, the standard
-deviations of one, the covariance (k, 9) of two points, or a rotation from the axes of the object."""
+deviations of one, the correlations that belong to them, the covariance (k, 9) of two points, or a rotation from the
+axes of the object."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -41,6 +43,9 @@ class Column:
     """Whether it may be lacking: None"""
     fill: float = float("nan")
     """What a row holds whose table lacks the column, beside rows that have it"""
+    deviations: str = ""
+    """Of correlation coefficients, in the order of `numerics.deviations.PAIRS`: the column whose three quantities are
+    correlated within a row"""
     approximate: str = ""
     """Whether it is an approximate value, which nobody observed and everybody may have another of; columns of one name
     belong together"""
@@ -135,10 +140,17 @@ class Records:
             if c.follows in {"position", "vector"}:
                 reason = "a coordinate is not given that a rotation mixes with those given"
                 found.append(Stuck(~kept_after(by.rotation, values, alone=True), reason))
-            if c.follows == "deviations":
+            if c.follows == "deviations" and (beside := self.correlations_of(name)):
+                found += stuck_together(by.rotation, values, getattr(self, beside)) if by.turns else []
+            elif c.follows == "deviations":
                 reason = "its coordinates would be correlated, which standard deviations alone cannot say"
                 found.append(Stuck(~kept_after(by.rotation, values), reason))
         return found
+
+    @classmethod
+    def correlations_of(cls, deviations: str) -> str:
+        """The column with the correlations of three quantities whose standard deviations a column holds; "": none."""
+        return next((name for name, c in cls.columns() if c.deviations == deviations), "")
 
     def transformed(self, by: SimilarityTransform, called: Callable[[int], str] = lambda k: f"row {k + 1}") -> Self:
         """What its rows say after X -> s R X + t.
@@ -149,15 +161,51 @@ class Records:
         for s in self.stuck(by):
             for k in np.flatnonzero(s.rows)[:1].tolist():
                 raise InputError(f"{called(k)} cannot follow the transformation: {s.reason}")
-        return self._followed(by)
+        return self.followed(by)
 
-    def _followed(self, by: SimilarityTransform) -> Self:
-        changed = {
+    def followed(self, by: SimilarityTransform) -> Self:
+        """What `transformed` gives where no row is stuck; stated by a table whose quantities follow in another way."""
+        changed: dict[str, Any] = {
             name: following(c, values, by)
             for name, c in self.columns()
-            if c.follows != "stays" and (values := getattr(self, name)) is not None
+            if c.follows not in {"stays", "correlations"} and (values := getattr(self, name)) is not None
         }
+        for name, c in self.columns() if by.turns else ():
+            if c.follows == "correlations":
+                sigma, changed[name] = correlated_after(by.rotation, getattr(self, c.deviations), getattr(self, name))
+                changed[c.deviations] = by.scale * sigma
         return replace(self, **changed)
+
+
+def stuck_together(by: Array, sigma: Array, coefficients: Array | None, *, noun: str = "coordinate") -> list[Stuck]:
+    """Rows of which x' = by x cannot be said by standard deviations and correlation coefficients of its three.
+
+    by            (3, 3), or (k, 3, 3) of each row
+    sigma         (k, 3) standard deviations of x, NaN where it was not observed
+    coefficients  (k, 3) correlations of x; None: independent
+    noun          what x is three of
+    """
+    count = len(sigma)
+    alone = np.zeros(count, bool) if coefficients is None else unfounded(sigma, coefficients).any(axis=1)
+    least = least_eigenvalues(correlated_after(by, sigma, coefficients)[1], count)
+    return [
+        Stuck(
+            ~(least_eigenvalues(coefficients, count) > SMALLEST) | alone,
+            "its correlation coefficients are not those of quantities that were observed: their matrix is not positive "
+            "definite, or one has no standard deviation",
+        ),
+        Stuck(
+            ~kept_after(by, sigma, alone=True),
+            f"one {noun} was not observed that the rotation mixes with those observed; give it a standard deviation, "
+            "or leave the row out",
+        ),
+        Stuck(
+            ~(least > SMALLEST),
+            f"its {noun}s would be correlated more closely than coefficients can say (least eigenvalue of the "
+            f"correlations {np.min(least, initial=1.0):.1e}, limit {SMALLEST:g}): their standard deviations are too "
+            "different",
+        ),
+    ]  # fmt: skip
 
 
 def positions(which: Mask | Index) -> Index:

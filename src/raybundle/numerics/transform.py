@@ -7,13 +7,10 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.arrays import Array
+from raybundle.numerics.deviations import COUPLED, deviations_after, known_after, without_remains
 from raybundle.numerics.rotation import cross_matrix
 
-COUPLED = 1e-12
-"""Entries of a rotation below which two axes do not touch: products of rotations leave such remains of zeros."""
-CORRELATED = 1e-9
-"""Correlation of two coordinates above which standard deviations alone do not say what is known of them."""
 TILTED = 1e-9
 """Angle between the verticals before and after [rad] from which what is upright is so no longer: 1 um in 1 km."""
 
@@ -60,8 +57,8 @@ class SimilarityTransform:
         moved = self.scale * d @ self.rotation.T
         part = np.isnan(d).any(axis=-1) & ~np.isnan(d).all(axis=-1)
         if part.any():
-            there = _known_after(self.rotation, ~np.isnan(d[part]))
-            rest = self.scale * np.nan_to_num(d[part]) @ _without_remains(self.rotation).T
+            there = known_after(self.rotation, ~np.isnan(d[part]))
+            rest = self.scale * np.nan_to_num(d[part]) @ without_remains(self.rotation).T
             moved[part] = np.where(there, rest, np.nan)
         return moved
 
@@ -88,40 +85,6 @@ class Similarity(SimilarityTransform):
     """Standard deviation of a target coordinate; NaN without redundancy (n = 2 is not enough either)."""
     covariance: Array
     """(7, 7) of translation of the centroid, rotation vector, scale; a-posteriori, isotropic target errors"""
-
-
-def deviations_after(by: Array, sigma: Array) -> Array:
-    """Standard deviations (k, 3) of x' = by x, those of the uncorrelated x being sigma (k, 3), NaN where not known.
-
-    by  (3, 3), or (k, 3, 3) of each row
-    NaN where x' needs what is not known.  Correlations of x' are lost: `kept_after` tells where there are none.
-    """
-    new = np.sqrt(np.einsum("...ij,...j->...i", _without_remains(by) ** 2, np.nan_to_num(sigma) ** 2))
-    return np.where(_known_after(by, ~np.isnan(sigma)), new, np.nan)
-
-
-def kept_after(by: Array, sigma: Array, *, alone: bool = False) -> Mask:
-    """(k,) whether standard deviations of x' = by x say all that is known of the uncorrelated x, sigma as above.
-
-    alone  sigma tells by its NaN alone what is known; x' may be correlated
-    """
-    known, A = ~np.isnan(sigma), _without_remains(by)
-    lost = known & ((A != 0) & ~_known_after(by, known)[..., :, None]).any(axis=-2)
-    if alone:
-        return ~lost.any(axis=-1)
-    C = (A * np.nan_to_num(sigma)[..., None, :] ** 2) @ np.swapaxes(A, -1, -2)
-    size = np.sqrt(np.diagonal(C, axis1=-2, axis2=-1))
-    off = np.abs(C) > CORRELATED * size[..., :, None] * size[..., None, :]
-    return ~lost.any(axis=-1) & ~(off & ~np.eye(3, dtype=bool)).any(axis=(-1, -2))
-
-
-def _without_remains(by: Array) -> Array:
-    return np.where(np.abs(by) > COUPLED, by, 0.0)
-
-
-def _known_after(by: Array, known: Mask) -> Mask:
-    """(k, 3) coordinates after that need none before that is not known (k, 3)."""
-    return np.asarray(~((np.abs(by) > COUPLED) & ~known[..., None, :]).any(axis=-1))
 
 
 def similarity(source: Array, target: Array, weights: Array | None = None, *, scale: float | None = None) -> Similarity:

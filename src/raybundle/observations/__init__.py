@@ -1,27 +1,56 @@
-"""Kinds of observations outside the images; every module in this folder registers its kind on import."""
+"""Kinds of observations outside the images; every module in this folder registers its kind on import.
+
+A kind in a file elsewhere takes what it needs from here.
+"""
 
 from importlib import import_module
 from pkgutil import iter_modules
 
-from raybundle.observations.kind import Interior, ObservationKind, Observed, Partials, Rows, Scope, Values, in_order
+from raybundle.numerics.records import Stuck
+from raybundle.observations.correlation import correlated
+from raybundle.observations.kind import (
+    Interior,
+    Joint,
+    Named,
+    ObservationKind,
+    Observed,
+    OfKinds,
+    Partials,
+    Rows,
+    Scope,
+    Values,
+    in_order,
+    partials,
+)
+from raybundle.observations.table import Table, Wrong, again, cells
 
 for _module in iter_modules(__path__):
-    if _module.name not in {"kind", "table"}:
+    if _module.name not in {"correlation", "kind", "table"}:
         import_module(f"{__name__}.{_module.name}")
 
 observation_kinds = ObservationKind.registry
-tables = {kind.table.name: kind.table for kind in in_order() if kind.table is not None}
-"""Tables of a block by the names of their files"""
+tables = OfKinds(lambda: {kind.table.name: kind.table for kind in in_order() if kind.table is not None})
+"""Tables of a block by the names of their files, those of kinds that are registered later included"""
 
 __all__ = [
     "Interior",
+    "Joint",
+    "Named",
     "ObservationKind",
     "Observed",
+    "OfKinds",
     "Partials",
     "Rows",
     "Scope",
+    "Stuck",
+    "Table",
     "Values",
+    "Wrong",
+    "again",
+    "cells",
+    "correlated",
     "in_order",
     "observation_kinds",
+    "partials",
     "tables",
 ]

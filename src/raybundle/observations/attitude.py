@@ -10,9 +10,11 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
-from raybundle.numerics.records import Stuck
+from raybundle.numerics.deviations import correlated_after
+from raybundle.numerics.records import Stuck, stuck_together
 from raybundle.numerics.rotation import angle_derivatives, angles_from_rotation, rotation_from_angles
-from raybundle.numerics.transform import SimilarityTransform, deviations_after, kept_after
+from raybundle.numerics.transform import SimilarityTransform
+from raybundle.observations.correlation import correlated
 from raybundle.observations.kind import Named, ObservationKind, Observed, Rows, Scope, Values, partials
 from raybundle.observations.table import Table, Wrong, again, cells
 from raybundle.platforms.imu import told
@@ -27,6 +29,7 @@ class Attitudes(Table):
 
     name: ClassVar[str] = "attitudes"
     named_by: ClassVar[tuple[str, ...]] = ("image",)
+    observed: ClassVar[str] = "angles"
 
     image: Index = cells("image", "image")
     angles: Array = cells("number", "omega_deg", "phi_deg", "kappa_deg", unit="deg", follows="stays")
@@ -35,6 +38,18 @@ class Attitudes(Table):
         "number", "somega_deg", "sphi_deg", "skappa_deg", unit="deg", follows="stays", empty=True, limit="> 0"
     )
     """(k, 3) [rad]; NaN where an angle was not observed."""
+    correlation: Array | None = cells(
+        "number",
+        "romega_phi",
+        "romega_kappa",
+        "rphi_kappa",
+        follows="stays",
+        deviations="sigma",
+        empty=True,
+        optional=True,
+        fill=0.0,
+    )
+    """(k, 3) coefficients of correlation of the observed angles; None: independent."""
     imu: Index | None = cells("instrument", "imu", model="imu", empty=True, optional=True)
     """(k,) position in `Block.instruments` of the IMU with its misalignment, -1 or None: the image's own rotation."""
 
@@ -43,17 +58,18 @@ class Attitudes(Table):
             return []
         angles, J = self._turned(by)
         steep = ~(np.cos(angles[:, 1]) > STEEP) & np.isfinite(angles[:, 1])
-        mixed = ~kept_after(J, self.sigma) & ~steep
         return [
             Stuck(steep, "phi would be near a right angle, where omega and kappa turn about the same axis"),
-            Stuck(mixed, "its angles would be correlated, which standard deviations alone cannot say"),
+            *stuck_together(J, self.sigma, self.correlation, noun="angle"),
         ]
 
-    def _followed(self, by: SimilarityTransform) -> Attitudes:
+    def followed(self, by: SimilarityTransform) -> Attitudes:
+        """Angles of the same rotation from the axes after."""
         if not by.turns:
             return self
         angles, J = self._turned(by)
-        return replace(self, angles=angles, sigma=deviations_after(J, self.sigma))
+        sigma, correlation = correlated_after(J, self.sigma, self.correlation)
+        return replace(self, angles=angles, sigma=sigma, correlation=correlation)
 
     def _turned(self, by: SimilarityTransform) -> tuple[Array, Array]:
         """Angles (k, 3) after, and how small changes of them follow from those of the angles before (k, 3, 3)."""
@@ -106,7 +122,7 @@ class Attitude(ObservationKind):
     def rows(self, table: Attitudes, scope: Scope) -> Rows:
         whole = scope.images[table.image] & np.isfinite(table.angles).all(axis=1)
         item, axis = np.nonzero(whole[:, None] & (table.sigma > 0))
-        return Rows.of(item, axis, table.angles[item, axis], table.sigma[item, axis])
+        return correlated(table, Rows.of(item, axis, table.angles[item, axis], table.sigma[item, axis]))
 
     def observed(self, table: Attitudes, rows: Rows, scope: Scope, values: Values) -> Observed:
         item, axis = rows.item, rows.component

@@ -14,11 +14,9 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.deviations import SMALLEST
 from raybundle.observations.kind import Joint, Named, ObservationKind, Observed, Rows, Scope, Values, partials
 from raybundle.observations.table import Table, Wrong, cells
-
-SMALLEST = 1e-10
-"""Least eigenvalue of a correlation matrix: files with ten digits hold no more, and a free network's is 0."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -37,6 +35,16 @@ class Coordinates(Table):
         "number", "cXX", "cXY", "cXZ", "cYX", "cYY", "cYZ", "cZX", "cZY", "cZZ", follows="covariance"
     )
     """(k, 9) of X, Y, Z of the point (rows) with X, Y, Z of the other (columns) [length unit^2]"""
+
+    def with_errors(self, rng: np.random.Generator) -> Coordinates:
+        """What another measurement of each network would give: errors with its covariance matrix."""
+        xyz, networks = self.xyz.copy(), np.array(self.network)
+        for network in dict.fromkeys(self.network):
+            rows = np.flatnonzero((networks == network) & self.own)
+            sigma, correlation = _covariance(self, rows, network)
+            errors = sigma * (np.linalg.cholesky(correlation) @ rng.normal(0, 1, len(sigma)))
+            xyz[rows] += errors.reshape(-1, 3)
+        return replace(self, xyz=xyz)
 
     @property
     def own(self) -> Mask:

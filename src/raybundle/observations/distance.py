@@ -19,6 +19,7 @@ class Distances(Table):
     """Scale bars: observed distances between two object points."""
 
     name: ClassVar[str] = "distances"
+    observed: ClassVar[str] = "length"
 
     start: Index = cells("point", "from")
     end: Index = cells("point", "to")

@@ -8,15 +8,16 @@ orientation.  Which unknowns these are, or whether they are held, is the adjustm
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any, ClassVar, Literal, Protocol
+from typing import Any, ClassVar, Literal, Protocol, TypeVar
 
 import numpy as np
 
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.observations.table import Table
 
+T = TypeVar("T")
 Of = Literal["point", "centre", "rotation", "interior", "own"]
 """Parameter blocks: coordinates of object points, centres, small rotations and interior orientations of images, and
 unknowns that a kind of observation has for itself.
@@ -217,6 +218,8 @@ class ObservationKind(ABC):
         made = cls()
         if made.name in ObservationKind.registry:
             raise TypeError(f"two kinds of observations are called {made.name}")
+        if made.table is not None and made.table.name in {k.table.name for k in in_order() if k.table is not None}:
+            raise TypeError(f"{made.name}: another kind of observations has a table called {made.table.name}")
         ObservationKind.registry[made.name] = made
 
     @classmethod
@@ -299,3 +302,26 @@ def partials(of: Of, row: Array, item: Array, component: Array | int, value: Arr
 def in_order() -> list[ObservationKind]:
     """All kinds, in their order."""
     return sorted(ObservationKind.registry.values(), key=lambda kind: kind.order)
+
+
+class OfKinds(Mapping[str, T]):
+    """A mapping that follows from the kinds that are registered: looked up anew each time, so that it knows later ones.
+
+    A kind of one's own may be imported before or after the modules that read, adjust and report.
+    """
+
+    def __init__(self, made: Callable[[], Mapping[str, T]]) -> None:
+        """Of what makes it from the kinds that there are."""
+        self._made = made
+
+    def __getitem__(self, name: str) -> T:
+        """The entry of a name."""
+        return self._made()[name]
+
+    def __iter__(self) -> Iterator[str]:
+        """The names, in the order of the kinds."""
+        return iter(self._made())
+
+    def __len__(self) -> int:
+        """Their number."""
+        return len(self._made())

@@ -11,6 +11,7 @@ import numpy as np
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.rotation import cross_matrix
+from raybundle.observations.correlation import correlated
 from raybundle.observations.kind import Named, ObservationKind, Observed, Rows, Scope, Values, partials
 from raybundle.observations.table import Table, Wrong, again, cells
 
@@ -21,12 +22,17 @@ class Stations(Table):
 
     name: ClassVar[str] = "stations"
     named_by: ClassVar[tuple[str, ...]] = ("image",)
+    observed: ClassVar[str] = "xyz"
 
     image: Index = cells("image", "image")
     xyz: Array = cells("number", "X", "Y", "Z", follows="position", empty=True)
     """(k, 3); NaN where a coordinate was not observed."""
     sigma: Array = cells("number", "sX", "sY", "sZ", follows="deviations", empty=True, limit="> 0")
     """(k, 3)"""
+    correlation: Array | None = cells(
+        "number", "rXY", "rXZ", "rYZ", follows="correlations", deviations="sigma", empty=True, optional=True, fill=0.0
+    )
+    """(k, 3) coefficients of correlation of the observed coordinates; None: independent."""
     antenna: Index | None = cells("instrument", "antenna", model="antenna", empty=True, optional=True)
     """(k,) position in `Block.instruments` of the antenna that was observed, -1 or None: the projection centre."""
     time: Array | None = cells("number", "time_s", follows="stays", empty=True, optional=True, fill=0.0)
@@ -114,7 +120,8 @@ class Station(ObservationKind):
     def rows(self, table: Stations, scope: Scope) -> Rows:
         item, axis = np.nonzero(scope.images[table.image, None] & np.isfinite(table.xyz) & (table.sigma > 0))
         shift: Array = scope.shift[axis]
-        return Rows.of(item, axis, table.xyz[item, axis] - shift, table.sigma[item, axis], shift)
+        rows = Rows.of(item, axis, table.xyz[item, axis] - shift, table.sigma[item, axis], shift)
+        return correlated(table, rows)
 
     def observed(self, table: Stations, rows: Rows, scope: Scope, values: Values) -> Observed:
         item, axis, k = rows.item, rows.component, np.arange(len(rows))

@@ -6,15 +6,19 @@ A table is a frozen dataclass whose fields are arrays with a row for each observ
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
-from typing import Any, ClassVar, Literal, cast
+from typing import Any, ClassVar, Literal, Self, cast
 
 import numpy as np
 
-from raybundle.numerics.arrays import Index, Mask
+from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.deviations import PAIRS, SMALLEST, drawn, least_eigenvalues, unfounded
 from raybundle.numerics.records import Column, Records, Refers, Stuck, as_field
 from raybundle.numerics.transform import SimilarityTransform
+
+SIGMA = "sigma"
+"""The field of a table with the standard deviations of what it observes"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -58,6 +62,8 @@ class Table(Records):
     """Of its file, without the ending"""
     upright: ClassVar[bool] = False
     """Whether its rows are true only of what stands upright in the frame of the object"""
+    observed: ClassVar[str] = ""
+    """Field of what was measured, in the unit of the field `sigma`; "": of what is observed to be 0"""
 
     @classmethod
     def cells(cls) -> Iterator[tuple[str, Cells]]:
@@ -84,6 +90,55 @@ class Table(Records):
     def wrong(self) -> Sequence[Wrong]:
         """What no file may hold beyond what `cells` says."""
         return ()
+
+    def faults(self) -> Sequence[Wrong]:
+        """What is wrong with its rows: `wrong`, and correlations that cannot be."""
+        found = [w for name, c in self.cells() if c.deviations for w in self._wrong_correlations(name, c)]
+        return [*self.wrong(), *found]
+
+    def _wrong_correlations(self, name: str, c: Cells) -> Sequence[Wrong]:
+        values: Array | None = getattr(self, name)
+        if values is None:
+            return ()
+        r = np.nan_to_num(values)
+        lone, large = unfounded(getattr(self, c.deviations), r), ~(np.abs(r) < 1)
+        least = least_eigenvalues(np.where(large | lone, 0.0, r), len(r))
+        deviations = next(o.names for field, o in self.cells() if field == c.deviations)
+        found = list[Wrong]()
+        for n, (i, j) in enumerate(PAIRS):
+            found += [
+                Wrong(
+                    large[:, n], c.names[n],
+                    lambda k, n=n: f"{r[k, n]:g} is no correlation coefficient; it lies between -1 and 1, and is "
+                    "neither (a covariance is to be divided by both standard deviations)",
+                ),
+                Wrong(
+                    lone[:, n], c.names[n],
+                    lambda k, n=n, i=i, j=j: f"a correlation of {r[k, n]:g} with what was not observed; leave it "
+                    f"empty, or give {deviations[i]} and {deviations[j]}",
+                ),
+            ]  # fmt: skip
+        return [
+            *found,
+            Wrong(
+                ~(least > SMALLEST), c.names[0],
+                lambda k: f"the correlations {', '.join(f'{v:g}' for v in r[k])} are not possible together: their "
+                f"matrix is not positive definite (least eigenvalue {least[k]:.1e}, limit {SMALLEST:g}); give more "
+                "digits, or look which is wrong",
+            ),
+        ]  # fmt: skip
+
+    def with_errors(self, rng: np.random.Generator) -> Self:
+        """What another measurement of the same would give.
+
+        The field that `observed` names gets normally distributed errors with the standard deviations of the field
+        `sigma` and their correlations.  Without such a field nothing changes.
+        """
+        if not self.observed:
+            return self
+        beside = self.correlations_of(SIGMA)
+        errors = drawn(rng, getattr(self, SIGMA), getattr(self, beside) if beside else None)
+        return replace(self, **{self.observed: getattr(self, self.observed) + errors})
 
 
 def again(positions: Index) -> Mask:

@@ -18,6 +18,7 @@ from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.records import Stuck
 from raybundle.numerics.transform import SimilarityTransform
+from raybundle.observations.correlation import correlated
 from raybundle.observations.kind import Named, ObservationKind, Observed, Partials, Rows, Scope, Values, partials
 from raybundle.observations.table import Table, Wrong, cells
 
@@ -38,6 +39,7 @@ class Directions(Sights):
     """Horizontal directions; those of a set have one orientation, which is unknown."""
 
     name: ClassVar[str] = "directions"
+    observed: ClassVar[str] = "angle"
     upright: ClassVar[bool] = True
     set: tuple[str, ...] = cells("text", "set")
     station: Index = cells("point", "station")
@@ -63,6 +65,7 @@ class ZenithAngles(Sights):
     """Zenith angles: 0 is up."""
 
     name: ClassVar[str] = "zenith_angles"
+    observed: ClassVar[str] = "angle"
     upright: ClassVar[bool] = True
     station: Index = cells("point", "station")
     target: Index = cells("point", "target")
@@ -93,6 +96,7 @@ class SlopeDistances(Sights):
     """Distances between instrument and reflector."""
 
     name: ClassVar[str] = "slope_distances"
+    observed: ClassVar[str] = "length"
     station: Index = cells("point", "station")
     target: Index = cells("point", "target")
     length: Array = cells("number", "distance", follows="length", limit="> 0")
@@ -115,11 +119,16 @@ class Differences(Sights):
     """Coordinate differences, target minus station: levelling (dZ alone), GNSS baselines."""
 
     name: ClassVar[str] = "differences"
+    observed: ClassVar[str] = "xyz"
     station: Index = cells("point", "from")
     target: Index = cells("point", "to")
     xyz: Array = cells("number", "dX", "dY", "dZ", follows="vector", empty=True)
     """(k, 3) [length unit]; NaN: not observed"""
     sigma: Array = cells("number", "sX", "sY", "sZ", follows="deviations", empty=True, limit="> 0")
+    correlation: Array | None = cells(
+        "number", "rXY", "rXZ", "rYZ", follows="correlations", deviations="sigma", empty=True, optional=True, fill=0.0
+    )
+    """(k, 3) coefficients of correlation of the observed differences; None: independent."""
 
     def wrong(self) -> Sequence[Wrong]:
         lone = (np.isfinite(self.xyz) != np.isfinite(self.sigma)).any(axis=1)
@@ -312,7 +321,7 @@ class Difference(_Sight):
 
     def rows(self, table: Differences, scope: Scope) -> Rows:
         item, axis = np.nonzero(self._used(table, scope)[:, None] & (np.nan_to_num(table.sigma) > 0))
-        return Rows.of(item, axis, table.xyz[item, axis], table.sigma[item, axis])
+        return correlated(table, Rows.of(item, axis, table.xyz[item, axis], table.sigma[item, axis]))
 
     def observed(self, table: Sights, rows: Rows, scope: Scope, values: Values) -> Observed:
         n = np.arange(len(rows))

@@ -22,6 +22,7 @@ from raybundle.io.trajectories import PhotoAttitudes, Trajectory, attitudes_of_f
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.attitude import rotation_from_gimbal, rotation_from_opk, rotation_from_pok, rotation_from_rpy
 from raybundle.numerics.counting import counted
+from raybundle.numerics.deviations import CORRELATED, deviations_of
 from raybundle.numerics.rotation import (
     angle_derivatives,
     angles_from_rotation,
@@ -228,9 +229,16 @@ def _observe(state: Placing, told: PhotoAttitudes, image: Index, used: list[_Mou
     order = np.flatnonzero(~steep)[np.argsort(image[rows[~steep]], kind="stable")]
     rows, turn, imu, R, angles = rows[order], turn[order], imu[order], R[order], angles[order]
     D = angle_derivatives(R) @ turn
-    variance = np.diagonal(D @ told.covariance[rows] @ np.swapaxes(D, 1, 2), axis1=1, axis2=2)
+    sigma, correlation = deviations_of(D @ told.covariance[rows] @ np.swapaxes(D, 1, 2))
+    correlation = np.where(np.abs(correlation) > CORRELATED, correlation, 0.0)
     state.block = block.having(
-        Attitudes(image=image[rows], angles=angles, sigma=np.sqrt(variance), imu=imu.astype(np.int32) if imus else None)
+        Attitudes(
+            image=image[rows],
+            angles=angles,
+            sigma=sigma,
+            correlation=correlation if correlation.any() else None,
+            imu=imu.astype(np.int32) if imus else None,
+        )
     )
     message = (
         f"the attitudes of {counted(len(rows), 'photograph')} are observed ({told.convention}, from {told.source})"

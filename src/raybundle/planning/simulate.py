@@ -141,13 +141,8 @@ def simulate(scene: Scene, survey: Survey) -> Simulation:
         observations=replace(truth.observations, xy_px=measured),
         points=_start_points(truth.points, scene, survey, rng),
     ).having(
-        replace(
-            truth.distances,
-            length=truth.distances.length + rng.normal(0, 1, len(truth.distances)) * truth.distances.sigma,
-        ),
-        replace(
-            truth.stations, xyz=truth.stations.xyz + rng.normal(0, 1, truth.stations.xyz.shape) * truth.stations.sigma
-        ),
+        truth.distances.with_errors(rng),
+        truth.stations.with_errors(rng),
     )
     return Simulation(truth=truth, observed=observed, gross=gross)
 

@@ -113,11 +113,11 @@ def flight_block(plan: Flight) -> Block:
     rng = np.random.default_rng([plan.seed, 1])
     o, s, p = block.observations, block.stations, block.points
     image_noise = rng.normal(0, plan.image_sigma_px, o.xy_px.shape)
-    station_noise = rng.normal(0, 1, s.xyz.shape) * s.sigma
+    stations = s.with_errors(rng)
     given = rng.normal(0, 1, p.xyz.shape) * np.nan_to_num(p.sigma)
     return replace(
         block, points=replace(p, xyz=p.xyz + given), observations=replace(o, xy_px=o.xy_px + image_noise)
-    ).having(replace(s, xyz=s.xyz + station_noise))
+    ).having(stations)
 
 
 def _exact(scene: Scene, plan: Flight) -> Block:

@@ -7,7 +7,7 @@ A module in this folder that states a `Platform` or an `InstrumentModel` registe
 from importlib import import_module
 from pkgutil import iter_modules
 
-from raybundle.platforms.carried import Carried, register_carried
+from raybundle.platforms.carried import Carried, register_carried, register_platform
 from raybundle.platforms.instrument import InstrumentModel
 from raybundle.platforms.platform import Platform
 from raybundle.sensors.model import SensorModel
@@ -20,5 +20,6 @@ platforms, sensor_models, instrument_models = Platform.registry, SensorModel.reg
 for _sensor in [*SensorModel.registry.values(), *SensorModel.lines.values()]:
     register_carried(_sensor)
 SensorModel.followers.append(register_carried)
+Platform.followers.append(register_platform)
 
 __all__ = ["Carried", "InstrumentModel", "Platform", "instrument_models", "platforms", "sensor_models"]

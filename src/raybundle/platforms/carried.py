@@ -147,7 +147,7 @@ def carried(sensor: SensorModel, platform: Platform) -> Carried:
     made: dict[str, Any] = {
         "__doc__": f"The model {sensor.name}, carried: {(platform.__doc__ or '').split(chr(10))[0]}",
         "__module__": __name__,
-        "name": sensor.called.get(platform.name, f"{sensor.name}_{platform.name}"),
+        "name": _name(sensor, platform),
         "parameters": parameters,
         "sensor": sensor,
         "platform": platform,
@@ -169,6 +169,20 @@ def register_carried(sensor: SensorModel) -> None:
         for model in [m for m in stacked if platform.carries(sensor)]:
             if platform.moves and isinstance(model, Carried) and model.moves:
                 continue
-            made = carried(model, platform)
-            SensorModel.registry[made.name] = made
+            made = SensorModel.registry.get(_name(model, platform))
+            if not (isinstance(made, Carried) and made.sensor is model and made.platform is platform):
+                made = carried(model, platform)
+                SensorModel.registry[made.name] = made
             stacked.append(made)
+
+
+def register_platform(platform: Platform) -> None:
+    """Put every sensor on a platform that is registered later, also together with other platforms."""
+    del platform
+    for sensor in [*SensorModel.registry.values(), *SensorModel.lines.values()]:
+        if not isinstance(sensor, Carried):
+            register_carried(sensor)
+
+
+def _name(sensor: SensorModel, platform: Platform) -> str:
+    return sensor.called.get(platform.name, f"{sensor.name}_{platform.name}")

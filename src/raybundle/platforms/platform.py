@@ -24,6 +24,8 @@ class Platform:
     """What carries a sensor, stated as one function: `point`.  Jacobians and native code are derived from it."""
 
     registry: ClassVar[dict[str, Platform]] = {}
+    followers: ClassVar[list[Callable[[Platform], None]]] = []
+    """Called with each platform that is registered later"""
 
     name: ClassVar[str]
     """Model names are SENSOR_NAME"""
@@ -45,7 +47,10 @@ class Platform:
         declared = tuple(p.symbol for p in cls.parameters)
         if stated != declared:
             raise TypeError(f"{cls.__name__}.point takes {stated}, parameters says {declared}")
-        Platform.registry[cls.name] = cls()
+        made = cls()
+        Platform.registry[cls.name] = made
+        for follow in Platform.followers:
+            follow(made)
 
     @cached_property
     def symbols(self) -> tuple[str, ...]:

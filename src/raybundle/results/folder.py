@@ -15,7 +15,7 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block, Camera
 from raybundle.block.rejection import found_wrong
 from raybundle.errors import InputError
-from raybundle.io.block.folder import FILES, read_block, write_block_files
+from raybundle.io.block.folder import block_files, read_block, write_block_files
 from raybundle.io.folders import check_place, new_folder
 from raybundle.io.reading.trees import read_json
 from raybundle.io.reading.words import quoted
@@ -34,8 +34,8 @@ ENTRIES = {
     "network.html",
     "map.csv",
     "calibration.toml",
-    *(f"{name}.csv" for name in TABLES),
 }
+"""Of a result folder beside its tables"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -79,7 +79,9 @@ def check_target(path: str | Path) -> None:
     if "result.json" not in present or not _is_ours(folder / "result.json"):
         raise InputError("is not a result folder and is not overwritten; choose another name", file=folder)
     inner = {entry.name for entry in (folder / "block").iterdir()} if (folder / "block").is_dir() else set[str]()
-    foreign = sorted(present - ENTRIES) + sorted(f"block/{name}" for name in inner - set(FILES))
+    foreign = sorted(present - ENTRIES - {f"{name}.csv" for name in TABLES}) + sorted(
+        f"block/{name}" for name in inner - block_files()
+    )
     if foreign:
         raise InputError(
             f"holds files that no adjustment wrote ({', '.join(foreign[:3])}); move them, or choose another name",

@@ -15,9 +15,10 @@ from raybundle.block.rejection import words
 from raybundle.io.block.folder import ANGLES, SIGMA_XYZ, XYZ, angles_deg, columns_of, named, point_columns
 from raybundle.io.block.observations import table_columns
 from raybundle.numerics.arrays import Array
-from raybundle.observations import ObservationKind, in_order
+from raybundle.observations import ObservationKind, OfKinds, in_order
 
 Columns = dict[str, Sequence[str] | Array]
+Layout = tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]
 
 SIGMA_ANGLES = ("somega_deg", "sphi_deg", "skappa_deg")
 IMAGES = (*XYZ, *ANGLES, *SIGMA_XYZ, *SIGMA_ANGLES)
@@ -43,7 +44,7 @@ def _tests_of(kind: ObservationKind) -> tuple[str, ...]:
     return (*(f"{what}{c}{unit}" for what in ("adjusted", "v") for c in of), *(f"{w}{c}" for w in "rw" for c in of))
 
 
-def _layout(kind: ObservationKind) -> tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]:
+def _layout(kind: ObservationKind) -> Layout:
     """Columns of the table of a kind of observation: what was given, the adjusted quantities, v, r and w."""
     assert kind.table is not None
     given = [(c, n) for _, c in kind.table.cells() for n in c.names]
@@ -52,7 +53,7 @@ def _layout(kind: ObservationKind) -> tuple[tuple[str, ...], tuple[str, ...], tu
     return tuple(n for c, n in given if c.of != "number"), (*numbers, *tests), ()
 
 
-TABLES: Mapping[str, tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]] = {
+_OF_EVERY_BLOCK: Mapping[str, Layout] = {
     "images": (("image", "camera", "file"), IMAGES, ()),
     "points": (("point", "role"), POINTS, ()),
     "observations": (("image", "point"), OBSERVATIONS, ("rejected",)),
@@ -60,7 +61,13 @@ TABLES: Mapping[str, tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]] =
     "check": (("point",), CHECK, ()),
     "stations": (("image",), STATIONS, ()),
     "attitudes": (("image",), ATTITUDES, ()),
-} | {kind.table.name: _layout(kind) for kind in in_order() if kind.table and kind.name not in {"station", "attitude"}}
+}
+TABLES: Mapping[str, Layout] = OfKinds(
+    lambda: {
+        **_OF_EVERY_BLOCK,
+        **{k.table.name: _layout(k) for k in in_order() if k.table and k.name not in {"station", "attitude"}},
+    }
+)
 """Table -> text columns, numbers, text columns at the end."""
 
 

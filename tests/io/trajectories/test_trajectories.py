@@ -279,3 +279,20 @@ def test_positions_without_attitudes_as_the_stations_of_a_result(tmp_path, besid
     np.testing.assert_array_equal(t.xyz, [[1.5, 2, 3]])
     np.testing.assert_array_equal(t.sigma, [[0.1, 0.2, 0.3]])
     assert (t.names, t.crs, t.rotation) == (("a.jpg",), None, None)
+
+
+def test_correlated_positions_become_correlated_stations(tmp_path):
+    """A stations.csv of a block with its coefficients, there and back; photographs cannot keep them, which is said."""
+    path = tmp_path / "ppk.csv"
+    path.write_text(
+        "image,longitude_deg,latitude_deg,height_m,sX,sY,sZ,rXY,rXZ,rYZ\n"
+        "a.jpg,113.9,22.77,40,0.01,0.02,0.03,0.5,-0.25,0.125\nb.jpg,113.9,22.77,41,0.01,0.02,0.03,,,\n"
+    )
+    t = read_trajectory(path)
+    s = stations_of(t, ["b.jpg", "a.jpg"], FRAME)
+    np.testing.assert_array_equal(s.correlation, [[0, 0, 0], [0.5, -0.25, 0.125]])
+    write_trajectory(t, tmp_path / "again.csv", name="positions")
+    np.testing.assert_array_equal(read_trajectory(tmp_path / "again.csv").correlation, t.correlation)
+    photo = Photo(name="a.jpg", metadata=Metadata(), path=path, width_px=1, height_px=1, sha256="")
+    _, remarks = with_positions([photo], t)
+    assert any("correlations of the positions in ppk.csv are not used" in r for r in remarks)

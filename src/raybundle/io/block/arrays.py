@@ -22,7 +22,8 @@ from raybundle.observations import tables
 
 ELSEWHERE = {"place", "scene"}
 """Fields that follow from the satellite scenes of a block, which are kept with these."""
-PARTS: Mapping[str, type[Records]] = {"images": Images, "observations": Observations, "points": Points, **tables}
+OWN: Mapping[str, type[Records]] = {"images": Images, "observations": Observations, "points": Points}
+"""Parts of a block that every block has; beside them stand the tables of observations."""
 LISTED: Mapping[str, type[Camera | Instrument]] = {"cameras": Camera, "instruments": Instrument}
 
 
@@ -42,7 +43,7 @@ def block_of_arrays(a: Mapping[str, Array]) -> Block:
     """The block that `arrays_of_block` was given."""
     head: dict[str, Any] = own_json_of(str(a["head"]))
     lists = {name: tuple(kind(**_known(kind, thing)) for thing in head[name]) for name, kind in LISTED.items()}
-    parts = {name: part for name, kind in PARTS.items() if (part := _part(kind, name, a)) is not None}
+    parts = {name: part for name, kind in {**OWN, **tables}.items() if (part := _part(kind, name, a)) is not None}
     observed = {name: table for name, table in parts.items() if name in tables}
     own = {name: part for name, part in parts.items() if name not in tables}
     made: Any = {**_known(Block, head), **lists, **own, "tables": observed}
@@ -99,7 +100,7 @@ def _hints(kind: type) -> Mapping[str, Any]:
 
 def _plain(kind: type) -> list[str]:
     """Fields of a data class that a JSON text holds."""
-    apart = {*ELSEWHERE, *(("tables", *LISTED, *PARTS) if kind is Block else ())}
+    apart = {*ELSEWHERE, *(("tables", *LISTED, *OWN, *tables) if kind is Block else ())}
     return [f.name for f in fields(kind) if f.name not in apart]
 
 

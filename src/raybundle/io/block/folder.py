@@ -30,8 +30,6 @@ from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.rotation import rotation_from_angles
 from raybundle.observations import tables
 
-TABLES = ("images", "observations", "points", *tables, "interior")
-FILES = ("block.toml", *(f"{name}.csv" for name in TABLES), SCENES)
 FRAME = ("turned_deg", "file_width_px", "file_height_px")
 """Of images whose files are stored turned or reduced."""
 SCAN = ("scan_xx", "scan_xy", "scan_x0", "scan_yx", "scan_yy", "scan_y0")
@@ -98,11 +96,20 @@ def _check_folder(folder: Path) -> None:
     for table in ("images.csv", "observations.csv"):
         if not stands(folder / table):
             raise InputError("the file is missing; a block needs it", file=folder / table)
-    known = {name.lower().rstrip("s"): name for name in TABLES}
+    known = {name.lower().rstrip("s"): name for name in _table_names()}
     for entry in sorted(folder.iterdir()):
         meant = known.get(entry.stem.lower().rstrip("s"))
         if entry.suffix.lower() == ".csv" and meant is not None and entry.name != f"{meant}.csv":
             raise InputError(f"is not read; rename it to {meant}.csv, or take it out of the folder", file=entry)
+
+
+def block_files() -> set[str]:
+    """Names of all that may stand in a block folder."""
+    return {"block.toml", *(f"{name}.csv" for name in _table_names()), SCENES}
+
+
+def _table_names() -> tuple[str, ...]:
+    return ("images", "observations", "points", *tables, "interior")
 
 
 def _image_columns(cameras: tuple[Camera, ...]) -> tuple[Column, ...]:

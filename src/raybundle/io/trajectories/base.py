@@ -37,6 +37,8 @@ class Trajectory:
     """(n, 3) x east or longitude [deg], y north or latitude, z height; NaN where not known."""
     sigma: Array
     """(n, 3) standard deviations east, north, up [m]; NaN where not told."""
+    correlation: Array | None = None
+    """(n, 3) correlation coefficients of east with north, east with up, north with up; None: not told."""
     crs: str | None = None
     """Coordinate system; None where the file does not tell."""
     numbered: bool = False
@@ -192,10 +194,12 @@ def stations_of(
         )
     xyz = trajectory.xyz[rows[images]]
     sigma = trajectory.sigma[rows[images]]
+    told = None if trajectory.correlation is None else np.nan_to_num(trajectory.correlation[rows[images]])
     return Stations(
         image=images.astype(np.int32),
         xyz=xyz if frame is None else frame.local_from_crs(xyz),
         sigma=np.where(np.isfinite(xyz), np.where(sigma > 0, sigma, default_sigma), np.nan),
+        correlation=told,
     )
 
 

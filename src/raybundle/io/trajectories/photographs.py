@@ -6,6 +6,8 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 
+import numpy as np
+
 from raybundle.errors import InputError
 from raybundle.io.photos.metadata import Gps
 from raybundle.io.photos.photo import Photo
@@ -32,7 +34,12 @@ def with_positions(
         p if g is None else replace(p, metadata=replace(p.metadata, gps=g)) for p, g in zip(photos, gps, strict=True)
     ]
     remark = f"{found} of {len(photos)} photographs get their position from {trajectory.path.name}"
-    return tuple(changed), (remark, *trajectory.remarks)
+    told = trajectory.correlation is not None and bool((np.nan_to_num(trajectory.correlation) != 0).any())
+    left = (
+        f"correlations of the positions in {trajectory.path.name} are not used: photographs keep their standard "
+        "deviations alone; in the stations.csv of a block they count"
+    )
+    return tuple(changed), (remark, *((left,) if told else ()), *trajectory.remarks)
 
 
 def _gps(trajectory: Trajectory, row: int) -> Gps | None:

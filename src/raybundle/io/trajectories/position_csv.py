@@ -1,6 +1,6 @@
 """CSV of positions without attitudes, as the stations.csv of a block or a result.
 
-image,X,Y,Z[,sX,sY,sZ][,time_s]
+image,X,Y,Z[,sX,sY,sZ][,rXY,rXZ,rYZ][,time_s]
 
 Positions also as longitude_deg, latitude_deg, height_m (WGS 84, above the ellipsoid).  Of a stations.csv, what it says
 beside the positions that were observed is left out: antennas, adjusted values and residuals.
@@ -17,10 +17,12 @@ from raybundle.io.tables import Column, read_table, write_table
 from raybundle.io.trajectories.angle_csv import GEOGRAPHIC, GRID, SIGMA, header, positions_of_table
 from raybundle.io.trajectories.base import WGS84_HEIGHT, Trajectory, TrajectoryFormat, register
 from raybundle.numerics.arrays import Array
+from raybundle.numerics.deviations import PAIRS
 
 BESIDE = ("antenna", *(f"{axis}_adjusted" for axis in GRID), *(f"{kind}{axis}" for kind in "vrw" for axis in GRID))
 """Columns of a stations.csv that are no part of what was observed, or mean nothing elsewhere."""
-KNOWN = {"image", "time_s", *GRID, *GEOGRAPHIC, *SIGMA, *BESIDE}
+CORRELATION = tuple(f"r{GRID[i]}{GRID[j]}" for i, j in PAIRS)
+KNOWN = {"image", "time_s", *GRID, *GEOGRAPHIC, *SIGMA, *CORRELATION, *BESIDE}
 
 
 def read(path: Path) -> Trajectory:
@@ -28,11 +30,13 @@ def read(path: Path) -> Trajectory:
     columns = [Column(name="image", kind="id"), Column(name="time_s", kind="number", optional=True, empty=True)]
     columns += [Column(name=n, kind="number", optional=True, empty=True) for n in (*GRID, *GEOGRAPHIC)]
     columns += [Column(name=n, kind="number", optional=True, empty=True, limit=">= 0") for n in SIGMA]
+    columns += [Column(name=n, kind="number", optional=True, empty=True) for n in CORRELATION]
     columns += [Column(name=n, kind="text", optional=True, empty=True) for n in BESIDE]
     table = read_table(path, columns)
     xyz, crs = positions_of_table(path, table)
     return Trajectory(
         path=path, names=table.text["image"], xyz=xyz, sigma=table.numbers(*SIGMA), crs=crs,
+        correlation=table.numbers(*CORRELATION) if {*CORRELATION} & table.number.keys() else None,
         time=table.number.get("time_s"), lines=np.arange(table.rows, dtype=np.int32) + 2,
     )  # fmt: skip
 
@@ -46,6 +50,8 @@ def write(trajectory: Trajectory, path: Path) -> None:
     columns |= {n: trajectory.xyz[:, k] for k, n in enumerate(place)}
     if np.isfinite(trajectory.sigma).any():
         columns |= {n: trajectory.sigma[:, k] for k, n in enumerate(SIGMA)}
+    if trajectory.correlation is not None:
+        columns |= {n: trajectory.correlation[:, k] for k, n in enumerate(CORRELATION)}
     write_table(path, columns)
 
 

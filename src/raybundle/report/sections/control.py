@@ -13,7 +13,7 @@ from raybundle.adjustment.result import ObservationGroup
 from raybundle.block import Role
 from raybundle.block.known import known_before
 from raybundle.numerics.arrays import Array
-from raybundle.observations import in_order
+from raybundle.observations import in_order, observation_kinds
 from raybundle.report.chapters import section
 from raybundle.report.figures.control import marked_images, marks_figure
 from raybundle.report.parts import (
@@ -33,10 +33,6 @@ from raybundle.report.parts import (
 from raybundle.report.text.numbers import NONE, cells, column_decimals, counted, fixed, grouped, significant
 from raybundle.report.text.words import controlled, expected_check_std, printed
 from raybundle.report.view import View, rms
-
-LENGTHS = {kind.name for kind in in_order() if kind.unit == "length"}
-"""Kinds of observations that are lengths; the others have units of their own."""
-ANGLES = {kind.name for kind in in_order() if kind.unit == "angle"}
 
 OPEN_ROWS, LARGEST = 60, 15
 """Longer tables are folded, and their largest values shown."""
@@ -144,7 +140,7 @@ def _group(view: View, g: ObservationGroup, what: str, rest: str) -> list[Part]:
         return [Paragraph(text=text_), Folded(summary="Held coordinates", parts=(_held_table(view, g),))]
     told = controlled(g)
     head = f"{counted(int(weighted.sum()), 'value')} observed, {grouped(int((~weighted).sum()))} held"
-    if told.any() and g.kind not in LENGTHS | ANGLES:
+    if told.any() and observation_kinds[g.kind].unit == "own":
         # units differ from row to row: what they have in common is the residual by its sigma
         v, w = g.residual[told] / g.sigma[told], g.w[told]
         size = f"rms of residual by sigma {fixed(rms(v), 2)}"
@@ -167,9 +163,9 @@ def _group(view: View, g: ObservationGroup, what: str, rest: str) -> list[Part]:
 
 def _unit(view: View, g: ObservationGroup) -> tuple[float, str]:
     """Factor and unit in print of all rows of a group; none where each row has its own."""
-    if g.kind in LENGTHS:
+    if observation_kinds[g.kind].unit == "length":
         return view.factor, view.unit
-    return (math.degrees(1), "°") if g.kind in ANGLES else (1.0, "")
+    return (math.degrees(1), "°") if observation_kinds[g.kind].unit == "angle" else (1.0, "")
 
 
 def _row_units(view: View, g: ObservationGroup) -> list[tuple[float, str]]:
@@ -209,9 +205,9 @@ def _held_table(view: View, g: ObservationGroup) -> Table:
 
 
 def _group_table(view: View, g: ObservationGroup, what: str, rest: str, factor: float, unit: str) -> Table:
-    own = None if g.kind in LENGTHS | ANGLES else _row_units(view, g)
+    own = None if observation_kinds[g.kind].unit != "own" else _row_units(view, g)
     component, of_logarithms = _quantities(view, g)
-    if g.kind not in LENGTHS:
+    if observation_kinds[g.kind].unit != "length":
         by = np.full(len(g.ids), factor) if own is None else np.array([f for f, _ in own])
         given, adjusted = ([significant(float(v), 6) for v in column * by] for column in (g.given, g.adjusted))
         sigma, std, v, mdb = (
@@ -226,7 +222,7 @@ def _group_table(view: View, g: ObservationGroup, what: str, rest: str, factor: 
         )
     limit = view.adjustment.critical_w * max(view.scale, 1.0)
     beyond = np.flatnonzero(np.abs(np.nan_to_num(g.w)) > limit).tolist()
-    length = view.length_unit if g.kind in LENGTHS else unit
+    length = view.length_unit if observation_kinds[g.kind].unit == "length" else unit
     unit_column, unit_cells = ([], []) if own is None else ([text("unit")], [[u for _, u in own]])
     return table(
         (
