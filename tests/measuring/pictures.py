@@ -2,6 +2,7 @@
 
 import cv2
 import numpy as np
+from scipy.ndimage import gaussian_filter
 
 from raybundle.measuring.snap import Reference
 from tests.targets.render import expose, fine_grid, plane_view, share, shot, to_plane
@@ -101,3 +102,15 @@ def patch(rng, path, scale=3.0):
         places.append(centre)
     reference = Reference(grey=pictures[0], x_px=places[0][0], y_px=places[0][1])
     return pictures[1], places[1], reference
+
+
+def wedges(rng, apart, blur, noise=2.5):
+    """Four quarters of different grey between two edges that meet at an angle [rad], blurred [px], on a fine grid."""
+    fine, size = 6, 60
+    centre = rng.uniform(-0.5, 0.5, 2) + size / 2
+    y, x = (np.mgrid[: size * fine, : size * fine] + 0.5) / fine
+    turn = rng.uniform(0, 2 * np.pi)
+    sides = [(x - centre[0]) * np.cos(t) + (y - centre[1]) * np.sin(t) > 0 for t in (turn, turn + apart)]
+    grey = np.choose(sides[0] * 2 + sides[1], rng.permutation([60.0, 190.0, 110.0, 150.0]))
+    grey = gaussian_filter(grey, blur * fine).reshape(size, fine, size, fine).mean(axis=(1, 3))
+    return np.clip(np.round(grey + rng.normal(0, noise, grey.shape)), 0, 255).astype(np.uint8), centre

@@ -1,5 +1,6 @@
 """Snapping: clicks agree, stated covariances are true, and nothing jumps."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -8,7 +9,7 @@ from scipy.stats import chi2
 
 from raybundle.errors import InputError
 from raybundle.io.photos.photo import find_photos, read_grey
-from raybundle.measuring.snap import NotSnapped, Reference, Snapped, snap
+from raybundle.measuring.snap import WINDOWS_PATCH, NotSnapped, Reference, Snapped, snap
 
 from . import pictures
 
@@ -36,11 +37,32 @@ def snapped(kind, count, seed):
 
 
 @pytest.mark.parametrize("kind", MAKE)
-def test_stated_covariance_is_true(kind):
+def test_stated_covariance_is_true(kind, monkeypatch):
+    """Of a patch that of the grey values alone: the picture is plane and its noise white, as no surface's is."""
+    monkeypatch.setattr("raybundle.measuring.snap.SURFACE_PX", 0.0)
+    monkeypatch.setattr("raybundle.measuring.snap.WINDOWS_PATCH", WINDOWS_PATCH[:1])
     e, C = snapped(kind, 40, seed=5)
     square = np.einsum("ni,nij,nj->n", e, np.linalg.inv(C), e)
     low, high = chi2(2 * len(e)).ppf([0.0005, 0.9995])
     assert low < square.sum() < high
+
+
+@pytest.mark.parametrize("apart_deg", [90, 65, 40])
+def test_corners_of_any_angle_and_blur_have_true_covariances(apart_deg):
+    """Edges that do not cross at right angles: the blurred corner is no product of blurred edges."""
+    rng, square, freedom = np.random.default_rng(apart_deg), 0.0, 0
+    for blur in (0.5, 1.0, 1.8):
+        for _ in range(12):
+            image, at = pictures.wedges(rng, np.deg2rad(apart_deg), blur)
+            found = snap(image, *pictures.click_near(rng, at, 3.0), "corner")
+            if isinstance(found, Snapped):
+                xx, yy, xy = found.covariance
+                e = np.array([found.x_px - at[0], found.y_px - at[1]])
+                square += float(e @ np.linalg.solve(np.array([[xx, xy], [xy, yy]]), e))
+                freedom += 2
+    assert freedom >= 60
+    low, high = chi2(freedom).ppf([0.0005, 0.9995])
+    assert low < square < high
 
 
 @pytest.mark.parametrize("kind", MAKE)
@@ -78,7 +100,24 @@ def test_auto_takes_what_fits():
         assert found.kind == kind
         assert found.moved_px <= 3
     image, at, reference = MAKE["patch"](rng)
-    assert snap(image, *at, "auto", reference).kind in {"patch", "ellipse"}
+    assert snap(image, *at, "auto", reference).kind == "patch"
+
+
+def test_auto_takes_what_is_clicked_not_what_is_beside_it():
+    """A dot ten pixels from a corner draws no click to it, and what was no dot in the first picture is none."""
+    rng = np.random.default_rng(4)
+    for _ in range(6):
+        image, at = pictures.wedges(rng, np.pi / 2, 0.7)
+        y, x = np.mgrid[: image.shape[0], : image.shape[1]] + 0.5
+        turn = rng.uniform(0, 2 * np.pi)
+        spot = np.hypot(x - at[0] - 10 * np.cos(turn), y - at[1] - 10 * np.sin(turn)) < 3.5
+        image = np.where(spot, 255 - image, image)
+        found = snap(image, *at)
+        assert isinstance(found, NotSnapped) or (found.kind != "ellipse" and found.moved_px < 1)
+    image, at, _ = MAKE["ellipse"](rng)
+    flat = Reference(grey=np.full((200, 200), 90, np.uint8), x_px=100.0, y_px=100.0)
+    assert isinstance(snap(image, *at, "auto", flat), NotSnapped)
+    assert snap(image, *at, "auto", replace(flat, kind="ellipse")).kind == "ellipse"
 
 
 def test_nothing_there_nothing_found():
@@ -87,10 +126,11 @@ def test_nothing_there_nothing_found():
     edge = np.where(np.arange(200) < 100, 40, 160).astype(np.uint8)[None].repeat(200, axis=0)
     reference = Reference(grey=flat, x_px=100.0, y_px=100.0)
     for picture in (flat, noise, edge):
-        found = snap(picture, 100.0, 100.0, "auto", reference)
+        found = snap(picture, 100.0, 100.0)
         assert isinstance(found, NotSnapped)
-        for kind in ("ellipse", "patch", "corner", "cross"):
+        for kind in ("ellipse", "corner", "cross"):
             assert f"{kind}: " in found.why
+        assert isinstance(snap(picture, 100.0, 100.0, "auto", reference), NotSnapped)
 
 
 def test_a_jump_is_refused():

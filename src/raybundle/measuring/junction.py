@@ -3,13 +3,16 @@
 Two straight edges cross at the point; blurred by a Gaussian of standard deviation s (optics and pixel together), with
 e1, e2 = erf(d / (s sqrt 2)) of the distances to them, a grey value is
 
-    corner   g = a + b e1 + c e2 + d e1 e2 + g_x dx + g_y dy         four quarters of any grey values: the corner of a
+    corner   g = a + b e1 + c e2 + d E + g_x dx + g_y dy             four quarters of any grey values: the corner of a
                                                                      window, of a chessboard, of a sill
     cross    g = a + d (1 - (1 - B1) (1 - B2)) + g_x dx + g_y dy     two bars of half width h, B = (erf+ - erf-) / 2 at
                                                                      the distances d + h and d - h from its axis
 
-The products are exact where the edges cross at right angles.  Unknowns that are linear (a, b, c, d, g_x, g_y) follow
-from the others in each step (variable projection; Golub and Pereyra 1973), and all count in the covariance.
+E is what blur leaves of the product of the edges' signs: of two normal variates u, v with the correlation r = cos of
+the angle between the edges, 4 P(u < d1 / s, v < d2 / s) - 2 P(u < d1 / s) - 2 P(v < d2 / s) + 1 (Owen 1956 for P);
+where the edges cross at right angles it is e1 e2.  The product of bars is exact there, too.  Unknowns that are linear
+(a, b, c, d, g_x, g_y) follow from the others in each step (variable projection; Golub and Pereyra 1973), and all count
+in the covariance.
 """
 
 from __future__ import annotations
@@ -33,6 +36,7 @@ LEAST_ANGLE = np.deg2rad(25.0)
 Model = Literal["corner", "cross"]
 STEPS = 40
 START_STEP_DEG = 10.0
+TINY = 1e-12
 
 
 @dataclass(slots=True)
@@ -101,16 +105,47 @@ def _profile(angle: float, p: Array, x: Array, y: Array, model: Model) -> Array:
     return erf(d / s) if model == "corner" else (erf((d + p[5]) / s) - erf((d - p[5]) / s)) / 2
 
 
-def _columns(e1: Array, e2: Array, x: Array, y: Array, model: Model) -> Array:
-    """Columns of the linear unknowns (n, 6 or 4)."""
+def _columns(e1: Array, e2: Array, both: Array, x: Array, y: Array, model: Model) -> Array:
+    """Columns of the linear unknowns (n, 6 or 4).
+
+    both  (n,) of the two edges (bars) together: their product at right angles
+    """
     one = np.ones_like(x)
-    parts = [e1, e2, e1 * e2] if model == "corner" else [e1 + e2 - e1 * e2]
+    parts = [e1, e2, both] if model == "corner" else [e1 + e2 - both]
     return np.stack([one, *parts, x, y], axis=1)
 
 
 def _basis(p: Array, x: Array, y: Array, model: Model) -> Array:
     e1, e2 = (_profile(float(a), p, x, y, model) for a in p[2:4])
-    return _columns(e1, e2, x, y, model)
+    return _columns(e1, e2, _signs(p, x, y) if model == "corner" else e1 * e2, x, y, model)
+
+
+def _distances(p: Array, x: Array, y: Array) -> tuple[Array, Array]:
+    """Distances of places from the two edges, in units of the blur."""
+    a, b = (((x - p[0]) * np.cos(t) + (y - p[1]) * np.sin(t)) / p[4] for t in p[2:4])
+    return a, b
+
+
+def _signs(p: Array, x: Array, y: Array) -> Array:
+    """The blurred product of the signs of two edges."""
+    from scipy.special import owens_t  # noqa: PLC0415
+
+    a, b = (np.where(np.abs(d) < TINY, TINY, d) for d in _distances(p, x, y))
+    r = np.cos(p[3] - p[2])
+    q = np.sqrt(max(1 - r * r, TINY))
+    opposite = a * b < 0
+    return 1.0 - 2.0 * opposite - 4 * owens_t(a, (b / a - r) / q) - 4 * owens_t(b, (a / b - r) / q)
+
+
+def _signs_by(p: Array, x: Array, y: Array) -> tuple[Array, Array, Array]:
+    """Its derivatives: by the first edge's erf, by the second's, and by the direction of the second less the first."""
+    from scipy.special import erf  # noqa: PLC0415
+
+    a, b = _distances(p, x, y)
+    r, turn = np.cos(p[3] - p[2]), np.sin(p[3] - p[2])
+    q = np.sqrt(max(1 - r * r, TINY))
+    by_r = 2 / (np.pi * q) * np.exp(-(a * a - 2 * r * a * b + b * b) / (2 * q * q))
+    return erf((b - r * a) / (q * np.sqrt(2))), erf((a - r * b) / (q * np.sqrt(2))), -turn * by_r
 
 
 def _linear(columns: Array, g: Array) -> Array:
@@ -130,7 +165,7 @@ def _start(g: Array, x: Array, y: Array, xy: Array, model: Model) -> Array:
                 apart = (angles[j] - angles[i]) % np.pi
                 if min(apart, np.pi - apart) < LEAST_ANGLE:
                     continue
-                columns = _columns(profiles[i], profiles[j], x, y, model)
+                columns = _columns(profiles[i], profiles[j], profiles[i] * profiles[j], x, y, model)
                 explained = float(columns.T @ g @ _linear(columns, g))
                 if explained > best:
                     best, found = explained, np.array([xy[0], xy[1], angles[i], angles[j], 0.9, width])
@@ -147,7 +182,8 @@ def _derivatives(p: Array, linear: Array, x: Array, y: Array, model: Model) -> A
     s, k = p[4], np.sqrt(2 / np.pi) / p[4]
     e1, e2 = (_profile(float(a), p, x, y, model) for a in p[2:4])
     if model == "corner":
-        weight = (linear[1] + linear[3] * e2, linear[2] + linear[3] * e1)
+        by_first, by_second, by_angle = _signs_by(p, x, y)
+        weight = (linear[1] + linear[3] * by_first, linear[2] + linear[3] * by_second)
     else:
         weight = (linear[1] * (1 - e2), linear[1] * (1 - e1))
     J = np.zeros((len(x), _parameters(model)))
@@ -167,6 +203,9 @@ def _derivatives(p: Array, linear: Array, x: Array, y: Array, model: Model) -> A
         J[:, 4] += wt * by_s
         if model == "cross":
             J[:, 5] += wt * by_h
+    if model == "corner":
+        J[:, 2] -= linear[3] * by_angle
+        J[:, 3] += linear[3] * by_angle
     return J
 
 

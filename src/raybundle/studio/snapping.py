@@ -79,5 +79,6 @@ def _reference(desk: Desk, point: str, image: str) -> Reference | None:
             continue
         part, corner = _part(desk, k, mark.x_px, mark.y_px)
         turn = affine(desk.session, state, point, other, image)
-        return Reference(grey=part, x_px=mark.x_px - corner[0], y_px=mark.y_px - corner[1], affine=turn)
+        kind = mark.how if mark.how in {"ellipse", "corner", "cross"} else "patch"
+        return Reference(grey=part, x_px=mark.x_px - corner[0], y_px=mark.y_px - corner[1], affine=turn, kind=kind)
     return None
