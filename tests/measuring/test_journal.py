@@ -3,6 +3,7 @@
 import json
 import os
 import random
+import shutil
 import signal
 import sqlite3
 import subprocess
@@ -228,3 +229,19 @@ def test_a_foreign_database_is_refused(tmp_path):
 def test_a_folder_that_is_not_there(tmp_path):
     with pytest.raises(InputError, match="look whether the folder exists"):
         Journal.open(tmp_path / "none" / "measured.db", KNOWN)
+
+
+def test_nothing_is_added_to_a_journal_that_went_away(tmp_path):
+    """Moved, deleted or exchanged under an open one: what cannot be found again is not acknowledged."""
+    path = tmp_path / "measured.db"
+    with Journal.open(path, KNOWN) as journal:
+        assert journal.append(put("A")) == 1
+        path.rename(tmp_path / "elsewhere.db")
+        with pytest.raises(InputError, match="moved, deleted or exchanged since it was opened; nothing was added"):
+            journal.append(put("B"))
+        shutil.copy(tmp_path / "elsewhere.db", path)
+        with pytest.raises(InputError, match="moved, deleted or exchanged"):
+            journal.append(put("B"))
+        path.unlink()
+        (tmp_path / "elsewhere.db").rename(path)
+        assert journal.append(put("B")) == 2

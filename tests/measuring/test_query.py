@@ -283,7 +283,33 @@ def test_a_result_is_asked_under_the_options_that_it_was_made_with(options, tmp_
         stated = [read.points.number[f"s{c}"][k] for c in "XYZ"]
         np.testing.assert_allclose(answer.values, [read.points.number[c][k] for c in "XYZ"], atol=1e-3 * min(stated))
         np.testing.assert_allclose(answer.sigma, stated, rtol=1e-3, err_msg=name)
+    assert ("fewest coordinates held" in found[0].remark) == (options.get("datum") == "minimal")
     moved = rb.transform_to_points(
         tmp_path / "result", tmp_path / "axes", **dict(zip(("origin", "axis", "plane"), names, strict=False))
     )
     assert (moved / "points.csv").is_file()
+
+
+def test_control_that_was_found_wrong_stays_out(tmp_path):
+    block = small_block()
+    p = block.points
+    k = int(np.flatnonzero(p.is_control.any(axis=1))[0])
+    wrong = replace(p, xyz=p.xyz + 0.1 * (np.arange(len(p)) == k)[:, None])
+    result = adjust(replace(block, points=wrong), AdjustmentOptions(reject="snooping"))
+    assert any(n.code == "control_rejected" for n in result.notices)
+    rb.write_result(result, tmp_path / "result", report="none")
+    read = read_result(tmp_path / "result")
+    names = names_of(block, 3)
+    for name, answer in zip(names, rb.query(tmp_path / "result", coordinates=names), strict=True):
+        row = read.points.text["point"].index(name)
+        np.testing.assert_allclose(answer.sigma, [read.points.number[f"s{c}"][row] for c in "XYZ"], rtol=1e-3)
+
+
+def test_numbers_of_numpy_are_numbers(tmp_path):
+    block = small_block()
+    write_block(block, tmp_path / "block")
+    x, y = block.observations.xy_px[0]
+    image = block.images.ids[int(block.observations.image[0])]
+    assert isinstance(x, np.float64)
+    assert rb.mark(tmp_path / "block", "put", image=image, point="new", x_px=x, y_px=y, clicked=np.array([x, y])) == 1
+    assert rb.marks(tmp_path / "block").marks[image, "new"].clicked == (x, y)

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from raybundle.block import Block, Camera
+from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.platforms.station import sensor_from_object
 
@@ -69,6 +70,27 @@ def projected(camera: Camera, points: Array, values: Array, start: Array) -> tup
 
     values  (u,) parameters of all points, or (u, n) of each
     """
+    n = start.shape[1]
+    if not n:
+        return start, np.zeros(0, bool)
+    if camera.is_scene:
+        try:
+            return _by_newton(camera, points, values, start)
+        except InputError:  # what a scene does not see at all: the others are seen none the less
+            if n == 1:
+                return start, np.zeros(1, bool)
+            each = [
+                projected(camera, points[:, k : k + 1], _of_point(values, k), start[:, k : k + 1]) for k in range(n)
+            ]
+            return np.concatenate([i for i, _ in each], axis=1), np.concatenate([s for _, s in each])
+    return _by_newton(camera, points, values, start)
+
+
+def _of_point(values: Array, k: slice) -> Array:
+    return values if values.ndim == 1 else values[:, k]
+
+
+def _by_newton(camera: Camera, points: Array, values: Array, start: Array) -> tuple[Array, Mask]:
     model = camera.sensor
     c = float(camera.size_mm.max()) if camera.is_scene else abs(float(np.ravel(values)[0]))
     image, step = start.copy(), np.full_like(start, np.inf)

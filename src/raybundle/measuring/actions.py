@@ -7,9 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, replace
-from typing import Any, ClassVar, Literal
+from typing import Any, ClassVar, Literal, cast
 
 import msgspec
+import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.io.reading.words import quoted
@@ -454,6 +455,15 @@ VERBS: dict[str, type[Action]] = {kind.verb: kind for kind in _KINDS}
 """Every verb -> its type."""
 
 
+def _plain(value: Any) -> Any:
+    """Numbers and arrays of NumPy as Python's own."""
+    if isinstance(value, np.generic | np.ndarray):
+        return value.tolist()
+    if isinstance(value, dict):
+        return {k: _plain(v) for k, v in cast("dict[str, Any]", value).items()}
+    return [_plain(v) for v in cast("list[Any]", value)] if isinstance(value, list | tuple) else value
+
+
 def action_of(verb: str, arguments: Mapping[str, Any]) -> Action:
     """The action that a verb and its arguments as JSON say; raises InputError."""
     kind = VERBS.get(verb)
@@ -464,6 +474,6 @@ def action_of(verb: str, arguments: Mapping[str, Any]) -> Action:
         known = ", ".join(kind.__dataclass_fields__) or "none"
         raise InputError(f"{verb}: argument {quoted(foreign[0])} is unknown; known are {known}")
     try:
-        return msgspec.convert(dict(arguments), kind)
+        return msgspec.convert(_plain(dict(arguments)), kind)
     except msgspec.ValidationError as error:
         raise InputError(f"{verb}: {error}; give the arguments as documented") from None

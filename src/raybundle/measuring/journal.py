@@ -63,6 +63,10 @@ def project_of(folder: str | Path) -> Path | None:
 def journal_path(folder: str | Path) -> Path:
     """Where the journal of a project, result or block folder is; raises InputError where there are two."""
     project, whole = project_of(folder), Path(folder).resolve()
+    if not whole.name:
+        raise InputError(
+            "is no folder in which something can be measured; give a project, result or block", file=folder
+        )
     beside = whole.with_name(f"{whole.name}.measured.db")
     if project is None:
         return beside
@@ -80,6 +84,10 @@ def measured_result(folder: str | Path) -> Path:
     if (project := project_of(folder)) is not None:
         return project / "measured-result"
     whole = Path(folder).resolve()
+    if not whole.name:
+        raise InputError(
+            "is no folder in which something can be measured; give a project, result or block", file=folder
+        )
     return whole.with_name(f"{whole.name}-measured")
 
 
@@ -112,6 +120,8 @@ class Journal:
     known: Known
     """What actions may name; may be exchanged when the block changes"""
     db: sqlite3.Connection
+    _file: tuple[int, int] = (0, 0)
+    """device and number of the file that was opened"""
     _fold: Fold = field(default_factory=Fold)
     _seq: int = 0
     _lock: threading.RLock = field(default_factory=threading.RLock)
@@ -131,7 +141,8 @@ class Journal:
             except BaseException:
                 db.close()
                 raise
-        return cls(path, known, db)
+        opened = path.stat()
+        return cls(path, known, db, (opened.st_dev, opened.st_ino))
 
     def close(self) -> None:
         """Close the file."""
@@ -171,6 +182,7 @@ class Journal:
             if not text.isprintable():
                 raise InputError(f"{what} {quoted(text)} has characters that cannot be printed; choose another")
         with self._lock, self._transaction():
+            self._check_there()
             # all before it: nobody else can add until this transaction ends
             self._refresh()
             found = self.db.execute("SELECT seq, verb, arguments FROM actions WHERE id = ?", (chosen,)).fetchone()
@@ -188,6 +200,19 @@ class Journal:
                 "INSERT INTO actions (id, time, author, verb, arguments) VALUES (?, ?, ?, ?, ?)", row
             )
             return int(done.lastrowid or 0)
+
+    def _check_there(self) -> None:
+        """Raise InputError where the open file is no longer the one that stands at its path."""
+        try:
+            there = self.path.stat()
+        except OSError:
+            there = None
+        if there is None or (there.st_dev, there.st_ino) != self._file:
+            raise InputError(
+                "the journal was moved, deleted or exchanged since it was opened; nothing was added. Bring the folder "
+                "back, or open it where it is now",
+                file=self.path,
+            )
 
     def append_verb(self, verb: str, arguments: Mapping[str, Any], *, id: str = "", author: str = "") -> int:  # noqa: A002
         """Add an action that is given as its verb and its arguments as JSON; see `append`."""

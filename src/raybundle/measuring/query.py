@@ -109,6 +109,8 @@ def _unit(result: Adjustment, quantity: Quantity) -> tuple[str, str]:
         remarks.append("nothing fixes the scale: the value is in no unit, its sigma within the network alone")
     elif result.datum_defect and quantity == "coordinates":
         remarks.append(f"the datum is free ({', '.join(result.datum_defect)}): sigma holds within the network")
+    if result.options.datum == "minimal" and quantity == "coordinates":
+        remarks.append("sigma from the fewest coordinates held, which may be others than in tables of the result")
     return unit, "; ".join(remarks)
 
 

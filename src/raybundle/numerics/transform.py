@@ -26,6 +26,14 @@ class SimilarityTransform:
     translation: Array = field(default_factory=lambda: np.zeros(3))
     """(3,)"""
 
+    def __post_init__(self) -> None:
+        """Lists count as arrays; raises InputError for other shapes and numbers that are not finite."""
+        for name, shape in (("rotation", (3, 3)), ("translation", (3,))):
+            value = np.asarray(getattr(self, name), float)
+            if value.shape != shape or not np.isfinite(value).all():
+                raise InputError(f"{name} of shape {value.shape}: it has {' x '.join(map(str, shape))} finite numbers")
+            object.__setattr__(self, name, value)
+
     @property
     def inverse(self) -> SimilarityTransform:
         """The way back."""

@@ -10,7 +10,7 @@ from typing import Any, cast
 import numpy as np
 
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.block import Block
+from raybundle.block import Block, Role
 from raybundle.io.reading.trees import read_json
 from raybundle.io.tables import read_table
 from raybundle.results.folder import columns_of_table
@@ -32,8 +32,9 @@ def made_as(block: Path, given: Block) -> tuple[Block, AdjustmentOptions]:
 
     given  the block as it was read; without a result beside the folder it is returned, with the defaults
 
-    Parameters that were chosen then are named; where control was not observed (inner constraints, a minimal datum), its
-    points stand where they were adjusted, which the block's own coordinates do not tell.
+    Parameters that were chosen then are named; control that was found wrong is checked alone; where control was not
+    observed (inner constraints, a minimal datum), its points stand where they were adjusted, which the block's own
+    coordinates do not tell.  Not told: which coordinates a minimal datum held.
     """
     folder = block.parent
     if not (folder / "result.json").is_file():
@@ -45,21 +46,25 @@ def made_as(block: Path, given: Block) -> tuple[Block, AdjustmentOptions]:
         free = dict.fromkeys((*asked.free, *(pair for pair, is_free in chosen.items() if is_free)))
         hold = dict.fromkeys((*asked.hold, *(pair for pair, is_free in chosen.items() if not is_free)))
         asked = replace(asked, estimate="given", free=tuple(free), hold=tuple(hold))
-    if asked.datum in {"inner", "minimal"} and given.points.is_control.any():
-        given = _where_adjusted(given, folder / "points.csv")
+    if given.points.is_control.any():
+        given = _as_told(given, folder / "points.csv", moved=asked.datum in {"inner", "minimal"})
     return given, asked
 
 
-def _where_adjusted(block: Block, points: Path) -> Block:
-    """The block with its control points where a result's table has them."""
+def _as_told(block: Block, points: Path, *, moved: bool) -> Block:
+    """The block with its control points in the roles that a result's table gives them, and `moved` to their places."""
     table = read_table(points, columns_of_table("points"), least_rows=0)
     if not table.rows:
         return block
     at = {name: k for k, name in enumerate(table.text["point"])}
     row = np.array([at.get(name, -1) for name in block.points.ids])
-    adjusted = np.stack([table.number[c] for c in "XYZ"], axis=1)[row]
-    new = block.points.is_control & (row >= 0)[:, None] & np.isfinite(adjusted)
-    return replace(block, points=replace(block.points, xyz=np.where(new, adjusted, block.points.xyz)))
+    check = np.array([word == Role.CHECK.word for word in table.text["role"]])[row] & (row >= 0)
+    p = replace(block.points, role=np.where(check, Role.CHECK, block.points.role).astype(block.points.role.dtype))
+    if moved:
+        adjusted = np.stack([table.number[c] for c in "XYZ"], axis=1)[row]
+        new = p.is_control & (row >= 0)[:, None] & np.isfinite(adjusted)
+        p = replace(p, xyz=np.where(new, adjusted, p.xyz))
+    return replace(block, points=p)
 
 
 def _chosen(result: Mapping[str, Any], cameras: Collection[str]) -> dict[tuple[str, str], bool]:
