@@ -121,3 +121,14 @@ def test_every_shipped_model_is_compiled():
 def test_import_is_light():
     code = "import sys, raybundle; print(sorted({'scipy', 'sympy', 'cv2', 'matplotlib'} & set(sys.modules)))"
     assert in_a_process(code).strip() == "[]"
+
+
+def test_a_choice_of_kernels_that_there_is_not_is_refused():
+    """Who means to switch them off and mistypes it hears of it."""
+    done = subprocess.run(
+        [sys.executable, "-m", "raybundle", "demo"], env={**os.environ, "RAYBUNDLE_NATIVE": "zzz"}, capture_output=True,
+        text=True, check=False,
+    )  # fmt: skip
+    assert done.returncode == 2
+    assert "RAYBUNDLE_NATIVE=zzz is none of 0, 1, baseline, avx2, avx512; unset it" in done.stderr
+    assert "Traceback" not in done.stderr

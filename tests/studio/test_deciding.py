@@ -244,7 +244,7 @@ def test_nothing_to_select_by_before_there_is_an_adjustment(client, desk):
     for path in ("/api/criteria", "/api/selection?by=w&limit=1"):
         answer = client.get(path)
         assert answer.status_code == 409
-        assert "no adjustment yet" in answer.json()["error"]
+        assert "there is no adjustment" in answer.json()["error"]
     (interior,) = client.get("/api/parameters").json()["interiors"]
     assert {p["status"] for p in interior["parameters"]} == {"not adjusted"}
 

@@ -5,16 +5,25 @@ from __future__ import annotations
 from functools import cache
 from types import ModuleType
 
+from raybundle.errors import InputError
+
+CHOICES = ("", "0", "1", "baseline", "avx2", "avx512")
+"""Values of RAYBUNDLE_NATIVE."""
+
 
 @cache
 def module() -> ModuleType | None:
     """The extension module, or None where it was not built or is switched off by RAYBUNDLE_NATIVE=0.
 
-    RAYBUNDLE_NATIVE=avx2 or =baseline leaves wider instruction sets unused.
+    RAYBUNDLE_NATIVE=avx2 or =baseline leaves wider instruction sets unused; raises InputError for a value of it that is
+    none of CHOICES.
     """
     import os  # noqa: PLC0415
 
-    if os.environ.get("RAYBUNDLE_NATIVE") == "0":
+    chosen = os.environ.get("RAYBUNDLE_NATIVE", "")
+    if chosen not in CHOICES:
+        raise InputError(f"RAYBUNDLE_NATIVE={chosen} is none of {', '.join(filter(None, CHOICES))}; unset it")
+    if chosen == "0":
         return None
     try:
         from raybundle import _native  # noqa: PLC0415  # pyright: ignore[reportAttributeAccessIssue]

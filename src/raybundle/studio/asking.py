@@ -18,7 +18,8 @@ def asked(desk: Desk, kind: str, points: tuple[str, ...]) -> dict[str, Any]:
         raise InputError(f"kind {kind!r} is none of {', '.join(QUANTITIES)}")
     a = desk.adjustment
     if a is None:
-        raise InputError(desk.session.neglected or "there is no adjustment yet; wait until it is done")
+        why = "there is no adjustment: adjust first, or wait until the one at work is done"
+        raise InputError(desk.session.neglected or why)
     found = ask(a, quantity, points)
     return {
         "words": f"{kind.replace('_', ' ')} {', '.join(points)}", "remark": found.remark,
