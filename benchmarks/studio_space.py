@@ -39,7 +39,7 @@ TURNS = 40
 """Pictures of a motion that are timed."""
 
 
-def block_of(points: int, stations: int = 20) -> Block:
+def block_of(points: int, stations: int = 20, rays: int = RAYS) -> Block:
     """A square flight with so many object points."""
     rng = np.random.default_rng(4)
     side = SPACING * stations
@@ -49,7 +49,7 @@ def block_of(points: int, stations: int = 20) -> Block:
     centre = np.column_stack([*(g.ravel() for g in np.meshgrid(at, at)), np.full(stations**2, 60.0)])
     rotation = np.tile(np.eye(3), (len(centre), 1, 1))
     camera = brown_camera()
-    nearest = cKDTree(centre[:, :2]).query(xyz[:, :2], RAYS)[1]
+    nearest = cKDTree(centre[:, :2]).query(xyz[:, :2], rays)[1]
     image, point, xy = [], [], []
     for i in range(len(centre)):
         near = np.flatnonzero((nearest == i).any(axis=1))
