@@ -79,9 +79,8 @@ def projected(camera: Camera, points: Array, values: Array, start: Array) -> tup
         except InputError:  # what a scene does not see at all: the others are seen none the less
             if n == 1:
                 return start, np.zeros(1, bool)
-            each = [
-                projected(camera, points[:, k : k + 1], _of_point(values, k), start[:, k : k + 1]) for k in range(n)
-            ]
+            one = [slice(k, k + 1) for k in range(n)]
+            each = [projected(camera, points[:, k], _of_point(values, k), start[:, k]) for k in one]
             return np.concatenate([i for i, _ in each], axis=1), np.concatenate([s for _, s in each])
     return _by_newton(camera, points, values, start)
 

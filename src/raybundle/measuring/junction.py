@@ -181,6 +181,7 @@ def _derivatives(p: Array, linear: Array, x: Array, y: Array, model: Model) -> A
     dx, dy = x - p[0], y - p[1]
     s, k = p[4], np.sqrt(2 / np.pi) / p[4]
     e1, e2 = (_profile(float(a), p, x, y, model) for a in p[2:4])
+    by_angle = np.zeros_like(x)
     if model == "corner":
         by_first, by_second, by_angle = _signs_by(p, x, y)
         weight = (linear[1] + linear[3] * by_first, linear[2] + linear[3] * by_second)
@@ -203,9 +204,8 @@ def _derivatives(p: Array, linear: Array, x: Array, y: Array, model: Model) -> A
         J[:, 4] += wt * by_s
         if model == "cross":
             J[:, 5] += wt * by_h
-    if model == "corner":
-        J[:, 2] -= linear[3] * by_angle
-        J[:, 3] += linear[3] * by_angle
+    J[:, 2] -= linear[3] * by_angle
+    J[:, 3] += linear[3] * by_angle
     return J
 
 

@@ -11,6 +11,7 @@ from raybundle.errors import InputError
 from raybundle.measuring.fiducials import Found, find_fiducials
 from raybundle.measuring.predict import affine
 from raybundle.measuring.snap import MARGIN_PX, REACH_PX, Reference, Snapped, snap
+from raybundle.measuring.snap import Found as Taken
 from raybundle.numerics.arrays import Array
 from raybundle.studio.desk import Desk, named
 
@@ -79,6 +80,6 @@ def _reference(desk: Desk, point: str, image: str) -> Reference | None:
             continue
         part, corner = _part(desk, k, mark.x_px, mark.y_px)
         turn = affine(desk.session, state, point, other, image)
-        kind = mark.how if mark.how in {"ellipse", "corner", "cross"} else "patch"
+        kind: Taken = "patch" if mark.how == "hand" or mark.how == "file" else mark.how
         return Reference(grey=part, x_px=mark.x_px - corner[0], y_px=mark.y_px - corner[1], affine=turn, kind=kind)
     return None

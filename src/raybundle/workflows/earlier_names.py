@@ -57,11 +57,11 @@ def _same(block: Block, earlier: Block) -> list[tuple[int, int]]:
         rows = np.flatnonzero(block.observations.image == i)
         others = np.flatnonzero(earlier.observations.image == at.get(name, -1))
         if len(rows) and len(others):
-            distance, k = KDTree(earlier.observations.xy_px[others]).query(block.observations.xy_px[rows])
+            nearest = KDTree(earlier.observations.xy_px[others]).query(block.observations.xy_px[rows])
+            distance, k = (np.asarray(a) for a in nearest)
             near = distance <= NEAR_PX
-            pairs.append(
-                np.stack([block.observations.point[rows[near]], earlier.observations.point[others[k[near]]]], axis=1)
-            )
+            both = block.observations.point[rows[near]], earlier.observations.point[others[k[near]]]
+            pairs.append(np.stack(both, axis=1))
     if not pairs:
         return []
     found, votes = np.unique(np.concatenate(pairs), axis=0, return_counts=True)
