@@ -12,6 +12,7 @@ from raybundle.measuring.fiducials import Found, find_fiducials
 from raybundle.measuring.predict import affine
 from raybundle.measuring.snap import MARGIN_PX, REACH_PX, Reference, Snapped, snap
 from raybundle.measuring.snap import Found as Taken
+from raybundle.measuring.state import How
 from raybundle.numerics.arrays import Array
 from raybundle.studio.desk import Desk, named
 
@@ -80,6 +81,7 @@ def _reference(desk: Desk, point: str, image: str) -> Reference | None:
             continue
         part, corner = _part(desk, k, mark.x_px, mark.y_px)
         turn = affine(desk.session, state, point, other, image)
-        kind: Taken = "patch" if mark.how == "hand" or mark.how == "file" else mark.how
+        kinds: dict[How, Taken] = {"ellipse": "ellipse", "corner": "corner", "cross": "cross"}
+        kind = kinds.get(mark.how, "patch")
         return Reference(grey=part, x_px=mark.x_px - corner[0], y_px=mark.y_px - corner[1], affine=turn, kind=kind)
     return None
