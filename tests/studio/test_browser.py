@@ -266,7 +266,11 @@ def test_every_tab_and_control_by_file(page, hand, tmp_path, project):
     page.locator(".rows [role=row]").first.click()
     assert page.locator(".pane").count() == 2
     page.click("#tab-tables")
-    page.select_option("#table-kind", "observations")
+    for kind in ("pairs", "points", "observations"):  # all columns stand beside each other
+        page.select_option("#table-kind", kind)
+        page.locator(".rows [role=row]").first.wait_for()
+        tops = page.locator("[role=columnheader]").evaluate_all("of => of.map((e) => e.getBoundingClientRect().top)")
+        assert max(tops) - min(tops) < 10
     page.get_by_role("button", name="|w|").click()
     page.locator("[role=columnheader][aria-sort=descending]").wait_for()
     page.locator(".rows [role=row]").first.click()

@@ -367,7 +367,7 @@ def _in_axes(block: Block, axes: Axes) -> Block:
         if not any(len(k.table_of(block)) for k in in_order() if k.table is not None and k.table.upright):
             raise InputError(
                 f"the coordinate system by points {', '.join(map(quoted, axes.points))} lacks the vertical: measure a "
-                "level or a plumb line (mark line --kind level or plumb), or give a third point, in the XY plane"
+                "level or a plumb line, or give a third point, in the XY plane"
             )
         check_direction(axes.points, xyz, UP)
         R, zero = by_vertical(xyz, UP), BY_VERTICAL
