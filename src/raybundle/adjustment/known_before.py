@@ -90,8 +90,9 @@ def _untold(leaning: list[tuple[Camera, InteriorResult, dict[str, Relation]]]) -
 def _contradiction(result: Adjustment, camera: Camera, interior: InteriorResult) -> Notice | None:
     """Where the interior orientation lies beyond what was known, by the sum of squares v'C^-1 v of all that was.
 
-    The residuals v of what was known have the covariance C - C(adjusted), which is less than C: the sum is chi-square
-    distributed, or smaller, and `LEVEL` is kept.
+    The residuals v of what was known have the covariance C - C(adjusted), which is less than C where the image
+    coordinates are as precise as stated: the sum is chi-square distributed, or smaller, and `LEVEL` is kept over all
+    cameras.  Where they are less precise, or a blunder among them bends the camera, it is larger (`_by_noise`).
     """
     squares = 0.0
     far = list[tuple[float, str]]()
@@ -101,7 +102,9 @@ def _contradiction(result: Adjustment, camera: Camera, interior: InteriorResult)
                 square = float((g.residual[k] / g.sigma[k]) ** 2)
                 squares += square
                 far.append((square, component))
-    limit = float(chdtri(len(far), LEVEL)) if far else np.inf
+    if not far:
+        return None
+    limit = _by_noise(result) * float(chdtri(len(far), LEVEL / len(result.interior)))
     if not squares > limit:
         return None
     known = {r.name: (s, r) for s, r in known_before(camera).items()}
@@ -120,6 +123,17 @@ def _contradiction(result: Adjustment, camera: Camera, interior: InteriorResult)
         "cropped photographs or a lens far from the usual, a calibration says so",
         ids=(camera.id,),
     )
+
+
+def _by_noise(result: Adjustment) -> float:
+    """Largest factor by which noise of sigma0 > 1 enlarges the variance of a residual of what was known; 1 or more.
+
+    Known with the variance c beside image observations that tell it with a stated one and truly with s^2 a, its
+    residual has the variance c^2 (c + s^2 a) / (c + a)^2: over a that is c at most where s^2 <= 2, else c s^4 /
+    (4 (s^2 - 1)), at a = c (s^2 - 2) / s^2.
+    """
+    s2 = result.sigma0**2
+    return float(s2**2 / (4 * (s2 - 1))) if s2 > 2.0 else 1.0  # noqa: PLR2004
 
 
 def _key(interior: InteriorResult) -> str:

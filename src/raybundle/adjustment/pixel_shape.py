@@ -10,16 +10,19 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.severity import Severity
 from raybundle.block import Camera
+from raybundle.numerics.statistics import family_wise_t
 
 LIMIT = 1e-4
 """Affinity and shear that a sensor may have."""
 ROUNDED = 0.5
 """Pixels by which each side of a picture that was made smaller is rounded: its pixels are that much less square."""
-SIGNIFICANT = 2.6
-"""Standard deviations beyond the limit from which a value is no chance (99 percent)."""
+LEVEL = 1e-3
+"""Probability with which anything is said of all cameras of a block whose pixels are as a sensor has them, at most."""
 UNTOLD = 0.01
 """Error of projection, in half diagonals of the format, from which on nothing is told of a camera."""
 
@@ -32,6 +35,8 @@ class ShapeNotice(Notice):
     std: float
     """As the noise of the image coordinates was when it was made"""
     limit: float
+    critical: float
+    """Standard deviations beyond the limit up to which it may be chance"""
     shear: bool
 
 
@@ -45,13 +50,39 @@ def shape_limit(camera: Camera, symbol: str) -> float:
 
 
 def beyond_sensor(result: Adjustment, cameras: Sequence[str]) -> ShapeNotice | None:
-    """The affinity or shear of these cameras that is farthest beyond what a sensor has, significantly; else None."""
+    """The affinity or shear of these cameras that is farthest beyond what a sensor has, significantly; else None.
+
+    Significantly: (|value| - limit) / std beyond `_critical`.
+    """
+    tested = [*_estimated(result, cameras)]
+    critical = _critical(result, len(tested))
     found = [
-        _notice(c.id, symbol, value, std, limit, shear=_is_shear(c, symbol))
-        for c, symbol, value, std, limit in _estimated(result, cameras)
-        if abs(value) - limit > SIGNIFICANT * std
+        _notice(c.id, symbol, value, std, limit, critical, shear=_is_shear(c, symbol))
+        for c, symbol, value, std, limit in tested
+        if abs(value) - limit > critical * std
     ]
     return max(found, key=lambda n: abs(n.value) / n.limit, default=None)
+
+
+def _critical(result: Adjustment, count: int) -> float:
+    """Standard deviations up to which so many values may be chance: Student's t, family-wise at `LEVEL`.
+
+    They are tested anew each time another parameter leaves, so that each counts as often as there are parameters.
+    sigma0 and its degrees of freedom are those of what was measured: what was known of cameras before is stated wide,
+    and makes sigma0 smaller than the noise is.  As with control, sigma0 below 1 counts as 1: of few observations it is
+    small by chance, and just then that makes values significant.
+    """
+    rounds = max((len(i.parameters) for i in result.interior), default=1)
+    square, redundancy = result.weighted_square_sum, float(result.redundancy)
+    for g in result.groups:
+        before = np.array([origin == "known before" for origin in g.origin], bool)
+        if before.any():
+            square -= float(g.square[before].sum())
+            redundancy -= float(g.redundancy[before].sum())
+    critical = family_wise_t(LEVEL, count * rounds, redundancy)
+    if not np.isfinite(critical) or not result.sigma0 > 0:
+        return critical
+    return critical * max(float(np.sqrt(max(square, 0.0) / redundancy)), 1.0) / result.sigma0
 
 
 def untold_shape(result: Adjustment, cameras: Sequence[str]) -> Notice | None:
@@ -106,8 +137,8 @@ def under_its_noise(result: Adjustment) -> Adjustment:
 def _restated(n: ShapeNotice, wider: float) -> Notice:
     camera, symbol = n.ids
     std = wider * n.std
-    if abs(n.value) - n.limit > SIGNIFICANT * std:
-        return _notice(camera, symbol, n.value, std, n.limit, shear=n.shear)
+    if abs(n.value) - n.limit > n.critical * std:
+        return _notice(camera, symbol, n.value, std, n.limit, n.critical, shear=n.shear)
     return _untold(camera, symbol, n.value, std, n.limit)
 
 
@@ -115,7 +146,9 @@ def _is_shear(camera: Camera, symbol: str) -> bool:
     return next(p.shear for p in camera.sensor.parameters if p.symbol == symbol)
 
 
-def _notice(camera: str, symbol: str, value: float, std: float, limit: float, *, shear: bool) -> ShapeNotice:
+def _notice(
+    camera: str, symbol: str, value: float, std: float, limit: float, critical: float, *, shear: bool
+) -> ShapeNotice:
     """A fault where it would move image points by more than the share UNTOLD of the half diagonal.
 
     An affinity or a shear of that size does; the rest of the interior orientation is nonsense then, too.
@@ -128,5 +161,6 @@ def _notice(camera: str, symbol: str, value: float, std: float, limit: float, *,
     )
     return ShapeNotice(
         code="pixel_shape", message=f"camera {camera}: {reason}", ids=(camera, symbol), reason=reason, value=value,
-        std=std, limit=limit, shear=shear, measured=Severity.FAULT if abs(value) > UNTOLD else Severity.CAUTION,
+        std=std, limit=limit, critical=critical, shear=shear,
+        measured=Severity.FAULT if abs(value) > UNTOLD else Severity.CAUTION,
     )  # fmt: skip

@@ -40,6 +40,15 @@ def family_wise_normal(significance: float, count: int) -> float:
     return -float(ndtri(significance / (2 * max(count, 1))))
 
 
+def family_wise_t(significance: float, count: int, redundancy: float) -> float:
+    """The same for |value| / std, sigma0 from an adjustment of that redundancy (Student); below 1: infinite."""
+    from scipy.special import stdtrit  # noqa: PLC0415
+
+    if redundancy < 1:
+        return float("inf")
+    return -float(stdtrit(redundancy, significance / (2 * max(count, 1))))
+
+
 def family_wise_tau(significance: float, count: int, redundancy: int) -> float:
     """The same for tau = v / (sigma0 s sqrt r), sigma0 from the same adjustment (Pope 1976)."""
     from scipy.special import stdtrit  # noqa: PLC0415
