@@ -30,6 +30,8 @@ from benchmarks.studio_space import block_of  # noqa: E402
 from tests.studio.browser import ARGUMENTS, chromium  # noqa: E402
 
 OPENINGS = 5
+CLOSE = 20.5
+"""Distance of stations: more than seven photographs show a point."""
 
 
 def opened(folder: Path, browser) -> dict:
@@ -63,7 +65,7 @@ def main() -> None:
     parser.add_argument("rays", type=int, nargs="?", default=12)
     asked = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
-        block = block_of(asked.points, asked.stations, asked.rays)
+        block = block_of(asked.points, asked.stations, asked.rays, CLOSE)
         rb.write_block(block, Path(folder) / "flight")
         with sync_playwright() as play:
             browser = play.chromium.launch(executable_path=chromium(), args=list(ARGUMENTS))

@@ -39,13 +39,13 @@ TURNS = 40
 """Pictures of a motion that are timed."""
 
 
-def block_of(points: int, stations: int = 20, rays: int = RAYS) -> Block:
+def block_of(points: int, stations: int = 20, rays: int = RAYS, spacing: float = SPACING) -> Block:
     """A square flight with so many object points."""
     rng = np.random.default_rng(4)
-    side = SPACING * stations
+    side = spacing * stations
     xyz = np.column_stack([rng.uniform(0, side, (points, 2)), np.zeros(points)])
     xyz[:, 2] = 8 * np.sin(xyz[:, 0] / 40) * np.cos(xyz[:, 1] / 55) + rng.gamma(1, 0.5, points)
-    at = (np.arange(stations) + 0.5) * SPACING
+    at = (np.arange(stations) + 0.5) * spacing
     centre = np.column_stack([*(g.ravel() for g in np.meshgrid(at, at)), np.full(stations**2, 60.0)])
     rotation = np.tile(np.eye(3), (len(centre), 1, 1))
     camera = brown_camera()
