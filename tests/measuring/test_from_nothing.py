@@ -186,6 +186,48 @@ def test_a_mistaken_mark_is_named(tmp_path):
     assert good.standing.words == ()
 
 
+def named(result):
+    return [n for n in result.notices if n.code == "mark_contradicts"]
+
+
+def test_adjusting_names_a_mistaken_mark_in_place_of_the_camera(tmp_path):
+    """It takes part, unless it is to be left out, and everything is bent by it: that comes first, with its size."""
+    scene = Scene()
+    photos = photographs(tmp_path / "archive", scene.images)
+    clicked(scene, photos, seed=4, wrong=(2, 6, (64.0, -48.0)))
+    result, _ = rb.adjust_marks(photos)
+    (notice,) = named(result)
+    assert notice.ids == ("P7", "old_3.jpg")
+    assert notice.severity == "fault"
+    assert 75 < notice.wrong.size_px < 85
+    assert f"by {notice.wrong.size_px:.2g} px" in notice.message
+    assert notice is result.notices[0]
+    assert not {"camera_contradicts", "pixel_shape"} & {n.code for n in result.notices}
+    left, _ = rb.adjust_marks(photos, reject="snooping")
+    assert [n.severity for n in named(left)] == ["caution"]
+    assert left.sigma0 < 1.5 < result.sigma0
+    done = CliRunner().invoke(cli, ["mark", "adjust", str(photos), "--no-report"], standalone_mode=False)
+    assert "the mark of P7 in old_3.jpg contradicts the others by " in done.output
+    assert "leaves such marks out" in done.output
+
+
+@pytest.mark.long
+@pytest.mark.parametrize(("size", "least", "most"), [(0, 0, 0), (25, 10, 12), (80, 10, 12)])
+def test_mistaken_marks_are_named_and_right_ones_are_not(tmp_path, size, least, most):
+    """Of twelve scenes of four photographs each."""
+    found = others = 0
+    for seed in range(12):
+        scene = Scene(seed=seed)
+        photos = photographs(tmp_path / str(seed), scene.images)
+        seen = next(k for k in range(5, 13) if np.isfinite([scene.place(i, k) for i in range(4)]).all())
+        clicked(scene, photos, seed=seed, wrong=(1, seen, (0.8 * size, 0.6 * size)))
+        names = {n.ids[0] for n in named(rb.adjust_marks(photos)[0])}
+        found += scene.names[seen] in names
+        others += bool(names - {scene.names[seen]})
+    assert least <= found <= most
+    assert others == 0
+
+
 @pytest.mark.parametrize("seed", [1, 2, 3])
 def test_without_any_metadata(tmp_path, seed):
     """Three photographs of a camera that nobody knows, twelve points: its constant comes from them."""

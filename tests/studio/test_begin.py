@@ -94,6 +94,11 @@ def test_a_mistaken_mark_is_named_with_its_place(client, studio, scene):
     assert wrong["point"] == "P5"
     assert "old_2.jpg" in wrong["images"]
     assert wrong["words"] in standing["words"]
+    client.post("/api/adjust", json={})
+    studio.work.wait()
+    after = client.get("/api/standing").json()  # it took part, and is named all the same
+    assert [w["point"] for w in after["wrong"]] == ["P5"]
+    assert "old_2.jpg" in after["wrong"][0]["images"]
 
 
 def test_adjusting_too_early_says_what_is_lacking(client, studio, scene):

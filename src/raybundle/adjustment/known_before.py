@@ -133,7 +133,7 @@ def _by_noise(result: Adjustment) -> float:
     (4 (s^2 - 1)), at a = c (s^2 - 2) / s^2.
     """
     s2 = result.sigma0**2
-    return float(s2**2 / (4 * (s2 - 1))) if s2 > 2.0 else 1.0  # noqa: PLR2004
+    return float(s2**2 / (4 * (s2 - 1))) if s2 > 2.0 else 1.0
 
 
 def _key(interior: InteriorResult) -> str:

@@ -24,7 +24,7 @@ _CODES = {
         "attitudes_contradict behind_camera camera_contradicts control_contradicts "
         "control_exchanged control_identical control_left_out control_mirrored control_not_located control_rejected "
         "control_unit group_less_precise "
-        "image_contradicts no_redundancy not_determinable positions_exchanged redundancy_sum "
+        "image_contradicts mark_contradicts no_redundancy not_determinable positions_exchanged redundancy_sum "
         "snooping_unfinished weak_convergence"
     ),
     Severity.CAUTION: (

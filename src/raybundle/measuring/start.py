@@ -5,16 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-import numpy as np
-
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Block
-from raybundle.block.rejection import RejectionKind
 from raybundle.errors import NoOrientation, NotSolvable
 from raybundle.measuring.film import Scans
 from raybundle.measuring.merge import Merged, merge
+from raybundle.measuring.mistaken import Wrong, with_wrong_marks, wrong_marks
 from raybundle.measuring.orienting import unoriented
 from raybundle.measuring.session import Session
 from raybundle.measuring.state import State
@@ -24,25 +22,6 @@ from raybundle.orientation.lacking import COMMON, KNOWN, Lack
 AT_ONCE = 50_000
 """Image observations up to which a block is adjusted anew after every mark."""
 HELD = "the points do not determine the interior orientation: it counts as known as the start found it"
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Wrong:
-    """A mark that contradicts the others and took no part."""
-
-    point: str
-    images: tuple[str, ...]
-    """where it stands; several where it cannot be told which of them is wrong"""
-    tau: float
-    """its test value; NaN where there is none"""
-
-    @property
-    def words(self) -> str:
-        """A sentence for the person who measures."""
-        test = "" if np.isnan(self.tau) else f" (test value {self.tau:.1f})"
-        if len(self.images) == 1:
-            return f"the mark of {self.point} in {self.images[0]} contradicts the others{test}: look at it again"
-        return f"the marks of {self.point} contradict each other{test}: look at {', '.join(self.images)}"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -162,6 +141,8 @@ def solved(block: Block, adjust: Callable[[Block], Adjustment]) -> tuple[Adjustm
 def adjusted(made: Merged, adjust: Callable[[Block], Adjustment]) -> Adjustment:
     """The adjustment of a block with its marks; where photographs were oriented by these alone, see `solved`.
 
+    Marks that contradict the others are named, see `with_wrong_marks`.
+
     raises  NoOrientation that says what the photographs lack where none is oriented; what `adjust` raises
     """
     if made.lacking and not made.block.images.oriented.any() and not len(made.block.observations):
@@ -169,7 +150,8 @@ def adjusted(made: Merged, adjust: Callable[[Block], Adjustment]) -> Adjustment:
         raise NoOrientation(
             "no photograph is oriented yet:\n" + "\n".join(lines), images={k.image: k.words for k in made.lacking}
         )
-    return solved(made.block, adjust)[0] if made.new else adjust(made.block)
+    result = solved(made.block, adjust)[0] if made.new else adjust(made.block)
+    return with_wrong_marks(result, made.marked, alone=made.new)
 
 
 def standing_after(made: Merged, result: Adjustment) -> Standing:
@@ -181,33 +163,8 @@ def _standing(made: Merged, block: Block, result: Adjustment | None, trouble: st
     out = unoriented(block)
     return Standing(
         oriented=int((~out).sum()), images=len(out), lacking=made.lacking, untold=_untold(made.untold, result),
-        wrong=() if result is None else _wrong(result, made.marked), trouble=trouble, film=made.film,
+        wrong=() if result is None else wrong_marks(result, made.marked), trouble=trouble, film=made.film,
     )  # fmt: skip
-
-
-def _wrong(result: Adjustment, marked: frozenset[str]) -> tuple[Wrong, ...]:
-    """Marks that contradict the others, those of a point together where it cannot be told which.
-
-    marked  the points that are marked by hand: of others nobody can look a mark at again
-    """
-    o, b = result.given.observations, result.given
-    single: list[Wrong] = []
-    together: dict[str, tuple[list[str], float]] = {}
-    for k, reason in enumerate(result.image_observations.rejected):
-        if reason is None:
-            continue
-        point, image = b.points.ids[int(o.point[k])], b.images.ids[int(o.image[k])]
-        if point not in marked:
-            continue
-        if reason.kind is RejectionKind.BLUNDER:
-            single.append(Wrong(point=point, images=(image,), tau=reason.tau))
-        elif reason.kind is not RejectionKind.GIVEN:
-            images, tau = together.setdefault(point, ([], float("nan")))
-            images.append(image)
-            together[point] = images, float(np.fmax(tau, reason.tau))
-    named = {w.point for w in single}
-    shared = [Wrong(point=p, images=tuple(i), tau=t) for p, (i, t) in together.items() if p not in named]
-    return (*sorted(single, key=lambda w: -w.tau), *shared)
 
 
 def _untold(cameras: Sequence[str], result: Adjustment | None) -> tuple[str, ...]:
