@@ -5,12 +5,17 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+import raybundle as rb
 from raybundle.block.rejection import Rejection, RejectionKind
 from raybundle.errors import InputError
 from raybundle.numerics.rotation import rotation_from_vector
+from raybundle.planning.scenes import TargetField, brown_camera, field_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.report.common_points import common_points, common_rows
-from raybundle.report.compare import write_comparison
-from raybundle.report.differences import basis_words, point_differences, taken_otherwise
+from raybundle.report.compare import _parameter_rows, write_comparison
+from raybundle.report.differences import APART, basis_words, point_differences, taken_otherwise
+from raybundle.report.differences import compared as differences_of
+from raybundle.report.shared import Shared, shared_of
 from raybundle.report.write import write_result
 from raybundle.results.folder import read_result
 from tests.report.test_document import parsed
@@ -214,10 +219,10 @@ def test_the_headline_says_how_few_points_are_behind_it(folder, tmp_path):
     few = set(first.points.text["point"][:5])
     other = renamed(second, lambda n: n if n in few else f"other {n}")
     text = compared(first, other, tmp_path)
-    (caution,) = write_comparison(first, other, tmp_path / "again.html")
+    caution, _ = write_comparison(first, other, tmp_path / "again.html")
     assert caution == basis_words(5, "common point")
     assert caution in text
-    assert write_comparison(first, second, tmp_path / "again.html") == ()
+    assert write_comparison(first, second, tmp_path / "again.html") == shared_of(first, second).sentences
     assert "That rests on a redundancy of 8 only." in text
     assert "Caution: that is little." in text
 
@@ -227,7 +232,7 @@ def test_few_projection_centres_alone_are_a_caution_too(folder, tmp_path, monkey
     first = folder("free")
     ids = list(first.block.points.ids)
     second = renamed(first, lambda n: f"other {ids.index(n)}")
-    (caution,) = write_comparison(first, second, tmp_path / "c.html")
+    caution, _ = write_comparison(first, second, tmp_path / "c.html")
     assert caution == basis_words(len(first.images.text["image"]), "common projection centre")
     assert "Caution: that is little." in caution
     assert caution in compared(first, second, tmp_path)
@@ -252,3 +257,77 @@ def test_notices_stand_with_their_severity_the_gravest_first(folder, tmp_path):
     told = [text.index(w) for w in ("the fault of an older file", "the caution", "the remark")]
     assert told == sorted(told)
     assert "first fault control_suspect " in " ".join(text[: told[0]].split()[-3:]) + " "
+
+
+def pair(tmp_path, seed, drop=0.08):
+    """Two results of one block, the second without some of its image observations."""
+    plan = TargetField(camera=brown_camera(), rows=6, columns=8, stations=4)
+    survey = Survey(seed=seed, image_sigma_px=0.2, control=6, control_sigma=(5e-5,) * 3, points="approximate")
+    block = simulate(field_scene(plan), survey).observed
+    o, rng = block.observations, np.random.default_rng(seed)
+    keys = [(block.images.ids[i], block.points.ids[p]) for i, p in zip(o.image, o.point, strict=True)]
+    out = tuple(keys[k] for k in np.flatnonzero(rng.random(len(keys)) < drop))
+    made = []
+    for name, rejected in (("whole", ()), ("part", out)):
+        write_result(rb.adjust(replace(block, rejected=rejected)), tmp_path / f"{name}{seed}", report="none")
+        made.append(read_result(tmp_path / f"{name}{seed}"))
+    return made
+
+
+def squares(first, second, shared):
+    """Mean squares of normalised differences, of points and of interior orientations."""
+    common = common_rows(first.points.text["point"], second.points.text["point"])
+    d = differences_of(first, second, common, fitted=False, shared=shared)
+    ratio = d.difference / d.std
+    rows = [r.ratio for r in _parameter_rows(first, second, shared)]
+    return float(np.nanmean(ratio**2)), float(np.nanmean(np.square(rows)))
+
+
+@pytest.mark.parametrize("runs", [5, pytest.param(60, marks=pytest.mark.long)])
+def test_differences_of_a_part_and_the_whole_have_the_stated_variance(tmp_path, runs):
+    """Over simulated pairs in either order; as if they were independent, a tenth of it."""
+    found, apart = [], []
+    for seed in range(runs):
+        whole, part = pair(tmp_path, seed)
+        shared = shared_of(whole, part)
+        assert shared.part == "second"
+        assert shared_of(part, whole).part == "first"
+        found.append(squares(whole, part, shared))
+        assert squares(part, whole, shared_of(part, whole)) == pytest.approx(found[-1])
+        apart.append(squares(whole, part, APART))
+    for k in range(2):
+        values = np.array(found)[:, k]
+        if runs > 30:
+            assert abs(values.mean() - 1) < 3.29 * values.std(ddof=1) / np.sqrt(runs)
+        assert 0.3 < values.mean() < 2
+        assert np.array(apart)[:, k].mean() < 0.2
+    text = compared(whole, part, tmp_path)
+    assert "the observations of the second are part of the other's" in text
+    assert "combined" not in text
+
+
+def test_a_real_difference_stands_out_of_a_part(tmp_path):
+    whole, part = pair(tmp_path, 1)
+    shared = shared_of(whole, part)
+    rows = _parameter_rows(whole, part, shared)
+    (c,) = [r for r in rows if r.symbol == "c"]
+    wrong = replace(c, values=(c.values[0], c.values[0] + 2 * c.std[0]))
+    assert abs(wrong.ratio) > 3.29 > abs(replace(wrong, shared=APART).ratio)
+
+
+def test_what_is_shared_and_noise_that_differs_stand_at_the_head(folder, case, tmp_path):
+    first, a = folder("rich"), case("rich")
+    other = folder("fields", replace(a, noise=replace(a.noise, kind="fields", ratio_points=1.5)))
+    shared = shared_of(first, other)
+    assert shared.part == ""
+    assert shared.too_large
+    n = shared.common
+    told = write_comparison(first, other, tmp_path / "c.html")
+    assert told == shared.sentences
+    assert told[0].startswith(f"The two share {n} of {n} and {n} image observations")
+    assert "are too large, and real differences need not stand out" in told[0]
+    assert "white in the first and fields in the second" in told[1]
+    assert "1.50 times in the second" in told[1]
+    text = compared(first, other, tmp_path)
+    assert text.index(told[0]) < text.index("Side by side", text.index(told[0]))
+    assert not Shared(common=50, used=(1000, 1000), part="").too_large

@@ -30,6 +30,7 @@ from raybundle.report.differences import (
     to_first,
 )
 from raybundle.report.parts import Folded, Heading, Paragraph, Part, Section, Table, number, pick, table, text
+from raybundle.report.shared import Shared, shared_of
 from raybundle.report.text.numbers import (
     NONE,
     cells,
@@ -46,7 +47,7 @@ from raybundle.report.view import rms
 from raybundle.results.folder import ResultFolder
 
 LIMIT = 3.29
-"""Differences beyond so many combined standard deviations stand out."""
+"""Differences beyond so many standard deviations stand out."""
 LARGEST = 25
 
 
@@ -60,37 +61,43 @@ def write_comparison(first: ResultFolder, second: ResultFolder, path: str | Path
 
     Points that nobody named are common where their image points agree (`common_points`).  Where no points are common,
     the similarity is that of the projection centres.
-    Differences are second minus first.  Combined standard deviations take the two results as independent: for two
-    adjustments of the same observations real differences should be much smaller.
+    Differences are second minus first.  Where the observations of one are part of the other's, they are held against
+    the root of the difference of both variances, else of the sum, as of independent results; where they share image
+    observations, that is too large, and the head of the page says so (`report.shared`).
     """
     if Path(path).exists() and not is_comparison(Path(path)):
         raise InputError("stands there already and is no comparison; choose another name, or delete it", file=path)
-    points, differences = _differences(first, second)
-    html = _html(first, second, points, differences)
+    shared = shared_of(first, second)
+    points, differences = _differences(first, second, shared)
+    html = _html(first, second, points, differences, shared)
     with new_files(Path(path)) as (file,):
         file.write_text(html, encoding="utf-8")
-    return _cautions(first, second, differences)
+    told = shared.sentences if shared.too_large or shared.noise else ()
+    return (*_cautions(first, second, differences), *told)
 
 
 def comparison(first: ResultFolder, second: ResultFolder) -> str:
     """The page that `write_comparison` writes."""
-    return _html(first, second, *_differences(first, second))
+    shared = shared_of(first, second)
+    return _html(first, second, *_differences(first, second, shared), shared)
 
 
-def _differences(first: ResultFolder, second: ResultFolder) -> tuple[Common, list[PointDifferences]]:
+def _differences(first: ResultFolder, second: ResultFolder, shared: Shared) -> tuple[Common, list[PointDifferences]]:
     """The common points, and their differences after a similarity and as they stand."""
     points = common_points(first.points.text["point"], second.points.text["point"], (first.block, second.block))
-    found = (compared(first, second, points, fitted=fitted) for fitted in (True, False))
+    found = (compared(first, second, points, fitted=fitted, shared=shared) for fitted in (True, False))
     return points, [d for d in found if d]
 
 
-def _html(first: ResultFolder, second: ResultFolder, points: Common, differences: Sequence[PointDifferences]) -> str:
+def _html(
+    first: ResultFolder, second: ResultFolder, points: Common, differences: Sequence[PointDifferences], shared: Shared
+) -> str:
     from raybundle.report.document import page  # noqa: PLC0415  (Jinja2 only where it is used)
 
     sections = (
         Section(anchor="summary", title="Side by side", parts=_summary(first, second)),
-        Section(anchor="interior", title="Interior orientation", parts=_interior(first, second)),
-        Section(anchor="points", title="Object points", parts=_points(first, points, differences)),
+        Section(anchor="interior", title="Interior orientation", parts=_interior(first, second, shared)),
+        Section(anchor="points", title="Object points", parts=_points(first, points, differences, shared)),
         Section(anchor="images", title="Images", parts=_images(first, second, differences)),
         Section(anchor="warnings", title="Warnings", parts=_warnings(first, second)),
     )
@@ -98,7 +105,7 @@ def _html(first: ResultFolder, second: ResultFolder, points: Common, differences
     return page(
         title=f"{_name(first)} and {_name(second)}",
         subtitle=f"{MARK} First: {told[0]}; second: {told[1]}.",
-        headline=_headline(first, second, points, differences),
+        headline=_headline(first, second, points, differences, shared),
         grade="remarks",
         sections=sections,
     )
@@ -154,15 +161,13 @@ def _apart(first: Path, second: Path) -> tuple[str, str]:
 
 
 def _headline(
-    first: ResultFolder, second: ResultFolder, common: Common, differences: Sequence[PointDifferences]
+    first: ResultFolder, second: ResultFolder, common: Common, differences: Sequence[PointDifferences], shared: Shared
 ) -> str:
     a, b = (as_float(r.result.get("sigma0")) for r in (first, second))
     words = [f"σ₀ {significant(a)} and {significant(b)}."]
-    ratios = [abs(r) for row in _parameter_rows(first, second) if math.isfinite(r := row.ratio)]
+    ratios = [abs(r) for row in _parameter_rows(first, second, shared) if math.isfinite(r := row.ratio)]
     if ratios:
-        words.append(
-            f"Interior orientations differ by up to {significant(max(ratios), 2)} combined standard deviations."
-        )
+        words.append(f"Interior orientations differ by up to {significant(max(ratios), 2)} {shared.of}.")
     if differences:
         d, (factor, unit) = differences[0], _small(first)
         how = "after a similarity" if d.fit is not None else "as they stand"
@@ -174,7 +179,7 @@ def _headline(
             words.append(f"That rests on a redundancy of {d.redundancy} only.")
     elif common.namesakes:
         words.append("No object point is known to be the same in both.")
-    return " ".join(words)
+    return " ".join((*words, *shared.sentences))
 
 
 def _small(result: ResultFolder) -> tuple[float, str]:
@@ -230,15 +235,16 @@ class _ParameterRow:
     unit: str
     values: tuple[float, float]
     std: tuple[float, float]
+    shared: Shared
 
     @property
     def ratio(self) -> float:
-        """Difference in combined standard deviations; NaN where both are held or one is missing."""
-        sigma = math.hypot(*(s if math.isfinite(s) else 0.0 for s in self.std))
+        """Difference in its standard deviations; NaN where both are held or one is missing."""
+        sigma = float(self.shared.std(*(np.array(s if math.isfinite(s) else 0.0) for s in self.std)))
         return (self.values[1] - self.values[0]) / sigma if sigma > 0 else math.nan
 
 
-def _parameter_rows(first: ResultFolder, second: ResultFolder) -> list[_ParameterRow]:
+def _parameter_rows(first: ResultFolder, second: ResultFolder, shared: Shared) -> list[_ParameterRow]:
     """Parameters that both results have."""
     a, b = (
         cast("Mapping[str, Mapping[str, Mapping[str, Any]]]", r.result.get("cameras") or {}) for r in (first, second)
@@ -250,6 +256,7 @@ def _parameter_rows(first: ResultFolder, second: ResultFolder) -> list[_Paramete
             unit=str(p.get("unit", "")),
             values=(as_float(p.get("value")), as_float(b[camera][symbol].get("value"))),
             std=(as_float(p.get("std")), as_float(b[camera][symbol].get("std"))),
+            shared=shared,
         )
         for camera in a
         if camera in b
@@ -258,8 +265,8 @@ def _parameter_rows(first: ResultFolder, second: ResultFolder) -> list[_Paramete
     ]
 
 
-def _interior(first: ResultFolder, second: ResultFolder) -> tuple[Part, ...]:
-    rows = _parameter_rows(first, second)
+def _interior(first: ResultFolder, second: ResultFolder, shared: Shared) -> tuple[Part, ...]:
+    rows = _parameter_rows(first, second, shared)
     cameras = [set(cast("Mapping[str, Any]", r.result.get("cameras") or {})) for r in (first, second)]
     alone = sorted(cameras[0] ^ cameras[1])
     parts: list[Part] = []
@@ -273,7 +280,7 @@ def _interior(first: ResultFolder, second: ResultFolder) -> tuple[Part, ...]:
         (
             text("camera"), text("symbol"), text("unit"), number("first"), number("sigma"), number("second"),
             number("sigma"),
-            number("second − first"), number("in combined sigmas"),
+            number("second − first"), number("in its sigmas" if shared.part else "in combined sigmas"),
         ),
         (
             [r.camera for r in rows], [r.symbol for r in rows], [unit_text(r.unit) for r in rows],
@@ -281,7 +288,7 @@ def _interior(first: ResultFolder, second: ResultFolder) -> tuple[Part, ...]:
             [s[0][1] for s in shown], [s[1][0] for s in shown], [s[1][1] for s in shown], difference,
             cells([r.ratio for r in rows], 2),
         ),
-        note="Combined: root of the sum of both variances, as if the two were independent. Parameters of one camera "
+        note=f"{shared.words} Parameters of one camera "
         "are correlated: single differences of some sigmas may cancel in the image.",
         rest="result.json",
         marked=[k for k, r in enumerate(rows) if abs(r.ratio) > LIMIT],
@@ -294,7 +301,9 @@ def _least(std: tuple[float, float]) -> float:
     return min(known) if known else math.nan
 
 
-def _points(first: ResultFolder, common: Common, differences: Sequence[PointDifferences]) -> tuple[Part, ...]:
+def _points(
+    first: ResultFolder, common: Common, differences: Sequence[PointDifferences], shared: Shared
+) -> tuple[Part, ...]:
     parts: list[Part] = [Paragraph(text=f"{counted(len(common.ids), 'point')} in common.")]
     for words, ids in (("first", common.only_first), ("second", common.only_second)):
         if ids:
@@ -306,7 +315,7 @@ def _points(first: ResultFolder, common: Common, differences: Sequence[PointDiff
         )
         parts.append(Paragraph(text=words, note=True))
     for d in differences:
-        parts += _point_parts(first, d)
+        parts += _point_parts(first, d, shared)
     if len(differences) > 1:
         words = "Results with a datum of their own (free networks) can only be compared after the similarity."
         parts.append(Paragraph(text=words, note=True))
@@ -315,7 +324,7 @@ def _points(first: ResultFolder, common: Common, differences: Sequence[PointDiff
     return tuple(parts)
 
 
-def _point_parts(first: ResultFolder, d: PointDifferences) -> list[Part]:
+def _point_parts(first: ResultFolder, d: PointDifferences, shared: Shared) -> list[Part]:
     factor, unit = _small(first)
     title = "As they stand" if d.fit is None else "After a similarity of the second onto the first"
     parts: list[Part] = [Heading(text=title)]
@@ -355,18 +364,18 @@ def _point_parts(first: ResultFolder, d: PointDifferences) -> list[Part]:
             zip(*rows, strict=True),
         )
     )
-    parts.append(Folded(summary="The largest differences", parts=(_largest(d, values, std, unit),)))
+    parts.append(Folded(summary="The largest differences", parts=(_largest(d, values, std, unit, shared),)))
     return parts
 
 
-def _largest(d: PointDifferences, values: Array, std: Array, unit: str) -> Table:
+def _largest(d: PointDifferences, values: Array, std: Array, unit: str, shared: Shared) -> Table:
     order = np.argsort(-np.linalg.norm(values, axis=1), kind="stable")[:LARGEST]
     decimals = column_decimals(std)
     return table(
         (
             text("point"),
             *(number(f"d{axis}", unit) for axis in "XYZ"),
-            *(number(f"combined sigma {axis}", unit) for axis in "XYZ"),
+            *(number(f"{'sigma' if shared.part else 'combined sigma'} {axis}", unit) for axis in "XYZ"),
         ),
         (
             pick(order, d.ids),

@@ -15,6 +15,7 @@ from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.transform import Similarity, similarity
 from raybundle.report.common_points import Common
 from raybundle.report.parts import pick
+from raybundle.report.shared import Shared
 from raybundle.report.text.numbers import counted, fixed, grouped, listed
 from raybundle.results.folder import ResultFolder
 
@@ -23,6 +24,8 @@ SMALL_BASIS = 22
 
 The relative standard deviation of an rms from r redundant differences is 1 / sqrt(2 r); 1 / (2 x 0.15^2) = 22.2.  Ten
 points have 23, nine 20."""
+APART = Shared(common=0, used=(0, 0), part="")
+"""Of two results that share nothing."""
 PARAMETERS = 7
 """Of a similarity."""
 
@@ -35,7 +38,7 @@ class PointDifferences:
     difference: Array
     """(n, 3) length unit of the first"""
     std: Array
-    """(n, 3) combined standard deviation, the two results taken as independent; NaN where one has none"""
+    """(n, 3) standard deviation of the difference as `Shared.std` has it; NaN where one has none"""
     fit: Similarity | None
     """The similarity; None where the two were compared as they stand"""
 
@@ -46,19 +49,21 @@ class PointDifferences:
 
 
 def point_differences(
-    xyz: tuple[Array, Array], std: tuple[Array, Array], ids: Sequence[str], *, fitted: bool
+    xyz: tuple[Array, Array], std: tuple[Array, Array], ids: Sequence[str], *, fitted: bool, shared: Shared = APART
 ) -> PointDifferences:
     """Second minus first of points (n, 3) in one unit with standard deviations (n, 3).
 
     fitted  lay the second onto the first by a least squares similarity before
+    shared  what the two have in common; independent where nothing is said
     raises  InputError where a similarity needs more points, or points that are not in a line
 
-    The combined standard deviation of turned points neglects the correlations between their coordinates.
+    The standard deviation of turned points neglects the correlations between their coordinates.
     """
     fit = similarity(xyz[1], xyz[0]) if fitted else None
     moved = xyz[1] if fit is None else fit.points(xyz[1])
     turned = std[1] ** 2 if fit is None else fit.scale**2 * std[1] ** 2 @ (fit.rotation**2).T
-    return PointDifferences(ids=tuple(ids), difference=moved - xyz[0], std=np.sqrt(std[0] ** 2 + turned), fit=fit)
+    own = shared.std(std[0], np.sqrt(turned))
+    return PointDifferences(ids=tuple(ids), difference=moved - xyz[0], std=own, fit=fit)
 
 
 def columns_of(csv: Csv, names: Sequence[str], rows: Index) -> Array:
@@ -72,7 +77,9 @@ def to_first(first: ResultFolder, second: ResultFolder) -> float:
     return mm[second.block.length_unit] / mm[first.block.length_unit]
 
 
-def compared(first: ResultFolder, second: ResultFolder, common: Common, *, fitted: bool) -> PointDifferences | None:
+def compared(
+    first: ResultFolder, second: ResultFolder, common: Common, *, fitted: bool, shared: Shared
+) -> PointDifferences | None:
     """The common points of two results, second minus first; None where there are too few, or all in a line."""
     factor = to_first(first, second)
     xyz = columns_of(first.points, "XYZ", common.first), factor * columns_of(second.points, "XYZ", common.second)
@@ -83,7 +90,9 @@ def compared(first: ResultFolder, second: ResultFolder, common: Common, *, fitte
         return None
     ids = pick(good, common.ids)
     try:
-        return point_differences((xyz[0][good], xyz[1][good]), (std[0][good], std[1][good]), ids, fitted=fitted)
+        return point_differences(
+            (xyz[0][good], xyz[1][good]), (std[0][good], std[1][good]), ids, fitted=fitted, shared=shared
+        )
     except InputError:
         return None
 
