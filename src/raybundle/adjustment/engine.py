@@ -143,7 +143,10 @@ def _with_settled_components(
         cameras = tuple(replace(w, values=n.values) for w, n in zip(weighted.cameras, near.cameras, strict=True))
         points = replace(weighted.points, xyz=near.points.xyz)
         start = replace(weighted, cameras=cameras, images=near.images, points=points)
-        brief = replace(options, tolerance=max(options.tolerance, 1e-3), robust_start=False)
+        brief = replace(
+            options, tolerance=max(options.tolerance, 1e-3), robust_start=False,
+            max_iterations=min(options.max_iterations, NEARBY),
+        )  # fmt: skip
         work, now = carry_out(start, brief, free, reasons, start="adjusted")
         state = work.state
         whitened, _ = work.normals.residuals(state)
@@ -157,6 +160,8 @@ def _with_settled_components(
     return replace(result, notices=with_group_notices(result))
 
 
+NEARBY = 25
+"""Steps from an adjustment to that with other weights; where they do not end, one step of the components has to do."""
 UNENDING = 0.05
 """Steps, in standard deviations, that do not end but are so short that the standard deviations can be stated.
 
