@@ -8,6 +8,7 @@ from scipy.integrate import trapezoid
 from scipy.stats import chi2
 
 from raybundle.adjustment.engine import adjust_block
+from raybundle.adjustment.predict import image_points
 from raybundle.errors import InputError, RankDefect
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.io.scenes import read_scene
@@ -447,3 +448,17 @@ def test_a_grid_and_true_north_are_told_apart(tmp_path):
     two = read_scene(file).line
     xy = np.array([[500.0, 100.0], [7500.0, 4900.0]])
     assert np.abs((one.localise(xy, 300.0) - two.localise(xy, 300.0)) * [7e4, 1.1e5, 1]).max() < 2e-3  # m
+
+
+def test_what_a_strip_does_not_see_takes_nothing_from_the_others(tmp_path):
+    """Nothing asked, points far beside and above the flight: NaN, and the seen ones where they are."""
+    block = strips(tmp_path, MODEL)
+    camera, R, X0 = block.cameras[0], block.images.rotation[0], block.images.centre[0]
+    assert image_points(camera, R, X0, np.zeros((0, 3))).shape == (0, 2)
+    near = block.points.xyz[:6]
+    seen = image_points(camera, R, X0, near)
+    assert np.isfinite(seen).all(axis=1).any()
+    beyond = np.vstack([near, [[5e4, 0, 0], [0, 0, -7e5]]])
+    found = image_points(camera, R, X0, beyond)
+    np.testing.assert_allclose(found[:6], seen, atol=1e-9)
+    assert np.isnan(found[6:]).all()

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from raybundle.block import Block, Camera
-from raybundle.errors import InputError
+from raybundle.errors import NotSolvable
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.platforms.station import sensor_from_object
 
@@ -54,8 +54,24 @@ def image_points(camera: Camera, rotation: Array, centre: Array, xyz: Array) -> 
 
     rotation, centre  (3, 3) and (3,) of one image, or (n, 3, 3) and (n, 3) of each point's
     """
+    n = len(xyz)
+    if not n:
+        return np.zeros((0, 2))
+    R, X0 = np.broadcast_to(rotation, (n, 3, 3)), np.broadcast_to(centre, (n, 3))
+    if not camera.is_scene:
+        return _where_seen(camera, R, X0, xyz)
+    try:
+        return _where_seen(camera, R, X0, xyz)
+    except NotSolvable:  # what a scene does not see at all: the others are seen none the less
+        if n == 1:
+            return np.full((1, 2), np.nan)
+        each = [slice(k, k + 1) for k in range(n)]
+        return np.concatenate([image_points(camera, R[k], X0[k], xyz[k]) for k in each])
+
+
+def _where_seen(camera: Camera, rotation: Array, centre: Array, xyz: Array) -> Array:
     model, values, n = camera.sensor, camera.parameters, len(xyz)
-    P = sensor_from_object(np.broadcast_to(rotation, (n, 3, 3)), np.broadcast_to(centre, (n, 3)), xyz)
+    P = sensor_from_object(rotation, centre, xyz)
     start = model.start(P, values)
     # beyond the format a distortion need not have an inverse
     near = np.asarray(model.in_front(P)) & (np.abs(start.T) < 0.75 * np.abs(camera.size_mm)).all(axis=1)
@@ -70,26 +86,8 @@ def projected(camera: Camera, points: Array, values: Array, start: Array) -> tup
 
     values  (u,) parameters of all points, or (u, n) of each
     """
-    n = start.shape[1]
-    if not n:
+    if not start.shape[1]:
         return start, np.zeros(0, bool)
-    if camera.is_scene:
-        try:
-            return _by_newton(camera, points, values, start)
-        except InputError:  # what a scene does not see at all: the others are seen none the less
-            if n == 1:
-                return start, np.zeros(1, bool)
-            one = [slice(k, k + 1) for k in range(n)]
-            each = [projected(camera, points[:, k], _of_point(values, k), start[:, k]) for k in one]
-            return np.concatenate([i for i, _ in each], axis=1), np.concatenate([s for _, s in each])
-    return _by_newton(camera, points, values, start)
-
-
-def _of_point(values: Array, k: slice) -> Array:
-    return values if values.ndim == 1 else values[:, k]
-
-
-def _by_newton(camera: Camera, points: Array, values: Array, start: Array) -> tuple[Array, Mask]:
     model = camera.sensor
     c = float(camera.size_mm.max()) if camera.is_scene else abs(float(np.ravel(values)[0]))
     image, step = start.copy(), np.full_like(start, np.inf)
