@@ -65,11 +65,11 @@ def serve(
                 ws_max_size=LARGEST_MESSAGE, ws_per_message_deflate=False, limit_concurrency=512,
                 timeout_graceful_shutdown=2, server_header=False,
             )  # fmt: skip
-            told(session.address)
-            if browser:
-                webbrowser.open(session.address)
             server = uvicorn.Server(config)
             with _ending(server):
+                told(session.address)
+                if browser:
+                    webbrowser.open(session.address)
                 server.run(sockets=[connection])
 
 
@@ -80,7 +80,7 @@ def _ending(server: uvicorn.Server) -> Generator[None]:
         yield
         return
     hang_up = getattr(signal, "SIGHUP", None)  # there is none on Windows
-    before = {s: signal.getsignal(s) for s in (signal.SIGTERM, hang_up) if s is not None}
+    before = {s: signal.getsignal(s) for s in (signal.SIGTERM, signal.SIGINT, hang_up) if s is not None}
 
     def end(number: int, _: object) -> None:
         sys.exit(128 + number)  # the server ended before, and raises the signal again
@@ -89,6 +89,7 @@ def _ending(server: uvicorn.Server) -> Generator[None]:
         server.should_exit = True
 
     signal.signal(signal.SIGTERM, end)
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # ignored where it was begun in the background
     if hang_up is not None:
         signal.signal(hang_up, should_end)
     try:
