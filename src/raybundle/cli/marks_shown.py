@@ -21,7 +21,7 @@ def shown(state: State) -> list[str]:
             sx, sy = m.covariance[0] ** 0.5, m.covariance[1] ** 0.5
             lines.append(f"     {image}: {m.x_px:.2f} {m.y_px:.2f} px, sigma {sx:.2f} {sy:.2f} px, {m.how}")
     lines += [f" scale bar {a} - {b}: {v.length:g} +- {v.sigma:g}" for (a, b), v in state.bars.items()]
-    lines += [f" {_called(v.kind)} {n}: {', '.join(v.points)}" for n, v in state.lines.items()]
+    lines += [f" {v.called} {n}: {', '.join(v.points)}" for n, v in state.lines.items()]
     if state.datum is not None:
         lines.append(f" coordinate system: {', '.join(state.datum.points)} ({_axes(state.datum)})")
     lines += [
@@ -33,10 +33,6 @@ def shown(state: State) -> list[str]:
         where = f"all photographs of the camera of {m.image}" if m.camera else m.image
         lines.append(f" mask {name}: {counted(len(m.polygon), 'corner')}, in {where}")
     return lines
-
-
-def _called(kind: str) -> str:
-    return kind if kind in {"level", "plane"} else f"{kind} line"
 
 
 def _axes(datum: Axes) -> str:

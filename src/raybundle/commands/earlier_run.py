@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,7 +16,8 @@ def earlier_run(project: Path) -> Earlier | None:
 
     A result that cannot be read is about to be replaced, and is passed over.
     """
-    from raybundle.io.block.folder import read_block  # noqa: PLC0415  (loaded after the help)
+    from raybundle.block.points import is_automatic  # noqa: PLC0415  (loaded after the help)
+    from raybundle.io.block.folder import read_block  # noqa: PLC0415
     from raybundle.measuring.journal import entries_of, journal_path  # noqa: PLC0415
     from raybundle.workflows.earlier_names import Earlier  # noqa: PLC0415
 
@@ -29,7 +29,7 @@ def earlier_run(project: Path) -> Earlier | None:
         texts = [text for e in entries_of(journal_path(project)) for text in _texts(e.arguments)]
     except InputError:
         return None
-    return Earlier(block=block, taken=frozenset(t for t in texts if re.fullmatch("t[0-9]+", t)))
+    return Earlier(block=block, taken=frozenset(filter(is_automatic, texts)))
 
 
 def _texts(value: object) -> list[str]:

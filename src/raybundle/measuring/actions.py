@@ -41,6 +41,7 @@ from raybundle.measuring.state import (
     Numbers3,
     RoleName,
     State,
+    figure_called,
 )
 from raybundle.settings import option
 
@@ -271,7 +272,7 @@ class SetLine(Action):
             check_point(name, state, known)
         least = LEAST[self.kind]
         if len(set(self.points)) < len(self.points) or len(self.points) < least:
-            what = self.kind if self.kind in {"level", "plane"} else f"{self.kind} line"
+            what = figure_called(self.kind)
             raise InputError(f"{who}: {len(set(self.points))} different points, a {what} needs {least}")
         check_number(f"{who}, sigma", self.sigma, above=0.0)
         return self

@@ -9,6 +9,7 @@ import numpy as np
 from raybundle.errors import InputError
 from raybundle.io.reading.words import quoted
 from raybundle.numerics.arrays import Array
+from raybundle.numerics.rotation import cross_matrix
 
 IN_LINE = 1e-3
 """Sine of the angle below which points lie in one line."""
@@ -61,8 +62,7 @@ def vertical(levels: Sequence[Array], plumb_lines: Sequence[Array], up: Array) -
 
 def turn_between(a: Array, b: Array) -> Array:
     """The smallest rotation that takes the unit vector a to b, which is not opposite."""
-    v = np.cross(a, b)
-    V = np.array([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])
+    V = cross_matrix(np.cross(a, b))
     return np.eye(3) + V + V @ V / (1 + a @ b)
 
 

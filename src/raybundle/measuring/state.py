@@ -60,6 +60,11 @@ class Bar:
 LineKind = Literal["straight", "plumb", "level", "plane"]
 
 
+def figure_called(kind: LineKind) -> str:
+    """What a figure is, in words."""
+    return kind if kind in {"level", "plane"} else f"{kind} line"
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Line:
     """Points that lie on one straight or plumb line, at one level, or on one plane."""
@@ -68,6 +73,11 @@ class Line:
     points: tuple[str, ...]
     sigma: float
     """of a point's distance from the figure [length unit of the block]"""
+
+    @property
+    def called(self) -> str:
+        """What it is, in words."""
+        return figure_called(self.kind)
 
     @property
     def upright(self) -> bool:

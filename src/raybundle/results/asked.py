@@ -20,7 +20,7 @@ from raybundle.settings import settings_of
 def options_of(result: Mapping[str, Any]) -> AdjustmentOptions:
     """The options that a result.json tells, as far as they are options of the command line."""
     given: dict[str, Any] = {}
-    options = _table(result.get("options"))
+    options = as_mapping(result.get("options"))
     for s in settings_of(AdjustmentOptions):
         value = options.get(s.name, s.default)
         given[s.name] = tuple(tuple(v) if isinstance(v, list) else v for v in value) if s.many else value
@@ -39,7 +39,7 @@ def made_as(block: Path, given: Block) -> tuple[Block, AdjustmentOptions]:
     folder = block.parent
     if not (folder / "result.json").is_file():
         return given, AdjustmentOptions()
-    result = _table(read_json(folder / "result.json").value)
+    result = as_mapping(read_json(folder / "result.json").value)
     asked = options_of(result)
     if asked.estimate == "auto":
         chosen = _chosen(result, [c.id for c in given.cameras])
@@ -70,12 +70,13 @@ def _as_told(block: Block, points: Path, *, moved: bool) -> Block:
 def _chosen(result: Mapping[str, Any], cameras: Collection[str]) -> dict[tuple[str, str], bool]:
     """(camera, symbol) of parameters of cameras -> whether it was estimated, of any of its images."""
     found: dict[tuple[str, str], bool] = {}
-    for key, parameters in _table(result.get("cameras")).items():
+    for key, parameters in as_mapping(result.get("cameras")).items():
         camera = key if key in cameras else next((c for c in cameras if key.startswith(f"{c}/")), "")
-        for symbol, told in _table(parameters).items() if camera else ():
-            found[camera, symbol] = found.get((camera, symbol), False) or _table(told).get("std") is not None
+        for symbol, told in as_mapping(parameters).items() if camera else ():
+            found[camera, symbol] = found.get((camera, symbol), False) or as_mapping(told).get("std") is not None
     return found
 
 
-def _table(value: Any) -> Mapping[str, Any]:
+def as_mapping(value: Any) -> Mapping[str, Any]:
+    """A table of a result.json; empty for what is none."""
     return cast("Mapping[str, Any]", value) if isinstance(value, Mapping) else {}

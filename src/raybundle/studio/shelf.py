@@ -5,17 +5,16 @@ from __future__ import annotations
 import os
 import shutil
 import threading
-from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.measuring.journal import measured_result
 from raybundle.report.compare import comparison
-from raybundle.results.asked import options_of
+from raybundle.results.asked import as_mapping, options_of
 from raybundle.results.folder import ResultFolder, read_result
 from raybundle.settings import as_typed
 from raybundle.studio.answers import finite
@@ -134,19 +133,15 @@ def _figures(kept: Kept) -> dict[str, Any]:
     return {
         "number": kept.number, "words": kept.words, "command": kept.command,
         "worst": _worst(read), "check": _check(read),
-        **{name: _number(r.get(name)) for name in numbers}, "noise": str(_table(r.get("noise")).get("kind", "")),
+        **{name: _number(r.get(name)) for name in numbers}, "noise": str(as_mapping(r.get("noise")).get("kind", "")),
         "options": as_typed(options_of(r)), "unit": "" if read.block.free_scale else read.block.length_unit,
         "report": (kept.folder / "report.html").is_file(), "network": (kept.folder / "network.html").is_file(),
         "parameters": [
             {"camera": camera, "symbol": symbol, "value": _number(p.get("value")), "sigma": _number(p.get("std")),
              "status": str(p.get("status", "")), "unit": "" if p.get("unit") == "1" else str(p.get("unit", ""))}
-            for camera, table in _table(r.get("cameras")).items() for symbol, p in _table(table).items()
+            for camera, table in as_mapping(r.get("cameras")).items() for symbol, p in as_mapping(table).items()
         ],
     }  # fmt: skip
-
-
-def _table(value: Any) -> Mapping[str, Any]:
-    return cast("Mapping[str, Any]", value) if isinstance(value, Mapping) else {}
 
 
 def _number(value: Any) -> float | None:
