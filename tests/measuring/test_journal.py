@@ -13,6 +13,7 @@ import time
 
 import pytest
 
+import raybundle as rb
 from raybundle.errors import InputError
 from raybundle.measuring.actions import VERBS, Move, Put, Redo, SetBar, Undo, action_of
 from raybundle.measuring.journal import Journal, entries_of, journal_path, measured_result, state_of
@@ -245,3 +246,9 @@ def test_nothing_is_added_to_a_journal_that_went_away(tmp_path):
         path.unlink()
         (tmp_path / "elsewhere.db").rename(path)
         assert journal.append(put("B")) == 2
+
+
+@pytest.mark.parametrize("place", ["/", "/nowhere-to-be-found"])
+def test_the_root_is_no_place_to_measure_in(place):
+    with pytest.raises(InputError, match="is not there|nothing can be measured in it|no project, result or block"):
+        rb.marks(place)

@@ -9,6 +9,12 @@ import numpy as np
 
 from raybundle.numerics.arrays import Mask
 
+NEAR_PX = 1.0
+"""Distance within which two measurements in one photograph are of the same place.
+
+Of a format of a million pixels a pair of points taken by chance lies as near with a probability of 3e-6, and in one
+photograph more than not (of two or more) never; what one matching measures lies within some tenths of a pixel of what
+another does."""
 _AUTOMATIC = re.compile(r"t[0-9]+")
 
 

@@ -11,6 +11,7 @@ from raybundle.commands.orient import OrientSettings, keep_settings
 from raybundle.errors import InputError
 from raybundle.io.photos.container import SUFFIXES
 from raybundle.io.reading.trees import read_toml
+from raybundle.measuring.journal import named_folder
 from raybundle.measuring.session import block_folder, holds_block
 from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import asked, option
@@ -91,7 +92,7 @@ def standing_folder(source: str | Path, out: str | Path | None = None) -> Path |
 def default_project(photos: Path) -> Path:
     """Where a project of a folder of photographs stands if nothing else is said: beside it."""
     whole = photos.resolve()
-    folder = whole if whole.is_dir() else whole.parent
+    folder = named_folder(whole if whole.is_dir() else whole.parent)
     return folder.with_name(f"{folder.name}-project")
 
 

@@ -60,13 +60,17 @@ def project_of(folder: str | Path) -> Path | None:
     return None
 
 
+def named_folder(folder: str | Path) -> Path:
+    """A folder in full; raises InputError for the root, which has no name beside which something could stand."""
+    whole = Path(folder).resolve()
+    if not whole.name:
+        raise InputError("nothing can be measured in it; give a project, result or block folder", file=folder)
+    return whole
+
+
 def journal_path(folder: str | Path) -> Path:
     """Where the journal of a project, result or block folder is; raises InputError where there are two."""
-    project, whole = project_of(folder), Path(folder).resolve()
-    if not whole.name:
-        raise InputError(
-            "is no folder in which something can be measured; give a project, result or block", file=folder
-        )
+    project, whole = project_of(folder), named_folder(folder)
     beside = whole.with_name(f"{whole.name}.measured.db")
     if project is None:
         return beside
@@ -83,11 +87,7 @@ def measured_result(folder: str | Path) -> Path:
     """Where the result of what was measured is written by default: in a project, beside any other folder."""
     if (project := project_of(folder)) is not None:
         return project / "measured-result"
-    whole = Path(folder).resolve()
-    if not whole.name:
-        raise InputError(
-            "is no folder in which something can be measured; give a project, result or block", file=folder
-        )
+    whole = named_folder(folder)
     return whole.with_name(f"{whole.name}-measured")
 
 

@@ -8,15 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from raybundle.block import Block
-from raybundle.block.points import is_automatic
+from raybundle.block.points import NEAR_PX, is_automatic
 from raybundle.numerics.arrays import Array, Index, Mask
-
-NEAR_PX = 1.0
-"""Distance within which two measurements in one photograph are of the same place.
-
-Of a format of a million pixels a pair of points taken by chance lies as near with a probability of 3e-6, and in one
-photograph more than not (of two or more) never; what one matching measures lies within some tenths of a pixel of what
-another does."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

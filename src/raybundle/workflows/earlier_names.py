@@ -8,11 +8,8 @@ import numpy as np
 from scipy.spatial import KDTree
 
 from raybundle.block import Block
-from raybundle.block.points import automatic, automatic_name, automatic_number
+from raybundle.block.points import NEAR_PX, automatic, automatic_name, automatic_number
 from raybundle.numerics.arrays import Array, Index, Mask
-
-NEAR_PX = 1.0
-"""Distance within which image points of two runs are of one object point; see `report.common_points`."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
