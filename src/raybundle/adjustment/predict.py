@@ -61,7 +61,8 @@ def image_points(camera: Camera, rotation: Array, centre: Array, xyz: Array) -> 
     if not camera.is_scene:
         return _where_seen(camera, R, X0, xyz)
     try:
-        return _where_seen(camera, R, X0, xyz)
+        with np.errstate(all="ignore"):  # far from what a scene sees nothing has to be finite
+            return _where_seen(camera, R, X0, xyz)
     except NotSolvable:  # what a scene does not see at all: the others are seen none the less
         if n == 1:
             return np.full((1, 2), np.nan)
