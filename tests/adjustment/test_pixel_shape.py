@@ -6,7 +6,7 @@ import pytest
 
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.pixel_shape import shape_limit, under_its_noise
+from raybundle.adjustment.pixel_shape import UNLIKELY, shape_limit, under_its_noise
 from raybundle.adjustment.severity import Severity
 from raybundle.calibration.quality import calibration_qualities
 from raybundle.planning.scenes import Ring, TargetField, brown_camera, field_scene, ring_scene
@@ -15,10 +15,11 @@ from raybundle.planning.simulate import Survey, simulate
 EVERY = ("c", "x0", "y0", "K1", "K2", "K3", "P1", "P2", "A", "S")
 
 
-def decided(shape, estimate="auto", options=None):
+def decided(shape, estimate="auto", options=None, seed=0):
     """A field of targets seen by a camera of this affinity and shear."""
     plan = TargetField(camera=brown_camera(values=shape), rows=8, columns=10, stations=6)
-    block = simulate(field_scene(plan), Survey(orientation="exact", points="exact", image_sigma_px=0.1)).observed
+    survey = Survey(seed=seed, orientation="exact", points="exact", image_sigma_px=0.1)
+    block = simulate(field_scene(plan), survey).observed
     camera = block.cameras[0]
     camera = replace(camera, estimate=estimate, values={**camera.values, "A": 0.0, "S": 0.0})
     return decide(replace(block, cameras=(camera,)), options or AdjustmentOptions(threads=1, noise="white"))
@@ -105,6 +106,19 @@ def test_of_clean_blocks_with_little_redundancy_nothing_is_said(runs):
             redundancies.add(result.redundancy)
     assert said == 0
     assert min(redundancies) < 15 < max(redundancies)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_value_beyond_the_sensor_by_chance_or_not_is_held_and_nothing_alarming_said(seed):
+    """Between the 99 percent at which it is no sensor's and the one of a thousand blocks at which that is told."""
+    shear = 1e-4 + 3.3 * decided({}, EVERY).interior[0].parameters["S"].std
+    result = decided({"S": shear}, seed=seed)
+    said = [n for n in result.notices if "S" in n.ids]
+    p = result.interior[0].parameters["S"]
+    assert ("S" in result.interior[0].free) == (not said)
+    assert not said or p.value == 0
+    if p.value:
+        assert p.value - 1e-4 <= UNLIKELY * p.std
 
 
 @pytest.mark.parametrize("seed", range(1, 4))

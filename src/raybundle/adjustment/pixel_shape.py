@@ -23,6 +23,8 @@ ROUNDED = 0.5
 """Pixels by which each side of a picture that was made smaller is rounded: its pixels are that much less square."""
 LEVEL = 1e-3
 """Probability with which anything is said of all cameras of a block whose pixels are as a sensor has them, at most."""
+UNLIKELY = 2.6
+"""Standard deviations beyond the limit from which on a value is more probably chance than a sensor's (99 percent)."""
 UNTOLD = 0.01
 """Error of projection, in half diagonals of the format, from which on nothing is told of a camera."""
 
@@ -86,16 +88,17 @@ def _critical(result: Adjustment, count: int) -> float:
 
 
 def untold_shape(result: Adjustment, cameras: Sequence[str]) -> Notice | None:
-    """The affinity or shear of these cameras that is told worst, worse than what a sensor may have; else None.
+    """The affinity or shear of these cameras that says least of the sensor; else None.
 
-    Estimated, it would say nothing of the sensor, and take with it what it correlates with: of photographs about one
-    axis, an affinity stretches the camera and the object along that axis.  Not every such value is significant, and
-    none of them is the sensor's.
+    It is told worse than what a sensor may have, or lies beyond that by `UNLIKELY` standard deviations, too few for
+    `beyond_sensor` to say so.  Estimated, it would take with it what it correlates with: of photographs about one axis,
+    an affinity stretches the camera and the object along that axis.  Not every such value is significant, and none of
+    them is the sensor's.
     """
     found = [
         (std / limit, _untold(c.id, symbol, value, std, limit))
         for c, symbol, value, std, limit in _estimated(result, cameras)
-        if std > limit
+        if std > limit or abs(value) - limit > UNLIKELY * std
     ]
     return max(found, key=lambda f: f[0])[1] if found else None
 
