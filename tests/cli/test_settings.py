@@ -22,7 +22,7 @@ from raybundle.cli.film import command as film_command
 from raybundle.cli.frames import command as frames_command
 from raybundle.cli.orient import command as orient_command
 from raybundle.cli.photos import command as photos_command
-from raybundle.cli.plan import flight as flight_command
+from raybundle.cli.plan.flight import command as flight_command
 from raybundle.cli.rectify import command as rectify_command
 from raybundle.cli.rpc import command as rpc_command
 from raybundle.cli.settings import options_of, values_of
@@ -45,7 +45,7 @@ from raybundle.commands.empirical import EmpiricalSettings
 from raybundle.commands.film import FilmSettings
 from raybundle.commands.orient import OrientSettings
 from raybundle.commands.photos import FramesSettings, PhotosSettings
-from raybundle.commands.plan import FlightSettings
+from raybundle.commands.planning.flight import FlightSettings
 from raybundle.commands.rectify import RectifySettings
 from raybundle.commands.rpc import RpcCorrectSettings, RpcFitSettings, RpcProjectSettings
 from raybundle.commands.simulate import SimulateSettings

@@ -10,11 +10,11 @@ import os
 import sys
 import traceback
 from collections.abc import Sequence
-from importlib import import_module
 from typing import TextIO
 
 import click
 
+from raybundle.cli.lazy import LazyGroup
 from raybundle.errors import RaybundleError, printable
 from raybundle.settings import on_the_command_line
 
@@ -38,33 +38,11 @@ COMMANDS = {
     "film": "Bring image points of scanned film into the camera's frame by its fiducial marks.",
     "rpc": "Satellite scenes: show, project, correct and make rational polynomials (RPC).",
     "empirical": "Fit affine, projective and DLT models to an image of an unknown sensor.",
-    "plan": "Predict what a flight will determine, before it is flown.",
+    "plan": "Know what photographs will determine, before they are taken.",
     "simulate": "Write a simulated block and its truth.",
     "demo": "Simulate a calibration field, calibrate it, show truth beside estimate.",
     "doctor": "Say what is installed, what is missing and what it would bring.",
 }
-
-
-class LazyGroup(click.Group):
-    """A group whose subcommand NAME is the object `command` of raybundle.cli.NAME."""
-
-    def list_commands(self, ctx: click.Context) -> list[str]:
-        """Names in the order in which they are used."""
-        del ctx
-        return list(COMMANDS)
-
-    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        """Load one subcommand."""
-        del ctx
-        if cmd_name not in COMMANDS:
-            return None
-        return import_module(f"raybundle.cli.{cmd_name}").command
-
-    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """List the subcommands without loading them."""
-        del ctx
-        with formatter.section("Commands"):
-            formatter.write_dl(list(COMMANDS.items()))
 
 
 def _print_version(ctx: click.Context, _: click.Parameter, value: bool) -> None:  # noqa: FBT001  (click's signature)
@@ -89,6 +67,9 @@ def cli() -> None:
       raybundle adjust camcal21 --out camcal21-result
       raybundle adjust --help
     """  # noqa: D301  (\b is click's mark for a paragraph that keeps its lines)
+
+
+cli.home, cli.told = "raybundle.cli", COMMANDS
 
 
 def main(argv: Sequence[str] | None = None) -> int:

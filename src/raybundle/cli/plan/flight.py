@@ -1,4 +1,4 @@
-"""`raybundle plan`."""
+"""`raybundle plan flight`."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import click
 
 from raybundle.cli.common import COMMAND_SETTINGS, NEW_FOLDER, TRACEBACK, counted
 from raybundle.cli.settings import options_of, values_of
-from raybundle.commands.plan import FlightSettings, run_plan_flight
+from raybundle.commands.planning.flight import FlightSettings, run_plan_flight
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -17,20 +17,10 @@ if TYPE_CHECKING:
     from raybundle.planning.uav_networks import Flight
 
 
-@click.group("plan", context_settings=COMMAND_SETTINGS)
-def command() -> None:
-    """Predict what a flight will determine, before it is flown.
-
-    \b
-    Example:
-      raybundle plan flight --lines 4 --photos 8 --height 80 --alternate --cross 30
-    """  # noqa: D301
-
-
-@command.command("flight")
+@click.command("flight", context_settings=COMMAND_SETTINGS)
 @options_of(FlightSettings, out=NEW_FOLDER)
 @TRACEBACK
-def flight(**given: Any) -> None:
+def command(**given: Any) -> None:
     """Predicted precision of a flight with RTK over flat ground, what it does not determine and what would mend it.
 
     The plan is simulated and adjusted, once with the unevenness of a real flight and once exactly level at one height:

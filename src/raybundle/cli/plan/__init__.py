@@ -1,0 +1,25 @@
+"""`raybundle plan ...`: one file a subcommand, loaded when it is called."""
+
+from __future__ import annotations
+
+import click
+
+from raybundle.cli.common import COMMAND_SETTINGS
+from raybundle.cli.lazy import LazyGroup
+
+SUBCOMMANDS = {
+    "flight": "Predicted precision of a flight with RTK over flat ground, and what would mend it.",
+}
+
+
+@click.group("plan", cls=LazyGroup, context_settings=COMMAND_SETTINGS)
+def command() -> None:
+    """Know what photographs will determine, before they are taken.
+
+    \b
+    Example:
+      raybundle plan flight --lines 4 --photos 8 --height 80 --alternate --cross 30
+    """  # noqa: D301
+
+
+command.home, command.told = __name__, SUBCOMMANDS

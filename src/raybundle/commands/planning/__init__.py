@@ -1,0 +1,1 @@
+"""What `raybundle plan` does: one file a subcommand."""

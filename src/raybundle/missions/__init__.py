@@ -1,0 +1,1 @@
+"""Flights: way points, patterns over an area, what a vehicle can do."""

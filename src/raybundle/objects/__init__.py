@@ -1,0 +1,1 @@
+"""What is photographed: surfaces and terrain, as geometry without files."""
