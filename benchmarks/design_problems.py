@@ -382,6 +382,6 @@ if __name__ == "__main__":
         rays = np.bincount(judge.seen(centre, rotation)[1], minlength=len(problem.targets))
         print(
             f"{problem.name:14} {len(problem.triangles):5} triangles {len(problem.targets)} targets, "
-            f"{problem.objective}, {problem.free} free: start {1e3 * judge.sigma(centre, rotation):8.4f} mm, rays {rays.min()} to "
-            f"{rays.max()}, outside {judge.violation(centre).max():.2f} m, {ms:.1f} ms"
+            f"{problem.objective}, {problem.free} free: start {1e3 * judge.sigma(centre, rotation):8.4f} mm, rays "
+            f"{rays.min()} to {rays.max()}, outside {judge.violation(centre).max():.2f} m, {ms:.1f} ms"
         )
