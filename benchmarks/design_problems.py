@@ -174,7 +174,7 @@ def _mesh(seed: int, kind: str, objective: str, free: int, count: int) -> Proble
     middle = (low + high) / 2
     free_low, free_high = low - 1.6 * reach, high + 1.6 * reach
     free_low[2], free_high[2] = 0.3, 2.2 * high[2]
-    start = ring(middle, 2.0 * reach, 2.1 * high[2], first_deg=rng.uniform(0, 45))
+    start = ring(middle, 1.5 * reach, 2.1 * high[2], first_deg=rng.uniform(0, 45))
     if kind == "portico":
         free_high[1] = -1.0
         start = row((-2, -1.5 * reach, 1.6), (2, -1.5 * reach, 1.6), (0, 10, 0.3))
