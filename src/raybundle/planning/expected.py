@@ -7,12 +7,13 @@ station's part is kept, so that networks which differ by a station cost little.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
 from raybundle.numerics.arrays import Array, Index
+from raybundle.objects.surface import SurfacePoints
 from raybundle.planning.site import Site
 
 WEAK = 1e-6
@@ -51,6 +52,8 @@ class Expected:
     """(f, f) covariance of the free parameters of the interior orientation"""
     rays: Index
     """(t,)"""
+    inverse: Array
+    """(u, u) covariance of stations and interior orientation in a datum of their own, for `Networks.elsewhere`"""
 
     @property
     def sigma(self) -> Array:
@@ -89,12 +92,50 @@ class Networks:
         self.columns = [5 + symbols.index(s) for s in self.free]
 
     @cached_property
+    def _datum(self) -> tuple[Array, Array]:
+        H, R = np.linalg.qr(self._directions(self.site.points.xyz).reshape(-1, 7))
+        return H.reshape(-1, 3, 7), np.linalg.inv(R)
+
+    @property
     def carriers(self) -> Array:
         """(t, 3, 7) orthonormal shifts, turns and scale of all points."""
-        p = (self.site.points.xyz - self.middle) / self.size
-        one = np.tile(np.eye(3), (len(p), 1, 1))
-        G = np.concatenate([one, -_crosses(p), p[:, :, None]], axis=2)
-        return np.linalg.qr(G.reshape(-1, 7))[0].reshape(len(p), 3, 7)
+        return self._datum[0]
+
+    def _directions(self, xyz: Array) -> Array:
+        """(n, 3, 7) shifts, turns and scale of places."""
+        p = (xyz - self.middle) / self.size
+        return np.concatenate([np.tile(np.eye(3), (len(p), 1, 1)), -_crosses(p), p[:, :, None]], axis=2)
+
+    def elsewhere(self, parts: Sequence[Part], e: Expected, points: SurfacePoints) -> Array:
+        """(m, 3, 3) covariances that other points would have, measured in the stations of a network without adding to it.
+
+        NaN where a point has less than two rays.
+        """
+        there = Networks(replace(self.site, points=points))
+        mine = there.parts(np.array([p.centre for p in parts]), np.array([p.rotation for p in parts]))
+        rays = np.bincount(np.concatenate([p.points for p in mine]), minlength=len(points))
+        m, t = len(points), len(self.site.points)
+        V = np.sum([p.V for p in mine], axis=0)
+        own = np.concatenate([*(p.W for p in mine), np.sum([p.WF for p in mine], axis=0)], axis=2)
+        Q = np.full((m, 3, 3), np.nan)
+        good = np.flatnonzero(rays >= 2)
+        iV = np.linalg.inv(V[good])
+        M = iV @ own[good]
+        MS = M @ e.inverse
+        Q[good] = iV + MS @ np.swapaxes(M, 1, 2)
+        if self.prior is not None:
+            return Q
+        H, unit = self._datum
+        network_V = np.sum([p.V for p in parts], axis=0)
+        W = np.concatenate([*(p.W for p in parts), np.sum([p.WF for p in parts], axis=0)], axis=2)
+        network_M = (np.linalg.inv(network_V) @ W).reshape(3 * t, -1)
+        flat = H.reshape(3 * t, 7)
+        HM = flat.T @ network_M
+        inner = np.einsum("tia,tij,tjb->ab", H, np.linalg.inv(network_V), H) + HM @ e.inverse @ HM.T
+        G = self._directions(points.xyz[good]) @ unit
+        cross = G @ (HM @ np.swapaxes(MS, 1, 2))
+        Q[good] += G @ inner @ np.swapaxes(G, 1, 2) - cross - np.swapaxes(cross, 1, 2)
+        return Q
 
     def parts(self, centre: Array, rotation: Array) -> list[Part]:
         """The parts of stations (n, 3), (n, 3, 3)."""
@@ -132,6 +173,8 @@ class Networks:
         A network that falls apart or leaves a parameter open lacks one ray.
         """
         t, f, n = len(self.site.points), len(self.free), len(parts)
+        if not n:
+            return Short(unseen=np.full(t, 2))
         rays = np.bincount(np.concatenate([p.points for p in parts]), minlength=t)
         known = np.zeros(t, bool) if self.prior is None else (self.prior > 0).all(axis=1)
         lacking = np.where(known, 0, np.maximum(2 - rays, 0))
@@ -155,7 +198,9 @@ class Networks:
         iS = self._inverse(N - W.T @ M, np.diag(N), parts)
         if iS is None:
             return Short(unseen=lacking)
-        return Expected(points=self._points(iV, M, iS), interior=iS[6 * n :, 6 * n :], rays=rays)
+        return Expected(
+            points=self._points(iV, M, iS), interior=iS[6 * n :, 6 * n :], rays=rays, inverse=iS
+        )
 
     def _inverse(self, S: Array, diagonal: Array, parts: Sequence[Part]) -> Array | None:
         """An inverse of the normal equations of the stations, the seven directions that leave all images as they are out."""
