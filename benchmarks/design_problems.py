@@ -330,7 +330,7 @@ class Judge:
             d = centre[i] - middle
             C[6 * i : 6 * i + 3, :3] = np.eye(3) * size
             C[6 * i : 6 * i + 3, 3:6] = np.array([[0, d[2], -d[1]], [-d[2], 0, d[0]], [d[1], -d[0], 0]])
-            C[6 * i + 3 : 6 * i + 6, 3:6] = rotation[i]
+            C[6 * i + 3 : 6 * i + 6, 3:6] = -rotation[i]
             C[6 * i : 6 * i + 3, 6] = d
         scale = 1 / np.sqrt(np.maximum(np.diag(N), 1e-300))
         C = np.linalg.qr(C / scale[:, None])[0]

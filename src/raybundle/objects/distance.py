@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.spatial import cKDTree
+from scipy.spatial import KDTree
 
 from raybundle.numerics.arrays import Array, Index
 from raybundle.objects.surface import Surface
@@ -18,7 +18,7 @@ class Distances:
         self.corners = corners[surface.areas > 0]
         middle = self.corners.mean(axis=1)
         self.reach = float(np.linalg.norm(self.corners - middle[:, None], axis=2).max())
-        self.tree = cKDTree(middle)
+        self.tree = KDTree(middle)
 
     def of(self, places: Array) -> Array:
         """(n,) distances of places (n, 3) [as the surface]."""
@@ -33,7 +33,7 @@ class Distances:
 
 
 def _to_triangles(p: Array, corners: Array) -> Array:
-    """(k,) distances of points (k, 3) from triangles (k, 3, 3): to the plane where the foot lies within, else to a side."""
+    """(k,) distances of points (k, 3) from triangles (k, 3, 3): to the plane, or to the nearest side."""
     a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
     n = np.cross(b - a, c - a)
     square = np.einsum("ki,ki->k", n, n)
@@ -50,4 +50,4 @@ def _to_triangles(p: Array, corners: Array) -> Array:
 
 def nearest_rows(places: Array, xyz: Array) -> Index:
     """(n,) rows of the points (m, 3) that lie nearest to places (n, 3)."""
-    return np.asarray(cKDTree(xyz).query(places)[1], np.int64)
+    return np.asarray(KDTree(xyz).query(places)[1], np.int64)

@@ -15,7 +15,7 @@ from raybundle.numerics.arrays import Array, Mask
 from raybundle.objects.surface import Surface
 
 OFF = 1e-4
-"""By how much of the object's extent rays begin off its surface: 100 times the rounding of Embree's single precision."""
+"""By how much of the object's extent rays begin off its surface: 100 times the rounding of single precision."""
 
 Visible = Callable[[Array, Array, Array], Mask]
 """Of the centre (3,) of a station, points (n, 3) and their outward normals (n, 3): which (n,) it sees"""
@@ -60,7 +60,9 @@ class Sight:
         if beside > 0:
             ray = to - xyz[rows]
             across = np.cross(ray, np.eye(3)[np.abs(ray).argmin(axis=1)])
-            across *= beside * np.linalg.norm(ray, axis=1, keepdims=True) / np.linalg.norm(across, axis=1, keepdims=True)
+            across *= (
+                beside * np.linalg.norm(ray, axis=1, keepdims=True) / np.linalg.norm(across, axis=1, keepdims=True)
+            )
             third = np.cross(ray, across) / np.linalg.norm(ray, axis=1, keepdims=True)
             for turn in 2 * np.pi * np.arange(3) / 3:
                 left = np.flatnonzero(seen[rows])

@@ -130,7 +130,7 @@ def spread(surface: Surface, count: int, seed: int = 1) -> SurfacePoints:
 
 
 def farthest_first(xyz: Array, count: int) -> Index:
-    """Rows of points, each the farthest from those before (Gonzalez 1985); the first is the farthest from the middle."""
+    """Rows of points, each the farthest from those before (Gonzalez 1985), from the outermost on."""
     count = min(count, len(xyz))
     chosen = np.zeros(count, np.int64)
     far = np.linalg.norm(xyz - xyz.mean(axis=0), axis=1)

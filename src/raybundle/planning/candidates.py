@@ -88,8 +88,8 @@ def standing_places(site: Site, count: int) -> Array:
     seen = np.bincount(station, minlength=len(places)) >= LEAST
     if not seen.any():
         raise InputError(
-            f"from none of {len(places)} places where one may stand are {LEAST} points of the object seen: the depth of "
-            f"field begins at {site.depth[0]:.3g} m, rays may be {site.incidence_deg:g} degrees off the surface's normal"
+            f"from none of {len(places)} places where one may stand are {LEAST} points of the object seen: the "
+            f"depth of field begins at {site.depth[0]:.3g} m, rays may be {site.incidence_deg:g} degrees off the normal"
         )
     return places[seen]
 

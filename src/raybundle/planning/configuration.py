@@ -71,7 +71,8 @@ class Designer:
 
     def __init__(self, networks: Networks, aim: Aim = "worst", progress: Progress = silent) -> None:
         """Prepare; `aim` says whether the worst or the mean standard deviation counts."""
-        self.networks, self.site, self.aim, self.progress = networks, networks.site, aim, progress
+        self.networks, self.site, self.progress = networks, networks.site, progress
+        self.aim: Aim = aim
         self.tried = 0
 
     def figure(self, e: Expected) -> float:
@@ -95,9 +96,7 @@ class Designer:
             )
         figure = self.figure(e)
         value = float(np.log(figure / self.site.extent))
-        return Design(
-            stations=stations, value=value, figure=figure, expected=e, tried=self.tried, history=history
-        )
+        return Design(stations=stations, value=value, figure=figure, expected=e, tried=self.tried, history=history)
 
 
 def improved(designer: Designer, start: Stations, search: Search | None = None, count: int | None = None) -> Design:
@@ -215,7 +214,7 @@ def _and_one(stations: Stations, all_: Stations, k: int) -> Stations:
 def _moved(
     d: Designer, stations: Stations, value: float, moves: int, rng: np.random.Generator, step: float
 ) -> tuple[float, Stations]:
-    """Stations moved one after the other by steps that grow after a success and shrink after failures (Rechenberg 1973)."""
+    """Stations moved one after the other by steps that grow with success and shrink without (Rechenberg 1973)."""
     n = len(stations)
     mine = d.networks.parts(stations.centre, stations.rotation)
     size = np.full(n, step)
@@ -299,4 +298,3 @@ def disturbed(designer: Designer, design: Design, places: float, directions_deg:
         roll = s.roll + np.radians(rng.normal(0, directions_deg, len(s)))
         found[k] = designer.design(Stations(centre=centre, at=at, roll=roll)).figure
     return found
-

@@ -107,7 +107,7 @@ class Networks:
         return np.concatenate([np.tile(np.eye(3), (len(p), 1, 1)), -_crosses(p), p[:, :, None]], axis=2)
 
     def elsewhere(self, parts: Sequence[Part], e: Expected, points: SurfacePoints) -> Array:
-        """(m, 3, 3) covariances that other points would have, measured in the stations of a network without adding to it.
+        """(m, 3, 3) covariances that other points would have, measured in a network without adding to it.
 
         NaN where a point has less than two rays.
         """
@@ -163,9 +163,7 @@ class Networks:
         At = np.swapaxes(A, 1, 2)
         V[point], W[point], WF[point] = At @ A, At @ B, At @ D
         b, d = B.reshape(-1, 6), D.reshape(2 * len(point), f)
-        return Part(
-            centre=centre, rotation=rotation, points=point, V=V, W=W, N=b.T @ b, side=b.T @ d, WF=WF, F=d.T @ d
-        )
+        return Part(centre=centre, rotation=rotation, points=point, V=V, W=W, N=b.T @ b, side=b.T @ d, WF=WF, F=d.T @ d)
 
     def expected(self, parts: Sequence[Part]) -> Expected | Short:
         """The covariances of a network of these stations; what it lacks where points have less than two rays.
@@ -198,12 +196,10 @@ class Networks:
         iS = self._inverse(N - W.T @ M, np.diag(N), parts)
         if iS is None:
             return Short(unseen=lacking)
-        return Expected(
-            points=self._points(iV, M, iS), interior=iS[6 * n :, 6 * n :], rays=rays, inverse=iS
-        )
+        return Expected(points=self._points(iV, M, iS), interior=iS[6 * n :, 6 * n :], rays=rays, inverse=iS)
 
     def _inverse(self, S: Array, diagonal: Array, parts: Sequence[Part]) -> Array | None:
-        """An inverse of the normal equations of the stations, the seven directions that leave all images as they are out."""
+        """An inverse of the stations' normal equations, without the seven directions that change no image."""
         if not (diagonal > 0).all():
             return None
         scale = 1 / np.sqrt(diagonal)
@@ -226,7 +222,7 @@ class Networks:
             d = (p.centre - self.middle) / self.size
             s, turn = slice(6 * i, 6 * i + 3), slice(6 * i + 3, 6 * i + 6)
             C[s, :3], C[s, 3:6], C[s, 6] = np.eye(3), -_crosses(d[None])[0], d
-            C[turn, 3:6] = p.rotation / self.size
+            C[turn, 3:6] = -p.rotation / self.size
         return C
 
     def _points(self, iV: Array, M: Array, iS: Array) -> Array:

@@ -1,4 +1,4 @@
-"""A network planned for an object: the fewest stations that reach what is wanted, what each is for, what it promises."""
+"""A network planned for an object: the fewest stations that reach what is wanted, and what each is for."""
 
 from __future__ import annotations
 
@@ -95,7 +95,7 @@ class NetworkPlan:
 
     @property
     def q(self) -> float:
-        """q of sigma_XYZ = q S sigma / sqrt(k), with the mean number k of rays (Fraser 1984)."""
+        """Factor q of sigma_XYZ = q S sigma / sqrt(k), with the mean number k of rays (Fraser 1984)."""
         sigma_xyz = float(np.sqrt(np.mean(self.expected.sigma**2)))
         sigma = self.site.sigma_px * self.site.camera.pixel_mm[0] / 1000
         return sigma_xyz * np.sqrt(self.expected.rays.mean()) / (self.scale_number * sigma)
@@ -134,7 +134,7 @@ def plan_network(
 def _fewest(
     d: Designer, first: Stations, wanted: float, search: Search | None, tried: list[tuple[int, float]]
 ) -> Design:
-    """The smallest network that reaches what is wanted: quick searches of more and more stations, then a thorough one."""
+    """The smallest network that reaches what is wanted: quick searches of ever more stations, then a thorough one."""
     n, best = max(FEWEST, len(first)), None
     figures = list[tuple[int, float]]()
     while n <= MOST:
@@ -163,18 +163,18 @@ def _step(figures: Sequence[tuple[int, float]], wanted: float) -> int:
 def _beyond(d: Designer, wanted: float, reached: list[tuple[int, float]]) -> str:
     if not reached:
         return (
-            f"no network of up to {MOST} stations shows every point of the object twice from where one may stand; widen "
-            "the access, or leave the parts out that cannot be seen"
+            f"no network of up to {MOST} stations shows every point of the object twice from where one may stand; "
+            "widen the access, or leave the parts out that cannot be seen"
         )
     n, figure = min(reached, key=lambda r: r[1])
     site = d.site
     c = site.camera.sensor.camera_constant(site.camera.parameters) / site.camera.pixel_mm[0]
     near = max(site.access.clearance, site.depth[0])
     return (
-        f"a standard deviation of {1000 * wanted:.3g} mm is beyond reach: with {n} stations it is {1000 * figure:.3g} mm. "
-        f"At the nearest distance, {near:.3g} m, {site.sigma_px:g} px of the image are "
-        f"{1000 * near * site.sigma_px / c:.2g} mm on the object; go nearer, take a longer lens or targets that are measured "
-        "more precisely"
+        f"a standard deviation of {1000 * wanted:.3g} mm is beyond reach: with {n} stations it is {1000 * figure:.3g} "
+        f"mm. At the nearest distance, {near:.3g} m, {site.sigma_px:g} px of the image are "
+        f"{1000 * near * site.sigma_px / c:.2g} mm on the object; go nearer, take a longer lens or targets that are "
+        "measured more precisely"
     )
 
 
@@ -224,13 +224,14 @@ def _purpose(d: Designer, e: Expected, parts: list[Part], k: int) -> Purpose:
     lost = np.sqrt(np.diag(without.interior) / np.diag(e.interior)) if len(e.interior) else np.zeros(0)
     order = np.argsort(-lost)
     return Purpose(
-        unseen=np.zeros(0, np.int64), ratio=d.figure(without) / d.figure(e), worst=worst, worst_ratio=float(each[worst]),
+        unseen=np.zeros(0, np.int64), ratio=d.figure(without) / d.figure(e), worst=worst,
+        worst_ratio=float(each[worst]),
         parameters=tuple((d.networks.free[i], float(lost[i])) for i in order if lost[i] > LOSES),
     )  # fmt: skip
 
 
 def walk(places: Array) -> Index:
-    """(n,) an order in which places are visited on a short way: the nearest next, then sections turned round (2-opt)."""
+    """(n,) an order of places on a short way: the nearest next, then sections turned round (2-opt)."""
     n = len(places)
     far = np.linalg.norm(places[:, None] - places[None], axis=2)
     order = [0]

@@ -60,7 +60,7 @@ class Site:
     incidence_deg: float = 70.0
     """Largest angle between a ray and the normal of the surface"""
     beside: float = 0.001
-    """How far other parts of the object must be beside a ray, by its length: nobody stands exactly where it was planned"""
+    """How far other parts of the object must be beside a ray, by its length: nobody stands exactly there"""
 
     @cached_property
     def sight(self) -> Sight:
@@ -91,17 +91,17 @@ class Site:
     def may_stand(self, centre: Array) -> Mask:
         """(n,) whether stations may be there."""
         a = self.access
-        ok = ((centre >= a.low) & (centre <= a.high)).all(axis=1)
+        ok = np.asarray(((centre >= a.low) & (centre <= a.high)).all(axis=1))
         if len(a.forbidden):
             within = (centre[:, None] >= a.forbidden[:, 0]) & (centre[:, None] <= a.forbidden[:, 1])
-            ok &= ~within.all(axis=2).any(axis=1)
+            ok &= ~np.any(np.asarray(within.all(axis=2)), axis=1)
         if a.allowed is not None and ok.any():
             ok[ok] = a.allowed(centre[ok])
         rows = np.flatnonzero(ok)
         if len(rows) and a.clearance > 0:
             ok[rows] = self.distances.of(centre[rows]) >= a.clearance
         low, high = self.surface.bounds
-        rows = np.flatnonzero(ok & ((centre > low) & (centre < high)).all(axis=1))
+        rows = np.flatnonzero(ok & np.asarray(((centre > low) & (centre < high)).all(axis=1)))
         if len(rows) and self.closed:
             ok[rows] = ~self.sight.inside(centre[rows])
         return ok
@@ -121,7 +121,7 @@ class Site:
         return station[clear], point[clear]
 
     def seen(self, centre: Array, rotation: Array) -> tuple[Index, Index, Array, Array]:
-        """What stations measure: rows of stations and points (k,), image points (k, 2) [mm], points in the camera (k, 3).
+        """What stations measure: rows of stations and points, image points (k, 2) [mm], points in the camera (k, 3).
 
         centre, rotation  (n, 3), (n, 3, 3)
         """
@@ -155,4 +155,3 @@ class Site:
         far = np.array([[0.1], [0.07], [-1.0]])
         g, _ = model.condition_and_jacobian(*model.start(far, self.camera.parameters), *far, *self.camera.parameters)
         return bool(np.abs(g).max() > 1e-9)
-

@@ -84,7 +84,7 @@ def _check_line(name: str, line: Array) -> None:
 
 
 def grid_triangles(rows: int, columns: int) -> Index:
-    """Triangles (2 (rows - 1) (columns - 1), 3) of a grid of vertices, row by row, seen counterclockwise with rows up."""
+    """Triangles (2 (rows - 1) (columns - 1), 3) of a grid of vertices, row by row, counterclockwise with rows up."""
     k = np.arange(rows * columns).reshape(rows, columns)
     a, b, c, d = k[:-1, :-1].ravel(), k[:-1, 1:].ravel(), k[1:, 1:].ravel(), k[1:, :-1].ravel()
     return np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])

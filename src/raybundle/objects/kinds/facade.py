@@ -28,10 +28,6 @@ class Facade(ObjectKind):
             line = np.array([[-w / 2, 0.0], [w / 2, 0.0], [w / 2, h], [-w / 2, h]])
         if np.array_equal(line[0], line[-1]):
             line = line[:-1]
-        x, z = line.T
-        area = float(np.sum(x * np.roll(z, -1) - np.roll(x, -1) * z)) / 2
-        if len(line) < 3 or abs(area) < 1e-9 * float(np.ptp(line, axis=0).max()) ** 2:
-            raise InputError("facade: its outline encloses no area")
         crossing = crossing_sides(line)
         if crossing:
             a, b = crossing
@@ -39,6 +35,10 @@ class Facade(ObjectKind):
                 f"facade: its outline crosses itself: the sides from points {a + 1} and {b + 1}; give its corners in "
                 "the order in which one walks round it"
             )
+        x, z = line.T
+        area = float(np.sum(x * np.roll(z, -1) - np.roll(x, -1) * z)) / 2
+        if len(line) < 3 or abs(area) < 1e-9 * float(np.ptp(line, axis=0).max()) ** 2:
+            raise InputError("facade: its outline encloses no area")
         if area < 0:
             line = line[::-1]
         from mapbox_earcut import triangulate_float64  # noqa: PLC0415
@@ -59,7 +59,9 @@ def crossing_sides(outline: Array) -> tuple[int, int] | None:
     a, b = outline, np.roll(outline, -1, axis=0)
 
     def side(p: Array, q: Array, r: Array) -> Array:
-        return np.sign((q[..., 0] - p[..., 0]) * (r[..., 1] - p[..., 1]) - (q[..., 1] - p[..., 1]) * (r[..., 0] - p[..., 0]))
+        return np.sign(
+            (q[..., 0] - p[..., 0]) * (r[..., 1] - p[..., 1]) - (q[..., 1] - p[..., 1]) * (r[..., 0] - p[..., 0])
+        )
 
     for k in range(n):
         others = np.arange(k + 2, n if k else n - 1)
