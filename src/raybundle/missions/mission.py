@@ -87,6 +87,8 @@ class Exposures:
     """(m,)"""
     distance: Array
     """(m,) along the viewing axis to what is photographed [m]; NaN: the ground, where it may lie"""
+    roll: Array | None = None
+    """(m,) about the viewing axis [rad]; None: none is planned"""
 
     def __len__(self) -> int:
         """Number of photographs."""
@@ -97,12 +99,14 @@ class Exposures:
         return Exposures(
             xyz=self.xyz[keep], heading=self.heading[keep], pitch=self.pitch[keep], line=self.line[keep],
             flight=self.flight[keep], distance=self.distance[keep],
+            roll=None if self.roll is None else self.roll[keep],
         )  # fmt: skip
 
     @property
     def rotation(self) -> Array:
         """(m, 3, 3) from object axes to image axes, the camera's upper side up or forward."""
-        return rotation_from_gimbal(np.stack([self.heading, self.pitch, np.zeros(len(self.pitch))], axis=1))
+        roll = np.zeros(len(self.pitch)) if self.roll is None else self.roll
+        return rotation_from_gimbal(np.stack([self.heading, self.pitch, roll], axis=1))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

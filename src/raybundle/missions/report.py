@@ -74,7 +74,7 @@ def mission_facts(mission: Mission, ground: Ground) -> MissionFacts:
     along, across = overlaps(mission, e, ground)
     centre = ground_points(mission.camera, e, ground, (1, 1))[:, 0, 0]
     away = np.linalg.norm(centre - e.xyz, axis=1)
-    gsd = mission.camera.gsd(away)
+    gsd = away / mission.camera.c_px
     on_line = w.line >= 0
     lined = on_line & np.isfinite(w.base)
     speed = w.speed[lined]
@@ -112,12 +112,12 @@ def overlaps(mission: Mission, e: Exposures, ground: Ground) -> tuple[Spread | N
     """Overlaps of neighbours along lines, and of each photograph with the nearest one of the next line of its group."""
     follow = np.flatnonzero((e.line[1:] == e.line[:-1]) & (e.flight[1:] == e.flight[:-1]))
     along = overlap(mission.camera, e, ground, follow, follow + 1, abreast=False) if len(follow) else None
-    first, second = _beside(mission, e)
+    first, second = beside(mission, e)
     across = overlap(mission.camera, e, ground, first, second, abreast=True) if len(first) else None
     return None if along is None else spread(along), None if across is None else spread(across)
 
 
-def _beside(mission: Mission, e: Exposures) -> tuple[Array, Array]:
+def beside(mission: Mission, e: Exposures) -> tuple[Array, Array]:
     """Photographs, and the nearest one of the nearest line beside theirs.
 
     Those at the ends of lines, to which the next line has nobody beside, are left out: nearer than half a base along.
@@ -173,7 +173,7 @@ def seconds_of(mission: Mission, flight: int) -> float:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Warning_:
+class Doubt:
     """What speaks against a mission."""
 
     kind: str
@@ -184,12 +184,12 @@ class Warning_:
 
 def warnings(
     mission: Mission, facts: MissionFacts, *, limit_m: float = HEIGHT_LIMIT_M, sight_m: float = SIGHT_M,
-) -> tuple[Warning_, ...]:  # fmt: skip
+) -> tuple[Doubt, ...]:  # fmt: skip
     """What is wrong or doubtful; words that tell the figure, its limit, and what to do."""
-    found: list[Warning_] = []
+    found: list[Doubt] = []
 
     def tell(kind: str, words: str, *, fault: bool = False) -> None:
-        found.append(Warning_(kind=kind, fault=fault, words=words))
+        found.append(Doubt(kind=kind, fault=fault, words=words))
 
     if facts.above.high > limit_m:
         source = " of the open category (EU 2019/947, UAS.OPEN.010)" if limit_m == HEIGHT_LIMIT_M else ""

@@ -126,3 +126,11 @@ def _corners(s: Array, z: Array, fixed: Array, tolerance: float) -> Array:
             keep.append(a + 1 + k)
             stack += [(a, a + 1 + k), (a + 1 + k, b)]
     return np.array(sorted(keep))
+
+
+def below_photographs(xyz: Array, above: float) -> Ground:
+    """Ground as planned photographs (n, 3) let expect it: so far below each; the nearest one counts."""
+    from scipy.spatial import cKDTree  # noqa: PLC0415  (SciPy is loaded only where it is used)
+
+    tree = cKDTree(xyz[:, :2])
+    return lambda xy: xyz[tree.query(np.nan_to_num(xy))[1], 2] - above

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -112,7 +113,8 @@ class HeightGrid:
         from scipy.ndimage import label  # noqa: PLC0415  (SciPy is loaded only where it is used)
 
         missing = ~np.isfinite(self.heights) & (True if wanted is None else wanted)
-        labels, count = label(missing, np.ones((3, 3)))
+        found_labels: Any = label(missing, np.ones((3, 3)))
+        labels, count = found_labels
         found: list[Hole] = []
         for k in range(1, count + 1):
             cells = np.argwhere(labels == k)

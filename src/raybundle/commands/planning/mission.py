@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from raybundle.missions.camera import MissionCamera
     from raybundle.missions.mission import Mission
     from raybundle.missions.patterns import Wish
-    from raybundle.missions.report import MissionFacts, Warning_
+    from raybundle.missions.report import MissionFacts, Doubt
     from raybundle.missions.terrain import Ground
     from raybundle.missions.vehicle import Vehicle
     from raybundle.numerics.arrays import Array
@@ -117,7 +117,7 @@ class PlannedMission:
 
     mission: Mission
     facts: MissionFacts
-    warnings: tuple[Warning_, ...]
+    warnings: tuple[Doubt, ...]
     files: tuple[Path, ...]
     remarks: tuple[str, ...]
 
@@ -179,14 +179,16 @@ def _task(s: MissionSettings) -> tuple[Any, Ground, tuple[str, ...]]:
     remarks: tuple[str, ...] = ()
     if shape.holes:
         remarks += (f"holes in the area are flown over; give them as no-go zones to spare them ({option('no_go')})",)
+    step, terrain = 5.0, ""
     if s.dsm is not None:
         grid = _heights(s, crs, outline, home, wish)
         ground, lenient = ground_of(grid), grid.at
         remarks += (*grid.remarks, *_holes(grid, outline, shape.kind))
+        step, terrain = max(1.0, min(grid.cell_m, 10.0)), s.dsm.name
     task = Task(
         name=s.name, pattern=s.pattern, outline=outline, crs=crs, wish=wish, vehicle=vehicle, speed=s.speed,
         blur_px=s.blur, take_off=None if home is None else (float(home[0]), float(home[1])), no_go=zones, ground=ground,
-        terrain="" if s.dsm is None else s.dsm.name, ground_step=5.0 if s.dsm is None else max(1.0, min(grid.cell_m, 10.0)),
+        terrain=terrain, ground_step=step,
         tolerance=s.follow, trigger_by=s.trigger, settings=_told(s),
     )  # fmt: skip
     return task, lenient, remarks

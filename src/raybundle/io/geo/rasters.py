@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from importlib import import_module
 from pathlib import Path
 from typing import Any, Literal
 
@@ -48,10 +49,9 @@ def read_heights(path: Path, crs: str, box: Array, *, unit: Unit = "", band: int
 
 def _rasterio(path: Path) -> Any:
     try:
-        import rasterio  # noqa: PLC0415  (an extra)
-        import rasterio.errors  # noqa: PLC0415
-        import rasterio.warp  # noqa: PLC0415
-        import rasterio.windows  # noqa: PLC0415
+        rasterio = import_module("rasterio")  # an extra
+        for part in ("errors", "transform", "warp", "windows"):
+            import_module(f"rasterio.{part}")
     except ImportError:
         message = "rasters are read by rasterio, which is not installed: pip install 'raybundle[geo]'"
         raise InputError(message, file=path) from None

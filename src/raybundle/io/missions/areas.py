@@ -7,6 +7,7 @@ import struct
 import zipfile
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -178,14 +179,13 @@ def _ogr(path: Path, crs: str) -> Iterator[Shape]:
     """What OGR reads: GeoPackage, shapefile, FlatGeobuf and others."""
     check_regular(path)
     try:
-        import pyogrio.raw  # noqa: PLC0415  (an extra)
+        reader: Any = import_module("pyogrio.raw")  # an extra
     except ImportError:
         raise InputError(
             "this format is read by pyogrio, which is not installed: pip install 'raybundle[geo]'; or save the area as "
             "GeoJSON or KML",
             file=path,
         ) from None
-    reader: Any = pyogrio.raw
     try:
         about, _, geometry, _ = reader.read(path, columns=[], force_2d=True)
     except Exception as error:  # noqa: BLE001  (GDAL's drivers raise what they like on damaged files)
