@@ -116,6 +116,7 @@ def plan_mission(task: Task) -> Mission:
 
 
 def checked_outline(outline: Array, shape: str) -> Array:
+    """The outline (n, 2) that a pattern needs; raises InputError for one that is none."""
     outline = np.asarray(outline, float).reshape(-1, 2)
     if shape == "area":
         return checked_ring(outline, "the area")
@@ -151,8 +152,8 @@ def _speed(task: Task, base: float, remarks: list[str]) -> float:
     if task.speed > by_blur * (1 + 1e-9):
         blur = task.speed * camera.exposure_s / task.wish.gsd
         remarks.append(
-            f"caution: at {task.speed:g} m/s and 1/{1 / camera.exposure_s:.0f} s the image moves by {blur:.1f} px, more "
-            f"than {task.blur_px:g} px; fly at {by_blur:.1f} m/s, or expose more briefly"
+            f"caution: at {task.speed:g} m/s and 1/{1 / camera.exposure_s:.0f} s the image moves by {blur:.1f} px, "
+            f"more than {task.blur_px:g} px; fly at {by_blur:.1f} m/s, or expose more briefly"
         )
     return task.speed
 

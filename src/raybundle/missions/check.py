@@ -132,7 +132,9 @@ def check_flight(mission: Mission, flown: Flown, ground: Ground, limits: Limits 
     xyz, step = _places(mission, planned, ground)
     expected = coverage(mission.camera, planned, xyz, step).count
     seen = coverage(mission.camera, good, xyz, step)
-    wanted = np.maximum(np.ceil(SEEN_SHARE * expected), LEAST) if limits.seen is None else np.full(len(xyz), limits.seen)
+    wanted = (
+        np.maximum(np.ceil(SEEN_SHARE * expected), LEAST) if limits.seen is None else np.full(len(xyz), limits.seen)
+    )
     wanted = np.minimum(wanted, expected).astype(int)
     along, across = _overlaps(mission, planned, actual, match, counted, ground)
     return FlightCheck(
@@ -145,14 +147,14 @@ def check_flight(mission: Mission, flown: Flown, ground: Ground, limits: Limits 
 
 def _matched(mission: Mission, planned: Exposures, flown: Flown) -> Array:
     """Rows of planned photographs (n,): pairs taken nearest first, each at most once."""
-    from scipy.spatial import cKDTree  # noqa: PLC0415  (SciPy is loaded only where it is used)
+    from scipy.spatial import KDTree  # noqa: PLC0415  (SciPy is loaded only where it is used)
 
     match = np.full(len(flown.names), -1)
     rows = np.flatnonzero(np.isfinite(flown.xyz[:, :2]).all(axis=1))
     if not len(rows):
         raise InputError("none of the photographs has a position; give them by a file of positions")
     reach = max(mission.base / 2, NEAREST_M)
-    near: list[list[int]] = cKDTree(planned.xyz[:, :2]).query_ball_point(flown.xyz[rows, :2], reach)
+    near: list[list[int]] = KDTree(planned.xyz[:, :2]).query_ball_point(flown.xyz[rows, :2], reach)
     pairs: list[tuple[float, int, int]] = []
     for i, others in zip(rows.tolist(), near, strict=True):
         for j in others:
@@ -179,9 +181,10 @@ def _same_view(planned: Exposures, flown: Flown, i: int, j: int) -> bool:
 
 def _nowhere(mission: Mission, planned: Exposures, flown: Flown) -> None:
     middle = np.nanmean(flown.xyz[:, :2], axis=0) - planned.xyz[:, :2].mean(axis=0)
+    away = float(np.hypot(*middle))
     raise InputError(
-        f"no photograph lies where one was planned: in the mean they are {float(np.hypot(*middle)):.0f} m away from the "
-        f"plan {mission.name!r}; is it the plan of another flight?"
+        f"no photograph lies where one was planned: in the mean they are {away:.0f} m away from the plan "
+        f" {mission.name!r}; is it the plan of another flight?"
     )
 
 
@@ -266,17 +269,17 @@ def _overlaps(
 def _gaps(mission: Mission, xyz: Array, step: float, seen: Array, wanted: Array) -> tuple[Gap, ...]:
     """Places that lack photographs, those nearer to each other than photographs together.
 
-    An area that a single photograph adds to the plan, base by spacing, is no reason to fly again while `LEAST` photographs
-    show all of it.
+    An area that a single photograph adds to the plan, base by spacing, is no reason to fly again while `LEAST`
+    photographs show all of it.
     """
     from scipy.sparse import coo_array  # noqa: PLC0415
     from scipy.sparse.csgraph import connected_components  # noqa: PLC0415
-    from scipy.spatial import cKDTree  # noqa: PLC0415
+    from scipy.spatial import KDTree  # noqa: PLC0415
 
     rows = np.flatnonzero(seen < wanted)
     if not len(rows):
         return ()
-    pairs = cKDTree(xyz[rows]).query_pairs(max(1.5 * step, mission.base), output_type="ndarray")
+    pairs = KDTree(xyz[rows]).query_pairs(max(1.5 * step, mission.base), output_type="ndarray")
     graph = coo_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), shape=(len(rows), len(rows)))
     _, label = connected_components(graph, directed=False)
     found: list[Gap] = []
@@ -287,9 +290,10 @@ def _gaps(mission: Mission, xyz: Array, step: float, seen: Array, wanted: Array)
             continue
         found.append(
             Gap(
-                outline=widened(xyz[own, :2], step / 2), area_m2=len(own) * step * step, seen=int(seen[worst]),
+                outline=widened(xyz[own, :2], step / 2),
+                area_m2=len(own) * step * step,
+                seen=int(seen[worst]),
                 wanted=int(wanted[worst]),
-            )  # fmt: skip
+            )
         )
     return tuple(sorted(found, key=lambda g: -g.area_m2))
-

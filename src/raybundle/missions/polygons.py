@@ -175,8 +175,8 @@ def longest_direction(ring: Array) -> float:
     """Azimuth [rad] along which a polygon (n, 2) is covered by the fewest lines: that of its least width."""
     corners = hull(ring)
     best, azimuth = np.inf, 0.0
-    for d in np.roll(corners, -1, axis=0) - corners:
-        d = d / np.linalg.norm(d)
+    for edge in np.roll(corners, -1, axis=0) - corners:
+        d = edge / np.linalg.norm(edge)
         width = float(np.ptp(corners @ np.array([-d[1], d[0]])))
         if width < best - 1e-9:
             best, azimuth = width, float(np.arctan2(d[0], d[1]) % np.pi)

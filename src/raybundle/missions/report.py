@@ -195,15 +195,15 @@ def warnings(
         source = " of the open category (EU 2019/947, UAS.OPEN.010)" if limit_m == HEIGHT_LIMIT_M else ""
         tell(
             "height",
-            f"photographs lie up to {facts.above.high:.0f} m above the ground, {limit_m:g} m are the limit{source}; plan a "
-            f"finer GSD, follow the terrain, or raise {option('height_limit')} where you may fly higher",
+            f"photographs lie up to {facts.above.high:.0f} m above the ground, {limit_m:g} m are the limit{source}; "
+            f"plan a finer GSD, follow the terrain, or raise {option('height_limit')} where you may fly higher",
             fault=True,
         )
     if facts.farthest_m > sight_m:
         tell(
             "sight",
-            f"the flight goes {facts.farthest_m:.0f} m away from the take-off, {sight_m:g} m are taken for the reach of "
-            f"sight ({option('sight')}); take off nearer to the middle, or divide the area",
+            f"the flight goes {facts.farthest_m:.0f} m away from the take-off, {sight_m:g} m are taken for the reach "
+            f"of sight ({option('sight')}); take off nearer to the middle, or divide the area",
         )
     usable = mission.vehicle.usable_s / 60
     longest = max(facts.minutes)
@@ -212,7 +212,8 @@ def warnings(
     if facts.interval_s is not None and facts.interval_s < mission.camera.interval_s * (1 - 1e-9):
         tell(
             "interval",
-            f"photographs follow each other in {facts.interval_s:.2f} s, the camera needs {mission.camera.interval_s:g} s",
+            f"photographs follow each other in {facts.interval_s:.2f} s, {mission.camera.name} needs "
+            f"{mission.camera.interval_s:g} s",
             fault=True,
         )
     _tell_overlap(tell, mission, facts)

@@ -67,10 +67,8 @@ def blurred(tile: Array, length: float, axis: int) -> Array:
     weight = np.clip(length / 2 - np.abs(offsets) + 0.5, 0, 1)
     weight = weight / weight.sum()
     size = tile.shape[axis] - 2 * whole
-    return np.sum(
-        [w * np.take(tile, np.arange(whole + o, whole + o + size), axis=axis) for o, w in zip(offsets, weight, strict=True)],
-        axis=0,
-    )  # fmt: skip
+    moved = (np.take(tile, np.arange(whole + o, whole + o + size), axis=axis) for o in offsets.tolist())
+    return np.sum([w * part for w, part in zip(weight.tolist(), moved, strict=True)], axis=0)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -101,11 +99,13 @@ def blur_of(found: Sequence[Sharpness], samples: Sequence[Array]) -> Blur:
         scale = _scale(samples, 1 - axis, axis)
         px[:, axis] = np.interp(-log[:, axis], -scale, np.array(LENGTHS) - 1, left=0.0)
     other = log < -SURE * np.maximum(scatter, 1e-3)
-    return Blur(px=np.where(np.isnan(ratio), np.nan, px).max(axis=1), other=(other & (px > 0)).any(axis=1))
+    return Blur(
+        px=np.where(np.isnan(ratio), np.nan, px).max(axis=1), other=np.asarray(np.any(other & (px > 0), axis=1))
+    )
 
 
 def _scale(samples: Sequence[Array], axis: int, column: int) -> Array:
-    """ln of the ratio by that without blur, (len(LENGTHS),), falling; a mean over the samples."""
+    """Logarithms of the ratio by that without blur, (len(LENGTHS),), falling; a mean over the samples."""
     rows: list[Array] = []
     for chosen in samples:
         ratios = [sharpness(np.array([blurred(t, length, axis) for t in chosen])).ratio[column] for length in LENGTHS]

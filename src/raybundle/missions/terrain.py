@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -112,7 +113,7 @@ def _climbable(s: Array, z: Array, limits: Climbing) -> Array:
 def _corners(s: Array, z: Array, fixed: Array, tolerance: float) -> Array:
     """Rows of the points that have to stay."""
     keep = np.flatnonzero(fixed).tolist()
-    stack = list(zip(keep[:-1], keep[1:], strict=True))
+    stack = list(pairwise(keep))
     while stack:
         a, b = stack.pop()
         if b - a < 2:
@@ -130,7 +131,7 @@ def _corners(s: Array, z: Array, fixed: Array, tolerance: float) -> Array:
 
 def below_photographs(xyz: Array, above: float) -> Ground:
     """Ground as planned photographs (n, 3) let expect it: so far below each; the nearest one counts."""
-    from scipy.spatial import cKDTree  # noqa: PLC0415  (SciPy is loaded only where it is used)
+    from scipy.spatial import KDTree  # noqa: PLC0415  (SciPy is loaded only where it is used)
 
-    tree = cKDTree(xyz[:, :2])
+    tree = KDTree(xyz[:, :2])
     return lambda xy: xyz[tree.query(np.nan_to_num(xy))[1], 2] - above

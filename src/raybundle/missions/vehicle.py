@@ -63,7 +63,10 @@ KNOWN: Mapping[str, tuple[Vehicle, MissionCamera]] = {
     v.name: (v, c)
     for v, c in (
         (
-            Vehicle(name="phantom-4-rtk", speed=13.0, climb=6.0, descent=3.0, minutes=30, source="DJI, Phantom 4 RTK, specifications"),
+            Vehicle(
+                name="phantom-4-rtk", speed=13.0, climb=6.0, descent=3.0, minutes=30,
+                source="DJI, Phantom 4 RTK, specifications",
+            ),
             _camera("FC6310R", (5472, 3648), 8.8, 13.2, 2.5),
         ),
         (
@@ -81,15 +84,24 @@ KNOWN: Mapping[str, tuple[Vehicle, MissionCamera]] = {
             _camera("Zenmuse P1 35 mm", (8192, 5460), 35.0, 35.9, 0.7),
         ),
         (
-            Vehicle(name="mavic-2-pro", speed=13.0, climb=4.0, descent=3.0, minutes=29, source="DJI, Mavic 2 Pro, specifications"),
+            Vehicle(
+                name="mavic-2-pro", speed=13.0, climb=4.0, descent=3.0, minutes=29,
+                source="DJI, Mavic 2 Pro, specifications",
+            ),
             _camera("L1D-20c", (5472, 3648), 10.26, 13.2, 2.0, 0.056),
         ),
         (
-            Vehicle(name="air-2s", speed=13.0, climb=6.0, descent=6.0, minutes=30, source="DJI, Air 2S, specifications"),
+            Vehicle(
+                name="air-2s", speed=13.0, climb=6.0, descent=6.0, minutes=30,
+                source="DJI, Air 2S, specifications",
+            ),
             _camera("FC3411", (5472, 3648), 8.4, 13.2, 2.0, 0.032),
         ),
         (
-            Vehicle(name="mini-3-pro", speed=10.0, climb=5.0, descent=3.5, minutes=32, source="DJI, Mini 3 Pro, specifications"),
+            Vehicle(
+                name="mini-3-pro", speed=10.0, climb=5.0, descent=3.5, minutes=32,
+                source="DJI, Mini 3 Pro, specifications",
+            ),
             _camera("FC3582", (4032, 3024), 6.72, 9.7, 2.0, 0.026),
         ),
     )

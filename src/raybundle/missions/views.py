@@ -67,7 +67,8 @@ def in_format(camera: MissionCamera, rotation: Array, away: Array) -> tuple[Mask
 
 
 def ground_points(
-    camera: MissionCamera, photographs: Exposures, ground: Ground, raster: tuple[int, int], part: tuple[float, float] = (1.0, 1.0),
+    camera: MissionCamera, photographs: Exposures, ground: Ground, raster: tuple[int, int],
+    part: tuple[float, float] = (1.0, 1.0),
 ) -> Array:  # fmt: skip
     """(m, rows, columns, 3) where rays of a raster over the format meet what is photographed; NaN beyond the horizon.
 

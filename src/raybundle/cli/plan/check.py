@@ -15,6 +15,7 @@ from raybundle.settings import made
 if TYPE_CHECKING:
     from raybundle.commands.planning.check import CheckedFlight
     from raybundle.missions.check import FlightCheck
+    from raybundle.missions.report import Spread
 
 NAMED = 8
 """Photographs of a kind that are named."""
@@ -31,8 +32,9 @@ def command(plan: Path, photos: tuple[Path, ...], progress: str, **given: Any) -
     """Hold photographs that were flown against their plan, in the field: what is missing, blurred, tilted, too high.
 
     PLAN is mission.toml or its folder.  Photographs that are blurred or tilted too far do not count; places that are
-    then seen too rarely are gaps, and are written as areas that `raybundle plan mission` takes.  Blur is measured against
-    the other photographs: what all of them share is not seen.  Exit status 4 where something is to be flown again.
+    then seen too rarely are gaps, and are written as areas that `raybundle plan mission` takes.  Blur is
+    measured against the other photographs: what all of them share is not seen.  Exit status 4 where something is to
+    be flown again.
 
     \b
     Example:
@@ -53,25 +55,26 @@ def lines(done: CheckedFlight) -> list[str]:
     """What is told of a flight."""
     c, m = done.check, done.mission
     planned, taken = len(c.planned), len(c.flown.names)
-    text = [
-        f" {counted(planned, 'photograph')} planned, {taken} taken: {planned - len(c.missing)} where they were planned, "
-        f"{len(c.missing)} missing, {int((c.match < 0).sum())} beside the plan"
-    ]
+    here = f"{planned - len(c.missing)} where they were planned, {len(c.missing)} missing"
+    beside = int((c.match < 0).sum())
+    text = [f" {counted(planned, 'photograph')} planned, {taken} taken: {here}, {beside} beside the plan"]
     text += _missing(done)
     text += _places(c)
     text += _looks(c)
     if c.along is not None:
         asked = " and ".join(f"{100 * v:.0f} %" for v in m.overlap)
-        across = "" if c.across is None else f", across {100 * c.across.middle:.0f} % ({100 * c.across.low:.0f} % at least)"
-        text.append(
-            f" overlap along {100 * c.along.middle:.0f} % ({100 * c.along.low:.0f} % at least){across}; {asked} were asked for"
-        )
+        across = "" if c.across is None else f", across {_overlap(c.across)}"
+        text.append(f" overlap along {_overlap(c.along)}{across}; {asked} were asked for")
     text += [f" remark: {r}" for r in done.remarks]
     text += [f" left out: {path.name}: {why}" for path, why in done.refused]
     text += _gaps(c)
     if done.files:
         text.append(f" written: {done.files[0].parent}: {', '.join(p.name for p in done.files)}")
     return text
+
+
+def _overlap(s: Spread) -> str:
+    return f"{100 * s.middle:.0f} % ({100 * s.low:.0f} % at least)"
 
 
 def _missing(done: CheckedFlight) -> list[str]:
@@ -90,17 +93,17 @@ def _missing(done: CheckedFlight) -> list[str]:
 def _places(c: FlightCheck) -> list[str]:
     import numpy as np  # noqa: PLC0415
 
-    text = [f" off the plan by {np.nanmedian(c.off_plan_m):.1f} m in the middle, {np.nanmax(c.off_plan_m):.1f} m at most"]
+    text = [
+        f" off the plan by {np.nanmedian(c.off_plan_m):.1f} m in the middle, {np.nanmax(c.off_plan_m):.1f} m at most"
+    ]
     if np.isfinite(c.off_height_m).any():
         worst = float(np.nanmax(np.abs(c.off_height_m)))
         apart = f" (after {c.height_offset_m:+.1f} m for all: their zero is another)" if c.height_offset_m else ""
         text[0] += f"; heights off by {worst:.1f} m at most{apart}"
     if np.isfinite(c.tilt).any():
         k = int(np.nanargmax(c.tilt))
-        text.append(
-            f" view off by {np.degrees(np.nanmedian(c.tilt)):.1f} deg in the middle, {np.degrees(c.tilt[k]):.1f} deg at most "
-            f"({c.flown.names[k]})"
-        )
+        middle, most = np.degrees(np.nanmedian(c.tilt)), np.degrees(c.tilt[k])
+        text.append(f" view off by {middle:.1f} deg in the middle, {most:.1f} deg at most ({c.flown.names[k]})")
     else:
         text.append(" the photographs record no attitude: it is taken as planned")
     return text
@@ -111,10 +114,8 @@ def _looks(c: FlightCheck) -> list[str]:
 
     text: list[str] = []
     if np.isfinite(c.motion_px).any():
-        text.append(
-            f" motion by speed and exposure {np.nanmedian(c.motion_px):.2f} px in the middle, {np.nanmax(c.motion_px):.2f} px "
-            "at most"
-        )
+        middle, most = np.nanmedian(c.motion_px), np.nanmax(c.motion_px)
+        text.append(f" motion by speed and exposure {middle:.2f} px in the middle, {most:.2f} px at most")
     for what, rows in (
         ("blurred", np.flatnonzero(c.flown.blurred & ~c.counted)),
         ("tilted too far", np.flatnonzero(~c.flown.blurred & ~c.counted & np.isfinite(c.flown.xyz[:, 0]))),
@@ -132,9 +133,8 @@ def _looks(c: FlightCheck) -> list[str]:
 def _gaps(c: FlightCheck) -> list[str]:
     if not c.gaps:
         return [" nothing is to be flown again"]
-    text = [
-        f" to be flown again: {counted(len(c.gaps), 'gap')}, {sum(g.area_m2 for g in c.gaps):.0f} m2 in all; the largest:"
-    ]
+    area = sum(g.area_m2 for g in c.gaps)
+    text = [f" to be flown again: {counted(len(c.gaps), 'gap')}, {area:.0f} m2 in all; the largest:"]
     for g in c.gaps[:NAMED]:
         x, y = g.outline.mean(axis=0)
         text.append(f"   {g.area_m2:.0f} m2 at {x:.0f}, {y:.0f}: seen by {g.seen} where {g.wanted} are wanted")

@@ -25,8 +25,8 @@ def command(area: str, **given: Any) -> None:
     """Plan a flight over AREA and write it for a vehicle: way points, heights, views, photographs.
 
     AREA is a file with one polygon, line or point (GeoJSON, KML, KMZ; GeoPackage and others by pyogrio), or
-    coordinates: "LON LAT, LON LAT, ...".  The folder holds the plan itself (mission.toml), a picture of it, and one file
-    for each battery and format.  Heights are written above the take-off, so that no geoid is needed.
+    coordinates: "LON LAT, LON LAT, ...".  The folder holds the plan itself (mission.toml), a picture of it, and one
+    file for each battery and format.  Heights are written above the take-off, so that no geoid is needed.
 
     \b
     Example:
@@ -41,15 +41,16 @@ def command(area: str, **given: Any) -> None:
 def lines(done: PlannedMission) -> list[str]:
     """What is told of a plan."""
     m, f = done.mission, done.facts
+    flown = (
+        f"{counted(f.photographs, 'photograph')} on {counted(f.lines, 'line')}, {counted(f.way_points, 'way point')}"
+    )
+    camera = f"{m.camera.name} ({m.camera.width_px} x {m.camera.height_px} px, c = {m.camera.c_px:.0f} px)"
+    along, across = _share(f.along, m.overlap[0]), _share(f.across, m.overlap[1])
     text = [
-        f" {m.pattern}: {counted(f.photographs, 'photograph')} on {counted(f.lines, 'line')}, "
-        f"{counted(f.way_points, 'way point')}; {m.vehicle.name}, {m.camera.name} ({m.camera.width_px} x "
-        f"{m.camera.height_px} px, c = {m.camera.c_px:.0f} px)",
+        f" {m.pattern}: {flown}; {m.vehicle.name}, {camera}",
         f" a pixel is {_mm(f.gsd)} mm ({1000 * m.gsd:.3g} asked for); {_metres(f.above)} m above the ground",
-        f" base {m.base:.2f} m, lines {m.spacing:.2f} m apart; overlap {_share(f.along, m.overlap[0])} along, "
-        f"{_share(f.across, m.overlap[1])} across",
+        f" base {m.base:.2f} m, lines {m.spacing:.2f} m apart; overlap {along} along, {across} across",
     ]
-    speed = max(m.way_points.speed[m.way_points.line >= 0].tolist(), default=0.0)
     on_lines = m.way_points.speed[m.way_points.base == m.way_points.base]
     motion = "photographs are taken standing"
     if f.interval_s is not None:

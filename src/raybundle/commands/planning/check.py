@@ -31,13 +31,19 @@ class PlanCheckSettings:
         None, "Positions of the photographs, in place of those that they state.", metavar="FILE"
     )
     crs: str = setting("", "Coordinate system of {positions}, where that file names none.", metavar="EPSG:CODE")
-    dsm: Path | None = setting(None, "Raster of the heights of the ground, where the plan followed one.", metavar="FILE")
+    dsm: Path | None = setting(
+        None, "Raster of the heights of the ground, where the plan followed one.", metavar="FILE"
+    )
     seen: int | None = setting(
         None, "Photographs that are to show each place.  [default: half of what the plan gives it, 3 at least]",
         limits=Range(low=1, high=1000),
     )  # fmt: skip
-    blur: float = setting(1.5, "Blur beyond the others' from which on a photograph does not count [px].", limits=POSITIVE)
-    tilt: float = setting(10.0, "Deviation of the view from which on it does not count [deg].", limits=Range(low=0, high=90))
+    blur: float = setting(
+        1.5, "Blur beyond the others' from which on a photograph does not count [px].", limits=POSITIVE
+    )
+    tilt: float = setting(
+        10.0, "Deviation of the view from which on it does not count [deg].", limits=Range(low=0, high=90)
+    )
     sharpness: bool = setting(True, "Do not look at pixels: positions, times and angles alone.", flag="no-sharpness")
     out: Path | None = setting(None, "New folder for the table of photographs, gaps and a picture.", metavar="FOLDER")
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.errors import InputError
+from raybundle.numerics.counting import counted
 from raybundle.settings import ANY, METRES, POSITIVE, Range, made, option, setting, settings_of
 
 if TYPE_CHECKING:
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
     from raybundle.missions.camera import MissionCamera
     from raybundle.missions.mission import Mission
     from raybundle.missions.patterns import Wish
-    from raybundle.missions.report import MissionFacts, Doubt
+    from raybundle.missions.report import Doubt, MissionFacts
     from raybundle.missions.terrain import Ground
     from raybundle.missions.vehicle import Vehicle
     from raybundle.numerics.arrays import Array
@@ -33,7 +34,7 @@ class MissionSettings:
     """What is to be photographed, how finely, with what; and where the plan goes."""
 
     area: str
-    """a file with an area, line or place (GeoJSON, KML, KMZ, or what OGR reads), or coordinates in it: "LON LAT, ..." """
+    """a file with an area, line or place (GeoJSON, KML, KMZ, or what OGR reads), or coordinates: "LON LAT, ..." """
     pattern: PatternName = setting("nadir", "How it is flown.")
     vehicle: str = setting("", "A vehicle that is known, with its camera: mavic-3e, ...", metavar="NAME")
     camera: str = setting(
@@ -286,12 +287,10 @@ def _holes(grid: HeightGrid, outline: Array, kind: str) -> tuple[str, ...]:
     if not holes:
         return ()
     h = holes[0]
-    share = sum(hole.cells for hole in holes) / max(int(wanted.sum()), 1)
-    return (
-        f"the heights of the ground have {len(holes)} hole{'s' if len(holes) > 1 else ''} in the area, {100 * share:.1f} % "
-        f"of it; the largest is {h.size_m[0]:.0f} x {h.size_m[1]:.0f} m at {h.xy[0]:.0f}, {h.xy[1]:.0f}: what is told of "
-        "overlaps there is not known",
-    )
+    share = 100 * sum(hole.cells for hole in holes) / max(int(wanted.sum()), 1)
+    size = f"{h.size_m[0]:.0f} x {h.size_m[1]:.0f} m at {h.xy[0]:.0f}, {h.xy[1]:.0f}"
+    told = f"{counted(len(holes), 'hole')} in the heights of the ground, {share:.1f} % of the area, the largest {size}"
+    return (f"{told}: what is told of overlaps there is not known",)
 
 
 def _write(
@@ -315,8 +314,9 @@ def _write(
                 names.append(f"{s.name}{number}{entry.suffix}")
                 entry.write(route, folder / names[-1])
                 if entry.most is not None and len(route) > entry.most:
+                    taken = f"{entry.about.split(',')[0]} takes {entry.most}"
                     told.append(
-                        f"{names[-1]} has {len(route)} way points, {entry.about.split(',')[0]} takes {entry.most}: follow "
+                        f"{names[-1]} has {len(route)} way points, {taken}: follow "
                         f"the ground less closely ({option('follow')}), or divide the area"
                     )
     return tuple(s.out / n for n in names), tuple(told)

@@ -50,7 +50,7 @@ def read_heights(path: Path, crs: str, box: Array, *, unit: Unit = "", band: int
 def _rasterio(path: Path) -> Any:
     try:
         rasterio = import_module("rasterio")  # an extra
-        for part in ("errors", "transform", "warp", "windows"):
+        for part in ("errors", "warp", "windows"):
             import_module(f"rasterio.{part}")
     except ImportError:
         message = "rasters are read by rasterio, which is not installed: pip install 'raybundle[geo]'"
@@ -83,9 +83,14 @@ def _read(library: Any, source: Any, path: Path, crs: str, box: Array, unit: Uni
     heights = heights * metres
     _check_heights(heights, path)
     return HeightGrid(
-        heights=heights, origin=transform * (0.5, 0.5), column=(transform.a, transform.d),
+        heights=heights, origin=_centre(transform), column=(transform.a, transform.d),
         row=(transform.b, transform.e), crs=crs, remarks=tuple(remarks),
     )  # fmt: skip
+
+
+def _centre(t: Any) -> tuple[float, float]:
+    """x, y of the centre of the first cell."""
+    return t.c + (t.a + t.b) / 2, t.f + (t.d + t.e) / 2
 
 
 def _metres(source: Any, own: Any, path: Path, unit: Unit, band: int) -> tuple[float, list[str]]:
@@ -124,9 +129,10 @@ def _window(library: Any, source: Any, path: Path, bounds: tuple[float, ...], ba
     if last_col - first_col < 2 or last_row - first_row < 2:
         _no_overlap(source, path, bounds)
     _check_size(path, (last_row - first_row) * (last_col - first_col))
+    t = source.transform
     window = library.windows.Window(first_col, first_row, last_col - first_col, last_row - first_row)
     data = source.read(band, window=window, masked=True).astype(float)
-    return np.asarray(data.filled(np.nan)), source.window_transform(window)
+    return np.asarray(data.filled(np.nan)), library.Affine(t.a, t.b, t.c + first_col * t.a, t.d, t.e, t.f + first_row * t.e)
 
 
 def _warped(
@@ -136,9 +142,9 @@ def _warped(
     cell = _cell_m(library, source, path, target, bounds)
     low = np.floor(np.array(bounds[:2]) / cell - 2) * cell
     high = np.ceil(np.array(bounds[2:]) / cell + 2) * cell
-    columns, rows = (int(round(n)) for n in (high - low) / cell)
+    columns, rows = np.rint((high - low) / cell).astype(int).tolist()
     _check_size(path, rows * columns)
-    transform = library.transform.from_origin(low[0], high[1], cell, cell)
+    transform = library.Affine(cell, 0.0, float(low[0]), 0.0, -cell, float(high[1]))
     heights = np.full((rows, columns), np.nan)
     library.warp.reproject(
         library.band(source, band), heights, dst_transform=transform, dst_crs=target, src_nodata=source.nodata,
@@ -189,7 +195,7 @@ def _check_heights(heights: Array, path: Path) -> None:
     if low < LOWEST or high > HIGHEST:
         odd = low if low < LOWEST else high
         raise InputError(
-            f"holds heights from {low:g} to {high:g} m; {odd:g} m is none of the ground of the earth. If it marks holes, "
-            "say so in the file, as with `gdal_edit.py -a_nodata VALUE`",
+            f"holds heights from {low:g} to {high:g} m; {odd:g} m is none of the ground of the earth. If it marks "
+            "holes, say so in the file, as with `gdal_edit.py -a_nodata VALUE`",
             file=path,
         )

@@ -29,8 +29,8 @@ class MissionFormat:
     """raises InputError with the place for what is none"""
     most: int | None = None
     """way points that programs take; None: no limit is known"""
-    holds: frozenset[str] = frozenset({"heading", "pitch", "speed", "trigger", "base"})
-    """columns of a route that come back as they were"""
+    heading_step_deg: float = 0.0
+    """to which headings are rounded; 0: not at all"""
 
 
 mission_formats: dict[str, MissionFormat] = {}

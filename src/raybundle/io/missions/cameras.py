@@ -1,4 +1,4 @@
-"""The camera of a mission from what a user has: the name of a vehicle, a photograph, a calibration, or three figures."""
+"""The camera of a mission from what a user has: the name of a vehicle, a photograph, a calibration, three figures."""
 
 from __future__ import annotations
 

@@ -16,7 +16,8 @@ from raybundle.missions.mission import Mission
 from raybundle.numerics.arrays import Array
 
 COLUMNS = (
-    "photograph", "planned", "line", "off_plan_m", "off_height_m", "tilt_deg", "motion_px", "blur_px", "counts", "reason"
+    "photograph", "planned", "line", "off_plan_m", "off_height_m", "tilt_deg", "motion_px", "blur_px", "counts",
+    "reason",
 )  # fmt: skip
 
 

@@ -27,16 +27,18 @@ def write(route: Route, path: Path) -> None:
     z = route.height if level else route.height + route.home[2]
     at = [f"{x:.10f},{y:.10f},{h:.9f}" for x, y, h in zip(route.longitude_deg, route.latitude_deg, z, strict=True)]
     name = escape(route.name)
+    home = f"{route.home[1]:.10f},{route.home[0]:.10f},{0.0 if level else route.home[2]:.9f}"
+    line = f"<altitudeMode>{mode}</altitudeMode><coordinates>{' '.join(at)}</coordinates>"
     parts = [
-        '<?xml version="1.0" encoding="UTF-8"?>', '<kml xmlns="http://www.opengis.net/kml/2.2">', "<Document>",
+        '<?xml version="1.0" encoding="UTF-8"?>',
+        '<kml xmlns="http://www.opengis.net/kml/2.2">',
+        "<Document>",
         f"<name>{name}</name>",
         '<Style id="way"><LineStyle><color>ff00a5ff</color><width>2</width></LineStyle></Style>',
-        f"<Placemark><name>take-off</name><Point><coordinates>{route.home[1]:.10f},{route.home[0]:.10f},"
-        f"{0 if level else route.home[2]:.9f}</coordinates></Point></Placemark>",
-        f'<Placemark><name>way</name><styleUrl>#way</styleUrl><LineString><altitudeMode>{mode}</altitudeMode>'
-        f'<coordinates>{" ".join(at)}</coordinates></LineString></Placemark>',
+        f"<Placemark><name>take-off</name><Point><coordinates>{home}</coordinates></Point></Placemark>",
+        f"<Placemark><name>way</name><styleUrl>#way</styleUrl><LineString>{line}</LineString></Placemark>",
         "<Folder><name>way points</name>",
-    ]  # fmt: skip
+    ]
     for k, place in enumerate(at):
         values = (
             f"{route.height[k]:.9f}", f"{route.heading_deg[k]:.9f}", f"{route.pitch_deg[k]:.9f}",

@@ -44,8 +44,8 @@ def write(route: Route, path: Path) -> None:
         elif route.trigger[k] != Trigger.NONE:
             base = math.nan
         by_time = route.trigger_by == "interval"
-        time = f"{base / route.speed[k]:.9f}" if by_time and base == base else "-1"
-        distance = f"{base:.9f}" if not by_time and base == base else "-1"
+        time = f"{base / route.speed[k]:.9f}" if by_time and math.isfinite(base) else "-1"
+        distance = f"{base:.9f}" if not by_time and math.isfinite(base) else "-1"
         action = [str(TAKE_PHOTO), "0"] if route.trigger[k] == Trigger.HERE else ["-1", "0"]
         cells = [
             f"{route.latitude_deg[k]:.10f}", f"{route.longitude_deg[k]:.10f}", f"{route.height[k]:.9f}",
@@ -58,7 +58,7 @@ def write(route: Route, path: Path) -> None:
 
 
 def read(path: Path) -> Route:
-    """The way points of a mission in metres; the take-off is not in such a file, and is taken to lie below the first."""
+    """The way points of a mission in metres; the take-off is in no such file, and is taken to lie below the first."""
     lines = [(n, t) for n, t in read_lines(path) if t.strip()]
     try:
         rows = list(cells_of([t for _, t in lines]))

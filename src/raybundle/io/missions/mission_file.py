@@ -68,7 +68,7 @@ def mission_text(mission: Mission) -> str:
 def _row(w: WayPoints, k: int) -> str:
     base = float(w.base[k])
     numbers = [*w.xyz[k].tolist(), math.degrees(w.heading[k]), math.degrees(w.pitch[k]), float(w.speed[k])]
-    ends = [base if base == base else 0.0, int(w.line[k]), int(w.flight[k])]
+    ends = [base if math.isfinite(base) else 0.0, int(w.line[k]), int(w.flight[k])]
     cells = [*map(repr, numbers), json.dumps(TRIGGERS[int(w.trigger[k])]), *map(repr, ends)]
     return f"[{', '.join(cells)}]"
 

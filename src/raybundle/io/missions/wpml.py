@@ -1,9 +1,10 @@
-"""DJI's WPML in a KMZ: wpmz/template.kml and wpmz/waylines.wpml (developer.dji.com, Cloud API, "DJI WPML", 1.0.2).
+"""DJI's WPML 1.0.2 in a KMZ: wpmz/template.kml and wpmz/waylines.wpml.
 
-Heights above the take-off (executeHeightMode relativeToStartPoint); headings -180 to 180 from true north
-(smoothTransition); pitch of the gimbal 0 to the horizon, -90 to the nadir, set by an action where it changes; photographs
-by an action group over the way points of a line (multipleDistance in metres, multipleTiming in seconds), or at one way
-point (reachPoint).
+Source: developer.dji.com, Cloud API, "DJI WPML" (github.com/dji-sdk/Cloud-API-Doc, docs/en/60.api-reference/00.dji-wpml).
+Heights above the take-off (executeHeightMode relativeToStartPoint); headings in whole degrees, -180 to 180 from true
+north (smoothTransition); pitch of the gimbal 0 to the horizon, -90 to the nadir, set by an action where it changes;
+photographs by an action group over the way points of a line (multipleDistance in metres, multipleTiming in seconds),
+or at one way point (reachPoint).
 """
 
 from __future__ import annotations
@@ -30,8 +31,14 @@ LARGEST = 1 << 26
 """Bytes of a member of the archive; a way point takes some 2 kB."""
 CODES = (77, 0, 66)
 """Mavic 3E: what is written where nothing is known of the vehicle; the app that flies asks for another."""
+DAMPING_M = 0.2
+"""Before a way point that is flown through, at which the vehicle begins to turn."""
+FASTEST = 15.0
+"""Of the transitional speed [m/s]."""
+SUFFIX = "plan"
+"""Which the vehicle appends to the names of photographs."""
 SAFE_M = 20.0
-"""Height to which a vehicle climbs before it flies off (1.5 to 1500 m)."""
+"""Height to which a vehicle climbs before it flies off (2 to 1500 m)."""
 
 
 def write(route: Route, path: Path) -> None:
@@ -56,9 +63,11 @@ def _config(route: Route) -> str:
     vehicle = _tags(droneEnumValue=drone, droneSubEnumValue=variant)
     camera = _tags(payloadEnumValue=payload, payloadSubEnumValue=0, payloadPositionIndex=0)
     config = _tags(
-        flyToWaylineMode="safely", finishAction="goHome", exitOnRCLost="executeLostAction", executeRCLostAction="goBack",
+        flyToWaylineMode="safely", finishAction="goHome", exitOnRCLost="executeLostAction",
+        executeRCLostAction="goBack",
         takeOffSecurityHeight=f"{SAFE_M:g}", takeOffRefPoint=",".join(f"{v:.10f}" for v in route.home),
-        globalTransitionalSpeed=f"{float(route.speed.max()):.9f}", droneInfo=vehicle, payloadInfo=camera,
+        globalTransitionalSpeed=f"{min(float(route.speed.max()), FASTEST):.9f}",
+        globalRTHHeight=f"{max(float(route.height.max()), SAFE_M):.9f}", droneInfo=vehicle, payloadInfo=camera,
     )  # fmt: skip
     return f"<wpml:missionConfig>{config}</wpml:missionConfig>"
 
@@ -87,7 +96,7 @@ def _template(route: Route) -> str:
             waypointTurnParam=_turn(route, k),
             useStraightLine=1,
             gimbalPitchAngle=f"{route.pitch_deg[k]:.9f}",
-        )  # fmt: skip
+        )
         + "</Placemark>"
         for k in range(len(route))
     ]
@@ -107,7 +116,7 @@ def _point(route: Route, k: int) -> str:
 def _heading(route: Route, k: int) -> str:
     angle = (route.heading_deg[k] + 180.0) % 360.0 - 180.0
     return _tags(
-        waypointHeadingMode="smoothTransition", waypointHeadingAngle=f"{angle:.9f}", waypointPoiPoint="0,0,0",
+        waypointHeadingMode="smoothTransition", waypointHeadingAngle=round(angle), waypointPoiPoint="0,0,0",
         waypointHeadingAngleEnable=1, waypointHeadingPathMode="followBadArc",
     )  # fmt: skip
 
@@ -115,7 +124,7 @@ def _heading(route: Route, k: int) -> str:
 def _turn(route: Route, k: int) -> str:
     through = 0 < k < len(route) - 1 and route.trigger[k] == Trigger.NONE
     mode = "toPointAndPassWithContinuityCurvature" if through else "toPointAndStopWithDiscontinuityCurvature"
-    return _tags(waypointTurnMode=mode, waypointTurnDampingDist=0)
+    return _tags(waypointTurnMode=mode, waypointTurnDampingDist=DAMPING_M if through else 0)
 
 
 def _waylines(route: Route) -> str:
@@ -141,7 +150,7 @@ def _waylines(route: Route) -> str:
             waypointHeadingParam=_heading(route, k),
             waypointTurnParam=_turn(route, k),
             useStraightLine=1,
-        )  # fmt: skip
+        )
         + "".join(groups.get(k, ()))
         + "</Placemark>"
         for k in range(len(route))
@@ -150,41 +159,46 @@ def _waylines(route: Route) -> str:
 
 
 def _groups(route: Route) -> dict[int, list[str]]:
-    """Action groups by the way point at which they begin."""
+    """Action groups by the way point at which they begin: what is done there, and photographs up to the line's end."""
     found: dict[int, list[str]] = {}
     number = 0
+    photo = "takePhoto", _tags(payloadPositionIndex=0, fileSuffix=SUFFIX, useGlobalPayloadLensIndex=1)
 
-    def add(first: int, last: int, kind: str, parameter: str, function: str, values: str) -> None:
+    def add(first: int, last: int, trigger: str, actions: list[tuple[str, str]]) -> None:
         nonlocal number
-        trigger = _tags(actionTriggerType=kind) + parameter
-        action = _tags(actionId=0, actionActuatorFunc=function, actionActuatorFuncParam=values)
-        group = _tags(
+        inner = "".join(
+            _tags(action=_tags(actionId=k, actionActuatorFunc=function, actionActuatorFuncParam=values))
+            for k, (function, values) in enumerate(actions)
+        )
+        head = _tags(
             actionGroupId=number, actionGroupStartIndex=first, actionGroupEndIndex=last, actionGroupMode="sequence",
-            actionTrigger=trigger, action=action,
+            actionTrigger=trigger,
         )  # fmt: skip
-        found.setdefault(first, []).append(_tags(actionGroup=group))
+        found.setdefault(first, []).append(_tags(actionGroup=head + inner))
         number += 1
 
     pitch = math.nan
-    photo = _tags(fileSuffix="", payloadPositionIndex=0)
     for k in range(len(route)):
+        here: list[tuple[str, str]] = []
         if route.pitch_deg[k] != pitch:
             pitch = float(route.pitch_deg[k])
-            add(k, k, "reachPoint", "", "gimbalRotate", _gimbal(pitch))
+            here.append(("gimbalRotate", _gimbal(pitch)))
         if route.trigger[k] == Trigger.HERE:
-            add(k, k, "reachPoint", "", "takePhoto", photo)
-        elif route.trigger[k] == Trigger.START:
+            here.append(photo)
+        if here:
+            add(k, k, _tags(actionTriggerType="reachPoint"), here)
+        if route.trigger[k] == Trigger.START:
             last = k + 1 + int(np.argmax(route.trigger[k + 1 :] == Trigger.STOP))
             by_time = route.trigger_by == "interval"
             step = float(route.base[k]) / float(route.speed[k]) if by_time else float(route.base[k])
             kind = "multipleTiming" if by_time else "multipleDistance"
-            add(k, last, kind, _tags(actionTriggerParam=f"{step:.9f}"), "takePhoto", photo)
+            add(k, last, _tags(actionTriggerType=kind, actionTriggerParam=f"{step:.9f}"), [photo])
     return found
 
 
 def _gimbal(pitch: float) -> str:
     return _tags(
-        gimbalHeadingYawBase="aircraft", gimbalRotateMode="absoluteAngle", gimbalPitchRotateEnable=1,
+        gimbalHeadingYawBase="north", gimbalRotateMode="absoluteAngle", gimbalPitchRotateEnable=1,
         gimbalPitchRotateAngle=f"{pitch:.9f}", gimbalRollRotateEnable=0, gimbalRollRotateAngle=0,
         gimbalYawRotateEnable=0, gimbalYawRotateAngle=0, gimbalRotateTimeEnable=0, gimbalRotateTime=0,
         payloadPositionIndex=0,
@@ -288,5 +302,12 @@ def _actions(group: Element) -> Iterator[Element]:
 
 
 register(
-    MissionFormat(name="wpml", about="DJI Pilot 2 and FlightHub, WPML in .kmz", suffix=".kmz", write=write, read=read)
+    MissionFormat(
+        name="wpml",
+        about="DJI Pilot 2 and FlightHub, WPML in .kmz",
+        suffix=".kmz",
+        write=write,
+        read=read,
+        heading_step_deg=1.0,
+    )
 )

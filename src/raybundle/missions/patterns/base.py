@@ -1,4 +1,4 @@
-"""What a pattern is given and what it answers with: lines in plan, each with heights, view and distance of photographs."""
+"""What a pattern is given, and what it answers with: lines in plan with heights, views and distances of photographs."""
 
 from __future__ import annotations
 
@@ -179,6 +179,6 @@ def straight_lines(
                     heading=np.full(2, view % (2 * math.pi)),
                     pitch=np.full(2, NADIR + tilt),
                     base=base,
-                )  # fmt: skip
+                )
             )
     return lines

@@ -37,7 +37,7 @@ def lines(outline: Array, wish: Wish) -> list[Line]:
                 heading=_headings(xy),
                 pitch=np.full(len(xy), NADIR),
                 base=base,
-            )  # fmt: skip
+            )
         )
     return found
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import numpy as np
 
@@ -35,7 +36,7 @@ def lines(outline: Array, wish: Wish) -> list[Line]:
     base, step = steps(wish)
     rows = levels(wish, step)
     found: list[Line] = []
-    for part, (a, b) in enumerate(zip(outline[:-1], outline[1:], strict=True)):
+    for part, (a, b) in enumerate(pairwise(outline)):
         length = float(np.linalg.norm(b - a))
         ahead = (b - a) / length
         out = np.array([ahead[1], -ahead[0]]) * (1 if wish.side == "right" else -1)
@@ -56,7 +57,7 @@ def lines(outline: Array, wish: Wish) -> list[Line]:
                     base=base,
                     foot=(float(foot[0]), float(foot[1])),
                     distance=wish.distance,
-                )  # fmt: skip
+                )
             )
     return found
 
@@ -69,5 +70,5 @@ register(
         lines=lines,
         steps=steps,
         ground=False,
-    )  # fmt: skip
+    )
 )

@@ -58,7 +58,7 @@ def lines(outline: Array, wish: Wish) -> list[Line]:
                 pitch=np.full(n, pitch),
                 foot=(float(centre[0]), float(centre[1])),
                 distance=wish.distance,
-            )  # fmt: skip
+            )
         )
     return found
 
@@ -71,5 +71,5 @@ register(
         lines=lines,
         steps=steps,
         ground=False,
-    )  # fmt: skip
+    )
 )

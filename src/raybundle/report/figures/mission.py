@@ -19,7 +19,8 @@ SEEN = ((0, "#ffffff"), (1, "#f6d5d5"), (2, "#fae8c8"), (3, "#e4f0dc"), (5, "#c9
 """Photographs from which on a place has a colour."""
 STYLE = (
     "text{font:12px sans-serif;fill:#222}.small{font-size:11px}.area{fill:none;stroke:#222;stroke-width:1.5}"
-    ".zone{fill:#b91c1c;fill-opacity:.2;stroke:#b91c1c}.gap{fill:#b91c1c;fill-opacity:.35;stroke:#b91c1c}"
+    ".zone{fill:#b91c1c;fill-opacity:.2;stroke:#b91c1c}"
+    ".gap{fill:#b91c1c;fill-opacity:.08;stroke:#b91c1c;stroke-width:2;stroke-dasharray:6 3}"
 )
 
 
@@ -96,8 +97,8 @@ def _seen(plot: Plot, coverage: Coverage) -> list[str]:
     for k, (_, colour) in enumerate(SEEN):
         rows = coverage.xyz[level == k]
         d = "".join(
-            f"M{float(plot.x(p[0])) - side / 2:.1f} {float(plot.y(p[1])) - side / 2:.1f}h{side:.1f}v{side:.1f}h-{side:.1f}z"
-            for p in rows
+            f"M{x - side / 2:.1f} {y - side / 2:.1f}h{side:.1f}v{side:.1f}h-{side:.1f}z"
+            for x, y in zip(plot.x(rows[:, 0]).tolist(), plot.y(rows[:, 1]).tolist(), strict=True)
         )
         if d:
             found.append(f'<path fill="{colour}" d="{d}"/>')
