@@ -1,6 +1,7 @@
 """Every pattern: GSD and overlaps as asked for to 1 %, views, zones, batteries, and what cannot be flown."""
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -48,7 +49,7 @@ def test_stations_look_at_what_they_photograph(pattern):
     np.testing.assert_allclose(np.linalg.norm(axis, axis=1), 1)
     if pattern == "facade":
         wall = OUTLINES["line"]
-        for k, (a, b) in enumerate(zip(wall[:-1], wall[1:], strict=True)):
+        for k, (a, b) in enumerate(pairwise(wall)):
             own = np.array([m.lines[i].group == f"facade {k + 1}" for i in e.line])
             ahead = (b - a) / np.linalg.norm(b - a)
             normal = np.array([ahead[1], -ahead[0]])
@@ -110,7 +111,7 @@ ZONE = np.array([[100.0, 100], [150, 100], [150, 150], [100, 150]]) + PLACE
 def test_nothing_is_flown_over_a_no_go_zone(pattern):
     m = mission(pattern, no_go=(ZONE,))
     way = m.way_points.xyz[:, :2]
-    for a, b in zip(way[:-1], way[1:], strict=True):
+    for a, b in pairwise(way):
         assert not within([ZONE], a, b)
     on = exposures(m).xyz[:, :2]
     assert not inside(ZONE, on).any()
@@ -123,7 +124,7 @@ def test_an_orbit_goes_round_a_zone():
     zone = np.array([[25.0, -10], [60, -10], [60, 20], [25, 20]]) + PLACE
     m = mission("orbit", no_go=(zone,))
     way = m.way_points.xyz[:, :2]
-    assert not any(within([zone], a, b) for a, b in zip(way[:-1], way[1:], strict=True))
+    assert not any(within([zone], a, b) for a, b in pairwise(way))
 
 
 def test_zones_that_leave_nothing_or_no_way():

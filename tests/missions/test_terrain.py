@@ -4,7 +4,6 @@ jacksboro.tif: 90 x 90 cells of SRTM, 3 seconds of arc, Tennessee (NASA and USGS
 sample data of matplotlib (jacksboro_fault_dem.npz).
 """
 
-import builtins
 from dataclasses import replace
 from pathlib import Path
 
@@ -13,6 +12,7 @@ import pytest
 from tests.missions.cases import VEHICLE, mission
 
 from raybundle.errors import InputError
+from raybundle.io.geo import rasters
 from raybundle.io.geo.rasters import read_heights
 from raybundle.io.missions.areas import in_crs
 from raybundle.missions.mission import exposures
@@ -136,7 +136,9 @@ def test_few_points_do_on_a_plane_and_none_climbs_too_steeply():
     assert slope.max() < 0.51
     assert step.raised == pytest.approx(60, abs=2.6)  # at the foot of the step the way is as high as above it
     fine = np.linspace(0, 400, 401)
-    assert (np.interp(fine, step.xyz[:, 0], step.xyz[:, 2]) - np.where(fine > 200, 60, 0)).min() > 47.4  # a wall between two places that are looked at, 5 m apart
+    assert (
+        np.interp(fine, step.xyz[:, 0], step.xyz[:, 2]) - np.where(fine > 200, 60, 0)
+    ).min() > 47.4  # a wall between two places that are looked at, 5 m apart
 
 
 def test_what_a_slow_climber_cannot_follow_is_told(ridge):
@@ -194,7 +196,7 @@ def test_feet_become_metres_and_are_asked_for_where_nobody_says(tmp_path):
     g = read_heights(path, "EPSG:32632", HERE)
     assert np.nanmax(g.heights) == pytest.approx(328 * 0.3048)
     assert "heights in feet were turned into metres" in g.remarks[0]
-    with pytest.raises(InputError, match="states heights in ft, dsm_unit=\"m\" says m; one of the two is wrong"):
+    with pytest.raises(InputError, match='states heights in ft, dsm_unit="m" says m; one of the two is wrong'):
         read_heights(path, "EPSG:32632", HERE, unit="m")
     rasterio = pytest.importorskip("rasterio")
     xy = in_crs(np.array([[-84.0, 36.0]]), "EPSG:4326", "EPSG:2274")[0]  # Tennessee, US survey feet
@@ -232,15 +234,9 @@ def test_rasters_that_are_of_no_use(tmp_path):
 
 
 def test_a_missing_library_is_told(monkeypatch):
-    real = builtins.__import__
+    def without(name):
+        raise ImportError(name)
 
-    def without(name, *args, **kwargs):
-        if name.startswith("rasterio"):
-            raise ImportError(name)
-        return real(name, *args, **kwargs)
-
-    import raybundle.io.geo.rasters as module
-
-    monkeypatch.setattr(module, "import_module", lambda name: without(name))
+    monkeypatch.setattr(rasters, "import_module", without)
     with pytest.raises(InputError, match=r"not installed: pip install 'raybundle\[geo\]'"):
         read_heights(SRTM, CRS, BOX)

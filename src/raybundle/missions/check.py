@@ -129,9 +129,9 @@ def check_flight(mission: Mission, flown: Flown, ground: Ground, limits: Limits 
     blurred = flown.blurred & (flown.blur_px > limits.blur_px)
     counted = np.isfinite(flown.xyz[:, :2]).all(axis=1) & ~blurred & ~(tilt > limits.tilt)
     good = actual.rows(np.flatnonzero(counted))
-    xyz, step = _places(mission, planned, ground)
-    expected = coverage(mission.camera, planned, xyz, step).count
-    seen = coverage(mission.camera, good, xyz, step)
+    xyz, step, normals = _places(mission, planned, ground)
+    expected = coverage(mission.camera, planned, xyz, step, normals).count
+    seen = coverage(mission.camera, good, xyz, step, normals)
     wanted = (
         np.maximum(np.ceil(SEEN_SHARE * expected), LEAST) if limits.seen is None else np.full(len(xyz), limits.seen)
     )
@@ -240,13 +240,15 @@ def _motion(camera: MissionCamera, actual: Exposures, flown: Flown, ground: Grou
     return speed * flown.exposure_s * camera.c_px / away
 
 
-def _places(mission: Mission, planned: Exposures, ground: Ground) -> tuple[Array, float]:
-    """Places that are to be seen: a grid over an area, else where planned photographs look."""
+def _places(mission: Mission, planned: Exposures, ground: Ground) -> tuple[Array, float, Array | None]:
+    """Places that are to be seen, and where they face: a grid over an area, else where planned photographs look."""
     footprint = min(mission.camera.footprint(mission.camera.distance(mission.gsd)))
     if mission.closed and np.isnan(planned.distance).any():
-        return places(mission.outline, footprint / 12, ground)
+        return *places(mission.outline, footprint / 12, ground), None
     met = ground_points(mission.camera, planned, ground, (1, 1), (1.0, 1.0)).reshape(-1, 3)
-    return met[np.isfinite(met).all(axis=1)], max(mission.base, footprint / 12)
+    good = np.isfinite(met).all(axis=1)
+    walls = np.isfinite(planned.distance).all()
+    return met[good], max(mission.base, footprint / 12), planned.rotation[good][:, 2] if walls else None
 
 
 def _overlaps(

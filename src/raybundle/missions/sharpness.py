@@ -1,6 +1,6 @@
 """How blurred photographs are, measured against the others of their set.
 
-The mean square of the difference of grey values one pixel apart, by that four pixels apart, does not depend on the
+The mean square of the difference of grey values one pixel apart, by that eight pixels apart, does not depend on the
 contrast of what is photographed and falls with every blur: the structure function of a blurred image begins as a
 parabola.  What a fall means in pixels is found by blurring photographs of the set itself.
 """
@@ -17,10 +17,12 @@ from raybundle.numerics.arrays import Array, Mask
 TILE = 192
 """Side of the squares that are looked at [px]."""
 TILES = (5, 5)
-NEAR, FAR = 1, 4
+NEAR, FAR = 1, 8
 """Differences over so many pixels are compared."""
-LENGTHS = (1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 9.0)
+LENGTHS = (0.0, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 9.0)
 """Motions [px] by which photographs are blurred for the scale."""
+NEIGHBOURS = 9
+"""Photographs in the order of their time with which one is compared first."""
 SURE = 4.0
 """Robust standard deviations of the set from which on a photograph counts as other than the rest."""
 ROUGH = 0.5
@@ -61,14 +63,23 @@ def sharpness(chosen: Array) -> Sharpness:
 
 
 def blurred(tile: Array, length: float, axis: int) -> Array:
-    """A square (side, side) smeared evenly over a length [px] of one axis; its borders are cut off."""
-    whole = int(length) // 2 + 1
+    """A square (side, side) as an even motion of a length [px] along an axis smears it; its borders are cut off.
+
+    Between pixels grey values are linear, so that a pixel weighs as its tent's part within the motion.
+    """
+    whole = int(np.ceil(length / 2)) + 1
     offsets = np.arange(-whole, whole + 1)
-    weight = np.clip(length / 2 - np.abs(offsets) + 0.5, 0, 1)
+    weight = _tent(offsets + length / 2) - _tent(offsets - length / 2) if length > 0 else (offsets == 0).astype(float)
     weight = weight / weight.sum()
     size = tile.shape[axis] - 2 * whole
     moved = (np.take(tile, np.arange(whole + o, whole + o + size), axis=axis) for o in offsets.tolist())
     return np.sum([w * part for w, part in zip(weight.tolist(), moved, strict=True)], axis=0)
+
+
+def _tent(x: Array) -> Array:
+    """The integral of 1 - |x| from -1 on."""
+    x = np.clip(x, -1.0, 1.0)
+    return np.where(x < 0, (x + 1) ** 2 / 2, 1 - (1 - x) ** 2 / 2)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -76,7 +87,8 @@ class Blur:
     """Blur of the photographs of a set, beyond that of their middle."""
 
     px: Array
-    """(n,) length of an even motion that would do the same, the greater of both axes; NaN where not known"""
+    """(n,) length of an even motion during the exposure that would do the same, the greater of both axes; NaN where not
+    known"""
     other: Mask
     """(n,) whether it is beyond the scatter of the set"""
 
@@ -84,24 +96,44 @@ class Blur:
 def blur_of(found: Sequence[Sharpness], samples: Sequence[Array]) -> Blur:
     """Blur of each photograph.
 
-    found    of all
+    found    of all, in the order of their time: those taken one after the other see much the same
     samples  squares (k, side, side) of some photographs of the set, by which the scale is made
     What it does not tell: a blur that all photographs share, and blur of what has no texture.
     """
     ratio = np.array([f.ratio for f in found]).reshape(-1, 2)
-    if not len(ratio) or not len(samples):
+    if not len(samples) or not np.isfinite(ratio).all(axis=1).any():
         return Blur(px=np.full(len(ratio), np.nan), other=np.zeros(len(ratio), bool))
-    middle = np.nanmedian(ratio, axis=0)
-    log = np.log(ratio / middle)
-    scatter = 1.4826 * np.nanmedian(np.abs(log), axis=0)
-    px = np.zeros(ratio.shape)
-    for axis in (0, 1):
-        scale = _scale(samples, 1 - axis, axis)
-        px[:, axis] = np.interp(-log[:, axis], -scale, np.array(LENGTHS) - 1, left=0.0)
-    other = log < -SURE * np.maximum(scatter, 1e-3)
-    return Blur(
-        px=np.where(np.isnan(ratio), np.nan, px).max(axis=1), other=np.asarray(np.any(other & (px > 0), axis=1))
-    )
+    log = np.log(ratio)
+    known: Mask = np.asarray(np.isfinite(log).all(axis=1))
+    scale = [_scale(samples, 1 - axis, axis) for axis in (0, 1)]
+    px, other = np.zeros(len(ratio)), np.zeros(len(ratio), bool)
+    for usual in (_running_median(log, known), np.median(log[known], axis=0)):
+        fall = log - usual
+        each = np.stack(
+            [np.interp(-fall[:, k], -scale[k], np.array(LENGTHS), left=0.0) for k in (0, 1)], axis=1
+        )  # fmt: skip
+        apart = fall[:, :1] - fall[:, 1:]  # motion takes from one axis what the scene has along both
+        beyond = np.any((_beyond(fall, known) | _beyond(np.hstack([apart, -apart]), known)) & (each > 0), axis=1)
+        px = np.where(beyond | ~other, np.maximum(px * other, each.max(axis=1)), px)
+        other |= beyond
+    return Blur(px=np.where(known, px, np.nan), other=other & known)
+
+
+def _running_median(values: Array, known: Mask) -> Array:
+    """Medians (n, 2) over each photograph and those taken next to it, which see much the same."""
+    rows = np.flatnonzero(known)
+    n = len(rows)
+    window = min(NEIGHBOURS, n)
+    first = np.clip(np.arange(n) - window // 2, 0, n - window)
+    result = np.full(values.shape, np.nan)
+    result[rows] = [np.median(values[rows[k : k + window]], axis=0) for k in first]
+    return result
+
+
+def _beyond(values: Array, known: Mask) -> Mask:
+    """Which values (n, 2) lie below the scatter of their column."""
+    away = values - np.median(values[known], axis=0)
+    return away < -SURE * np.maximum(1.4826 * np.median(np.abs(away[known]), axis=0), 1e-3)
 
 
 def _scale(samples: Sequence[Array], axis: int, column: int) -> Array:

@@ -17,6 +17,8 @@ FINE, COARSE = 200, 5
 MIDDLE = 0.5
 """Share of the other side of the format over which they are spread: what an overlap of a tilted photograph is meant to
 be holds for its middle row and column."""
+FACING = np.radians(60)
+"""From the normal of a wall, beyond which a photograph shows it too slantingly to be measured in."""
 MOST_PLACES = 20_000
 """Of the ground at which photographs are counted."""
 
@@ -47,12 +49,20 @@ def places(outline: Array, step: float, ground: Ground) -> tuple[Array, float]:
     return np.column_stack([xy, ground(xy)]), step
 
 
-def coverage(camera: MissionCamera, photographs: Exposures, xyz: Array, step: float) -> Coverage:
-    """Count the photographs that show each place (n, 3)."""
+def coverage(
+    camera: MissionCamera, photographs: Exposures, xyz: Array, step: float, normals: Array | None = None
+) -> Coverage:
+    """Count the photographs that show each place (n, 3).
+
+    normals  (n, 3) directions in which places face; one counts only from within `FACING` of it.  None: from anywhere
+    """
     count, gsd = np.zeros(len(xyz), int), np.full(len(xyz), np.inf)
     rotation = photographs.rotation
     for k, centre in enumerate(photographs.xyz):
         shown, depth = in_format(camera, rotation[k], xyz - centre)
+        if normals is not None:
+            away = centre - xyz
+            shown &= np.sum(away * normals, axis=1) > np.cos(FACING) * np.linalg.norm(away, axis=1)
         count += shown
         gsd = np.where(shown, np.minimum(gsd, depth / camera.c_px), gsd)
     return Coverage(xyz=xyz, step=step, count=count, gsd=np.where(count > 0, gsd, np.nan))

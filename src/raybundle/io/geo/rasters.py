@@ -132,7 +132,9 @@ def _window(library: Any, source: Any, path: Path, bounds: tuple[float, ...], ba
     t = source.transform
     window = library.windows.Window(first_col, first_row, last_col - first_col, last_row - first_row)
     data = source.read(band, window=window, masked=True).astype(float)
-    return np.asarray(data.filled(np.nan)), library.Affine(t.a, t.b, t.c + first_col * t.a, t.d, t.e, t.f + first_row * t.e)
+    return np.asarray(data.filled(np.nan)), library.Affine(
+        t.a, t.b, t.c + first_col * t.a, t.d, t.e, t.f + first_row * t.e
+    )
 
 
 def _warped(

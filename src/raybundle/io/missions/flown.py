@@ -120,12 +120,13 @@ def _blur(photos: Sequence[Photo], remarks: list[str], progress: Progress) -> Bl
 
 def _squares(photo: Photo) -> Array | None:
     try:
-        return tiles(_grey(photo))
+        return tiles(grey_of(photo))
     except InputError:
         return None
 
 
-def _grey(photo: Photo) -> Array:
+def grey_of(photo: Photo) -> Array:
+    """Grey values (h, w) as stored; without a check that the file is the one whose metadata were read."""
     if photo.kind == "jpeg":
         data = np.fromfile(photo.path, np.uint8)
         flags = cv2.IMREAD_GRAYSCALE | cv2.IMREAD_IGNORE_ORIENTATION

@@ -1,6 +1,6 @@
 """DJI's WPML 1.0.2 in a KMZ: wpmz/template.kml and wpmz/waylines.wpml.
 
-Source: developer.dji.com, Cloud API, "DJI WPML" (github.com/dji-sdk/Cloud-API-Doc, docs/en/60.api-reference/00.dji-wpml).
+Source: developer.dji.com, Cloud API, "DJI WPML" (github.com/dji-sdk/Cloud-API-Doc, 60.api-reference/00.dji-wpml).
 Heights above the take-off (executeHeightMode relativeToStartPoint); headings in whole degrees, -180 to 180 from true
 north (smoothTransition); pitch of the gimbal 0 to the horizon, -90 to the nadir, set by an action where it changes;
 photographs by an action group over the way points of a line (multipleDistance in metres, multipleTiming in seconds),
