@@ -10,9 +10,10 @@ import numpy as np
 from raybundle.errors import InputError
 from raybundle.missions.mission import NO_LINE, FlightLine, Mission, Trigger, TriggerBy, WayPoints
 from raybundle.missions.patterns import Line, Wish, patterns
-from raybundle.missions.polygons import checked_ring
+from raybundle.missions.polygons import checked_ring, inside
 from raybundle.missions.terrain import Climbing, Ground, profile
 from raybundle.missions.vehicle import Vehicle
+from raybundle.missions.views import places
 from raybundle.missions.zones import cut_lines, part_of, way_round
 from raybundle.numerics.arrays import Array
 from raybundle.settings import option
@@ -83,7 +84,7 @@ def plan_mission(task: Task) -> Mission:
     base, spacing = pattern.steps(task.wish)
     remarks: list[str] = []
     lines, lost = cut_lines(pattern.lines(outline, task.wish), zones)
-    if not lines:
+    if not lines or (pattern.shape == "area" and _covered(outline, zones)):
         raise InputError(
             "no-go zones cover everything that was to be photographed: no line is left; check the zones, and the "
             "coordinate system in which they are given"
@@ -113,6 +114,14 @@ def plan_mission(task: Task) -> Mission:
         no_go=zones, gsd=task.wish.gsd, overlap=task.wish.overlap, base=base, spacing=spacing,
         trigger_by=task.trigger_by, terrain=task.terrain, settings=task.settings, remarks=tuple(remarks),
     )  # fmt: skip
+
+
+def _covered(outline: Array, zones: Sequence[Array]) -> bool:
+    """Whether zones leave nothing of an area."""
+    if not zones:
+        return False
+    xyz, _ = places(outline, 1.0, lambda xy: np.zeros(len(xy)))
+    return bool(np.all(np.any([inside(z, xyz[:, :2]) for z in zones], axis=0)))
 
 
 def checked_outline(outline: Array, shape: str) -> Array:

@@ -14,6 +14,10 @@ NEAR = 1e-9
 """Share of a polygon's extent below which two of its points are one."""
 
 
+THINNEST = 1e-4
+"""Share of the square of its length that an area has at least: a kilometre of a decimetre's width is a line."""
+
+
 def checked_ring(xy: Array, what: str) -> Array:
     """The corners (n, 2) of a polygon, each once, counter-clockwise.
 
@@ -35,7 +39,7 @@ def checked_ring(xy: Array, what: str) -> Array:
             f"{x:.1f}, {y:.1f}; put its corners into the order in which one walks round it"
         )
     area = signed_area(ring)
-    if abs(area) <= 1e-6 * size * size:
+    if abs(area) <= THINNEST * size * size:
         raise InputError(
             f"{what} has no extent: {abs(area):.3g} m2 over {size:.3g} m; all its corners lie on one line. Give the "
             "outline of the area, or plan a corridor along the line"

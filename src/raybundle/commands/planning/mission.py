@@ -167,7 +167,7 @@ def _task(s: MissionSettings) -> tuple[Any, Ground, tuple[str, ...]]:
     from raybundle.missions.patterns import patterns  # noqa: PLC0415
     from raybundle.missions.terrain import ground_of, level_ground  # noqa: PLC0415
 
-    camera, vehicle = _camera(s), _vehicle(s)
+    vehicle, camera = _vehicle(s), _camera(s)
     shape = _shape(read_shapes(s.area, s.crs), patterns[s.pattern].shape, s)
     crs = plane_crs(shape)
     outline = in_crs(shape.xy, shape.crs, crs)

@@ -241,7 +241,7 @@ def plane_crs(shape: Shape) -> str:
     system = parse_crs(shape.crs)
     if is_metric(system):
         return shape.crs
-    lon, lat = _geographic(shape).mean(axis=0)
+    lon, lat = in_crs(shape.xy, shape.crs, GEOGRAPHIC).mean(axis=0)
     if not -80 <= lat <= 84:
         raise InputError(
             f"the area lies at latitude {lat:.1f}, where UTM does not reach; give a coordinate system in metres"
@@ -255,16 +255,10 @@ def is_metric(system: CRS) -> bool:
     return system.is_projected and all(abs(a.unit_conversion_factor - 1) < 1e-12 for a in system.axis_info[:2])
 
 
-def _geographic(shape: Shape) -> Array:
-    return in_crs(shape.xy, shape.crs, GEOGRAPHIC)
-
-
 def in_crs(xy: Array, source: str, target: str) -> Array:
     """Coordinates (n, 2) of one system in another; raises InputError where one lies outside of it."""
     from pyproj import Transformer  # noqa: PLC0415  (only where coordinates are transformed)
 
-    if source == target:
-        return np.asarray(xy, float)
     if parse_crs(source).is_geographic:
         bad = np.flatnonzero((np.abs(xy[:, 0]) > 360) | (np.abs(xy[:, 1]) > 90))
         if len(bad):
@@ -273,6 +267,8 @@ def in_crs(xy: Array, source: str, target: str) -> Array:
                 f"{x:.10g}, {y:.10g} is no longitude and latitude in degrees; say in which coordinate system the area "
                 "is given, and give the longitude first"
             )
+    if source == target:
+        return np.asarray(xy, float)
     transformer = Transformer.from_crs(parse_crs(source), parse_crs(target), always_xy=True)
     padded = np.vstack([xy, xy])  # pyproj takes arrays of one value for numbers
     x, y = transformer.transform(padded[:, 0], padded[:, 1])
