@@ -60,7 +60,7 @@ def items_of(route: Route) -> list[Item]:
 
 
 def _command(command: int, *parameters: float) -> Item:
-    return Item(command=command, frame=NO_PLACE, parameters=(*map(float, parameters), *(0.0,) * (7 - len(parameters))))
+    return Item(command=command, frame=NO_PLACE, parameters=(*parameters, *(0.0,) * (7 - len(parameters))))
 
 
 def _place(command: int, route: Route, k: int, *, stand: float) -> Item:
