@@ -12,7 +12,7 @@ from tests.missions.flying import fly, texture
 import raybundle as rb
 from raybundle.cli.main import main
 from raybundle.errors import InputError
-from raybundle.io.missions.flown import flown_of, grey_of
+from raybundle.io.missions.flown import flown_of, upper_part
 from raybundle.io.missions.mission_file import write_mission
 from raybundle.io.photos.photo import find_photos
 from raybundle.missions.check import Limits, check_flight
@@ -161,7 +161,7 @@ def test_pictures_without_texture_are_not_known():
 def test_real_photographs_of_a_flight_whose_blur_is_known():
     """The beach of copr-uav: one photograph smeared by six pixels is found, in any place."""
     photos = find_photos([DATA / "photos/copr-uav/images"]).photos
-    grey = [grey_of(p).astype(np.float32) for p in photos]
+    grey = [upper_part(p).astype(np.float32) for p in photos]
     squares = [tiles(g) for g in grey]
     whole = [sharpness(s) for s in squares]
     assert blur_of(whole, squares[::8]).other.sum() <= 3
