@@ -180,6 +180,12 @@ BAD = [
     (("--vehicle", "mavic-3e", "--pattern", "double-grid", "--tilt", 80), "reaches the horizon; give a tilt below"),
     (("--vehicle", "mavic-3e", "--dsm", SRTM), "and not the area at"),
     (("--vehicle", "mavic-3e", "--no-go", "FIELD"), "no-go zones cover everything that was to be photographed"),
+    (("--vehicle", "mavic-3e", "--name", "../plan"), "'../plan' is no name for files"),
+    (("--vehicle", "mavic-3e", "--gsd", 1e-6), "lines would be needed, 20000 are the most"),
+    (
+        ("--vehicle", "mavic-3e", "--gsd", 2e-4, "--battery", 1400, "--interval", 0.01),
+        "photographs would be taken, 50000",
+    ),
     (("--vehicle", "mavic-3e", "--pattern", "orbit"), "the heights of the object above ground are needed (--heights"),
 ]
 
@@ -223,6 +229,14 @@ def test_files_without_an_area(content, told, tmp_path):
     (tmp_path / "a.geojson").write_text(content)
     with pytest.raises(InputError, match=told):
         read_shapes(str(tmp_path / "a.geojson"))
+
+
+def test_typed_coordinates_are_what_the_pattern_needs(tmp_path):
+    text = ", ".join(f"{x} {y}" for x, y in LINE)
+    done = rb.plan_mission(text, tmp_path / "corridor", vehicle="mavic-3e", pattern="corridor", width=40)
+    assert not done.mission.closed
+    assert len(done.mission.outline) == 3
+    assert rb.plan_mission(text, tmp_path / "nadir", vehicle="mavic-3e").mission.closed
 
 
 def test_two_areas_are_not_one(tmp_path, capsys):

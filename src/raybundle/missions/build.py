@@ -21,6 +21,8 @@ from raybundle.settings import option
 STANDING_S = 1.0
 """At a way point where one photograph is taken, beside what the camera needs."""
 SLACK_M = 1e-6
+MOST = 50_000
+"""Photographs of a mission; a day of a fast vehicle has some 20 000."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -92,6 +94,12 @@ def plan_mission(task: Task) -> Mission:
     if lost:
         what = f"{lost:.0f} m of lines" if lines[0].base else f"{lost:.0f} photographs"
         remarks.append(f"no-go zones take out {what}; what is seen from there alone is not photographed")
+    photographs = sum(len(line.xy) if line.base is None else line.length / line.base for line in lines)
+    if photographs > MOST:
+        raise InputError(
+            f"{photographs:.0f} photographs would be taken, {MOST} are the most; photograph more coarsely "
+            f"({option('gsd')}), or divide the area"
+        )
     speed = _speed(task, base, remarks)
     begin = np.array(task.take_off) if task.take_off is not None else lines[0].xy[0]
     lines = _ordered(lines, begin)

@@ -16,6 +16,8 @@ from raybundle.numerics.arrays import Array
 from raybundle.numerics.attitude import rotation_from_gimbal
 
 TriggerBy = Literal["distance", "interval"]
+MOST = 100_000
+"""Photographs of a line."""
 NO_LINE = -1
 """Of a way point on the way from one line to the next."""
 
@@ -204,7 +206,10 @@ def _along(w: WayPoints, start: int, stop: int) -> Array:
     base = float(w.base[start])
     if not base > 0:
         raise InputError(f"way point {start + 1} starts photographs every {base:g} m; that must be above 0")
-    s = np.arange(int(np.floor(way[-1] / base + 1e-6)) + 1) * base
+    count = int(np.floor(way[-1] / base + 1e-6)) + 1
+    if count > MOST:
+        raise InputError(f"way point {start + 1} starts {count} photographs, one every {base:g} m; {MOST} are the most")
+    s = np.arange(count) * base
     s = np.minimum(s, way[-1])
     points = np.stack([np.interp(s, way, xyz[:, j]) for j in range(3)], axis=1)
     low = np.clip(np.searchsorted(way, s, side="right") - 1, 0, stop - start - 1)

@@ -16,6 +16,8 @@ from raybundle.settings import option
 
 OVERLAP_LOST = 0.05
 """By which the least overlap may stay below what was asked for without a word."""
+PARALLEL = 0.2
+"""Sine of the angle between lines up to which they lie beside each other."""
 BESIDE = 0.5
 """By which the distance to the next line may differ from the spacing, as a share of it."""
 SEEN = 3
@@ -151,7 +153,8 @@ def _nearest_beside(e: Exposures, i: int, others: Array, mission: Mission) -> in
     else:
         along = np.abs(d[:, :2] @ ahead)
         away = np.abs(d[:, :2] @ np.array([ahead[1], -ahead[0]]))
-    good = np.flatnonzero((along <= mission.base / 2 + 1e-6) & (np.abs(away / mission.spacing - 1) < BESIDE))
+    turn = np.abs(np.sin(e.heading[others] - e.heading[i])) < PARALLEL  # in a bend nobody flies beside
+    good = np.flatnonzero(turn & (along <= mission.base / 2 + 1e-6) & (np.abs(away / mission.spacing - 1) < BESIDE))
     if not len(good):
         return None
     return int(others[good[np.lexsort((along[good], np.round(away[good], 3)))[0]]])
@@ -232,12 +235,13 @@ def warnings(
 
 
 def _tell_overlap(tell: Callable[[str, str], None], mission: Mission, facts: MissionFacts) -> None:
+    where = " over high ground" if mission.terrain else ""
     for what, found, asked in (
         ("along the lines", facts.along, mission.overlap[0]), ("across the lines", facts.across, mission.overlap[1]),
     ):  # fmt: skip
         if found is not None and found.low < asked - OVERLAP_LOST:
             tell(
                 "overlap",
-                f"the overlap {what} falls to {100 * found.low:.0f} % over high ground, {100 * asked:.0f} % were asked "
+                f"the overlap {what} falls to {100 * found.low:.0f} %{where}, {100 * asked:.0f} % were asked "
                 "for; follow the terrain, fly higher, or ask for more",
             )

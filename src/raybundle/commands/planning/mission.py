@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping
 from dataclasses import MISSING, dataclass, replace
 from pathlib import Path
@@ -146,6 +147,10 @@ def run_plan_mission(settings: MissionSettings) -> PlannedMission:
         raise InputError(
             f"format {unknown[0]!r} is not known; known: {', '.join(mission_formats)} ({option('format')})"
         )
+    if not re.fullmatch(r"[\w][\w .-]{0,60}", s.name):
+        raise InputError(
+            f"{s.name[:60]!r} is no name for files: letters, digits, blanks, points, - and _ ({option('name')})"
+        )
     if s.out.exists():
         raise InputError("stands there already and is not overwritten; choose another folder or delete it", file=s.out)
     task, lenient, remarks = _task(s)
@@ -245,6 +250,7 @@ def _wish(s: MissionSettings, camera: MissionCamera) -> Wish:
 
 def _shape(shapes: tuple[Shape, ...], wanted: str, s: MissionSettings) -> Shape:
     """The one shape that the pattern can be flown over."""
+    shapes = tuple(replace(f, kind="line") if f.typed and wanted == "line" and len(f.xy) > 1 else f for f in shapes)
     fitting = [f for f in shapes if f.kind == wanted or (wanted == "place" and f.kind == "area")]
     words = {"area": "a polygon", "line": "a line", "place": "a point or a polygon"}
     if not fitting:

@@ -6,7 +6,7 @@ import re
 import struct
 import zipfile
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
@@ -40,6 +40,8 @@ class Shape:
     """(n, 2) x or longitude before y or latitude, in `crs`; a polygon's last corner is not its first"""
     holes: tuple[Array, ...] = ()
     crs: str = GEOGRAPHIC
+    typed: bool = False
+    """whether it was given as coordinates, so that what they are follows from what they are for"""
 
 
 def read_shapes(given: str, crs: str = "") -> tuple[Shape, ...]:
@@ -52,7 +54,8 @@ def read_shapes(given: str, crs: str = "") -> tuple[Shape, ...]:
     if not path.exists():
         typed = _typed(given)
         if typed is not None:
-            return (_shape("area" if len(typed) > 2 else "line" if len(typed) == 2 else "place", typed, (), crs),)
+            kind: Kind = "area" if len(typed) > 2 else "line" if len(typed) == 2 else "place"
+            return (replace(_shape(kind, typed, (), crs), typed=True),)
     suffix = path.suffix.lower()
     if suffix in {".geojson", ".json"}:
         shapes = tuple(_geojson(read_json(path), crs))

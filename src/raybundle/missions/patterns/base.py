@@ -16,6 +16,8 @@ from raybundle.numerics.arrays import Array
 from raybundle.settings import option
 
 NADIR = -math.pi / 2
+MOST = 20_000
+"""Lines, or photographs of a ring, that one mission may have: more is a slip of a unit, not a flight."""
 LOWEST_M = 2.0
 """Above ground, below which no way point is put before a facade or round an object."""
 
@@ -135,6 +137,16 @@ def register(pattern: Pattern) -> Pattern:
     return pattern
 
 
+def whole(number: float, what: str) -> int:
+    """A count rounded up, at least 1; raises InputError for one that nobody flies."""
+    if not number <= MOST:
+        raise InputError(
+            f"{number:.3g} {what} would be needed, {MOST} are the most; is the area in the right coordinate system, "
+            f"and the pixel in metres ({option('gsd')})?"
+        )
+    return max(1, math.ceil(number - 1e-9))
+
+
 def axes(direction: float) -> tuple[Array, Array]:
     """Unit vectors along an azimuth [rad] and to the right of it."""
     return np.array([math.sin(direction), math.cos(direction)]), np.array([math.cos(direction), -math.sin(direction)])
@@ -156,7 +168,7 @@ def straight_lines(
     u, v = axes(direction)
     ring = np.stack([outline @ u, outline @ v], axis=1)
     low, high = float(ring[:, 1].min()) - margin, float(ring[:, 1].max()) + margin
-    count = max(1, math.ceil((high - low) / spacing - 1e-9))
+    count = whole((high - low) / spacing, "lines")
     first = (low + high) / 2 - (count - 1) / 2 * spacing
     ahead = wish.above(tilt) * math.tan(tilt)
     lines: list[Line] = []

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.missions.patterns.base import NADIR, Line, Pattern, Wish, register
+from raybundle.missions.patterns.base import NADIR, Line, Pattern, Wish, register, whole
 from raybundle.numerics.arrays import Array
 from raybundle.settings import option
 
@@ -22,7 +22,7 @@ def lines(outline: Array, wish: Wish) -> list[Line]:
     """
     base, spacing = wish.steps(0.0)
     margin = spacing / 2 if wish.margin is None else wish.margin
-    count = max(1, math.ceil((wish.width + 2 * margin) / spacing - 1e-9))
+    count = whole((wish.width + 2 * margin) / spacing, "lines")
     found: list[Line] = []
     for k in range(count):
         xy = beside(outline, (k - (count - 1) / 2) * spacing)

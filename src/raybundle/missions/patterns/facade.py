@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.missions.patterns.base import LOWEST_M, Line, Pattern, Wish, register
+from raybundle.missions.patterns.base import LOWEST_M, Line, Pattern, Wish, register, whole
 from raybundle.numerics.arrays import Array
 from raybundle.settings import option
 
@@ -26,7 +26,7 @@ def levels(wish: Wish, step: float) -> list[float]:
     low, top = wish.heights
     if not top > low:
         raise InputError(f"the object ends at {top:g} m, not above its lower end at {low:g} m ({option('heights')})")
-    count = max(1, math.ceil((top - low) / step - 1e-9))
+    count = whole((top - low) / step, "rows")
     middle = (low + top) / 2
     return sorted({max(middle + (k - (count - 1) / 2) * step, LOWEST_M) for k in range(count)})
 

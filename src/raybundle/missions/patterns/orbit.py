@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from raybundle.missions.patterns.base import LOWEST_M, Line, Pattern, Wish, register
+from raybundle.missions.patterns.base import LOWEST_M, Line, Pattern, Wish, register, whole
 from raybundle.missions.patterns.facade import levels, steps
 from raybundle.missions.polygons import hull
 from raybundle.numerics.arrays import Array
@@ -44,7 +44,7 @@ def lines(outline: Array, wish: Wish) -> list[Line]:
     found: list[Line] = []
     for k, (away, above, pitch) in enumerate(rings):
         step = min(WIDEST, steps(wish)[0] / away)
-        n = math.ceil(2 * math.pi / step - 1e-9)
+        n = whole(2 * math.pi / step, "photographs of a ring")
         azimuth = 2 * math.pi * np.arange(n + 1) / n
         azimuth = azimuth[:-1] if k % 2 == 0 else azimuth[:-1][::-1]
         xy = centre + away * np.stack([np.sin(azimuth), np.cos(azimuth)], axis=1)
