@@ -60,7 +60,9 @@ class Sight:
         if beside > 0:
             ray = to - xyz[rows]
             across = np.cross(ray, np.eye(3)[np.abs(ray).argmin(axis=1)])
-            across *= beside * np.linalg.norm(ray, axis=1, keepdims=True) / np.linalg.norm(across, axis=1, keepdims=True)
+            across *= (
+                beside * np.linalg.norm(ray, axis=1, keepdims=True) / np.linalg.norm(across, axis=1, keepdims=True)
+            )
             third = np.cross(ray, across) / np.linalg.norm(ray, axis=1, keepdims=True)
             for turn in 2 * np.pi * np.arange(3) / 3:
                 left = np.flatnonzero(seen[rows])

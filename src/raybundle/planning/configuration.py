@@ -95,9 +95,7 @@ class Designer:
             )
         figure = self.figure(e)
         value = float(np.log(figure / self.site.extent))
-        return Design(
-            stations=stations, value=value, figure=figure, expected=e, tried=self.tried, history=history
-        )
+        return Design(stations=stations, value=value, figure=figure, expected=e, tried=self.tried, history=history)
 
 
 def improved(designer: Designer, start: Stations, search: Search | None = None, count: int | None = None) -> Design:
@@ -299,4 +297,3 @@ def disturbed(designer: Designer, design: Design, places: float, directions_deg:
         roll = s.roll + np.radians(rng.normal(0, directions_deg, len(s)))
         found[k] = designer.design(Stations(centre=centre, at=at, roll=roll)).figure
     return found
-

@@ -122,9 +122,7 @@ class Networks:
         At = np.swapaxes(A, 1, 2)
         V[point], W[point], WF[point] = At @ A, At @ B, At @ D
         b, d = B.reshape(-1, 6), D.reshape(2 * len(point), f)
-        return Part(
-            centre=centre, rotation=rotation, points=point, V=V, W=W, N=b.T @ b, side=b.T @ d, WF=WF, F=d.T @ d
-        )
+        return Part(centre=centre, rotation=rotation, points=point, V=V, W=W, N=b.T @ b, side=b.T @ d, WF=WF, F=d.T @ d)
 
     def expected(self, parts: Sequence[Part]) -> Expected | Short:
         """The covariances of a network of these stations; what it lacks where points have less than two rays.

@@ -155,4 +155,3 @@ class Site:
         far = np.array([[0.1], [0.07], [-1.0]])
         g, _ = model.condition_and_jacobian(*model.start(far, self.camera.parameters), *far, *self.camera.parameters)
         return bool(np.abs(g).max() > 1e-9)
-

@@ -59,7 +59,9 @@ def crossing_sides(outline: Array) -> tuple[int, int] | None:
     a, b = outline, np.roll(outline, -1, axis=0)
 
     def side(p: Array, q: Array, r: Array) -> Array:
-        return np.sign((q[..., 0] - p[..., 0]) * (r[..., 1] - p[..., 1]) - (q[..., 1] - p[..., 1]) * (r[..., 0] - p[..., 0]))
+        return np.sign(
+            (q[..., 0] - p[..., 0]) * (r[..., 1] - p[..., 1]) - (q[..., 1] - p[..., 1]) * (r[..., 0] - p[..., 0])
+        )
 
     for k in range(n):
         others = np.arange(k + 2, n if k else n - 1)
