@@ -6,6 +6,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from tests.conftest import DATA
+
+UAV = DATA / "photos/copr-uav/images"
+needs_uav = pytest.mark.skipif(not UAV.is_dir(), reason=f"{UAV} is absent")
 from tests.missions.cases import LEVEL, OUTLINES, mission
 from tests.missions.flying import fly, texture
 
@@ -157,10 +160,11 @@ def test_pictures_without_texture_are_not_known():
     assert not blur.other.any()
 
 
+@needs_uav
 @pytest.mark.data
 def test_real_photographs_of_a_flight_whose_blur_is_known():
     """The beach of copr-uav: one photograph smeared by six pixels is found, in any place."""
-    photos = find_photos([DATA / "photos/copr-uav/images"]).photos
+    photos = find_photos([UAV]).photos
     grey = [upper_part(p).astype(np.float32) for p in photos]
     squares = [tiles(g) for g in grey]
     whole = [sharpness(s) for s in squares]

@@ -8,6 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 from tests.conftest import DATA
+
+UAV = DATA / "photos/copr-uav/images"
+needs_uav = pytest.mark.skipif(not UAV.is_dir(), reason=f"{UAV} is absent")
 from tests.missions.test_terrain import SRTM
 
 import raybundle as rb
@@ -289,9 +292,10 @@ def test_cameras_from_what_a_user_has(tmp_path):
     assert camera.c_px == pytest.approx(8.8 / 0.0024)
 
 
+@needs_uav
 @pytest.mark.data
 def test_a_photograph_tells_its_camera():
-    photo = DATA / "photos/copr-uav/images/IMG_0061.jpg"
+    photo = UAV / "IMG_0061.jpg"
     camera = mission_camera(str(photo))
     assert (camera.width_px, camera.height_px) == (2136, 1424)
     assert camera.c_px == pytest.approx(2843, rel=0.02)

@@ -124,21 +124,24 @@ def beside(mission: Mission, e: Exposures) -> tuple[Array, Array]:
 
     Those at the ends of lines, to which the next line has nobody beside, are left out: nearer than half a base along.
     """
+    from scipy.spatial import KDTree  # noqa: PLC0415  (SciPy is loaded only where it is used)
+
     first: list[int] = []
     second: list[int] = []
     groups: dict[str, list[int]] = {}
     for k, line in enumerate(mission.lines):
         groups.setdefault(line.group, []).append(k)
     for members in groups.values():
-        of = {k: np.flatnonzero(e.line == k) for k in members}
-        for k in members:
-            for i in of[k].tolist():
-                j = _nearest_beside(
-                    e, i, np.concatenate([of[m] for m in members if m != k] or [np.zeros(0, int)]), mission
-                )
-                if j is not None:
-                    first.append(i)
-                    second.append(j)
+        rows = np.flatnonzero(np.isin(e.line, members))
+        walls = np.isfinite(e.distance[rows]).any()
+        places = e.xyz[rows] if walls else e.xyz[rows, :2]
+        reach = float(np.hypot((1 + BESIDE) * mission.spacing, mission.base))
+        for i, near in zip(rows.tolist(), KDTree(places).query_ball_point(places, reach), strict=True):
+            others = rows[near]
+            j = _nearest_beside(e, i, others[e.line[others] != e.line[i]], mission)
+            if j is not None:
+                first.append(i)
+                second.append(j)
     return np.array(first, int), np.array(second, int)
 
 

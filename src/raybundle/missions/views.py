@@ -12,8 +12,10 @@ from raybundle.missions.polygons import inside
 from raybundle.missions.terrain import Ground
 from raybundle.numerics.arrays import Array, Mask
 
-FINE, COARSE = 200, 5
+FINE, COARSE = 200, 3
 """Rays along and across the direction in which an overlap is looked at: it is found to 1 / 400."""
+ROUNDS, SAME_M = 8, 0.01
+"""In which a ray is followed to the ground, and the change of height that ends them [m]."""
 MIDDLE = 0.5
 """Share of the other side of the format over which they are spread: what an overlap of a tilted photograph is meant to
 be holds for its middle row and column."""
@@ -56,16 +58,30 @@ def coverage(
 
     normals  (n, 3) directions in which places face; one counts only from within `FACING` of it.  None: from anywhere
     """
+    from scipy.spatial import KDTree  # noqa: PLC0415  (SciPy is loaded only where it is used)
+
     count, gsd = np.zeros(len(xyz), int), np.full(len(xyz), np.inf)
     rotation = photographs.rotation
+    tree = KDTree(xyz[:, :2])
     for k, centre in enumerate(photographs.xyz):
-        shown, depth = in_format(camera, rotation[k], xyz - centre)
+        near = np.array(tree.query_ball_point(centre[:2], _reach(camera, rotation[k], centre, xyz)), int)
+        away = xyz[near] - centre
+        shown, depth = in_format(camera, rotation[k], away)
         if normals is not None:
-            away = centre - xyz
-            shown &= np.sum(away * normals, axis=1) > np.cos(FACING) * np.linalg.norm(away, axis=1)
-        count += shown
-        gsd = np.where(shown, np.minimum(gsd, depth / camera.c_px), gsd)
+            facing = -np.sum(away * normals[near], axis=1)
+            shown &= facing > np.cos(FACING) * np.linalg.norm(away, axis=1)
+        count[near] += shown
+        gsd[near] = np.where(shown, np.minimum(gsd[near], depth / camera.c_px), gsd[near])
     return Coverage(xyz=xyz, step=step, count=count, gsd=np.where(count > 0, gsd, np.nan))
+
+
+def _reach(camera: MissionCamera, rotation: Array, centre: Array, xyz: Array) -> float:
+    """Distance in plan up to which a photograph can show places; infinite where it sees the horizon."""
+    half = np.arctan(np.hypot(camera.width_px, camera.height_px) / 2 / camera.c_px)
+    steepest = np.arccos(np.clip(rotation[2, 2], -1, 1)) + half  # of a ray, from the nadir
+    if steepest > np.radians(85):
+        return np.inf
+    return float(max(centre[2] - xyz[:, 2].min(), 0.0) * np.tan(steepest))
 
 
 def in_format(camera: MissionCamera, rotation: Array, away: Array) -> tuple[Mask, Array]:
@@ -95,9 +111,11 @@ def ground_points(
     with np.errstate(divide="ignore", invalid="ignore"):
         down = np.where(direction[..., 2] < -0.05, direction[..., 2], np.nan)
         z = np.broadcast_to(below, down.shape)
-        for _ in range(8):
-            met = centre + ((z - centre[..., 2]) / down)[..., None] * direction
+        for _ in range(ROUNDS):
+            before, met = z, centre + ((z - centre[..., 2]) / down)[..., None] * direction
             z = _heights(ground, met, below)
+            if not (np.abs(z - before) > SAME_M).any():
+                break
         met = centre + ((z - centre[..., 2]) / down)[..., None] * direction
     return np.where(np.isnan(plane), met, plane)
 
