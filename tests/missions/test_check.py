@@ -6,9 +6,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from tests.conftest import DATA
-
-UAV = DATA / "photos/copr-uav/images"
-needs_uav = pytest.mark.skipif(not UAV.is_dir(), reason=f"{UAV} is absent")
 from tests.missions.cases import LEVEL, OUTLINES, mission
 from tests.missions.flying import fly, texture
 
@@ -22,6 +19,9 @@ from raybundle.missions.check import Limits, check_flight
 from raybundle.missions.mission import exposures
 from raybundle.missions.polygons import inside, signed_area
 from raybundle.missions.sharpness import blur_of, blurred, sharpness, tiles
+
+UAV = DATA / "photos/copr-uav/images"
+needs_uav = pytest.mark.skipif(not UAV.is_dir(), reason=f"{UAV} is absent")
 
 PLAN = mission("nadir")
 COUNT = len(exposures(PLAN))

@@ -8,9 +8,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 from tests.conftest import DATA
-
-UAV = DATA / "photos/copr-uav/images"
-needs_uav = pytest.mark.skipif(not UAV.is_dir(), reason=f"{UAV} is absent")
 from tests.missions.test_terrain import SRTM
 
 import raybundle as rb
@@ -22,6 +19,9 @@ from raybundle.io.missions.cameras import mission_camera, vehicle_of
 from raybundle.io.missions.mission_file import read_mission
 from raybundle.missions.mission import exposures
 from raybundle.missions.vehicle import KNOWN
+
+UAV = DATA / "photos/copr-uav/images"
+needs_uav = pytest.mark.skipif(not UAV.is_dir(), reason=f"{UAV} is absent")
 
 FIELD = [[7.10, 50.10], [7.104, 50.1005], [7.1038, 50.103], [7.0995, 50.1022]]
 LINE = [[7.10, 50.10], [7.102, 50.1005], [7.1025, 50.102]]
