@@ -72,6 +72,7 @@ if TYPE_CHECKING:
     )
     from raybundle.commands.planning.check import CheckedFlight, PlanCheckSettings, check_flight
     from raybundle.commands.planning.mission import MissionSettings, PlannedMission, plan_mission
+    from raybundle.commands.planning.network import NetworkSettings, plan_network
     from raybundle.commands.rectify import Rectification, RectifySettings, rectify
     from raybundle.commands.rpc import (
         RpcCorrectSettings,
@@ -187,6 +188,8 @@ _HOME = {
     "photos": "commands.photos",
     "plan_flight": "planning.flight",
     "plan_mission": "commands.planning.mission",
+    "plan_network": "commands.planning.network",
+    "NetworkSettings": "commands.planning.network",
     "plot_control": "report.pictures",
     "plot_interior": "report.pictures",
     "plot_network": "report.pictures",
@@ -239,6 +242,7 @@ __all__ = [
     "InputError",
     "Instrument",
     "MissionSettings",
+    "NetworkSettings",
     "NotSolvable",
     "Observations",
     "OrientSettings",
@@ -286,6 +290,7 @@ __all__ = [
     "photos",
     "plan_flight",
     "plan_mission",
+    "plan_network",
     "plot_control",
     "plot_interior",
     "plot_network",

@@ -139,3 +139,31 @@ def farthest_first(xyz: Array, count: int) -> Index:
         to_new = np.linalg.norm(xyz - xyz[chosen[k]], axis=1)
         far = to_new if k == 0 else np.minimum(far, to_new)
     return chosen
+
+
+def tiles(surface: Surface, count: int) -> tuple[Array, SurfacePoints]:
+    """What is to be measured of a surface in about so many small triangles: corners (m, 3, 3) and middles.
+
+    The longest sides are halved until none is longer than that of an equilateral triangle of twice the mean area.
+    """
+    rows = surface.triangles if surface.wanted is None else surface.triangles[surface.wanted]
+    corners = surface.vertices[rows].astype(float)
+    longest = np.sqrt(2 * surface.wanted_area / count * 4 / np.sqrt(3))
+    while True:
+        side = np.linalg.norm(corners - np.roll(corners, -1, axis=1), axis=2)
+        long = np.flatnonzero(side.max(axis=1) > longest)
+        if not len(long) or len(corners) > 4 * count:
+            break
+        first = side[long].argmax(axis=1)
+        k = np.arange(len(long))
+        turned = np.stack(
+            [corners[long][k, (first + j) % 3] for j in range(3)], axis=1
+        )  # its first side is the longest
+        middle = (turned[:, 0] + turned[:, 1]) / 2
+        one = np.stack([turned[:, 0], middle, turned[:, 2]], axis=1)
+        two = np.stack([middle, turned[:, 1], turned[:, 2]], axis=1)
+        corners = np.concatenate([np.delete(corners, long, axis=0), one, two])
+    cross = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    area = np.linalg.norm(cross, axis=1)
+    good = area > 0
+    return corners[good], SurfacePoints(xyz=corners[good].mean(axis=1), normal=cross[good] / area[good, None])

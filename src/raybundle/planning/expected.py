@@ -66,7 +66,7 @@ class Short:
     """What a network lacks that cannot be adjusted."""
 
     unseen: Index
-    """(t,) rays that each point lacks of two"""
+    """(t,) rays that each point lacks of those that it must have"""
 
     @property
     def lack(self) -> int:
@@ -77,12 +77,14 @@ class Short:
 class Networks:
     """Networks at one site."""
 
-    def __init__(self, site: Site, control_sigma: Array | None = None) -> None:
+    def __init__(self, site: Site, control_sigma: Array | None = None, least_rays: int = 2) -> None:
         """Prepare.
 
         control_sigma  (t, 3) standard deviations of coordinates that are known beforehand [m], infinite where none;
                        None: the datum is that of inner constraints over all points
+        least_rays     of each point; two are no check of each other along their plane, three find a blunder
         """
+        self.least_rays = least_rays
         self.site = site
         xyz = site.points.xyz
         self.middle, self.size = xyz.mean(axis=0), site.extent
@@ -90,6 +92,12 @@ class Networks:
         self.free = site.free
         symbols = site.camera.sensor.symbols
         self.columns = [5 + symbols.index(s) for s in self.free]
+
+    def with_rays(self, least_rays: int) -> Networks:
+        """The same with another least number of rays."""
+        made = Networks(self.site, None, least_rays)
+        made.prior = self.prior
+        return made
 
     @cached_property
     def _datum(self) -> tuple[Array, Array]:
@@ -172,10 +180,10 @@ class Networks:
         """
         t, f, n = len(self.site.points), len(self.free), len(parts)
         if not n:
-            return Short(unseen=np.full(t, 2))
+            return Short(unseen=np.full(t, self.least_rays))
         rays = np.bincount(np.concatenate([p.points for p in parts]), minlength=t)
         known = np.zeros(t, bool) if self.prior is None else (self.prior > 0).all(axis=1)
-        lacking = np.where(known, 0, np.maximum(2 - rays, 0))
+        lacking = np.where(known, 0, np.maximum(self.least_rays - rays, 0))
         if lacking.any():
             return Short(unseen=lacking)
         V = np.sum([p.V for p in parts], axis=0)

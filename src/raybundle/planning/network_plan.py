@@ -11,8 +11,8 @@ from threadpoolctl import threadpool_limits
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.progress import Progress, silent
-from raybundle.objects.surface import SurfacePoints, spread
-from raybundle.planning.candidates import Stations
+from raybundle.objects.surface import SurfacePoints, tiles
+from raybundle.planning.candidates import LEAST, Stations, standing_places
 from raybundle.planning.configuration import Aim, Design, Designer, Search, improved
 from raybundle.planning.expected import Expected, Networks, Part, Short
 from raybundle.planning.site import Site
@@ -23,6 +23,8 @@ QUICK = Search(places=250, beginnings=3, moved=1, moves=1200, together=0)
 MARGIN = 1.03
 """How far a quick search may miss what is wanted where a thorough one is still tried: what the second gains on average
 in benchmarks/design.py is more"""
+PLACES = 400
+"""Places from which it is looked at what can be seen at all"""
 MAPPED = 1500
 """Places of the object at which the precision is told"""
 LOSES = 1.02
@@ -62,17 +64,21 @@ class NetworkPlan:
 
     site: Site
     design: Design
+    """Its stations in the order in which one walks"""
     expected: Expected
     aim: Aim
     wanted: float | None
     """Standard deviation that was wanted [m]"""
     purposes: tuple[Purpose, ...]
-    order: Index
-    """(n,) stations in the order in which one walks"""
     cost: Cost
+    corners: Array
+    """(m, 3, 3) triangles of the object, small enough to tell the precision of each"""
     mapped: SurfacePoints
+    """Their middles"""
     map_sigma: Array
-    """(m,) standard deviation of these places [m]; NaN where less than two stations see them"""
+    """(m,) standard deviation of the middles [m]; NaN where less than two stations see them"""
+    left_out: SurfacePoints
+    """Points of the object that cannot be seen often enough from where one may stand; nothing is promised of them"""
     tried: tuple[tuple[int, float], ...] = field(default=())
     """Numbers of stations that were tried, and the figure that was reached with them [m]"""
 
@@ -103,20 +109,23 @@ class NetworkPlan:
 
 def plan_network(
     site: Site, *, wanted: float | None = None, stations: int | None = None, start: Stations | None = None,
-    aim: Aim = "worst", control_sigma: Array | None = None, search: Search | None = None, progress: Progress = silent,
+    aim: Aim = "worst", control_sigma: Array | None = None, least_rays: int = 3, search: Search | None = None,
+    progress: Progress = silent,
 ) -> NetworkPlan:  # fmt: skip
     """The network of so many stations with the best figure, or of the fewest that reach what is wanted.
 
     wanted    standard deviation [m] of the worst point or of all in the mean, as `aim` says
     stations  how many; None: as few as reach `wanted`
     start     stations to begin with; the result is never worse
+    control_sigma, least_rays  as of `Networks`
     raises    InputError where neither is told, or `wanted` is beyond reach: it says what can be reached and why
     What it does not tell: whether targets can be fixed and recognised there; errors that all photographs share, as of
     a camera that is not stable.
     """
     if wanted is None and stations is None and start is None:
         raise InputError("a plan needs the standard deviation that is wanted, or the number of stations")
-    designer = Designer(Networks(site, control_sigma), aim, progress)
+    site, left_out = _reachable(site, least_rays)
+    designer = Designer(Networks(site, control_sigma, least_rays), aim, progress)
     none = Stations(centre=np.zeros((0, 3)), at=np.zeros((0, 3)), roll=np.zeros(0))
     first = none if start is None else start
     tried = list[tuple[int, float]]()
@@ -126,9 +135,27 @@ def plan_network(
     else:
         design = _fewest(designer, first, wanted, search, tried)
     if design.expected is None:
-        raise InputError(_not_determined(site, design))
+        raise InputError(_not_determined(site, design, least_rays))
     with threadpool_limits(1):
-        return _told(designer, design, wanted, tuple(tried))
+        return _told(designer, design, wanted, tuple(tried), left_out)
+
+
+def _reachable(site: Site, least_rays: int) -> tuple[Site, SurfacePoints]:
+    """The site with the points that can be seen from enough places, and those that cannot.
+
+    raises  InputError where too few are left for a network
+    """
+    places = standing_places(site, PLACES)
+    _, point = site.faced(places)
+    p, count = site.points, np.bincount(point, minlength=len(site.points))
+    good = count >= least_rays
+    left_out = SurfacePoints(xyz=p.xyz[~good], normal=p.normal[~good])
+    if good.sum() < LEAST:
+        raise InputError(
+            f"{int(good.sum())} of {len(p)} points of the object can be seen {least_rays} times from where one may "
+            "stand; widen the access, or allow rays that are farther off the normal"
+        )
+    return replace(site, points=SurfacePoints(xyz=p.xyz[good], normal=p.normal[good])), left_out
 
 
 def _fewest(
@@ -163,8 +190,8 @@ def _step(figures: Sequence[tuple[int, float]], wanted: float) -> int:
 def _beyond(d: Designer, wanted: float, reached: list[tuple[int, float]]) -> str:
     if not reached:
         return (
-            f"no network of up to {MOST} stations shows every point of the object twice from where one may stand; "
-            "widen the access, or leave the parts out that cannot be seen"
+            f"no network of up to {MOST} stations shows every point {d.networks.least_rays} times from where one may "
+            "stand; widen the access, ask for fewer rays, or leave the parts out that cannot be seen"
         )
     n, figure = min(reached, key=lambda r: r[1])
     site = d.site
@@ -178,44 +205,47 @@ def _beyond(d: Designer, wanted: float, reached: list[tuple[int, float]]) -> str
     )
 
 
-def _not_determined(site: Site, design: Design) -> str:
+def _not_determined(site: Site, design: Design, least: int) -> str:
     s = design.stations
-    station, point, _, _ = site.seen(s.centre, s.rotation)
+    _, point, _, _ = site.seen(s.centre, s.rotation)
     rays = np.bincount(point, minlength=len(site.points))
-    few = int((rays < 2).sum())
-    del station
+    few = int((rays < least).sum())
     if few:
         return (
-            f"with {len(s)} stations {few} of {len(rays)} points of the object cannot all be shown twice; take more "
+            f"with {len(s)} stations {few} of {len(rays)} points of the object are not shown {least} times; take more "
             "stations, widen where one may stand, or a lens of wider angle"
         )
     return f"a network of {len(s)} stations does not determine all unknowns; take more stations, or hold the camera"
 
 
-def _told(d: Designer, design: Design, wanted: float | None, tried: tuple[tuple[int, float], ...]) -> NetworkPlan:
+def _told(
+    d: Designer, design: Design, wanted: float | None, tried: tuple[tuple[int, float], ...], left_out: SurfacePoints
+) -> NetworkPlan:
     site, e = d.site, design.expected
     assert e is not None
     parts = d.networks.parts(design.stations.centre, design.stations.rotation)
     order = walk(design.stations.centre)
     design = replace(design, stations=design.stations.rows(order))
     parts = [parts[k] for k in order]
-    mapped = spread(site.surface, MAPPED, seed=2)
+    corners, mapped = tiles(site.surface, MAPPED)
     e = d.networks.expected(parts)
     assert isinstance(e, Expected)
     Q = d.networks.elsewhere(parts, e, mapped)
+    loose = d.networks.with_rays(2)
     path = float(np.linalg.norm(np.diff(design.stations.centre, axis=0), axis=1).sum())
     n = len(parts)
     cost = Cost(photographs=n, path_m=path, minutes=0.0)
     cost = replace(cost, minutes=(n * cost.seconds_per_photograph + path / cost.metres_per_second) / 60)
     return NetworkPlan(
         site=site, design=replace(design, expected=e), expected=e, aim=d.aim, wanted=wanted, tried=tried, cost=cost,
-        purposes=tuple(_purpose(d, e, parts, k) for k in range(n)), order=np.arange(n), mapped=mapped,
+        left_out=left_out,
+        purposes=tuple(_purpose(d, loose, e, parts, k) for k in range(n)), corners=corners, mapped=mapped,
         map_sigma=np.sqrt(np.trace(Q, axis1=1, axis2=2) / 3),
     )  # fmt: skip
 
 
-def _purpose(d: Designer, e: Expected, parts: list[Part], k: int) -> Purpose:
-    without = d.networks.expected(parts[:k] + parts[k + 1 :])
+def _purpose(d: Designer, loose: Networks, e: Expected, parts: list[Part], k: int) -> Purpose:
+    without = loose.expected(parts[:k] + parts[k + 1 :])
     if isinstance(without, Short):
         unseen = np.flatnonzero(without.unseen)
         return Purpose(unseen=unseen, ratio=np.inf, worst=int(unseen[0]) if len(unseen) else 0, worst_ratio=np.inf)
