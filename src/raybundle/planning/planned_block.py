@@ -19,11 +19,17 @@ def planned_block(
     """The block of a site's points in these stations, approximate values the planned ones.
 
     control_sigma  (t, 3) as of `Networks`
-    seed           of the errors of image points and control; None: without errors
+    seed           of the errors of image points and control, and of what is found; None: without errors, all that is
+                   seen, with variances divided by the share in which it is found: the covariances of `Networks`
     """
     rng = np.random.default_rng(seed)
     camera = replace(site.camera, id="1")
     station, point, image, _ = site.seen(stations.centre, stations.rotation)
+    share = site.share(stations.centre[station], point)
+    cov = site.sigma_px**2 / share
+    if seed is not None and site.found is not None:
+        drawn = rng.random(len(share)) < share
+        station, point, image, cov = station[drawn], point[drawn], image[drawn], np.full(drawn.sum(), site.sigma_px**2)
     xy = camera.pixel_from_image(image)
     t, n = len(site.points), len(stations)
     xyz, role, sigma = site.points.xyz.copy(), np.full(t, Role.TIE, np.int32), np.full((t, 3), np.nan)
@@ -46,7 +52,7 @@ def planned_block(
         ),
         observations=Observations(
             image=station.astype(np.int32), point=point.astype(np.int32), xy_px=xy,
-            cov_px2=np.tile([site.sigma_px**2, site.sigma_px**2, 0.0], (len(xy), 1)),
+            cov_px2=np.column_stack([cov, cov, np.zeros(len(cov))]),
         ),
         points=Points(ids=tuple(f"T{k + 1}" for k in range(t)), role=role, xyz=xyz, sigma=sigma),
     )  # fmt: skip
