@@ -7,7 +7,8 @@ from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.errors import InputError
 from raybundle.objects.kinds import object_kinds
-from raybundle.objects.surface import spread
+from raybundle.objects.surface import SurfacePoints, spread
+from raybundle.planning.bars import placed_bars
 from raybundle.planning.candidates import Stations
 from raybundle.planning.configuration import Designer, Search, improved
 from raybundle.planning.expected import Expected, Networks, Short
@@ -61,6 +62,33 @@ def test_expected_covariances_are_those_of_the_adjustment(estimate, datum):
     if estimate:
         got = result.precision.interior["1"] / result.sigma0**2
         assert np.abs(got - e.interior).max() / np.abs(got).max() < 2e-6
+
+
+@pytest.mark.parametrize("estimate", [(), FREE], ids=["held", "free"])
+@pytest.mark.parametrize("datum", ["inner", "control"])
+def test_with_scale_bars_alike(estimate, datum):
+    site = box_site(estimate=estimate)
+    control = None
+    if datum == "control":
+        control = np.full((40, 3), np.inf)
+        control[:6] = 0.002
+    bars = placed_bars(site.points.xyz, 3, 0.0002)
+    networks = Networks(site, control, bars=bars)
+    parts = networks.parts(ring().centre, ring().rotation)
+    e = networks.expected(parts)
+    block = planned_block(site, ring(), control_sigma=control, bars=bars, seed=None)
+    names = block.points.ids if datum == "inner" else ()
+    result = adjust_block(block, AdjustmentOptions(datum=datum, datum_points=names, threads=1))
+    stated = result.precision.object_points / result.sigma0**2
+    assert np.abs(stated - e.points).max() < 2e-6 * np.abs(e.points).max()
+    some = SurfacePoints(xyz=site.points.xyz[5:9], normal=site.points.normal[5:9])
+    other = networks.elsewhere(parts, e, some)
+    plain = Networks(site, control).elsewhere(parts, Networks(site, control).expected(parts), some)
+    assert np.abs(other / plain - 1).max() > 1e-4  # bars take part
+    # a place that is measured without adding to the network is less precise than the point there that does
+    assert (np.trace(other, axis1=1, axis2=2) > 0.999 * np.trace(e.points[5:9], axis1=1, axis2=2)).all()
+    with pytest.raises(InputError, match="as long as the scale bars are"):
+        placed_bars(site.points.xyz, 2, 0.0002, length=50.0)
 
 
 def test_other_points_are_as_an_intersection_from_stations_that_are_known_so_well():

@@ -45,7 +45,7 @@ def surface_of_points(xyz: Array, towards: Array, name: str = "result") -> Surfa
     if len(xyz) < FEWEST:
         raise InputError(f"{name}: {len(xyz)} points have rays; a surface needs {FEWEST}")
     near = min(NEIGHBOURS, len(xyz))
-    distance, rows = KDTree(xyz).query(xyz, near)
+    distance, rows = (np.asarray(a) for a in KDTree(xyz).query(xyz, near))
     step = np.median(distance[:, 1 : min(near, 5)], axis=1)
     together = step < LONE * np.median(step)
     xyz, towards, rows, all_xyz = xyz[together], towards[together], rows[together], xyz
@@ -53,7 +53,7 @@ def surface_of_points(xyz: Array, towards: Array, name: str = "result") -> Surfa
     keep = some[farthest_first(xyz[some], MOST)]
     near_rows = rows[keep]
     xyz, normal = xyz[keep], _normals(all_xyz[near_rows], towards[keep])
-    distance = KDTree(xyz).query(xyz, min(5, len(xyz)))[0]
+    distance = np.asarray(KDTree(xyz).query(xyz, min(5, len(xyz)))[0])
     radius = OVERLAP * np.sqrt(0.5) * distance[:, 1:].mean(axis=1)
     radius = np.minimum(radius, LARGEST * np.median(radius))
     beside = np.median(np.einsum("nki,ni->nk", all_xyz[near_rows][:, 1:] - xyz[:, None], normal), axis=1)

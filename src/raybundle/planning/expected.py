@@ -14,6 +14,7 @@ import numpy as np
 
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.objects.surface import SurfacePoints
+from raybundle.planning.bars import Bars, Scaled
 from raybundle.planning.site import Site
 
 WEAK = 1e-6
@@ -56,6 +57,8 @@ class Expected:
     """(t,) photographs in which a point is found, as far as that is to be expected"""
     inverse: Array
     """(u, u) covariance of stations and interior orientation in a datum of their own, for `Networks.elsewhere`"""
+    scaled: Scaled | None = None
+    """What scale bars bring"""
 
     @property
     def sigma(self) -> Array:
@@ -80,16 +83,18 @@ class Networks:
     """Networks at one site."""
 
     def __init__(
-        self, site: Site, control_sigma: Array | None = None, least_rays: int = 2, carriers: Mask | None = None
-    ) -> None:
+        self, site: Site, control_sigma: Array | None = None, least_rays: int = 2, carriers: Mask | None = None,
+        bars: Bars | None = None,
+    ) -> None:  # fmt: skip
         """Prepare.
 
         control_sigma  (t, 3) standard deviations of coordinates that are known beforehand [m], infinite where none;
                        None: the datum is that of inner constraints over all points
         least_rays     of each point; two are no check of each other along their plane, three find a blunder
         carriers       (t,) points over which inner constraints are taken; None: all
+        bars           known distances between points; the scale is theirs then
         """
-        self.carriers = carriers
+        self.carriers, self.bars = carriers, bars
         self.least_rays = least_rays
         self.site = site
         xyz = site.points.xyz
@@ -101,7 +106,7 @@ class Networks:
 
     def with_rays(self, least_rays: int) -> Networks:
         """The same with another least number of rays."""
-        made = Networks(self.site, None, least_rays, self.carriers)
+        made = Networks(self.site, None, least_rays, self.carriers, self.bars)
         made.prior = self.prior
         return made
 
@@ -138,6 +143,8 @@ class Networks:
         MS = M @ e.inverse
         Q[good] = iV + MS @ np.swapaxes(M, 1, 2)
         if self.prior is not None:
+            if e.scaled is not None:
+                Q[good] += e.scaled.change(MS.reshape(-1, MS.shape[2]) @ e.scaled.by_unknowns, None)
             return Q
         H, _, unit = self._datum
         network_V = np.sum([p.V for p in parts], axis=0)
@@ -149,6 +156,10 @@ class Networks:
         G = self._directions(points.xyz[good]) @ unit
         cross = G @ (HM @ np.swapaxes(MS, 1, 2))
         Q[good] += G @ inner @ np.swapaxes(G, 1, 2) - cross - np.swapaxes(cross, 1, 2)
+        if e.scaled is not None:
+            flat_G = G.reshape(-1, 7)
+            U = MS.reshape(-1, MS.shape[2]) @ e.scaled.by_unknowns - flat_G @ (flat.T @ e.scaled.raw)
+            Q[good] += e.scaled.change(U, flat_G[:, 6])
         return Q
 
     def parts(self, centre: Array, rotation: Array) -> list[Part]:
@@ -173,9 +184,7 @@ class Networks:
             for s in [slice(first[i], first[i + 1])]
         ]
 
-    def _part(
-        self, centre: Array, rotation: Array, point: Index, share: Array, A: Array, B: Array, D: Array
-    ) -> Part:
+    def _part(self, centre: Array, rotation: Array, point: Index, share: Array, A: Array, B: Array, D: Array) -> Part:
         t, f = len(self.site.points), len(self.free)
         V, W, WF = np.zeros((t, 3, 3)), np.zeros((t, 3, 6)), np.zeros((t, 3, f))
         At = np.swapaxes(A, 1, 2)
@@ -220,7 +229,13 @@ class Networks:
         found = np.bincount(
             np.concatenate([p.points for p in parts]), np.concatenate([p.share for p in parts]), minlength=t
         )
-        return Expected(points=self._points(iV, M, iS), interior=iS[6 * n :, 6 * n :], rays=found, inverse=iS)
+        points, interior, scaled = self._points(iV, M, iS), iS[6 * n :, 6 * n :], None
+        if self.bars is not None:
+            datum = None if self.prior is not None else self._datum[:2]
+            scaled = Scaled.of(self.bars, self.site.points.xyz, iV, M, iS, datum)
+            points = points + scaled.change(scaled.U, None if datum is None else datum[1].reshape(-1, 7)[:, 6])
+            interior = interior + scaled.of_unknowns(iS[6 * n :] @ scaled.by_unknowns)
+        return Expected(points=points, interior=interior, rays=found, inverse=iS, scaled=scaled)
 
     def _inverse(self, S: Array, diagonal: Array, parts: Sequence[Part]) -> Array | None:
         """An inverse of the stations' normal equations, without the seven directions that change no image."""

@@ -15,6 +15,7 @@ from raybundle.objects.surface import SurfacePoints, tiles
 from raybundle.planning.candidates import LEAST, Stations, standing_places
 from raybundle.planning.configuration import Aim, Design, Designer, Search, improved
 from raybundle.planning.expected import Expected, Networks, Part, Short
+from raybundle.planning.held import Held, Wanted, held
 from raybundle.planning.site import Site
 
 FEWEST, MOST = 4, 60
@@ -79,6 +80,8 @@ class NetworkPlan:
     """(m,) standard deviation of the middles [m]; NaN where less than two stations see them"""
     left_out: SurfacePoints
     """Points of the object that cannot be seen often enough from where one may stand; nothing is promised of them"""
+    held: Held | None = None
+    """With the scale bars and control that were wanted; None without"""
     tried: tuple[tuple[int, float], ...] = field(default=())
     """Numbers of stations that were tried, and the figure that was reached with them [m]"""
 
@@ -100,6 +103,19 @@ class NetworkPlan:
         return float(np.linalg.norm(s.centre[station] - self.site.points.xyz[point], axis=1).mean())
 
     @property
+    def base_to_depth(self) -> float:
+        """B/D: of each point the longest base between two stations that see it by its mean distance; their median."""
+        s, xyz = self.design.stations, self.site.points.xyz
+        station, point, _, _ = self.site.seen(s.centre, s.rotation)
+        far = np.linalg.norm(s.centre[:, None] - s.centre[None], axis=2)
+        away = np.linalg.norm(s.centre[station] - xyz[point], axis=1)
+        found = [
+            far[np.ix_(station[mine], station[mine])].max() / away[mine].mean()
+            for mine in (np.flatnonzero(point == p) for p in range(len(xyz))) if len(mine)
+        ]  # fmt: skip
+        return float(np.median(found))
+
+    @property
     def q(self) -> float:
         """Factor q of sigma_XYZ = q S sigma / sqrt(k), with the mean number k of rays (Fraser 1984)."""
         sigma_xyz = float(np.sqrt(np.mean(self.expected.sigma**2)))
@@ -109,27 +125,31 @@ class NetworkPlan:
 
 def plan_network(
     site: Site, *, wanted: float | None = None, stations: int | None = None, start: Stations | None = None,
-    aim: Aim = "worst", control_sigma: Array | None = None, least_rays: int = 3, search: Search | None = None,
-    progress: Progress = silent,
+    aim: Aim = "worst", least_rays: int = 3, search: Search | None = None, as_given: bool = False,
+    known: Wanted | None = None, progress: Progress = silent,
 ) -> NetworkPlan:  # fmt: skip
     """The network of so many stations with the best figure, or of the fewest that reach what is wanted.
 
     wanted    standard deviation [m] of the worst point or of all in the mean, as `aim` says
     stations  how many; None: as few as reach `wanted`
     start     stations to begin with; the result is never worse
-    control_sigma, least_rays  as of `Networks`
+    as_given  the stations of `start` are judged as they are, and none is looked for
+    known     scale bars and control that are put on the object, beside the figure of the network itself
+    least_rays  as of `Networks`
     raises    InputError where neither is told, or `wanted` is beyond reach: it says what can be reached and why
     What it does not tell: whether targets can be fixed and recognised there; errors that all photographs share, as of
     a camera that is not stable.
     """
     if wanted is None and stations is None and start is None:
         raise InputError("a plan needs the standard deviation that is wanted, or the number of stations")
-    site, left_out = _reachable(site, least_rays)
-    designer = Designer(Networks(site, control_sigma, least_rays), aim, progress)
+    site, left_out = _reachable(site, least_rays, start if as_given else None)
+    designer = Designer(Networks(site, None, least_rays), aim, progress)
     none = Stations(centre=np.zeros((0, 3)), at=np.zeros((0, 3)), roll=np.zeros(0))
     first = none if start is None else start
     tried = list[tuple[int, float]]()
-    if stations is not None or wanted is None:
+    if as_given:
+        design = designer.design(first)
+    elif stations is not None or wanted is None:
         design = improved(designer, first, search, stations or len(first))
         tried.append((len(design.stations), design.figure))
     else:
@@ -137,16 +157,15 @@ def plan_network(
     if design.expected is None:
         raise InputError(_not_determined(site, design, least_rays))
     with threadpool_limits(1):
-        return _told(designer, design, wanted, tuple(tried), left_out)
+        return _told(designer, design, wanted, tuple(tried), left_out, known or Wanted())
 
 
-def _reachable(site: Site, least_rays: int) -> tuple[Site, SurfacePoints]:
-    """The site with the points that can be seen from enough places, and those that cannot.
+def _reachable(site: Site, least_rays: int, only: Stations | None) -> tuple[Site, SurfacePoints]:
+    """The site with the points that can be seen from enough places, or by enough of these stations; the others.
 
     raises  InputError where too few are left for a network
     """
-    places = standing_places(site, PLACES)
-    _, point = site.faced(places)
+    point = site.faced(standing_places(site, PLACES))[1] if only is None else site.seen(only.centre, only.rotation)[1]
     p, count = site.points, np.bincount(point, minlength=len(site.points))
     good = count >= least_rays
     left_out = SurfacePoints(xyz=p.xyz[~good], normal=p.normal[~good])
@@ -154,6 +173,8 @@ def _reachable(site: Site, least_rays: int) -> tuple[Site, SurfacePoints]:
         raise InputError(
             f"{int(good.sum())} of {len(p)} points of the object can be seen {least_rays} times from where one may "
             "stand; widen the access, or allow rays that are farther off the normal"
+            if only is None
+            else f"{int(good.sum())} of {len(p)} points of the object are seen by {least_rays} of the stations"
         )
     return replace(site, points=SurfacePoints(xyz=p.xyz[good], normal=p.normal[good])), left_out
 
@@ -219,8 +240,9 @@ def _not_determined(site: Site, design: Design, least: int) -> str:
 
 
 def _told(
-    d: Designer, design: Design, wanted: float | None, tried: tuple[tuple[int, float], ...], left_out: SurfacePoints
-) -> NetworkPlan:
+    d: Designer, design: Design, wanted: float | None, tried: tuple[tuple[int, float], ...], left_out: SurfacePoints,
+    known: Wanted,
+) -> NetworkPlan:  # fmt: skip
     site, e = d.site, design.expected
     assert e is not None
     parts = d.networks.parts(design.stations.centre, design.stations.rotation)
@@ -230,7 +252,9 @@ def _told(
     corners, mapped = tiles(site.surface, MAPPED)
     e = d.networks.expected(parts)
     assert isinstance(e, Expected)
-    Q = d.networks.elsewhere(parts, e, mapped)
+    known_there = held(d, parts, known)
+    networks, seen = (d.networks, e) if known_there is None else (known_there.networks, known_there.expected)
+    Q = networks.elsewhere(parts, seen, mapped)
     loose = d.networks.with_rays(2)
     path = float(np.linalg.norm(np.diff(design.stations.centre, axis=0), axis=1).sum())
     n = len(parts)
@@ -238,7 +262,7 @@ def _told(
     cost = replace(cost, minutes=(n * cost.seconds_per_photograph + path / cost.metres_per_second) / 60)
     return NetworkPlan(
         site=site, design=replace(design, expected=e), expected=e, aim=d.aim, wanted=wanted, tried=tried, cost=cost,
-        left_out=left_out,
+        left_out=left_out, held=known_there,
         purposes=tuple(_purpose(d, loose, e, parts, k) for k in range(n)), corners=corners, mapped=mapped,
         map_sigma=np.sqrt(np.trace(Q, axis1=1, axis2=2) / 3),
     )  # fmt: skip

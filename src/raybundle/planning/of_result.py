@@ -1,6 +1,8 @@
-"""A block that was adjusted as the object of a plan: its points with the side from which they were seen, its stations."""
+"""An adjusted block as the object of a plan: its points with the side from which they were seen, its stations."""
 
 from __future__ import annotations
+
+from dataclasses import replace
 
 import numpy as np
 
@@ -51,7 +53,12 @@ def surface_of_result(block: Block) -> Surface:
     if not np.isfinite(block.images.centre).all():
         raise InputError(f"block {block.name}: has photographs without orientation; adjust or orient it before")
     rows, towards = good_points(block)
-    return surface_of_points(block.points.xyz[rows], towards, block.name)
+    surface = surface_of_points(block.points.xyz[rows] * _metres(block), towards, block.name)
+    return replace(surface, about=f"{surface.about}, of a scale that is arbitrary") if block.free_scale else surface
+
+
+def _metres(block: Block) -> float:
+    return 0.001 if block.length_unit == "mm" else 1.0
 
 
 def stations_of_result(block: Block) -> Stations:
@@ -59,12 +66,12 @@ def stations_of_result(block: Block) -> Stations:
 
     raises  InputError where a photograph has no orientation
     """
-    centre, rotation = block.images.centre, block.images.rotation
+    centre, rotation = block.images.centre * _metres(block), block.images.rotation
     bad = np.flatnonzero(~(np.isfinite(centre).all(axis=1) & np.isfinite(rotation).all(axis=(1, 2))))
     if len(bad):
         raise InputError(f"photograph {block.images.ids[bad[0]]} of block {block.name} has no orientation")
     rows, _, _ = points_of_result(block)
-    middle = block.points.xyz[rows].mean(axis=0) if len(rows) else np.zeros(3)
+    middle = _metres(block) * block.points.xyz[rows].mean(axis=0) if len(rows) else np.zeros(3)
     far = np.maximum(np.einsum("ni,ni->n", centre - middle, rotation[:, 2]), 1e-3)
     at = centre - far[:, None] * rotation[:, 2]
     turn = rotation @ np.swapaxes(look_at(centre, at), 1, 2)
