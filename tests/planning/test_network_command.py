@@ -143,7 +143,7 @@ def test_rasters_of_heights_are_objects(tmp_path, capsys):
 
 
 def test_results_are_objects_and_their_stations_are_judged(tmp_path, capsys):
-    assert plan(tmp_path, "box:4,3,2.5", "--photographs", "10", "--rays", "2", "--scale-bars", "2") == 0
+    assert plan(tmp_path, "facade:6,4", "--photographs", "10", "--rays", "2", "--scale-bars", "2") == 0
     assert "with 2 scale bars: worst" in capsys.readouterr().out
     first = tmp_path / "plan"
     assert main(["simulate", str(first), "--seed", "3", "--out", str(tmp_path / "measured")]) == 0
@@ -155,13 +155,31 @@ def test_results_are_objects_and_their_stations_are_judged(tmp_path, capsys):
     truth, block = rb.read_block(tmp_path / "measured/truth"), rb.read_block(tmp_path / "measured/block")
     pixels = (block.observations.xy_px - truth.observations.xy_px) / 0.05
     assert np.mean(pixels**2) == pytest.approx(1, abs=0.15)
-    same = (str(tmp_path / "done"), "--stations", str(first / "stations.csv"), "--rays", "2", "--control", "4")
+    same = (str(tmp_path / "done"), "--stations", str(tmp_path / "done"), "--rays", "2", "--control", "4")
     assert plan(tmp_path, *same, name="again") == 0
     told = json.loads((tmp_path / "again/plan.json").read_text())
     assert told["photographs"] == 10
     assert told["known"]["control"] == 4
     assert "control" in {r["known"] for r in rows(tmp_path / "again/points.csv")}
+    turned = [line.split(",") for line in (first / "stations.csv").read_text().splitlines()]
+    turned[1][4:7] = turned[1][1], turned[1][2], "99"  # looks up
+    (tmp_path / "up.csv").write_text("\n".join(",".join(r) for r in turned) + "\n")
+    assert plan(tmp_path, "facade:6,4", "--stations", str(tmp_path / "up.csv"), "--rays", "2", name="x") == 2
+    assert "station 1 shows 0 of" in capsys.readouterr().err
     assert plan(tmp_path, *same[:-1], "2", name="x") == 2
     assert "2 control points do not give a frame" in capsys.readouterr().err
     assert main(["simulate", str(first), "--control", "3", "--out", str(tmp_path / "y")]) == 2
     assert "has its own control and scale bars" in capsys.readouterr().err
+
+
+def test_whole_surfaces_and_photographs_once_more(tmp_path, capsys):
+    words = ("facade:6,4", "--sigma", "0.3", "--rays", "2", "--hold-camera", "--measured", "natural", "--everywhere")
+    assert plan(tmp_path, *words, "--repeat", "2") == 0
+    said = capsys.readouterr().out
+    assert "2 photographs once more from stations that are there" in said
+    assert "for all of the surface that can be seen" in said
+    told = json.loads((tmp_path / "plan/plan.json").read_text())
+    assert [m["photographs"] for m in told["added"]][1] == 2
+    assert told["object"]["largest_m"] < 0.3e-3 * 1.1  # the map has finer tiles than those by which stations are added
+    assert plan(tmp_path, "facade:6,4", "--photographs", "8", "--everywhere", name="x") == 2
+    assert "--everywhere needs" in capsys.readouterr().err

@@ -8,13 +8,16 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.errors import InputError
 from raybundle.objects.kinds import object_kinds
 from raybundle.objects.surface import SurfacePoints, spread
+from raybundle.planning.aims import aims
 from raybundle.planning.bars import placed_bars
 from raybundle.planning.candidates import Stations
 from raybundle.planning.configuration import Designer, Search, improved
+from raybundle.planning.densify import densified, repeated
 from raybundle.planning.expected import Expected, Networks, Short
 from raybundle.planning.network_plan import plan_network, walk
 from raybundle.planning.optics import Optics
 from raybundle.planning.planned_block import planned_block
+from raybundle.planning.reliability import redundancies
 from raybundle.planning.scenes import brown_camera
 from raybundle.planning.site import Access, Site
 
@@ -190,3 +193,45 @@ def test_depth_of_field():
     assert far > 1e3
     with pytest.raises(InputError, match="cannot be focused at 0.02 m"):
         Optics(focus=0.02).depth_of_field(24, 0.004)
+
+
+@pytest.mark.parametrize("estimate", [(), FREE], ids=["held", "free"])
+def test_redundancy_numbers_are_those_of_the_adjustment(estimate):
+    site = box_site(estimate=estimate)
+    networks, parts = parts_of(site, ring())
+    r = redundancies(parts, networks.expected(parts))
+    block = planned_block(site, ring(), seed=None)
+    result = adjust_block(block, AdjustmentOptions(datum="inner", datum_points=block.points.ids, threads=1))
+    assert np.abs(r - result.image_observations.redundancy).max() < 1e-5
+    unknowns = 6 * 10 + 3 * len(site.points) + len(estimate) - 7
+    assert r.sum() == pytest.approx(r.size - unknowns, abs=1e-6)
+
+
+@pytest.mark.parametrize("aim", aims.values(), ids=lambda a: a.name)
+def test_every_aim_is_brought_nearer(aim):
+    site = box_site()
+    designer = Designer(Networks(site), aim.name)
+    start = ring(9)
+    before, done = designer.design(start), improved(designer, start, QUICK)
+    assert done.figure < 0.97 * before.figure
+    for other in aims.values():
+        if other is not aim:  # what is best for one is not what is best for another
+            judged = Designer(Networks(site), other.name)
+            assert judged.design(done.stations).figure > 0
+    if aim.unit != "m":
+        with pytest.raises(InputError, match="is no standard deviation"):
+            plan_network(site, wanted=0.001, aim=aim.name)
+
+
+def test_photographs_are_added_where_they_help():
+    designer = Designer(Networks(box_site()))
+    one = improved(designer, ring(), QUICK)
+    again = repeated(designer, one.stations, 4)
+    assert len(again.stations) == 14
+    assert (np.diff(again.figures) < 0).all()
+    assert designer.design(again.stations).figure == pytest.approx(again.figures[-1], rel=1e-9)
+    all_twice = repeated(designer, one.stations, 0)
+    assert all_twice.figures == pytest.approx([one.figure])
+    everywhere = densified(designer, one.stations, 0.0002)
+    assert everywhere.figures[0] > 0.0002 >= everywhere.figures[-1]
+    assert everywhere.open_share == 0

@@ -9,8 +9,9 @@ from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
 from raybundle.objects.surface import Surface, farthest_first
 
-NEIGHBOURS = 12
-"""Points about one that tell the plane through it"""
+NEIGHBOURS, LEAST_NEIGHBOURS, OF_ALL = 12, 5, 10
+"""Points about one that tell the plane through it, that one with them: of few points less, a tenth of them, for their
+neighbours lie round the next edge"""
 CORNERS = 6
 """Of a disc"""
 MOST = 3000
@@ -44,7 +45,7 @@ def surface_of_points(xyz: Array, towards: Array, name: str = "result") -> Surfa
     xyz, towards = xyz[good], towards[good]
     if len(xyz) < FEWEST:
         raise InputError(f"{name}: {len(xyz)} points have rays; a surface needs {FEWEST}")
-    near = min(NEIGHBOURS, len(xyz))
+    near = min(NEIGHBOURS, max(LEAST_NEIGHBOURS, len(xyz) // OF_ALL))
     distance, rows = (np.asarray(a) for a in KDTree(xyz).query(xyz, near))
     step = np.median(distance[:, 1 : min(near, 5)], axis=1)
     together = step < LONE * np.median(step)

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -31,6 +32,11 @@ class Part:
     """(k,) that it sees"""
     share: Array
     """(k,) how often each is found; their weights are multiplied by it"""
+    A: Array
+    B: Array
+    D: Array
+    """(k, 2, 3 or 6 or f) derivatives of the image points, in their standard deviations and by the root of `share`: by
+    the point, by centre and turn of the station, by the interior orientation"""
     V: Array
     """(t, 3, 3) by points"""
     W: Array
@@ -57,6 +63,8 @@ class Expected:
     """(t,) photographs in which a point is found, as far as that is to be expected"""
     inverse: Array
     """(u, u) covariance of stations and interior orientation in a datum of their own, for `Networks.elsewhere`"""
+    eliminated: tuple[Array, Array]
+    """(t, 3, 3) inverses of the points' normal equations, and (3t, u) these times those with the other unknowns"""
     scaled: Scaled | None = None
     """What scale bars bring"""
 
@@ -95,6 +103,8 @@ class Networks:
         bars           known distances between points; the scale is theirs then
         """
         self.carriers, self.bars = carriers, bars
+        self.kept = dict[str, Any]()
+        """What aims compute once"""
         self.least_rays = least_rays
         self.site = site
         xyz = site.points.xyz
@@ -191,8 +201,8 @@ class Networks:
         V[point], W[point], WF[point] = At @ A, At @ B, At @ D
         b, d = B.reshape(-1, 6), D.reshape(2 * len(point), f)
         return Part(
-            centre=centre, rotation=rotation, points=point, share=share, V=V, W=W, N=b.T @ b, side=b.T @ d, WF=WF,
-            F=d.T @ d,
+            centre=centre, rotation=rotation, points=point, share=share, A=A, B=B, D=D, V=V, W=W, N=b.T @ b,
+            side=b.T @ d, WF=WF, F=d.T @ d,
         )  # fmt: skip
 
     def expected(self, parts: Sequence[Part]) -> Expected | Short:
@@ -235,7 +245,7 @@ class Networks:
             scaled = Scaled.of(self.bars, self.site.points.xyz, iV, M, iS, datum)
             points = points + scaled.change(scaled.U, None if datum is None else datum[1].reshape(-1, 7)[:, 6])
             interior = interior + scaled.of_unknowns(iS[6 * n :] @ scaled.by_unknowns)
-        return Expected(points=points, interior=interior, rays=found, inverse=iS, scaled=scaled)
+        return Expected(points=points, interior=interior, rays=found, inverse=iS, eliminated=(iV, M), scaled=scaled)
 
     def _inverse(self, S: Array, diagonal: Array, parts: Sequence[Part]) -> Array | None:
         """An inverse of the stations' normal equations, without the seven directions that change no image."""

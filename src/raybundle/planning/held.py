@@ -52,16 +52,12 @@ class Held:
     """Covariances in the frame that they give"""
     networks: Networks
 
-    def figure(self, d: Designer) -> float:
-        """Worst or mean standard deviation in that frame, as the design has it [m]."""
-        return d.figure(self.expected)
-
 
 def held(d: Designer, parts: Sequence[Part], wanted: Wanted) -> Held | None:
     """The network with what is wanted, put where it serves best; None where nothing is.
 
     raises  InputError for one or two control points, or bars that no two points are apart
-    Control is exchanged among points that are far from each other until the figure gets no better.
+    Control is exchanged among points that are far from each other until the worst point gets no better.
     """
     if not wanted.control and not wanted.bars:
         return None
@@ -82,7 +78,7 @@ def held(d: Designer, parts: Sequence[Part], wanted: Wanted) -> Held | None:
         sigma[chosen] = wanted.control_sigma
         networks = Networks(d.site, sigma, least, bars=bars)
         e = networks.expected(parts)
-        return (d.figure(e), networks, e) if isinstance(e, Expected) else (np.inf, networks, None)
+        return (float(e.sigma.max()), networks, e) if isinstance(e, Expected) else (np.inf, networks, None)
 
     chosen = rows[: wanted.control].tolist()
     best = made(chosen)

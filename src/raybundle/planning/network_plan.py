@@ -12,10 +12,13 @@ from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.progress import Progress, silent
 from raybundle.objects.surface import SurfacePoints, tiles
+from raybundle.planning.aims import Aim, AimName, aims
 from raybundle.planning.candidates import LEAST, Stations, standing_places
-from raybundle.planning.configuration import Aim, Design, Designer, Search, improved
+from raybundle.planning.configuration import Design, Designer, Search, improved
+from raybundle.planning.densify import Densified, densified, repeated
 from raybundle.planning.expected import Expected, Networks, Part, Short
 from raybundle.planning.held import Held, Wanted, held
+from raybundle.planning.reliability import redundancies
 from raybundle.planning.site import Site
 
 FEWEST, MOST = 4, 60
@@ -80,6 +83,8 @@ class NetworkPlan:
     """(m,) standard deviation of the middles [m]; NaN where less than two stations see them"""
     left_out: SurfacePoints
     """Points of the object that cannot be seen often enough from where one may stand; nothing is promised of them"""
+    more: tuple[Densified, ...] = ()
+    """Photographs that were added: for the whole surface, or once more from stations that are there"""
     held: Held | None = None
     """With the scale bars and control that were wanted; None without"""
     tried: tuple[tuple[int, float], ...] = field(default=())
@@ -101,6 +106,11 @@ class NetworkPlan:
         s = self.design.stations
         station, point, _, _ = self.site.seen(s.centre, s.rotation)
         return float(np.linalg.norm(s.centre[station] - self.site.points.xyz[point], axis=1).mean())
+
+    calibration_px: float | None = None
+    """Largest uncertainty of projection over the format by the interior orientation; None where it is held"""
+    redundancy: Array = field(default_factory=lambda: np.zeros((0, 2)))
+    """(m, 2) redundancy numbers of the image coordinates, as `reliability.redundancies` has them"""
 
     @property
     def base_to_depth(self) -> float:
@@ -125,8 +135,8 @@ class NetworkPlan:
 
 def plan_network(
     site: Site, *, wanted: float | None = None, stations: int | None = None, start: Stations | None = None,
-    aim: Aim = "worst", least_rays: int = 3, search: Search | None = None, as_given: bool = False,
-    known: Wanted | None = None, progress: Progress = silent,
+    aim: AimName = "worst", least_rays: int = 3, search: Search | None = None, as_given: bool = False,
+    known: Wanted | None = None, everywhere: bool = False, repeat: int = 0, progress: Progress = silent,
 ) -> NetworkPlan:  # fmt: skip
     """The network of so many stations with the best figure, or of the fewest that reach what is wanted.
 
@@ -135,11 +145,15 @@ def plan_network(
     start     stations to begin with; the result is never worse
     as_given  the stations of `start` are judged as they are, and none is looked for
     known     scale bars and control that are put on the object, beside the figure of the network itself
+    everywhere  stations are added until `wanted` is reached on all of the surface that can be seen
+    repeat    so many photographs more from stations that are there
     least_rays  as of `Networks`
     raises    InputError where neither is told, or `wanted` is beyond reach: it says what can be reached and why
     What it does not tell: whether targets can be fixed and recognised there; errors that all photographs share, as of
     a camera that is not stable.
     """
+    if wanted is not None and aims[aim].unit != "m":
+        raise InputError(f"the aim {aim} is no standard deviation; say how many stations there are to be")
     if wanted is None and stations is None and start is None:
         raise InputError("a plan needs the standard deviation that is wanted, or the number of stations")
     site, left_out = _reachable(site, least_rays, start if as_given else None)
@@ -156,8 +170,15 @@ def plan_network(
         design = _fewest(designer, first, wanted, search, tried)
     if design.expected is None:
         raise InputError(_not_determined(site, design, least_rays))
+    more = list[Densified]()
+    if everywhere and wanted is not None:
+        more.append(densified(designer, design.stations, wanted))
+        design = designer.design(more[-1].stations)
+    if repeat:
+        more.append(repeated(designer, design.stations, repeat))
+        design = designer.design(more[-1].stations)
     with threadpool_limits(1):
-        return _told(designer, design, wanted, tuple(tried), left_out, known or Wanted())
+        return _told(designer, design, wanted, tuple(tried), left_out, known or Wanted(), tuple(more))
 
 
 def _reachable(site: Site, least_rays: int, only: Stations | None) -> tuple[Site, SurfacePoints]:
@@ -228,8 +249,16 @@ def _beyond(d: Designer, wanted: float, reached: list[tuple[int, float]]) -> str
 
 def _not_determined(site: Site, design: Design, least: int) -> str:
     s = design.stations
-    _, point, _, _ = site.seen(s.centre, s.rotation)
+    station, point, _, _ = site.seen(s.centre, s.rotation)
     rays = np.bincount(point, minlength=len(site.points))
+    shown = np.bincount(station, minlength=len(s))
+    if (shown < LEAST).any():
+        k = int(shown.argmin())
+        return (
+            f"station {k + 1} shows {shown[k]} of {len(rays)} points of the object, fewer than the {LEAST} that orient "
+            f"it ({int((shown < LEAST).sum())} of {len(s)} stations are such): are stations and object in one frame, "
+            "and does the camera look at it?"
+        )
     few = int((rays < least).sum())
     if few:
         return (
@@ -241,7 +270,7 @@ def _not_determined(site: Site, design: Design, least: int) -> str:
 
 def _told(
     d: Designer, design: Design, wanted: float | None, tried: tuple[tuple[int, float], ...], left_out: SurfacePoints,
-    known: Wanted,
+    known: Wanted, more: tuple[Densified, ...],
 ) -> NetworkPlan:  # fmt: skip
     site, e = d.site, design.expected
     assert e is not None
@@ -262,7 +291,8 @@ def _told(
     cost = replace(cost, minutes=(n * cost.seconds_per_photograph + path / cost.metres_per_second) / 60)
     return NetworkPlan(
         site=site, design=replace(design, expected=e), expected=e, aim=d.aim, wanted=wanted, tried=tried, cost=cost,
-        left_out=left_out, held=known_there,
+        left_out=left_out, held=known_there, more=more, redundancy=redundancies(parts, e),
+        calibration_px=aims["calibration"].figure(d.networks, parts, e) if d.networks.free else None,
         purposes=tuple(_purpose(d, loose, e, parts, k) for k in range(n)), corners=corners, mapped=mapped,
         map_sigma=np.sqrt(np.trace(Q, axis1=1, axis2=2) / 3),
     )  # fmt: skip
@@ -277,9 +307,9 @@ def _purpose(d: Designer, loose: Networks, e: Expected, parts: list[Part], k: in
     worst = int(each.argmax())
     lost = np.sqrt(np.diag(without.interior) / np.diag(e.interior)) if len(e.interior) else np.zeros(0)
     order = np.argsort(-lost)
+    ratio = d.figure(parts[:k] + parts[k + 1 :], without) / d.figure(parts, e)
     return Purpose(
-        unseen=np.zeros(0, np.int64), ratio=d.figure(without) / d.figure(e), worst=worst,
-        worst_ratio=float(each[worst]),
+        unseen=np.zeros(0, np.int64), ratio=ratio, worst=worst, worst_ratio=float(each[worst]),
         parameters=tuple((d.networks.free[i], float(lost[i])) for i in order if lost[i] > LOSES),
     )  # fmt: skip
 

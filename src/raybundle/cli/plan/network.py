@@ -51,8 +51,12 @@ def command(object: str, progress: str, **given: Any) -> None:  # noqa: A002  (t
 
 def _lines(plan: NetworkPlan, settings: NetworkSettings) -> list[str]:
     t = told(plan)
-    n, aim = t["photographs"], "worst point" if plan.aim == "worst" else "mean"
-    reached = f"sigma of a coordinate {_mm(t['reached_m'])} ({aim})"
+    n = t["photographs"]
+    reached = f"{plan.aim.words} " + (
+        f"{plan.design.figure:.3g} px" if plan.aim.unit == "px" else f"{t['least_redundancy']:.2f}"
+    )
+    if plan.aim.unit == "m":
+        reached = f"sigma of a coordinate {_mm(t['reached_m'])} ({plan.aim.words})"
     if plan.wanted is not None:
         reached += f", wanted {_mm(plan.wanted)}" + ("" if plan.reached else ": not reached")
     o = t["object"]
@@ -68,6 +72,12 @@ def _lines(plan: NetworkPlan, settings: NetworkSettings) -> list[str]:
         f"{network}, image sigma {plan.site.sigma_px:g} px{sharp if near > 0 else ''}",
         f"about {t['minutes']:.0f} min on site, {t['path_m']:.0f} m to walk",
     ]
+    for m in plan.more:
+        again = len(m.of) and (m.of >= 0).all()
+        what = "once more from stations that are there" if again else "for all of the surface that can be seen"
+        after = f": {_mm(m.figures[0])} before, {_mm(m.figures[-1])} with them" if plan.aim.unit == "m" else ""
+        still = f"; {100 * m.open_share:.0f} % of it stay above what is wanted" if m.open_share > 0 else ""
+        lines.append(f"{counted(len(m.of), 'photograph')} {what}{after}{still}")
     if t["known"] is not None:
         k = t["known"]
         parts = [counted(k[n], w) for n, w in (("control", "control point"), ("scale_bars", "scale bar")) if k[n]]
@@ -75,7 +85,8 @@ def _lines(plan: NetworkPlan, settings: NetworkSettings) -> list[str]:
     if plan.site.free:
         std, pixel = t["interior_mm"], plan.site.camera.pixel_mm[0]
         known = (f"{s} {std[s] / pixel:.2g} px" for s in ("c", "x0", "y0") if s in std)
-        lines.append(f"calibrated with it: {', '.join(known)}")
+        whole = f"; image points to {t['calibration_px']:.2g} px at worst" if plan.calibration_px is not None else ""
+        lines.append(f"calibrated with it: {', '.join(known)}{whole}")
     lines += [f"{k + 1:02d}  {purpose_words(plan, k)}" for k in range(min(n, SHOWN))]
     if n > SHOWN:
         lines.append(f"... {n - SHOWN} more in stations.csv")
@@ -96,4 +107,6 @@ def _lines(plan: NetworkPlan, settings: NetworkSettings) -> list[str]:
 
 
 def _mm(metres: float) -> str:
+    if not metres < 1e6:
+        return "not determined"
     return f"{significant(1000 * metres, 2)} mm"

@@ -36,7 +36,10 @@ class NetworkSettings:
     photographs: int | None = setting(
         None, "So many stations; without it the fewest that reach {sigma}.", limits=Range(low=3, high=200)
     )
-    aim: Literal["worst", "mean"] = setting("worst", "Whether {sigma} is that of the worst point or the mean.")
+    aim: Literal["worst", "mean", "calibration", "reliability"] = setting(
+        "worst", "What is made small: {sigma} of the worst point or of all in the mean, what the calibration leaves "
+        "uncertain, or how badly image points check each other."
+    )  # fmt: skip
     camera: Path | None = setting(
         None,
         "A photograph of the camera, its calibration, or a block or result.  [default: that of an object that is one]",
@@ -71,6 +74,13 @@ class NetworkSettings:
     )  # fmt: skip
     unit: float = setting(1.0, "Metres of one unit of a mesh.", limits=Range(low=1e-9, high=1e6))
     crs: str = setting("", "Coordinate system of a raster or outline that is not in metres.", metavar="EPSG:CODE")
+    everywhere: bool = setting(
+        False, "Add stations until {sigma} is reached on all of the surface that can be seen, not at its points alone."
+    )
+    repeat: int = setting(
+        0, "Take so many photographs more from stations that are there, where they help most.",
+        limits=Range(low=0, high=50),
+    )  # fmt: skip
     stations: Path | None = setting(
         None, "Judge these stations, look for none: stations.csv of a plan, a block or a result.", metavar="FILE|FOLDER"
     )
@@ -104,13 +114,15 @@ def run_plan_network(settings: NetworkSettings, progress: Progress = silent) -> 
 
     if settings.sigma is None and settings.photographs is None and settings.stations is None:
         raise InputError(f"say what is wanted: {option('sigma', 'MM')}, or {option('photographs', 'N')}")
+    if settings.everywhere and settings.sigma is None:
+        raise InputError(f"{option('everywhere')} needs the standard deviation that is wanted: {option('sigma', 'MM')}")
     check_place(settings.out, "folder")
     plan = network_plan.plan_network(
         site_of(settings), wanted=None if settings.sigma is None else settings.sigma / 1000,
         stations=settings.photographs, aim=settings.aim, least_rays=settings.rays, progress=progress,
         search=network_plan.QUICK if settings.effort == "quick" else None,
         start=None if settings.stations is None else stations_of(settings.stations),
-        as_given=settings.stations is not None,
+        as_given=settings.stations is not None, everywhere=settings.everywhere, repeat=settings.repeat,
         known=Wanted(
             control=settings.control, control_sigma=settings.control_sigma / 1000, bars=settings.scale_bars,
             bar_sigma=settings.bar_sigma / 1000, bar_length=settings.bar_length,

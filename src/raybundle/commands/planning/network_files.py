@@ -88,15 +88,21 @@ def told(plan: NetworkPlan) -> dict[str, Any]:
 
     e, seen = plan.expected, np.isfinite(plan.map_sigma)
     free, h = plan.site.free, plan.held
+
+    def finite(v: float) -> float | None:
+        return float(v) if np.isfinite(v) else None
+
     known = None if h is None else {
         "control": len(h.control), "scale_bars": 0 if h.bars is None else len(h.bars.sigma),
         "worst_m": float(h.expected.sigma.max()), "mean_m": float(np.sqrt(np.mean(h.expected.sigma**2))),
     }  # fmt: skip
     return {
         "photographs": len(plan.design.stations),
-        "aim": plan.aim,
+        "aim": plan.aim.name,
         "wanted_m": plan.wanted,
-        "reached_m": plan.design.figure,
+        "reached_m": plan.design.figure if plan.aim.unit == "m" else None,
+        "calibration_px": plan.calibration_px,
+        "least_redundancy": float(plan.redundancy.min()),
         "worst_m": float(e.sigma.max()),
         "mean_m": float(np.sqrt(np.mean(e.sigma**2))),
         "object": {
@@ -109,6 +115,16 @@ def told(plan: NetworkPlan) -> dict[str, Any]:
         "image_sigma_px": plan.site.sigma_px,
         "image_scale_number": plan.scale_number,
         "rays_mean": float(e.rays.mean()),
+        "added": [
+            {
+                "photographs": len(m.of),
+                "again_from": [int(k) + 1 for k in m.of if k >= 0],
+                "before_m": finite(m.figures[0]),
+                "after_m": finite(m.figures[-1]),
+                "open_share": m.open_share,
+            }
+            for m in plan.more
+        ],
         "base_to_depth": plan.base_to_depth,
         "q": plan.q,
         "known": known,
@@ -117,6 +133,13 @@ def told(plan: NetworkPlan) -> dict[str, Any]:
         "path_m": plan.cost.path_m,
         "tried": [{"photographs": n, "reached_m": f if np.isfinite(f) else None} for n, f in plan.tried],
     }
+
+
+AIMED = {
+    "worst": "worst sigma", "mean": "mean sigma", "calibration": "uncertainty of the calibration",
+    "reliability": "worst check of an image point",
+}  # fmt: skip
+"""What a station is there for, by the aim"""
 
 
 def frame_words(plan: NetworkPlan) -> str:
@@ -152,7 +175,7 @@ def purpose_words(plan: NetworkPlan, k: int) -> str:
         return "without it the network is not determined"
     said = list[str]()
     if p.ratio > 1.02:
-        said.append(f"{plan.aim} sigma {100 * (p.ratio - 1):.0f} % larger without it")
+        said.append(f"{AIMED[plan.aim.name]} {100 * (p.ratio - 1):.0f} % larger without it")
     said.append(f"{side_words(where.normal[p.worst])} up to {100 * (p.worst_ratio - 1):.0f} %")
     if p.parameters and p.parameters[0][1] > 1.05:
         said.append(", ".join(f"{s} {100 * (r - 1):.0f} %" for s, r in p.parameters[:2]))
