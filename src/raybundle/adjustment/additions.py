@@ -1,0 +1,208 @@
+"""What more photographs would do to the covariances of a finished adjustment: updates of low rank, exact.
+
+A photograph that sees m object points adds 2 m observations and the six unknowns of its station.  With J their whitened
+partial derivatives by what is unknown already (points and interior orientations), E by the stations, and Q the cofactors
+of the result, the stations eliminated,
+
+    Q' = Q - Q J' Z J Q,   M = I + J Q J',   Z = M^-1 - M^-1 E (E' M^-1 E)^-1 E' M^-1
+
+(Woodbury 1950; the second term of Z is that of unknowns of which nothing is known beforehand).  With M = L L', W = L^-1 J Q
+and U an orthonormal basis of L^-1 E this is Q' = Q - W' W + (U' W)' (U' W).
+
+The datum needs no care.  An S-transformation S depends on coordinates and on the points that carry the datum, not on Q;
+photographs with free stations tell nothing of the datum, J S = J when the stations are eliminated: so the same formula
+holds in every datum, and in that of the result it gives what a full adjustment with these photographs would.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.linalg import blas, lapack
+
+from raybundle.adjustment.assemble import packed_whitening
+from raybundle.adjustment.joint_cofactors import Factored, JointCofactors, whitening
+from raybundle.adjustment.twin_images import residuals_and_partials
+from raybundle.block import Block, Images, Observations
+from raybundle.block.rejection import Rejections
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.platforms.station import sensor_from_object
+
+SPREAD = 1e-7
+"""Of the best determined combination of the stations' unknowns, what the worst must have: half of the digits of M."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Photographs:
+    """Photographs of one camera that could be taken, and the object points that each is taken to see."""
+
+    camera: int
+    """Position in `Block.cameras`"""
+    centre: Array
+    """(n, 3)"""
+    rotation: Array
+    """(n, 3, 3) object axes to image axes"""
+    image: Index
+    """(k,) which photograph, ascending"""
+    point: Index
+    """(k,) position in `Block.points`"""
+    xy_px: Array
+    """(k, 2) where it lies in the image"""
+    cov_px2: Array
+    """(k, 3) variances of x and y and their covariance"""
+
+    def __len__(self) -> int:
+        """How many photographs."""
+        return len(self.centre)
+
+    def chosen(self, images: Index) -> Photographs:
+        """Only these photographs, in this order."""
+        first = np.searchsorted(self.image, np.arange(len(self) + 1))
+        parts = [np.arange(first[i], first[i + 1]) for i in images]
+        rows = np.concatenate([np.zeros(0, np.int64), *parts])
+        return replace(
+            self, centre=self.centre[images], rotation=self.rotation[images],
+            image=np.repeat(np.arange(len(parts)), [len(p) for p in parts]).astype(np.int32), point=self.point[rows],
+            xy_px=self.xy_px[rows], cov_px2=self.cov_px2[rows],
+        )  # fmt: skip
+
+    def observing(self, rows: Mask | Index) -> Photographs:
+        """With these of their image points."""
+        return replace(
+            self, image=self.image[rows], point=self.point[rows], xy_px=self.xy_px[rows], cov_px2=self.cov_px2[rows]
+        )
+
+
+def with_photographs(
+    block: Block, rejected: Rejections, more: Photographs, names: tuple[str, ...] = ()
+) -> tuple[Block, Rejections]:
+    """The block with these photographs and their image points, and the reasons of rejections with theirs: none.
+
+    names  of the photographs; else "proposed 1", ...
+    """
+    n, count = len(more), len(block.images)
+    station = block.images.station
+    images = Images(
+        ids=names or tuple(f"proposed {i + 1}" for i in range(n)), camera=np.full(n, more.camera, np.int32),
+        file=("",) * n, centre=more.centre, rotation=more.rotation,
+        station=None if station is None else (station.max() + 1 + np.arange(n)).astype(np.int32),
+    )  # fmt: skip
+    seen = Observations(
+        image=(count + more.image).astype(np.int32), point=more.point.astype(np.int32), xy_px=more.xy_px,
+        cov_px2=more.cov_px2,
+    )  # fmt: skip
+    whole = replace(block, images=block.images.append(images), observations=block.observations.append(seen))
+    return whole, rejected + (None,) * len(seen)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Rows:
+    """Whitened partial derivatives of photographs that could be taken, by what is unknown."""
+
+    image: Index
+    """(k,) which photograph, ascending"""
+    at: Index
+    """(k,) place of the point among those of the joint cofactors"""
+    by_point: Array
+    """(k, 2, 3)"""
+    by_station: Array
+    """(k, 2, 6)"""
+    by_interior: Array
+    """(k, 2, u)"""
+    interior: Index
+    """(u,) places in the joint cofactors"""
+
+    def chosen(self, images: Index) -> Rows:
+        """Only those of these photographs, ascending."""
+        first = np.searchsorted(self.image, images, side="left")
+        last = np.searchsorted(self.image, images, side="right")
+        rows = np.concatenate([np.zeros(0, np.int64), *map(np.arange, first, last)])
+        return replace(
+            self, image=self.image[rows], at=self.at[rows], by_point=self.by_point[rows],
+            by_station=self.by_station[rows], by_interior=self.by_interior[rows],
+        )  # fmt: skip
+
+
+def rows_of(factored: Factored, joint: JointCofactors, block: Block, more: Photographs) -> Rows:
+    """Partial derivatives of photographs at the values of the block.
+
+    block   with the adjusted values at which the factor stands
+    raises  InputError for cameras whose photographs have parameters of their own, or no single station
+    """
+    camera, system = block.cameras[more.camera], factored.system
+    model = camera.sensor
+    if camera.is_scene or model.local_width or camera.interior == "per_image" or camera.per_image:
+        raise InputError(
+            f"camera {camera.id}: what a further photograph brings is told of cameras whose photographs have a station "
+            "and share the interior orientation; this one is a scene, moves while it is read out, or has parameters of "
+            "each photograph"
+        )
+    row = next((r for r in system.interior if r.camera == more.camera and r.image < 0), None)
+    if row is None or not (block.images.camera[system.images_used] == more.camera).any():
+        raise InputError(f"camera {camera.id} has no photograph that takes part; nothing is known of it")
+    R, point = more.rotation[more.image], more.point
+    P = sensor_from_object(R, more.centre[more.image], block.points.xyz[point])
+    values = np.repeat(camera.parameters[:, None], len(point), axis=1)
+    xy = np.ascontiguousarray(camera.image_from_pixel(more.xy_px))
+    corrected = bool(system.corrected[more.camera])
+    _, D, _ = residuals_and_partials(model, xy, P, values, corrected=corrected)
+    W = whitening(packed_whitening(more.cov_px2, np.array(camera.pixel_mm) * [1, -1]))
+    D = W @ D
+    by_object = D[:, :, :3] @ R
+    free = list(row.free) if row.node >= 0 else []
+    unknowns = system.offsets[row.node] + row.start + np.arange(len(free)) if free else np.zeros(0, np.int64)
+    return Rows(
+        image=more.image, at=joint.place(point),
+        by_point=by_object,
+        by_station=np.concatenate([-by_object, np.cross(P.T[:, None], D[:, :, :3])], axis=2),
+        by_interior=D[:, :, [3 + k for k in free]], interior=joint.columns[unknowns].astype(np.int64),
+    )  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Gain:
+    """How the joint cofactors change with some photographs: Q' = Q - W' W + T' T."""
+
+    W: Array
+    """(2 k, n)"""
+    T: Array
+    """(6 s, n)"""
+
+    def lost(self) -> Array:
+        """(n,) by how much each variance falls."""
+        return np.einsum("ij,ij->j", self.W, self.W) - np.einsum("ij,ij->j", self.T, self.T)
+
+    def of(self, joint: JointCofactors, rows: Index, columns: Index | None = None) -> Array:
+        """Cofactors with the photographs, of these rows and columns of the joint matrix."""
+        columns = rows if columns is None else columns
+        change = self.W[:, rows].T @ self.W[:, columns] - self.T[:, rows].T @ self.T[:, columns]
+        return joint.matrix[np.ix_(rows, columns)] - change
+
+
+def gain(joint: JointCofactors, rows: Rows) -> Gain | None:
+    """What photographs that are taken together bring; None where they do not determine their stations."""
+    k, n = len(rows.at), len(joint.matrix)
+    at = 3 * rows.at[:, None] + np.arange(3)
+    B = rows.by_interior.reshape(2 * k, -1)
+    JQ = (rows.by_point @ joint.matrix[at]).reshape(2 * k, n)
+    JQ += B @ joint.matrix[rows.interior]
+    M = B @ JQ[:, rows.interior].T
+    M += (rows.by_point @ np.moveaxis(JQ[:, at], 0, 2)).reshape(2 * k, 2 * k)
+    M[np.arange(2 * k), np.arange(2 * k)] += 1.0
+    L, failed = lapack.dpotrf(M, lower=1, clean=0)
+    if failed:
+        return None
+    images, which = np.unique(rows.image, return_inverse=True)
+    E = np.zeros((k, 2, len(images), 6))
+    E[np.arange(k), :, which] = rows.by_station
+    U = blas.dtrsm(1.0, L, E.reshape(2 * k, -1), lower=1)
+    U /= np.linalg.norm(U, axis=0)
+    U, triangle = np.linalg.qr(U)
+    pivots = np.abs(np.diagonal(triangle))
+    if len(pivots) < 6 * len(images) or not pivots.min() > SPREAD:
+        return None
+    # in Fortran's order the transposed product is solved in place: (J Q)' L'^-1
+    W = blas.dtrsm(1.0, L, JQ.T, side=1, lower=1, trans_a=1, overwrite_b=1).T
+    return Gain(W=W, T=U.T @ W)
