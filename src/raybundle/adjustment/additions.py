@@ -1,13 +1,13 @@
 """What more photographs would do to the covariances of a finished adjustment: updates of low rank, exact.
 
-A photograph that sees m object points adds 2 m observations and the six unknowns of its station.  With J their whitened
-partial derivatives by what is unknown already (points and interior orientations), E by the stations, and Q the cofactors
-of the result, the stations eliminated,
+A photograph that sees m object points adds 2 m observations and the six unknowns of its station.  With J their
+whitened partial derivatives by what is unknown already (points and interior orientations), E by the stations, and Q the
+cofactors of the result, the stations eliminated,
 
     Q' = Q - Q J' Z J Q,   M = I + J Q J',   Z = M^-1 - M^-1 E (E' M^-1 E)^-1 E' M^-1
 
-(Woodbury 1950; the second term of Z is that of unknowns of which nothing is known beforehand).  With M = L L', W = L^-1 J Q
-and U an orthonormal basis of L^-1 E this is Q' = Q - W' W + (U' W)' (U' W).
+(Woodbury 1950; the second term of Z is that of unknowns of which nothing is known beforehand).  With M = L L',
+W = L^-1 J Q and U an orthonormal basis of L^-1 E this is Q' = Q - W' W + (U' W)' (U' W).
 
 The datum needs no care.  An S-transformation S depends on coordinates and on the points that carry the datum, not on Q;
 photographs with free stations tell nothing of the datum, J S = J when the stations are eliminated: so the same formula
@@ -17,9 +17,9 @@ holds in every datum, and in that of the result it gives what a full adjustment 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
-from scipy.linalg import blas, lapack
 
 from raybundle.adjustment.assemble import packed_whitening
 from raybundle.adjustment.joint_cofactors import Factored, JointCofactors, whitening
@@ -60,7 +60,7 @@ class Photographs:
     def chosen(self, images: Index) -> Photographs:
         """Only these photographs, in this order."""
         first = np.searchsorted(self.image, np.arange(len(self) + 1))
-        parts = [np.arange(first[i], first[i + 1]) for i in images]
+        parts = [np.arange(first[i], first[i + 1]) for i in images.tolist()]
         rows = np.concatenate([np.zeros(0, np.int64), *parts])
         return replace(
             self, centre=self.centre[images], rotation=self.rotation[images],
@@ -183,6 +183,10 @@ class Gain:
 
 def gain(joint: JointCofactors, rows: Rows) -> Gain | None:
     """What photographs that are taken together bring; None where they do not determine their stations."""
+    from scipy.linalg import blas, lapack  # noqa: PLC0415
+
+    kernels: Any = (blas, lapack)
+    solve, factor = kernels[0].dtrsm, kernels[1].dpotrf
     k, n = len(rows.at), len(joint.matrix)
     at = 3 * rows.at[:, None] + np.arange(3)
     B = rows.by_interior.reshape(2 * k, -1)
@@ -191,18 +195,18 @@ def gain(joint: JointCofactors, rows: Rows) -> Gain | None:
     M = B @ JQ[:, rows.interior].T
     M += (rows.by_point @ np.moveaxis(JQ[:, at], 0, 2)).reshape(2 * k, 2 * k)
     M[np.arange(2 * k), np.arange(2 * k)] += 1.0
-    L, failed = lapack.dpotrf(M, lower=1, clean=0)
+    L, failed = factor(M, lower=1, clean=0)
     if failed:
         return None
     images, which = np.unique(rows.image, return_inverse=True)
     E = np.zeros((k, 2, len(images), 6))
     E[np.arange(k), :, which] = rows.by_station
-    U = blas.dtrsm(1.0, L, E.reshape(2 * k, -1), lower=1)
+    U = solve(1.0, L, E.reshape(2 * k, -1), lower=1)
     U /= np.linalg.norm(U, axis=0)
     U, triangle = np.linalg.qr(U)
     pivots = np.abs(np.diagonal(triangle))
     if len(pivots) < 6 * len(images) or not pivots.min() > SPREAD:
         return None
     # in Fortran's order the transposed product is solved in place: (J Q)' L'^-1
-    W = blas.dtrsm(1.0, L, JQ.T, side=1, lower=1, trans_a=1, overwrite_b=1).T
+    W = solve(1.0, L, JQ.T, side=1, lower=1, trans_a=1, overwrite_b=1).T
     return Gain(W=W, T=U.T @ W)
