@@ -161,41 +161,38 @@ def rows_of(factored: Factored, joint: JointCofactors, block: Block, more: Photo
     )  # fmt: skip
 
 
+Columns = Index | slice
+"""Places in the joint cofactors"""
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Gain:
-    """How the joint cofactors change with some photographs: Q' = Q - W' W + T' T."""
+    """How some of the joint cofactors change with photographs: Q' = Q - W' W + T' T."""
 
     W: Array
-    """(2 k, n)"""
+    """(2 k, c)"""
     T: Array
-    """(6 s, n)"""
+    """(6 s, c)"""
 
     def lost(self) -> Array:
-        """(n,) by how much each variance falls."""
+        """(c,) by how much each variance falls."""
         return np.einsum("ij,ij->j", self.W, self.W) - np.einsum("ij,ij->j", self.T, self.T)
 
-    def of(self, joint: JointCofactors, rows: Index, columns: Index | None = None) -> Array:
-        """Cofactors with the photographs, of these rows and columns of the joint matrix."""
-        columns = rows if columns is None else columns
-        change = self.W[:, rows].T @ self.W[:, columns] - self.T[:, rows].T @ self.T[:, columns]
-        return joint.matrix[np.ix_(rows, columns)] - change
+    def change(self) -> Array:
+        """(c, c) what is taken from the cofactors."""
+        return self.W.T @ self.W - self.T.T @ self.T
 
 
-def gain(joint: JointCofactors, rows: Rows) -> Gain | None:
-    """What photographs that are taken together bring; None where they do not determine their stations."""
+def gain(joint: JointCofactors, rows: Rows, columns: Columns) -> Gain | None:
+    """What photographs that are taken together do to these cofactors; None where they leave their stations open."""
     from scipy.linalg import blas, lapack  # noqa: PLC0415
 
     kernels: Any = (blas, lapack)
     solve, factor = kernels[0].dtrsm, kernels[1].dpotrf
-    k, n = len(rows.at), len(joint.matrix)
+    k = len(rows.at)
     at = 3 * rows.at[:, None] + np.arange(3)
     B = rows.by_interior.reshape(2 * k, -1)
-    JQ = (rows.by_point @ joint.matrix[at]).reshape(2 * k, n)
-    JQ += B @ joint.matrix[rows.interior]
-    M = B @ JQ[:, rows.interior].T
-    M += (rows.by_point @ np.moveaxis(JQ[:, at], 0, 2)).reshape(2 * k, 2 * k)
-    M[np.arange(2 * k), np.arange(2 * k)] += 1.0
-    L, failed = factor(M, lower=1, clean=0)
+    L, failed = factor(_observed(joint, rows, at, B), lower=1, clean=0)
     if failed:
         return None
     images, which = np.unique(rows.image, return_inverse=True)
@@ -207,6 +204,22 @@ def gain(joint: JointCofactors, rows: Rows) -> Gain | None:
     pivots = np.abs(np.diagonal(triangle))
     if len(pivots) < 6 * len(images) or not pivots.min() > SPREAD:
         return None
+    part = joint.matrix[:, columns]
+    JQ = (rows.by_point @ part[at]).reshape(2 * k, -1)
+    JQ += B @ part[rows.interior]
     # in Fortran's order the transposed product is solved in place: (J Q)' L'^-1
     W = solve(1.0, L, JQ.T, side=1, lower=1, trans_a=1, overwrite_b=1).T
     return Gain(W=W, T=U.T @ W)
+
+
+def _observed(joint: JointCofactors, rows: Rows, at: Array, B: Array) -> Array:
+    """I + J Q J' (2 k, 2 k)."""
+    k = len(at)
+    touched = np.concatenate([at.ravel(), rows.interior])
+    Q = joint.matrix[np.ix_(touched, touched)]
+    JQ = (rows.by_point @ Q[: 3 * k].reshape(k, 3, -1)).reshape(2 * k, -1)
+    JQ += B @ Q[3 * k :]
+    M = B @ JQ[:, 3 * k :].T
+    M += (rows.by_point @ np.moveaxis(JQ[:, : 3 * k].reshape(2 * k, k, 3), 0, 2)).reshape(2 * k, 2 * k)
+    M[np.arange(2 * k), np.arange(2 * k)] += 1.0
+    return M

@@ -8,7 +8,7 @@ from typing import Literal
 
 import numpy as np
 
-from raybundle.adjustment.additions import Gain
+from raybundle.adjustment.additions import Columns, Gain
 from raybundle.adjustment.joint_cofactors import Factored
 from raybundle.adjustment.precision import interior_unknowns, node_cofactor
 from raybundle.adjustment.result import Adjustment
@@ -51,8 +51,14 @@ class Standing:
     """Position of the object point that has it; -1: of none"""
 
 
-Measure = Callable[[Gain | None], Standing]
-"""What a goal amounts to with some photographs; None: as the network stands"""
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Measure:
+    """How a goal is measured in a network."""
+
+    columns: Columns
+    """Joint cofactors that it hangs on"""
+    standing: Callable[[Gain | None], Standing]
+    """What it amounts to with some photographs, by what they do to these; None: as the network stands"""
 
 
 def measure_of(outlook: Outlook, goal: Goal) -> Measure:
@@ -64,8 +70,8 @@ def measure_of(outlook: Outlook, goal: Goal) -> Measure:
     factor = outlook.variance * outlook.wider[at] ** 2
     free = now > 0
 
-    def measured(g: Gain | None) -> Standing:
-        left = now if g is None else now - g.lost()[: 3 * len(outlook.joint.points)].reshape(-1, 3)[at]
+    def standing(g: Gain | None) -> Standing:
+        left = now if g is None else now - g.lost().reshape(-1, 3)
         std = np.sqrt(np.maximum(left * factor, 0.0))
         if goal.kind == "mean":
             return Standing(value=float(std[free].mean()))
@@ -73,7 +79,9 @@ def measure_of(outlook: Outlook, goal: Goal) -> Measure:
         k = int(largest.argmax()) if share == 1 else int(np.argsort(largest)[int(share * (len(largest) - 1))])
         return Standing(value=float(largest[k]), point=int(points[k]))
 
-    return measured
+    whole = len(at) == len(outlook.joint.points)
+    columns = slice(0, 3 * len(at)) if whole else (3 * at[:, None] + np.arange(3)).ravel()
+    return Measure(columns=columns, standing=standing)
 
 
 def _regarded(outlook: Outlook, goal: Goal) -> tuple[Index, float]:
@@ -88,8 +96,10 @@ def _regarded(outlook: Outlook, goal: Goal) -> tuple[Index, float]:
             raise InputError(f"points that take no part in the adjustment: {', '.join(missing[:10]) or 'none given'}")
         return at, 1.0
     natural = automatic([block.points.ids[p] for p in points.tolist()])
-    if (~natural).any() and natural.any() and goal.kind == "worst":  # what somebody named is what is asked for
-        return np.flatnonzero(~natural), 1.0
+    named = ~natural & ~block.points.is_control[points].any(axis=1)
+    if named.any() and natural.any() and goal.kind == "worst":  # what somebody named is what is asked for
+        return np.flatnonzero(named), 1.0
+    natural = natural | block.points.is_control[points].any(axis=1)
     return np.arange(len(points)), SHARE if natural.all() and len(points) > FEW else 1.0
 
 
@@ -107,14 +117,16 @@ def _calibration(outlook: Outlook, camera: str) -> Measure:
     kept, prior = np.array([symbols.index(s) for s in carried], np.int64), np.array([*carried.values()])
     wider = _wider(result, camera, symbols, shifts, outlook)
 
-    def measured(g: Gain | None) -> Standing:
-        Q = outlook.joint.matrix[np.ix_(at, at)] if g is None else g.of(outlook.joint, at)
+    now = outlook.joint.matrix[np.ix_(at, at)]
+
+    def standing(g: Gain | None) -> Standing:
+        Q = now if g is None else now - g.change()
         bare = without_prior(Q, kept, prior) if carried else Q
         if bare is None:
             return Standing(value=np.inf)
         return Standing(value=wider * shifts.uncertainty(outlook.variance * bare).largest)
 
-    return measured
+    return Measure(columns=at, standing=standing)
 
 
 def without_prior(Q: Array, at: Index, variance: Array) -> Array | None:

@@ -7,12 +7,14 @@ not tell: whether one can stand there, and whether the points can be recognised;
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 
 from raybundle.adjustment.additions import Photographs, gain
-from raybundle.numerics.arrays import Array
+from raybundle.adjustment.dense import one_thread
+from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.planning.goals import Goal, Standing, measure_of
 from raybundle.planning.outlook import Outlook
@@ -43,30 +45,42 @@ def next_best(
     Each is the best beside those before it; two that are poor alone and good together are not found.
     """
     found = list[Chosen]()
-    open_ = np.ones(len(candidates), bool)
+    open_ = np.bincount(candidates.image, minlength=len(candidates)) > 0
     for step in range(count):
-        measure = measure_of(outlook, goal)
-        now = measure(None)
-        ranked = np.full(len(candidates), np.inf)
-        rows = outlook.rows(candidates)
-        images = np.flatnonzero(open_ & (np.bincount(candidates.image, minlength=len(candidates)) > 0))
-        standing = dict[int, Standing]()
-        for k, i in enumerate(images.tolist()):
-            if k % 50 == 0:
-                progress("candidates", (step + k / max(len(images), 1)) / count)
-            g = gain(outlook.joint, rows.chosen(np.array([i])))
-            if g is not None:
-                standing[i] = measure(g)
-                ranked[i] = standing[i].value
-        if not standing:
-            break
+
+        def told(share: float, step: int = step) -> None:
+            progress("candidates", (step + share) / count)
+
+        now, standing = measure_of(outlook, goal).standing(None), ranking(outlook, candidates, goal, open_, told)
+        ranked = np.array([s.value if s is not None else np.inf for s in standing])
         best = int(np.argmin(ranked))
-        if not ranked[best] < now.value:
+        after = standing[best]
+        if after is None or not after.value < now.value:
             break
         taken = candidates.chosen(np.array([best]))
-        found.append(Chosen(candidate=best, photograph=taken, before=now, after=standing[best], ranked=ranked))
+        found.append(Chosen(candidate=best, photograph=taken, before=now, after=after, ranked=ranked))
         open_[best] = False
         if step + 1 < count:
             outlook = outlook.added(taken, (f"proposed {step + 1}",))
     progress("candidates", 1.0)
     return tuple(found)
+
+
+def ranking(
+    outlook: Outlook, candidates: Photographs, goal: Goal, asked: Mask, told: Callable[[float], None] | None = None
+) -> list[Standing | None]:
+    """What a goal amounts to with each candidate (n,) by itself; None for those not asked, or seeing too little.
+
+    asked  (n,) which are
+    told   is given the share that is done
+    """
+    measure, rows = measure_of(outlook, goal), outlook.rows(candidates)
+    found: list[Standing | None] = [None] * len(candidates)
+    # small matrices: a second thread waits longer than it works, where processors are busy otherwise
+    with one_thread():
+        for k, i in enumerate(np.flatnonzero(asked).tolist()):
+            if told is not None and k % 50 == 0:
+                told(k / len(candidates))
+            g = gain(outlook.joint, rows.chosen(np.array([i])), measure.columns)
+            found[i] = None if g is None else measure.standing(g)
+    return found
