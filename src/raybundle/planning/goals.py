@@ -49,6 +49,14 @@ class Standing:
     """Standard deviation [length unit of the block; px of a calibration]; infinite where it is not determined"""
     point: int = -1
     """Position of the object point that has it; -1: of none"""
+    carried: float = 0.0
+    """Of a calibration what it is with what one knows of such a camera beforehand: where several photographs are needed
+    to determine it, the first ones lower this"""
+
+    @property
+    def rank(self) -> tuple[float, float]:
+        """By this the better of two comes first."""
+        return self.value, self.carried
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -121,10 +129,12 @@ def _calibration(outlook: Outlook, camera: str) -> Measure:
 
     def standing(g: Gain | None) -> Standing:
         Q = now if g is None else now - g.change()
-        bare = without_prior(Q, kept, prior) if carried else Q
-        if bare is None:
-            return Standing(value=np.inf)
-        return Standing(value=wider * shifts.uncertainty(outlook.variance * bare).largest)
+        known = wider * shifts.uncertainty(outlook.variance * Q).largest
+        if not carried:
+            return Standing(value=known)
+        bare = without_prior(Q, kept, prior)
+        value = np.inf if bare is None else wider * shifts.uncertainty(outlook.variance * bare).largest
+        return Standing(value=value, carried=known)
 
     return Measure(columns=at, standing=standing)
 

@@ -32,6 +32,12 @@ class Chosen:
     after: Standing
     ranked: Array
     """(n,) what every candidate would have brought in its place; infinite where it sees too little"""
+    std_before: Array
+    """(t, 3) of the coordinates of the points that are regarded, without the photograph; `std_after` with it"""
+    std_after: Array
+    interior_std_before: Array
+    """(u,) of all interior orientations, in the order of the joint cofactors; `interior_std_after` with it"""
+    interior_std_after: Array
 
 
 def next_best(
@@ -52,18 +58,36 @@ def next_best(
             progress("candidates", (step + share) / count)
 
         now, standing = measure_of(outlook, goal).standing(None), ranking(outlook, candidates, goal, open_, told)
-        ranked = np.array([s.value if s is not None else np.inf for s in standing])
-        best = int(np.argmin(ranked))
+        ranks = np.array([s.rank if s is not None else (np.inf, np.inf) for s in standing]).reshape(-1, 2)
+        best = int(np.lexsort((ranks[:, 1], ranks[:, 0]))[0])
         after = standing[best]
-        if after is None or not after.value < now.value:
+        if after is None or not after.rank < now.rank:
             break
         taken = candidates.chosen(np.array([best]))
-        found.append(Chosen(candidate=best, photograph=taken, before=now, after=after, ranked=ranked))
+        before, left = _deviations(outlook, taken)
+        t = 3 * len(outlook.joint.points)
+        found.append(
+            Chosen(
+                candidate=best, photograph=taken, before=now, after=after, ranked=ranks[:, 0],
+                std_before=before[:t].reshape(-1, 3), std_after=left[:t].reshape(-1, 3),
+                interior_std_before=before[t:], interior_std_after=left[t:],
+            )
+        )  # fmt: skip
         open_[best] = False
         if step + 1 < count:
             outlook = outlook.added(taken, (f"proposed {step + 1}",))
     progress("candidates", 1.0)
     return tuple(found)
+
+
+def _deviations(outlook: Outlook, taken: Photographs) -> tuple[Array, Array]:
+    """Standard deviations (n,) of all that the joint cofactors hold, without and with a photograph."""
+    g = gain(outlook.joint, outlook.rows(taken), slice(None))
+    now = np.diagonal(outlook.joint.matrix)
+    assert g is not None  # it was ranked
+    wider = np.concatenate([outlook.wider.ravel(), np.ones(len(now) - outlook.wider.size)])
+    before, after = (np.sqrt(np.maximum(outlook.variance * v, 0.0)) * wider for v in (now, now - g.lost()))
+    return before, after
 
 
 def ranking(

@@ -2,7 +2,7 @@
 
 The object itself is not known, only its points and from where they were seen: a point counts as seen from a place where
 it lies within the format, on the side from which it was photographed, and no farther or nearer than can be measured.
-Whoever has a surface gives a function that tells what hides what.
+Whoever has a surface gives a function that tells what hides what (`planning.obstacles`).
 """
 
 from __future__ import annotations
@@ -18,8 +18,8 @@ from raybundle.block import Block
 from raybundle.block.points import automatic
 from raybundle.numerics.arrays import Array, Index, Mask
 
-Visible = Callable[[Array, Array], Mask]
-"""visible(centre (3,), points (n, 3)) -> (n,): nothing of the object lies between"""
+Visible = Callable[[Array, Index], Mask]
+"""visible(centre (3,), places (k,) among the points of a `Sight`) -> (k,): nothing stands between"""
 GRAZING = np.radians(75)
 """Angle off the normal beyond which a target is too narrow an ellipse to be measured."""
 ALIKE = np.radians(40)
@@ -40,7 +40,7 @@ TOGETHER = 400_000
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Sight:
+class PointSight:
     """Chosen object points, and from where they are seen."""
 
     points: Index
@@ -58,13 +58,20 @@ class Sight:
     """(t,) points that a program named: they have to look alike to be found again"""
     order: Index
     """(t,) rank along a curve that fills space"""
+    cov_px2: Array
+    """(t, 3) of an image point of each: medians of the variances of its image points, and no covariance"""
+    depth: tuple[float, float] = (0.0, float("inf"))
+    """Distances along the axis that are sharp [length unit of the block]"""
+    incidence: float = GRAZING
+    """Largest angle of a ray to the normal [rad]"""
     visible: Visible | None = None
 
     @classmethod
-    def of(cls, block: Block, used: Mask, points: Index, visible: Visible | None = None) -> Sight:
-        """Of these points of a block.
+    def of(cls, block: Block, used: Mask, points: Index, camera: int) -> PointSight:
+        """Of these points of a block, as photographs of a camera would measure them.
 
-        used  (m,) image observations that take part
+        used    (m,) image observations that take part
+        camera  position in `Block.cameras`
         """
         o = block.observations
         place = np.full(len(block.points), -1)
@@ -88,15 +95,15 @@ class Sight:
         names = [block.points.ids[p] for p in points.tolist()]
         return cls(
             points=points, xyz=xyz, normal=_normals(xyz, mean), rays=rays, nearest=near, farthest=far,
-            natural=automatic(names), order=np.argsort(along_curve(xyz)), visible=visible,
+            natural=automatic(names), order=np.argsort(along_curve(xyz)),
+            cov_px2=_typical(o.cov_px2[rows], at, block.images.camera[image] == camera, t),
         )  # fmt: skip
 
     def shown(
-        self, block: Block, camera: int, centre: Array, rotation: Array, cov_px2: Array, least: Array | None = None
+        self, block: Block, camera: int, centre: Array, rotation: Array, least: Array | None = None
     ) -> Photographs:
         """Photographs (n, 3), (n, 3, 3) with the points that they would show, those that show too few without any.
 
-        cov_px2  (3,) of their image points
         least    (t,) how little each point is determined; of more than SEEN points a quarter are the least determined
                  ones, the others evenly spread; None: all are taken
         """
@@ -115,7 +122,7 @@ class Sight:
         image, at, xy = image[keep], at[keep], xy[keep]
         return Photographs(
             camera=camera, centre=centre, rotation=rotation, image=image.astype(np.int32),
-            point=self.points[at].astype(np.int32), xy_px=xy, cov_px2=np.tile(cov_px2, (len(at), 1)),
+            point=self.points[at].astype(np.int32), xy_px=xy, cov_px2=self.cov_px2[at],
         )  # fmt: skip
 
     def _pairs(self, block: Block, k: int, centre: Array, rotation: Array) -> tuple[Array, Array, Array]:
@@ -125,7 +132,10 @@ class Sight:
         to = centre[image] - self.xyz[at]
         distance = np.maximum(np.linalg.norm(to, axis=1), 1e-300)
         good = (distance > self.nearest[at] / FARTHER) & (distance < self.farthest[at] * FARTHER)
-        good &= np.einsum("ij,ij->i", to, self.normal[at]) > np.cos(GRAZING) * distance
+        good &= np.einsum("ij,ij->i", to, self.normal[at]) > np.cos(self.incidence) * distance
+        if self.depth != (0.0, np.inf):
+            ahead = np.einsum("ij,ij->i", to, rotation[image, 2])
+            good &= (ahead > self.depth[0]) & (ahead < self.depth[1])
         image, at, to = image[good], at[good], to[good] / distance[good, None]
         xy = image_points(camera, rotation[image], centre[image], self.xyz[at])
         with np.errstate(invalid="ignore"):
@@ -139,9 +149,27 @@ class Sight:
             good = np.ones(len(image), bool)
             for i in np.unique(image):
                 mine = np.flatnonzero(image == i)
-                good[mine] = self.visible(centre[i], self.xyz[at[mine]])
+                good[mine] = self.visible(centre[i], at[mine])
             image, at, xy = image[good], at[good], xy[good]
         return image, at, xy
+
+
+def _typical(cov_px2: Array, at: Index, mine: Mask, t: int) -> Array:
+    """(t, 3) medians of the variances of each point's image points by a camera; of all its points where it has none.
+
+    cov_px2  (k, 3), `at` (k,) of which point, ascending; `mine` (k,) by the camera
+    """
+    rows = np.flatnonzero(mine)
+    found = np.zeros((t, 3))
+    found[:, :2] = np.median(cov_px2[rows, :2], axis=0)
+    count = np.bincount(at[rows], minlength=t)
+    first = np.cumsum(count) - count
+    some = np.flatnonzero(count)
+    for k in range(2):
+        order = rows[np.lexsort((cov_px2[rows, k], at[rows]))]
+        low, high = (cov_px2[order[first[some] + (count[some] + d) // 2], k] for d in (-1, 0))
+        found[some, k] = (low + high) / 2
+    return found
 
 
 def _normals(xyz: Array, mean: Array) -> Array:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -11,6 +12,7 @@ from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.planning.sight import well_spread
+from raybundle.settings import option
 
 MOST = 1000
 """Candidates."""
@@ -25,6 +27,8 @@ TURN = np.radians(15)
 ROLLS = np.radians([0.0, 90.0, -90.0])
 WEAK = 3
 """Weak places that are looked at, besides the middle of the object."""
+FEW = 200
+"""Points up to which the lowest and outermost count; of more, 1 % at either end of an axis do not."""
 APART = 0.2
 """Of the extent of the object, how far weak places are apart."""
 
@@ -35,20 +39,22 @@ class Reach:
 
     step: float | None = None
     """Farthest from an existing station; None: the median distance from the stations to the points that they see"""
-    distance: tuple[float, float] | None = None
-    """Nearest and farthest distance to what is looked at"""
-    height: tuple[float, float] | None = None
-    """Lowest and highest Z"""
-    box: tuple[float, float, float, float, float, float] | None = None
-    """Lowest X, Y, Z and highest X, Y, Z"""
+    around: float | None = None
+    """Farthest from the box round the object points"""
+    heights: tuple[float, float] | None = None
+    """Lowest and highest Z over the lowest object point"""
     clearance: float | None = None
     """Least distance to any object point; None: a tenth of the median distance"""
+    forbidden: Array = field(default_factory=lambda: np.zeros((0, 2, 3)))
+    """(k, 2, 3) boxes in which no station may be"""
+    allowed: Callable[[Array], Mask] | None = None
+    """Which (n,) of places (n, 3) are allowed besides; None: all"""
     most: int = MOST
     """Candidates"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Stations:
+class Reachable:
     """Stations (n) that could be taken."""
 
     centre: Array
@@ -61,7 +67,7 @@ class Stations:
 
 def reachable(
     block: Block, used: Mask, camera: int, least: Array, up: Array | None, reach: Reach, points: Index
-) -> Stations:
+) -> Reachable:
     """Stations for a camera, evenly thinned to as many as are wanted.
 
     used     (m,) image observations that take part
@@ -88,7 +94,8 @@ def reachable(
     within = _within(centre, towards, images.centre[mine], xyz, reach, step, distance)
     if not within.any():
         raise InputError(
-            "no station is left within the limits that are given (reach, distance, height, box, clearance); widen them"
+            f"none of {len(within)} stations is within what is allowed ({option('step')}, {option('around')}, "
+            f"{option('heights')}, {option('clearance')}, {option('forbid')}); widen it"
         )
     centre, towards, like = centre[within], towards[within], like[within]
     chosen = well_spread(centre, max(1, reach.most // len(ROLLS)))
@@ -96,7 +103,7 @@ def reachable(
     level = looking(towards - centre, images.rotation[like], up)
     roll = rotation_from_vector(np.stack([np.zeros(3), np.zeros(3), ROLLS], axis=1))
     rotation = (roll[None] @ level[:, None]).reshape(-1, 3, 3)
-    return Stations(
+    return Reachable(
         centre=np.repeat(centre, len(ROLLS), axis=0), rotation=rotation, towards=np.repeat(towards, len(ROLLS), axis=0)
     )
 
@@ -174,13 +181,20 @@ def _within(
     """(n,) stations within the limits."""
     from scipy.spatial import cKDTree  # noqa: PLC0415
 
-    far = np.linalg.norm(centre - towards, axis=1)
-    low, high = reach.distance or (NEARER * distance / 2, np.inf)
-    good = (far >= low) & (far <= high)
+    good = np.linalg.norm(centre - towards, axis=1) >= NEARER * distance / 2
     good &= cKDTree(existing).query(centre)[0] <= step * (1 + 1e-9)
     good &= cKDTree(xyz).query(centre)[0] >= (0.1 * distance if reach.clearance is None else reach.clearance)
-    if reach.height is not None:
-        good &= (centre[:, 2] >= reach.height[0]) & (centre[:, 2] <= reach.height[1])
-    if reach.box is not None:
-        good &= ((centre >= reach.box[:3]) & (centre <= reach.box[3:])).all(axis=1)
+    low, high = np.quantile(xyz, [0.01, 0.99], axis=0) if len(xyz) > FEW else (xyz.min(axis=0), xyz.max(axis=0))
+    if reach.heights is not None:
+        above = centre[:, 2] - low[2]
+        good &= (above >= reach.heights[0]) & (above <= reach.heights[1])
+    if reach.around is not None:
+        beyond = np.maximum(np.maximum(low - centre, centre - high), 0.0)
+        good &= np.linalg.norm(beyond, axis=1) <= reach.around
+    if len(reach.forbidden):
+        within = (centre[:, None] >= reach.forbidden[:, 0]) & (centre[:, None] <= reach.forbidden[:, 1])
+        good &= ~within.all(axis=2).any(axis=1)
+    rows = np.flatnonzero(good)
+    if reach.allowed is not None and len(rows):
+        good[rows] = reach.allowed(centre[rows])
     return np.asarray(good)
