@@ -64,7 +64,10 @@ function panel(net: Network, drawn: Drawn, render: () => void, home: () => void)
     drawn.colourSurface(surface.rgb);
     choices.surface = { rgb: choices.rays!.rgb, legend: surface.legend };
     select.value = "surface";
-  } else select.querySelector('option[value="surface"]')!.remove();
+  } else {
+    select.querySelector('option[value="surface"]')!.remove();
+    if (net.proposed.length && choices.sigma) select.value = "sigma";
+  }
   const colour = () => {
     const chosen = choices[select.value]!;
     drawn.colour(chosen.rgb, choices.role!.rgb);
@@ -84,7 +87,8 @@ function panel(net: Network, drawn: Drawn, render: () => void, home: () => void)
 
   const shown: [string, THREE.Object3D[], number][] = [
     ["show-points", [drawn.points], net.points],
-    ["show-images", [drawn.frames], net.images],
+    ["show-images", [drawn.frames], net.images - net.proposed.length],
+    ["show-proposals", [drawn.proposals], net.proposed.length],
     ["show-surface", [drawn.surface], net.surface.length],
     ["show-known", [drawn.special], net.role.some((r) => r > 0) ? 1 : 0],
     ["show-bars", [drawn.bars], net.bars.length],
@@ -126,7 +130,7 @@ function picking(net: Network, drawn: Drawn, camera: THREE.Camera, canvas: HTMLC
     const box = canvas.getBoundingClientRect();
     const at: [number, number] = [e.clientX - box.left, e.clientY - box.top];
     const point = drawn.points.visible ? nearest(net.xyz, 3, camera, box, at) : null;
-    const image = drawn.frames.visible ? nearest(net.frusta, 15, camera, box, at) : null;
+    const image = drawn.frames.visible || drawn.proposals.visible ? nearest(net.frusta, 15, camera, box, at) : null;
     const told = element("picked");
     // the image's centre is the smaller aim: it goes first where both are near
     if (image !== null) {

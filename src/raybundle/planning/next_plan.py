@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from raybundle.adjustment.additions import with_photographs
+from raybundle.adjustment.again import block_again
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.joint_cofactors import Factored
 from raybundle.adjustment.result import Adjustment
@@ -82,33 +83,35 @@ class NextPlan:
         """The block with adjusted values."""
         return self.outlook.block
 
-    def extended(self, block: Block) -> Block:
-        """A block with the same cameras, images and points, and the proposals as further photographs of it."""
-        rejected = self.outlook.rejected
+    def extended(self) -> Block:
+        """The block of the result, to be adjusted again, with the proposals as further photographs of it."""
+        block, rejected = block_again(self.result), self.outlook.rejected
         for name, chosen in zip(self.names, self.proposals, strict=True):
             block, rejected = with_photographs(block, rejected, chosen.photograph, (name,))
         return block
 
     def adjusted(self) -> Adjustment:
-        """A full adjustment with the proposals, whose image points are the promised ones: it fits a little too well."""
-        block, rejected = self.extended(self.block), self.outlook.rejected
-        more = len(block.observations) - len(rejected)
+        """A full adjustment with the proposals, whose image points are the promised ones: it fits a little too well.
+
+        Its standard deviations times the ratio of the sigma0 before to its own are what the proposals promise.
+        """
+        block = self.extended()
+        sigma = {c.id: c.sigma for c in self.block.cameras}
+        block = replace(block, cameras=tuple(replace(c, sigma=sigma[c.id]) for c in block.cameras))
+        rejected = self.outlook.rejected + (None,) * (len(block.observations) - len(self.outlook.rejected))
         options = replace(self.result.options, noise="white", reject="none", estimate="given")
-        return adjust_block(
-            block, options, free=self.outlook.free, rejected=rejected + (None,) * more, start="adjusted"
-        )
+        return adjust_block(block, options, free=self.outlook.free, rejected=rejected, start="adjusted")
 
     def promised(self, after: Adjustment) -> Array:
-        """(p, 3, 3) covariances of all object points with the proposals, of a sigma0 as it is now.
+        """(p, 3, 3) covariances of all object points with the proposals.
 
         after  what `adjusted` gave
         """
-        found = Factored.of(after).found.points
-        wide = np.ones((len(found), 3))
+        assert after.precision is not None
+        wide = np.ones((len(self.block.points), 3))
         wide[self.outlook.joint.points] = self.outlook.wider
-        covariance = self.outlook.variance * found * wide[:, :, None] * wide[:, None]
-        covariance[~after.handle.work.system.points_used] = np.nan  # pyright: ignore[reportOptionalMemberAccess]
-        return covariance
+        scale = self.outlook.variance / (after.sigma0**2 if after.redundancy > 0 else 1.0)
+        return scale * after.precision.object_points * wide[:, :, None] * wide[:, None]
 
 
 def plan_next(
@@ -218,13 +221,13 @@ def is_frame_camera(result: Adjustment, k: int) -> bool:
 
 
 def frame_known(result: Adjustment) -> bool:
-    """Whether the axes of the block are not arbitrary: something fixes its rotation, or control gave its coordinates."""
+    """Whether the axes of the block are not arbitrary: something fixes them, or control gave its coordinates."""
     turned = any(part.startswith("rotation") and part[-1] in "XY" for part in result.datum_defect)
     return not turned or int(result.given.points.is_control.all(axis=1).sum()) >= LEAST_CONTROL
 
 
 def vertical_of(result: Adjustment) -> Array | None:
-    """Z, where it is a vertical by which one on site goes: the frame is not arbitrary, and most photographs look ahead."""
+    """Z, where people on site go by it: the frame is not arbitrary, and most photographs look ahead."""
     seen = np.unique(result.given.observations.image[result.image_observations.used])
     steep = np.abs(result.adjusted.images.rotation[seen, 2, 2])
     if not frame_known(result) or np.median(steep) > np.sin(LEVEL):

@@ -159,7 +159,7 @@ def _shifted(block: Block, mine: Index, targets: Array, step: float) -> tuple[Ar
 
 
 def _round(block: Block, mine: Index, targets: Array, distance: float) -> tuple[Array, Array]:
-    """Stations on rings round the object, over all sides from which something was photographed, a step of TURN wider."""
+    """Stations on rings round the object, over the sides from which it was photographed and some steps of TURN more."""
     middle = targets[0]
     away = block.images.centre[mine] - middle
     away = away / np.maximum(np.linalg.norm(away, axis=1, keepdims=True), 1e-300)
