@@ -34,8 +34,9 @@ function start(): void {
   const controls = new OrbitControls(camera, renderer.domElement);
   controls.zoomToCursor = true;
   const home = () => {
-    camera.position.set(0, 0, 0).addScaledVector(axis(1), 1.35 * extent).addScaledVector(axis(2), 0.45 * extent)
-      .addScaledVector(axis(0), 0.4 * extent);
+    const far = Math.max(extent, FITTING * reachOf(net.frustaOf(net.proposed)));
+    camera.position.set(0, 0, 0).addScaledVector(axis(1), 1.35 * far).addScaledVector(axis(2), 0.45 * far)
+      .addScaledVector(axis(0), 0.4 * far);
     controls.target.set(0, 0, 0);
     controls.update();
   };
@@ -53,6 +54,16 @@ function start(): void {
   picking(net, drawn, camera, renderer.domElement, render);
   home();
   size();
+}
+
+// of the farthest proposed photograph's distance: then it is seen from the first view, behind which it could stand else
+const FITTING = 1.8;
+
+/** Largest distance of corners from the middle. */
+function reachOf(corners: Float32Array): number {
+  let far = 0;
+  for (let k = 0; k < corners.length; k += 3) far = Math.max(far, Math.hypot(corners[k], corners[k + 1], corners[k + 2]));
+  return far;
 }
 
 function panel(net: Network, drawn: Drawn, render: () => void, home: () => void): void {

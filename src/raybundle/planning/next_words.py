@@ -100,21 +100,18 @@ def where_words(plan: NextPlan, near: int, centre: Array, towards: Array) -> str
         axes, words = (np.cross(level, up), up, level), (("right", "left"), ("higher", "lower"))
     part = np.array([shift @ a for a in axes])
     least = max(SAME * distance, ALONE * float(np.abs(part).max()))
-    said = list[str]()
-    unit = plan.result.length_unit
+    unit, said = plan.result.length_unit, list[str]()
     for value, (plus, minus) in zip(part.tolist(), (*words, ("nearer", "farther back")), strict=True):
-        if abs(value) < least:
-            continue
-        much = f"{significant(abs(value), 2)} {unit}" if unit else f"{abs(value) / distance:.2f} of its distance"
-        said.append(f"{much} {plus if value > 0 else minus}")
-    side = said[0].endswith(("right", "left"))
-    if side:
+        if abs(value) >= least:
+            much = f"{significant(abs(value), 2)} {unit}" if unit else f"{abs(value) / distance:.2f}"
+            said.append(f"{much} {plus if value > 0 else minus}")
+    scale = "" if unit else " (1: from there to the object)"
+    if said[0].endswith(("right", "left")):
         first, _, turn = said[0].rpartition(" ")
-        said[0] = f"{first} to the {turn} of photograph {name}"
-        return "stand " + ", ".join(said)
-    return f"stand {', '.join(said)} than photograph {name}" if plan.vertical is not None else (
-        f"from the station of photograph {name} go {', '.join(said)}"
-    )  # fmt: skip
+        return f"stand {', '.join([f'{first} to the {turn} of photograph {name}', *said[1:]])}{scale}"
+    if plan.vertical is None:
+        return f"from where photograph {name} was taken go {', '.join(said)}{scale}"
+    return f"stand {', '.join(said)} than photograph {name}{scale}"
 
 
 def hold_words(plan: NextPlan, near: int, rotation: Array) -> str:
@@ -185,18 +182,25 @@ def _point(plan: NextPlan, point: int) -> str:
 
 def brings_words(plan: NextPlan, chosen: Chosen) -> str:
     """What it does to what is to be lowered, and to single points and parameters."""
-    before, after = figure_words(plan, chosen.before.value), figure_words(plan, chosen.after.value)
-    said = [f"{goal_words(plan)} {after} instead of {before}"]
+    said = [f"{goal_words(plan)} {less_words(plan, chosen.before.value, chosen.after.value)}"]
     gone = chosen.std_before.max(axis=1) - chosen.std_after.max(axis=1)
     k = int(gone.argmax())
     if plan.goal.kind != "calibration":
         name = plan.block.points.ids[plan.outlook.joint.points[k]]
-        was, now = (figure_words(plan, float(s[k].max())) for s in (chosen.std_before, chosen.std_after))
-        said.append(f"point {name} {now} instead of {was}")
+        was, now = (float(s[k].max()) for s in (chosen.std_before, chosen.std_after))
+        said.append(f"point {name} {less_words(plan, was, now)}")
     parameters = [(s, r) for s, r in parameter_ratios(plan, chosen) if r < FALLS]
     if parameters and plan.goal.kind == "calibration":
         said.append(", ".join(f"{s} {100 * (1 - r):.0f} %" for s, r in parameters[:SHOWN]) + " smaller")
     return "; ".join(said)
+
+
+def less_words(plan: NextPlan, was: float, now: float) -> str:
+    """How a figure falls."""
+    words = f"{figure_words(plan, now)} instead of {figure_words(plan, was)}"
+    if not np.isfinite(was) or figure_words(plan, now) != figure_words(plan, was):
+        return words
+    return f"{figure_words(plan, now)}, {100 * (1 - now / was):.1g} % less"
 
 
 def goal_words(plan: NextPlan) -> str:

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
 SHOWN = 12
 """Proposals that are told one by one; the others stand in next.csv"""
+HARDLY = 0.99
+"""Share of what is to be lowered, of which a remark is made where it stays"""
 
 
 @click.command("next", context_settings=COMMAND_SETTINGS)
@@ -46,6 +48,8 @@ def command(result: Path, progress: str, **given: Any) -> None:
 
 def lines(plan: NextPlan, settings: NextSettings) -> list[str]:
     """What is told of the proposals."""
+    import numpy as np  # noqa: PLC0415  (what computes is loaded after the help)
+
     from raybundle.planning.next_words import figure_words, goal_words, instruction  # noqa: PLC0415
 
     first, last = plan.proposals[0].before, plan.proposals[-1].after
@@ -63,4 +67,9 @@ def lines(plan: NextPlan, settings: NextSettings) -> list[str]:
         text.append(f"... {n - SHOWN} more in next.csv")
     if n < plan.wanted:
         text.append(f"remark: no further photograph within reach lowers it; {plan.wanted} were asked for")
+    elif np.isfinite(first.value) and last.value > HARDLY * first.value:
+        text.append(
+            "remark: photographs within reach hardly lower it; control, scale bars, more precise image points or room "
+            "to stand elsewhere (--step, --around) would"
+        )
     return [*text, f"{settings.out}: network.html, next.csv, next.json, block"]

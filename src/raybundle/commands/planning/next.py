@@ -180,7 +180,7 @@ def write_next_plan(plan: NextPlan, settings: NextSettings) -> None:
             covariance=plan.promised(after), proposed=tuple(range(n, n + len(words))), length_unit=unit,
             image_words=("",) * n + tuple(f"{w}\n{w.brings}" for w in words),
             remarks=(
-                *(f"{name}: {w}. {w.brings}." for name, w in zip(plan.names, words, strict=True)),
+                *(f"{name}: {w}. {w.brings[:1].upper()}{w.brings[1:]}." for name, w in zip(plan.names, words, strict=True)),
                 "Standard deviations with the proposals, of the precision that the image points of these points have.",
             ),
         )  # fmt: skip
