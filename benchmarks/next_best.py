@@ -90,7 +90,9 @@ def anew(outlook: Outlook, more: Photographs, order: np.ndarray | None = None) -
     if order is not None:
         back = np.argsort(order)
         o = block.observations
-        block = replace(block, images=block.images.rows(order), observations=replace(o, image=back[o.image].astype("i4")))
+        block = replace(
+            block, images=block.images.rows(order), observations=replace(o, image=back[o.image].astype("i4"))
+        )
     options = replace(outlook.result.options, noise="white")
     return figures(outlook, adjust_block(block, options, free=outlook.free, rejected=rejected, start="adjusted"))
 

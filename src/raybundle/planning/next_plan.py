@@ -124,8 +124,8 @@ def plan_next(
     raises  InputError for results without statistics, cameras that are no frame cameras, where nothing is within reach
             or seen, and for more photographs than there are candidates
 
-    Image points are taken to be as precise as those that the block has of the same points, and sigma0 as it is.  What it
-    does not tell: whether one can stand there, and whether the points are recognised from there.
+    Image points are taken to be as precise as those that the block has of the same points, and sigma0 as it is.  What
+    it does not tell: whether one can stand there, and whether the points are recognised from there.
     """
     with_ = conditions or Conditions()
     if result.handle.work is None:
@@ -155,13 +155,13 @@ def plan_next(
     enough = np.flatnonzero(np.bincount(shown.image, minlength=len(shown)) > 0)
     if not len(enough):
         raise InputError(
-            f"from none of {len(found.centre)} stations within reach {FEWEST} points are seen that the block has; widen "
-            f"where one may stand ({option('step')}, {option('around')}) or what counts as seen ({option('incidence')})"
+            f"from none of {len(found.centre)} stations within reach {FEWEST} points are seen that the block has; "
+            f"widen where one may stand ({option('step')}, {option('around')}) or what counts as seen ({option('incidence')})"
         )
     if photographs > len(enough):
         raise InputError(
-            f"{option('photographs', photographs)}: there are {len(enough)} candidates that show enough points; ask for "
-            "fewer photographs"
+            f"{option('photographs', photographs)}: there are {len(enough)} candidates that show enough points; ask "
+            "for fewer photographs"
         )
     chosen = next_best(outlook, shown.chosen(enough), goal, photographs, progress)
     rows = enough[[c.candidate for c in chosen]]

@@ -225,20 +225,30 @@ def figure_words(plan: NextPlan, value: float) -> str:
 
 def parameter_ratios(plan: NextPlan, chosen: Chosen) -> list[tuple[str, float]]:
     """Parameters of the camera that are estimated, and their standard deviations by those before; the best first."""
-    row = next((r for r in plan.outlook.factored.system.interior if r.camera == plan.camera and r.image < 0), None)
-    if row is None or row.node < 0 or not row.free:
-        return []
-    unknowns = plan.outlook.factored.system.offsets[row.node] + row.start + np.arange(len(row.free))
-    at = plan.outlook.joint.columns[unknowns] - 3 * len(plan.outlook.joint.points)
-    with np.errstate(all="ignore"):
-        ratio = chosen.interior_std_after[at] / chosen.interior_std_before[at]
-    told = [(row.model.symbols[i], float(r)) for i, r in zip(row.free, ratio.tolist(), strict=True) if np.isfinite(r)]
+    told = [(s, after / before) for s, before, after in _parameters(plan, chosen) if before > 0]
     return sorted(told, key=lambda t: t[1])
 
 
 def freed_by(plan: NextPlan, k: int) -> tuple[str, ...]:
-    """Parameters that are determined from this proposal on and were not before."""
-    chosen = plan.proposals[k]
-    if np.isfinite(chosen.before.value) or not np.isfinite(chosen.after.value):
-        return ()
-    return tuple(plan.outlook.carried)
+    """Parameters of which the observations tell more than what one knows of such a camera, from this proposal on."""
+    chosen, carried = plan.proposals[k], plan.outlook.carried
+    found = list[str]()
+    for symbol, before, after in _parameters(plan, chosen):
+        # more than half of what is known is then of the observations, and was of what one knows of such a camera
+        limit = np.sqrt(plan.outlook.variance * carried.get(symbol, 0.0) / 2)
+        if after < limit <= before:
+            found.append(symbol)
+    return tuple(found)
+
+
+def _parameters(plan: NextPlan, chosen: Chosen) -> list[tuple[str, float, float]]:
+    """Parameters of the camera that are estimated, with their standard deviations without and with a photograph."""
+    system = plan.outlook.factored.system
+    row = next((r for r in system.interior if r.camera == plan.camera and r.image < 0), None)
+    if row is None or row.node < 0 or not row.free:
+        return []
+    unknowns = system.offsets[row.node] + row.start + np.arange(len(row.free))
+    at = plan.outlook.joint.columns[unknowns] - 3 * len(plan.outlook.joint.points)
+    before, after = chosen.interior_std_before[at].tolist(), chosen.interior_std_after[at].tolist()
+    symbols = [row.model.symbols[i] for i in row.free]
+    return list(zip(symbols, before, after, strict=True))

@@ -30,7 +30,7 @@ MOST_POINTS, MOST_ELLIPSOIDS, MOST_IMAGES = 50_000, 2_000, 5_000
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Planned:
-    """What the page of a plan shows besides, and in the place of what residuals would tell; length unit of the block."""
+    """What the page of a plan shows besides, and in the place of what residuals would tell; lengths of the block."""
 
     covariance: Array
     """(p, 3, 3) of the object points"""

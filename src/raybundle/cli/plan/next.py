@@ -29,9 +29,9 @@ def command(result: Path, progress: str, **given: Any) -> None:
     """Say which photographs to take next of a block in hand: where to stand, and what each would bring.
 
     RESULT is a result, block or project folder. Stations within reach are compared by the standard deviations that an
-    adjustment with each would state, exactly; the best is added, and the next one looked for. Each is told against the
-    nearest photograph that there is. FOLDER gets network.html (what there is, the proposals in red), next.csv, next.json,
-    and a block with the proposals in it that `adjust` takes. Only for frame cameras.
+    adjustment with each would state, exactly; the best is added, and the next one looked for. Each is told against
+    the nearest photograph that there is. FOLDER gets network.html (what there is, the proposals in red), next.csv,
+    next.json, and a block with the proposals in it that `adjust` takes. Only for frame cameras.
 
     \b
     Example:
@@ -54,10 +54,9 @@ def lines(plan: NextPlan, settings: NextSettings) -> list[str]:
 
     first, last = plan.proposals[0].before, plan.proposals[-1].after
     n = len(plan.proposals)
-    text = [
-        f"{counted(plan.judged, 'candidate')} of {plan.reached} within reach show enough; {goal_words(plan)} "
-        f"{figure_words(plan, first.value)} now, {figure_words(plan, last.value)} with {counted(n, 'photograph')}"
-    ]
+    falls = f"{figure_words(plan, first.value)} now, {figure_words(plan, last.value)} with {counted(n, 'photograph')}"
+    judged = f"{counted(plan.judged, 'candidate')} of {plan.reached} within reach show enough"
+    text = [f"{judged}; {goal_words(plan)} {falls}"]
     for k in range(min(n, SHOWN)):
         told = instruction(plan, k)
         text += [f"{plan.names[k]}  {told}", f"        {told.brings}"]

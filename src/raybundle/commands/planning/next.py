@@ -127,7 +127,8 @@ def conditions_of(s: NextSettings, result: Adjustment) -> Conditions:
     from raybundle.planning.stations import Reach  # noqa: PLC0415
 
     if s.heights is not None and s.heights[1] < s.heights[0]:
-        raise InputError(f"{option('heights')}: {s.heights[0]:g} to {s.heights[1]:g} leaves nothing; give the lower first")
+        low, high = s.heights
+        raise InputError(f"{option('heights')}: {low:g} to {high:g} leaves nothing; give the lower first")
     if (s.f_number is None) != (s.focus is None):
         raise InputError(f"the depth of field follows from {option('f_number')} and {option('focus')}: give both")
     depth = (0.0, float("inf"))
@@ -180,11 +181,15 @@ def write_next_plan(plan: NextPlan, settings: NextSettings) -> None:
             covariance=plan.promised(after), proposed=tuple(range(n, n + len(words))), length_unit=unit,
             image_words=("",) * n + tuple(f"{w}\n{w.brings}" for w in words),
             remarks=(
-                *(f"{name}: {w}. {w.brings[:1].upper()}{w.brings[1:]}." for name, w in zip(plan.names, words, strict=True)),
+                *(f"{name}: {w}. {_sentence(w.brings)}" for name, w in zip(plan.names, words, strict=True)),
                 "Standard deviations with the proposals, of the precision that the image points of these points have.",
             ),
         )  # fmt: skip
         write_network_page(after, folder / "network.html", planned)
+
+
+def _sentence(words: str) -> str:
+    return f"{words[:1].upper()}{words[1:]}."
 
 
 def next_table(plan: NextPlan) -> dict[str, Any]:
@@ -204,7 +209,8 @@ def next_table(plan: NextPlan) -> dict[str, Any]:
         "image": plan.names, **{a: centre[:, k] for k, a in enumerate("XYZ")},
         **{f"at_{a}": plan.towards[:, k] for k, a in enumerate("XYZ")},
         **{f"{a}_deg": angles[:, k] for k, a in enumerate(("omega", "phi", "kappa"))},
-        "near": [block.images.ids[k] for k in near], "points": np.array([float(len(c.photograph.point)) for c in chosen]),
+        "near": [block.images.ids[k] for k in near],
+        "points": np.array([float(len(c.photograph.point)) for c in chosen]),
         "sigma_before": before, "sigma_after": after, "gain": 1 - after / np.where(np.isfinite(before), before, np.inf),
         "point_before": [_name(plan, c.before.point) for c in chosen],
         "point_after": [_name(plan, c.after.point) for c in chosen],
