@@ -59,7 +59,7 @@ class Photographs:
 
     def chosen(self, images: Index) -> Photographs:
         """Only these photographs, in this order."""
-        first = np.searchsorted(self.image, np.arange(len(self) + 1))
+        first = np.searchsorted(self.image, np.arange(len(self) + 1)).tolist()
         parts = [np.arange(first[i], first[i + 1]) for i in images.tolist()]
         rows = np.concatenate([np.zeros(0, np.int64), *parts])
         return replace(
@@ -118,7 +118,9 @@ class Rows:
         """Only those of these photographs, ascending."""
         first = np.searchsorted(self.image, images, side="left")
         last = np.searchsorted(self.image, images, side="right")
-        rows = np.concatenate([np.zeros(0, np.int64), *map(np.arange, first, last)])
+        rows = np.concatenate(
+            [np.zeros(0, np.int64), *(np.arange(a, b) for a, b in zip(first.tolist(), last.tolist(), strict=True))]
+        )
         return replace(
             self, image=self.image[rows], at=self.at[rows], by_point=self.by_point[rows],
             by_station=self.by_station[rows], by_interior=self.by_interior[rows],

@@ -156,7 +156,8 @@ def plan_next(
     if not len(enough):
         raise InputError(
             f"from none of {len(found.centre)} stations within reach {FEWEST} points are seen that the block has; "
-            f"widen where one may stand ({option('step')}, {option('around')}) or what counts as seen ({option('incidence')})"
+            f"widen where one may stand ({option('step')}, {option('around')}) or what counts as seen "
+            f"({option('incidence')})"
         )
     if photographs > len(enough):
         raise InputError(

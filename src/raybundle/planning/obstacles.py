@@ -14,8 +14,8 @@ from raybundle.objects.sight import OFF, Sight
 from raybundle.objects.surface import Surface
 
 ASIDE = 0.05
-"""Share of the object's extent by which half of the points may lie off its surface: where they lie farther the two are
-not in one frame."""
+"""Share of the extent of the points or the object, whichever is less, by which half of the points may lie off its
+surface: where they lie farther the two are not in one frame."""
 OFF_SURFACE = 3.0
 """Times the distance from the surface that nine of ten points have: so far before a point the surface hides nothing."""
 
@@ -37,10 +37,11 @@ class Obstacles:
         """Of a surface and points (t, 3) on it; raises InputError where they do not lie on it."""
         distances = Distances(surface)
         off = distances.of(xyz)
-        if np.median(off) > ASIDE * surface.extent:
+        extent = min(surface.extent, float(np.ptp(xyz, axis=0).max()))
+        if np.median(off) > ASIDE * extent:
             raise InputError(
-                f"object {surface.name}: half of the points lie more than {np.median(off):.3g} off its surface, whose "
-                f"extent is {surface.extent:.3g}; give it in the frame and the length unit of the block"
+                f"object {surface.name}: half of the points lie more than {np.median(off):.3g} off its surface, and "
+                f"more than {ASIDE * extent:.3g} is too much; give it in the frame and the length unit of the block"
             )
         size = float((surface.bounds[1] - surface.bounds[0]).max())
         before = max(OFF_SURFACE * float(np.quantile(off, 0.9)), OFF * size)

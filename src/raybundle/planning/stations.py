@@ -179,11 +179,11 @@ def _within(
     centre: Array, towards: Array, existing: Array, xyz: Array, reach: Reach, step: float, distance: float
 ) -> Mask:
     """(n,) stations within the limits."""
-    from scipy.spatial import cKDTree  # noqa: PLC0415
+    from scipy.spatial import KDTree  # noqa: PLC0415
 
     good = np.linalg.norm(centre - towards, axis=1) >= NEARER * distance / 2
-    good &= cKDTree(existing).query(centre)[0] <= step * (1 + 1e-9)
-    good &= cKDTree(xyz).query(centre)[0] >= (0.1 * distance if reach.clearance is None else reach.clearance)
+    good &= KDTree(existing).query(centre)[0] <= step * (1 + 1e-9)
+    good &= KDTree(xyz).query(centre)[0] >= (0.1 * distance if reach.clearance is None else reach.clearance)
     low, high = np.quantile(xyz, [0.01, 0.99], axis=0) if len(xyz) > FEW else (xyz.min(axis=0), xyz.max(axis=0))
     if reach.heights is not None:
         above = centre[:, 2] - low[2]
@@ -193,7 +193,7 @@ def _within(
         good &= np.linalg.norm(beyond, axis=1) <= reach.around
     if len(reach.forbidden):
         within = (centre[:, None] >= reach.forbidden[:, 0]) & (centre[:, None] <= reach.forbidden[:, 1])
-        good &= ~within.all(axis=2).any(axis=1)
+        good &= ~np.any(np.asarray(within.all(axis=2)), axis=1)
     rows = np.flatnonzero(good)
     if reach.allowed is not None and len(rows):
         good[rows] = reach.allowed(centre[rows])

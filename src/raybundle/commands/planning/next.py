@@ -94,18 +94,15 @@ def run_plan_next(settings: NextSettings, progress: Progress = silent) -> NextPl
 
 def _run(s: NextSettings, given: Adjustment | None, *, write: bool, progress: Progress) -> NextPlan:
     from raybundle.io.folders import check_place  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.measuring.session import adjusted_again  # noqa: PLC0415
     from raybundle.planning import next_plan  # noqa: PLC0415
 
     if write:
         check_place(s.out, "folder")
     if s.points and s.aim != "worst":
         raise InputError(f"{option('points')} goes with {option('aim', 'worst')}; leave one of the two away")
-    adjusted = adjusted_again(s.result, progress) if given is None else given
+    adjusted = _adjusted(s.result, progress) if given is None else given
     aim: For = "points" if s.points else s.aim
-    plan = next_plan.plan_next(
-        adjusted, aim, s.photographs, conditions_of(s, adjusted), tuple(s.points), progress
-    )  # fmt: skip
+    plan = next_plan.plan_next(adjusted, aim, s.photographs, conditions_of(s, adjusted), s.points, progress)
     if not plan.proposals:
         raise NotSolvable(
             f"none of {plan.judged} candidates lowers anything: what is left is not the geometry of the photographs. "
@@ -115,6 +112,25 @@ def _run(s: NextSettings, given: Adjustment | None, *, write: bool, progress: Pr
     if write:
         write_next_plan(plan, s)
     return plan
+
+
+def _adjusted(folder: Path, progress: Progress) -> Adjustment:
+    """The adjustment of a folder; raises InputError for one that is no block, or not adjusted yet."""
+    import numpy as np  # noqa: PLC0415
+
+    from raybundle.io.block.folder import read_block  # noqa: PLC0415
+    from raybundle.measuring.session import block_folder, readjusted  # noqa: PLC0415
+    from raybundle.results.asked import made_as  # noqa: PLC0415
+
+    inner = block_folder(folder)
+    block, options = made_as(inner, read_block(inner))
+    taken, seen = (np.unique(rows) for rows in (block.observations.image, block.observations.point))
+    if not block.images.oriented[taken].all() or not np.isfinite(block.points.xyz[seen]).all():
+        raise InputError(
+            "is not adjusted yet: images have no orientation or points no coordinates; adjust it first, and give the "
+            "result", file=folder,
+        )  # fmt: skip
+    return readjusted(block, progress, options)
 
 
 def conditions_of(s: NextSettings, result: Adjustment) -> Conditions:
