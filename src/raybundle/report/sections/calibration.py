@@ -124,9 +124,15 @@ def _advice(q: CalibrationQuality) -> list[Part]:
     return [
         Heading(text="What to photograph next"),
         table(
-            (text("photograph"), number("uncertainty then", "px"), number("smaller by")),
+            (
+                text("photographs, in this order"),
+                number("uncertainty now", "px"),
+                number("then", "px"),
+                number("smaller by"),
+            ),
             (
                 [f"{k + 1}. {p.words}" for k, p in enumerate(q.advice)],
+                [NONE if now == "not determinable" else significant(q.uncertainty_px, 2) for _ in q.advice],
                 [significant(p.uncertainty_px, 2) for p in q.advice],
                 [per_cent(1 - p.ratio) if p.ratio > 0 else NONE for p in q.advice],
             ),
