@@ -11,6 +11,7 @@ from raybundle.adjustment.decide import decide
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Block
+from raybundle.block.boards import spline_camera
 from raybundle.calibration.maps import projection_shifts
 from raybundle.errors import InputError
 from raybundle.numerics.rotation import rotation_from_vector
@@ -91,6 +92,18 @@ def test_order_and_sigmas_are_those_of_full_adjustments(name):
         assert np.array_equal(np.argsort(low, kind="stable"), np.argsort(full[:, k], kind="stable"))
 
 
+def test_cameras_with_surfaces_of_corrections():
+    """Hundreds of parameters, of which a point touches few; those of the corners rest on what is known beforehand."""
+    block = simulate(field_scene(FIELD), BLOCKS["control, free camera"]).observed
+    block = replace(block, cameras=(replace(spline_camera(block.cameras[0], sigma_px=5), id="1"),))
+    outlook = Outlook.of(decide(block, TIGHT))
+    shown = candidates(outlook, 5)
+    full = np.array([figures(outlook, shown.chosen(np.array([i]))) for i in range(5)])
+    for k, (kind, exact) in enumerate((("worst", 1e-9), ("mean", 1e-9), ("calibration", 1e-7))):
+        low = [s.value for s in ranking(outlook, shown, Goal(kind=kind, camera="1"), np.ones(5, bool))]
+        assert low == pytest.approx(full[:, k], rel=exact)
+
+
 def test_each_is_exact_after_those_before_it():
     outlook = Outlook.of(adjusted("control, free camera"))
     shown = candidates(outlook)
@@ -139,9 +152,45 @@ def test_what_cannot_be_determined_is_freed():
     assert plan.proposals[-1].after.value == pytest.approx(full, rel=0.01)
 
 
+def test_stated_widths_of_smooth_errors_are_kept():
+    """Standard deviations that are wider than for white noise stay so, and what is told to be now is what is stated."""
+    scene = field_scene(replace(FIELD, stations=10, rows=10, columns=14))
+    block = simulate(scene, replace(EXACT, control=5, control_sigma=(0.002,) * 3)).observed
+    o = block.observations
+    half = np.array([3000.0, 2000.0])
+    bend = 0.3 * np.sin(np.pi * (o.xy_px - half)[:, ::-1] / 1500 + o.image[:, None])
+    block = replace(block, observations=replace(o, xy_px=o.xy_px + bend))
+    result = decide(block, AdjustmentOptions(noise="fields"))
+    assert result.noise.kind == "fields"
+    plan = plan_next(result, "worst", 1)
+    assert plan.outlook.wider.max() > 1.0001
+    assert plan.proposals[0].before.value == pytest.approx(np.nanmax(result.precision.object_point_std), rel=1e-9)
+    plan = plan_next(result, "calibration", 1)
+    shifts = projection_shifts(plan.block.cameras[0], result.interior[0].free, columns=18, rows=12)
+    stated = shifts.uncertainty(result.precision.interior["1"]).largest
+    assert plan.proposals[0].before.value == pytest.approx(stated, rel=1e-9)
+
+
+def test_of_many_points_the_weakest_are_regarded():
+    result = room(points=1100, stations=7)
+    plan = plan_next(result, "worst", 1, Conditions(reach=Reach(most=60)))
+    assert len(plan.outlook.joint.points) == 1000 < len(result.given.points)
+    assert plan.proposals[0].before.value == pytest.approx(np.nanmax(result.precision.object_point_std), rel=1e-9)
+    stated = np.sqrt(np.nanmax(np.diagonal(plan.promised(plan.adjusted()), axis1=1, axis2=2)))
+    assert plan.proposals[0].after.value == pytest.approx(stated, rel=1e-9)
+
+
+def test_line_scanners_are_no_frame_cameras():
+    result = adjusted("control, free camera")
+    line = replace(result.given.cameras[0], model="pushbroom", values={}, estimate=())
+    told = replace(result, given=replace(result.given, cameras=(line,)))
+    with pytest.raises(InputError, match="camera 1 is a pushbroom: .* frame cameras"):
+        plan_next(told, "worst", 1)
+
+
 def room(survey=None, **ring):
     """Photographs round a cylinder that stands upright, levelled and scaled by control."""
-    scene = ring_scene(Ring(stations=10, rings=1, points=120, roll_deg=(0.0,), **ring))
+    scene = ring_scene(Ring(**{"stations": 10, "rings": 1, "points": 120, "roll_deg": (0.0,), **ring}))
     return decide(simulate(scene, survey or replace(EXACT, control=6, control_sigma=(0.001,) * 3)).observed, TIGHT)
 
 

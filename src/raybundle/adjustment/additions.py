@@ -22,12 +22,14 @@ from typing import Any
 import numpy as np
 
 from raybundle.adjustment.assemble import packed_whitening
+from raybundle.adjustment.external import local_residuals_and_partials
 from raybundle.adjustment.joint_cofactors import Factored, JointCofactors, whitening
 from raybundle.adjustment.twin_images import residuals_and_partials
-from raybundle.block import Block, Images, Observations
+from raybundle.block import Block, Camera, Images, Observations
 from raybundle.block.rejection import Rejections
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.platforms import Carried
 from raybundle.platforms.station import sensor_from_object
 
 SPREAD = 1e-7
@@ -135,7 +137,7 @@ def rows_of(factored: Factored, joint: JointCofactors, block: Block, more: Photo
     """
     camera, system = block.cameras[more.camera], factored.system
     model = camera.sensor
-    if camera.is_scene or model.local_width or camera.interior == "per_image" or camera.per_image:
+    if camera.is_scene or isinstance(model, Carried) or camera.own_symbols:
         raise InputError(
             f"camera {camera.id}: what a further photograph brings is told of cameras whose photographs have a station "
             "and share the interior orientation; this one is a scene, moves while it is read out, or has parameters of "
@@ -146,12 +148,9 @@ def rows_of(factored: Factored, joint: JointCofactors, block: Block, more: Photo
         raise InputError(f"camera {camera.id} has no photograph that takes part; nothing is known of it")
     R, point = more.rotation[more.image], more.point
     P = sensor_from_object(R, more.centre[more.image], block.points.xyz[point])
-    values = np.repeat(camera.parameters[:, None], len(point), axis=1)
     xy = np.ascontiguousarray(camera.image_from_pixel(more.xy_px))
-    corrected = bool(system.corrected[more.camera])
-    _, D, _ = residuals_and_partials(model, xy, P, values, corrected=corrected)
-    W = whitening(packed_whitening(more.cov_px2, np.array(camera.pixel_mm) * [1, -1]))
-    D = W @ D
+    D = _partials(camera, xy, P, corrected=bool(system.corrected[more.camera]))
+    D = whitening(packed_whitening(more.cov_px2, np.array(camera.pixel_mm) * [1, -1])) @ D
     by_object = D[:, :, :3] @ R
     free = list(row.free) if row.node >= 0 else []
     unknowns = system.offsets[row.node] + row.start + np.arange(len(free)) if free else np.zeros(0, np.int64)
@@ -161,6 +160,18 @@ def rows_of(factored: Factored, joint: JointCofactors, block: Block, more: Photo
         by_station=np.concatenate([-by_object, np.cross(P.T[:, None], D[:, :, :3])], axis=2),
         by_interior=D[:, :, [3 + k for k in free]], interior=joint.columns[unknowns].astype(np.int64),
     )  # fmt: skip
+
+
+def _partials(camera: Camera, xy: Array, P: Array, *, corrected: bool) -> Array:
+    """(k, 2, 3 + p) by the point in the sensor frame and all parameters, image points (k, 2) [mm]."""
+    model, values = camera.sensor, camera.parameters
+    if not model.local_width:
+        return residuals_and_partials(model, xy, P, np.repeat(values[:, None], len(xy), axis=1), corrected=corrected)[1]
+    _, some, touched, _ = local_residuals_and_partials(model, xy, P, values)
+    D = np.zeros((len(xy), 2, 3 + len(values)))
+    D[:, :, :3] = some[:, :, :3]
+    np.put_along_axis(D[:, :, 3:], np.repeat(touched[:, None], 2, axis=1).astype(np.int64), some[:, :, 3:], axis=2)
+    return D
 
 
 Columns = Index | slice

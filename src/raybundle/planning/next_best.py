@@ -19,6 +19,9 @@ from raybundle.numerics.progress import Progress, silent
 from raybundle.planning.goals import Goal, Standing, measure_of
 from raybundle.planning.outlook import Outlook
 
+TOGETHER = 50
+"""Candidates whose partial derivatives are formed at once: of a camera with hundreds of parameters they are large."""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Chosen:
@@ -98,13 +101,17 @@ def ranking(
     asked  (n,) which are
     told   is given the share that is done
     """
-    measure, rows = measure_of(outlook, goal), outlook.rows(candidates)
+    measure = measure_of(outlook, goal)
     found: list[Standing | None] = [None] * len(candidates)
     # small matrices: a second thread waits longer than it works, where processors are busy otherwise
     with one_thread():
-        for k, i in enumerate(np.flatnonzero(asked).tolist()):
-            if told is not None and k % 50 == 0:
-                told(k / len(candidates))
-            g = gain(outlook.joint, rows.chosen(np.array([i])), measure.columns)
-            found[i] = None if g is None else measure.standing(g)
+        wanted = np.flatnonzero(asked)
+        for first in range(0, len(wanted), TOGETHER):
+            if told is not None:
+                told(first / len(wanted))
+            part = wanted[first : first + TOGETHER]
+            rows = outlook.rows(candidates.chosen(part))
+            for k, i in enumerate(part.tolist()):
+                g = gain(outlook.joint, rows.chosen(np.array([k])), measure.columns)
+                found[i] = None if g is None else measure.standing(g)
     return found

@@ -13,15 +13,17 @@ from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.joint_cofactors import Factored
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
+from raybundle.block.points import automatic
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress, silent
 from raybundle.planning.goals import For, Goal
 from raybundle.planning.next_best import Chosen, next_best
 from raybundle.planning.obstacles import Obstacles
-from raybundle.planning.outlook import Outlook, points_of
+from raybundle.planning.outlook import MOST_POINTS, Outlook, points_of
 from raybundle.planning.sight import FEWEST, GRAZING, PointSight
 from raybundle.planning.stations import Reach, reachable
+from raybundle.platforms import Carried
 from raybundle.settings import option
 
 if TYPE_CHECKING:
@@ -30,6 +32,8 @@ if TYPE_CHECKING:
 LEVEL = np.radians(45)
 """Steepest view, in the median of the photographs, with which people still speak of left, right and higher; of steeper
 ones, and of boards whose Z is their normal, the picture itself says what is right and up."""
+WEAKEST = 200
+"""Of the points that are regarded, where not all are, those that are least determined; the others are spread evenly"""
 LEAST_CONTROL = 3
 """Control points by whose given coordinates the frame is one in which Z is up, whatever carries the datum"""
 
@@ -173,12 +177,27 @@ def plan_next(
 
 
 def _outlook(result: Adjustment, aim: For, camera: str, points: tuple[str, ...]) -> Outlook:
-    regarded = points_of(result, Factored.of(result), also=points)
+    factored = Factored.of(result)
+    weak = weakest(result, factored) if aim == "worst" else ()
+    regarded = points_of(result, factored, also=points or weak)
     if not len(regarded):
         raise InputError("no object point takes part in the adjustment; there is nothing that could be seen again")
     interior = next((i for i in result.interior if i.camera == camera and i.image is None), None)
-    lost = interior is not None and any(p.status == "not determinable" for p in interior.parameters.values())
+    # knots of surfaces in corners that no point reaches say nothing, and nobody misses them
+    surfaces = any(c.id == camera and c.sensor.local_width for c in result.given.cameras)
+    told = {} if interior is None or surfaces else interior.parameters
+    lost = any(p.status == "not determinable" for p in told.values())
     return Outlook.of(result, regarded, freed=camera if aim == "calibration" and lost else "")
+
+
+def weakest(result: Adjustment, factored: Factored) -> tuple[str, ...]:
+    """Names of the least determined points that somebody named, where there are too many to regard all of them."""
+    used, ids = np.flatnonzero(factored.system.points_used), result.given.points.ids
+    used = used[~automatic([ids[p] for p in used.tolist()])]
+    if len(used) <= MOST_POINTS:
+        return ()
+    largest = np.diagonal(factored.found.points[used], axis1=1, axis2=2).max(axis=1)
+    return tuple(ids[p] for p in used[np.argsort(-largest, kind="stable")[:WEAKEST]].tolist())
 
 
 def camera_of(result: Adjustment, used: Array, wanted: str = "") -> int:
@@ -213,7 +232,7 @@ def camera_of(result: Adjustment, used: Array, wanted: str = "") -> int:
 def is_frame_camera(result: Adjustment, k: int) -> bool:
     """Whether a camera's photographs have each a station of their own and share the interior orientation."""
     camera, images = result.given.cameras[k], result.given.images
-    if camera.is_scene or camera.interior == "per_image" or camera.per_image or camera.sensor.local_width:
+    if camera.is_scene or camera.own_symbols or isinstance(camera.sensor, Carried):
         return False
     if images.station is None:
         return True
