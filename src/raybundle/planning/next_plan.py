@@ -20,7 +20,7 @@ from raybundle.numerics.progress import Progress, silent
 from raybundle.planning.goals import For, Goal
 from raybundle.planning.next_best import Chosen, next_best
 from raybundle.planning.obstacles import Obstacles
-from raybundle.planning.outlook import MOST_POINTS, Outlook, points_of
+from raybundle.planning.outlook import MOST_POINTS, Outlook, points_of, wider_than_white
 from raybundle.planning.sight import FEWEST, GRAZING, PointSight
 from raybundle.planning.stations import Reach, reachable
 from raybundle.platforms import Carried
@@ -112,8 +112,7 @@ class NextPlan:
         after  what `adjusted` gave
         """
         assert after.precision is not None
-        wide = np.ones((len(self.block.points), 3))
-        wide[self.outlook.joint.points] = self.outlook.wider
+        wide = wider_than_white(self.result, np.arange(len(self.block.points)))
         scale = self.outlook.variance / (after.sigma0**2 if after.redundancy > 0 else 1.0)
         return scale * after.precision.object_points * wide[:, :, None] * wide[:, None]
 

@@ -53,12 +53,7 @@ class Outlook:
         factored, variance = Factored.of(result), result.sigma0**2 if result.redundancy > 0 else 1.0
         points = points_of(result, factored) if points is None else points
         free = {c.id: () for c in result.given.parametrised} | {i.camera: i.free for i in result.interior}
-        wider = np.ones((len(points), 3))
-        if result.precision is not None and result.noise.kind == "fields":
-            stated = _diagonals(result.precision.object_points[points])
-            white = variance * _diagonals(factored.found.points[points])
-            with np.errstate(all="ignore"):
-                wider = np.where(white > 0, np.sqrt(stated / white), 1.0)
+        wider = wider_than_white(result, points)
         rejected, carried = result.image_observations.rejected, dict[str, float]()
         if freed:
             block, free[freed], carried = _freed(result, block, freed)
@@ -86,6 +81,17 @@ class Outlook:
             self, block=block, rejected=rejected, factored=factored,
             joint=joint_cofactors(factored, self.joint.points),
         )  # fmt: skip
+
+
+def wider_than_white(result: Adjustment, points: Index) -> Array:
+    """(t, 3) how much wider standard deviations of points are stated than for white noise."""
+    if result.precision is None or result.noise.kind != "fields":
+        return np.ones((len(points), 3))
+    variance = result.sigma0**2 if result.redundancy > 0 else 1.0
+    stated = _diagonals(result.precision.object_points[points])
+    white = variance * _diagonals(Factored.of(result).found.points[points])
+    with np.errstate(all="ignore"):
+        return np.where(white > 0, np.sqrt(stated / white), 1.0)
 
 
 def points_of(result: Adjustment, factored: Factored, also: tuple[str, ...] = (), most: int = MOST_POINTS) -> Index:
