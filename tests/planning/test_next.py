@@ -257,7 +257,7 @@ def test_words_without_a_vertical_are_of_the_picture():
     said = where_words(plan, 2, X0 - 0.5 * ahead * R[0] + 0.25 * ahead * R[1], np.zeros(3))
     assert said.startswith("stand 0.")
     assert f" to the left of photograph {name}, 0.2" in said
-    assert said.endswith(" towards its upper edge (1: from there to the object)")
+    assert said.endswith(" towards its upper edge (1 is the distance from there to the object)")
     quarter = rotation_from_vector(np.array([[0.0, 0.0, np.pi / 2], [0.0, 0.0, -np.pi / 2]])) @ R
     both = {hold_words(plan, 2, q) for q in quarter}
     assert both == {f"turn the camera by 90 degrees {w}clockwise against photograph {name}" for w in ("", "anti")}

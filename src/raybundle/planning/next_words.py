@@ -105,7 +105,7 @@ def where_words(plan: NextPlan, near: int, centre: Array, towards: Array) -> str
         if abs(value) >= least:
             much = f"{significant(abs(value), 2)} {unit}" if unit else f"{abs(value) / distance:.2f}"
             said.append(f"{much} {plus if value > 0 else minus}")
-    scale = "" if unit else " (1: from there to the object)"
+    scale = "" if unit else " (1 is the distance from there to the object)"
     if said[0].endswith(("right", "left")):
         first, _, turn = said[0].rpartition(" ")
         return f"stand {', '.join([f'{first} to the {turn} of photograph {name}', *said[1:]])}{scale}"
