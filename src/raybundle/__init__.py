@@ -73,6 +73,7 @@ if TYPE_CHECKING:
     from raybundle.commands.planning.check import CheckedFlight, PlanCheckSettings, check_flight
     from raybundle.commands.planning.mission import MissionSettings, PlannedMission, plan_mission
     from raybundle.commands.planning.network import NetworkSettings, plan_network
+    from raybundle.commands.planning.next import NextSettings, plan_next
     from raybundle.commands.rectify import Rectification, RectifySettings, rectify
     from raybundle.commands.rpc import (
         RpcCorrectSettings,
@@ -190,6 +191,8 @@ _HOME = {
     "plan_mission": "commands.planning.mission",
     "plan_network": "commands.planning.network",
     "NetworkSettings": "commands.planning.network",
+    "plan_next": "commands.planning.next",
+    "NextSettings": "commands.planning.next",
     "plot_control": "report.pictures",
     "plot_interior": "report.pictures",
     "plot_network": "report.pictures",
@@ -243,6 +246,7 @@ __all__ = [
     "Instrument",
     "MissionSettings",
     "NetworkSettings",
+    "NextSettings",
     "NotSolvable",
     "Observations",
     "OrientSettings",
@@ -291,6 +295,7 @@ __all__ = [
     "plan_flight",
     "plan_mission",
     "plan_network",
+    "plan_next",
     "plot_control",
     "plot_interior",
     "plot_network",

@@ -8,10 +8,11 @@ import pytest
 from raybundle.adjustment import dense, engine
 from raybundle.adjustment.assemble import assemble
 from raybundle.adjustment.defects import components, held_by_points
-from raybundle.adjustment.engine import adjust_block, expected_interior, free_parameters
+from raybundle.adjustment.engine import adjust_block, free_parameters
+from raybundle.adjustment.joint_cofactors import Factored, joint_cofactors
 from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.precision import cofactors, precision
+from raybundle.adjustment.precision import cofactors, interior_unknowns, precision
 from raybundle.adjustment.structure import _neighbours
 from raybundle.block import Role
 from raybundle.block.rejection import Rejection, RejectionKind
@@ -103,7 +104,10 @@ def test_brief_extents_say_less_and_the_same(block, adjusted):
 
 def test_the_covariance_that_a_network_promises_is_that_of_its_adjustment(block, adjusted):
     free = {c.id: free_parameters(c) for c in block.parametrised}
-    Q = expected_interior(again(adjusted), OPTIONS, free, ("",) * len(block.observations), block.cameras[0].id)
+    factored = Factored.at(again(adjusted), OPTIONS, free, (None,) * len(block.observations))
+    joint = joint_cofactors(factored, np.arange(3))
+    row = next(r for r in factored.system.interior if r.image < 0)
+    Q = joint.of_unknowns(interior_unknowns(factored.system, row))
     expected = adjusted.precision.interior[block.cameras[0].id]
     assert adjusted.sigma0**2 * Q == pytest.approx(expected, rel=1e-5, abs=1e-9 * np.abs(expected).max())
 

@@ -52,17 +52,17 @@ def test_a_narrow_network_is_not_and_what_helps_is_named_first(narrow):
     assert q.grade in {"usable", "weak"}
     assert any("hardly converge" in r for r in q.reasons)
     assert any("never rolled" in r for r in q.reasons)
-    assert "converge" in q.advice[0].words
-    assert q.advice[0].ratio < 0.5
-    assert [p.uncertainty_px for p in q.advice] == sorted(p.uncertainty_px for p in q.advice)
+    assert any("turn the camera by 90 degrees" in p.words for p in q.advice)
+    assert q.advice[-1].ratio < 0.35
+    assert [p.ratio for p in q.advice] == sorted((p.ratio for p in q.advice), reverse=True)
 
 
 def test_the_predicted_effect_is_what_such_photographs_bring(narrow):
-    """The first proposal for the narrow network against a network that has such photographs."""
-    first = next_photographs(narrow, "1")[0]
+    """The proposals for the narrow network against a network that is rolled and converges."""
+    last = next_photographs(narrow, "1")[-1]
     better = calibrated(roll_deg=ROLLS, tilt_deg=40.0, depth=0.0)
     (q,) = calibration_qualities(better)
-    assert first.uncertainty_px == pytest.approx(q.uncertainty_px, rel=0.6)
+    assert last.uncertainty_px == pytest.approx(q.uncertainty_px, rel=0.6)
 
 
 def test_what_is_not_determinable_stands_before_any_number():

@@ -23,6 +23,7 @@ from raybundle.cli.frames import command as frames_command
 from raybundle.cli.orient import command as orient_command
 from raybundle.cli.photos import command as photos_command
 from raybundle.cli.plan.flight import command as flight_command
+from raybundle.cli.plan.next import command as next_command
 from raybundle.cli.rectify import command as rectify_command
 from raybundle.cli.rpc import command as rpc_command
 from raybundle.cli.settings import options_of, values_of
@@ -46,6 +47,7 @@ from raybundle.commands.film import FilmSettings
 from raybundle.commands.orient import OrientSettings
 from raybundle.commands.photos import FramesSettings, PhotosSettings
 from raybundle.commands.planning.flight import FlightSettings
+from raybundle.commands.planning.next import NextSettings
 from raybundle.commands.rectify import RectifySettings
 from raybundle.commands.rpc import RpcCorrectSettings, RpcFitSettings, RpcProjectSettings
 from raybundle.commands.simulate import SimulateSettings
@@ -63,6 +65,7 @@ COMMANDS = [
     (ConvertSettings, convert_command, {"source": Path("a")}),
     (RectifySettings, rectify_command, {"source": Path("a")}),
     (FlightSettings, flight_command, {}),
+    (NextSettings, next_command, {"result": Path("a")}),
     (SimulateSettings, simulate_command, {"scene": "ring", "out": Path("b")}),
     (CompareSettings, compare_command, {"first": Path("a"), "second": Path("b")}),
     (FilmSettings, film_command, {"marks": Path("a")}),

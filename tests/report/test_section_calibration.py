@@ -6,7 +6,7 @@ from raybundle.report.sections.calibration import calibration_section
 
 
 def advised(grade="usable"):
-    advice = (SimpleNamespace(words="four rolled by 90 degrees", uncertainty_px=0.29, ratio=0.58),)
+    advice = (SimpleNamespace(words="rolled by 90 degrees", uncertainty_px=0.29, ratio=0.58),)
     return SimpleNamespace(
         camera="A", grade=grade, headline="Usable", reasons=(), validation=None, typical_px=0.1, uncertainty_px=0.5,
         likely_px=0.4, worst_px=0.9, image_sigma_px=0.1, coverage=0.9, reach=0.9, photographs=9, rolls=1,
@@ -21,8 +21,8 @@ def row_of(quality):
 
 def test_what_further_photographs_gain_is_told_as_now_then_and_by_how_much():
     labels, row = row_of(advised())
-    assert list(labels) == ["photographs", "uncertainty now", "then", "smaller by"]
-    assert row == ("four rolled by 90 degrees", "0.50", "0.29", "42 %")
+    assert list(labels) == ["photographs, in this order", "uncertainty now", "then", "smaller by"]
+    assert row == ("1. rolled by 90 degrees", "0.50", "0.29", "42 %")
 
 
 def test_what_is_not_determinable_now_has_no_number():

@@ -8,7 +8,7 @@ export interface Packed {
   extent: number;
   basis: number[];
   points: { id: string[]; xyz: string; role: string; rays: string; sigma: string; starts: string; seen: string };
-  images: { id: string[]; frusta: string; size: number; words?: string[] };
+  images: { id: string[]; frusta: string; size: number; words?: string[]; proposed?: number[] };
   ellipsoids: { point: string; axes: string; enlarged: number };
   bars: string;
   surface: { xyz: string; sigma: string } | null;
@@ -71,6 +71,18 @@ export class Network {
 
   get images(): number {
     return this.frusta.length / 15;
+  }
+
+  /** Images that are to be taken yet, where others were. */
+  get proposed(): number[] {
+    return this.packed.images.proposed ?? [];
+  }
+
+  /** Corners of some images, fifteen numbers each. */
+  frustaOf(rows: number[]): Float32Array<ArrayBuffer> {
+    const out = new Float32Array(15 * rows.length);
+    rows.forEach((i, k) => out.set(this.frusta.subarray(15 * i, 15 * i + 15), 15 * k));
+    return out;
   }
 
   imagesOf(point: number): Uint32Array {

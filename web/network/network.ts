@@ -34,8 +34,9 @@ function start(): void {
   const controls = new OrbitControls(camera, renderer.domElement);
   controls.zoomToCursor = true;
   const home = () => {
-    camera.position.set(0, 0, 0).addScaledVector(axis(1), 1.35 * extent).addScaledVector(axis(2), 0.45 * extent)
-      .addScaledVector(axis(0), 0.4 * extent);
+    const far = Math.max(extent, FITTING * reachOf(net.frustaOf(net.proposed)));
+    camera.position.set(0, 0, 0).addScaledVector(axis(1), 1.35 * far).addScaledVector(axis(2), 0.45 * far)
+      .addScaledVector(axis(0), 0.4 * far);
     controls.target.set(0, 0, 0);
     controls.update();
   };
@@ -55,6 +56,16 @@ function start(): void {
   size();
 }
 
+// of the farthest proposed photograph's distance: then it is seen from the first view, behind which it could stand else
+const FITTING = 1.8;
+
+/** Largest distance of corners from the middle. */
+function reachOf(corners: Float32Array): number {
+  let far = 0;
+  for (let k = 0; k < corners.length; k += 3) far = Math.max(far, Math.hypot(corners[k], corners[k + 1], corners[k + 2]));
+  return far;
+}
+
 function panel(net: Network, drawn: Drawn, render: () => void, home: () => void): void {
   const choices: Record<string, Colouring | null> = { role: byRole(net), rays: byRays(net), sigma: bySigma(net) };
   const select = element<HTMLSelectElement>("colouring");
@@ -64,7 +75,10 @@ function panel(net: Network, drawn: Drawn, render: () => void, home: () => void)
     drawn.colourSurface(surface.rgb);
     choices.surface = { rgb: choices.rays!.rgb, legend: surface.legend };
     select.value = "surface";
-  } else select.querySelector('option[value="surface"]')!.remove();
+  } else {
+    select.querySelector('option[value="surface"]')!.remove();
+    if (net.proposed.length && choices.sigma) select.value = "sigma";
+  }
   const colour = () => {
     const chosen = choices[select.value]!;
     drawn.colour(chosen.rgb, choices.role!.rgb);
@@ -84,7 +98,8 @@ function panel(net: Network, drawn: Drawn, render: () => void, home: () => void)
 
   const shown: [string, THREE.Object3D[], number][] = [
     ["show-points", [drawn.points], net.points],
-    ["show-images", [drawn.frames], net.images],
+    ["show-images", [drawn.frames], net.images - net.proposed.length],
+    ["show-proposals", [drawn.proposals], net.proposed.length],
     ["show-surface", [drawn.surface], net.surface.length],
     ["show-known", [drawn.special], net.role.some((r) => r > 0) ? 1 : 0],
     ["show-bars", [drawn.bars], net.bars.length],
@@ -126,7 +141,7 @@ function picking(net: Network, drawn: Drawn, camera: THREE.Camera, canvas: HTMLC
     const box = canvas.getBoundingClientRect();
     const at: [number, number] = [e.clientX - box.left, e.clientY - box.top];
     const point = drawn.points.visible ? nearest(net.xyz, 3, camera, box, at) : null;
-    const image = drawn.frames.visible ? nearest(net.frusta, 15, camera, box, at) : null;
+    const image = drawn.frames.visible || drawn.proposals.visible ? nearest(net.frusta, 15, camera, box, at) : null;
     const told = element("picked");
     // the image's centre is the smaller aim: it goes first where both are near
     if (image !== null) {

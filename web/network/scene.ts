@@ -7,6 +7,7 @@ export class Drawn {
   readonly points: THREE.Points;
   readonly special: THREE.Points;
   readonly frames: THREE.LineSegments;
+  readonly proposals: THREE.LineSegments;
   readonly bars: THREE.LineSegments;
   readonly ellipsoids: THREE.InstancedMesh;
   readonly rays: THREE.LineSegments;
@@ -23,9 +24,15 @@ export class Drawn {
     const special = new Float32Array(3 * this.specialRows.length);
     this.specialRows.forEach((i, k) => special.set(net.xyz.subarray(3 * i, 3 * i + 3), 3 * k));
     this.special = new THREE.Points(positions(special), material(11));
+    const proposed = new Set(net.proposed);
+    const taken = [...Array(net.images).keys()].filter((i) => !proposed.has(i));
     this.frames = new THREE.LineSegments(
-      positions(edges(net.frusta)),
+      positions(edges(net.frustaOf(taken))),
       new THREE.LineBasicMaterial({ color: 0x3d4f60, transparent: true, opacity: 0.75 }),
+    );
+    this.proposals = new THREE.LineSegments(
+      positions(edges(net.frustaOf(net.proposed))),
+      new THREE.LineBasicMaterial({ color: 0xd0021b }),
     );
     this.bars = new THREE.LineSegments(
       positions(joined(net)),
@@ -50,7 +57,7 @@ export class Drawn {
   }
 
   all(): THREE.Object3D[] {
-    return [this.surface, this.points, this.special, this.frames, this.bars, this.ellipsoids, this.rays, this.mark];
+    return [this.surface, this.points, this.special, this.frames, this.proposals, this.bars, this.ellipsoids, this.rays, this.mark];
   }
 
   /** Colours of all points, and of the control and check points that are drawn larger. */

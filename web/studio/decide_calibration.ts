@@ -72,15 +72,15 @@ export class DecideCalibration {
     const how = c.verdict_is === "stored" ? "As `raybundle calibrate` judged it, cross-validated." : "Judged from the last adjustment here, without cross-validation: `raybundle calibrate` adds it.";
     const found: HTMLElement[] = [h("p", { class: `verdict ${LOOKS[v.grade] ?? "attention"}` }, v.headline), h("p", { class: "note" }, how)];
     if (v.reasons.length) found.push(h("h4", {}, "What speaks against it"), h("ul", { class: "reasons" }, ...v.reasons.map((r) => h("li", {}, r))));
-    const best = v.advice[0];
+    const best = v.advice[v.advice.length - 1];
     const now = best?.ratio && best.uncertainty_px ? best.uncertainty_px / best.ratio : v.uncertainty_px;
     if (v.advice.length)
       found.push(h("h4", {}, "What to photograph next"),
         h("table", { class: "figures-of", "aria-label": `What to photograph next with camera ${c.camera}` },
-          h("thead", {}, h("tr", {}, ...["photographs", "uncertainty then px", "smaller by"].map((w) => h("th", { scope: "col" }, w)))),
-          h("tbody", {}, ...v.advice.map((a) => h("tr", {}, h("th", { scope: "row" }, a.photographs), h("td", {}, short(a.uncertainty_px, 2)),
+          h("thead", {}, h("tr", {}, ...["photograph", "uncertainty then px", "smaller by"].map((w) => h("th", { scope: "col" }, w)))),
+          h("tbody", {}, ...v.advice.map((a, k) => h("tr", {}, h("th", { scope: "row" }, `${k + 1}. ${a.photographs}`), h("td", {}, short(a.uncertainty_px, 2)),
             h("td", {}, a.ratio === null || !(a.ratio > 0) ? "–" : `${Math.round(100 * (1 - a.ratio))} %`))))),
-        h("p", { class: "note" }, `The largest uncertainty of projection over the format, now ${short(now, 2)} px, if these are added with the precision of the others. Add the first set, run again, look again.`));
+        h("p", { class: "note" }, `The largest uncertainty of projection over the format, now ${short(now, 2)} px, with this photograph and those before it, of the precision of the others. Take them, run again, look again.`));
     else found.push(h("p", { class: "note" }, "No four further photographs would improve it by a tenth."));
     return found;
   }

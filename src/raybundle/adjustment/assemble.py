@@ -277,13 +277,7 @@ def _image_observations(block: Block, rows: Array) -> tuple[Array, Array, Array]
     pixel = np.array([c.pixel_mm for c in block.cameras]) * [1, -1]
     half = np.array([[c.width_px, c.height_px] for c in block.cameras]) / 2
     xy = (observations.xy_px[rows] - half[camera]) * pixel[camera]
-    cov = observations.cov_px2[rows]
-    sx, sy = pixel[camera].T
-    a, b, c = cov[:, 0] * sx * sx, cov[:, 2] * sx * sy, cov[:, 1] * sy * sy
-    l11 = np.sqrt(a)
-    l21 = b / l11
-    l22 = np.sqrt(c - l21 * l21)
-    whiten = np.stack([1 / l11, -l21 / (l11 * l22), 1 / l22], axis=1)
+    whiten = packed_whitening(observations.cov_px2[rows], pixel[camera])
     if not np.isfinite(whiten).all():
         bad = int(rows[np.flatnonzero(~np.isfinite(whiten).all(axis=1))[0]])
         raise InputError(
@@ -291,3 +285,17 @@ def _image_observations(block: Block, rows: Array) -> tuple[Array, Array, Array]
             f"the covariance of the image point is not positive definite"
         )
     return np.ascontiguousarray(xy), np.ascontiguousarray(whiten), pixel[camera]
+
+
+def packed_whitening(cov_px2: Array, pixel_mm: Array) -> Array:
+    """(k, 3) lower triangles that whiten image points in mm.
+
+    cov_px2   (k, 3) variances of x and y and their covariance
+    pixel_mm  (k, 2) or (2,), signed: image frame from pixel frame
+    """
+    sx, sy = pixel_mm.T
+    a, b, c = cov_px2[:, 0] * sx * sx, cov_px2[:, 2] * sx * sy, cov_px2[:, 1] * sy * sy
+    l11 = np.sqrt(a)
+    l21 = b / l11
+    l22 = np.sqrt(c - l21 * l21)
+    return np.stack([1 / l11, -l21 / (l11 * l22), 1 / l22], axis=1)

@@ -40,11 +40,22 @@ def set_dense_kernels() -> Threads | None:
         _address(blas, "dsyrk"),
         _address(blas, "dgemm"),
     )
-    library = ctypes.CDLL(str(lapack.__file__))  # finds the functions of the library that it is linked to, too
+    return _threads_of(lapack)
+
+
+@cache
+def threads_of_numpy() -> Threads | None:
+    """What sets the threads of the BLAS that NumPy multiplies with, which its wheels bring for themselves."""
+    return _threads_of(import_module("numpy.linalg._umath_linalg"))
+
+
+def _threads_of(module: Any) -> Threads | None:
+    library = ctypes.CDLL(str(module.__file__))  # finds the functions of the library that it is linked to, too
     for prefix in PREFIXES:
-        read, set_ = (getattr(library, f"{prefix}_{verb}_num_threads", None) for verb in ("get", "set"))
-        if read is not None and set_ is not None:
-            return Threads(read=read, set=set_)
+        for suffix in ("", "64_"):
+            read, set_ = (getattr(library, f"{prefix}_{verb}_num_threads{suffix}", None) for verb in ("get", "set"))
+            if read is not None and set_ is not None:
+                return Threads(read=read, set=set_)
     return None
 
 
@@ -64,6 +75,25 @@ def as_many_threads_as_help(unknowns: int) -> Generator[None]:
         yield
     finally:
         threads.set(before)
+
+
+@contextmanager
+def one_thread() -> Generator[None]:
+    """One thread of all BLAS and LAPACK within, NumPy's own too, for many products of small matrices.
+
+    It holds for the whole process.  Where processors are busy otherwise a second thread makes them twenty times slower.
+    """
+    numpys = threads_of_numpy()
+    before = 1 if numpys is None else int(numpys.read())
+    with as_many_threads_as_help(0):
+        if numpys is None or before == 1:
+            yield
+            return
+        numpys.set(1)
+        try:
+            yield
+        finally:
+            numpys.set(before)
 
 
 def _address(module: Any, name: str) -> int:

@@ -27,7 +27,6 @@ from raybundle.adjustment.own_fields import own_field_notices
 from raybundle.adjustment.precision import (
     cofactors,
     interior_precision,
-    interior_unknowns,
     precision,
 )
 from raybundle.adjustment.queries import suspects
@@ -55,7 +54,7 @@ from raybundle.adjustment.work import Work
 from raybundle.block import Block, Camera, Instrument
 from raybundle.block.rejection import Rejection, RejectionKind, Rejections
 from raybundle.errors import NoConvergence, RankDefect, TooFewObservations
-from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.arrays import Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.statistics import family_wise_normal, family_wise_tau, global_test
 
@@ -246,28 +245,6 @@ def open_datum(
     """Names of what control, distances and projection centres leave open of the datum, at the values of the block."""
     system = assemble(block, options, np.array([bool(r) for r in reasons], bool), free)
     return open_names(analyse(system, system.initial_state(), replace(options, datum="auto")).basis)
-
-
-def expected_interior(
-    block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]], reasons: Rejections, camera: str
-) -> Array:
-    """Cofactor (u, u) of the free parameters of a camera that the network promises, nothing being adjusted.
-
-    raises  InputError, DatumDefect, RankDefect
-    Where the values will move far, the covariance will, too.
-    """
-    mask = np.array([bool(r) for r in reasons], bool)
-    defects.check_images(block, mask, free)
-    system = assemble(block, options, mask, free)
-    state = system.initial_state()
-    normals = Normals.of(system, options.threads)
-    _factor(normals, state, analyse(system, state, options))
-    row = next(i for i in system.interior if i.image < 0 and i.owner(block).id == camera)
-    # lengths apart, which nobody sees from afar, an interior orientation is the same in every datum
-    mine = interior_unknowns(system, row)
-    columns = np.zeros((len(normals.right), len(mine)))
-    columns[mine, np.arange(len(mine))] = 1.0
-    return normals.solved(columns)[mine]
 
 
 def reject_single_rays(block: Block, reasons: Rejections, mask: Mask) -> tuple[Rejections, Mask]:

@@ -58,14 +58,15 @@ TILT_SPREAD = np.radians(20)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Proposal:
-    """Photographs that could be added, and what they would bring."""
+    """A photograph that could be added, after those proposed before it, and what they would bring."""
 
     words: str
-    """What to photograph, as an instruction"""
+    """Where to stand and how to hold the camera, as an instruction"""
     uncertainty_px: float
-    """Largest standard deviation of projection over the format that is to be expected with them"""
+    """Largest standard deviation of projection over the format that is to be expected with it and those before it;
+    infinite where more are needed yet"""
     ratio: float
-    """The same over that without them"""
+    """The same over that without any; NaN where neither is determinable"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -79,7 +80,7 @@ class CalibrationQuality:
     reasons: tuple[str, ...]
     """What speaks against it, the gravest first"""
     advice: tuple[Proposal, ...]
-    """What to photograph next, with its predicted effect; the best first (`planning.next_photographs`)"""
+    """What to photograph next, one after the other, with the predicted effect (`planning.next_photographs`)"""
     unstable: bool
     """The photographs had not the same interior orientation: more of them would not help"""
     photographs: int

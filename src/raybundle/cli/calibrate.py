@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -79,8 +80,8 @@ def lines(done: Calibration) -> list[str]:
         told += [f"camera {q.camera}: {q.headline}"]
         told += [f"  {reason}" for reason in q.reasons]
         if q.advice and q.grade != "good":
-            best = q.advice[0]
-            told.append(f"  next: {best.words}; the largest uncertainty is then {best.uncertainty_px:.2g} px")
+            told.append("  what to photograph next, and the largest uncertainty then:")
+            told += [f"  {k + 1}. {p.words}: {_then(p.uncertainty_px)}" for k, p in enumerate(q.advice)]
         camera = next(c for c in done.adjustment.adjusted.cameras if c.id == q.camera)
         interior = next(i for i in done.adjustment.interior if i.camera == q.camera)
         # beside what could not be determined the others' standard deviations are conditional
@@ -93,6 +94,10 @@ def lines(done: Calibration) -> list[str]:
     reasons = {reason for q in done.quality for reason in q.reasons}
     others = [n for n in done.adjustment.notices if n.reason not in reasons]  # those stand with their camera
     return told + noise_lines(done.adjustment.noise) + notice_lines(others)
+
+
+def _then(px: float) -> str:
+    return f"{px:.2g} px" if math.isfinite(px) else "not determinable yet"
 
 
 def in_pixels(camera: Camera, interior: InteriorResult, *, sure: bool) -> str:

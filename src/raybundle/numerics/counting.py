@@ -20,4 +20,7 @@ def counted_are(number: int, noun: str) -> str:
 
 def significant(value: float, digits: int = 3) -> str:
     """A number with so many significant digits, without an exponent where it can be read without."""
-    return f"{value:#.{digits}g}".rstrip(".") if 1e-4 <= abs(value) < 1e6 else f"{value:.{digits - 1}e}"
+    if not 1e-4 <= abs(value) < 1e6:
+        return f"{value:.{digits - 1}e}"
+    text = f"{value:#.{digits}g}"
+    return f"{float(text):.0f}" if "e" in text else text.rstrip(".")

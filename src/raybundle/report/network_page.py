@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 from base64 import b64encode
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -22,7 +22,7 @@ from raybundle.report.figures.network import frusta
 from raybundle.report.figures.svg import spread_rows
 from raybundle.report.text.numbers import counted, grouped
 from raybundle.report.text.words import datum_words
-from raybundle.report.view import View, view_of, with_near_viewpoints
+from raybundle.report.view import FREE_UNIT, View, view_of, with_near_viewpoints
 
 MOST_POINTS, MOST_ELLIPSOIDS, MOST_IMAGES = 50_000, 2_000, 5_000
 """Points, error ellipsoids and images that a page holds; control and check points are all there."""
@@ -30,17 +30,21 @@ MOST_POINTS, MOST_ELLIPSOIDS, MOST_IMAGES = 50_000, 2_000, 5_000
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Planned:
-    """What the page of a plan shows besides, and in the place of what residuals would tell; metres."""
+    """What the page of a plan shows besides, and in the place of what residuals would tell; lengths of the block."""
 
-    corners: Array
-    """(m, 3, 3) of the triangles of the object's surface"""
-    sigma: Array
-    """(m,) standard deviation that a coordinate would have there; NaN where less than two images see it"""
     covariance: Array
     """(p, 3, 3) of the object points"""
     image_words: tuple[str, ...]
     """(n,) what each image is there for"""
     remarks: tuple[str, ...]
+    corners: Array = field(default_factory=lambda: np.zeros((0, 3, 3)))
+    """(m, 3, 3) of the triangles of the object's surface"""
+    sigma: Array = field(default_factory=lambda: np.zeros(0))
+    """(m,) standard deviation that a coordinate would have there; NaN where less than two images see it"""
+    proposed: tuple[int, ...] = ()
+    """Images that are to be taken yet, where others were"""
+    length_unit: str = "m"
+    """Empty where nothing fixes the scale"""
 
 
 def write_network_page(adjustment: Adjustment, path: str | Path, planned: Planned | None = None) -> None:
@@ -48,7 +52,7 @@ def write_network_page(adjustment: Adjustment, path: str | Path, planned: Planne
 
     adjustment  any result; what it lacks (statistics, control, scale bars) is left out
     path        the HTML file; its folder exists; an older file is overwritten
-    planned     of a plan: its object in colours of its precision
+    planned     of a plan: its object in colours of its precision, photographs that are to be taken yet
 
     Points, ellipsoids and images beyond what a page can hold are thinned evenly, and the page says so.  What it does
     not tell: an ellipsoid describes random errors in the datum of the result; one that is enlarged is no distance.
@@ -136,22 +140,32 @@ def network_contents(view: View) -> dict[str, Any]:
 
 
 def _as_planned(view: View, planned: Planned) -> View:
-    """The view with the standard deviations of a plan [mm]."""
+    """The view with the standard deviations of a plan."""
     precision = view.adjustment.precision
     assert precision is not None
     std = np.sqrt(np.diagonal(planned.covariance, axis1=1, axis2=2))
     adjustment = replace(view.adjustment, precision=replace(precision, object_points=planned.covariance))
-    return replace(view, adjustment=adjustment, std=1000 * std, unit="mm", length_unit="m")
+    factor, unit = (1000.0, "mm") if planned.length_unit == "m" else (1.0, planned.length_unit or FREE_UNIT)
+    return replace(
+        view, adjustment=adjustment, std=factor * std, factor=factor, unit=unit,
+        length_unit=planned.length_unit or FREE_UNIT,
+    )  # fmt: skip
 
 
 def _of_plan(contents: dict[str, Any], planned: Planned, view: View) -> dict[str, Any]:
+    images = shown_images(view)
+    surface = {
+        "xyz": _packed(planned.corners.reshape(-1, 3) - np.array(contents["origin"]), "<f4"),
+        "sigma": _packed(view.factor * planned.sigma, "<f4"),
+    }
     return {
         "remarks": [contents["remarks"][0], *planned.remarks],
-        "images": contents["images"] | {"words": [planned.image_words[i] for i in shown_images(view)]},
-        "surface": {
-            "xyz": _packed(planned.corners.reshape(-1, 3) - np.array(contents["origin"]), "<f4"),
-            "sigma": _packed(1000 * planned.sigma, "<f4"),
+        "images": contents["images"]
+        | {
+            "words": [planned.image_words[i] for i in images],
+            "proposed": np.flatnonzero(np.isin(images, planned.proposed)).tolist(),
         },
+        "surface": surface if len(planned.corners) else None,
     }
 
 

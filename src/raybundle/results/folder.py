@@ -5,15 +5,13 @@ from __future__ import annotations
 import json
 from collections.abc import Generator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, cast
 
-import numpy as np
-
+from raybundle.adjustment.again import block_again
 from raybundle.adjustment.result import Adjustment
-from raybundle.block import Block, Camera
-from raybundle.block.rejection import found_wrong
+from raybundle.block import Block
 from raybundle.errors import InputError
 from raybundle.io.block.folder import block_files, read_block, write_block_files
 from raybundle.io.folders import check_place, new_folder
@@ -112,7 +110,7 @@ def written_folder(
     with new_folder(Path(path)) as folder:
         progress("writing tables", 0.0)
         (folder / "block").mkdir()
-        write_block_files(_block_again(adjustment), folder / "block")
+        write_block_files(block_again(adjustment), folder / "block")
         progress("writing tables", 0.2)
         for name in TABLES:  # one after the other: those of the image observations are large
             write_table(folder / f"{name}.csv", result_table(adjustment, name))
@@ -123,27 +121,6 @@ def written_folder(
         yield folder
         if (Path(path) / PROJECT / "project.db").is_file():  # stays for the next run
             (Path(path) / PROJECT).rename(folder / PROJECT)
-
-
-def _block_again(adjustment: Adjustment) -> Block:
-    """The given block with adjusted values as approximations; what was observed or held stays as it was given."""
-    given, adjusted = adjustment.given, adjustment.adjusted
-    stays = given.points.is_control | given.points.is_check
-    xyz = np.where(stays, given.points.xyz, adjusted.points.xyz)
-    cameras: list[Camera] = []
-    for before, after in zip(given.cameras, adjusted.cameras, strict=True):
-        observed = {s: before.values[s] for s in before.sigma if s in before.values}
-        cameras.append(replace(before, values={**after.values, **observed}))
-    return replace(
-        given,
-        free_scale="scale" in adjustment.datum_defect,
-        noise="" if adjustment.options.noise == "auto" else adjustment.options.noise,
-        datum_over="" if adjustment.options.datum_over == "all" else adjustment.options.datum_over,
-        rejected=found_wrong(given, adjustment.image_observations.rejected),
-        cameras=tuple(cameras),
-        images=replace(adjusted.images, held=given.images.held),
-        points=replace(given.points, xyz=xyz),
-    )
 
 
 def columns_of_table(name: str) -> tuple[Column, ...]:

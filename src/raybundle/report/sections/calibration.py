@@ -124,15 +124,20 @@ def _advice(q: CalibrationQuality) -> list[Part]:
     return [
         Heading(text="What to photograph next"),
         table(
-            (text("photographs"), number("uncertainty now", "px"), number("then", "px"), number("smaller by")),
             (
-                [p.words for p in q.advice],
+                text("photographs, in this order"),
+                number("uncertainty now", "px"),
+                number("then", "px"),
+                number("smaller by"),
+            ),
+            (
+                [f"{k + 1}. {p.words}" for k, p in enumerate(q.advice)],
                 [NONE if now == "not determinable" else significant(q.uncertainty_px, 2) for _ in q.advice],
                 [significant(p.uncertainty_px, 2) for p in q.advice],
                 [per_cent(1 - p.ratio) if p.ratio > 0 else NONE for p in q.advice],
             ),
-            note=f"Predicted: largest uncertainty of projection over the format, now {now}, if these photographs are "
-            "added with the precision of the others. Add the first set, calibrate again, and look again.",
+            note=f"Predicted: largest uncertainty of projection over the format, now {now}, with this photograph and "
+            "those before it, of the precision of the others. Take them, calibrate again, and look again.",
         ),
     ]
 

@@ -1,0 +1,32 @@
+"""The block of a result, to be adjusted again."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from raybundle.adjustment.result import Adjustment
+from raybundle.block import Block, Camera
+from raybundle.block.rejection import found_wrong
+
+
+def block_again(adjustment: Adjustment) -> Block:
+    """The given block with adjusted values as approximations; what was observed or held stays as it was given."""
+    given, adjusted = adjustment.given, adjustment.adjusted
+    stays = given.points.is_control | given.points.is_check
+    xyz = np.where(stays, given.points.xyz, adjusted.points.xyz)
+    cameras: list[Camera] = []
+    for before, after in zip(given.cameras, adjusted.cameras, strict=True):
+        observed = {s: before.values[s] for s in before.sigma if s in before.values}
+        cameras.append(replace(before, values={**after.values, **observed}))
+    return replace(
+        given,
+        free_scale="scale" in adjustment.datum_defect,
+        noise="" if adjustment.options.noise == "auto" else adjustment.options.noise,
+        datum_over="" if adjustment.options.datum_over == "all" else adjustment.options.datum_over,
+        rejected=found_wrong(given, adjustment.image_observations.rejected),
+        cameras=tuple(cameras),
+        images=replace(adjusted.images, held=given.images.held),
+        points=replace(given.points, xyz=xyz),
+    )

@@ -1,0 +1,74 @@
+"""`raybundle plan next`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER, common_options, counted
+from raybundle.cli.settings import options_of, values_of
+from raybundle.commands.planning.next import NextSettings, run_plan_next
+from raybundle.settings import made
+
+if TYPE_CHECKING:
+    from raybundle.planning.next_plan import NextPlan
+
+SHOWN = 12
+"""Proposals that are told one by one; the others stand in next.csv"""
+HARDLY = 0.99
+"""Share of what is to be lowered, of which a remark is made where it stays"""
+
+
+@click.command("next", context_settings=COMMAND_SETTINGS)
+@click.argument("result", type=FOLDER, metavar="RESULT")
+@options_of(NextSettings, out=NEW_FOLDER)
+@common_options
+def command(result: Path, progress: str, **given: Any) -> None:
+    """Say which photographs to take next of a block in hand: where to stand, and what each would bring.
+
+    RESULT is a result, block or project folder. Stations within reach are compared by the standard deviations that an
+    adjustment with each would state, exactly; the best is added, and the next one looked for. Each is told against
+    the nearest photograph that there is. FOLDER gets network.html (what there is, the proposals in red), next.csv,
+    next.json, and a block with the proposals in it that `adjust` takes. Only for frame cameras.
+
+    \b
+    Example:
+      raybundle plan next result --photographs 3 --out next
+      raybundle plan next calibration --photographs 4 --aim calibration --out next
+    """  # noqa: D301
+    from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
+
+    settings = made(NextSettings, {"result": result, **values_of(NextSettings, given)})
+    with reporting(progress) as tell:
+        plan = run_plan_next(settings, tell)
+    click.echo("\n".join(f" {line}" for line in lines(plan, settings)))
+
+
+def lines(plan: NextPlan, settings: NextSettings) -> list[str]:
+    """What is told of the proposals."""
+    import numpy as np  # noqa: PLC0415  (what computes is loaded after the help)
+
+    from raybundle.planning.next_words import figure_words, goal_words, instruction  # noqa: PLC0415
+
+    first, last = plan.proposals[0].before, plan.proposals[-1].after
+    n = len(plan.proposals)
+    falls = f"{figure_words(plan, first.value)} now, {figure_words(plan, last.value)} with {counted(n, 'photograph')}"
+    judged = f"{counted(plan.judged, 'candidate')} of {plan.reached} within reach show enough"
+    text = [f"{judged}; {goal_words(plan)} {falls}"]
+    for k in range(min(n, SHOWN)):
+        told = instruction(plan, k)
+        text += [f"{plan.names[k]}  {told}", f"        {told.brings}"]
+        if told.frees:
+            text.append(f"        with it {', '.join(told.frees)} can be determined")
+    if n > SHOWN:
+        text.append(f"... {n - SHOWN} more in next.csv")
+    if n < plan.wanted:
+        text.append(f"remark: no further photograph within reach lowers it; {plan.wanted} were asked for")
+    elif np.isfinite(first.value) and last.value > HARDLY * first.value:
+        text.append(
+            "remark: photographs within reach hardly lower it; control, scale bars, more precise image points or room "
+            "to stand elsewhere (--step, --around) would"
+        )
+    return [*text, f"{settings.out}: network.html, next.csv, next.json, block"]

@@ -1,0 +1,283 @@
+"""`raybundle plan next`: which photographs of a block in hand to take next."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import MISSING, dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+from raybundle.errors import InputError, NotSolvable
+from raybundle.numerics.progress import Progress, silent
+from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, made, option, setting
+
+if TYPE_CHECKING:
+    from raybundle.adjustment.result import Adjustment
+    from raybundle.planning.goals import For
+    from raybundle.planning.next_plan import Conditions, NextPlan
+
+LENGTH = Range(low=0, high=1e9, above=True)
+"""A length in the unit of the block"""
+ANYWHERE = Range(low=-1e9, high=1e9)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class NextSettings:
+    """How many photographs, what they are to lower, and where one may stand; lengths in the unit of the block."""
+
+    result: Path
+    """A result, block or project folder"""
+    photographs: int = setting(MISSING, "So many, each the best after those before it.", limits=Range(low=1, high=100))
+    out: Path = setting(MISSING, "New folder for the proposals.", metavar="FOLDER")
+    aim: Literal["worst", "mean", "calibration"] = setting(
+        "worst", "What is to fall: the largest sigma of a coordinate, the mean one, or the camera's largest "
+        "uncertainty of projection over the format.",
+    )  # fmt: skip
+    points: tuple[str, ...] = setting(
+        (), "Of {aim} worst: only these points count.", metavar="ID,ID,...", joined=True
+    )  # fmt: skip
+    camera: str = setting("", "Camera of the block that takes them.  [default: that of most photographs]")
+    around: float | None = setting(
+        None, "How far one may go from the object.  [default: as far as {step} lets]", limits=LENGTH
+    )
+    step: float | None = setting(
+        None, "How far one may go from where photographs were taken.  [default: as far as the object is]", limits=LENGTH
+    )
+    heights: tuple[float, float] | None = setting(
+        None, "Of the camera over the object's lowest point; for blocks whose Z is up.", metavar="LOW HIGH",
+        limits=(ANYWHERE, ANYWHERE),
+    )  # fmt: skip
+    clearance: float | None = setting(
+        None, "How near to the object's points one may go.  [default: a tenth of the distance]", limits=NOT_NEGATIVE
+    )
+    forbid: tuple[tuple[float, float, float, float, float, float], ...] = setting(
+        (), "A box in which no station may be; may be given again.", metavar="X0 Y0 Z0 X1 Y1 Z1",
+        limits=(ANYWHERE,) * 6,
+    )  # fmt: skip
+    incidence: float = setting(75.0, "Largest angle of a ray to the normal [deg].", limits=Range(low=5, high=89))
+    f_number: float | None = setting(
+        None, "Aperture, for the depth of field; with {focus}.", limits=Range(low=0.5, high=128)
+    )
+    focus: float | None = setting(None, "Distance to which the lens is focused.", limits=POSITIVE)
+    object: str | None = setting(
+        None, "What hides what, in the frame of the block: a kind as of `plan network`, or a mesh.", metavar="OBJECT"
+    )
+    candidates: int = setting(
+        1000, "Stations and ways of holding the camera that are compared.", limits=Range(low=3, high=100_000)
+    )
+
+
+def plan_next(
+    result: Adjustment | str | Path, out: str | Path | None = None, *, photographs: int = 1,
+    progress: Progress = silent, **settings: Any,
+) -> NextPlan:  # fmt: skip
+    """The next best photographs of a block in hand, each the best after those before it.
+
+    result       an adjustment, or a result, block or project folder, which is adjusted again
+    out          new folder: next.csv, next.json, block (the given one and the proposals), network.html; None: nothing
+                 is written
+    photographs  how many
+    settings     as of the command line, by the names of `NextSettings`: aim="calibration"
+    raises       InputError where nothing is within reach or seen, for a result without statistics, and for cameras
+                 that are no frame cameras; NotSolvable where no photograph within reach lowers anything
+    """
+    source = Path() if not isinstance(result, (str, Path)) else Path(result)
+    s = made(NextSettings, {"result": source, "out": Path(out or ""), "photographs": photographs, **settings})
+    given = None if isinstance(result, (str, Path)) else result
+    return _run(s, given, write=out is not None, progress=progress)
+
+
+def run_plan_next(settings: NextSettings, progress: Progress = silent) -> NextPlan:
+    """Propose what the settings ask for, and write it."""
+    return _run(settings, None, write=True, progress=progress)
+
+
+def _run(s: NextSettings, given: Adjustment | None, *, write: bool, progress: Progress) -> NextPlan:
+    from raybundle.io.folders import check_place  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.planning import next_plan  # noqa: PLC0415
+
+    if write:
+        check_place(s.out, "folder")
+    if s.points and s.aim != "worst":
+        raise InputError(f"{option('points')} goes with {option('aim', 'worst')}; leave one of the two away")
+    adjusted = _adjusted(s.result, progress) if given is None else given
+    aim: For = "points" if s.points else s.aim
+    plan = next_plan.plan_next(adjusted, aim, s.photographs, conditions_of(s, adjusted), s.points, progress)
+    if not plan.proposals:
+        raise NotSolvable(
+            f"none of {plan.judged} candidates lowers anything: what is left is not the geometry of the photographs. "
+            "Control, scale bars or more precise image points would help, or room to stand elsewhere "
+            f"({option('step')}, {option('around')})"
+        )
+    if write:
+        write_next_plan(plan, s)
+    return plan
+
+
+def _adjusted(folder: Path, progress: Progress) -> Adjustment:
+    """The adjustment of a folder; raises InputError for one that is no block, or not adjusted yet."""
+    import numpy as np  # noqa: PLC0415
+
+    from raybundle.io.block.folder import read_block  # noqa: PLC0415
+    from raybundle.measuring.session import block_folder, readjusted  # noqa: PLC0415
+    from raybundle.results.asked import made_as  # noqa: PLC0415
+
+    inner = block_folder(folder)
+    block, options = made_as(inner, read_block(inner))
+    taken, seen = (np.unique(rows) for rows in (block.observations.image, block.observations.point))
+    if not block.images.oriented[taken].all() or not np.isfinite(block.points.xyz[seen]).all():
+        raise InputError(
+            "is not adjusted yet: images have no orientation or points no coordinates; adjust it first, and give the "
+            "result", file=folder,
+        )  # fmt: skip
+    return readjusted(block, progress, options)
+
+
+def conditions_of(s: NextSettings, result: Adjustment) -> Conditions:
+    """Where one may stand, and what a photograph shows."""
+    import numpy as np  # noqa: PLC0415
+
+    from raybundle.commands.planning.objects import surface_of  # noqa: PLC0415
+    from raybundle.planning.next_plan import Conditions, camera_of  # noqa: PLC0415
+    from raybundle.planning.optics import Optics  # noqa: PLC0415
+    from raybundle.planning.stations import Reach  # noqa: PLC0415
+
+    if s.heights is not None and s.heights[1] < s.heights[0]:
+        low, high = s.heights
+        raise InputError(f"{option('heights')}: {low:g} to {high:g} leaves nothing; give the lower first")
+    if (s.f_number is None) != (s.focus is None):
+        raise InputError(f"the depth of field follows from {option('f_number')} and {option('focus')}: give both")
+    depth = (0.0, float("inf"))
+    k = camera_of(result, result.image_observations.used, s.camera)
+    if s.f_number is not None and s.focus is not None:
+        metres = METRES_OF.get(result.length_unit)
+        if metres is None:
+            raise InputError(
+                f"{option('focus')}: nothing fixes the scale of the block, no distance in it is known; leave it away"
+            )
+        camera = result.adjusted.cameras[k]
+        c = camera.sensor.camera_constant(camera.parameters)
+        near, far = Optics(f_number=s.f_number, focus=s.focus * metres).depth_of_field(c, camera.pixel_mm[0])
+        depth = near / metres, far / metres
+    boxes = np.sort(np.array(s.forbid, float).reshape(-1, 2, 3), axis=1)
+    return Conditions(
+        camera=result.given.cameras[k].id, depth=depth, incidence=float(np.radians(s.incidence)),
+        surface=None if s.object is None else surface_of(s.object)[0],
+        reach=Reach(
+            step=s.step, around=s.around, heights=s.heights, clearance=s.clearance, forbidden=boxes, most=s.candidates
+        ),
+    )  # fmt: skip
+
+
+METRES_OF = {"m": 1.0, "mm": 0.001}
+
+
+def write_next_plan(plan: NextPlan, settings: NextSettings) -> None:
+    """Write FOLDER/next.csv, next.json, block and network.html, whole or not at all."""
+    from raybundle.io.block.folder import write_block_files  # noqa: PLC0415
+    from raybundle.io.folders import new_folder  # noqa: PLC0415
+    from raybundle.io.tables import write_table  # noqa: PLC0415
+    from raybundle.planning.next_words import instruction  # noqa: PLC0415
+    from raybundle.report.network_page import Planned, write_network_page  # noqa: PLC0415
+    from raybundle.results.contents import clean  # noqa: PLC0415
+
+    words = [instruction(plan, k) for k in range(len(plan.proposals))]
+    after = plan.adjusted()
+    block = plan.extended()
+    unit = plan.result.length_unit
+    about = f"{block.about}; {len(words)} photographs proposed, their image points are where they would be".lstrip("; ")
+    told = next_told(plan)
+    with new_folder(settings.out) as folder:
+        (folder / "block").mkdir()
+        write_block_files(replace(block, about=about), folder / "block")
+        write_table(folder / "next.csv", next_table(plan))
+        (folder / "next.json").write_text(json.dumps(clean(told), indent=1) + "\n", encoding="utf-8")
+        n = len(block.images) - len(words)
+        planned = Planned(
+            covariance=plan.promised(after), proposed=tuple(range(n, n + len(words))), length_unit=unit,
+            image_words=("",) * n + tuple(f"{w}\n{w.brings}" for w in words),
+            remarks=(
+                *(f"{name}: {w}. {_sentence(w.brings)}" for name, w in zip(plan.names, words, strict=True)),
+                "Standard deviations with the proposals, of the precision that the image points of these points have.",
+            ),
+        )  # fmt: skip
+        write_network_page(after, folder / "network.html", planned)
+
+
+def _sentence(words: str) -> str:
+    return f"{words[:1].upper()}{words[1:]}."
+
+
+def next_table(plan: NextPlan) -> dict[str, Any]:
+    """The proposals as columns."""
+    import numpy as np  # noqa: PLC0415
+
+    from raybundle.planning.next_words import instruction, nearest_photograph, shown_points  # noqa: PLC0415
+
+    chosen, block = plan.proposals, plan.block
+    centre = np.array([c.photograph.centre[0] for c in chosen])
+    rotation = np.array([c.photograph.rotation[0] for c in chosen])
+    words = [instruction(plan, k) for k in range(len(chosen))]
+    near = [nearest_photograph(plan, X, R) for X, R in zip(centre, rotation, strict=True)]
+    angles = np.degrees(replace(block.images, centre=centre, rotation=rotation).angles)
+    before, after = (np.array([getattr(c, n).value for c in chosen]) for n in ("before", "after"))
+    return {
+        "image": plan.names, **{a: centre[:, k] for k, a in enumerate("XYZ")},
+        **{f"at_{a}": plan.towards[:, k] for k, a in enumerate("XYZ")},
+        **{f"{a}_deg": angles[:, k] for k, a in enumerate(("omega", "phi", "kappa"))},
+        "near": [block.images.ids[k] for k in near],
+        "points": np.array([float(len(c.photograph.point)) for c in chosen]),
+        "sigma_before": before, "sigma_after": after, "gain": 1 - after / np.where(np.isfinite(before), before, np.inf),
+        "point_before": [_name(plan, c.before.point) for c in chosen],
+        "point_after": [_name(plan, c.after.point) for c in chosen],
+        "frees": [" ".join(w.frees) for w in words],
+        "shows": [" ".join(block.points.ids[p] for p in shown_points(plan, c)[:20].tolist()) for c in chosen],
+        "words": [str(w) for w in words],
+    }  # fmt: skip
+
+
+def _name(plan: NextPlan, point: int) -> str:
+    return plan.block.points.ids[point] if point >= 0 else ""
+
+
+def next_told(plan: NextPlan) -> dict[str, Any]:
+    """The figures of the proposals, as next.json has them."""
+    import numpy as np  # noqa: PLC0415
+
+    from raybundle.planning.next_words import instruction, parameter_ratios, shown_points  # noqa: PLC0415
+
+    def figure(value: float) -> float | None:
+        return value if np.isfinite(value) else None
+
+    def told(k: int) -> dict[str, Any]:
+        c, w = plan.proposals[k], instruction(plan, k)
+        ranked = c.ranked[np.isfinite(c.ranked)]
+        return {
+            "image": plan.names[k],
+            "centre": c.photograph.centre[0].tolist(),
+            "rotation": c.photograph.rotation[0].tolist(),
+            "at": plan.towards[k].tolist(),
+            "words": str(w),
+            "brings": w.brings,
+            "before": figure(c.before.value),
+            "after": figure(c.after.value),
+            "frees": list(w.frees),
+            "parameters": dict(parameter_ratios(plan, c)),
+            "shows": [plan.block.points.ids[p] for p in shown_points(plan, c).tolist()],
+            "median_candidate": figure(float(np.median(ranked))) if len(ranked) else None,
+        }
+
+    unit = "px" if plan.goal.kind == "calibration" else plan.result.length_unit
+    return {
+        "aim": plan.goal.kind,
+        "camera": plan.block.cameras[plan.camera].id,
+        "unit": unit,
+        "photographs": len(plan.proposals),
+        "wanted": plan.wanted,
+        "reached": plan.reached,
+        "judged": plan.judged,
+        "points_regarded": len(plan.outlook.joint.points),
+        "sigma0": plan.result.sigma0,
+        "vertical_known": plan.vertical is not None,
+        "proposals": [told(k) for k in range(len(plan.proposals))],
+    }

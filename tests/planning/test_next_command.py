@@ -1,0 +1,137 @@
+"""`raybundle plan next`: from a result to a folder that other commands take."""
+
+import csv
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import raybundle as rb
+from raybundle.cli.main import main
+from raybundle.io.block.folder import read_block, write_block
+from raybundle.planning.scenes import Ring, TargetField, field_scene, ring_scene
+from raybundle.planning.simulate import Survey, simulate
+
+SURVEY = Survey(image_sigma_px=0.2, points="exact", orientation="exact", interior="exact")
+EVERYWHERE = ("-99", "-99", "-99", "99", "99", "99")
+
+
+@pytest.fixture(scope="module")
+def ring(tmp_path_factory):
+    """A result folder of photographs round a cylinder that stands upright."""
+    scene = ring_scene(Ring(stations=8, rings=1, points=80))
+    block = simulate(scene, replace(SURVEY, control=5, control_sigma=(0.0005,) * 3)).observed
+    out = tmp_path_factory.mktemp("ring") / "result"
+    rb.write_result(rb.adjust(block), out)
+    return out
+
+
+@pytest.fixture(scope="module")
+def field(tmp_path_factory):
+    """A block folder of targets without anything that fixes the datum."""
+    scene = field_scene(TargetField(rows=6, columns=8, stations=6, frontal=1, roll_deg=(0.0,), tilt_deg=15.0))
+    out = tmp_path_factory.mktemp("field") / "block"
+    write_block(simulate(scene, SURVEY).observed, out)
+    return out
+
+
+def plan(source, out, *words):
+    asked = words if "--photographs" in words else (*words, "--photographs", "2")
+    return main(["plan", "next", str(source), *asked, "--out", str(out), "--progress", "none"])
+
+
+def rows(path):
+    with path.open(encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def test_a_result_and_what_is_written(ring, tmp_path, capsys):
+    out = tmp_path / "next"
+    assert plan(ring, out, "--heights", "0", "3", "--candidates", "200") == 0
+    said = capsys.readouterr().out
+    assert "within reach show enough; largest sigma" in said
+    assert "photograph" in said
+    assert "next-1  " in said
+    table, told = rows(out / "next.csv"), json.loads((out / "next.json").read_text())
+    assert [r["image"] for r in table] == ["next-1", "next-2"]
+    assert told["vertical_known"] is True
+    assert [p["words"] for p in told["proposals"]] == [r["words"] for r in table]
+    assert float(table[1]["sigma_after"]) < float(table[0]["sigma_after"]) < float(table[0]["sigma_before"])
+    assert float(table[1]["sigma_before"]) == pytest.approx(float(table[0]["sigma_after"]), rel=1e-9)
+    block = read_block(out / "block")
+    assert block.images.ids[-2:] == ("next-1", "next-2")
+    assert block.images.centre[-2:] == pytest.approx(np.array([[float(r[a]) for a in "XYZ"] for r in table]))
+    assert "2 photographs proposed" in block.about
+    low = block.points.xyz[:, 2].min()
+    assert all(-1e-3 <= float(r["Z"]) - low <= 3 for r in table)
+    page = (out / "network.html").read_text()
+    assert "proposed photographs" in page
+    assert table[0]["words"] in page
+    again = rb.adjust(block)
+    stated = again.precision.object_point_std.max() / again.sigma0 * told["sigma0"]
+    assert stated == pytest.approx(float(table[1]["sigma_after"]), rel=1e-3)  # what is written is rounded
+
+
+def test_a_block_without_a_datum_and_its_calibration(field, tmp_path, capsys):
+    assert plan(field, tmp_path / "a", "--aim", "calibration", "--candidates", "150") == 0
+    said = capsys.readouterr().out
+    assert "largest uncertainty of projection" in said
+    assert "px instead of" in said
+    assert "(1 is the distance from there to the object)" in said
+    told = json.loads((tmp_path / "a/next.json").read_text())
+    assert told["unit"] == "px"
+    assert told["vertical_known"] is False
+    assert set(told["proposals"][0]["parameters"]) == {"c", "x0", "y0", "K1", "K2", "K3", "P1", "P2"}
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("--heights", "2", "1"), "give the lower first"),
+        (("--forbid", *EVERYWHERE), "is within what is allowed"),
+        (("--clearance", "50"), "is within what is allowed"),
+        (("--focus", "4"), "give both"),
+        (("--focus", "0.02", "--f-number", "8"), "cannot be focused"),
+        (("--camera", "Leica"), "there is no camera Leica; the block has 1"),
+        (("--points", "nobody"), "no part in the adjustment: nobody"),
+        (("--points", "1", "--aim", "mean"), "goes with --aim worst"),
+        (("--object", "boks:1,2,3"), "neither a kind of object"),
+        (("--object", "box:99,99,99"), "off its surface"),
+        (("--photographs", "90", "--candidates", "30"), "candidates that show enough points"),
+    ],
+)
+def test_bad_input_is_told_what_to_do(ring, tmp_path, capsys, words, said):
+    assert plan(ring, tmp_path / "x", *words) == 2
+    told = capsys.readouterr().err
+    assert said in told
+    assert "Traceback" not in told
+    assert not (tmp_path / "x").exists()
+
+
+def test_blocks_that_cannot_be_asked(field, tmp_path, capsys):
+    block = read_block(field)
+    unoriented = replace(block.images, centre=block.images.centre * np.nan)
+    write_block(replace(block, images=unoriented), tmp_path / "unoriented")
+    own = replace(block.cameras[0], interior="per_image", estimate=())
+    write_block(replace(block, cameras=(own,)), tmp_path / "own")
+    for source, word in (
+        (tmp_path, "no block.toml"),
+        (tmp_path / "unoriented", "is not adjusted yet"),
+        (tmp_path / "own", "proposed for frame cameras"),
+    ):
+        assert plan(source, tmp_path / "x") == 2
+        assert word in capsys.readouterr().err
+    assert plan(field, tmp_path / "x", "--heights", "0", "2") == 2
+    assert "which way is up" in capsys.readouterr().err
+    assert plan(field, tmp_path / "x", "--focus", "2", "--f-number", "8") == 2
+    assert "nothing fixes the scale" in capsys.readouterr().err
+
+
+def test_in_python_alike(ring, tmp_path):
+    done = rb.plan_next(ring, tmp_path / "p", photographs=1, candidates=90, aim="mean")
+    assert (tmp_path / "p/network.html").exists()
+    result = rb.adjust(read_block(ring / "block"))
+    alone = rb.plan_next(result, photographs=1, candidates=90, aim="mean")
+    assert alone.proposals[0].after.value == pytest.approx(done.proposals[0].after.value, rel=1e-6)
+    assert alone.judged == done.judged
