@@ -2,6 +2,7 @@
 
 import csv
 import json
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -107,3 +108,78 @@ def test_in_python_alike(tmp_path):
     done = rb.plan_network("facade:6,4", tmp_path / "p", photographs=6, points=30, rays=2, effort="quick")
     assert len(done.design.stations) == 6
     assert (tmp_path / "p/network.html").exists()
+
+
+def test_outlines_and_axes_are_objects(tmp_path, capsys):
+    (tmp_path / "gable.csv").write_text("X,Z\n0,0\n8,0\n8,5\n4,8\n0,5\n")
+    assert plan(tmp_path, f"facade:{tmp_path / 'gable.csv'}", "--photographs", "9", "--rays", "2") == 0
+    assert "facade 8 x 8 m" in capsys.readouterr().out
+    assert rb.read_block(tmp_path / "plan/block").points.xyz[:, 2].max() > 6.5
+    axis = {"type": "LineString", "coordinates": [[7.1, 50.1], [7.1004, 50.1], [7.1006, 50.1002]]}
+    (tmp_path / "road.geojson").write_text(json.dumps(axis))
+    words = (f"corridor:{tmp_path / 'road.geojson'},6", "--photographs", "12", "--rays", "2", "--hold-camera")
+    assert plan(tmp_path, *words, name="road") == 0
+    assert "m long, 6 m wide" in capsys.readouterr().out
+    for text, said in (
+        ("1,2\n3\n", "line 2"),
+        ("a,b\n", "no pairs of numbers"),
+        ("0,0\n2,2\n2,0\n0,2\n", "crosses itself"),
+    ):
+        (tmp_path / "bad.csv").write_text(text)
+        assert plan(tmp_path, f"facade:{tmp_path / 'bad.csv'}", "--photographs", "9", name="x") == 2
+        assert said in capsys.readouterr().err
+
+
+def test_rasters_of_heights_are_objects(tmp_path, capsys):
+    pytest.importorskip("rasterio")
+    raster = str(Path(__file__).parents[1] / "missions/jacksboro.tif")
+    words = (raster, "--photographs", "12", "--rays", "2", "--hold-camera", "--measured", "natural")
+    done = plan(tmp_path, *words, "--crs", "EPSG:32614", "--c", "24")
+    told = capsys.readouterr()
+    assert done == 0, told.err
+    assert "cells of" in told.out
+    assert plan(tmp_path, raster, "--photographs", "8", name="x") == 2
+    assert "is in degrees" in capsys.readouterr().err
+
+
+def test_results_are_objects_and_their_stations_are_judged(tmp_path, capsys):
+    assert plan(tmp_path, "facade:6,4", "--photographs", "10", "--rays", "2", "--scale-bars", "2") == 0
+    assert "with 2 scale bars: worst" in capsys.readouterr().out
+    first = tmp_path / "plan"
+    assert main(["simulate", str(first), "--seed", "3", "--out", str(tmp_path / "measured")]) == 0
+    assert main(["adjust", str(tmp_path / "measured/block"), "--out", str(tmp_path / "done")]) == 0
+    promised = np.array([[float(r[f"s{a}_mm"]) for a in "XYZ"] for r in rows(first / "points.csv")])
+    result = json.loads((tmp_path / "done/result.json").read_text())
+    stated = 1000 * np.array([[float(r[f"s{a}"]) for a in "XYZ"] for r in rows(tmp_path / "done/points.csv")])
+    assert np.abs(stated / result["sigma0"] / promised - 1).max() < 0.05  # stated at adjusted values
+    truth, block = rb.read_block(tmp_path / "measured/truth"), rb.read_block(tmp_path / "measured/block")
+    pixels = (block.observations.xy_px - truth.observations.xy_px) / 0.05
+    assert np.mean(pixels**2) == pytest.approx(1, abs=0.15)
+    same = (str(tmp_path / "done"), "--stations", str(tmp_path / "done"), "--rays", "2", "--control", "4")
+    assert plan(tmp_path, *same, name="again") == 0
+    told = json.loads((tmp_path / "again/plan.json").read_text())
+    assert told["photographs"] == 10
+    assert told["known"]["control"] == 4
+    assert "control" in {r["known"] for r in rows(tmp_path / "again/points.csv")}
+    turned = [line.split(",") for line in (first / "stations.csv").read_text().splitlines()]
+    turned[1][4:7] = turned[1][1], turned[1][2], "99"  # looks up
+    (tmp_path / "up.csv").write_text("\n".join(",".join(r) for r in turned) + "\n")
+    assert plan(tmp_path, "facade:6,4", "--stations", str(tmp_path / "up.csv"), "--rays", "2", name="x") == 2
+    assert "station 1 shows 0 of" in capsys.readouterr().err
+    assert plan(tmp_path, *same[:-1], "2", name="x") == 2
+    assert "2 control points do not give a frame" in capsys.readouterr().err
+    assert main(["simulate", str(first), "--control", "3", "--out", str(tmp_path / "y")]) == 2
+    assert "has its own control and scale bars" in capsys.readouterr().err
+
+
+def test_whole_surfaces_and_photographs_once_more(tmp_path, capsys):
+    words = ("facade:6,4", "--sigma", "0.3", "--rays", "2", "--hold-camera", "--measured", "natural", "--everywhere")
+    assert plan(tmp_path, *words, "--repeat", "2") == 0
+    said = capsys.readouterr().out
+    assert "2 photographs once more from stations that are there" in said
+    assert "for all of the surface that can be seen" in said
+    told = json.loads((tmp_path / "plan/plan.json").read_text())
+    assert [m["photographs"] for m in told["added"]][1] == 2
+    assert told["object"]["largest_m"] < 0.3e-3 * 1.1  # the map has finer tiles than those by which stations are added
+    assert plan(tmp_path, "facade:6,4", "--photographs", "8", "--everywhere", name="x") == 2
+    assert "--everywhere needs" in capsys.readouterr().err

@@ -7,13 +7,17 @@ from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.errors import InputError
 from raybundle.objects.kinds import object_kinds
-from raybundle.objects.surface import spread
+from raybundle.objects.surface import SurfacePoints, spread
+from raybundle.planning.aims import aims
+from raybundle.planning.bars import placed_bars
 from raybundle.planning.candidates import Stations
 from raybundle.planning.configuration import Designer, Search, improved
+from raybundle.planning.densify import densified, repeated
 from raybundle.planning.expected import Expected, Networks, Short
 from raybundle.planning.network_plan import plan_network, walk
 from raybundle.planning.optics import Optics
 from raybundle.planning.planned_block import planned_block
+from raybundle.planning.reliability import redundancies
 from raybundle.planning.scenes import brown_camera
 from raybundle.planning.site import Access, Site
 
@@ -61,6 +65,33 @@ def test_expected_covariances_are_those_of_the_adjustment(estimate, datum):
     if estimate:
         got = result.precision.interior["1"] / result.sigma0**2
         assert np.abs(got - e.interior).max() / np.abs(got).max() < 2e-6
+
+
+@pytest.mark.parametrize("estimate", [(), FREE], ids=["held", "free"])
+@pytest.mark.parametrize("datum", ["inner", "control"])
+def test_with_scale_bars_alike(estimate, datum):
+    site = box_site(estimate=estimate)
+    control = None
+    if datum == "control":
+        control = np.full((40, 3), np.inf)
+        control[:6] = 0.002
+    bars = placed_bars(site.points.xyz, 3, 0.0002)
+    networks = Networks(site, control, bars=bars)
+    parts = networks.parts(ring().centre, ring().rotation)
+    e = networks.expected(parts)
+    block = planned_block(site, ring(), control_sigma=control, bars=bars, seed=None)
+    names = block.points.ids if datum == "inner" else ()
+    result = adjust_block(block, AdjustmentOptions(datum=datum, datum_points=names, threads=1))
+    stated = result.precision.object_points / result.sigma0**2
+    assert np.abs(stated - e.points).max() < 2e-6 * np.abs(e.points).max()
+    some = SurfacePoints(xyz=site.points.xyz[5:9], normal=site.points.normal[5:9])
+    other = networks.elsewhere(parts, e, some)
+    plain = Networks(site, control).elsewhere(parts, Networks(site, control).expected(parts), some)
+    assert np.abs(other / plain - 1).max() > 1e-4  # bars take part
+    # a place that is measured without adding to the network is less precise than the point there that does
+    assert (np.trace(other, axis1=1, axis2=2) > 0.999 * np.trace(e.points[5:9], axis1=1, axis2=2)).all()
+    with pytest.raises(InputError, match="as long as the scale bars are"):
+        placed_bars(site.points.xyz, 2, 0.0002, length=50.0)
 
 
 def test_other_points_are_as_an_intersection_from_stations_that_are_known_so_well():
@@ -162,3 +193,45 @@ def test_depth_of_field():
     assert far > 1e3
     with pytest.raises(InputError, match="cannot be focused at 0.02 m"):
         Optics(focus=0.02).depth_of_field(24, 0.004)
+
+
+@pytest.mark.parametrize("estimate", [(), FREE], ids=["held", "free"])
+def test_redundancy_numbers_are_those_of_the_adjustment(estimate):
+    site = box_site(estimate=estimate)
+    networks, parts = parts_of(site, ring())
+    r = redundancies(parts, networks.expected(parts))
+    block = planned_block(site, ring(), seed=None)
+    result = adjust_block(block, AdjustmentOptions(datum="inner", datum_points=block.points.ids, threads=1))
+    assert np.abs(r - result.image_observations.redundancy).max() < 1e-5
+    unknowns = 6 * 10 + 3 * len(site.points) + len(estimate) - 7
+    assert r.sum() == pytest.approx(r.size - unknowns, abs=1e-6)
+
+
+@pytest.mark.parametrize("aim", aims.values(), ids=lambda a: a.name)
+def test_every_aim_is_brought_nearer(aim):
+    site = box_site()
+    designer = Designer(Networks(site), aim.name)
+    start = ring(9)
+    before, done = designer.design(start), improved(designer, start, QUICK)
+    assert done.figure < 0.97 * before.figure
+    for other in aims.values():
+        if other is not aim:  # what is best for one is not what is best for another
+            judged = Designer(Networks(site), other.name)
+            assert judged.design(done.stations).figure > 0
+    if aim.unit != "m":
+        with pytest.raises(InputError, match="is no standard deviation"):
+            plan_network(site, wanted=0.001, aim=aim.name)
+
+
+def test_photographs_are_added_where_they_help():
+    designer = Designer(Networks(box_site()))
+    one = improved(designer, ring(), QUICK)
+    again = repeated(designer, one.stations, 4)
+    assert len(again.stations) == 14
+    assert (np.diff(again.figures) < 0).all()
+    assert designer.design(again.stations).figure == pytest.approx(again.figures[-1], rel=1e-9)
+    all_twice = repeated(designer, one.stations, 0)
+    assert all_twice.figures == pytest.approx([one.figure])
+    everywhere = densified(designer, one.stations, 0.0002)
+    assert everywhere.figures[0] > 0.0002 >= everywhere.figures[-1]
+    assert everywhere.open_share == 0

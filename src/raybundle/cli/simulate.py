@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, get_args
+from typing import Any
 
 import click
 
 from raybundle.cli.common import COMMAND_SETTINGS, NEW_FOLDER, common_options, counted
 from raybundle.cli.settings import options_of, values_of
-from raybundle.commands.simulate import SceneName, SimulateSettings, run_simulate
+from raybundle.commands.simulate import SimulateSettings, run_simulate
 from raybundle.settings import made
 
 
 @click.command("simulate", context_settings=COMMAND_SETTINGS)
-@click.argument("scene", type=click.Choice(get_args(SceneName)))
+@click.argument("scene", metavar="SCENE|FOLDER")
 @click.option(
     "--out", type=NEW_FOLDER, required=True, metavar="FOLDER", help="New folder for block/, truth/ and gross.csv."
 )
@@ -24,12 +24,15 @@ def command(scene: str, out: Path, progress: str, **given: Any) -> None:
     """Write a simulated block, the truth beside it and the list of its gross errors.
 
     testfield: targets in relief, convergent rolled images; flat: the same in one plane; aerial: three strips;
-    ring: stations round a cylinder; single: one photo of control points.
+    ring: stations round a cylinder; single: one photo of control points. A folder with a plan, a result or a block is
+    measured (once more) from its stations, with new errors of the stated size.
 
     \b
     Example:
       raybundle simulate testfield --out field --scale-bars 1 --gross 0.01
       raybundle adjust field/block --out field-result --reject snooping
+      raybundle plan network facade:6,4 --photographs 8 --out plan
+      raybundle simulate plan --seed 7 --out measured
     """  # noqa: D301
     del progress
     done = run_simulate(made(SimulateSettings, {"scene": scene, "out": out, **values_of(SimulateSettings, given)}))

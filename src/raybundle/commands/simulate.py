@@ -5,27 +5,39 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, cast, get_args
 
 from raybundle.errors import InputError
-from raybundle.settings import METRES, NOT_NEGATIVE, PIXELS, Range, setting
+from raybundle.settings import METRES, NOT_NEGATIVE, PIXELS, Range, option, setting
 
 if TYPE_CHECKING:
     from raybundle.planning.scenes import Scene
     from raybundle.planning.simulate import Simulation, Survey
 
 SceneName = Literal["testfield", "flat", "aerial", "ring", "single"]
+OF_SCENES = {
+    "control": 0,
+    "control_sigma": 0.0,
+    "check": 0,
+    "scale_bars": 0,
+    "scale_bar_sigma": 1e-4,
+    "station_sigma": None,
+}
+"""Settings of a scene's survey; a plan has its own control and scale bars"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SimulateSettings:
     """What is simulated, and how it is surveyed."""
 
-    scene: SceneName
+    scene: str
+    """a name, or a folder with a plan, a result or a block"""
     out: Path
     """new folder"""
     seed: int = setting(1, "Of all random numbers.", limits=NOT_NEGATIVE)
-    noise: float = setting(0.1, "Sigma of an image coordinate [px].", limits=PIXELS)
+    noise: float | None = setting(
+        None, "Sigma of an image coordinate [px].  [default: 0.1, of a plan as planned]", limits=PIXELS
+    )
     control: int = setting(0, "Number of control points.", limits=NOT_NEGATIVE)
     control_sigma: float = setting(0.0, "Their sigma [m]; 0: held.", limits=Range(low=0, high=1e6))
     check: int = setting(0, "Number of check points.", limits=NOT_NEGATIVE)
@@ -44,7 +56,7 @@ class SimulateSettings:
 
         return Survey(
             seed=self.seed,
-            image_sigma_px=self.noise,
+            image_sigma_px=0.1 if self.noise is None else self.noise,
             control=10 if self.scene == "single" and self.control == 0 else self.control,
             control_sigma=(self.control_sigma, self.control_sigma, self.control_sigma),
             check=self.check,
@@ -61,9 +73,30 @@ def run_simulate(settings: SimulateSettings) -> Simulation:
     """Simulate what the settings ask for, and write it."""
     from raybundle.planning.simulate import simulate  # noqa: PLC0415  (what computes is loaded after the help)
 
-    done = simulate(scene_of(settings.scene), settings.survey())
+    if settings.scene in get_args(SceneName):
+        done = simulate(scene_of(cast("SceneName", settings.scene)), settings.survey())
+    else:
+        done = _of_plan(settings)
     write_simulation(done, settings.out)
     return done
+
+
+def _of_plan(settings: SimulateSettings) -> Simulation:
+    """What the photographs of a plan, or of a result once more, will measure."""
+    from raybundle.commands.planning.objects import block_in  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.planning.simulate_again import simulate_again  # noqa: PLC0415
+
+    folder = Path(settings.scene)
+    if not folder.is_dir():
+        raise InputError(
+            f"{settings.scene}: neither a scene ({', '.join(get_args(SceneName))}) nor a folder with a plan or a block"
+        )
+    for name, usual in OF_SCENES.items():
+        if getattr(settings, name) != usual:
+            raise InputError(
+                f"{option(name)}: {folder} has its own control and scale bars; plan it with them, or leave this out"
+            )
+    return simulate_again(block_in(folder), settings.survey(), settings.noise)
 
 
 def scene_of(name: SceneName) -> Scene:

@@ -9,6 +9,7 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Mask
+from raybundle.objects.surface import Surface
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -124,3 +125,35 @@ class HeightGrid:
             box = float(size[0]), float(size[1])
             found.append(Hole(cells=len(cells), xy=(float(middle[0]), float(middle[1])), size_m=box))
         return tuple(sorted(found, key=lambda h: -h.cells))
+
+
+MOST_TRIANGLES = 60_000
+"""Of a surface made of heights; of a finer grid every second, third ... cell is taken"""
+
+
+def surface_of_heights(grid: HeightGrid, name: str = "ground") -> Surface:
+    """The ground as triangles between the centres of cells; holes stay open.
+
+    raises  InputError where fewer than four neighbouring cells have heights
+    What it does not tell: what lies between the cells that are taken, of more than 30 000.
+    """
+    rows, columns = grid.heights.shape
+    step = max(1, int(np.ceil(np.sqrt(2 * rows * columns / MOST_TRIANGLES))))
+    h = grid.heights[::step, ::step]
+    r, c = np.indices(h.shape)
+    xy = grid.xy(np.stack([r.ravel() * step, c.ravel() * step], axis=1))
+    vertices = np.column_stack([xy, h.ravel()])
+    k = np.arange(h.size).reshape(h.shape)
+    a, b, c, d = k[:-1, :-1].ravel(), k[:-1, 1:].ravel(), k[1:, 1:].ravel(), k[1:, :-1].ravel()
+    triangles = np.concatenate([np.stack([a, d, c], axis=1), np.stack([a, c, b], axis=1)])
+    triangles = triangles[np.isfinite(vertices[triangles, 2]).all(axis=1)]
+    if not len(triangles):
+        raise InputError(f"{name}: no four neighbouring cells have heights")
+    if grid.column[0] * grid.row[1] - grid.column[1] * grid.row[0] > 0:
+        triangles = triangles[:, ::-1]
+    used, triangles = np.unique(triangles, return_inverse=True)
+    w, l = np.ptp(vertices[used, :2], axis=0)
+    return Surface(
+        name=name, vertices=vertices[used], triangles=triangles.reshape(-1, 3), about=f"{w:g} x {l:g} m, "
+        f"cells of {step * grid.cell_m:.3g} m",
+    )  # fmt: skip

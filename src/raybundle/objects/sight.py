@@ -31,7 +31,7 @@ class Sight:
         from trimesh import ray  # noqa: PLC0415
 
         self.middle = (surface.bounds[0] + surface.bounds[1]) / 2
-        self.size = float((surface.bounds[1] - surface.bounds[0]).max())
+        self.off = max(OFF * float((surface.bounds[1] - surface.bounds[0]).max()), surface.thickness)
         mesh = trimesh.Trimesh(surface.vertices - self.middle, surface.triangles, process=False, validate=False)
         self.by_embree = bool(ray.has_embree) if embree is None else embree
         # coordinates about the middle: single precision
@@ -72,7 +72,7 @@ class Sight:
 
     def _clear(self, to: Array, xyz: Array, normal: Array) -> Mask:
         """(k,) whether nothing stands between places (k, 3) and points (k, 3)."""
-        origin = xyz + OFF * self.size * normal - self.middle
+        origin = xyz + self.off * normal - self.middle
         ahead = to - self.middle - origin
         length = np.linalg.norm(ahead, axis=1)
         ahead = ahead / length[:, None]

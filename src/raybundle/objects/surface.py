@@ -26,6 +26,8 @@ class Surface:
     """(m,) triangles that are to be measured, the others only hide what is behind them; None: all"""
     about: str = ""
     """What it is, in words"""
+    thickness: float = 0.0
+    """How far its triangles may lie off the object [m]: what is nearer to a point hides nothing of it"""
 
     def __post_init__(self) -> None:
         """Raise InputError where numbers are not finite, triangles name no vertices or nothing has an extent."""

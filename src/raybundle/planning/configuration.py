@@ -10,7 +10,6 @@ from __future__ import annotations
 import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Literal
 
 import numpy as np
 from threadpoolctl import threadpool_limits
@@ -18,13 +17,12 @@ from threadpoolctl import threadpool_limits
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress, silent
+from raybundle.planning.aims import AimName, aims
 from raybundle.planning.candidates import Stations, candidate_stations
 from raybundle.planning.expected import Expected, Networks, Part, Short
 
 SHORT = 10.0
 """Value of a network that is not determined, beyond which each ray that is missing adds 1: more than any logarithm"""
-POWER = {"worst": 8.0, "mean": 2.0}
-"""Of the standard deviations in the sum by which candidates are told apart before they are tried"""
 TRIED = 12
 """Candidates of each exchange that are tried exactly"""
 UNSEEN = 3.0
@@ -33,18 +31,16 @@ UNSEEN = 3.0
 TOGETHER = 0.03
 """First steps of all stations at once, in extents of the object and half turns"""
 
-Aim = Literal["worst", "mean"]
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Search:
     """How thoroughly is searched; in numbers of trials, so that the answer is the same on every machine."""
 
     places: int = 400
-    beginnings: int = 8
-    moved: int = 3
+    beginnings: int = 16
+    moved: int = 5
     """Networks whose stations are moved one after the other"""
-    moves: int = 3000
+    moves: int = 2400
     """Of all stations of each of these, and of the best one at the end"""
     together: int = 12000
     """Moves of all stations of the best one together"""
@@ -57,9 +53,9 @@ class Design:
 
     stations: Stations
     value: float
-    """Logarithm of the figure in extents of the object; 10 and more where it is not determined"""
+    """Logarithm of the figure, of lengths in extents of the object; 10 and more where it is not determined"""
     figure: float
-    """Worst or mean standard deviation of the points' coordinates [m]; infinite where it is not determined"""
+    """That of the aim, as the worst standard deviation of a point [m]; infinite where it is not determined"""
     expected: Expected | None
     tried: int = 0
     history: tuple[tuple[str, float], ...] = field(default=())
@@ -69,22 +65,22 @@ class Design:
 class Designer:
     """Networks of one site, compared by one figure."""
 
-    def __init__(self, networks: Networks, aim: Aim = "worst", progress: Progress = silent) -> None:
-        """Prepare; `aim` says whether the worst or the mean standard deviation counts."""
+    def __init__(self, networks: Networks, aim: AimName = "worst", progress: Progress = silent) -> None:
+        """Prepare; `aim` says what counts."""
         self.networks, self.site, self.progress = networks, networks.site, progress
-        self.aim: Aim = aim
+        self.aim = aims[aim]
+        self.scale = self.aim.scale(networks)
         self.tried = 0
 
-    def figure(self, e: Expected) -> float:
-        """The figure of a network [m]."""
-        square = e.sigma**2
-        return float(np.sqrt(square.max() if self.aim == "worst" else square.mean()))
+    def figure(self, parts: Sequence[Part], e: Expected) -> float:
+        """The figure of a network, in the unit of the aim."""
+        return self.aim.figure(self.networks, parts, e)
 
     def value(self, parts: Sequence[Part]) -> float:
         """What is made small: see `Design.value`."""
         self.tried += 1
         e = self.networks.expected(parts)
-        return SHORT + e.lack if isinstance(e, Short) else float(np.log(self.figure(e) / self.site.extent))
+        return SHORT + e.lack if isinstance(e, Short) else float(np.log(self.figure(parts, e) / self.scale))
 
     def design(self, stations: Stations, history: tuple[tuple[str, float], ...] = ()) -> Design:
         """What a network is worth."""
@@ -94,8 +90,8 @@ class Designer:
             return Design(
                 stations=stations, value=SHORT + e.lack, figure=np.inf, expected=None, tried=self.tried, history=history
             )
-        figure = self.figure(e)
-        value = float(np.log(figure / self.site.extent))
+        figure = self.figure(parts, e)
+        value = float(np.log(figure / self.scale))
         return Design(stations=stations, value=value, figure=figure, expected=e, tried=self.tried, history=history)
 
 
@@ -128,7 +124,7 @@ def _improved(d: Designer, start: Stations, search: Search, count: int) -> Desig
         first = start if k == 0 and len(start) else _drawn(d, all_, V, count, rng, k)
         found.append(_exchanged(d, first, all_, parts, V, count))
     found.sort(key=lambda f: f[0])
-    history.append(("stations exchanged", _metres(d, found[0][0])))
+    history.append(("stations exchanged", _figure(d, found[0][0])))
     moved = list[tuple[float, Stations]]()
     for k, (value, stations) in enumerate(found[: search.moved]):
         d.progress("moving stations", 0.5 * k / search.moved)
@@ -140,20 +136,20 @@ def _improved(d: Designer, start: Stations, search: Search, count: int) -> Desig
     value, stations = _moved_together(d, stations, value, search.together, search.seed)
     d.progress("moving stations", 0.9)
     value, stations = _moved(d, stations, value, search.moves, np.random.default_rng([search.seed, 100]), 0.02)
-    history.append(("stations moved", _metres(d, value)))
+    history.append(("stations moved", _figure(d, value)))
     best = d.design(stations, tuple(history))
     return best if best.value <= given.value else given
 
 
-def _metres(d: Designer, value: float) -> float:
-    return float(np.exp(value) * d.site.extent) if value < SHORT else np.inf
+def _figure(d: Designer, value: float) -> float:
+    return float(np.exp(value) * d.scale) if value < SHORT else np.inf
 
 
 def _rough(d: Designer, V: Array) -> Array:
     """(k,) sums of powers of the points' standard deviations where stations are known; V (k, t, 3, 3)."""
     least = 1 / (UNSEEN * d.site.extent) ** 2
     square = _trace_of_inverse(V, least)
-    return np.mean(square ** (POWER[d.aim] / 2), axis=1)
+    return np.mean(square ** (d.aim.power / 2), axis=1)
 
 
 def _trace_of_inverse(V: Array, least: float) -> Array:

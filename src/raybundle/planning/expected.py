@@ -9,11 +9,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
-from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.objects.surface import SurfacePoints
+from raybundle.planning.bars import Bars, Scaled
 from raybundle.planning.site import Site
 
 WEAK = 1e-6
@@ -28,6 +30,13 @@ class Part:
     rotation: Array
     points: Index
     """(k,) that it sees"""
+    share: Array
+    """(k,) how often each is found; their weights are multiplied by it"""
+    A: Array
+    B: Array
+    D: Array
+    """(k, 2, 3 or 6 or f) derivatives of the image points, in their standard deviations and by the root of `share`: by
+    the point, by centre and turn of the station, by the interior orientation"""
     V: Array
     """(t, 3, 3) by points"""
     W: Array
@@ -50,10 +59,14 @@ class Expected:
     """(t, 3, 3) covariances [m^2], inner constraints over all points, or under control"""
     interior: Array
     """(f, f) covariance of the free parameters of the interior orientation"""
-    rays: Index
-    """(t,)"""
+    rays: Array
+    """(t,) photographs in which a point is found, as far as that is to be expected"""
     inverse: Array
     """(u, u) covariance of stations and interior orientation in a datum of their own, for `Networks.elsewhere`"""
+    eliminated: tuple[Array, Array]
+    """(t, 3, 3) inverses of the points' normal equations, and (3t, u) these times those with the other unknowns"""
+    scaled: Scaled | None = None
+    """What scale bars bring"""
 
     @property
     def sigma(self) -> Array:
@@ -77,13 +90,21 @@ class Short:
 class Networks:
     """Networks at one site."""
 
-    def __init__(self, site: Site, control_sigma: Array | None = None, least_rays: int = 2) -> None:
+    def __init__(
+        self, site: Site, control_sigma: Array | None = None, least_rays: int = 2, carriers: Mask | None = None,
+        bars: Bars | None = None,
+    ) -> None:  # fmt: skip
         """Prepare.
 
         control_sigma  (t, 3) standard deviations of coordinates that are known beforehand [m], infinite where none;
                        None: the datum is that of inner constraints over all points
         least_rays     of each point; two are no check of each other along their plane, three find a blunder
+        carriers       (t,) points over which inner constraints are taken; None: all
+        bars           known distances between points; the scale is theirs then
         """
+        self.carriers, self.bars = carriers, bars
+        self.kept = dict[str, Any]()
+        """What aims compute once"""
         self.least_rays = least_rays
         self.site = site
         xyz = site.points.xyz
@@ -95,19 +116,19 @@ class Networks:
 
     def with_rays(self, least_rays: int) -> Networks:
         """The same with another least number of rays."""
-        made = Networks(self.site, None, least_rays)
+        made = Networks(self.site, None, least_rays, self.carriers, self.bars)
         made.prior = self.prior
         return made
 
     @cached_property
-    def _datum(self) -> tuple[Array, Array]:
-        H, R = np.linalg.qr(self._directions(self.site.points.xyz).reshape(-1, 7))
-        return H.reshape(-1, 3, 7), np.linalg.inv(R)
-
-    @property
-    def carriers(self) -> Array:
-        """(t, 3, 7) orthonormal shifts, turns and scale of all points."""
-        return self._datum[0]
+    def _datum(self) -> tuple[Array, Array, Array]:
+        """Shifts, turns and scale (t, 3, 7): orthonormal over the carriers and zero elsewhere; of all; (7, 7) unit."""
+        G = self._directions(self.site.points.xyz)
+        carrying = np.ones(len(G), bool) if self.carriers is None else self.carriers
+        R = np.linalg.qr((G * carrying[:, None, None]).reshape(-1, 7))[1]
+        unit = np.linalg.inv(R)
+        G = G @ unit
+        return G * carrying[:, None, None], G, unit
 
     def _directions(self, xyz: Array) -> Array:
         """(n, 3, 7) shifts, turns and scale of places."""
@@ -132,8 +153,10 @@ class Networks:
         MS = M @ e.inverse
         Q[good] = iV + MS @ np.swapaxes(M, 1, 2)
         if self.prior is not None:
+            if e.scaled is not None:
+                Q[good] += e.scaled.change(MS.reshape(-1, MS.shape[2]) @ e.scaled.by_unknowns, None)
             return Q
-        H, unit = self._datum
+        H, _, unit = self._datum
         network_V = np.sum([p.V for p in parts], axis=0)
         W = np.concatenate([*(p.W for p in parts), np.sum([p.WF for p in parts], axis=0)], axis=2)
         network_M = (np.linalg.inv(network_V) @ W).reshape(3 * t, -1)
@@ -143,6 +166,10 @@ class Networks:
         G = self._directions(points.xyz[good]) @ unit
         cross = G @ (HM @ np.swapaxes(MS, 1, 2))
         Q[good] += G @ inner @ np.swapaxes(G, 1, 2) - cross - np.swapaxes(cross, 1, 2)
+        if e.scaled is not None:
+            flat_G = G.reshape(-1, 7)
+            U = MS.reshape(-1, MS.shape[2]) @ e.scaled.by_unknowns - flat_G @ (flat.T @ e.scaled.raw)
+            Q[good] += e.scaled.change(U, flat_G[:, 6])
         return Q
 
     def parts(self, centre: Array, rotation: Array) -> list[Part]:
@@ -155,23 +182,28 @@ class Networks:
         # in px of the measured image
         pixel = np.array(site.camera.pixel_mm) * site.sigma_px
         J = -np.linalg.solve(J[:, :, :2], J[:, :, 2:]) / pixel[:, None]
+        share = site.share(centre[station], point)
+        J *= np.sqrt(share)[:, None, None]
         by_point = J[:, :, :3] @ rotation[station]
         by_station = np.concatenate([-by_point, J[:, :, :3] @ -_crosses(P)], axis=2)
         by_interior = J[:, :, [c - 2 for c in self.columns]]
         first = np.searchsorted(station, np.arange(len(centre) + 1))
         return [
-            self._part(centre[i], rotation[i], point[s], by_point[s], by_station[s], by_interior[s])
+            self._part(centre[i], rotation[i], point[s], share[s], by_point[s], by_station[s], by_interior[s])
             for i in range(len(centre))
             for s in [slice(first[i], first[i + 1])]
         ]
 
-    def _part(self, centre: Array, rotation: Array, point: Index, A: Array, B: Array, D: Array) -> Part:
+    def _part(self, centre: Array, rotation: Array, point: Index, share: Array, A: Array, B: Array, D: Array) -> Part:
         t, f = len(self.site.points), len(self.free)
         V, W, WF = np.zeros((t, 3, 3)), np.zeros((t, 3, 6)), np.zeros((t, 3, f))
         At = np.swapaxes(A, 1, 2)
         V[point], W[point], WF[point] = At @ A, At @ B, At @ D
         b, d = B.reshape(-1, 6), D.reshape(2 * len(point), f)
-        return Part(centre=centre, rotation=rotation, points=point, V=V, W=W, N=b.T @ b, side=b.T @ d, WF=WF, F=d.T @ d)
+        return Part(
+            centre=centre, rotation=rotation, points=point, share=share, A=A, B=B, D=D, V=V, W=W, N=b.T @ b,
+            side=b.T @ d, WF=WF, F=d.T @ d,
+        )  # fmt: skip
 
     def expected(self, parts: Sequence[Part]) -> Expected | Short:
         """The covariances of a network of these stations; what it lacks where points have less than two rays.
@@ -204,7 +236,16 @@ class Networks:
         iS = self._inverse(N - W.T @ M, np.diag(N), parts)
         if iS is None:
             return Short(unseen=lacking)
-        return Expected(points=self._points(iV, M, iS), interior=iS[6 * n :, 6 * n :], rays=rays, inverse=iS)
+        found = np.bincount(
+            np.concatenate([p.points for p in parts]), np.concatenate([p.share for p in parts]), minlength=t
+        )
+        points, interior, scaled = self._points(iV, M, iS), iS[6 * n :, 6 * n :], None
+        if self.bars is not None:
+            datum = None if self.prior is not None else self._datum[:2]
+            scaled = Scaled.of(self.bars, self.site.points.xyz, iV, M, iS, datum)
+            points = points + scaled.change(scaled.U, None if datum is None else datum[1].reshape(-1, 7)[:, 6])
+            interior = interior + scaled.of_unknowns(iS[6 * n :] @ scaled.by_unknowns)
+        return Expected(points=points, interior=interior, rays=found, inverse=iS, eliminated=(iV, M), scaled=scaled)
 
     def _inverse(self, S: Array, diagonal: Array, parts: Sequence[Part]) -> Array | None:
         """An inverse of the stations' normal equations, without the seven directions that change no image."""
@@ -239,12 +280,12 @@ class Networks:
         Q = iV + MS.reshape(t, 3, -1) @ np.swapaxes(M.reshape(t, 3, -1), 1, 2)
         if self.prior is not None:
             return Q
-        H = self.carriers
+        H, G, _ = self._datum
         flat = H.reshape(3 * t, 7)
         QH = (iV @ H).reshape(3 * t, 7) + MS @ (M.T @ flat)
         HQH = flat.T @ QH
-        cross = H @ np.swapaxes(QH.reshape(t, 3, 7), 1, 2)
-        return Q - cross - np.swapaxes(cross, 1, 2) + H @ HQH @ np.swapaxes(H, 1, 2)
+        cross = G @ np.swapaxes(QH.reshape(t, 3, 7), 1, 2)
+        return Q - cross - np.swapaxes(cross, 1, 2) + G @ HQH @ np.swapaxes(G, 1, 2)
 
 
 def _crosses(v: Array) -> Array:

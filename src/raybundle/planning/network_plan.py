@@ -12,9 +12,13 @@ from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.progress import Progress, silent
 from raybundle.objects.surface import SurfacePoints, tiles
+from raybundle.planning.aims import Aim, AimName, aims
 from raybundle.planning.candidates import LEAST, Stations, standing_places
-from raybundle.planning.configuration import Aim, Design, Designer, Search, improved
+from raybundle.planning.configuration import Design, Designer, Search, improved
+from raybundle.planning.densify import Densified, densified, repeated
 from raybundle.planning.expected import Expected, Networks, Part, Short
+from raybundle.planning.held import Held, Wanted, held
+from raybundle.planning.reliability import redundancies
 from raybundle.planning.site import Site
 
 FEWEST, MOST = 4, 60
@@ -79,6 +83,10 @@ class NetworkPlan:
     """(m,) standard deviation of the middles [m]; NaN where less than two stations see them"""
     left_out: SurfacePoints
     """Points of the object that cannot be seen often enough from where one may stand; nothing is promised of them"""
+    more: tuple[Densified, ...] = ()
+    """Photographs that were added: for the whole surface, or once more from stations that are there"""
+    held: Held | None = None
+    """With the scale bars and control that were wanted; None without"""
     tried: tuple[tuple[int, float], ...] = field(default=())
     """Numbers of stations that were tried, and the figure that was reached with them [m]"""
 
@@ -99,6 +107,24 @@ class NetworkPlan:
         station, point, _, _ = self.site.seen(s.centre, s.rotation)
         return float(np.linalg.norm(s.centre[station] - self.site.points.xyz[point], axis=1).mean())
 
+    calibration_px: float | None = None
+    """Largest uncertainty of projection over the format by the interior orientation; None where it is held"""
+    redundancy: Array = field(default_factory=lambda: np.zeros((0, 2)))
+    """(m, 2) redundancy numbers of the image coordinates, as `reliability.redundancies` has them"""
+
+    @property
+    def base_to_depth(self) -> float:
+        """B/D: of each point the longest base between two stations that see it by its mean distance; their median."""
+        s, xyz = self.design.stations, self.site.points.xyz
+        station, point, _, _ = self.site.seen(s.centre, s.rotation)
+        far = np.linalg.norm(s.centre[:, None] - s.centre[None], axis=2)
+        away = np.linalg.norm(s.centre[station] - xyz[point], axis=1)
+        found = [
+            far[np.ix_(station[mine], station[mine])].max() / away[mine].mean()
+            for mine in (np.flatnonzero(point == p) for p in range(len(xyz))) if len(mine)
+        ]  # fmt: skip
+        return float(np.median(found))
+
     @property
     def q(self) -> float:
         """Factor q of sigma_XYZ = q S sigma / sqrt(k), with the mean number k of rays (Fraser 1984)."""
@@ -109,44 +135,58 @@ class NetworkPlan:
 
 def plan_network(
     site: Site, *, wanted: float | None = None, stations: int | None = None, start: Stations | None = None,
-    aim: Aim = "worst", control_sigma: Array | None = None, least_rays: int = 3, search: Search | None = None,
-    progress: Progress = silent,
+    aim: AimName = "worst", least_rays: int = 3, search: Search | None = None, as_given: bool = False,
+    known: Wanted | None = None, everywhere: bool = False, repeat: int = 0, progress: Progress = silent,
 ) -> NetworkPlan:  # fmt: skip
     """The network of so many stations with the best figure, or of the fewest that reach what is wanted.
 
     wanted    standard deviation [m] of the worst point or of all in the mean, as `aim` says
     stations  how many; None: as few as reach `wanted`
     start     stations to begin with; the result is never worse
-    control_sigma, least_rays  as of `Networks`
+    as_given  the stations of `start` are judged as they are, and none is looked for
+    known     scale bars and control that are put on the object, beside the figure of the network itself
+    everywhere  stations are added until `wanted` is reached on all of the surface that can be seen
+    repeat    so many photographs more from stations that are there
+    least_rays  as of `Networks`
     raises    InputError where neither is told, or `wanted` is beyond reach: it says what can be reached and why
     What it does not tell: whether targets can be fixed and recognised there; errors that all photographs share, as of
     a camera that is not stable.
     """
+    if wanted is not None and aims[aim].unit != "m":
+        raise InputError(f"the aim {aim} is no standard deviation; say how many stations there are to be")
     if wanted is None and stations is None and start is None:
         raise InputError("a plan needs the standard deviation that is wanted, or the number of stations")
-    site, left_out = _reachable(site, least_rays)
-    designer = Designer(Networks(site, control_sigma, least_rays), aim, progress)
+    site, left_out = _reachable(site, least_rays, start if as_given else None)
+    designer = Designer(Networks(site, None, least_rays), aim, progress)
     none = Stations(centre=np.zeros((0, 3)), at=np.zeros((0, 3)), roll=np.zeros(0))
     first = none if start is None else start
     tried = list[tuple[int, float]]()
-    if stations is not None or wanted is None:
+    if as_given:
+        design = designer.design(first)
+    elif stations is not None or wanted is None:
         design = improved(designer, first, search, stations or len(first))
         tried.append((len(design.stations), design.figure))
     else:
         design = _fewest(designer, first, wanted, search, tried)
     if design.expected is None:
         raise InputError(_not_determined(site, design, least_rays))
+    more = list[Densified]()
+    if everywhere and wanted is not None:
+        more.append(densified(designer, design.stations, wanted))
+        design = designer.design(more[-1].stations)
+    if repeat:
+        more.append(repeated(designer, design.stations, repeat))
+        design = designer.design(more[-1].stations)
     with threadpool_limits(1):
-        return _told(designer, design, wanted, tuple(tried), left_out)
+        return _told(designer, design, wanted, tuple(tried), left_out, known or Wanted(), tuple(more))
 
 
-def _reachable(site: Site, least_rays: int) -> tuple[Site, SurfacePoints]:
-    """The site with the points that can be seen from enough places, and those that cannot.
+def _reachable(site: Site, least_rays: int, only: Stations | None) -> tuple[Site, SurfacePoints]:
+    """The site with the points that can be seen from enough places, or by enough of these stations; the others.
 
     raises  InputError where too few are left for a network
     """
-    places = standing_places(site, PLACES)
-    _, point = site.faced(places)
+    point = site.faced(standing_places(site, PLACES))[1] if only is None else site.seen(only.centre, only.rotation)[1]
     p, count = site.points, np.bincount(point, minlength=len(site.points))
     good = count >= least_rays
     left_out = SurfacePoints(xyz=p.xyz[~good], normal=p.normal[~good])
@@ -154,6 +194,8 @@ def _reachable(site: Site, least_rays: int) -> tuple[Site, SurfacePoints]:
         raise InputError(
             f"{int(good.sum())} of {len(p)} points of the object can be seen {least_rays} times from where one may "
             "stand; widen the access, or allow rays that are farther off the normal"
+            if only is None
+            else f"{int(good.sum())} of {len(p)} points of the object are seen by {least_rays} of the stations"
         )
     return replace(site, points=SurfacePoints(xyz=p.xyz[good], normal=p.normal[good])), left_out
 
@@ -207,8 +249,16 @@ def _beyond(d: Designer, wanted: float, reached: list[tuple[int, float]]) -> str
 
 def _not_determined(site: Site, design: Design, least: int) -> str:
     s = design.stations
-    _, point, _, _ = site.seen(s.centre, s.rotation)
+    station, point, _, _ = site.seen(s.centre, s.rotation)
     rays = np.bincount(point, minlength=len(site.points))
+    shown = np.bincount(station, minlength=len(s))
+    if (shown < LEAST).any():
+        k = int(shown.argmin())
+        return (
+            f"station {k + 1} shows {shown[k]} of {len(rays)} points of the object, fewer than the {LEAST} that orient "
+            f"it ({int((shown < LEAST).sum())} of {len(s)} stations are such): are stations and object in one frame, "
+            "and does the camera look at it?"
+        )
     few = int((rays < least).sum())
     if few:
         return (
@@ -219,8 +269,9 @@ def _not_determined(site: Site, design: Design, least: int) -> str:
 
 
 def _told(
-    d: Designer, design: Design, wanted: float | None, tried: tuple[tuple[int, float], ...], left_out: SurfacePoints
-) -> NetworkPlan:
+    d: Designer, design: Design, wanted: float | None, tried: tuple[tuple[int, float], ...], left_out: SurfacePoints,
+    known: Wanted, more: tuple[Densified, ...],
+) -> NetworkPlan:  # fmt: skip
     site, e = d.site, design.expected
     assert e is not None
     parts = d.networks.parts(design.stations.centre, design.stations.rotation)
@@ -230,7 +281,9 @@ def _told(
     corners, mapped = tiles(site.surface, MAPPED)
     e = d.networks.expected(parts)
     assert isinstance(e, Expected)
-    Q = d.networks.elsewhere(parts, e, mapped)
+    known_there = held(d, parts, known)
+    networks, seen = (d.networks, e) if known_there is None else (known_there.networks, known_there.expected)
+    Q = networks.elsewhere(parts, seen, mapped)
     loose = d.networks.with_rays(2)
     path = float(np.linalg.norm(np.diff(design.stations.centre, axis=0), axis=1).sum())
     n = len(parts)
@@ -238,7 +291,8 @@ def _told(
     cost = replace(cost, minutes=(n * cost.seconds_per_photograph + path / cost.metres_per_second) / 60)
     return NetworkPlan(
         site=site, design=replace(design, expected=e), expected=e, aim=d.aim, wanted=wanted, tried=tried, cost=cost,
-        left_out=left_out,
+        left_out=left_out, held=known_there, more=more, redundancy=redundancies(parts, e),
+        calibration_px=aims["calibration"].figure(d.networks, parts, e) if d.networks.free else None,
         purposes=tuple(_purpose(d, loose, e, parts, k) for k in range(n)), corners=corners, mapped=mapped,
         map_sigma=np.sqrt(np.trace(Q, axis1=1, axis2=2) / 3),
     )  # fmt: skip
@@ -253,9 +307,9 @@ def _purpose(d: Designer, loose: Networks, e: Expected, parts: list[Part], k: in
     worst = int(each.argmax())
     lost = np.sqrt(np.diag(without.interior) / np.diag(e.interior)) if len(e.interior) else np.zeros(0)
     order = np.argsort(-lost)
+    ratio = d.figure(parts[:k] + parts[k + 1 :], without) / d.figure(parts, e)
     return Purpose(
-        unseen=np.zeros(0, np.int64), ratio=d.figure(without) / d.figure(e), worst=worst,
-        worst_ratio=float(each[worst]),
+        unseen=np.zeros(0, np.int64), ratio=ratio, worst=worst, worst_ratio=float(each[worst]),
         parameters=tuple((d.networks.free[i], float(lost[i])) for i in order if lost[i] > LOSES),
     )  # fmt: skip
 

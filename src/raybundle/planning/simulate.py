@@ -130,16 +130,14 @@ def simulate(scene: Scene, survey: Survey) -> Simulation:
     role = _roles(scene, survey)
     truth = _truth(scene, survey, image, point, xy, role)
     noise = rng.normal(0, survey.image_sigma_px, xy.shape)
-    gross = rng.random(len(xy)) < survey.gross_share
-    direction = rng.uniform(0, 2 * np.pi, len(xy))
-    error = survey.gross_px * np.stack([np.cos(direction), np.sin(direction)], axis=1)
-    measured = xy + noise + np.where(gross[:, None], error, 0.0)
+    gross, error = gross_errors(len(xy), survey, rng)
+    measured = xy + noise + error
     observed = replace(
         truth,
         cameras=(_start_camera(scene.camera, survey),),
-        images=_start_images(truth.images, scene, survey, rng),
+        images=start_images(truth.images, scene.xyz, survey, rng),
         observations=replace(truth.observations, xy_px=measured),
-        points=_start_points(truth.points, scene, survey, rng),
+        points=start_points(truth.points, survey, rng),
     ).having(
         truth.distances.with_errors(rng),
         truth.stations.with_errors(rng),
@@ -236,24 +234,32 @@ def _start_camera(camera: Camera, survey: Survey) -> Camera:
     return replace(camera, values={**camera.values, **nominal})
 
 
-def _start_images(images: Images, scene: Scene, survey: Survey, rng: np.random.Generator) -> Images:
+def gross_errors(count: int, survey: Survey, rng: np.random.Generator) -> tuple[Mask, Array]:
+    """Which of so many image points have a gross error, and the errors (count, 2) [px], 0 where there is none."""
+    gross = rng.random(count) < survey.gross_share
+    direction = rng.uniform(0, 2 * np.pi, count)
+    error = survey.gross_px * np.stack([np.cos(direction), np.sin(direction)], axis=1)
+    return gross, np.where(gross[:, None], error, 0.0)
+
+
+def start_images(images: Images, xyz: Array, survey: Survey, rng: np.random.Generator) -> Images:
+    """Stations as they are given at the start of the adjustment of points (t, 3)."""
     n = len(images)
     move, turn = rng.normal(0, 1, (2, n, 3)) * survey.approximate
     if survey.orientation == "exact":
         return images
     if survey.orientation == "absent":
         return replace(images, centre=np.full((n, 3), np.nan), rotation=np.full((n, 3, 3), np.nan))
-    middle = scene.xyz.mean(axis=0)
-    distance = np.linalg.norm(scene.centre - middle, axis=1, keepdims=True)
+    distance = np.linalg.norm(images.centre - xyz.mean(axis=0), axis=1, keepdims=True)
     return replace(
         images, centre=images.centre + move * distance, rotation=rotation_from_vector(turn) @ images.rotation
     )
 
 
-def _start_points(points: Points, scene: Scene, survey: Survey, rng: np.random.Generator) -> Points:
+def start_points(points: Points, survey: Survey, rng: np.random.Generator) -> Points:
     """Control and check with their errors, tie points as far as they are known at the start."""
     error = rng.normal(0, 1, points.xyz.shape)
-    extent = float(np.ptp(scene.xyz, axis=0).max())
+    extent = float(np.ptp(points.xyz, axis=0).max())
     given = points.xyz + np.where(np.isfinite(points.sigma), points.sigma, 0.0) * error
     given[np.isnan(points.sigma)] = np.nan
     tie = np.asarray(points.role) == Role.TIE

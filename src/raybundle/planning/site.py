@@ -59,6 +59,8 @@ class Site:
     """Distances along the axis that are sharp [m]"""
     incidence_deg: float = 70.0
     """Largest angle between a ray and the normal of the surface"""
+    found: Callable[[Array], Array] | None = None
+    """Of the cosines (n,) of rays to the normal: the share of photographs in which points are found; None: in all"""
     beside: float = 0.001
     """How far other parts of the object must be beside a ray, by its length: nobody stands exactly there"""
 
@@ -147,6 +149,14 @@ class Site:
         station, point, P, image = station[inside], point[inside], P[:, inside], image[:, inside]
         clear = self.sight.visible(centre[station], p.xyz[point], p.normal[point], self.beside)
         return station[clear], point[clear], image[:, clear].T, P[:, clear].T
+
+    def share(self, centre: Array, point: Index) -> Array:
+        """(k,) share of the photographs in which points are found that are seen from places (k, 3)."""
+        if self.found is None:
+            return np.ones(len(point))
+        to = centre - self.points.xyz[point]
+        cosine = np.einsum("ni,ni->n", to, self.points.normal[point]) / np.linalg.norm(to, axis=1)
+        return self.found(cosine)
 
     @cached_property
     def _bent(self) -> bool:

@@ -8,7 +8,8 @@ import click
 
 from raybundle.cli.common import COMMAND_SETTINGS, NEW_FOLDER, common_options, counted, significant
 from raybundle.cli.settings import options_of, values_of
-from raybundle.commands.planning.network import NetworkSettings, purpose_words, run_plan_network, side_words, told
+from raybundle.commands.planning.network import NetworkSettings, run_plan_network
+from raybundle.commands.planning.network_files import purpose_words, side_words, told
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -27,16 +28,18 @@ SHOWN = 12
 def command(object: str, progress: str, **given: Any) -> None:  # noqa: A002  (the argument's name)
     """Plan photographs of an object: where to stand, how to turn the camera, what precision to expect where.
 
-    OBJECT is a kind with its size in metres (box:WIDTH,DEPTH,HEIGHT, cylinder:DIAMETER,HEIGHT, facade:WIDTH,HEIGHT,
-    corridor:LENGTH,WIDTH) or a mesh (PLY, OBJ, STL). Boxes and facades face -Y. The fewest stations are looked for that
-    promise the wanted standard deviation, and moved to where they serve best; each is said what it is there for.
-    FOLDER gets network.html (the object in colours of its precision), stations.csv, points.csv, plan.json, and a
-    simulated block that `adjust` takes.
+    OBJECT is a kind with its size in metres (box:WIDTH,DEPTH,HEIGHT, cylinder:DIAMETER,HEIGHT, facade:WIDTH,HEIGHT or
+    facade:OUTLINE.csv, corridor:LENGTH,WIDTH or corridor:AXIS.geojson,WIDTH), a mesh (PLY, OBJ, STL), a raster of
+    heights (GeoTIFF), or a folder with a result, whose points are the object. Boxes and facades face -Y. The fewest
+    stations are looked for that promise the wanted standard deviation, and moved to where they serve best; each is
+    said what it is there for. FOLDER gets network.html (the object in colours of its precision), stations.csv,
+    points.csv, plan.json, and a simulated block that `adjust` takes.
 
     \b
     Example:
       raybundle plan network box:4,3,2.5 --sigma 0.15 --c 24 --pixel 6 --out plan
       raybundle plan network facade:12,8 --photographs 10 --measured natural --heights 1.2 4 --out facade-plan
+      raybundle plan network box:4,3,2.5 --stations plan/stations.csv --scale-bars 2 --bar-sigma 0.02 --out known
     """  # noqa: D301
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
 
@@ -48,25 +51,42 @@ def command(object: str, progress: str, **given: Any) -> None:  # noqa: A002  (t
 
 def _lines(plan: NetworkPlan, settings: NetworkSettings) -> list[str]:
     t = told(plan)
-    n, aim = t["photographs"], "worst point" if plan.aim == "worst" else "mean"
-    reached = f"sigma of a coordinate {_mm(t['reached_m'])} ({aim})"
+    n = t["photographs"]
+    reached = f"{plan.aim.words} " + (
+        f"{plan.design.figure:.3g} px" if plan.aim.unit == "px" else f"{t['least_redundancy']:.2f}"
+    )
+    if plan.aim.unit == "m":
+        reached = f"sigma of a coordinate {_mm(t['reached_m'])} ({plan.aim.words})"
     if plan.wanted is not None:
         reached += f", wanted {_mm(plan.wanted)}" + ("" if plan.reached else ": not reached")
     o = t["object"]
     near, far = plan.site.depth
     seen = f"{100 * o['seen_twice']:.0f} % of the object is seen twice or more, there median {_mm(o['median_m'])}"
-    sharp = f"sharp from {significant(near, 3)} " + (f"to {significant(far, 3)} m" if far < 1e6 else "m on")
-    network = f"rays {t['rays_mean']:.1f}, S {t['image_scale_number']:.0f}, q {t['q']:.2f}"
+    sharp = f"; sharp from {significant(near, 3)} " + (f"to {significant(far, 3)} m" if far < 1e6 else "m on")
+    network = (
+        f"B/D {t['base_to_depth']:.2f}, rays {t['rays_mean']:.1f}, S {t['image_scale_number']:.0f}, q {t['q']:.2f}"
+    )
     lines = [
         f"{counted(n, 'photograph')} of {plan.site.surface.name} {plan.site.surface.about}: {reached}",
         f"mean {_mm(t['mean_m'])}, worst {_mm(t['worst_m'])}; {seen}, largest {_mm(o['largest_m'])}",
-        f"{network}, image sigma {plan.site.sigma_px:g} px; {sharp}",
+        f"{network}, image sigma {plan.site.sigma_px:g} px{sharp if near > 0 else ''}",
         f"about {t['minutes']:.0f} min on site, {t['path_m']:.0f} m to walk",
     ]
+    for m in plan.more:
+        again = len(m.of) and (m.of >= 0).all()
+        what = "once more from stations that are there" if again else "for all of the surface that can be seen"
+        after = f": {_mm(m.figures[0])} before, {_mm(m.figures[-1])} with them" if plan.aim.unit == "m" else ""
+        still = f"; {100 * m.open_share:.0f} % of it stay above what is wanted" if m.open_share > 0 else ""
+        lines.append(f"{counted(len(m.of), 'photograph')} {what}{after}{still}")
+    if t["known"] is not None:
+        k = t["known"]
+        parts = [counted(k[n], w) for n, w in (("control", "control point"), ("scale_bars", "scale bar")) if k[n]]
+        lines.append(f"with {' and '.join(parts)}: worst {_mm(k['worst_m'])}, mean {_mm(k['mean_m'])}")
     if plan.site.free:
         std, pixel = t["interior_mm"], plan.site.camera.pixel_mm[0]
         known = (f"{s} {std[s] / pixel:.2g} px" for s in ("c", "x0", "y0") if s in std)
-        lines.append(f"calibrated with it: {', '.join(known)}")
+        whole = f"; image points to {t['calibration_px']:.2g} px at worst" if plan.calibration_px is not None else ""
+        lines.append(f"calibrated with it: {', '.join(known)}{whole}")
     lines += [f"{k + 1:02d}  {purpose_words(plan, k)}" for k in range(min(n, SHOWN))]
     if n > SHOWN:
         lines.append(f"... {n - SHOWN} more in stations.csv")
@@ -87,4 +107,6 @@ def _lines(plan: NetworkPlan, settings: NetworkSettings) -> list[str]:
 
 
 def _mm(metres: float) -> str:
+    if not metres < 1e6:
+        return "not determined"
     return f"{significant(1000 * metres, 2)} mm"

@@ -47,6 +47,37 @@ def read_heights(path: Path, crs: str, box: Array, *, unit: Unit = "", band: int
         raise InputError(f"is no raster that can be read: {str(error).splitlines()[0][:200]}", file=path) from None
 
 
+def read_all_heights(path: Path, crs: str = "", *, unit: Unit = "", band: int = 1) -> HeightGrid:
+    """All heights of a raster, in `crs` or its own plane coordinate system.
+
+    raises  InputError as `read_heights`, and where the raster is in degrees and `crs` does not say in what plane system
+            it is wanted
+    """
+    check_regular(path)
+    library = _rasterio(path)
+    try:
+        with library.open(path) as source:
+            if source.crs is None:
+                crs = crs or "EPSG:3857"  # never used: what names no system is refused
+            wkt = "" if source.crs is None else str(source.crs.to_wkt())
+            own = parse_crs(wkt) if wkt else None
+            if not crs and own is not None:
+                if own.is_geographic:
+                    raise InputError(
+                        f"is in degrees ({own.name}); say in which plane coordinate system it is wanted: "
+                        f"{option('crs', 'EPSG:CODE')}",
+                        file=path,
+                    )
+                crs = wkt
+            left, bottom, right, top = source.bounds
+            if own is not None and source.crs != library.crs.CRS.from_wkt(parse_crs(crs).to_wkt()):
+                target = library.crs.CRS.from_wkt(parse_crs(crs).to_wkt())
+                left, bottom, right, top = library.warp.transform_bounds(source.crs, target, left, bottom, right, top)
+            return _read(library, source, path, crs, np.array([[left, bottom], [right, top]]), unit, band)
+    except library.errors.RasterioError as error:
+        raise InputError(f"is no raster that can be read: {str(error).splitlines()[0][:200]}", file=path) from None
+
+
 def _rasterio(path: Path) -> Any:
     try:
         rasterio = import_module("rasterio")  # an extra

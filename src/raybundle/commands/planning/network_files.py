@@ -1,0 +1,192 @@
+"""The files of a planned network, and its figures in words."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from raybundle.numerics.counting import counted
+
+if TYPE_CHECKING:
+    from raybundle.numerics.arrays import Array
+    from raybundle.planning.held import Held
+    from raybundle.planning.network_plan import NetworkPlan
+
+
+def write_network_plan(plan: NetworkPlan, name: str, out: Path) -> None:
+    """Write FOLDER/block, stations.csv, points.csv, plan.json and network.html, whole or not at all."""
+    import numpy as np  # noqa: PLC0415
+
+    from raybundle.adjustment.engine import adjust_block  # noqa: PLC0415
+    from raybundle.adjustment.options import AdjustmentOptions  # noqa: PLC0415
+    from raybundle.io.block.folder import write_block_files  # noqa: PLC0415
+    from raybundle.io.folders import new_folder  # noqa: PLC0415
+    from raybundle.io.tables import write_table  # noqa: PLC0415
+    from raybundle.planning.planned_block import planned_block  # noqa: PLC0415
+    from raybundle.report.network_page import Planned, write_network_page  # noqa: PLC0415
+    from raybundle.results.contents import clean  # noqa: PLC0415
+
+    s, e = plan.design.stations, plan.expected
+    h = plan.held
+    control, bars = (None, None) if h is None else (h.control_sigma, h.bars)
+    block = planned_block(plan.site, s, control_sigma=control, bars=bars, name=f"plan of {name}")
+    names = block.points.ids
+    exact = planned_block(plan.site, s, control_sigma=control, bars=bars, name=block.name, seed=None)
+    inner = AdjustmentOptions(datum="inner", datum_points=names, threads=1)
+    result = adjust_block(exact, inner if control is None else AdjustmentOptions(threads=1))
+    seen = e if h is None else h.expected
+    std = np.sqrt(np.diagonal(seen.points, axis1=1, axis2=2))
+    away = s.at - s.centre
+    with new_folder(out) as folder:
+        (folder / "block").mkdir()
+        write_block_files(block, folder / "block")
+        write_table(
+            folder / "stations.csv",
+            {
+                "image": block.images.ids, "X": s.centre[:, 0], "Y": s.centre[:, 1], "Z": s.centre[:, 2],
+                "at_X": s.at[:, 0], "at_Y": s.at[:, 1], "at_Z": s.at[:, 2],
+                "azimuth_deg": np.degrees(np.arctan2(away[:, 0], away[:, 1])) % 360,
+                "elevation_deg": np.degrees(np.arctan2(away[:, 2], np.hypot(away[:, 0], away[:, 1]))),
+                "roll_deg": np.degrees(np.arctan2(np.sin(s.roll), np.cos(s.roll))),
+                "points": np.bincount(block.observations.image, minlength=len(s)).astype(float),
+                "what_for": [purpose_words(plan, k) for k in range(len(s))],
+            },
+        )  # fmt: skip
+        write_table(
+            folder / "points.csv",
+            {
+                "point": names, **{a: plan.site.points.xyz[:, k] for k, a in enumerate("XYZ")},
+                **{f"s{a}_mm": 1000 * std[:, k] for k, a in enumerate("XYZ")}, "rays": e.rays.astype(float),
+                **({} if h is None else {"known": known_words(h, len(names))}),
+            },
+        )  # fmt: skip
+        if bars is not None:
+            write_table(
+                folder / "scale_bars.csv",
+                {
+                    "from": [names[i] for i in bars.pairs[:, 0]], "to": [names[j] for j in bars.pairs[:, 1]],
+                    "length_m": bars.length(plan.site.points.xyz), "sigma_mm": 1000 * bars.sigma,
+                },
+            )  # fmt: skip
+        (folder / "plan.json").write_text(json.dumps(clean(told(plan)), indent=1) + "\n", encoding="utf-8")
+        planned = Planned(
+            corners=plan.corners, sigma=plan.map_sigma, covariance=seen.points,
+            image_words=tuple(purpose_words(plan, k) for k in range(len(s))),
+            remarks=(
+                f"Standard deviations that the plan promises, with {plan.site.sigma_px:g} px of image points, "
+                + frame_words(plan),
+                "Grey parts of the object are shown by less than two photographs.",
+            ),
+        )  # fmt: skip
+        write_network_page(result, folder / "network.html", planned)
+
+
+def told(plan: NetworkPlan) -> dict[str, Any]:
+    """The figures of a plan, metres and degrees."""
+    import numpy as np  # noqa: PLC0415
+
+    e, seen = plan.expected, np.isfinite(plan.map_sigma)
+    free, h = plan.site.free, plan.held
+
+    def finite(v: float) -> float | None:
+        return float(v) if np.isfinite(v) else None
+
+    known = None if h is None else {
+        "control": len(h.control), "scale_bars": 0 if h.bars is None else len(h.bars.sigma),
+        "worst_m": float(h.expected.sigma.max()), "mean_m": float(np.sqrt(np.mean(h.expected.sigma**2))),
+    }  # fmt: skip
+    return {
+        "photographs": len(plan.design.stations),
+        "aim": plan.aim.name,
+        "wanted_m": plan.wanted,
+        "reached_m": plan.design.figure if plan.aim.unit == "m" else None,
+        "calibration_px": plan.calibration_px,
+        "least_redundancy": float(plan.redundancy.min()),
+        "worst_m": float(e.sigma.max()),
+        "mean_m": float(np.sqrt(np.mean(e.sigma**2))),
+        "object": {
+            "area_m2": plan.site.surface.wanted_area,
+            "seen_twice": float(seen.mean()),
+            "largest_m": float(np.nanmax(plan.map_sigma)),
+            "median_m": float(np.nanmedian(plan.map_sigma)),
+        },
+        "interior_mm": {s: float(v) for s, v in zip(free, np.sqrt(np.diag(e.interior)), strict=True)},
+        "image_sigma_px": plan.site.sigma_px,
+        "image_scale_number": plan.scale_number,
+        "rays_mean": float(e.rays.mean()),
+        "added": [
+            {
+                "photographs": len(m.of),
+                "again_from": [int(k) + 1 for k in m.of if k >= 0],
+                "before_m": finite(m.figures[0]),
+                "after_m": finite(m.figures[-1]),
+                "open_share": m.open_share,
+            }
+            for m in plan.more
+        ],
+        "base_to_depth": plan.base_to_depth,
+        "q": plan.q,
+        "known": known,
+        "depth_of_field_m": [d if np.isfinite(d) else None for d in plan.site.depth],
+        "minutes": plan.cost.minutes,
+        "path_m": plan.cost.path_m,
+        "tried": [{"photographs": n, "reached_m": f if np.isfinite(f) else None} for n, f in plan.tried],
+    }
+
+
+AIMED = {
+    "worst": "worst sigma", "mean": "mean sigma", "calibration": "uncertainty of the calibration",
+    "reliability": "worst check of an image point",
+}  # fmt: skip
+"""What a station is there for, by the aim"""
+
+
+def frame_words(plan: NetworkPlan) -> str:
+    """In what frame the standard deviations of a plan's points are told."""
+    h = plan.held
+    if h is None:
+        return "relative to all points together. A scale bar or control gives the scale, and its own error."
+    bars = "" if h.bars is None else counted(len(h.bars.sigma), "scale bar")
+    if not len(h.control):
+        return f"relative to all points together, with the scale of {bars} and its error."
+    return f"in the frame of {counted(len(h.control), 'control point')}" + (f" and {bars}." if bars else ".")
+
+
+def known_words(h: Held, points: int) -> list[str]:
+    """What is known of each point beforehand: control, scale bar, or nothing."""
+    words = [""] * points
+    for k in h.control:
+        words[k] = "control"
+    for k in set() if h.bars is None else set(h.bars.pairs.ravel().tolist()):
+        words[k] = (words[k] + ", " if words[k] else "") + "scale bar"
+    return words
+
+
+def purpose_words(plan: NetworkPlan, k: int) -> str:
+    """What a station is there for, in words."""
+    import numpy as np  # noqa: PLC0415
+
+    p = plan.purposes[k]
+    where = plan.site.points
+    if len(p.unseen):
+        return f"{len(p.unseen)} points {side_words(where.normal[p.unseen].mean(axis=0))} would be seen once without it"
+    if not np.isfinite(p.ratio):
+        return "without it the network is not determined"
+    said = list[str]()
+    if p.ratio > 1.02:
+        said.append(f"{AIMED[plan.aim.name]} {100 * (p.ratio - 1):.0f} % larger without it")
+    said.append(f"{side_words(where.normal[p.worst])} up to {100 * (p.worst_ratio - 1):.0f} %")
+    if p.parameters and p.parameters[0][1] > 1.05:
+        said.append(", ".join(f"{s} {100 * (r - 1):.0f} %" for s, r in p.parameters[:2]))
+    return "; ".join(said)
+
+
+def side_words(normal: Array) -> str:
+    """The side of an object that has this normal: the front is that towards -Y."""
+    x, y, z = (float(v) for v in normal)
+    if abs(z) > max(abs(x), abs(y)):
+        return "on top" if z > 0 else "below"
+    if abs(y) >= abs(x):
+        return "in front (towards -Y)" if y < 0 else "behind (towards +Y)"
+    return "on the right (towards +X)" if x > 0 else "on the left (towards -X)"

@@ -1,0 +1,96 @@
+"""Objects of a plan as they are told: a kind with its size or line, a mesh, a raster of heights, a result."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from raybundle.errors import InputError
+from raybundle.settings import option
+
+if TYPE_CHECKING:
+    from raybundle.block import Block
+    from raybundle.numerics.arrays import Array
+    from raybundle.objects.kinds import ObjectKind
+    from raybundle.objects.surface import Surface
+
+STEP = 0.02
+"""Extent below which an object is rather told in another unit [m]"""
+RASTERS = (".tif", ".tiff", ".vrt", ".asc", ".img")
+
+
+def surface_of(text: str, unit: float = 1.0, crs: str = "") -> tuple[Surface, str]:
+    """The surface of an object, and the side from which it is photographed: round, front or above.
+
+    text  KIND:NUMBERS, KIND:FILE,NUMBERS with an outline or axis, or the path of a mesh, a raster or a result
+    unit  metres of one unit of a mesh
+    crs   coordinate system in which a raster or an outline is wanted, where it is not its own
+    """
+    from raybundle.io.meshes import SUFFIXES, read_mesh  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.objects.kinds import object_kinds  # noqa: PLC0415
+
+    name, colon, rest = text.partition(":")
+    if colon and name in object_kinds:
+        return _of_kind(object_kinds[name], text, rest, crs), object_kinds[name].side
+    path = Path(text)
+    suffix = path.suffix.lower()
+    if suffix in SUFFIXES:
+        surface = read_mesh(path, unit)
+        if surface.extent < STEP:
+            raise InputError(
+                f"is {1000 * surface.extent:.3g} mm large if its unit is {unit:g} m; say which it is by "
+                f"{option('unit', 0.001)} for millimetres, or make it larger than {1000 * STEP:g} mm", file=path,
+            )  # fmt: skip
+        return surface, "round"
+    if suffix in RASTERS:
+        from raybundle.io.geo.rasters import read_all_heights  # noqa: PLC0415
+        from raybundle.objects.heights import surface_of_heights  # noqa: PLC0415
+
+        return surface_of_heights(read_all_heights(path, crs), path.stem), "above"
+    if path.is_dir():
+        from raybundle.planning.of_result import surface_of_result  # noqa: PLC0415
+
+        return surface_of_result(block_in(path)), "round"
+    known = ", ".join(example(k) for k in sorted(object_kinds))
+    raise InputError(
+        f"object {text}: neither a kind of object ({known}), nor a mesh ({', '.join(SUFFIXES)}), a raster of heights "
+        f"({', '.join(RASTERS)}) or a folder with a result"
+    )
+
+
+def block_in(folder: Path) -> Block:
+    """The block of a result, of a project's result, of a plan, or that folder itself."""
+    from raybundle.io.block.folder import read_block  # noqa: PLC0415
+
+    for inner in ("result/block", "block"):
+        if (folder / inner / "block.toml").is_file():
+            return read_block(folder / inner)
+    return read_block(folder)
+
+
+def example(name: str) -> str:
+    """A kind of object as one may type it."""
+    from raybundle.objects.kinds import object_kinds  # noqa: PLC0415
+
+    return f"{name}:" + ",".join(f"{v:g}" for v in object_kinds[name].example)
+
+
+def _of_kind(kind: ObjectKind, text: str, rest: str, crs: str) -> Surface:
+    first, _, others = rest.partition(",")
+    line: Array | None = None
+    if Path(first).suffix and not _number(first):
+        from raybundle.io.outlines import read_outline  # noqa: PLC0415
+
+        line, rest = read_outline(Path(first), crs), others
+    words = [w for w in rest.replace("x", ",").split(",") if w.strip()]
+    if not all(_number(w) for w in words):
+        raise InputError(f"object {text}: {kind.name} takes {kind.words}, with commas between: {example(kind.name)}")
+    return kind.surface([float(w) for w in words], line)
+
+
+def _number(word: str) -> bool:
+    try:
+        float(word)
+    except ValueError:
+        return False
+    return True

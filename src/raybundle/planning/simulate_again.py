@@ -1,0 +1,82 @@
+"""A block measured once more: its stations, points and rays as the truth, new errors of the stated size."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from raybundle.adjustment.predict import predicted_px
+from raybundle.block import Block, Distances, Role
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array
+from raybundle.planning.simulate import Simulation, Survey, gross_errors, start_images, start_points
+
+
+def simulate_again(block: Block, survey: Survey, image_sigma_px: float | None = None) -> Simulation:
+    """A simulation of a block that has values for everything, as a plan or a result has.
+
+    survey          seed, start and gross errors; what is known beforehand is what the block has: control with its
+                    standard deviations, scale bars
+    image_sigma_px  of an image coordinate; None: as the block states it of each
+    raises          InputError for a block with stations or points without values, or one of satellite scenes
+    """
+    _check(block)
+    rng = np.random.default_rng(survey.seed)
+    o, points = block.observations, block.points
+    exact = np.empty(o.xy_px.shape)
+    for i in range(len(block.images)):
+        mine = np.flatnonzero(o.image == i)
+        exact[mine] = predicted_px(block, i, points.xyz[o.point[mine]])
+    kept = np.asarray(np.isfinite(exact).all(axis=1))
+    if not kept.all():
+        k = int(np.flatnonzero(~kept)[0])
+        raise InputError(
+            f"block {block.name}: photograph {block.images.ids[o.image[k]]} does not show point "
+            f"{points.ids[o.point[k]]} from where it stands, {int((~kept).sum())} of {len(kept)} image points are such"
+        )
+    cov = o.cov_px2 if image_sigma_px is None else np.tile([image_sigma_px**2, image_sigma_px**2, 0.0], (len(exact), 1))
+    bars = block.table(Distances)
+    true_bars = replace(bars, length=np.linalg.norm(points.xyz[bars.start] - points.xyz[bars.end], axis=1))
+    truth = replace(block, observations=replace(o, xy_px=exact, cov_px2=cov), source=f"raybundle simulation, seed "
+                    f"{survey.seed}").having(true_bars)  # fmt: skip
+    gross, error = gross_errors(len(exact), survey, rng)
+    observed = replace(
+        truth,
+        images=start_images(block.images, points.xyz, survey, rng),
+        observations=replace(truth.observations, xy_px=exact + _noise(cov, rng) + error),
+        points=start_points(points, survey, rng),
+    ).having(true_bars.with_errors(rng))
+    return Simulation(truth=truth, observed=observed, gross=gross)
+
+
+def _noise(cov: Array, rng: np.random.Generator) -> Array:
+    """(m, 2) errors with the covariances xx, yy, xy (m, 3)."""
+    a = np.sqrt(cov[:, 0])
+    b = cov[:, 2] / a
+    u = rng.normal(0, 1, (len(cov), 2))
+    return np.column_stack([a * u[:, 0], b * u[:, 0] + np.sqrt(cov[:, 1] - b**2) * u[:, 1]])
+
+
+def _check(block: Block) -> None:
+    if any(c.is_scene for c in block.cameras):
+        raise InputError(f"block {block.name}: has satellite scenes; photographs alone are simulated again")
+    placed = np.column_stack([block.images.centre, block.images.rotation.reshape(-1, 9)])
+    ok = np.asarray(np.isfinite(placed).all(axis=1))
+    if not ok.all():
+        raise InputError(
+            f"block {block.name}: photograph {block.images.ids[int((~ok).argmax())]} has no orientation; "
+            "adjust it before"
+        )
+    known = np.asarray(np.isfinite(block.points.xyz).all(axis=1))
+    rays = np.bincount(block.observations.point, minlength=len(block.points)) > 0
+    if not (known | ~rays).all():
+        raise InputError(
+            f"block {block.name}: point {block.points.ids[int((rays & ~known).argmax())]} has no coordinates; "
+            "adjust it before"
+        )
+    partly = (np.asarray(block.points.role) == Role.CONTROL) & ~np.isfinite(block.points.sigma).any(axis=1)
+    if partly.any():
+        raise InputError(
+            f"block {block.name}: control point {block.points.ids[int(partly.argmax())]} has no standard deviation"
+        )
