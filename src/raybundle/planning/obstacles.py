@@ -10,7 +10,7 @@ import numpy as np
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.objects.distance import Distances
-from raybundle.objects.sight import OFF, Sight
+from raybundle.objects.sight import Sight
 from raybundle.objects.surface import Surface
 
 ASIDE = 0.05
@@ -43,16 +43,16 @@ class Obstacles:
                 f"object {surface.name}: half of the points lie more than {np.median(off):.3g} off its surface, and "
                 f"more than {ASIDE * extent:.3g} is too much; give it in the frame and the length unit of the block"
             )
-        size = float((surface.bounds[1] - surface.bounds[0]).max())
-        before = max(OFF_SURFACE * float(np.quantile(off, 0.9)), OFF * size)
-        return cls(surface=surface, xyz=xyz, sight=Sight(surface), distances=distances, before=before)
+        sight = Sight(surface)
+        before = max(OFF_SURFACE * float(np.quantile(off, 0.9)), sight.off)
+        return cls(surface=surface, xyz=xyz, sight=sight, distances=distances, before=before)
 
     def visible(self, centre: Array, at: Index) -> Mask:
         """(k,) whether nothing stands between a station (3,) and points, by their places (k,)."""
         to = centre - self.xyz[at]
         ahead = to / np.maximum(np.linalg.norm(to, axis=1, keepdims=True), 1e-300)
         # rays begin so far before the point, along themselves: it may lie a little inside of the surface
-        return self.sight.visible(centre, self.xyz[at], ahead * self.before / (OFF * self.sight.size))
+        return self.sight.visible(centre, self.xyz[at], ahead * self.before / self.sight.off)
 
     def allowed(self, clearance: float) -> Callable[[Array], Mask]:
         """Which places (n, 3) are outside of the object and so far away from it."""

@@ -60,8 +60,10 @@ class NextSettings:
     )
     focus: float | None = setting(None, "Distance to which the lens is focused.", limits=POSITIVE)
     object: str | None = setting(
-        None, "What hides what, in the frame of the block: a kind as of `plan network`, or a mesh.", metavar="OBJECT"
-    )
+        None, "What hides what, in the frame of the block: a kind, mesh, raster or result, as of `plan network`.",
+        metavar="OBJECT",
+    )  # fmt: skip
+    unit: float = setting(1.0, "Units of the block of one unit of a mesh.", limits=Range(low=1e-9, high=1e9))
     candidates: int = setting(
         1000, "Stations and ways of holding the camera that are compared.", limits=Range(low=3, high=100_000)
     )
@@ -162,7 +164,7 @@ def conditions_of(s: NextSettings, result: Adjustment) -> Conditions:
     boxes = np.sort(np.array(s.forbid, float).reshape(-1, 2, 3), axis=1)
     return Conditions(
         camera=result.given.cameras[k].id, depth=depth, incidence=float(np.radians(s.incidence)),
-        surface=None if s.object is None else surface_of(s.object)[0],
+        surface=None if s.object is None else surface_of(s.object, s.unit)[0],
         reach=Reach(
             step=s.step, around=s.around, heights=s.heights, clearance=s.clearance, forbidden=boxes, most=s.candidates
         ),
