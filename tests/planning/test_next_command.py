@@ -6,12 +6,17 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+import trimesh
 
 import raybundle as rb
 from raybundle.cli.main import main
+from raybundle.cli.plan.next import lines
+from raybundle.commands.planning.next import NextSettings, write_next_plan
 from raybundle.io.block.folder import read_block, write_block
+from raybundle.planning.goals import Standing
 from raybundle.planning.scenes import Ring, TargetField, field_scene, ring_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.settings import made
 
 SURVEY = Survey(image_sigma_px=0.2, points="exact", orientation="exact", interior="exact")
 EVERYWHERE = ("-99", "-99", "-99", "99", "99", "99")
@@ -109,6 +114,27 @@ def test_bad_input_is_told_what_to_do(ring, tmp_path, capsys, words, said):
     assert not (tmp_path / "x").exists()
 
 
+def test_what_hides_what_and_what_is_sharp(ring, tmp_path, capsys):
+    """A thick mast beside the cylinder, in millimetres: nobody sees through it, and only what is sharp counts."""
+    block = read_block(ring / "block")
+    radius, high = np.linalg.norm(block.points.xyz[:, :2], axis=1).max(), 2 * np.abs(block.points.xyz[:, 2]).max()
+    body = trimesh.creation.cylinder(radius=1000 * radius, height=1000 * high, sections=90)
+    mast = trimesh.creation.box(bounds=1000 * np.array([[1.5, -1.0, -3.0], [2.0, 1.0, 3.0]]))
+    trimesh.util.concatenate([body, mast]).export(tmp_path / "site.ply")
+    words = ("--object", str(tmp_path / "site.ply"), "--unit", "0.001", "--clearance", "0.4", "--candidates", "200")
+    assert plan(ring, tmp_path / "free", "--candidates", "200") == 0
+    assert plan(ring, tmp_path / "next", *words, "--f-number", "8", "--focus", "3") == 0
+    free, told = (json.loads((tmp_path / f"{name}/next.json").read_text()) for name in ("free", "next"))
+    assert told["judged"] < told["reached"] <= free["reached"]
+    for p in told["proposals"]:
+        shown = block.points.xyz[[block.points.ids.index(name) for name in p["shows"]]]
+        x = np.array(p["centre"])
+        t = (1.75 - x[0]) / (shown[:, 0] - x[0])
+        through = x + t[:, None] * (shown - x)
+        assert not ((t > 0) & (t < 1) & (np.abs(through[:, 1]) < 0.9)).any()
+    capsys.readouterr()
+
+
 def test_blocks_that_cannot_be_asked(field, tmp_path, capsys):
     block = read_block(field)
     unoriented = replace(block.images, centre=block.images.centre * np.nan)
@@ -126,6 +152,20 @@ def test_blocks_that_cannot_be_asked(field, tmp_path, capsys):
     assert "which way is up" in capsys.readouterr().err
     assert plan(field, tmp_path / "x", "--focus", "2", "--f-number", "8") == 2
     assert "nothing fixes the scale" in capsys.readouterr().err
+
+
+def test_what_is_not_determinable_yet_has_no_figure(field, tmp_path):
+    done = rb.plan_next(field, photographs=2, candidates=60, aim="calibration")
+    first, second = done.proposals
+    open_ = Standing(value=np.inf, carried=1.0)
+    done = replace(done, proposals=(replace(first, before=open_, after=open_), replace(second, before=open_)))
+    settings = made(NextSettings, {"result": field, "out": tmp_path / "n", "photographs": 2})
+    write_next_plan(done, settings)
+    table = rows(tmp_path / "n/next.csv")
+    assert [(r["sigma_before"], r["sigma_after"] == "") for r in table] == [("", True), ("", False)]
+    told = json.loads((tmp_path / "n/next.json").read_text())
+    assert [p["after"] is None for p in told["proposals"]] == [True, False]
+    assert "not determinable now" in lines(done, settings)[0]
 
 
 def test_in_python_alike(ring, tmp_path):

@@ -13,6 +13,7 @@ from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, made, option, sett
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
+    from raybundle.numerics.arrays import Array
     from raybundle.planning.goals import For
     from raybundle.planning.next_plan import Conditions, NextPlan
 
@@ -229,13 +230,20 @@ def next_table(plan: NextPlan) -> dict[str, Any]:
         **{f"{a}_deg": angles[:, k] for k, a in enumerate(("omega", "phi", "kappa"))},
         "near": [block.images.ids[k] for k in near],
         "points": np.array([float(len(c.photograph.point)) for c in chosen]),
-        "sigma_before": before, "sigma_after": after, "gain": 1 - after / np.where(np.isfinite(before), before, np.inf),
+        "sigma_before": _finite(before), "sigma_after": _finite(after), "gain": 1 - _finite(after) / before,
         "point_before": [_name(plan, c.before.point) for c in chosen],
         "point_after": [_name(plan, c.after.point) for c in chosen],
         "frees": [" ".join(w.frees) for w in words],
         "shows": [" ".join(block.points.ids[p] for p in shown_points(plan, c)[:20].tolist()) for c in chosen],
         "words": [str(w) for w in words],
     }  # fmt: skip
+
+
+def _finite(values: Array) -> Array:
+    """An empty cell for what is not determined."""
+    import numpy as np  # noqa: PLC0415
+
+    return np.where(np.isfinite(values), values, np.nan)
 
 
 def _name(plan: NextPlan, point: int) -> str:
