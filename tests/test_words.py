@@ -97,8 +97,8 @@ def options_named(tree):
 def test_what_a_message_names_is_a_setting_under_its_flag():
     kinds = [
         value
-        for module in pkgutil.iter_modules(commands.__path__)
-        for name, value in vars(import_module(f"raybundle.commands.{module.name}")).items()
+        for module in pkgutil.walk_packages(commands.__path__, "raybundle.commands.")
+        for name, value in vars(import_module(module.name)).items()
         if name.endswith("Settings")
     ]
     known = {(s.name, s.flag) for kind in kinds for s in settings_of(kind)} | BY_HAND

@@ -21,6 +21,7 @@ Exit status of the command line:
     1    an internal error, to be reported
     2    bad input or usage (InputError); nothing is written
     3    not solvable as given (NotSolvable); nothing is written, an older result stays
+    4    what was checked is not enough: of a flight, something is to be flown again (plan check)
     130  interrupted
 """
 

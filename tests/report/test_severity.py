@@ -26,19 +26,21 @@ REMARK, CAUTION, FAULT = (
 )
 
 
-def codes_of(call):
+def codes_of(call, kinds):
     """Codes of one `Notice(code=...)`, of a notice with numbers of its own, or of `....tell(code, ...)`."""
     name = call.func.id if isinstance(call.func, ast.Name) else getattr(call.func, "attr", "")
-    if name in {"Notice", *(c.__name__ for c in Notice.__subclasses__())}:
+    if name in kinds:
         return [k.value for k in call.keywords if k.arg == "code"]
     return call.args[:1] if ast.unparse(call.func) == "state.tell" else []
 
 
 def codes_in_the_source():
     found = {f"{kind}_suspect" for kind in NAMES} | {"start_behind", "start_parallel"}  # made of variables
-    for path in SOURCE.rglob("*.py"):
-        calls = [n for n in ast.walk(ast.parse(path.read_text())) if isinstance(n, ast.Call)]
-        found |= {c.value for call in calls for c in codes_of(call) if isinstance(c, ast.Constant)}
+    nodes = [n for path in SOURCE.rglob("*.py") for n in ast.walk(ast.parse(path.read_text()))]
+    classes = [n for n in nodes if isinstance(n, ast.ClassDef)]
+    kinds = {"Notice", *(c.name for c in classes if any(ast.unparse(b) == "Notice" for b in c.bases))}
+    calls = [n for n in nodes if isinstance(n, ast.Call)]
+    found |= {c.value for call in calls for c in codes_of(call, kinds) if isinstance(c, ast.Constant)}
     return found
 
 

@@ -44,19 +44,29 @@ export function byRays(net: Network): Colouring {
 }
 
 export function bySigma(net: Network): Colouring | null {
-  const all = Array.from({ length: net.points }, (_, i) => net.sigmaOf(i));
+  return classes(Array.from({ length: net.points }, (_, i) => net.sigmaOf(i)), net.packed.sigmaUnit, "sigma");
+}
+
+/** Colours of the object's triangles: of a coordinate's standard deviation there. */
+export function bySurface(net: Network): Colouring | null {
+  const found = classes([...net.surfaceSigma], net.packed.sigmaUnit, "sigma of a coordinate");
+  const unseen = net.surfaceSigma.some((s) => !(s >= 0));
+  if (found && unseen) found.legend.push(["#999999", "seen by less than two images"]);
+  return found;
+}
+
+function classes(all: number[], scale: string, what: string): Colouring | null {
   const known = all.filter((s) => s >= 0).sort((a, b) => a - b);
   if (!known.length) return null;
   // five classes of equal number: the spread of sigmas is too wide for a linear scale
   const limits = [0.2, 0.4, 0.6, 0.8].map((q) => known[Math.floor(q * (known.length - 1))]);
   const colours = SIGMA_COLOURS.map(rgb);
-  const scale = net.packed.sigmaUnit;
   const name = (s: number) => `${s.toPrecision(2)} ${scale}`;
   return {
-    rgb: filled(net.points, (i) => (all[i] >= 0 ? colours[limits.filter((l) => all[i] > l).length] : [0.6, 0.6, 0.6])),
+    rgb: filled(all.length, (i) => (all[i] >= 0 ? colours[limits.filter((l) => all[i] > l).length] : [0.6, 0.6, 0.6])),
     legend: SIGMA_COLOURS.map((c, k): [string, string] => [
       c,
-      k === 0 ? `sigma up to ${name(limits[0])}` : k === 4 ? `above ${name(limits[3])}` : `to ${name(limits[k])}`,
+      k === 0 ? `${what} up to ${name(limits[0])}` : k === 4 ? `above ${name(limits[3])}` : `to ${name(limits[k])}`,
     ]),
   };
 }

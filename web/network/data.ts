@@ -8,9 +8,10 @@ export interface Packed {
   extent: number;
   basis: number[];
   points: { id: string[]; xyz: string; role: string; rays: string; sigma: string; starts: string; seen: string };
-  images: { id: string[]; frusta: string; size: number };
+  images: { id: string[]; frusta: string; size: number; words?: string[] };
   ellipsoids: { point: string; axes: string; enlarged: number };
   bars: string;
+  surface: { xyz: string; sigma: string } | null;
 }
 
 export const ROLES = ["tie", "control", "check"] as const;
@@ -38,6 +39,9 @@ export class Network {
   readonly ellipsoid: Uint32Array<ArrayBuffer>;
   readonly axes: Float32Array<ArrayBuffer>;
   readonly bars: Uint32Array<ArrayBuffer>;
+  /** Corners of the object's triangles, nine numbers each, and the standard deviation of each triangle. */
+  readonly surface: Float32Array<ArrayBuffer>;
+  readonly surfaceSigma: Float32Array<ArrayBuffer>;
 
   constructor(readonly packed: Packed) {
     this.xyz = floats(packed.points.xyz);
@@ -50,6 +54,8 @@ export class Network {
     this.ellipsoid = words32(packed.ellipsoids.point);
     this.axes = floats(packed.ellipsoids.axes);
     this.bars = words32(packed.bars);
+    this.surface = floats(packed.surface?.xyz ?? "");
+    this.surfaceSigma = floats(packed.surface?.sigma ?? "");
     // corners lie one object unit from the centre; bring them to the drawn size
     const size = packed.images.size;
     for (let k = 0; k < this.frusta.length; k += 15)

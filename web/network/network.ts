@@ -2,7 +2,7 @@
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { nearest } from "../common/shapes";
-import { byRays, byRole, bySigma, Colouring } from "./colours";
+import { byRays, byRole, bySigma, bySurface, Colouring } from "./colours";
 import { Network, Packed, ROLES } from "./data";
 import { Drawn } from "./scene";
 
@@ -59,6 +59,12 @@ function panel(net: Network, drawn: Drawn, render: () => void, home: () => void)
   const choices: Record<string, Colouring | null> = { role: byRole(net), rays: byRays(net), sigma: bySigma(net) };
   const select = element<HTMLSelectElement>("colouring");
   if (!choices.sigma) select.querySelector('option[value="sigma"]')!.remove();
+  const surface = bySurface(net);
+  if (surface) {
+    drawn.colourSurface(surface.rgb);
+    choices.surface = { rgb: choices.rays!.rgb, legend: surface.legend };
+    select.value = "surface";
+  } else select.querySelector('option[value="surface"]')!.remove();
   const colour = () => {
     const chosen = choices[select.value]!;
     drawn.colour(chosen.rgb, choices.role!.rgb);
@@ -79,6 +85,7 @@ function panel(net: Network, drawn: Drawn, render: () => void, home: () => void)
   const shown: [string, THREE.Object3D[], number][] = [
     ["show-points", [drawn.points], net.points],
     ["show-images", [drawn.frames], net.images],
+    ["show-surface", [drawn.surface], net.surface.length],
     ["show-known", [drawn.special], net.role.some((r) => r > 0) ? 1 : 0],
     ["show-bars", [drawn.bars], net.bars.length],
     ["show-ellipsoids", [drawn.ellipsoids], net.ellipsoid.length],
@@ -124,7 +131,8 @@ function picking(net: Network, drawn: Drawn, camera: THREE.Camera, canvas: HTMLC
     // the image's centre is the smaller aim: it goes first where both are near
     if (image !== null) {
       drawn.selectImage(image);
-      told.textContent = `image ${net.packed.images.id[image]}`;
+      const words = net.packed.images.words?.[image];
+      told.textContent = `image ${net.packed.images.id[image]}${words ? `\n${words}` : ""}`;
     } else if (point !== null) {
       drawn.select(point);
       told.textContent = pointWords(net, point);

@@ -11,6 +11,7 @@ export class Drawn {
   readonly ellipsoids: THREE.InstancedMesh;
   readonly rays: THREE.LineSegments;
   readonly mark: THREE.Points;
+  readonly surface: THREE.Mesh;
   private readonly specialRows: number[];
 
   constructor(private readonly net: Network) {
@@ -39,12 +40,17 @@ export class Drawn {
       new THREE.BufferGeometry(),
       new THREE.PointsMaterial({ size: 14, map, alphaTest: 0.4, sizeAttenuation: false, color: 0xd08a1d }),
     );
+    this.surface = new THREE.Mesh(
+      positions(net.surface),
+      new THREE.MeshLambertMaterial({ vertexColors: true, side: THREE.DoubleSide, flatShading: true }),
+    );
+    this.surface.geometry.computeVertexNormals();
     this.rays.frustumCulled = this.mark.frustumCulled = false;
     this.enlarge(net.packed.ellipsoids.enlarged);
   }
 
   all(): THREE.Object3D[] {
-    return [this.points, this.special, this.frames, this.bars, this.ellipsoids, this.rays, this.mark];
+    return [this.surface, this.points, this.special, this.frames, this.bars, this.ellipsoids, this.rays, this.mark];
   }
 
   /** Colours of all points, and of the control and check points that are drawn larger. */
@@ -53,6 +59,13 @@ export class Drawn {
     const special = new Float32Array(3 * this.specialRows.length);
     this.specialRows.forEach((i, k) => special.set(roles.subarray(3 * i, 3 * i + 3), 3 * k));
     this.special.geometry.setAttribute("color", new THREE.BufferAttribute(special, 3));
+  }
+
+  /** Colours of the object's triangles. */
+  colourSurface(rgb: Float32Array<ArrayBuffer>): void {
+    const each = new Float32Array(3 * rgb.length);
+    for (let k = 0; k < rgb.length / 3; k++) for (let j = 0; j < 3; j++) each.set(rgb.subarray(3 * k, 3 * k + 3), 9 * k + 3 * j);
+    this.surface.geometry.setAttribute("color", new THREE.BufferAttribute(each, 3));
   }
 
   /** Draw the ellipsoids this many times their 1 sigma size. */

@@ -33,7 +33,7 @@ interface Calibrated {
 const LOOKS: Record<string, string> = { good: "good", usable: "remarks" };
 
 export class DecideCalibration {
-  readonly root = h("section", { class: "leaf", "aria-label": "Calibration" });
+  readonly root = h("section", { class: "leaf", tabindex: 0, "aria-label": "Calibration" });
   private readonly told = h("p", { class: "note", role: "status" });
   private readonly box = h("div", {});
   private turn = 0;

@@ -66,7 +66,7 @@ def _rounded(values: Array) -> Index:
     for j, column in enumerate(values.T):
         order = np.argsort(column)  # NaN comes last
         row = column[order]
-        with np.errstate(invalid="ignore"):
+        with np.errstate(invalid="ignore", over="ignore"):  # beyond all numbers is apart
             apart = np.diff(row) > ROUNDING * size
         apart |= (np.diff(np.isfinite(row)) | np.diff(np.isnan(row))).astype(bool)
         found[order, j] = np.concatenate([[0], np.cumsum(apart)])

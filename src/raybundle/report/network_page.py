@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from base64 import b64encode
+from dataclasses import dataclass, replace
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -27,17 +28,37 @@ MOST_POINTS, MOST_ELLIPSOIDS, MOST_IMAGES = 50_000, 2_000, 5_000
 """Points, error ellipsoids and images that a page holds; control and check points are all there."""
 
 
-def write_network_page(adjustment: Adjustment, path: str | Path) -> None:
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Planned:
+    """What the page of a plan shows besides, and in the place of what residuals would tell; metres."""
+
+    corners: Array
+    """(m, 3, 3) of the triangles of the object's surface"""
+    sigma: Array
+    """(m,) standard deviation that a coordinate would have there; NaN where less than two images see it"""
+    covariance: Array
+    """(p, 3, 3) of the object points"""
+    image_words: tuple[str, ...]
+    """(n,) what each image is there for"""
+    remarks: tuple[str, ...]
+
+
+def write_network_page(adjustment: Adjustment, path: str | Path, planned: Planned | None = None) -> None:
     """Write the network view: object points, images, control, scale bars, error ellipsoids and rays, to be turned.
 
     adjustment  any result; what it lacks (statistics, control, scale bars) is left out
     path        the HTML file; its folder exists; an older file is overwritten
+    planned     of a plan: its object in colours of its precision
 
     Points, ellipsoids and images beyond what a page can hold are thinned evenly, and the page says so.  What it does
     not tell: an ellipsoid describes random errors in the datum of the result; one that is enlarged is no distance.
     """
     view = with_near_viewpoints(view_of(adjustment))
+    if planned is not None:
+        view = _as_planned(view, planned)
     contents = network_contents(view)
+    if planned is not None:
+        contents |= _of_plan(contents, planned, view)
     words: list[str] = contents.pop("remarks")
     html = (
         environment()
@@ -110,6 +131,27 @@ def network_contents(view: View) -> dict[str, Any]:
             "enlarged": _enlarged(axes_, extent),
         },
         "bars": _packed(bars, "<u4"),
+        "surface": None,
+    }
+
+
+def _as_planned(view: View, planned: Planned) -> View:
+    """The view with the standard deviations of a plan [mm]."""
+    precision = view.adjustment.precision
+    assert precision is not None
+    std = np.sqrt(np.diagonal(planned.covariance, axis1=1, axis2=2))
+    adjustment = replace(view.adjustment, precision=replace(precision, object_points=planned.covariance))
+    return replace(view, adjustment=adjustment, std=1000 * std, unit="mm", length_unit="m")
+
+
+def _of_plan(contents: dict[str, Any], planned: Planned, view: View) -> dict[str, Any]:
+    return {
+        "remarks": [contents["remarks"][0], *planned.remarks],
+        "images": contents["images"] | {"words": [planned.image_words[i] for i in shown_images(view)]},
+        "surface": {
+            "xyz": _packed(planned.corners.reshape(-1, 3) - np.array(contents["origin"]), "<f4"),
+            "sigma": _packed(1000 * planned.sigma, "<f4"),
+        },
     }
 
 

@@ -8,7 +8,10 @@ from raybundle.cli.common import COMMAND_SETTINGS
 from raybundle.cli.lazy import LazyGroup
 
 SUBCOMMANDS = {
+    "network": "Stations round an object: the fewest photographs that reach a wanted standard deviation.",
     "flight": "Predicted precision of a flight with RTK over flat ground, and what would mend it.",
+    "mission": "A flight over an area, along a line or round an object, written for a vehicle.",
+    "check": "Photographs that were flown against their plan: what is missing, what is to be flown again.",
 }
 
 

@@ -34,6 +34,8 @@ class Metadata:
     focal_mm: float | None = None
     focal35_mm: float | None = None
     """35 mm equivalent; by the diagonal (CIPA DCG-001), though some cameras take the width."""
+    exposure_s: float | None = None
+    """Exposure time."""
     focal_plane_px_per_mm: tuple[float, float] | None = None
     """Of the image as it was taken, `exif_width` by `exif_height`; a reduced copy keeps the old figures."""
     exif_width: int | None = None

@@ -51,6 +51,7 @@ def read_metadata(exif: bytes | memoryview | None, xmp: bytes | None) -> tuple[M
         software=tags.text(0x0131) or entries.get("xmp:CreatorTool", ""),
         focal_mm=tags.positive(0x920A) or _positive(entries, "exif:FocalLength"),
         focal35_mm=tags.positive(0xA405) or _positive(entries, "exif:FocalLengthIn35mmFilm"),
+        exposure_s=tags.positive(0x829A) or _positive(entries, "exif:ExposureTime"),
         focal_plane_px_per_mm=_focal_plane(tags),
         exif_width=None if width is None else int(width),
         exif_height=None if height is None else int(height),

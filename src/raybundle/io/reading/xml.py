@@ -85,7 +85,11 @@ def read_xml(path: Path, root: str) -> Element:
 
     raises  InputError with the line
     """
-    data = read_bytes(path)
+    return xml_of(read_bytes(path), path, root)
+
+
+def xml_of(data: bytes, path: Path, root: str) -> Element:
+    """The root element of a document of these bytes; `path` is named in messages."""
     parser = expat.ParserCreate()
     stack: list[Element] = []
     parts: list[list[str]] = []

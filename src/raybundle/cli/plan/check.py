@@ -1,0 +1,141 @@
+"""`raybundle plan check`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER, common_options, counted
+from raybundle.cli.settings import options_of, values_of
+from raybundle.commands.planning.check import PlanCheckSettings, run_plan_check
+from raybundle.settings import made
+
+if TYPE_CHECKING:
+    from raybundle.commands.planning.check import CheckedFlight
+    from raybundle.missions.check import FlightCheck
+    from raybundle.missions.report import Spread
+
+NAMED = 8
+"""Photographs of a kind that are named."""
+REFLY = 4
+"""Exit status where something is to be flown again."""
+
+
+@click.command("check", context_settings=COMMAND_SETTINGS)
+@click.argument("plan", type=FOLDER, metavar="PLAN")
+@click.argument("photos", type=FOLDER, nargs=-1, required=True, metavar="PHOTOS...")
+@options_of(PlanCheckSettings, out=NEW_FOLDER)
+@common_options
+def command(plan: Path, photos: tuple[Path, ...], progress: str, **given: Any) -> int:
+    """Hold photographs that were flown against their plan, in the field: what is missing, blurred, tilted, too high.
+
+    PLAN is mission.toml or its folder.  Photographs that are blurred or tilted too far do not count; places that are
+    then seen too rarely are gaps, and are written as areas that `raybundle plan mission` takes.  Blur is
+    measured against the other photographs: what all of them share is not seen.  Exit status 4 where something is to
+    be flown again.
+
+    \b
+    Example:
+      raybundle plan check plan/ flight/
+      raybundle plan check plan/ flight/ --seen 4 --out check
+    """  # noqa: D301
+    from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
+
+    values = values_of(PlanCheckSettings, given)
+    settings = made(PlanCheckSettings, {"plan": plan, "photos": photos, **values})
+    with reporting(progress) as tell:
+        done = run_plan_check(settings, tell)
+    click.echo("\n".join(lines(done)))
+    return REFLY if done.check.refly else 0
+
+
+def lines(done: CheckedFlight) -> list[str]:
+    """What is told of a flight."""
+    c, m = done.check, done.mission
+    planned, taken = len(c.planned), len(c.flown.names)
+    here = f"{planned - len(c.missing)} where they were planned, {len(c.missing)} missing"
+    beside = int((c.match < 0).sum())
+    text = [f" {counted(planned, 'photograph')} planned, {taken} taken: {here}, {beside} beside the plan"]
+    text += _missing(done)
+    text += _places(c)
+    text += _looks(c)
+    if c.along is not None:
+        asked = " and ".join(f"{100 * v:.0f} %" for v in m.overlap)
+        across = "" if c.across is None else f", across {_overlap(c.across)}"
+        text.append(f" overlap along {_overlap(c.along)}{across}; {asked} were asked for")
+    text += [f" remark: {r}" for r in done.remarks]
+    text += [f" left out: {path.name}: {why}" for path, why in done.refused]
+    text += _gaps(c)
+    if done.files:
+        text.append(f" written: {done.files[0].parent}: {', '.join(p.name for p in done.files)}")
+    return text
+
+
+def _overlap(s: Spread) -> str:
+    return f"{100 * s.middle:.0f} % ({100 * s.low:.0f} % at least)"
+
+
+def _missing(done: CheckedFlight) -> list[str]:
+    c = done.check
+    if not len(c.missing):
+        return []
+    of_line: dict[str, int] = {}
+    for j in c.missing.tolist():
+        name = done.mission.lines[int(c.planned.line[j])].name
+        of_line[name] = of_line.get(name, 0) + 1
+    some = [f"{name}: {n}" for name, n in list(of_line.items())[:NAMED]]
+    more = f", and {counted(len(of_line) - NAMED, 'line')} more" if len(of_line) > NAMED else ""
+    return [f" missing by line: {', '.join(some)}{more}"]
+
+
+def _places(c: FlightCheck) -> list[str]:
+    import numpy as np  # noqa: PLC0415
+
+    text = [
+        f" off the plan by {np.nanmedian(c.off_plan_m):.1f} m in the middle, {np.nanmax(c.off_plan_m):.1f} m at most"
+    ]
+    if np.isfinite(c.off_height_m).any():
+        worst = float(np.nanmax(np.abs(c.off_height_m)))
+        apart = f" (after {c.height_offset_m:+.1f} m for all: their zero is another)" if c.height_offset_m else ""
+        text[0] += f"; heights off by {worst:.1f} m at most{apart}"
+    if np.isfinite(c.tilt).any():
+        k = int(np.nanargmax(c.tilt))
+        middle, most = np.degrees(np.nanmedian(c.tilt)), np.degrees(c.tilt[k])
+        text.append(f" view off by {middle:.1f} deg in the middle, {most:.1f} deg at most ({c.flown.names[k]})")
+    else:
+        text.append(" the photographs record no attitude: it is taken as planned")
+    return text
+
+
+def _looks(c: FlightCheck) -> list[str]:
+    import numpy as np  # noqa: PLC0415
+
+    text: list[str] = []
+    if np.isfinite(c.motion_px).any():
+        middle, most = np.nanmedian(c.motion_px), np.nanmax(c.motion_px)
+        text.append(f" motion by speed and exposure {middle:.2f} px in the middle, {most:.2f} px at most")
+    for what, rows in (
+        ("blurred", np.flatnonzero(c.flown.blurred & ~c.counted)),
+        ("tilted too far", np.flatnonzero(~c.flown.blurred & ~c.counted & np.isfinite(c.flown.xyz[:, 0]))),
+    ):
+        if len(rows):
+            names = [
+                f"{c.flown.names[k]} ({c.flown.blur_px[k]:.1f} px)" if what == "blurred" else c.flown.names[k]
+                for k in rows[:NAMED].tolist()
+            ]
+            more = f" and {len(rows) - NAMED} more" if len(rows) > NAMED else ""
+            text.append(f" {what}, do not count: {', '.join(names)}{more}")
+    return text
+
+
+def _gaps(c: FlightCheck) -> list[str]:
+    if not c.gaps:
+        return [" nothing is to be flown again"]
+    area = sum(g.area_m2 for g in c.gaps)
+    text = [f" to be flown again: {counted(len(c.gaps), 'gap')}, {area:.0f} m2 in all; the largest:"]
+    for g in c.gaps[:NAMED]:
+        x, y = g.outline.mean(axis=0)
+        text.append(f"   {g.area_m2:.0f} m2 at {x:.0f}, {y:.0f}: seen by {g.seen} where {g.wanted} are wanted")
+    return text

@@ -1,0 +1,97 @@
+"""`raybundle plan mission`."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from raybundle.cli.common import COMMAND_SETTINGS, NEW_FOLDER, TRACEBACK, counted
+from raybundle.cli.settings import options_of, values_of
+from raybundle.commands.planning.mission import MissionSettings, run_plan_mission
+from raybundle.settings import made
+
+if TYPE_CHECKING:
+    from raybundle.commands.planning.mission import PlannedMission
+    from raybundle.missions.report import Spread
+
+
+@click.command("mission", context_settings=COMMAND_SETTINGS)
+@click.argument("area", metavar="AREA")
+@options_of(MissionSettings, out=NEW_FOLDER)
+@TRACEBACK
+def command(area: str, **given: Any) -> None:
+    """Plan a flight over AREA and write it for a vehicle: way points, heights, views, photographs.
+
+    AREA is a file with one polygon, line or point (GeoJSON, KML, KMZ; GeoPackage and others by pyogrio), or
+    coordinates: "LON LAT, LON LAT, ...".  The folder holds the plan itself (mission.toml), a picture of it, and one
+    file for each battery and format.  Heights are written above the take-off, so that no geoid is needed.
+
+    \b
+    Example:
+      raybundle plan mission field.geojson --vehicle mavic-3e --gsd 0.02 --format wpml,kml --out plan
+      raybundle plan mission hill.kml --camera IMG_1.JPG --dsm dsm.tif --pattern double-grid --tilt 20 --out plan
+      raybundle plan mission wall.geojson --vehicle mavic-3e --pattern facade --heights 0 18 --gsd 0.003 --out plan
+    """  # noqa: D301
+    done = run_plan_mission(made(MissionSettings, {"area": area, **values_of(MissionSettings, given)}))
+    click.echo("\n".join(lines(done)))
+
+
+def lines(done: PlannedMission) -> list[str]:
+    """What is told of a plan."""
+    m, f = done.mission, done.facts
+    flown = (
+        f"{counted(f.photographs, 'photograph')} on {counted(f.lines, 'line')}, {counted(f.way_points, 'way point')}"
+    )
+    camera = f"{m.camera.name} ({m.camera.width_px} x {m.camera.height_px} px, c = {m.camera.c_px:.0f} px)"
+    along, across = _share(f.along, m.overlap[0]), _share(f.across, m.overlap[1])
+    text = [
+        f" {m.pattern}: {flown}; {m.vehicle.name}, {camera}",
+        f" a pixel is {_mm(f.gsd)} mm ({1000 * m.gsd:.3g} asked for); {_metres(f.above)} m above the ground",
+        f" base {m.base:.2f} m, lines {m.spacing:.2f} m apart; overlap {along} along, {across} across",
+    ]
+    on_lines = m.way_points.speed[m.way_points.base == m.way_points.base]
+    motion = "photographs are taken standing"
+    if f.interval_s is not None:
+        speed = float(on_lines.max())
+        motion = (
+            f"{speed:.1f} m/s, a photograph every {f.interval_s:.2f} s or more; motion blur {f.blur_px:.2f} px at "
+            f"1/{1 / m.camera.exposure_s:.0f} s"
+        )
+    text.append(f" {motion}")
+    minutes = ", ".join(f"{v:.1f}" for v in f.minutes)
+    count = len(f.minutes)
+    flights = f"one battery, {minutes} min" if count == 1 else f"{count} batteries, {minutes} min"
+    text.append(
+        f" {f.length_m / 1000:.2f} km of way, {flights} ({m.vehicle.usable_s / 60:.1f} of {m.vehicle.minutes:g} may be "
+        f"used); farthest {f.farthest_m:.0f} m from the take-off"
+    )
+    if f.coverage is not None:
+        least, middle = (
+            int(f.coverage.count.min()),
+            float(sorted(f.coverage.count.tolist())[len(f.coverage.count) // 2]),
+        )
+        text.append(f" a place of the area is seen by {least} photographs or more, in the middle by {middle:.0f}")
+    text += [f" remark: {r}" for r in done.remarks]
+    text += [f" {'fault' if w.fault else 'caution'}: {w.words}" for w in done.warnings]
+    text.append(f" written: {done.files[0].parent}: {', '.join(p.name for p in done.files)}")
+    return text
+
+
+def _mm(s: Spread) -> str:
+    if s.high - s.low < 0.01 * s.middle:
+        return f"{1000 * s.middle:.3g}"
+    return f"{1000 * s.low:.3g} to {1000 * s.high:.3g}"
+
+
+def _metres(s: Spread) -> str:
+    return f"{s.middle:.1f}" if s.high - s.low < 0.1 else f"{s.low:.1f} to {s.high:.1f}"
+
+
+def _share(s: Spread | None, asked: float) -> str:
+    if s is None or not math.isfinite(s.middle):
+        return f"{100 * asked:.0f} % (asked for)"
+    if abs(s.low - s.middle) < 0.005:
+        return f"{100 * s.middle:.0f} %"
+    return f"{100 * s.middle:.0f} % ({100 * s.low:.0f} % at least)"

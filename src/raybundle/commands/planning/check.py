@@ -1,0 +1,151 @@
+"""`raybundle plan check`: photographs that were flown against their plan."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from raybundle.errors import InputError
+from raybundle.numerics.progress import Progress, silent
+from raybundle.settings import POSITIVE, Range, made, setting
+
+if TYPE_CHECKING:
+    from raybundle.io.photos.photo import Photo
+    from raybundle.missions.check import FlightCheck
+    from raybundle.missions.mission import Mission
+    from raybundle.missions.terrain import Ground
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PlanCheckSettings:
+    """Which photographs are held against which plan, and what counts."""
+
+    plan: Path
+    """mission.toml, or the folder that holds it"""
+    photos: tuple[Path, ...]
+    """folders and files"""
+    positions: Path | None = setting(
+        None, "Positions of the photographs, in place of those that they state.", metavar="FILE"
+    )
+    crs: str = setting("", "Coordinate system of {positions}, where that file names none.", metavar="EPSG:CODE")
+    dsm: Path | None = setting(
+        None, "Raster of the heights of the ground, where the plan followed one.", metavar="FILE"
+    )
+    seen: int | None = setting(
+        None, "Photographs that are to show each place.  [default: half of what the plan gives it, 3 at least]",
+        limits=Range(low=1, high=1000),
+    )  # fmt: skip
+    blur: float = setting(
+        1.5, "Blur beyond the others' from which on a photograph does not count [px].", limits=POSITIVE
+    )
+    tilt: float = setting(
+        10.0, "Deviation of the view from which on it does not count [deg].", limits=Range(low=0, high=90)
+    )
+    sharpness: bool = setting(True, "Do not look at pixels: positions, times and angles alone.", flag="no-sharpness")
+    out: Path | None = setting(None, "New folder for the table of photographs, gaps and a picture.", metavar="FOLDER")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CheckedFlight:
+    """A plan, what came of it, and the files that tell."""
+
+    mission: Mission
+    check: FlightCheck
+    remarks: tuple[str, ...]
+    refused: tuple[tuple[Path, str], ...]
+    """files that are no photographs, with the reason"""
+    files: tuple[Path, ...]
+
+
+def check_flight(
+    plan: str | Path, photos: str | Path | Sequence[str | Path], *, progress: Progress = silent, **settings: Any
+) -> CheckedFlight:
+    """Hold photographs against their plan: missing, blurred, tilted ones, and what is to be flown again.
+
+    plan      mission.toml, or its folder
+    photos    folders and files
+    settings  as of the command line, by the names of `PlanCheckSettings`: seen=4, out="check"
+    raises    InputError for what is no plan, and where no photograph lies where one was planned
+    """
+    inputs = (photos,) if isinstance(photos, str | Path) else photos
+    given = {"plan": Path(plan), "photos": tuple(Path(p) for p in inputs), **settings}
+    return run_plan_check(made(PlanCheckSettings, given), progress)
+
+
+def run_plan_check(settings: PlanCheckSettings, progress: Progress = silent) -> CheckedFlight:
+    """Check what the settings name, and write what they ask for."""
+    from raybundle.io.missions.flown import flown_of  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.io.missions.mission_file import read_mission  # noqa: PLC0415
+    from raybundle.io.photos.photo import find_photos  # noqa: PLC0415
+    from raybundle.missions.check import Limits  # noqa: PLC0415
+    from raybundle.missions.check import check_flight as check  # noqa: PLC0415
+
+    s = settings
+    if s.out is not None and s.out.exists():
+        raise InputError("stands there already and is not overwritten; choose another folder or delete it", file=s.out)
+    mission = read_mission(s.plan)
+    if not mission.crs:
+        raise InputError("the plan has local coordinates; photographs state theirs on the earth", file=s.plan)
+    found = find_photos(s.photos, progress=progress)
+    if not found.photos:
+        raise InputError("no photograph is among these files", file=s.photos[0])
+    photos, remarks = _placed(s, found.photos)
+    ground, told = _ground(s, mission)
+    flown, more = flown_of(photos, mission, sharp=s.sharpness, progress=progress)
+    result = check(mission, flown, ground, Limits(blur_px=s.blur, tilt=math.radians(s.tilt), seen=s.seen))
+    files = () if s.out is None else _write(s.out, mission, result)
+    return CheckedFlight(
+        mission=mission, check=result, remarks=(*remarks, *told, *more), refused=found.refused, files=files
+    )
+
+
+def _placed(s: PlanCheckSettings, photos: Sequence[Photo]) -> tuple[Sequence[Photo], tuple[str, ...]]:
+    if s.positions is None:
+        return photos, ()
+    from raybundle.io.trajectories.base import read_trajectory  # noqa: PLC0415
+    from raybundle.io.trajectories.photographs import with_positions  # noqa: PLC0415
+
+    return with_positions(photos, read_trajectory(s.positions), s.crs or None)
+
+
+def _ground(s: PlanCheckSettings, mission: Mission) -> tuple[Ground, tuple[str, ...]]:
+    """Heights of the ground where they are known; without a raster those below a plan that followed none."""
+    import numpy as np  # noqa: PLC0415
+
+    from raybundle.io.geo.rasters import read_heights  # noqa: PLC0415
+    from raybundle.missions.mission import exposures  # noqa: PLC0415
+    from raybundle.missions.terrain import below_photographs, level_ground  # noqa: PLC0415
+
+    if s.dsm is not None:
+        xy = np.concatenate([mission.way_points.xyz[:, :2], mission.outline])
+        margin = max(mission.camera.footprint(mission.camera.distance(mission.gsd)))
+        grid = read_heights(s.dsm, mission.crs, np.array([xy.min(axis=0) - margin, xy.max(axis=0) + margin]))
+        return grid.at, grid.remarks
+    if not mission.terrain:
+        return level_ground(mission.take_off[2]), ()
+    planned = exposures(mission)
+    above = mission.camera.distance(mission.gsd)
+    remark = f"the plan followed {mission.terrain}; without it the ground is taken where the planned heights put it"
+    return below_photographs(planned.xyz, above), (remark,)
+
+
+def _write(out: Path, mission: Mission, result: FlightCheck) -> tuple[Path, ...]:
+    """photographs.csv, gaps and a picture."""
+    from raybundle.io.folders import new_folder  # noqa: PLC0415
+    from raybundle.io.missions.gap_files import table_text, write_gaps  # noqa: PLC0415
+    from raybundle.report.figures.mission import plan_view  # noqa: PLC0415
+
+    with new_folder(out) as folder:
+        table, picture = folder / "photographs.csv", folder / "check.svg"
+        table.write_text(table_text(result, mission), encoding="utf-8", newline="\n")
+        gaps = write_gaps(result, mission, folder)
+        view = plan_view(
+            mission, result.coverage if mission.closed else None, gaps=[g.outline for g in result.gaps],
+            flown=result.flown.xyz[:, :2],
+        )  # fmt: skip
+        picture.write_text(view, encoding="utf-8", newline="\n")
+        names = [p.name for p in (table, *gaps, picture)]
+    return tuple(out / n for n in names)

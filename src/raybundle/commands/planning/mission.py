@@ -1,0 +1,328 @@
+"""`raybundle plan mission`: a flight over an area, as way points for a vehicle, with what it will give."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping
+from dataclasses import MISSING, dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+from raybundle.errors import InputError
+from raybundle.numerics.counting import counted
+from raybundle.settings import ANY, METRES, POSITIVE, Range, made, option, setting, settings_of
+
+if TYPE_CHECKING:
+    from raybundle.io.missions.areas import Shape
+    from raybundle.missions.camera import MissionCamera
+    from raybundle.missions.mission import Mission
+    from raybundle.missions.patterns import Wish
+    from raybundle.missions.report import Doubt, MissionFacts
+    from raybundle.missions.terrain import Ground
+    from raybundle.missions.vehicle import Vehicle
+    from raybundle.numerics.arrays import Array
+    from raybundle.objects.heights import HeightGrid
+
+PatternName = Literal["nadir", "double-grid", "oblique-grid", "corridor", "facade", "orbit"]
+SHARE, ANGLE, SECONDS = Range(low=0, high=0.95), Range(low=0, high=89), Range(low=0, high=3600, above=True)
+HEIGHTS = Range(low=0, high=1e4)
+DEFAULT_GSD = 0.02
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MissionSettings:
+    """What is to be photographed, how finely, with what; and where the plan goes."""
+
+    area: str
+    """a file with an area, line or place (GeoJSON, KML, KMZ, or what OGR reads), or coordinates: "LON LAT, ..." """
+    pattern: PatternName = setting("nadir", "How it is flown.")
+    vehicle: str = setting("", "A vehicle that is known, with its camera: mavic-3e, ...", metavar="NAME")
+    camera: str = setting(
+        "", "A photograph that the camera took, its calibration (TOML), the name of a known one, or its format and "
+        "camera constant in px.  [default: that of {vehicle}]", metavar="PHOTO|FILE|NAME|WxH,C",
+    )  # fmt: skip
+    gsd: float | None = setting(
+        None, "Side of a pixel on the ground or facade [m].  [default: 0.02, or by {height}]", limits=METRES
+    )
+    height: float | None = setting(
+        None, "Above the ground, or distance from a facade or object [m]; in place of {gsd}.", limits=METRES
+    )
+    overlap: tuple[float, float] = setting(
+        (0.8, 0.7), "Of photographs along a line, and of lines.", metavar="ALONG ACROSS", limits=(SHARE, SHARE)
+    )
+    direction: float | None = setting(
+        None, "Azimuth of the lines from grid north [deg].  [default: that of the fewest lines]",
+        limits=Range(low=-360, high=360),
+    )  # fmt: skip
+    margin: float | None = setting(
+        None, "By which the area is widened [m].  [default: half the spacing of lines]", limits=HEIGHTS
+    )
+    tilt: float | None = setting(
+        None, "Of the view from the nadir [deg].  [default: 0, of oblique views 35]", limits=ANGLE
+    )
+    directions: int = setting(4, "Oblique views of an oblique grid.", limits=Range(low=1, high=8))
+    heights: tuple[float, float] | None = setting(
+        None,
+        "Lower and upper end of a facade or object above ground [m].",
+        metavar="LOW TOP",
+        limits=(HEIGHTS, HEIGHTS),
+    )
+    rings: int = setting(1, "Of an orbit with {tilt}.", limits=Range(low=1, high=10))
+    width: float = setting(0.0, "Of a corridor [m].", limits=HEIGHTS)
+    side: Literal["left", "right"] = setting("right", "Of a facade's line on which the vehicle flies, along the line.")
+    dsm: Path | None = setting(None, "Raster of the heights of the ground, to be followed.", metavar="FILE")
+    dsm_unit: Literal["", "m", "ft", "us-ft"] = setting("", "Of its heights, where it does not say.", unsaid=True)
+    dsm_band: int = setting(1, "Its band.", limits=Range(low=1, high=1000))
+    follow: float = setting(1.0, "Heights above ground are kept to so much [m].", limits=METRES)
+    crs: str = setting(
+        "", "Coordinate system of typed coordinates, or of a file that does not say.  [default: longitude, latitude]",
+        metavar="EPSG:CODE",
+    )  # fmt: skip
+    take_off: tuple[float, float] | None = setting(
+        None, "Where the vehicle takes off, in the coordinates of the area.  [default: below the first photograph]",
+        metavar="X Y", limits=(ANY, ANY),
+    )  # fmt: skip
+    no_go: tuple[Path, ...] = setting((), "Files with areas that are not flown over.", metavar="FILE")
+    speed: float | None = setting(
+        None,
+        "On the lines [m/s].  [default: as vehicle, camera and {blur} allow]",
+        limits=Range(low=0, high=100, above=True),
+    )
+    blur: float = setting(1.0, "Greatest motion during the exposure [px].", limits=POSITIVE)
+    exposure: float | None = setting(None, "Exposure time [s].  [default: 1/800, or the photograph's]", limits=SECONDS)
+    interval: float | None = setting(
+        None, "Least time between photographs [s].  [default: the camera's, or 1]", limits=SECONDS
+    )
+    climb: float | None = setting(
+        None, "Greatest rate of climb [m/s].  [default: the vehicle's]", limits=Range(low=0, high=50, above=True)
+    )
+    battery: float | None = setting(
+        None,
+        "Minutes of flight with one battery.  [default: the vehicle's]",
+        limits=Range(low=0, high=1440, above=True),
+    )
+    reserve: float = setting(0.25, "Share of a battery that is kept.", limits=Range(low=0, high=0.9))
+    height_limit: float = setting(120.0, "Greatest height above ground [m]; EU 2019/947, open category.", limits=METRES)
+    sight: float = setting(500.0, "Distance up to which the vehicle is seen [m].", limits=METRES)
+    trigger: Literal["distance", "interval"] = setting("distance", "How the camera is released on a line.")
+    format: tuple[str, ...] = setting(
+        ("kml",), "Formats of the plan: qgc, wpl, wpml, litchi, kml.", metavar="A,B,...", joined=True, typed="kml"
+    )
+    name: str = setting("mission", "Of the mission, and of its files.")
+    out: Path = setting(MISSING, "New folder for the plan.", metavar="FOLDER")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PlannedMission:
+    """A mission with its figures, what speaks against it, and its files."""
+
+    mission: Mission
+    facts: MissionFacts
+    warnings: tuple[Doubt, ...]
+    files: tuple[Path, ...]
+    remarks: tuple[str, ...]
+
+
+def plan_mission(area: str | Path, out: str | Path, **settings: Any) -> PlannedMission:
+    """Plan a flight and write it: mission.toml, a picture, and a file for each battery and format.
+
+    area      a file with an area, line or place, or coordinates: "7.1 50.1, 7.2 50.1, 7.2 50.2"
+    out       new folder
+    settings  as of the command line, by the names of `MissionSettings`: vehicle="mavic-3e", gsd=0.02, dsm="dsm.tif"
+    raises    InputError for what cannot be flown as asked for
+    """
+    return run_plan_mission(made(MissionSettings, {"area": str(area), "out": Path(out), **settings}))
+
+
+def run_plan_mission(settings: MissionSettings) -> PlannedMission:
+    """Plan the mission that the settings ask for, and write it."""
+    from raybundle.io.missions import mission_formats, routes_of  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.missions.build import plan_mission as build  # noqa: PLC0415
+    from raybundle.missions.report import mission_facts, warnings  # noqa: PLC0415
+
+    s = settings
+    unknown = [f for f in s.format if f not in mission_formats]
+    if unknown:
+        raise InputError(
+            f"format {unknown[0]!r} is not known; known: {', '.join(mission_formats)} ({option('format')})"
+        )
+    if not re.fullmatch(r"[\w][\w .-]{0,60}", s.name):
+        raise InputError(
+            f"{s.name[:60]!r} is no name for files: letters, digits, blanks, points, - and _ ({option('name')})"
+        )
+    if s.out.exists():
+        raise InputError("stands there already and is not overwritten; choose another folder or delete it", file=s.out)
+    task, lenient, remarks = _task(s)
+    mission = build(task)
+    mission = replace(mission, remarks=(*remarks, *mission.remarks))
+    facts = mission_facts(mission, lenient)
+    found = warnings(mission, facts, limit_m=s.height_limit, sight_m=s.sight)
+    routes = routes_of(mission, lenient if s.dsm is not None else None)
+    files, told = _write(s, mission, facts, routes)
+    return PlannedMission(mission=mission, facts=facts, warnings=found, files=files, remarks=(*mission.remarks, *told))
+
+
+def _task(s: MissionSettings) -> tuple[Any, Ground, tuple[str, ...]]:
+    """What is to be flown, the ground as far as it is known, and remarks on how it was read."""
+    import numpy as np  # noqa: PLC0415
+
+    from raybundle.io.missions.areas import in_crs, plane_crs, read_shapes  # noqa: PLC0415
+    from raybundle.missions.build import Task  # noqa: PLC0415
+    from raybundle.missions.patterns import patterns  # noqa: PLC0415
+    from raybundle.missions.terrain import ground_of, level_ground  # noqa: PLC0415
+
+    vehicle, camera = _vehicle(s), _camera(s)
+    shape = _shape(read_shapes(s.area, s.crs), patterns[s.pattern].shape, s)
+    crs = plane_crs(shape)
+    outline = in_crs(shape.xy, shape.crs, crs)
+    home = None if s.take_off is None else in_crs(np.array([s.take_off]), shape.crs, crs)[0]
+    zones = tuple(
+        in_crs(z.xy, z.crs, crs) for path in s.no_go for z in read_shapes(str(path), s.crs) if z.kind == "area"
+    )
+    wish = _wish(s, camera)
+    ground = lenient = level_ground(0.0)
+    remarks: tuple[str, ...] = ()
+    if shape.holes:
+        remarks += (f"holes in the area are flown over; give them as no-go zones to spare them ({option('no_go')})",)
+    step, terrain = 5.0, ""
+    if s.dsm is not None:
+        grid = _heights(s, crs, outline, home, wish)
+        ground, lenient = ground_of(grid), grid.at
+        remarks += (*grid.remarks, *_holes(grid, outline, shape.kind))
+        step, terrain = max(1.0, min(grid.cell_m, 10.0)), s.dsm.name
+    task = Task(
+        name=s.name, pattern=s.pattern, outline=outline, crs=crs, wish=wish, vehicle=vehicle, speed=s.speed,
+        blur_px=s.blur, take_off=None if home is None else (float(home[0]), float(home[1])), no_go=zones, ground=ground,
+        terrain=terrain, ground_step=step,
+        tolerance=s.follow, trigger_by=s.trigger, settings=_told(s),
+    )  # fmt: skip
+    return task, lenient, remarks
+
+
+def _told(s: MissionSettings) -> Mapping[str, object]:
+    """The settings as numbers and texts; files by their names alone."""
+    values: dict[str, object] = {"area": Path(s.area).name if Path(s.area).exists() else s.area}
+    for field in settings_of(MissionSettings):
+        value = getattr(s, field.name)
+        if field.name == "out" or value is None or value == ():
+            continue
+        if field.name == "no_go":
+            value = [p.name for p in s.no_go]
+        values[field.name] = (
+            value.name if isinstance(value, Path) else list(value) if isinstance(value, tuple) else value
+        )
+    return values
+
+
+def _camera(s: MissionSettings) -> MissionCamera:
+    from raybundle.io.missions.cameras import mission_camera  # noqa: PLC0415
+
+    camera = mission_camera(s.camera, s.vehicle)
+    given = {k: v for k, v in (("exposure_s", s.exposure), ("interval_s", s.interval)) if v is not None}
+    return replace(camera, **given)
+
+
+def _vehicle(s: MissionSettings) -> Vehicle:
+    from raybundle.io.missions.cameras import vehicle_of  # noqa: PLC0415
+
+    vehicle = vehicle_of(s.vehicle)
+    given = {k: v for k, v in (("climb", s.climb), ("minutes", s.battery)) if v is not None}
+    fastest = max(vehicle.speed, s.speed or 0.0) if not s.vehicle else vehicle.speed
+    return replace(vehicle, reserve=s.reserve, speed=fastest, **given)
+
+
+def _wish(s: MissionSettings, camera: MissionCamera) -> Wish:
+    from raybundle.missions.patterns import Wish, patterns  # noqa: PLC0415
+
+    if s.gsd is not None and s.height is not None:
+        raise InputError(f"give the size of a pixel or the height, not both ({option('gsd')}, {option('height')})")
+    tilt = None if s.tilt is None else math.radians(s.tilt)
+    distance = camera.distance(s.gsd or DEFAULT_GSD) if s.height is None else s.height
+    if s.height is not None and patterns[s.pattern].ground and s.pattern != "oblique-grid" and tilt:
+        distance = s.height / math.cos(tilt)
+    return Wish(
+        camera=camera, distance=distance, overlap=s.overlap,
+        direction=None if s.direction is None else math.radians(s.direction), margin=s.margin, tilt=tilt,
+        directions=s.directions, heights=s.heights, rings=s.rings, width=s.width, side=s.side,
+    )  # fmt: skip
+
+
+def _shape(shapes: tuple[Shape, ...], wanted: str, s: MissionSettings) -> Shape:
+    """The one shape that the pattern can be flown over."""
+    shapes = tuple(replace(f, kind="line") if f.typed and wanted == "line" and len(f.xy) > 1 else f for f in shapes)
+    fitting = [f for f in shapes if f.kind == wanted or (wanted == "place" and f.kind == "area")]
+    words = {"area": "a polygon", "line": "a line", "place": "a point or a polygon"}
+    if not fitting:
+        have = ", ".join(sorted({words[f.kind] for f in shapes}))
+        raise InputError(f"{s.pattern} is flown over {words[wanted]}; {s.area} holds {have} ({option('pattern')})")
+    if len(fitting) > 1:
+        raise InputError(
+            f"{s.area} holds {len(fitting)} outlines; a mission has one: give them one by one, or join them into one"
+        )
+    return fitting[0]
+
+
+def _heights(s: MissionSettings, crs: str, outline: Array, home: Array | None, wish: Wish) -> HeightGrid:
+    """Heights below everything that is flown over and seen."""
+    import numpy as np  # noqa: PLC0415
+
+    from raybundle.io.geo.rasters import read_heights  # noqa: PLC0415
+    from raybundle.missions.build import checked_outline  # noqa: PLC0415
+    from raybundle.missions.patterns import patterns  # noqa: PLC0415
+
+    assert s.dsm is not None
+    pattern = patterns[s.pattern]
+    lines = pattern.lines(checked_outline(outline, pattern.shape), wish)
+    places = [outline, *(line.xy for line in lines)] + ([] if home is None else [home[None]])
+    every = np.concatenate(places)
+    margin = max(wish.camera.footprint(wish.distance))
+    box = np.array([every.min(axis=0) - margin, every.max(axis=0) + margin])
+    return read_heights(s.dsm, crs, box, unit=s.dsm_unit, band=s.dsm_band)
+
+
+def _holes(grid: HeightGrid, outline: Array, kind: str) -> tuple[str, ...]:
+    """Which holes of the heights lie within an area."""
+    from raybundle.missions.polygons import inside  # noqa: PLC0415
+
+    if kind != "area":
+        return ()
+    centres = grid.centres()
+    wanted = inside(outline, centres.reshape(-1, 2)).reshape(grid.heights.shape)
+    holes = grid.holes(wanted)
+    if not holes:
+        return ()
+    h = holes[0]
+    share = 100 * sum(hole.cells for hole in holes) / max(int(wanted.sum()), 1)
+    size = f"{h.size_m[0]:.0f} x {h.size_m[1]:.0f} m at {h.xy[0]:.0f}, {h.xy[1]:.0f}"
+    told = f"{counted(len(holes), 'hole')} in the heights of the ground, {share:.1f} % of the area, the largest {size}"
+    return (f"{told}: what is told of overlaps there is not known",)
+
+
+def _write(
+    s: MissionSettings, mission: Mission, facts: MissionFacts, routes: Any
+) -> tuple[tuple[Path, ...], tuple[str, ...]]:
+    """The folder of the plan, whole or not at all; its files, and what formats do not take."""
+    from raybundle.io.folders import new_folder  # noqa: PLC0415
+    from raybundle.io.missions import mission_formats  # noqa: PLC0415
+    from raybundle.io.missions.mission_file import NAME, write_mission  # noqa: PLC0415
+    from raybundle.report.figures.mission import plan_view  # noqa: PLC0415
+
+    told: list[str] = []
+    names = [NAME, "mission.svg"]
+    with new_folder(s.out) as folder:
+        write_mission(mission, folder / NAME)
+        (folder / "mission.svg").write_text(plan_view(mission, facts.coverage), encoding="utf-8", newline="\n")
+        for chosen in dict.fromkeys(s.format):
+            entry = mission_formats[chosen]
+            for k, route in enumerate(routes):
+                number = f"-{k + 1}" if len(routes) > 1 else ""
+                names.append(f"{s.name}{number}{entry.suffix}")
+                entry.write(route, folder / names[-1])
+                if entry.most is not None and len(route) > entry.most:
+                    taken = f"{entry.about.split(',')[0]} takes {entry.most}"
+                    told.append(
+                        f"{names[-1]} has {len(route)} way points, {taken}: follow "
+                        f"the ground less closely ({option('follow')}), or divide the area"
+                    )
+    return tuple(s.out / n for n in names), tuple(told)

@@ -1,0 +1,203 @@
+"""Heights of the ground from rasters, through rasterio (extra `geo`)."""
+
+from __future__ import annotations
+
+import math
+from importlib import import_module
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.io.geo.coordinate_systems import parse_crs
+from raybundle.io.reading.files import check_regular
+from raybundle.numerics.arrays import Array
+from raybundle.objects.heights import HeightGrid
+from raybundle.settings import option
+
+Unit = Literal["", "m", "ft", "us-ft"]
+METRES_IN = {"m": 1.0, "ft": 0.3048, "us-ft": 1200 / 3937}
+_UNITS = {
+    "": "", "m": "m", "metre": "m", "meter": "m", "metres": "m", "meters": "m", "ft": "ft", "foot": "ft", "feet": "ft",
+    "us survey foot": "us-ft", "us-ft": "us-ft", "ussurveyfoot": "us-ft", "ftus": "us-ft",
+}  # fmt: skip
+MOST_CELLS = 40_000_000
+"""That are read at once: 20 km by 20 km of metre cells, 0.3 GB."""
+LOWEST, HIGHEST = -500.0, 9000.0
+"""Heights of the ground of the earth [m], with some room."""
+
+
+def read_heights(path: Path, crs: str, box: Array, *, unit: Unit = "", band: int = 1) -> HeightGrid:
+    """Heights over a box of a plane coordinate system in metres.
+
+    crs   the system in which they are wanted, as EPSG:32632
+    box   (2, 2) least and greatest x, y there [m]; what of the raster lies in it is read
+    unit  of the heights, where the raster does not say and its coordinates are not in metres either
+    A raster in another system, in degrees as well, is brought over by bilinear interpolation onto cells of the same
+    size in metres, which is said in the remarks; its heights stay as they are but for their unit.
+    raises  InputError for a missing library, no raster, no coordinate system, no overlap, unknown or odd units
+    """
+    check_regular(path)
+    library = _rasterio(path)
+    try:
+        with library.open(path) as source:
+            return _read(library, source, path, crs, box, unit, band)
+    except library.errors.RasterioError as error:
+        raise InputError(f"is no raster that can be read: {str(error).splitlines()[0][:200]}", file=path) from None
+
+
+def _rasterio(path: Path) -> Any:
+    try:
+        rasterio = import_module("rasterio")  # an extra
+        for part in ("errors", "warp", "windows"):
+            import_module(f"rasterio.{part}")
+    except ImportError:
+        message = "rasters are read by rasterio, which is not installed: pip install 'raybundle[geo]'"
+        raise InputError(message, file=path) from None
+    return rasterio
+
+
+def _read(library: Any, source: Any, path: Path, crs: str, box: Array, unit: Unit, band: int) -> HeightGrid:
+    if not 1 <= band <= source.count:
+        raise InputError(f"has {source.count} bands, band {band} is asked for", file=path)
+    if source.crs is None:
+        raise InputError(
+            "names no coordinate system, so that nobody knows where it lies; write it into the file, as with "
+            "`gdal_edit.py -a_srs EPSG:CODE`",
+            file=path,
+        )
+    own = parse_crs(source.crs.to_wkt())
+    metres, remarks = _metres(source, own, path, unit, band)
+    target = library.crs.CRS.from_wkt(parse_crs(crs).to_wkt())
+    same = source.crs == target and source.transform.b == 0 and source.transform.d == 0
+    low, high = np.asarray(box, float)
+    bounds = tuple(low) + tuple(high)
+    if same:
+        heights, transform = _window(library, source, path, bounds, band)
+    else:
+        heights, transform = _warped(library, source, path, target, bounds, band)
+        words = "degrees" if own.is_geographic else own.name
+        remarks.append(f"{path.name} is in {words}; its heights were brought over into {crs} on cells of "
+                       f"{abs(transform.a):.3g} m")  # fmt: skip
+    heights = heights * metres
+    _check_heights(heights, path)
+    return HeightGrid(
+        heights=heights, origin=_centre(transform), column=(transform.a, transform.d),
+        row=(transform.b, transform.e), crs=crs, remarks=tuple(remarks),
+    )  # fmt: skip
+
+
+def _centre(t: Any) -> tuple[float, float]:
+    """x, y of the centre of the first cell."""
+    return t.c + (t.a + t.b) / 2, t.f + (t.d + t.e) / 2
+
+
+def _metres(source: Any, own: Any, path: Path, unit: Unit, band: int) -> tuple[float, list[str]]:
+    """Metres in a unit of the heights, and what is to be said of it."""
+    stated = str(source.units[band - 1] or "").strip().lower()
+    if stated not in _UNITS:
+        raise InputError(f"states its heights in {stated!r}, which is no unit of length known here", file=path)
+    found = _UNITS[stated]
+    if not found and own.is_compound:
+        factor = own.sub_crs_list[-1].axis_info[0].unit_conversion_factor
+        found = next((u for u, m in METRES_IN.items() if abs(m - factor) < 1e-9), "")
+    if unit and found and unit != found:
+        raise InputError(
+            f"states heights in {found}, {option('dsm_unit', unit)} says {unit}; one of the two is wrong", file=path
+        )
+    found = unit or found
+    if not found and own.is_projected and abs(own.axis_info[0].unit_conversion_factor - 1) > 1e-9:
+        raise InputError(
+            f"has its coordinates in {own.axis_info[0].unit_name} and does not say in what its heights are; say so: "
+            f"{option('dsm_unit', 'm')}, {option('dsm_unit', 'ft')} or {option('dsm_unit', 'us-ft')}",
+            file=path,
+        )
+    if found in {"ft", "us-ft"}:
+        return METRES_IN[found], [f"{path.name}: heights in feet were turned into metres"]
+    return 1.0, [] if found else [f"{path.name} does not say in what its heights are; they are taken in metres"]
+
+
+def _window(library: Any, source: Any, path: Path, bounds: tuple[float, ...], band: int) -> tuple[Array, Any]:
+    """Heights of the cells in and round a box, as they are."""
+    a, b, c, d = bounds
+    size = max(abs(source.transform.a), abs(source.transform.e))
+    wanted = library.windows.from_bounds(a - 2 * size, b - 2 * size, c + 2 * size, d + 2 * size, source.transform)
+    first_col, first_row = max(0, math.floor(wanted.col_off)), max(0, math.floor(wanted.row_off))
+    last_col = min(source.width, math.ceil(wanted.col_off + wanted.width))
+    last_row = min(source.height, math.ceil(wanted.row_off + wanted.height))
+    if last_col - first_col < 2 or last_row - first_row < 2:
+        _no_overlap(source, path, bounds)
+    _check_size(path, (last_row - first_row) * (last_col - first_col))
+    t = source.transform
+    window = library.windows.Window(first_col, first_row, last_col - first_col, last_row - first_row)
+    data = source.read(band, window=window, masked=True).astype(float)
+    return np.asarray(data.filled(np.nan)), library.Affine(
+        t.a, t.b, t.c + first_col * t.a, t.d, t.e, t.f + first_row * t.e
+    )
+
+
+def _warped(
+    library: Any, source: Any, path: Path, target: Any, bounds: tuple[float, ...], band: int
+) -> tuple[Array, Any]:
+    """Heights interpolated onto cells of the same size along the axes of another system."""
+    cell = _cell_m(library, source, path, target, bounds)
+    low = np.floor(np.array(bounds[:2]) / cell - 2) * cell
+    high = np.ceil(np.array(bounds[2:]) / cell + 2) * cell
+    columns, rows = np.rint((high - low) / cell).astype(int).tolist()
+    _check_size(path, rows * columns)
+    transform = library.Affine(cell, 0.0, float(low[0]), 0.0, -cell, float(high[1]))
+    heights = np.full((rows, columns), np.nan)
+    library.warp.reproject(
+        library.band(source, band), heights, dst_transform=transform, dst_crs=target, src_nodata=source.nodata,
+        dst_nodata=np.nan, resampling=library.warp.Resampling.bilinear,
+    )  # fmt: skip
+    if not np.isfinite(heights).any():
+        _no_overlap(source, path, bounds)
+    return heights, transform
+
+
+def _cell_m(library: Any, source: Any, path: Path, target: Any, bounds: tuple[float, ...]) -> float:
+    """Side of a cell in the target system [m], where the box lies."""
+    x, y = (bounds[0] + bounds[2]) / 2, (bounds[1] + bounds[3]) / 2
+    u, v = library.warp.transform(target, source.crs, [x], [y])
+    t = source.transform
+    us = [u[0], u[0] + t.a, u[0] + t.b]
+    vs = [v[0], v[0] + t.d, v[0] + t.e]
+    xs, ys = library.warp.transform(source.crs, target, us, vs)
+    if not all(map(math.isfinite, (*xs, *ys))):
+        _no_overlap(source, path, bounds)
+    area = (xs[1] - xs[0]) * (ys[2] - ys[0]) - (ys[1] - ys[0]) * (xs[2] - xs[0])
+    return abs(area) ** 0.5
+
+
+def _check_size(path: Path, cells: int) -> None:
+    if cells > MOST_CELLS:
+        raise InputError(
+            f"{cells} cells lie in the area, {MOST_CELLS} are read at once; reduce it, as with `gdalwarp -tr 5 5`",
+            file=path,
+        )
+
+
+def _no_overlap(source: Any, path: Path, bounds: tuple[float, ...]) -> None:
+    b = source.bounds
+    raise InputError(
+        f"covers {b.left:.6g} to {b.right:.6g}, {b.bottom:.6g} to {b.top:.6g} of its own system and not the area at "
+        f"{bounds[0]:.0f} to {bounds[2]:.0f}, {bounds[1]:.0f} to {bounds[3]:.0f}; is it the right raster?",
+        file=path,
+    )
+
+
+def _check_heights(heights: Array, path: Path) -> None:
+    """Refuse what are no heights of the ground: a mark for holes that is not stated, an image, another unit."""
+    good = heights[np.isfinite(heights)]
+    if not len(good):
+        raise InputError("holds no height over the area: all its cells there are holes", file=path)
+    low, high = float(good.min()), float(good.max())
+    if low < LOWEST or high > HIGHEST:
+        odd = low if low < LOWEST else high
+        raise InputError(
+            f"holds heights from {low:g} to {high:g} m; {odd:g} m is none of the ground of the earth. If it marks "
+            "holes, say so in the file, as with `gdal_edit.py -a_nodata VALUE`",
+            file=path,
+        )

@@ -1,0 +1,50 @@
+"""Meshes of objects: PLY, OBJ, STL and what else trimesh reads, as surfaces in metres."""
+
+from __future__ import annotations
+
+import logging
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.objects.surface import Surface
+
+SUFFIXES = (".ply", ".obj", ".stl", ".off", ".glb")
+MOST = 5_000_000
+"""Triangles; rays against more of them are not needed to plan photographs"""
+
+
+def read_mesh(path: Path, unit: float = 1.0) -> Surface:
+    """The triangles of a mesh file.
+
+    unit    metres of one unit of the file
+    raises  InputError where the file is no mesh, is damaged, or holds no triangles
+    """
+    logging.getLogger("trimesh").setLevel(logging.CRITICAL)
+    import trimesh  # noqa: PLC0415  (0.2 s, for who reads meshes)
+
+    if not path.is_file():
+        raise InputError("no such file" if not path.exists() else "is no file", file=path)
+    try:
+        mesh: Any = trimesh.load(path, force="mesh", process=False)
+    except (MemoryError, RecursionError):
+        raise
+    except Exception as error:  # noqa: BLE001  (a reader of many formats raises many kinds)
+        reason = str(error).splitlines()[0][:200] if str(error) else type(error).__name__
+        raise InputError(f"cannot be read as a mesh: {reason}", file=path) from None
+    triangles = np.asarray(getattr(mesh, "faces", np.zeros((0, 3))), np.int64)
+    if not len(triangles):
+        raise InputError("holds no triangles; a cloud of points is no surface: make a mesh of it first", file=path)
+    if len(triangles) > MOST:
+        raise InputError(f"has {len(triangles)} triangles, at most {MOST} are read; thin it first", file=path)
+    vertices = np.asarray(mesh.vertices, float) * unit
+    try:
+        Surface(name=path.stem, vertices=vertices, triangles=triangles)
+    except InputError as error:
+        raise InputError(str(error), file=path) from None
+    size = " x ".join(f"{s:.4g}" for s in np.ptp(vertices[np.unique(triangles)], axis=0))
+    return Surface(
+        name=path.stem, vertices=vertices, triangles=triangles, about=f"{size} m, {len(triangles)} triangles"
+    )

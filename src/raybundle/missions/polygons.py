@@ -1,0 +1,187 @@
+"""Polygons of the plane: whether they are sound, what lies within, where lines enter and leave."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array, Mask
+
+Interval = tuple[float, float]
+NEAR = 1e-9
+"""Share of a polygon's extent below which two of its points are one."""
+
+
+THINNEST = 1e-4
+"""Share of the square of its length that an area has at least: a kilometre of a decimetre's width is a line."""
+
+
+def checked_ring(xy: Array, what: str) -> Array:
+    """The corners (n, 2) of a polygon, each once, counter-clockwise.
+
+    raises  InputError for fewer than three corners, no extent, or edges that cross, with the place
+    """
+    ring = np.asarray(xy, float)
+    if ring.ndim != 2 or ring.shape[1] != 2 or not np.isfinite(ring).all():
+        raise InputError(f"{what}: corners of two finite coordinates are needed")
+    size = float(np.ptp(ring, axis=0).max(initial=0.0)) if len(ring) else 0.0
+    keep = np.linalg.norm(ring - np.roll(ring, 1, axis=0), axis=1) > NEAR * size
+    ring = ring[keep]
+    if len(ring) < 3:
+        raise InputError(f"{what} has {len(ring)} different corners; an area needs three or more")
+    crossing = _crossing(ring)
+    if crossing is not None:
+        i, j, (x, y) = crossing
+        raise InputError(
+            f"{what} crosses itself: the edge after corner {i + 1} and that after corner {j + 1} meet near "
+            f"{x:.1f}, {y:.1f}; put its corners into the order in which one walks round it"
+        )
+    area = signed_area(ring)
+    if abs(area) <= THINNEST * size * size:
+        raise InputError(
+            f"{what} has no extent: {abs(area):.3g} m2 over {size:.3g} m; all its corners lie on one line. Give the "
+            "outline of the area, or plan a corridor along the line"
+        )
+    return ring if area > 0 else ring[::-1]
+
+
+def signed_area(ring: Array) -> float:
+    """Area of a polygon (n, 2), positive where its corners run counter-clockwise."""
+    x, y = (ring - ring.mean(axis=0)).T
+    return float(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y) / 2)
+
+
+def _crossing(ring: Array) -> tuple[int, int, Array] | None:
+    """Two edges that meet elsewhere than at a common corner, and where."""
+    a, b = ring, np.roll(ring, -1, axis=0)
+    n = len(ring)
+    for i in range(n - 1):
+        j = np.arange(i + 1, n)
+        t, s = _meeting(a[i], b[i], a[j], b[j])
+        neighbours = (j == i + 1) | ((i == 0) & (j == n - 1))
+        hit = np.flatnonzero((t >= 0) & (t <= 1) & (s >= 0) & (s <= 1) & ~neighbours)
+        if len(hit):
+            k = int(hit[0])
+            return i, int(j[k]), a[i] + float(t[k]) * (b[i] - a[i])
+    return None
+
+
+def _meeting(a: Array, b: Array, c: Array, d: Array) -> tuple[Array, Array]:
+    """Where the line a-b meets the lines c-d (n, 2): shares of both, NaN for parallel lines."""
+    u, v = b - a, d - c
+    cross = u[0] * v[:, 1] - u[1] * v[:, 0]
+    w = c - a
+    with np.errstate(divide="ignore", invalid="ignore"):
+        t = (w[:, 0] * v[:, 1] - w[:, 1] * v[:, 0]) / cross
+        s = (w[:, 0] * u[1] - w[:, 1] * u[0]) / cross
+    return np.where(cross == 0, np.nan, t), np.where(cross == 0, np.nan, s)
+
+
+def inside(ring: Array, xy: Array) -> Mask:
+    """(n,) which points (n, 2) lie within a polygon (k, 2); even-odd rule."""
+    xy = np.asarray(xy, float)
+    found = np.zeros(len(xy), bool)
+    for (x0, y0), (x1, y1) in zip(ring, np.roll(ring, -1, axis=0), strict=True):
+        if y0 == y1:
+            continue
+        between = (y0 > xy[:, 1]) != (y1 > xy[:, 1])
+        found ^= between & (xy[:, 0] < x0 + (xy[:, 1] - y0) * (x1 - x0) / (y1 - y0))
+    return found
+
+
+def distance_to(ring: Array, xy: Array) -> Array:
+    """Distances (n,) of points (n, 2) from the outline of a polygon (k, 2)."""
+    best = np.full(len(xy), np.inf)
+    for a, b in zip(ring, np.roll(ring, -1, axis=0), strict=True):
+        d = b - a
+        t = np.clip((xy - a) @ d / (d @ d), 0, 1)
+        best = np.minimum(best, np.linalg.norm(xy - a - t[:, None] * d, axis=1))
+    return best
+
+
+def within(rings: Sequence[Array], a: Array, b: Array) -> tuple[Interval, ...]:
+    """The parts of the way from a to b (2,) that lie within any of the polygons, as shares 0 to 1 of it."""
+    found: list[Interval] = []
+    for ring in rings:
+        t, s = _meeting(a, b, ring, np.roll(ring, -1, axis=0))
+        cuts = np.concatenate([[0.0, 1.0], t[(s >= 0) & (s <= 1) & (t > 0) & (t < 1)]])
+        cuts = np.unique(cuts)
+        middle = (cuts[:-1] + cuts[1:]) / 2
+        hit = inside(ring, a + middle[:, None] * (b - a))
+        found += [(float(p), float(q)) for p, q, h in zip(cuts[:-1], cuts[1:], hit, strict=True) if h]
+    return united(found)
+
+
+def united(parts: Sequence[Interval], gap: float = 1e-12) -> tuple[Interval, ...]:
+    """Intervals in their order, those that overlap or lie less than a gap apart joined."""
+    joined: list[Interval] = []
+    for low, high in sorted(parts):
+        if joined and low <= joined[-1][1] + gap:
+            joined[-1] = (joined[-1][0], max(joined[-1][1], high))
+        else:
+            joined.append((low, high))
+    return tuple(joined)
+
+
+def along(ring: Array, low: float, high: float) -> tuple[Interval, ...]:
+    """Intervals of x that a polygon (n, 2) covers at any y from low to high.
+
+    Between the heights of its corners the ends of an interval move linearly with y: the corners and the two borders
+    tell all.
+    """
+    reach = (high - low) * 1e-9
+    heights = [low, high]
+    for y in ring[:, 1]:
+        if low <= y <= high:
+            heights += [max(low, float(y) - reach), min(high, float(y) + reach)]
+    parts: list[Interval] = []
+    for y in sorted(set(heights)):
+        y0, y1 = ring[:, 1], np.roll(ring[:, 1], -1)
+        cut = (y0 > y) != (y1 > y)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            x = ring[:, 0] + (y - y0) * (np.roll(ring[:, 0], -1) - ring[:, 0]) / (y1 - y0)
+        ends = np.sort(x[cut])
+        parts += [(float(p), float(q)) for p, q in zip(ends[::2], ends[1::2], strict=False)]
+    return united(parts)
+
+
+def widened(ring: Array, by: float) -> Array:
+    """A convex outline of a polygon (n, 2), all round at least `by` away from it."""
+    corners = hull(ring)
+    turns = np.arange(12) * np.pi / 6
+    circle = by / np.cos(np.pi / 12) * np.stack([np.cos(turns), np.sin(turns)], axis=1)
+    return hull((corners[:, None] + circle[None]).reshape(-1, 2))
+
+
+def hull(xy: Array) -> Array:
+    """The convex hull (k, 2) of points (n, 2), counter-clockwise (Andrew 1979)."""
+    points = np.unique(np.asarray(xy, float), axis=0)
+    if len(points) < 3:
+        return points
+
+    def half(rows: Array) -> list[Array]:
+        chain: list[Array] = []
+        for p in rows:
+            while len(chain) > 1:
+                u, v = chain[-1] - chain[-2], p - chain[-1]
+                if u[0] * v[1] - u[1] * v[0] > 0:
+                    break
+                chain.pop()
+            chain.append(p)
+        return chain
+
+    return np.array(half(points)[:-1] + half(points[::-1])[:-1])
+
+
+def longest_direction(ring: Array) -> float:
+    """Azimuth [rad] along which a polygon (n, 2) is covered by the fewest lines: that of its least width."""
+    corners = hull(ring)
+    best, azimuth = np.inf, 0.0
+    for edge in np.roll(corners, -1, axis=0) - corners:
+        d = edge / np.linalg.norm(edge)
+        width = float(np.ptp(corners @ np.array([-d[1], d[0]])))
+        if width < best - 1e-9:
+            best, azimuth = width, float(np.arctan2(d[0], d[1]) % np.pi)
+    return azimuth

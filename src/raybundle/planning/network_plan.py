@@ -1,0 +1,284 @@
+"""A network planned for an object: the fewest stations that reach what is wanted, and what each is for."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from threadpoolctl import threadpool_limits
+
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.progress import Progress, silent
+from raybundle.objects.surface import SurfacePoints, tiles
+from raybundle.planning.candidates import LEAST, Stations, standing_places
+from raybundle.planning.configuration import Aim, Design, Designer, Search, improved
+from raybundle.planning.expected import Expected, Networks, Part, Short
+from raybundle.planning.site import Site
+
+FEWEST, MOST = 4, 60
+"""Stations of a network that are looked for"""
+QUICK = Search(places=250, beginnings=3, moved=1, moves=1200, together=0)
+MARGIN = 1.03
+"""How far a quick search may miss what is wanted where a thorough one is still tried: what the second gains on average
+in benchmarks/design.py is more"""
+PLACES = 400
+"""Places from which it is looked at what can be seen at all"""
+MAPPED = 1500
+"""Places of the object at which the precision is told"""
+LOSES = 1.02
+"""A station without which a figure grows by less than this is there for redundancy"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Cost:
+    """What a network costs on site."""
+
+    photographs: int
+    path_m: float
+    """Walked from station to station, shortest way found"""
+    minutes: float
+    seconds_per_photograph: float = 30.0
+    metres_per_second: float = 0.7
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Purpose:
+    """What one station is there for: what the network would lose without it."""
+
+    unseen: Index
+    """Points that would have less than two rays"""
+    ratio: float
+    """Worst or mean standard deviation without the station, by that with it; infinite where it is not determined"""
+    worst: int
+    """The point that loses most"""
+    worst_ratio: float
+    parameters: tuple[tuple[str, float], ...] = ()
+    """Parameters of the interior orientation and by how much they lose, most first"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class NetworkPlan:
+    """A network and what it promises."""
+
+    site: Site
+    design: Design
+    """Its stations in the order in which one walks"""
+    expected: Expected
+    aim: Aim
+    wanted: float | None
+    """Standard deviation that was wanted [m]"""
+    purposes: tuple[Purpose, ...]
+    cost: Cost
+    corners: Array
+    """(m, 3, 3) triangles of the object, small enough to tell the precision of each"""
+    mapped: SurfacePoints
+    """Their middles"""
+    map_sigma: Array
+    """(m,) standard deviation of the middles [m]; NaN where less than two stations see them"""
+    left_out: SurfacePoints
+    """Points of the object that cannot be seen often enough from where one may stand; nothing is promised of them"""
+    tried: tuple[tuple[int, float], ...] = field(default=())
+    """Numbers of stations that were tried, and the figure that was reached with them [m]"""
+
+    @property
+    def reached(self) -> bool:
+        """Whether what was wanted is promised."""
+        return self.wanted is None or self.design.figure <= self.wanted
+
+    @property
+    def scale_number(self) -> float:
+        """Mean image scale number S = distance / c of the rays."""
+        return self.mean_distance / (self.site.camera.sensor.camera_constant(self.site.camera.parameters) / 1000)
+
+    @property
+    def mean_distance(self) -> float:
+        """Mean distance of the points from the stations that see them [m]."""
+        s = self.design.stations
+        station, point, _, _ = self.site.seen(s.centre, s.rotation)
+        return float(np.linalg.norm(s.centre[station] - self.site.points.xyz[point], axis=1).mean())
+
+    @property
+    def q(self) -> float:
+        """Factor q of sigma_XYZ = q S sigma / sqrt(k), with the mean number k of rays (Fraser 1984)."""
+        sigma_xyz = float(np.sqrt(np.mean(self.expected.sigma**2)))
+        sigma = self.site.sigma_px * self.site.camera.pixel_mm[0] / 1000
+        return sigma_xyz * np.sqrt(self.expected.rays.mean()) / (self.scale_number * sigma)
+
+
+def plan_network(
+    site: Site, *, wanted: float | None = None, stations: int | None = None, start: Stations | None = None,
+    aim: Aim = "worst", control_sigma: Array | None = None, least_rays: int = 3, search: Search | None = None,
+    progress: Progress = silent,
+) -> NetworkPlan:  # fmt: skip
+    """The network of so many stations with the best figure, or of the fewest that reach what is wanted.
+
+    wanted    standard deviation [m] of the worst point or of all in the mean, as `aim` says
+    stations  how many; None: as few as reach `wanted`
+    start     stations to begin with; the result is never worse
+    control_sigma, least_rays  as of `Networks`
+    raises    InputError where neither is told, or `wanted` is beyond reach: it says what can be reached and why
+    What it does not tell: whether targets can be fixed and recognised there; errors that all photographs share, as of
+    a camera that is not stable.
+    """
+    if wanted is None and stations is None and start is None:
+        raise InputError("a plan needs the standard deviation that is wanted, or the number of stations")
+    site, left_out = _reachable(site, least_rays)
+    designer = Designer(Networks(site, control_sigma, least_rays), aim, progress)
+    none = Stations(centre=np.zeros((0, 3)), at=np.zeros((0, 3)), roll=np.zeros(0))
+    first = none if start is None else start
+    tried = list[tuple[int, float]]()
+    if stations is not None or wanted is None:
+        design = improved(designer, first, search, stations or len(first))
+        tried.append((len(design.stations), design.figure))
+    else:
+        design = _fewest(designer, first, wanted, search, tried)
+    if design.expected is None:
+        raise InputError(_not_determined(site, design, least_rays))
+    with threadpool_limits(1):
+        return _told(designer, design, wanted, tuple(tried), left_out)
+
+
+def _reachable(site: Site, least_rays: int) -> tuple[Site, SurfacePoints]:
+    """The site with the points that can be seen from enough places, and those that cannot.
+
+    raises  InputError where too few are left for a network
+    """
+    places = standing_places(site, PLACES)
+    _, point = site.faced(places)
+    p, count = site.points, np.bincount(point, minlength=len(site.points))
+    good = count >= least_rays
+    left_out = SurfacePoints(xyz=p.xyz[~good], normal=p.normal[~good])
+    if good.sum() < LEAST:
+        raise InputError(
+            f"{int(good.sum())} of {len(p)} points of the object can be seen {least_rays} times from where one may "
+            "stand; widen the access, or allow rays that are farther off the normal"
+        )
+    return replace(site, points=SurfacePoints(xyz=p.xyz[good], normal=p.normal[good])), left_out
+
+
+def _fewest(
+    d: Designer, first: Stations, wanted: float, search: Search | None, tried: list[tuple[int, float]]
+) -> Design:
+    """The smallest network that reaches what is wanted: quick searches of ever more stations, then a thorough one."""
+    n, best = max(FEWEST, len(first)), None
+    figures = list[tuple[int, float]]()
+    while n <= MOST:
+        quick = improved(d, first, QUICK, n)
+        figures.append((n, quick.figure))
+        if quick.figure <= wanted * MARGIN:
+            best = improved(d, quick.stations, search, n)
+            tried.append((n, best.figure))
+            if best.figure <= wanted:
+                return best
+        n += _step(figures, wanted)
+    reached = [f for f in figures if np.isfinite(f[1])]
+    if best is not None and not reached:
+        return best
+    raise InputError(_beyond(d, wanted, reached))
+
+
+def _step(figures: Sequence[tuple[int, float]], wanted: float) -> int:
+    """How many stations more: standard deviations fall with the root of their number at best."""
+    n, figure = figures[-1]
+    if not np.isfinite(figure):
+        return 1
+    return max(1, int(n * (figure / wanted) ** 2 * 0.8) - n) if figure > 1.3 * wanted else 1
+
+
+def _beyond(d: Designer, wanted: float, reached: list[tuple[int, float]]) -> str:
+    if not reached:
+        return (
+            f"no network of up to {MOST} stations shows every point {d.networks.least_rays} times from where one may "
+            "stand; widen the access, ask for fewer rays, or leave the parts out that cannot be seen"
+        )
+    n, figure = min(reached, key=lambda r: r[1])
+    site = d.site
+    c = site.camera.sensor.camera_constant(site.camera.parameters) / site.camera.pixel_mm[0]
+    near = max(site.access.clearance, site.depth[0])
+    return (
+        f"a standard deviation of {1000 * wanted:.3g} mm is beyond reach: with {n} stations it is {1000 * figure:.3g} "
+        f"mm. At the nearest distance, {near:.3g} m, {site.sigma_px:g} px of the image are "
+        f"{1000 * near * site.sigma_px / c:.2g} mm on the object; go nearer, take a longer lens or targets that are "
+        "measured more precisely"
+    )
+
+
+def _not_determined(site: Site, design: Design, least: int) -> str:
+    s = design.stations
+    _, point, _, _ = site.seen(s.centre, s.rotation)
+    rays = np.bincount(point, minlength=len(site.points))
+    few = int((rays < least).sum())
+    if few:
+        return (
+            f"with {len(s)} stations {few} of {len(rays)} points of the object are not shown {least} times; take more "
+            "stations, widen where one may stand, or a lens of wider angle"
+        )
+    return f"a network of {len(s)} stations does not determine all unknowns; take more stations, or hold the camera"
+
+
+def _told(
+    d: Designer, design: Design, wanted: float | None, tried: tuple[tuple[int, float], ...], left_out: SurfacePoints
+) -> NetworkPlan:
+    site, e = d.site, design.expected
+    assert e is not None
+    parts = d.networks.parts(design.stations.centre, design.stations.rotation)
+    order = walk(design.stations.centre)
+    design = replace(design, stations=design.stations.rows(order))
+    parts = [parts[k] for k in order]
+    corners, mapped = tiles(site.surface, MAPPED)
+    e = d.networks.expected(parts)
+    assert isinstance(e, Expected)
+    Q = d.networks.elsewhere(parts, e, mapped)
+    loose = d.networks.with_rays(2)
+    path = float(np.linalg.norm(np.diff(design.stations.centre, axis=0), axis=1).sum())
+    n = len(parts)
+    cost = Cost(photographs=n, path_m=path, minutes=0.0)
+    cost = replace(cost, minutes=(n * cost.seconds_per_photograph + path / cost.metres_per_second) / 60)
+    return NetworkPlan(
+        site=site, design=replace(design, expected=e), expected=e, aim=d.aim, wanted=wanted, tried=tried, cost=cost,
+        left_out=left_out,
+        purposes=tuple(_purpose(d, loose, e, parts, k) for k in range(n)), corners=corners, mapped=mapped,
+        map_sigma=np.sqrt(np.trace(Q, axis1=1, axis2=2) / 3),
+    )  # fmt: skip
+
+
+def _purpose(d: Designer, loose: Networks, e: Expected, parts: list[Part], k: int) -> Purpose:
+    without = loose.expected(parts[:k] + parts[k + 1 :])
+    if isinstance(without, Short):
+        unseen = np.flatnonzero(without.unseen)
+        return Purpose(unseen=unseen, ratio=np.inf, worst=int(unseen[0]) if len(unseen) else 0, worst_ratio=np.inf)
+    each = without.sigma / e.sigma
+    worst = int(each.argmax())
+    lost = np.sqrt(np.diag(without.interior) / np.diag(e.interior)) if len(e.interior) else np.zeros(0)
+    order = np.argsort(-lost)
+    return Purpose(
+        unseen=np.zeros(0, np.int64), ratio=d.figure(without) / d.figure(e), worst=worst,
+        worst_ratio=float(each[worst]),
+        parameters=tuple((d.networks.free[i], float(lost[i])) for i in order if lost[i] > LOSES),
+    )  # fmt: skip
+
+
+def walk(places: Array) -> Index:
+    """(n,) an order of places on a short way: the nearest next, then sections turned round (2-opt)."""
+    n = len(places)
+    far = np.linalg.norm(places[:, None] - places[None], axis=2)
+    order = [0]
+    left = set(range(1, n))
+    while left:
+        k = min(left, key=lambda j: (far[order[-1], j], j))
+        order.append(k)
+        left.remove(k)
+    better = True
+    while better:
+        better = False
+        for i in range(n - 1):
+            for j in range(i + 1, n):
+                before = far[order[i - 1], order[i]] if i else 0.0
+                after = far[order[j], order[j + 1]] if j + 1 < n else 0.0
+                new = (far[order[i - 1], order[j]] if i else 0.0) + (far[order[i], order[j + 1]] if j + 1 < n else 0.0)
+                if new < before + after - 1e-9:
+                    order[i : j + 1] = order[i : j + 1][::-1]
+                    better = True
+    return np.array(order)

@@ -1,0 +1,71 @@
+"""A block that was adjusted as the object of a plan: its points with the side from which they were seen, its stations."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from raybundle.block import Block
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.objects.surface import Surface
+from raybundle.objects.surfels import surface_of_points
+from raybundle.planning.candidates import Stations
+from raybundle.planning.scenes import look_at
+
+LEAST_RAYS = 3
+"""Rays of points that tell where the surface is: two meet wherever they are wrong along their plane"""
+
+
+def points_of_result(block: Block, used: Mask | None = None) -> tuple[Index, Array, Index]:
+    """Points with coordinates and rays: their rows (k,), the mean directions of their rays (k, 3), how many rays (k,).
+
+    used  (m,) image observations that take part; None: all but those that the block names as rejected
+    """
+    o = block.observations
+    if used is None:
+        bad = set(block.rejected)
+        images, points = block.images.ids, block.points.ids
+        used = np.array([(images[i], points[p]) not in bad for i, p in zip(o.image, o.point, strict=True)], bool)
+    away = block.images.centre[o.image] - block.points.xyz[o.point]
+    away = away / np.maximum(np.linalg.norm(away, axis=1, keepdims=True), 1e-300)
+    good = used & np.isfinite(away).all(axis=1)
+    towards = np.zeros((len(block.points), 3))
+    np.add.at(towards, o.point[good], away[good])
+    rays = np.bincount(o.point[good], minlength=len(block.points))
+    rows = np.flatnonzero(rays > 0)
+    return rows, towards[rows] / rays[rows, None], rays[rows]
+
+
+def good_points(block: Block) -> tuple[Index, Array]:
+    """Points that tell where the surface is: rows (k,), mean directions of their rays (k, 3)."""
+    rows, towards, rays = points_of_result(block)
+    good = rays >= LEAST_RAYS
+    return rows[good], towards[good]
+
+
+def surface_of_result(block: Block) -> Surface:
+    """The surface that the points of a block with coordinates span; see `surface_of_points`.
+
+    raises  InputError for a block without stations or with too few points of three rays
+    """
+    if not np.isfinite(block.images.centre).all():
+        raise InputError(f"block {block.name}: has photographs without orientation; adjust or orient it before")
+    rows, towards = good_points(block)
+    return surface_of_points(block.points.xyz[rows], towards, block.name)
+
+
+def stations_of_result(block: Block) -> Stations:
+    """The stations of a block as those of a plan.
+
+    raises  InputError where a photograph has no orientation
+    """
+    centre, rotation = block.images.centre, block.images.rotation
+    bad = np.flatnonzero(~(np.isfinite(centre).all(axis=1) & np.isfinite(rotation).all(axis=(1, 2))))
+    if len(bad):
+        raise InputError(f"photograph {block.images.ids[bad[0]]} of block {block.name} has no orientation")
+    rows, _, _ = points_of_result(block)
+    middle = block.points.xyz[rows].mean(axis=0) if len(rows) else np.zeros(3)
+    far = np.maximum(np.einsum("ni,ni->n", centre - middle, rotation[:, 2]), 1e-3)
+    at = centre - far[:, None] * rotation[:, 2]
+    turn = rotation @ np.swapaxes(look_at(centre, at), 1, 2)
+    return Stations(centre=centre, at=at, roll=-np.arctan2(turn[:, 1, 0], turn[:, 0, 0]))

@@ -1,0 +1,59 @@
+"""What a lens shows sharply: depth of field, hyperfocal distance, and where diffraction takes over."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from raybundle.errors import InputError
+
+WAVELENGTH_MM = 0.00055
+"""Green light"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Optics:
+    """How a lens is set."""
+
+    f_number: float = 8.0
+    focus: float = float("inf")
+    """Object distance to which it is focused [m]"""
+    blur_px: float = 1.5
+    """Largest circle of confusion: what is blurred by more is not measured"""
+
+    def __post_init__(self) -> None:
+        """Raise InputError for what no lens has."""
+        for word, value in (("f-number", self.f_number), ("focus distance", self.focus), ("blur", self.blur_px)):
+            if not value > 0:
+                raise InputError(f"{word} {value:g} must be above 0")
+
+    def hyperfocal(self, c_mm: float, pixel_mm: float) -> float:
+        """Distance [m] from which on all is sharp where the lens is focused there: c^2 / (N u) + c.
+
+        c_mm  focal length, for which the camera constant of a lens focused far away stands
+        """
+        return (c_mm**2 / (self.f_number * self.blur_px * pixel_mm) + c_mm) / 1000
+
+    def depth_of_field(self, c_mm: float, pixel_mm: float) -> tuple[float, float]:
+        """Nearest and farthest distance [m] that is sharp; farthest infinite from the hyperfocal distance on.
+
+        raises  InputError where the lens cannot focus so near
+        """
+        f, h = c_mm / 1000, self.hyperfocal(c_mm, pixel_mm)
+        if self.focus <= f:
+            raise InputError(f"a lens with c = {c_mm:g} mm cannot be focused at {self.focus:g} m")
+        if np.isinf(self.focus):
+            return h, float("inf")
+        near = h * self.focus / (h + (self.focus - f))
+        far = h * self.focus / (h - (self.focus - f)) if h > self.focus - f else float("inf")
+        return near, far
+
+    def diffraction_px(self, pixel_mm: float) -> float:
+        """Diameter of the Airy disc [px], 2.44 lambda N: beyond two or three pixels stopping down costs sharpness."""
+        return 2.44 * WAVELENGTH_MM * self.f_number / pixel_mm
+
+
+def best_focus(near: float, far: float) -> float:
+    """Focus distance [m] whose depth of field has these ends for some f-number: their harmonic mean."""
+    return 2 / (1 / near + 1 / far)

@@ -1,0 +1,59 @@
+"""The block that a planned network gives: what its stations will measure, with errors of the stated size."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from raybundle.block import Block, Distances, Images, Observations, Points, Role
+from raybundle.numerics.arrays import Array
+from raybundle.planning.candidates import Stations
+from raybundle.planning.site import Site
+
+
+def planned_block(
+    site: Site, stations: Stations, *, control_sigma: Array | None = None, bars: Distances | None = None,
+    seed: int | None = 1, name: str = "plan",
+) -> Block:  # fmt: skip
+    """The block of a site's points in these stations, approximate values the planned ones.
+
+    control_sigma  (t, 3) as of `Networks`
+    seed           of the errors of image points and control, and of what is found; None: without errors, all that is
+                   seen, with variances divided by the share in which it is found: the covariances of `Networks`
+    """
+    rng = np.random.default_rng(seed)
+    camera = replace(site.camera, id="1")
+    station, point, image, _ = site.seen(stations.centre, stations.rotation)
+    share = site.share(stations.centre[station], point)
+    cov = site.sigma_px**2 / share
+    if seed is not None and site.found is not None:
+        drawn = rng.random(len(share)) < share
+        station, point, image, cov = station[drawn], point[drawn], image[drawn], np.full(drawn.sum(), site.sigma_px**2)
+    xy = camera.pixel_from_image(image)
+    t, n = len(site.points), len(stations)
+    xyz, role, sigma = site.points.xyz.copy(), np.full(t, Role.TIE, np.int32), np.full((t, 3), np.nan)
+    if control_sigma is not None:
+        known = np.isfinite(control_sigma).any(axis=1)
+        role[known] = Role.CONTROL
+        sigma[known] = np.where(np.isfinite(control_sigma[known]), control_sigma[known], np.nan)
+    if seed is not None:
+        xy = xy + rng.normal(0, site.sigma_px, xy.shape)
+        xyz = xyz + rng.normal(0, 1, xyz.shape) * np.nan_to_num(sigma)
+        bars = None if bars is None else bars.with_errors(rng)
+    block = Block(
+        name=name,
+        about=f"planned: {n} photographs of {t} points, image points of {site.sigma_px:g} px",
+        source="raybundle plan" + ("" if seed is None else f", errors drawn with seed {seed}"),
+        cameras=(camera,),
+        images=Images(
+            ids=tuple(f"{k + 1:02d}" for k in range(n)), camera=np.zeros(n, np.int32), file=("",) * n,
+            centre=stations.centre, rotation=stations.rotation,
+        ),
+        observations=Observations(
+            image=station.astype(np.int32), point=point.astype(np.int32), xy_px=xy,
+            cov_px2=np.column_stack([cov, cov, np.zeros(len(cov))]),
+        ),
+        points=Points(ids=tuple(f"T{k + 1}" for k in range(t)), role=role, xyz=xyz, sigma=sigma),
+    )  # fmt: skip
+    return block if bars is None else block.having(bars)

@@ -1,0 +1,197 @@
+"""Every pattern: GSD and overlaps as asked for to 1 %, views, zones, batteries, and what cannot be flown."""
+
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from tests.missions.cases import CAMERA, LEVEL, OUTLINES, PLACE, VEHICLE, mission, wish
+
+from raybundle.errors import InputError
+from raybundle.missions.build import Task, plan_mission
+from raybundle.missions.mission import exposures
+from raybundle.missions.patterns import patterns
+from raybundle.missions.polygons import distance_to, inside, within
+from raybundle.missions.report import mission_facts, warnings
+from raybundle.missions.zones import CLEAR_M, way_round
+
+
+@pytest.mark.parametrize("overlap", [(0.8, 0.7), (0.6, 0.3), (0.9, 0.8)], ids=str)
+@pytest.mark.parametrize("pattern", patterns)
+def test_gsd_and_overlap_are_as_asked_for_to_one_per_cent(pattern, overlap):
+    m = mission(pattern, more={"overlap": overlap})
+    facts = mission_facts(m, LEVEL)
+    assert facts.gsd.low == pytest.approx(m.gsd, rel=0.01)
+    assert facts.gsd.high == pytest.approx(m.gsd, rel=0.01)
+    if pattern != "orbit":  # where the views turn, neighbours are as near as the least angle asks
+        assert facts.along.middle == pytest.approx(overlap[0], abs=0.01)
+    if facts.across is not None:
+        low = 0.0 if pattern == "corridor" else 0.01  # inside a bend lines lie abreast of nobody exactly
+        assert facts.across.middle >= overlap[1] - max(low, 0.01)
+        # rows that cover a facade may lie nearer than asked for; a tilted view sees a wider row behind
+        more = {"facade": 0.5, "orbit": 0.5, "oblique-grid": 0.06}.get(pattern, 0.01)
+        assert facts.across.middle <= overlap[1] + more
+
+
+@pytest.mark.parametrize("pattern", [n for n, p in patterns.items() if p.shape == "area"])
+def test_the_whole_area_is_seen_from_its_edge_on(pattern):
+    facts = mission_facts(mission(pattern), LEVEL)
+    assert facts.seen_rarely == 0
+    assert facts.coverage.count.min() >= 6
+    assert np.nanmax(facts.coverage.gsd) < 0.021
+
+
+@pytest.mark.parametrize("pattern", patterns)
+def test_stations_look_at_what_they_photograph(pattern):
+    m = mission(pattern)
+    e = exposures(m)
+    axis = -e.rotation[:, 2]
+    np.testing.assert_allclose(np.linalg.norm(axis, axis=1), 1)
+    if pattern == "facade":
+        wall = OUTLINES["line"]
+        for k, (a, b) in enumerate(pairwise(wall)):
+            own = np.array([m.lines[i].group == f"facade {k + 1}" for i in e.line])
+            ahead = (b - a) / np.linalg.norm(b - a)
+            normal = np.array([ahead[1], -ahead[0]])
+            np.testing.assert_allclose((e.xyz[own, :2] - a) @ normal, CAMERA.distance(0.005), rtol=1e-9)
+            np.testing.assert_allclose(axis[own, :2] @ normal, -1, atol=1e-9)
+    elif pattern == "orbit":
+        centre = np.mean(OUTLINES["place"], axis=0)
+        inward = centre - e.xyz[:, :2]
+        inward /= np.linalg.norm(inward, axis=1)[:, None]
+        np.testing.assert_allclose(np.sum(inward * axis[:, :2], axis=1), 1, atol=1e-9)
+    elif pattern == "oblique-grid":
+        tilts = np.degrees(np.arccos(-axis[:, 2]))
+        assert sorted(set(np.round(tilts, 6))) == [0, 35]
+        views = {g: set(np.round(np.degrees(e.heading[[m.lines[i].group == g for i in e.line]]), 3)) for g in
+                 {line.group for line in m.lines} if g.startswith("view")}  # fmt: skip
+        assert len(views) == 4
+        assert all(len(v) == 1 for v in views.values())
+    else:
+        np.testing.assert_allclose(axis, np.broadcast_to([0, 0, -1], axis.shape), atol=1e-9)
+    block = m.camera.as_block_camera()
+    assert (block.width_px, block.height_px) == (5280, 3956)
+    assert block.values["c"] / block.pixel_mm[0] == pytest.approx(m.camera.c_px)
+
+
+def test_tilted_rings_look_at_the_middle_of_the_object():
+    m = mission("orbit", more={"tilt": np.radians(60), "rings": 2})
+    e = exposures(m)
+    centre = np.append(np.mean(OUTLINES["place"], axis=0), 110.0)
+    radius = np.linalg.norm(OUTLINES["place"][0] - centre[:2])
+    axis = -e.rotation[:, 2]
+    assert len({round(v, 6) for v in e.pitch.tolist()}) == 2
+    # the axis meets the object's mantle at half its height
+    away = np.linalg.norm(e.xyz[:, :2] - centre[:2], axis=1) - radius
+    np.testing.assert_allclose(e.xyz[:, 2] + away / np.linalg.norm(axis[:, :2], axis=1) * axis[:, 2], 110.0, atol=1e-6)
+
+
+def test_tilted_lines_see_the_area_from_both_ends():
+    m = mission("double-grid", more={"tilt": np.radians(25)})
+    facts = mission_facts(m, LEVEL)
+    assert facts.seen_rarely == 0
+    assert facts.along.middle == pytest.approx(0.8, abs=0.01)
+    assert facts.above.middle == pytest.approx(CAMERA.distance(0.02) * np.cos(np.radians(25)), abs=1e-6)
+
+
+def test_lines_turn_back_and_carry_whole_bases():
+    m = mission("nadir")
+    w = m.way_points
+    starts, stops = np.flatnonzero(w.trigger == 2), np.flatnonzero(w.trigger == 3)
+    length = np.linalg.norm(w.xyz[stops, :2] - w.xyz[starts, :2], axis=1)
+    np.testing.assert_allclose(length / m.base, np.rint(length / m.base), atol=1e-9)
+    turn = np.degrees(np.diff(w.heading[starts])) % 360
+    np.testing.assert_allclose(turn, 180, atol=1e-6)
+
+
+ZONE = np.array([[100.0, 100], [150, 100], [150, 150], [100, 150]]) + PLACE
+
+
+@pytest.mark.parametrize("pattern", ["nadir", "double-grid", "oblique-grid"])
+def test_nothing_is_flown_over_a_no_go_zone(pattern):
+    m = mission(pattern, no_go=(ZONE,))
+    way = m.way_points.xyz[:, :2]
+    for a, b in pairwise(way):
+        assert not within([ZONE], a, b)
+    on = exposures(m).xyz[:, :2]
+    assert not inside(ZONE, on).any()
+    assert distance_to(ZONE, on).min() >= CLEAR_M - 1.0
+    assert any("no-go zones take out" in r for r in m.remarks)
+    assert mission_facts(m, LEVEL).along.middle == pytest.approx(0.8, abs=0.01)
+
+
+def test_an_orbit_goes_round_a_zone():
+    zone = np.array([[25.0, -10], [60, -10], [60, 20], [25, 20]]) + PLACE
+    m = mission("orbit", no_go=(zone,))
+    way = m.way_points.xyz[:, :2]
+    assert not any(within([zone], a, b) for a, b in pairwise(way))
+
+
+def test_zones_that_leave_nothing_or_no_way():
+    every = np.array([[-500.0, -500], [900, -500], [900, 900], [-500, 900]]) + PLACE
+    with pytest.raises(InputError, match="no-go zones cover everything"):
+        mission("nadir", no_go=(every,))
+    wall = [np.array(r, float) + PLACE for r in (
+        [[-60, -60], [60, -60], [60, -40], [-60, -40]], [[-60, -60], [-40, -60], [-40, 60], [-60, 60]],
+        [[40, -60], [60, -60], [60, 60], [40, 60]], [[-60, 40], [60, 40], [60, 60], [-60, 60]],
+    )]  # fmt: skip
+    with pytest.raises(InputError, match="no way leads .* no-go zones lie all round"):
+        way_round(PLACE, PLACE + 200, wall)
+    with pytest.raises(InputError, match="within a no-go zone; move the take-off"):
+        mission("nadir", no_go=(np.array([[-40.0, -40], [0, -40], [0, 0], [-40, 0]]) + PLACE,), more={"margin": 0.0})
+
+
+def test_batteries_divide_a_flight_and_each_comes_home():
+    small = replace(VEHICLE, minutes=4.0)
+    m = mission("nadir", vehicle=small)
+    facts = mission_facts(m, LEVEL)
+    assert m.flights >= 2
+    assert max(facts.minutes) <= small.usable_s / 60 * 1.02
+    assert len(exposures(m)) >= len(exposures(mission("nadir")))
+    for k in range(m.flights):
+        w = m.way_points.of_flight(k)
+        assert np.linalg.norm(w.xyz[-1, :2] - (PLACE - 20)) < 1e-6
+    with pytest.raises(InputError, match="cannot be flown with one battery: the way there and back takes"):
+        mission("nadir", vehicle=replace(VEHICLE, minutes=2.0), take_off=tuple(PLACE - 600))
+
+
+def test_what_the_camera_cannot_do():
+    with pytest.raises(InputError, match=r"asks for a photograph every 0\.5\d s; Mavic 3E needs 0\.7 s\. Fly at 11"):
+        mission("nadir", speed=14.0, more={"overlap": (0.9, 0.7)})
+    with pytest.raises(InputError, match="20 m/s is more than the 15 m/s of mavic-3e"):
+        mission("nadir", speed=20.0)
+    m = mission("nadir", more={"overlap": (0.9, 0.7)})
+    assert any("the interval of the camera limits the speed to 11.3 m/s" in r for r in m.remarks)
+    m = mission("facade")
+    assert any("motion blur limits the speed to 4.0 m/s" in r for r in m.remarks)
+    assert mission_facts(m, LEVEL).blur_px == pytest.approx(1.0, abs=0.01)
+
+
+def test_what_is_too_high_or_out_of_sight_is_told():
+    m = mission("nadir", more={"distance": 150.0})
+    found = {w.kind: w for w in warnings(m, mission_facts(m, LEVEL), sight_m=200.0)}
+    assert found["height"].fault
+    assert "150 m above the ground, 120 m are the limit of the open category (EU 2019/947" in found["height"].words
+    assert not found["sight"].fault
+
+
+@pytest.mark.parametrize(
+    ("pattern", "outline", "words"),
+    [
+        ("nadir", [[0, 0], [10, 10], [10, 0], [0, 10]], "crosses itself"),
+        ("nadir", [[0, 0], [5, 5], [10, 10]], "has no extent"),
+        ("corridor", [[0, 0], [0, 0]], "the line has no extent"),
+        ("corridor", [[0, 0], [100, 0], [0, 10]], "the way turns by 174 deg at its corner 2"),
+        ("corridor", [[0, 0], [100, 0], [105, 5], [105, 100]], "bends more tightly"),
+    ],
+)
+def test_outlines_that_are_none(pattern, outline, words):
+    with pytest.raises(InputError, match=words):
+        mission(pattern, outline=np.array(outline, float), more={"width": 100.0})
+
+
+def test_a_view_to_the_horizon_is_refused():
+    with pytest.raises(InputError, match="reaches the horizon"):
+        mission("double-grid", more={"tilt": np.radians(75)})
+    with pytest.raises(InputError, match="unknown pattern 'spiral'"):
+        plan_mission(Task(pattern="spiral", outline=OUTLINES["area"], wish=wish("nadir"), ground=LEVEL))

@@ -1,0 +1,109 @@
+"""`raybundle plan network`: from an object to a folder that other commands take."""
+
+import csv
+import json
+
+import numpy as np
+import pytest
+import trimesh
+
+import raybundle as rb
+from raybundle.cli.main import main
+from raybundle.io.block.folder import read_block
+from raybundle.objects.kinds import object_kinds
+
+EVERYWHERE = ("-99", "-99", "-99", "99", "99", "99")
+SMALL = ("--points", "30", "--effort", "quick", "--progress", "none")
+
+
+def plan(tmp_path, *words, name="plan"):
+    return main(["plan", "network", *words, *SMALL, "--out", str(tmp_path / name)])
+
+
+def rows(path):
+    with path.open(encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def test_the_block_of_a_plan_is_adjusted_to_what_was_promised(tmp_path, capsys):
+    assert plan(tmp_path, "facade:6,4", "--photographs", "8", "--aim", "mean", "--heights", "0.5", "4") == 0
+    said = capsys.readouterr().out
+    assert "8 photographs of facade 6 x 4 m: sigma of a coordinate" in said
+    folder = tmp_path / "plan"
+    told = json.loads((folder / "plan.json").read_text())
+    block = read_block(folder / "block")
+    assert len(block.images) == told["photographs"] == 8
+    result = rb.adjust(block, rb.AdjustmentOptions(datum="inner", datum_points=block.points.ids, threads=1))
+    stated = result.precision.object_point_std / result.sigma0
+    promised = np.array([[float(r[f"s{a}_mm"]) for a in "XYZ"] for r in rows(folder / "points.csv")]) / 1000
+    assert np.abs(stated / promised - 1).max() < 0.01  # the first is taken at the adjusted values
+    assert result.sigma0 == pytest.approx(1, abs=0.2)
+    stations = rows(folder / "stations.csv")
+    assert [r["image"] for r in stations] == list(block.images.ids)
+    assert all(r["what_for"] for r in stations)
+    page = (folder / "network.html").read_text()
+    assert "standard deviation of the object" in page
+    assert stations[0]["what_for"].split(";")[0] in page
+
+
+@pytest.mark.parametrize("kind", object_kinds.values(), ids=lambda k: k.name)
+def test_every_kind_of_object_is_planned(tmp_path, kind, capsys):
+    size = ",".join(f"{v:g}" for v in kind.example)
+    assert plan(tmp_path, f"{kind.name}:{size}", "--photographs", "10", "--rays", "2", "--hold-camera") == 0
+    assert f"of {kind.name}" in capsys.readouterr().out
+
+
+def test_meshes_are_objects(tmp_path, capsys):
+    machine = trimesh.creation.box(bounds=[[0, 0, 0], [2000, 1000, 1500]])
+    machine.export(tmp_path / "machine.stl")
+    wanted = (str(tmp_path / "machine.stl"), "--photographs", "12", "--rays", "2", "--hold-camera")
+    assert plan(tmp_path, *wanted, "--unit", "0.001") == 0
+    assert "2 x 1 x 1.5 m, 12 triangles" in capsys.readouterr().out
+    assert rb.read_block(tmp_path / "plan/block").points.xyz[:, 2].max() <= 1.5
+    (tmp_path / "broken.ply").write_bytes(b"ply\nformat ascii 1.0\nelement vertex 3\n")
+    (tmp_path / "cloud.obj").write_text("v 0 0 0\nv 1 0 0\n")
+    for name, word in (
+        ("broken.ply", "cannot be read as a mesh"),
+        ("cloud.obj", "triangles"),
+        ("none.stl", "no such file"),
+    ):
+        assert plan(tmp_path, str(tmp_path / name), "--photographs", "8", name="x") == 2
+        assert word in capsys.readouterr().err
+    machine.apply_scale(1e-6)
+    machine.export(tmp_path / "tiny.stl")
+    assert plan(tmp_path, str(tmp_path / "tiny.stl"), "--photographs", "8", name="x") == 2
+    assert "--unit" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("box:4,3", "--photographs", "8"), "2 numbers are given; it takes width x depth x height"),
+        (("box:4,3,-1", "--photographs", "8"), "height -1 m must be above 0"),
+        (("boks:4,3,1", "--photographs", "8"), "neither a kind of object (box:4,3,2.5"),
+        (("box:4,3,2", ), "--sigma MM, or --photographs N"),
+        (("facade:6,4", "--photographs", "8", "--heights", "4", "1"), "give the lower first"),
+        (("facade:6,4", "--photographs", "8", "--focus", "0.02"), "cannot be focused"),
+        (("facade:6,4", "--photographs", "8", "--around", "1"), "one may go 1 m away"),
+        (("facade:6,4", "--photographs", "8", "--forbid", *EVERYWHERE), "fill what is allowed"),
+        (("box:4,3,2", "--photographs", "3", "--incidence", "20"), "points of the object"),
+        (("facade:60,40", "--sigma", "0.000001"), "beyond reach"),
+    ],
+)  # fmt: skip
+def test_bad_input_is_told_what_to_do(tmp_path, capsys, words, said):
+    assert plan(tmp_path, *words) in {2, 3}
+    told = capsys.readouterr().err
+    assert said in told
+    assert "Traceback" not in told
+    assert not (tmp_path / "plan").exists()
+
+
+def test_what_cannot_be_seen_is_told(tmp_path, capsys):
+    assert plan(tmp_path, "box:4,3,2.5", "--photographs", "10", "--rays", "2", "--incidence", "60") == 0
+    assert "(on top) cannot be seen 2 times from where one may stand" in capsys.readouterr().out
+
+
+def test_in_python_alike(tmp_path):
+    done = rb.plan_network("facade:6,4", tmp_path / "p", photographs=6, points=30, rays=2, effort="quick")
+    assert len(done.design.stations) == 6
+    assert (tmp_path / "p/network.html").exists()

@@ -1,0 +1,164 @@
+"""Networks of stations: expected covariances, the optimiser, plans."""
+
+import numpy as np
+import pytest
+
+from raybundle.adjustment.engine import adjust_block
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.errors import InputError
+from raybundle.objects.kinds import object_kinds
+from raybundle.objects.surface import spread
+from raybundle.planning.candidates import Stations
+from raybundle.planning.configuration import Designer, Search, improved
+from raybundle.planning.expected import Expected, Networks, Short
+from raybundle.planning.network_plan import plan_network, walk
+from raybundle.planning.optics import Optics
+from raybundle.planning.planned_block import planned_block
+from raybundle.planning.scenes import brown_camera
+from raybundle.planning.site import Access, Site
+
+FREE = ("c", "x0", "y0", "K1", "K2")
+QUICK = Search(places=120, beginnings=2, moved=1, moves=150, together=150)
+
+
+def box_site(estimate=FREE, **other):
+    surface = object_kinds["box"].surface((4.0, 3.0, 2.5))
+    access = Access(low=np.array([-8.0, -8.0, 0.3]), high=np.array([8.0, 8.0, 4.0]), clearance=1.5)
+    values = {
+        "surface": surface, "points": spread(surface, 40), "access": access, "sigma_px": 0.1,
+        "camera": brown_camera(values={"c": 24.0}, estimate=estimate), "depth": (1.0, 30.0), "incidence_deg": 84.0,
+    }  # fmt: skip
+    return Site(**values | other)
+
+
+def ring(n=10, distance=6.5, height=3.5):
+    a = 2 * np.pi * np.arange(n) / n
+    centre = np.stack([distance * np.cos(a), distance * np.sin(a), np.full(n, height)], axis=1)
+    return Stations(centre=centre, at=np.tile([0.0, 0.0, 1.2], (n, 1)), roll=np.where(np.arange(n) % 2, np.pi / 2, 0.0))
+
+
+def parts_of(site, stations, control=None):
+    networks = Networks(site, control)
+    return networks, networks.parts(stations.centre, stations.rotation)
+
+
+@pytest.mark.parametrize("estimate", [(), FREE], ids=["held", "free"])
+@pytest.mark.parametrize("datum", ["inner", "control"])
+def test_expected_covariances_are_those_of_the_adjustment(estimate, datum):
+    site = box_site(estimate=estimate)
+    control = None
+    if datum == "control":
+        control = np.full((40, 3), np.inf)
+        control[:6] = 0.002
+    networks, parts = parts_of(site, ring(), control)
+    e = networks.expected(parts)
+    assert isinstance(e, Expected)
+    block = planned_block(site, ring(), control_sigma=control, seed=None)
+    names = block.points.ids if datum == "inner" else ()
+    result = adjust_block(block, AdjustmentOptions(datum=datum, datum_points=names, threads=1))
+    stated = result.precision.object_points / result.sigma0**2
+    assert np.abs(stated - e.points).max() < 2e-6 * np.abs(e.points).max()
+    if estimate:
+        got = result.precision.interior["1"] / result.sigma0**2
+        assert np.abs(got - e.interior).max() / np.abs(got).max() < 2e-6
+
+
+def test_other_points_are_as_an_intersection_from_stations_that_are_known_so_well():
+    """Against a dense adjustment by another way: bordered normal equations, then a point intersected."""
+    site = box_site(estimate=())
+    few = spread(site.surface, 30)
+    site = box_site(estimate=(), points=few)
+    more = spread(site.surface, 8, seed=3)
+    networks, parts = parts_of(site, ring())
+    e = networks.expected(parts)
+    Q = networks.elsewhere(parts, e, more)
+    t, n = 30, len(parts)
+    N = np.zeros((3 * t + 6 * n, 3 * t + 6 * n))
+    for i, p in enumerate(parts):
+        s = slice(3 * t + 6 * i, 3 * t + 6 * i + 6)
+        N[s, s] += p.N
+        for k in range(t):
+            N[3 * k : 3 * k + 3, 3 * k : 3 * k + 3] += p.V[k]
+            N[3 * k : 3 * k + 3, s] += p.W[k]
+            N[s, 3 * k : 3 * k + 3] += p.W[k].T
+    x = few.xyz - few.xyz.mean(axis=0)
+    zero = np.zeros(t)
+    turns = [
+        np.stack([zero, x[:, 2], -x[:, 1]], 1),
+        np.stack([-x[:, 2], zero, x[:, 0]], 1),
+        np.stack([x[:, 1], -x[:, 0], zero], 1),
+    ]
+    G = np.stack([*(np.tile(a, (t, 1)) for a in np.eye(3)), *turns, x], axis=2).reshape(3 * t, 7)
+    G = np.vstack([G, np.zeros((6 * n, 7))])
+    bordered = np.block([[N, G], [G.T, np.zeros((7, 7))]])
+    joint = np.linalg.inv(bordered)[: len(N), : len(N)]
+    C = joint[3 * t :, 3 * t :]
+    _, mine = parts_of(box_site(estimate=(), points=more), ring())
+    for k in range(8):
+        V = sum(p.V[k] for p in mine)
+        if np.count_nonzero([k in p.points for p in mine]) < 2:
+            assert np.isnan(Q[k]).all()
+            continue
+        W = np.hstack([p.W[k] for p in mine])
+        iV = np.linalg.inv(V)
+        assert np.abs(Q[k] - (iV + iV @ W @ C @ W.T @ iV)).max() < 1e-6 * np.abs(Q[k]).max()
+
+
+def test_points_without_two_rays_are_counted():
+    networks, parts = parts_of(box_site(), ring(3))
+    short = networks.expected(parts)
+    assert isinstance(short, Short)
+    rays = np.bincount(np.concatenate([p.points for p in parts]), minlength=40)
+    assert short.lack == np.maximum(2 - rays, 0).sum()
+
+
+def test_the_optimiser_is_never_worse_and_says_the_same_again():
+    site = box_site(estimate=())
+    d = Designer(Networks(site), "worst")
+    start = ring(10)
+    before = d.design(start)
+    one, two = (improved(Designer(Networks(site), "worst"), start, QUICK) for _ in range(2))
+    assert one.value <= before.value
+    assert one.figure < 0.95 * before.figure
+    assert np.array_equal(one.stations.centre, two.stations.centre)
+    assert site.may_stand(one.stations.centre).all()
+    none_better = improved(d, one.stations, Search(places=20, beginnings=1, moved=0, moves=1, together=0))
+    assert none_better.value <= one.value
+
+
+def test_a_start_where_nobody_may_stand_is_refused():
+    with pytest.raises(InputError, match="station 1 stands where one may not"):
+        improved(Designer(Networks(box_site())), ring(8, distance=2.2), QUICK)
+
+
+def test_no_place_to_stand_is_told():
+    everywhere = np.array([[[-9.0, -9.0, -1.0], [9.0, 9.0, 9.0]]])
+    access = Access(low=np.array([-8.0, -8.0, 0.3]), high=np.array([8.0, 8.0, 4.0]), forbidden=everywhere)
+    with pytest.raises(InputError, match="forbidden boxes fill what is allowed"):
+        plan_network(box_site(access=access), stations=6, search=QUICK)
+
+
+def test_a_plan_reaches_what_is_wanted_and_says_what_each_station_is_for():
+    plan = plan_network(box_site(), stations=10, search=QUICK, aim="mean")
+    assert len(plan.purposes) == len(plan.design.stations) == 10
+    assert all(p.ratio > 1 for p in plan.purposes)
+    assert np.nanmin(plan.map_sigma) > 0
+    assert 0.5 < plan.q < 5
+    assert plan.cost.minutes == pytest.approx((10 * 30 + plan.cost.path_m / 0.7) / 60)
+
+
+def test_a_short_way_visits_all():
+    places = np.random.default_rng(1).uniform(0, 10, (12, 3))
+    order = walk(places)
+    assert sorted(order.tolist()) == list(range(12))
+
+
+def test_depth_of_field():
+    """c = 24 mm, N = 8, 1.5 px of 4 um: H = 24^2 / 0.048 + 24 mm = 12.024 m; sharp from half of it."""
+    o = Optics(f_number=8, blur_px=1.5)
+    assert o.hyperfocal(24, 0.004) == pytest.approx(12.024)
+    near, far = Optics(f_number=8, blur_px=1.5, focus=12.024).depth_of_field(24, 0.004)
+    assert near == pytest.approx(6.02, abs=0.01)
+    assert far > 1e3
+    with pytest.raises(InputError, match="cannot be focused at 0.02 m"):
+        Optics(focus=0.02).depth_of_field(24, 0.004)
