@@ -173,9 +173,7 @@ class Networks:
             for s in [slice(first[i], first[i + 1])]
         ]
 
-    def _part(
-        self, centre: Array, rotation: Array, point: Index, share: Array, A: Array, B: Array, D: Array
-    ) -> Part:
+    def _part(self, centre: Array, rotation: Array, point: Index, share: Array, A: Array, B: Array, D: Array) -> Part:
         t, f = len(self.site.points), len(self.free)
         V, W, WF = np.zeros((t, 3, 3)), np.zeros((t, 3, 6)), np.zeros((t, 3, f))
         At = np.swapaxes(A, 1, 2)

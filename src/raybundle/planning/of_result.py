@@ -1,4 +1,4 @@
-"""A block that was adjusted as the object of a plan: its points with the side from which they were seen, its stations."""
+"""An adjusted block as the object of a plan: its points with the side from which they were seen, its stations."""
 
 from __future__ import annotations
 

@@ -29,7 +29,7 @@ class Predicted:
     """The covariance of a network in its datum, sigma0 = 1, and what the network leaves open."""
 
     result: Adjustment
-    """The adjustment of the block without errors; its sigma0 is rounding alone, and nothing that carries it says much."""
+    """The adjustment of the block without errors; its sigma0 is rounding alone, and what carries it says nothing."""
     points: Array
     """(p, 3, 3) covariances of the object points [square of the block's length unit]; NaN where one takes no part"""
     std: Mapping[Owned, float]

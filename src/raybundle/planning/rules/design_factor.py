@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from typing import ClassVar
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from raybundle.numerics.arrays import Array
 from raybundle.planning.calibration_networks import calibration_camera
 from raybundle.planning.predicted import predicted
 from raybundle.planning.rules.networks import Cone, Network, Targets, known_camera, pair, survey
-from raybundle.planning.rules.rule import Chart, Curve, Evidence, Figures, Rule, Words
+from raybundle.planning.rules.rule import Chart, Curve, Evidence, Figures, Limits, Rule, Words
 from raybundle.planning.rules.sources import FRASER_1984
 from raybundle.planning.scenes import AerialStrips, Ring, aerial_scene, ring_scene
 from raybundle.planning.simulate import simulate
@@ -53,24 +54,25 @@ class DesignFactor(Rule):
     order = 10
     sources = (FRASER_1984,)
     words = Words(
-        statement="The standard deviation of a coordinate is q S sigma_xy / √k, with the image scale number S and a factor q of "
-        "the kind of network.",
-        network="q is fitted to the full covariance: root mean square over the points of sigma √k / (S sigma_xy), sigma "
-        "the mean of the three axes, S = distance / c at each point. k as rays of a point, as the report of an adjustment "
-        "takes it; and with one exposure at each station (k = 1), as networks are planned. Cameras calibrated unless it is "
-        "said; inner constraints.",
-        finding="A single pair has q = {pair:.2f} (k = 1: {pair_station:.2f}), a ring {ring:.2f} ({ring_station:.2f}), eight convergent "
-        "stations {convergent:.2f} ({convergent_station:.2f}), an aerial strip {strip:.2f} ({strip_station:.2f}). Within "
-        "one network the formula misses single points by little where the geometry is even (convergent: 80 % of the points within "
-        "{convergent_low:+.0%} and {convergent_high:+.0%}), by much where it is not (strip: {strip_low:+.0%} to {strip_high:+.0%}). "
-        "Two and four exposures at each station give what √k says to {repeated:.1%}; the camera free costs {self_calibrated:.1%} of q in "
-        "the convergent network.",
-        ends="q is a number of the geometry: a pair of B/D 0.3 has {pair_narrow:.1f}, one of 0.6 {pair:.1f}. It is one number for three axes: "
-        "in the pair Z alone has {pair_z:.1f}, X {pair_x:.2f}. In a strip it grows with the length. Where a parameter is not "
-        "determinable there is no q at all. Use it to choose among kinds of networks; a network itself is adjusted, in less than a "
-        "second.",
+        statement="The standard deviation of a coordinate is q S sigma_xy / √k, with the image scale number S and a "
+        "factor q of the kind of network.",
+        network="q is fitted to the full covariance: root mean square over the points of sigma √k / (S sigma_xy), "
+        "sigma the mean of the three axes, S = distance / c at each point. k as rays of a point, as the report of "
+        "an adjustment takes it; and with one exposure at each station (k = 1), as networks are planned. Cameras "
+        "calibrated unless it is said; inner constraints.",
+        finding="A single pair has q = {pair:.2f} (k = 1: {pair_station:.2f}), a ring {ring:.2f} "
+        "({ring_station:.2f}), eight convergent stations {convergent:.2f} ({convergent_station:.2f}), an aerial "
+        "strip {strip:.2f} ({strip_station:.2f}). Within one network the formula misses single points by little "
+        "where the geometry is even (convergent: 80 % of the points within {convergent_low:+.0%} and "
+        "{convergent_high:+.0%}), by much where it is not (strip: {strip_low:+.0%} to {strip_high:+.0%}). Two and "
+        "four exposures at each station give what √k says to {repeated:.1%}; the camera free costs "
+        "{self_calibrated:.1%} of q in the convergent network.",
+        ends="q is a number of the geometry: a pair of B/D 0.3 has {pair_narrow:.1f}, one of 0.6 {pair:.1f}. It is "
+        "one number for three axes: in the pair Z alone has {pair_z:.1f}, X {pair_x:.2f}. In a strip it grows with "
+        "the length. Where a parameter is not determinable there is no q at all. Use it to choose among kinds of "
+        "networks; a network itself is adjusted, in less than a second.",
     )
-    limits = {
+    limits: ClassVar[Mapping[str, Limits]] = {
         # on the axis of a normal pair: q^2 = 2 (1 + 2 / (B/D)^2) / 3, that is 2.09 for 0.6 and 3.93 for 0.3; up to a
         # sixth more for the orientation that is found with it
         "pair": (2.0, 2.45),
@@ -84,11 +86,19 @@ class DesignFactor(Rule):
     }
 
     def evidence(self) -> Evidence:
-        """q of each network, and the covariance of the convergent one with several exposures."""
+        """Q of each network, and the covariance of the convergent one with several exposures."""
         blocks = {name: made() for name, made in NETWORKS.items()}
         found = {name: factor(block) for name, block in blocks.items()}
-        convergent, free, pairs = found["8 convergent stations, 35°"], found["8 convergent, 35°, self-calibrating"], blocks["pair, B/D 0.6"]
-        strip, ring, normal = found["aerial strip, 10 photographs"], found["ring, 2 × 16 stations"], found["pair, B/D 0.6"]
+        convergent, free, pairs = (
+            found["8 convergent stations, 35°"],
+            found["8 convergent, 35°, self-calibrating"],
+            blocks["pair, B/D 0.6"],
+        )
+        strip, ring, normal = (
+            found["aerial strip, 10 photographs"],
+            found["ring, 2 × 16 stations"],
+            found["pair, B/D 0.6"],
+        )
         repeated = [factor(_convergent(count)) for count in EXPOSURES]
         axes = predicted(pairs).rms / predicted(pairs).mean * normal.fitted
         wide = np.linspace(0, 1, 21)
@@ -126,7 +136,7 @@ class DesignFactor(Rule):
 
 
 def factor(block: Block) -> Factor:
-    """q of the points of a block without errors."""
+    """Q of the points of a block without errors."""
     o, c = block.observations, block.cameras[0]
     distance = np.linalg.norm(block.points.xyz[o.point] - block.images.centre[o.image], axis=1)
     rays = np.bincount(o.point, minlength=len(block.points))
@@ -164,7 +174,7 @@ NETWORKS: dict[str, Callable[[], Block]] = {
     "pair, B/D 0.6": lambda: _pair(0.6),
     "pair, B/D 1.0, axes meeting": lambda: _pair(1.0, convergent=True),
     "ring, 2 × 16 stations": _ring,
-    "8 convergent stations, 35°": lambda: _convergent(),
+    "8 convergent stations, 35°": _convergent,
     "8 convergent stations, 55°": lambda: _convergent(tilt=55.0),
     "8 convergent, 35°, self-calibrating": lambda: _convergent(free=True),
     "aerial strip, 10 photographs": lambda: _strip(1),

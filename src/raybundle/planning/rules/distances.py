@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
+from typing import ClassVar
 
 import numpy as np
 
 from raybundle.planning.calibration_networks import ROLLS, FlatField, calibration_camera, flat_field_scene
 from raybundle.planning.predicted import Predicted, predicted
 from raybundle.planning.rules.networks import pixels, survey
-from raybundle.planning.rules.rule import Cell, Chart, Curve, Evidence, Figures, Rule, Words
+from raybundle.planning.rules.rule import Cell, Chart, Curve, Evidence, Figures, Limits, Rule, Words
 from raybundle.planning.rules.sources import FRASER_1984
 from raybundle.planning.simulate import simulate
 
@@ -28,20 +30,20 @@ class Distances(Rule):
     order = 7
     sources = (FRASER_1984,)
     words = Words(
-        statement="A plane field is photographed from several distances. Square views determine no camera constant from "
-        "however many: a tilt, or distances that are known, must come with them.",
-        network="Eight photographs of a flat field of 100 unknown targets, 1 m × 1 m, from 1.5 m, or from 1.2, 1.5 and 1.8 m "
-        "in turn; 0.05 px, Brown's eight terms free. Square views are shifted sideways by 0.1 m. Projection centres are "
-        "unknown, or known with a standard deviation.",
+        statement="A plane field is photographed from several distances. Square views determine no camera constant "
+        "from however many: a tilt, or distances that are known, must come with them.",
+        network="Eight photographs of a flat field of 100 unknown targets, 1 m × 1 m, from 1.5 m, or from 1.2, 1.5 "
+        "and 1.8 m in turn; 0.05 px, Brown's eight terms free. Square views are shifted sideways by 0.1 m. "
+        "Projection centres are unknown, or known with a standard deviation.",
         finding="At a tilt of 20° three distances in place of one divide sigma c by {c:.2f}, with rolls or without; "
-        "without rolls they divide sigma x0 by {x0:.1f} as well, with them by {x0_rolled:.2f}. Squarely c is "
-        "not determinable from one distance nor from three: a longer c and larger distances give the same photographs. With "
-        "projection centres known to 1 mm three distances determine c to {known:.1f} px, to 0.1 mm {known_well:.1f} px; one "
-        "distance leaves it open even then, as the distance of the plane itself is unknown.",
+        "without rolls they divide sigma x0 by {x0:.1f} as well, with them by {x0_rolled:.2f}. Squarely c is not "
+        "determinable from one distance nor from three: a longer c and larger distances give the same photographs. "
+        "With projection centres known to 1 mm three distances determine c to {known:.1f} px, to 0.1 mm "
+        "{known_well:.1f} px; one distance leaves it open even then, as the distance of the plane itself is unknown.",
         ends="Known distances on the field do not help square views: they scale camera and field alike. Nor do three "
         "distances replace a tilt: one distance at 45° gives sigma c = {steep:.2f} px, three at 10° {flat:.2f} px.",
     )
-    limits = {
+    limits: ClassVar[Mapping[str, Limits]] = {
         # the distances vary by 13 % (root mean square) about their mean, which parts c from a tilted field's distance;
         # they can at most undo the correlation of the two, and three of eight photographs are nearer, three farther
         "c": (1.2, 3.0),

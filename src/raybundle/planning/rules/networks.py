@@ -70,6 +70,12 @@ class Cone:
         return centre, look_at(centre, np.zeros(3), roll, up=np.array([0.0, 1.0, 0.0]))
 
 
+def survey(sigma_px: float = IMAGE_SIGMA_PX, **known: float) -> Survey:
+    """Image points of this standard deviation, everything else unknown but for what is named, as `station_sigma`."""
+    base = Survey(orientation="exact", points="exact", interior="exact", image_sigma_px=sigma_px)
+    return replace(base, **known)
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Network:
     """Targets, stations and a camera."""
@@ -78,7 +84,7 @@ class Network:
     targets: Targets = field(default_factory=Targets)
     stations: tuple[Array, Array] = field(default_factory=lambda: Cone().stations())
     """Centres (n, 3) and rotations (n, 3, 3)"""
-    survey: Survey = field(default_factory=lambda: survey())
+    survey: Survey = field(default_factory=survey)
 
     def block(self) -> Block:
         """The block, without errors."""
@@ -91,12 +97,6 @@ class Network:
     def predicted(self) -> Predicted:
         """What it determines, in the datum of inner constraints where nothing else fixes it."""
         return predicted(self.block())
-
-
-def survey(sigma_px: float = IMAGE_SIGMA_PX, **known: float) -> Survey:
-    """Image points of this standard deviation, everything else unknown but for what is named, as `station_sigma`."""
-    base = Survey(orientation="exact", points="exact", interior="exact", image_sigma_px=sigma_px)
-    return replace(base, **known)
 
 
 def pair(base: float, depth: float, *, convergent: bool) -> tuple[Array, Array]:

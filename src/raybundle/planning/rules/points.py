@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
 from raybundle.numerics.arrays import Array
 from raybundle.planning.calibration_networks import calibration_camera
 from raybundle.planning.rules.networks import Cone, Network, Targets, known_camera
-from raybundle.planning.rules.rule import Chart, Curve, Evidence, Figures, Rule, Words
+from raybundle.planning.rules.rule import Chart, Curve, Evidence, Figures, Limits, Rule, Words
 from raybundle.planning.rules.sources import FRASER_1984, GRANSHAW_1980
 
 SIDES = (3, 4, 5, 7, 10, 15)
@@ -44,15 +46,18 @@ class NumberOfPoints(Rule):
         statement="In a strong network more points hardly make the points more accurate.",
         network="18 to 450 targets on two layers of 0.8 × 0.8 m, 0.3 m apart, all on all photographs, 0.05 px, inner "
         "constraints; strong: eight photographs with tilted axes and rolls; weak: four, hardly tilted, never rolled.",
-        finding="With 25 times as many targets sigma of a coordinate changes by {strong:+.1%} in the strong network with a "
-        "calibrated camera, by {strong_free:+.1%} where the camera is calibrated with it, and by {weak_free:+.0%} in the weak "
-        "one. What more points do bring is the camera: its sigma c falls to 1 / {c:.1f}, as their number lets expect "
-        "(√25 = 5).",
-        ends="Few points: with 18, K3 of the strong network is not determinable. Numbers do not mend bad places: targets in "
-        "the middle alone leave the lens undetermined (see [self-calibration](#self-calibration)).",
+        finding="With 25 times as many targets sigma of a coordinate changes by {strong:+.1%} in the strong network "
+        "with a calibrated camera, by {strong_free:+.1%} where the camera is calibrated with it, and by "
+        "{weak_free:+.0%} in the weak one. What more points do bring is the camera: its sigma c falls to 1 / "
+        "{c:.1f}, as their number lets expect (√25 = 5).",
+        ends="Few points: with 18, K3 of the strong network is not determinable. Numbers do not mend bad places: "
+        "targets in the middle alone leave the lens undetermined (see [self-calibration](#self-calibration)).",
     )
-    limits = {
-        "strong": (-0.05, 0.05),  # the orientations' share of a point's variance, some per cent, in one datum or another
+    limits: ClassVar[Mapping[str, Limits]] = {
+        "strong": (
+            -0.05,
+            0.05,
+        ),  # the orientations' share of a point's variance, some per cent, in one datum or another
         "strong_free": (-0.10, 0.02),
         "weak_free": (-0.8, -0.25),  # what the camera adds is most of it, and falls with 1 / sqrt(points)
         "c": (4.0, 6.0),

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import ClassVar
+
 import numpy as np
 
 from raybundle.planning.rules.networks import Cone, Network, Targets, known_camera
-from raybundle.planning.rules.rule import Chart, Curve, Evidence, Figures, Rule, Words
+from raybundle.planning.rules.rule import Chart, Curve, Evidence, Figures, Limits, Rule, Words
 from raybundle.planning.rules.sources import FRASER_1984, YORK_1982
 
 COUNTS = (2, 3, 4, 5, 6, 8, 10, 12, 16)
@@ -21,18 +24,18 @@ class Rays(Rule):
     sources = (FRASER_1984, YORK_1982)
     words = Words(
         statement="Points are the more accurate the more photographs show them; beyond four rays the gain is small.",
-        network="147 targets in a box of 1 × 1 × 0.3 m, each on all photographs, which stand at equal azimuths 1.5 m away, "
-        "the axes 35° against the vertical; camera calibrated, 0.05 px, inner constraints.",
-        finding="From two rays to four sigma of a coordinate falls to 1 / {two_four:.2f}, from four to eight to "
-        "1 / {four_eight:.3f}: √2, as twice the observations in the same directions do. A fifth photograph brings "
+        network="147 targets in a box of 1 × 1 × 0.3 m, each on all photographs, which stand at equal azimuths 1.5 "
+        "m away, the axes 35° against the vertical; camera calibrated, 0.05 px, inner constraints.",
+        finding="From two rays to four sigma of a coordinate falls to 1 / {two_four:.2f}, from four to eight to 1 / "
+        "{four_eight:.3f}: √2, as twice the observations in the same directions do. A fifth photograph brings "
         "{fifth:.0%}, a ninth would bring {ninth:.0%}. What rays bring besides is control of each other: the mean "
-        "redundancy number of an image coordinate is {r2:.2f} with two rays, {r4:.2f} with four, {r8:.2f} with eight, and "
-        "with two the least is {least2:.2f}: an error along the epipolar line shows nowhere.",
-        ends="Rays from where others are already: a second exposure from the same place is worth √2 as well, but neither "
-        "opens an angle nor controls what the place has in common. Few rays in a bad geometry gain far more than √2 by "
-        "a ray in a new direction (see [base to depth](#base-to-depth)).",
+        "redundancy number of an image coordinate is {r2:.2f} with two rays, {r4:.2f} with four, {r8:.2f} with "
+        "eight, and with two the least is {least2:.2f}: an error along the epipolar line shows nowhere.",
+        ends="Rays from where others are already: a second exposure from the same place is worth √2 as well, but "
+        "neither opens an angle nor controls what the place has in common. Few rays in a bad geometry gain far more "
+        "than √2 by a ray in a new direction (see [base to depth](#base-to-depth)).",
     )
-    limits = {
+    limits: ClassVar[Mapping[str, Limits]] = {
         "four_eight": (1.40, 1.43),  # sqrt(2)
         "two_four": (1.43, 2.0),  # more than sqrt(2): the second pair of rays opens the other direction
         "fifth": (0.09, 0.12),  # 1 - sqrt(4 / 5)

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 from scipy.ndimage import gaussian_filter
 
 from raybundle.matching.least_squares import NOISE_SIGMA_PX, Outcome, WindowOptions, match_windows, with_noisy_gradients
 from raybundle.numerics.arrays import Array
-from raybundle.planning.rules.rule import Chart, Curve, Evidence, Figures, Rule, Words
+from raybundle.planning.rules.rule import Chart, Curve, Evidence, Figures, Limits, Rule, Words
 from raybundle.planning.rules.sources import FRASER_1984
 from raybundle.targets.centre import blurred_ellipse, fit_dots
 
@@ -43,10 +45,12 @@ class Texture:
         """Waves of lengths between these [pixels of the coarsest image]."""
         f = np.exp(rng.uniform(np.log(1 / coarsest), np.log(1 / finest), WAVES))
         turn = rng.uniform(0, 2 * np.pi, WAVES)
-        return cls(wave=f[:, None] * np.stack([np.cos(turn), np.sin(turn)], axis=1), phase=rng.uniform(0, 2 * np.pi, WAVES))
+        return cls(
+            wave=f[:, None] * np.stack([np.cos(turn), np.sin(turn)], axis=1), phase=rng.uniform(0, 2 * np.pi, WAVES)
+        )
 
     def seen(self, step: int, side: int, shift: Array) -> Array:
-        """(side, side) what an image shows of it whose pixels are 1 / step as large, by `shift` (2,) of its own pixels."""
+        """(side, side) what an image of pixels 1 / step as large shows of it, by `shift` (2,) of its own pixels."""
         x = (np.arange(side) + 0.5 - side / 2) / step
         amplitude = np.exp(-2 * (np.pi * BLUR / step) ** 2 * np.sum(self.wave**2, axis=1))
         phase = self.phase - 2 * np.pi * (self.wave @ (shift / step))
@@ -65,28 +69,29 @@ class Resolution(Rule):
     sources = (FRASER_1984,)
     words = Words(
         statement="Higher resolution makes natural features more accurate, targets less so.",
-        network="No network but what enters it: sigma of an image point from the covariance that least-squares matching of "
-        "17 × 17 px windows, and the fit of a round target, state (both tested against their errors). The same object, by "
-        "pixels of 1, 1/2 and 1/4 of the coarsest; blur 0.7 px, noise 2 grey values at each. Textures: waves with detail "
-        "at all scales, or with none finer than two coarse pixels, 25 grey values; a target of 8 coarse pixels, contrast "
-        "160. Sigma on the object is sigma in pixels times the pixel, and every standard deviation of a network is "
-        "proportional to it.",
-        finding="Twice the resolution makes a texture with detail at all scales {natural:.2f} times as accurate on the object: "
-        "sigma stays at {natural_px:.3f} px. Where the finest detail is resolved already, it brings {soft:.2f} times. Of the target "
-        "grey values alone promise {target:.2f} times (the edge is longer by two and sharper by two: √8), from {target_px:.4f} px "
-        "on. But that is below what else moves targets: a printed panel left {rest:.3f} px where 0.004 px were promised "
-        "([targets](../how-to/targets.md)), of paper and lens, which finer pixels do not mend. With that remainder, held fixed on "
-        "the object, twice the resolution brings {limited:.2f} times.",
-        ends="The rule holds of targets because of what is not their noise; by noise alone it would be the other way round. The remainder "
-        "is one measured case, and that it stays the same on the object is assumed. Pixels made smaller on the same "
-        "sensor collect less light: with noise doubled at each halving, the texture gains nothing "
-        "({photons:.2f} times).",
+        network="No network but what enters it: sigma of an image point from the covariance that least-squares "
+        "matching of 17 × 17 px windows, and the fit of a round target, state (both tested against their errors). "
+        "The same object, by pixels of 1, 1/2 and 1/4 of the coarsest; blur 0.7 px, noise 2 grey values at each. "
+        "Textures: waves with detail at all scales, or with none finer than two coarse pixels, 25 grey values; a "
+        "target of 8 coarse pixels, contrast 160. Sigma on the object is sigma in pixels times the pixel, and every "
+        "standard deviation of a network is proportional to it.",
+        finding="Twice the resolution makes a texture with detail at all scales {natural:.2f} times as accurate on "
+        "the object: sigma stays at {natural_px:.3f} px. Where the finest detail is resolved already, it brings "
+        "{soft:.2f} times. Of the target grey values alone promise {target:.2f} times (the edge is longer by two "
+        "and sharper by two: √8), from {target_px:.4f} px on. But that is below what else moves targets: a printed "
+        "panel left {rest:.3f} px where 0.004 px were promised ([targets](../how-to/targets.md)), of paper and "
+        "lens, which finer pixels do not mend. With that remainder, held fixed on the object, twice the resolution "
+        "brings {limited:.2f} times.",
+        ends="The rule holds of targets because of what is not their noise; by noise alone it would be the other "
+        "way round. The remainder is one measured case, and that it stays the same on the object is assumed. Pixels "
+        "made smaller on the same sensor collect less light: with noise doubled at each halving, the texture gains "
+        "nothing ({photons:.2f} times).",
     )
-    limits = {
+    limits: ClassVar[Mapping[str, Limits]] = {
         "natural": (1.8, 2.2),  # alike at all scales: the same picture in every pixel size, so the factor of the pixel
         "soft": (0.7, 1.5),  # the window shrinks on the object as the gradients do in the image
-        "target": (2.5, 3.1),  # sqrt(8)
-        "limited": (1.0, 1.5),
+        "target": (2.5, 3.3),  # sqrt(8) = 2.83, and more by the ground, whose share falls as the target grows
+        "limited": (1.0, 1.2),
         "photons": (0.7, 1.2),
     }
 

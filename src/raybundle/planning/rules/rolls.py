@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import ClassVar
+
 import numpy as np
 
 from raybundle.planning.calibration_networks import ROLLS, FlatField, calibration_camera, flat_field_scene
 from raybundle.planning.predicted import Predicted, predicted
 from raybundle.planning.rules.networks import pixels, survey
-from raybundle.planning.rules.rule import Chart, Curve, Evidence, Figures, Rule, Words
+from raybundle.planning.rules.rule import Chart, Curve, Evidence, Figures, Limits, Rule, Words
 from raybundle.planning.rules.sources import FRASER_1984, YORK_1982
 from raybundle.planning.simulate import simulate
 
@@ -25,19 +28,20 @@ class Rolls(Rule):
     sources = (FRASER_1984, YORK_1982)
     words = Words(
         statement="Photographs rolled by 90° break the coupling of x0, y0 with the stations.",
-        network="Eight photographs of a flat field of 100 unknown targets from 1.5 m at equal azimuths, the camera never rolled, "
-        "rolled by 0 and 90°, or by 0, 90, 180 and 270° in turn; 0.05 px, Brown's eight terms free.",
-        finding="At a tilt of 20° rolls divide sigma x0 by {x0:.0f} and sigma y0 by {y0:.0f}, at 45° by {x0_steep:.1f} and "
-        "{y0_steep:.1f}; with four rolls sigma x0 is {two:.0%} of that with two. The largest correlation of x0 with an element of an "
-        "exterior orientation falls from {coupled:.3f} to {parted:.2f}. c does not change ({c:.3f} times its sigma), X and Y of the "
-        "object points are {points:.1f} times as accurate.",
-        ends="The steeper the axes, the less is left to part. A field with relief or photographs from several distances part x0 "
-        "and the stations, too ([several distances](#distances)). Without rolls, walking round with the upper side of the "
-        "image to the middle leaves c and y0 open ([calibration networks](calibration-networks.md)).",
+        network="Eight photographs of a flat field of 100 unknown targets from 1.5 m at equal azimuths, the camera "
+        "never rolled, rolled by 0 and 90°, or by 0, 90, 180 and 270° in turn; 0.05 px, Brown's eight terms free.",
+        finding="At a tilt of 20° rolls divide sigma x0 by {x0:.0f} and sigma y0 by {y0:.0f}, at 45° by "
+        "{x0_steep:.1f} and {y0_steep:.1f}; with four rolls sigma x0 is {two:.0%} of that with two. The largest "
+        "correlation of x0 with an element of an exterior orientation falls from {coupled:.3f} to {parted:.2f}. c "
+        "does not change ({c:.3f} times its sigma), X and Y of the object points are {points:.1f} times as accurate.",
+        ends="The steeper the axes, the less is left to part. A field with relief or photographs from several "
+        "distances part x0 and the stations, too ([several distances](#distances)). Without rolls, walking round "
+        "with the upper side of the image to the middle leaves c and y0 open ([calibration "
+        "networks](calibration-networks.md)).",
     )
-    limits = {
+    limits: ClassVar[Mapping[str, Limits]] = {
         # without rolls x0 is told only by the perspective within a photograph, s / D sin t of the format, to which the
-        # coupling adds the same in the turn; with them by opposite turns: sigma x0 is then some noise over the root of n
+        # coupling adds the same in the turn; with them by opposite turns: sigma x0 is then noise over the root of n
         "x0": (10.0, 40.0),
         "y0": (10.0, 40.0),
         "x0_steep": (2.0, 10.0),

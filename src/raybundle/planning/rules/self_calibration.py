@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import ClassVar
+
 import numpy as np
 
 from raybundle.planning.calibration_networks import FlatField, calibration_camera, flat_field_scene
 from raybundle.planning.predicted import Predicted
 from raybundle.planning.rules.networks import Cone, Network, Targets, known_camera, pixels
-from raybundle.planning.rules.rule import Cell, Chart, Curve, Evidence, Figures, Rule, Words
+from raybundle.planning.rules.rule import Cell, Chart, Curve, Evidence, Figures, Limits, Rule, Words
 from raybundle.planning.rules.sources import FRASER_1984, JAMES_2014, YORK_1982
 
 SIDES = (3, 4, 5, 7, 10, 14, 20)
@@ -28,23 +31,30 @@ class SelfCalibration(Rule):
     order = 6
     sources = (FRASER_1984, YORK_1982, JAMES_2014)
     words = Words(
-        statement="A camera calibrates itself only in a network of convergent photographs of many, well distributed targets.",
-        network="Eight photographs of a flat field from 1.5 m, rolled by 0 and 90° in turn, axes 40° against the normal "
-        "of the field, or parallel to it and 0.4 m apart; Brown's eight terms free or the camera calibrated; 0.05 px.",
-        finding="Convergent, with 100 targets, leaving the camera free costs {cost:.1%} of sigma of the object points, with 400 "
-        "{cost_many:.1%}, with 9 {cost_few:.0%}, and then {lost_few:.0f} of the eight terms are not determinable. Drawn "
-        "together in the middle of the format, the same 100 targets let the points be as good, but sigma c is "
-        "{middle:.1f} times as large, and K2 and K3 are open: such a calibration is of no use to other photographs. With parallel "
-        "axes c, x0, y0 and K1 are not determinable, whatever the number of targets.",
-        ends="Nothing here is wrong of the lens model. Where it is, a network that determines its parameters badly bends "
-        "the object (a dome over a plane: James and Robson 2014), which no standard deviation of this page tells.",
+        statement="A camera calibrates itself only in a network of convergent photographs of many, well distributed "
+        "targets.",
+        network="Eight photographs of a flat field from 1.5 m, rolled by 0 and 90° in turn, axes 40° against the "
+        "normal of the field, or parallel to it and 0.4 m apart; Brown's eight terms free or the camera calibrated; "
+        "0.05 px.",
+        finding="Convergent, with 100 targets, leaving the camera free costs {cost:.1%} of sigma of the object "
+        "points, with 400 {cost_many:.1%}, with 9 {cost_few:.0%}, and then {lost_few:.0f} of the eight terms are "
+        "not determinable. Drawn together in the middle of the format, the same 100 targets let the points be as "
+        "good, but sigma c is {middle:.1f} times as large, and K2 and K3 are open: such a calibration is of no use "
+        "to other photographs. With parallel axes c, x0, y0 and K1 are not determinable, whatever the number of "
+        "targets.",
+        ends="Nothing here is wrong of the lens model. Where it is, a network that determines its parameters badly "
+        "bends the object (a dome over a plane: James and Robson 2014), which no standard deviation of this page "
+        "tells.",
     )
-    limits = {
+    limits: ClassVar[Mapping[str, Limits]] = {
         "cost": (0.0, 0.05),  # the camera's eight unknowns among 1600 observations: 0.5 %, and more at the edge
         "cost_many": (0.0, 0.0125),  # a quarter of that
         "cost_few": (0.05, 0.5),
         "lost_few": (1.0, 3.0),
-        "middle": (3.33, 37.0),  # c is seen in what the field spans of the format: 1 / 0.3 for c, its cube for K1 beside
+        "middle": (
+            3.33,
+            37.0,
+        ),  # c is seen in what the field spans of the format: 1 / 0.3 for c, its cube for K1 beside
         "lost_parallel": (3.0, 8.0),
     }
 
@@ -70,7 +80,8 @@ class SelfCalibration(Rule):
         return Evidence(
             charts=(
                 Chart(
-                    title="Number of targets, 1 × 1 m", x_label="targets", y_label="sigma [px]", logarithmic=(True, True),
+                    title="Number of targets, 1 × 1 m", x_label="targets", y_label="sigma [px]",
+                    logarithmic=(True, True),
                     curves=tuple(
                         Curve(
                             name=s, x=np.array(SIDES, float) ** 2,
