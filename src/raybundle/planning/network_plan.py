@@ -143,7 +143,7 @@ def plan_network(
     wanted    standard deviation [m] of the worst point or of all in the mean, as `aim` says
     stations  how many; None: as few as reach `wanted`
     start     stations to begin with; the result is never worse
-    as_given  the stations of `start` are judged as they are, and none is looked for
+    as_given  the stations of `start` are judged as they are and in their order, and none is looked for
     known     scale bars and control that are put on the object, beside the figure of the network itself
     everywhere  stations are added until `wanted` is reached on all of the surface that can be seen
     repeat    so many photographs more from stations that are there
@@ -178,7 +178,9 @@ def plan_network(
         more.append(repeated(designer, design.stations, repeat))
         design = designer.design(more[-1].stations)
     with threadpool_limits(1):
-        return _told(designer, design, wanted, tuple(tried), left_out, known or Wanted(), tuple(more))
+        return _told(
+            designer, design, wanted, tuple(tried), left_out, known or Wanted(), tuple(more), in_order=as_given
+        )
 
 
 def _reachable(site: Site, least_rays: int, only: Stations | None) -> tuple[Site, SurfacePoints]:
@@ -270,12 +272,12 @@ def _not_determined(site: Site, design: Design, least: int) -> str:
 
 def _told(
     d: Designer, design: Design, wanted: float | None, tried: tuple[tuple[int, float], ...], left_out: SurfacePoints,
-    known: Wanted, more: tuple[Densified, ...],
+    known: Wanted, more: tuple[Densified, ...], *, in_order: bool,
 ) -> NetworkPlan:  # fmt: skip
     site, e = d.site, design.expected
     assert e is not None
     parts = d.networks.parts(design.stations.centre, design.stations.rotation)
-    order = walk(design.stations.centre)
+    order = np.arange(len(parts)) if in_order else walk(design.stations.centre)
     design = replace(design, stations=design.stations.rows(order))
     parts = [parts[k] for k in order]
     corners, mapped = tiles(site.surface, MAPPED)

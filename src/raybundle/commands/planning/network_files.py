@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,8 +15,11 @@ if TYPE_CHECKING:
     from raybundle.planning.network_plan import NetworkPlan
 
 
-def write_network_plan(plan: NetworkPlan, name: str, out: Path) -> None:
-    """Write FOLDER/block, stations.csv, points.csv, plan.json and network.html, whole or not at all."""
+def write_network_plan(plan: NetworkPlan, name: str, out: Path, more: Callable[[Path], None] | None = None) -> None:
+    """Write FOLDER/block, stations.csv, points.csv, plan.json and network.html, whole or not at all.
+
+    more  writes further files into the folder
+    """
     import numpy as np  # noqa: PLC0415
 
     from raybundle.adjustment.engine import adjust_block  # noqa: PLC0415
@@ -80,6 +84,8 @@ def write_network_plan(plan: NetworkPlan, name: str, out: Path) -> None:
             ),
         )  # fmt: skip
         write_network_page(result, folder / "network.html", planned)
+        if more is not None:
+            more(folder)
 
 
 def told(plan: NetworkPlan) -> dict[str, Any]:

@@ -1,0 +1,39 @@
+"""`raybundle plan list`."""
+
+from __future__ import annotations
+
+from typing import Any, get_args
+
+import click
+
+from raybundle.cli.common import COMMAND_SETTINGS, NEW_FOLDER, common_options, counted
+from raybundle.cli.settings import options_of, values_of
+from raybundle.commands.planning.photograph_list import ListKind, ListSettings, facts_of, run_plan_list
+from raybundle.settings import made
+
+
+@click.command("list", context_settings=COMMAND_SETTINGS)
+@click.argument("kind", type=click.Choice(get_args(ListKind)))
+@click.argument("object", metavar="OBJECT")
+@options_of(ListSettings, out=NEW_FOLDER)
+@common_options
+def command(kind: str, object: str, progress: str, **given: Any) -> None:  # noqa: A002  (the argument's name)
+    """List photographs one by one, by rules that are known to work: a PDF with sketches and boxes to take along.
+
+    cipa: the 3x3 ring round a building (box:WIDTH,DEPTH,HEIGHT) and stereo pairs of its facades; calibration: a network
+    for this camera and this sheet (sheet:WIDTH,HEIGHT); turntable: views of an object on a table; targets: where coded
+    targets and scale bars go on an object that `plan network` has stations for. OBJECT is told as for `plan
+    network`. FOLDER gets list.pdf, list.csv and what `plan network` writes: the promised precision, and a block.
+    `raybundle plan check FOLDER PHOTOS` ticks off what came back.
+
+    \b
+    Example:
+      raybundle plan list cipa box:12,8,6 --c 24 --around 15 --out house
+      raybundle plan list calibration sheet:0.42,0.297 --c 24 --out calibration-list
+      raybundle plan list targets box:4,3,2.5 --stations plan/stations.csv --targets 50 --out targets-list
+    """  # noqa: D301
+    del progress
+    settings = made(ListSettings, {"kind": kind, "object": object, **values_of(ListSettings, given)})
+    plan = run_plan_list(settings)
+    lines = [f"{counted(len(plan.design.stations), 'photograph')} listed", *facts_of(settings, plan)]
+    click.echo("\n".join(f" {line}" for line in [*lines, f"{settings.out}: list.pdf, list.csv, network.html, block"]))

@@ -1,0 +1,214 @@
+"""`raybundle plan list`: photographs to take along, one by one, by an assistant."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import MISSING, dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+from raybundle.commands.planning.network import FORMAT, NetworkSettings, camera_of, site_of, stations_of
+from raybundle.errors import InputError
+from raybundle.settings import METRES, PIXELS, Range, made, setting
+
+if TYPE_CHECKING:
+    from raybundle.planning.assistants import Shots, Task
+    from raybundle.planning.network_plan import NetworkPlan
+    from raybundle.report.photograph_list import ListedPhotograph, PhotographList
+
+MeasuredKind = Literal["retro", "targets", "dots", "natural", "hand"]
+ListKind = Literal["cipa", "calibration", "turntable", "targets"]
+POINTS = {"cipa": 600}
+"""Points by which a list is judged: natural ones are many"""
+LIST = "list.csv"
+"""File of a folder with a list, by which `plan check` knows it"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ListSettings:
+    """An assistant, an object, a camera, and what they need."""
+
+    kind: str
+    """cipa, calibration, turntable or targets"""
+    object: str
+    """As of `plan network`"""
+    out: Path = setting(MISSING, "New folder for the list.", metavar="FOLDER")
+    camera: Path | None = setting(
+        None, "A photograph of the camera, its calibration, or a block or result.", metavar="PHOTO|TOML|FOLDER"
+    )
+    format: tuple[int, int] = setting(
+        (6000, 4000), "Without {camera}: its format [px].", metavar="WIDTH HEIGHT", limits=(FORMAT, FORMAT)
+    )
+    c: float = setting(24.0, "Without {camera}: camera constant [mm].", limits=Range(low=0.1, high=1e4))
+    pixel: float = setting(6.0, "Without {camera}: size of a pixel [um].", limits=Range(low=0.1, high=1000))
+    hold_camera: bool = setting(False, "The camera is calibrated and held; else it is calibrated with the object.")
+    f_number: float = setting(8.0, "Aperture, for the depth of field.", limits=Range(low=0.5, high=128))
+    focus: float | None = setting(
+        None, "Distance to which the lens is focused [m].  [default: where the photographs need it]", limits=METRES
+    )
+    measured: MeasuredKind | None = setting(
+        None, "What is measured.  [default: natural of a building, dots of a sheet, else targets]"
+    )
+    noise: float | None = setting(None, "Sigma of an image coordinate [px].", limits=PIXELS)
+    unit: float = setting(1.0, "Metres of one unit of a mesh.", limits=Range(low=1e-9, high=1e6))
+    around: float = setting(30.0, "cipa: how far one can go from the walls [m].", limits=METRES)
+    eye: float = setting(1.7, "cipa: height of the camera above the ground [m].", limits=METRES)
+    overlap: float = setting(0.6, "cipa: of neighbouring photographs of the ring.", limits=Range(low=0.5, high=0.95))
+    steps: int = setting(24, "turntable: steps of a full turn.", limits=Range(low=3, high=360))
+    elevations: tuple[float, ...] = setting(
+        (15.0, 45.0), "turntable: views above the table [deg]; may be given again.", limits=Range(low=-80, high=89)
+    )
+    stations: Path | None = setting(
+        None, "targets: stations.csv of a plan, a block or a result.", metavar="FILE|FOLDER"
+    )
+    targets: int = setting(40, "targets: how many.", limits=Range(low=4, high=500))
+    across: float = setting(
+        10.0, "targets: diameter of a dot in the farthest photograph [px].", limits=Range(low=3, high=200)
+    )
+
+
+def plan_list(kind: str, object: str, out: str | Path, **settings: Any) -> NetworkPlan:  # noqa: A002
+    """List photographs one by one, and write the list.
+
+    kind      "cipa", "calibration", "turntable" or "targets"
+    object    as of `plan_network`
+    out       new folder: list.pdf, list.csv, and what `plan_network` writes
+    settings  as of the command line, by the names of `ListSettings`
+    raises    InputError where the list cannot be made, with what would help
+    """
+    return run_plan_list(made(ListSettings, {"kind": kind, "object": object, "out": Path(out), **settings}))
+
+
+def run_plan_list(settings: ListSettings) -> NetworkPlan:
+    """List what the settings ask for, and write it."""
+    from raybundle.commands.planning.network_files import write_network_plan  # noqa: PLC0415  (loaded after the help)
+    from raybundle.io.folders import check_place  # noqa: PLC0415
+    from raybundle.planning.assistants import assistants  # noqa: PLC0415
+    from raybundle.planning.held import Wanted  # noqa: PLC0415
+    from raybundle.planning.network_plan import plan_network  # noqa: PLC0415
+
+    if settings.kind not in assistants:
+        known = "; ".join(f"{a.name}: {a.about}" for a in sorted(assistants.values(), key=lambda a: a.order))
+        raise InputError(f"{settings.kind}: no list of that kind; there are {known}")
+    check_place(settings.out, "folder")
+    shots = assistants[settings.kind].shots(task_of(settings))
+    known = Wanted() if shots.bars is None else Wanted(bars=shots.bars[0], bar_sigma=shots.bars[1])
+    plan = plan_network(shots.site, start=shots.stations, as_given=True, least_rays=2, known=known)
+    printed, listed = printed_list(settings, shots, plan)
+
+    def more(folder: Path) -> None:
+        write_list(folder, printed, listed)
+
+    write_network_plan(plan, f"{settings.kind} of {settings.object}", settings.out, more)
+    return plan
+
+
+def task_of(settings: ListSettings) -> Task:
+    """What the assistant is given."""
+    from raybundle.planning.assistants import Task  # noqa: PLC0415
+    from raybundle.planning.assistants.base import FULL  # noqa: PLC0415
+
+    s = settings
+    usual: dict[str, MeasuredKind] = {"cipa": "natural", "calibration": "dots"}
+    network = NetworkSettings(
+        object=s.object, out=s.out, camera=s.camera, format=s.format, c=s.c, pixel=s.pixel, hold_camera=s.hold_camera,
+        f_number=s.f_number, focus=s.focus, noise=s.noise, unit=s.unit, stations=s.stations or s.out,
+        measured=s.measured or usual.get(s.kind, "targets"), incidence=75.0, points=POINTS.get(s.kind, 100),
+    )  # fmt: skip
+    camera = camera_of(network)
+    site = site_of(network)
+    if s.focus is None and s.kind in {"calibration", "turntable"}:
+        import numpy as np  # noqa: PLC0415
+
+        low, high = site.surface.wanted_bounds
+        c = camera.sensor.camera_constant(camera.parameters)
+        distance = float(np.linalg.norm(high - low)) / 2 / np.tan(FULL * np.arctan(camera.size_mm.min() / 2 / c))
+        site = site_of(replace(network, focus=max(distance, 2 * c / 1000)))
+    return Task(
+        site=site, reach=s.around, eye=s.eye, overlap=s.overlap, steps=s.steps, elevations_deg=s.elevations,
+        measured_by=None if s.stations is None else stations_of(s.stations), targets=s.targets, across_px=s.across,
+    )  # fmt: skip
+
+
+def printed_list(
+    settings: ListSettings, shots: Shots, plan: NetworkPlan
+) -> tuple[PhotographList, tuple[ListedPhotograph, ...]]:
+    """What is printed, and its lines."""
+    from raybundle.report.photograph_list import PhotographList, edges_of  # noqa: PLC0415
+
+    surface = plan.site.surface
+    listed = photographs_of(shots, plan)
+    printed = PhotographList(
+        title=f"{settings.kind}: {len(listed)} photographs of {surface.name} {surface.about}",
+        facts=tuple(facts_of(settings, plan)), rules=shots.rules, photographs=listed,
+        edges=edges_of(surface.vertices[surface.triangles]),
+        table=(("target", "X", "Y", "Z [m]", "dot [mm]", "code [mm]", "photographs"), *shots.about_targets)
+        if shots.about_targets else (),
+    )  # fmt: skip
+    return printed, listed
+
+
+def write_list(folder: Path, printed: PhotographList, listed: Sequence[ListedPhotograph]) -> None:
+    """Write list.pdf and list.csv."""
+    from raybundle.io.tables import write_table  # noqa: PLC0415
+    from raybundle.report.photograph_list import list_pdf  # noqa: PLC0415
+
+    (folder / "list.pdf").write_bytes(list_pdf(printed))
+    write_table(
+        folder / LIST,
+        {
+            "image": [p.number for p in listed], "group": [p.group for p in listed], "see": [p.see for p in listed],
+            "how": [p.how for p in listed], "taken": [p.ticked for p in listed],
+        },
+    )  # fmt: skip
+
+
+def photographs_of(shots: Shots, plan: NetworkPlan) -> tuple[ListedPhotograph, ...]:
+    """The lines of the list."""
+    import numpy as np  # noqa: PLC0415
+
+    from raybundle.report.photograph_list import ListedPhotograph  # noqa: PLC0415
+
+    s, low = shots.stations, plan.site.surface.wanted_bounds[0]
+    found = list[ListedPhotograph]()
+    for k, leaf in enumerate(shots.leaves):
+        to = s.at[k] - s.centre[k]
+        distance = float(np.linalg.norm(to))
+        tilt = float(np.degrees(np.arctan2(to[2], np.hypot(to[0], to[1]))))
+        roll = float(np.degrees(np.arctan2(np.sin(s.roll[k]), np.cos(s.roll[k]))))
+        turn = {0: "level", 90: "turned by 90 deg", -90: "turned by -90 deg", 180: "upside down", -180: "upside down"}
+        x, y, z = s.centre[k]
+        how = (
+            f"stand at X {x:.2f}, Y {y:.2f} m, {z - low[2]:.2f} m high; {distance:.2f} m to what is looked at, "
+            f"{abs(tilt):.0f} deg {'up' if tilt > 0 else 'down'}; camera {turn.get(round(roll), f'{roll:.0f} deg')}"
+        )
+        found.append(
+            ListedPhotograph(
+                number=f"{k + 1:02d}", group=leaf.group, centre=s.centre[k], at=s.at[k], how=how, see=leaf.see
+            )
+        )
+    return tuple(found)
+
+
+def facts_of(settings: ListSettings, plan: NetworkPlan) -> list[str]:
+    """Camera and promised precision."""
+    camera = plan.site.camera
+    c = camera.sensor.camera_constant(camera.parameters)
+    near, far = plan.site.depth
+    focus = "" if settings.focus is None else f", focused to {settings.focus:g} m"
+    sharp = f" to {far:.3g} m" if far < 1e6 else " m on"
+    lines = [
+        f"Camera {camera.width_px} x {camera.height_px} px of {1000 * camera.pixel_mm[0]:.3g} um, c = {c:.4g} mm, "
+        f"f/{settings.f_number:g}{focus}" + (f"; sharp from {near:.3g}{sharp}" if near > 0 else ""),
+        (
+            f"Promised with {plan.site.sigma_px:g} px of image points: standard deviation of a coordinate "
+            f"{1000 * float(plan.expected.sigma.max()):.2g} mm at worst, "
+            f"{1000 * float((plan.expected.sigma**2).mean()) ** 0.5:.2g} mm in the mean"
+        ),
+    ]
+    if plan.calibration_px is not None:
+        lines.append(f"Calibrated with it: image points to {plan.calibration_px:.2g} px at worst")
+    if len(plan.left_out):
+        share = len(plan.left_out) / (len(plan.left_out) + len(plan.site.points))
+        lines.append(f"{100 * share:.0f} % of the object is shown by less than two of the photographs (as roof or top)")
+    return lines

@@ -1,0 +1,120 @@
+"""What an assistant is: from an object, a camera and a few lengths to photographs, one by one."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import ClassVar, Literal
+
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array
+from raybundle.planning.candidates import Stations
+from raybundle.planning.site import Site
+from raybundle.settings import option
+
+FULL = 0.9
+"""Part of the format that what is wanted fills"""
+UPRIGHT, TURNED = 0.0, np.pi / 2
+"""Rolls: the long side of the format level, or upright"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Task:
+    """What an assistant is given; lengths in metres."""
+
+    site: Site
+    reach: float
+    """How far one can go from the object"""
+    eye: float = 1.7
+    """Height of the camera over the object's lowest point"""
+    overlap: float = 0.7
+    """Of neighbouring photographs along the object"""
+    steps: int = 24
+    """Of a full turn"""
+    elevations_deg: tuple[float, ...] = (15.0, 45.0)
+    """Of views of a turntable over the table"""
+    measured_by: Stations | None = None
+    """Stations that are there, for which targets are planned"""
+    targets: int = 40
+    """How many"""
+    across_px: float = 10.0
+    """Diameter of a target's dot in the farthest photograph that counts"""
+
+    @property
+    def half_angles(self) -> tuple[float, float]:
+        """Half of what the camera sees along its long and its short side [rad]."""
+        c = self.site.camera.sensor.camera_constant(self.site.camera.parameters)
+        long, short = sorted(np.abs(self.site.camera.size_mm), reverse=True)
+        return float(np.arctan(long / 2 / c)), float(np.arctan(short / 2 / c))
+
+    @property
+    def bounds(self) -> tuple[Array, Array]:
+        """Of what is to be measured."""
+        return self.site.surface.wanted_bounds
+
+    def check_sharp(self, distance: float, what: str) -> None:
+        """Raise InputError where nothing is sharp at a distance."""
+        near, far = self.site.depth
+        if not near <= distance <= far:
+            raise InputError(
+                f"{what} is photographed from {distance:.3g} m, and the lens is sharp from {near:.3g} to {far:.3g} m; "
+                f"focus elsewhere ({option('focus', f'{distance:.3g}')}) or stop down ({option('f_number')})"
+            )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Leaf:
+    """What is said of one photograph."""
+
+    group: str
+    """What it belongs to"""
+    see: str
+    """What it is to show"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Shots:
+    """A list of photographs."""
+
+    stations: Stations
+    leaves: tuple[Leaf, ...]
+    rules: tuple[str, ...]
+    """What to heed, for the first page"""
+    site: Site
+    """With other points than those of the task, where the assistant has placed them"""
+    bars: tuple[int, float] | None = None
+    """How many scale bars are put on the object, and the standard deviation of their lengths [m]"""
+    about_targets: tuple[tuple[str, ...], ...] = field(default=())
+    """Rows of a table of targets: name, place, size, seen by"""
+
+
+class Assistant(ABC):
+    """An assistant.  A file in this folder registers it."""
+
+    registry: ClassVar[dict[str, Assistant]] = {}
+    name: ClassVar[str]
+    about: ClassVar[str]
+    example: ClassVar[str]
+    """An object as one may type it"""
+    frame: ClassVar[Literal["object", "table", "sheet"]] = "object"
+    """What the places of the stations are told in"""
+    order: ClassVar[int] = 9
+
+    def __init_subclass__(cls) -> None:
+        """Register the assistant under its name."""
+        Assistant.registry[cls.name] = cls()
+
+    @abstractmethod
+    def shots(self, task: Task) -> Shots:
+        """The photographs; raises InputError where the task cannot be done, with what would help."""
+
+
+def made_stations(rows: Sequence[tuple[Array, Array, float]]) -> Stations:
+    """Stations of places, what is looked at, and rolls."""
+    return Stations(
+        centre=np.array([r[0] for r in rows], float), at=np.array([r[1] for r in rows], float),
+        roll=np.array([r[2] for r in rows], float),
+    )  # fmt: skip

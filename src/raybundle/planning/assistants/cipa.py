@@ -1,0 +1,145 @@
+"""The 3x3 rules of CIPA for simple photogrammetric documentation of architecture, for one building and one camera."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array
+from raybundle.planning.assistants.base import FULL, TURNED, UPRIGHT, Assistant, Leaf, Shots, Task, made_stations
+from raybundle.settings import option
+
+PAIR = 1 / 5
+"""Base by distance of the stereo pairs; the rules ask for 1:4 to 1:15"""
+DETAIL = 0.6
+"""Distance of the pairs by that of the ring"""
+CORNER_DEG = (22.5, 45.0, 67.5)
+"""Of the views over a corner: with one alone, nothing gives the second facade the scale of the first"""
+RULES = (
+    "1 Control: long distances between good points, at least one on every side; plumb lines and level lines.",
+    "2 Ring: photographs all round that overlap by more than half, and views over every corner at 45 degrees.",
+    "3 Details: square stereo pairs of every facade, base to distance 1:4 to 1:15; ornaments nearer still.",
+    "4 Camera: one camera, one lens; zoom, focus and all that changes the picture by itself are fixed.",
+    "5 Calibration: a lens that is calibrated or will be with these photographs; the widest that is good; note both.",
+    "6 Exposure: even light, small aperture, low sensitivity, a tripod where it is dark; raw or the best quality.",
+    "7 Sketch: a ground plan with the stations and the direction north, an elevation of each side.",
+    "8 Protocol: owner, place, date, weather, camera and lens, who photographed, the distances of rule 1.",
+    "9 Check: look through everything on site, sharp and complete; a copy before leaving.",
+)
+"""Waldhaeusl and Ogleby 1994, in words of our own"""
+SIDES = ("front", "right side", "back", "left side")
+
+
+class Cipa(Assistant):
+    """A ring that shows the whole height, three views over each corner, nearer stereo pairs of each facade."""
+
+    name = "cipa"
+    about = "the CIPA 3x3 ring round a building, and stereo pairs of its facades"
+    example = "box:12,8,6"
+    order = 1
+
+    def shots(self, task: Task) -> Shots:
+        """Along each side as many photographs as overlap, one over each corner, then the pairs."""
+        low, high = task.bounds
+        height = float(high[2] - low[2])
+        eye = min(task.eye, 0.9 * height)
+        distance, roll = _stand_off(task, height, eye)
+        task.check_sharp(distance, "the building")
+        level = task.half_angles[0] if roll == UPRIGHT else task.half_angles[1]
+        width = 2 * distance * np.tan(level)
+        corners = [
+            np.array([x, y]) for x, y in ((low[0], low[1]), (high[0], low[1]), (high[0], high[1]), (low[0], high[1]))
+        ]
+        rows, leaves = list[tuple[Array, Array, float]](), list[Leaf]()
+        z, aim = low[2] + eye, low[2] + height / 2
+        for k, name in enumerate(SIDES):
+            a, b = corners[k], corners[(k + 1) % 4]
+            along, out = _axes(a, b)
+            length = float(np.linalg.norm(b - a))
+            n = max(2, int(np.ceil(length / ((1 - task.overlap) * width))) + 1)
+            for t in np.linspace(0, length, n):
+                foot = a + t * along
+                rows.append((np.r_[foot + distance * out, z], np.r_[foot, aim], roll))
+                leaves.append(Leaf(group=f"ring, {name}", see=f"{name} {t:.1f} m from its left end, ground to top"))
+            following = _axes(b, corners[(k + 2) % 4])[1]
+            for turn in CORNER_DEG:
+                over = np.cos(np.radians(turn)) * out + np.sin(np.radians(turn)) * following
+                rows.append((np.r_[b + distance * over, z], np.r_[b, aim], roll))
+                leaves.append(
+                    Leaf(
+                        group="ring, corners",
+                        see=f"{name} and {SIDES[(k + 1) % 4]} over their corner, from {turn:.0f} deg off the first",
+                    )
+                )
+        near = DETAIL * distance
+        for k, name in enumerate(SIDES):
+            _pairs(task, (corners[k], corners[(k + 1) % 4]), (near, level, z), name, rows, leaves)
+        return Shots(
+            stations=made_stations(rows), leaves=tuple(leaves), site=task.site,
+            rules=(
+                *RULES,
+                (f"Ring: {distance:.1f} m before the walls, camera {'level' if roll == UPRIGHT else 'upright'}, "
+                f"{eye:.1f} m high; pairs from {near:.1f} m, their photographs {PAIR * near:.2f} m apart."),
+            ),
+        )  # fmt: skip
+
+
+def _axes(a: Array, b: Array) -> tuple[Array, Array]:
+    """Directions (2,) along a side and out of it; corners are counterclockwise from above."""
+    along = (b - a) / np.linalg.norm(b - a)
+    return along, np.array([along[1], -along[0]])
+
+
+def _stand_off(task: Task, height: float, eye: float) -> tuple[float, float]:
+    """Least distance from which the whole height is shown, and the roll of the camera."""
+    long, short = task.half_angles
+
+    def needed(half: float) -> float:
+        low, high = 1e-3, 1e5
+        for _ in range(60):
+            d = np.sqrt(low * high)
+            seen = np.arctan((height - eye) / d) + np.arctan(eye / d)
+            low, high = (d, high) if seen > 2 * FULL * half else (low, d)
+        return float(high)
+
+    level, upright = needed(short), needed(long)
+    if level <= task.reach:
+        return level, UPRIGHT
+    if upright <= task.reach:
+        return upright, TURNED
+    c = task.site.camera.sensor.camera_constant(task.site.camera.parameters)
+    seen = np.arctan((height - eye) / task.reach) + np.arctan(eye / task.reach)
+    fits = c * np.tan(long) / np.tan(seen / 2 / FULL)
+    raise InputError(
+        f"the whole height of {height:.3g} m is shown from {upright:.3g} m with the camera upright, and one may go "
+        f"{task.reach:.3g} m away ({option('around')}); a lens with c = {fits:.2g} mm would do ({option('c')}), or a "
+        f"higher standpoint ({option('eye')})"
+    )
+
+
+def _pairs(
+    task: Task,
+    side: tuple[Array, Array],
+    how: tuple[float, float, float],
+    name: str,
+    rows: list[tuple[Array, Array, float]],
+    leaves: list[Leaf],
+) -> None:
+    """Square stereo pairs side by side along a facade."""
+    (a, b), (near, level, z) = side, how
+    along, out = _axes(a, b)
+    length, base = float(np.linalg.norm(b - a)), PAIR * near
+    shared = 2 * near * np.tan(level) * FULL - base
+    if shared <= 0:
+        raise InputError(f"{name}: a pair from {near:.3g} m shows nothing twice; a wider lens is needed")
+    n = max(1, int(np.ceil(length / shared)))
+    height = float(task.bounds[1][2] - task.bounds[0][2])
+    aim = task.bounds[0][2] + min(height / 2, z - task.bounds[0][2])
+    for k in range(n):
+        middle = length * (k + 0.5) / n
+        for t, word in ((middle - base / 2, "left"), (middle + base / 2, "right")):
+            foot = a + t * along
+            rows.append((np.r_[foot + near * out, z], np.r_[foot, aim], UPRIGHT))
+            leaves.append(
+                Leaf(group=f"stereo pair, {name}", see=f"{name}, pair {k + 1} of {n}, {word} photograph, square")
+            )
