@@ -74,6 +74,7 @@ if TYPE_CHECKING:
     from raybundle.commands.planning.mission import MissionSettings, PlannedMission, plan_mission
     from raybundle.commands.planning.network import NetworkSettings, plan_network
     from raybundle.commands.planning.next import NextSettings, plan_next
+    from raybundle.commands.planning.photograph_list import ListSettings, plan_list
     from raybundle.commands.rectify import Rectification, RectifySettings, rectify
     from raybundle.commands.rpc import (
         RpcCorrectSettings,
@@ -189,8 +190,10 @@ _HOME = {
     "photos": "commands.photos",
     "plan_flight": "planning.flight",
     "plan_mission": "commands.planning.mission",
+    "plan_list": "commands.planning.photograph_list",
     "plan_network": "commands.planning.network",
     "NetworkSettings": "commands.planning.network",
+    "ListSettings": "commands.planning.photograph_list",
     "plan_next": "commands.planning.next",
     "NextSettings": "commands.planning.next",
     "plot_control": "report.pictures",
@@ -244,6 +247,7 @@ __all__ = [
     "Images",
     "InputError",
     "Instrument",
+    "ListSettings",
     "MissionSettings",
     "NetworkSettings",
     "NextSettings",
@@ -293,6 +297,7 @@ __all__ = [
     "orient",
     "photos",
     "plan_flight",
+    "plan_list",
     "plan_mission",
     "plan_network",
     "plan_next",

@@ -90,7 +90,7 @@ def test_with_scale_bars_alike(estimate, datum):
     assert np.abs(other / plain - 1).max() > 1e-4  # bars take part
     # a place that is measured without adding to the network is less precise than the point there that does
     assert (np.trace(other, axis1=1, axis2=2) > 0.999 * np.trace(e.points[5:9], axis1=1, axis2=2)).all()
-    with pytest.raises(InputError, match="as long as the scale bars are"):
+    with pytest.raises(InputError, match="as long as the scale"):
         placed_bars(site.points.xyz, 2, 0.0002, length=50.0)
 
 

@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.planning.site import Site
 
 ALIKE = 0.1
 """Part of its length by which the points of a bar may be nearer or farther than the bar is long"""
+LIFT = 0.02
+"""How far over the surface the end of a bar is, by the object's extent, when it is looked whether it fits"""
+LOOKED_AT = 20_000
+"""Pairs of points of which it is looked whether the object lies between"""
 LONG = 0.8
 """Part of the longest distance from which on bars of any length are put"""
 
@@ -98,21 +104,31 @@ class Scaled:
         return -F @ self.K @ F.T
 
 
-def placed_bars(xyz: Array, count: int, sigma: float, length: float | None = None) -> Bars:
+def placed_bars(
+    xyz: Array, count: int, sigma: float, length: float | None = None,
+    clear: Callable[[Index, Index], Mask] | None = None,
+) -> Bars:  # fmt: skip
     """So many bars between points, in directions and at places that differ.
 
     length  of the bars [m]; None: as long as the object allows
+    clear   of rows of two points each, whether a bar fits between them; None: everywhere
     raises  InputError where no two points are so far apart
     Each is, of those that fit, the one that is most across those before it and farthest from them.
     """
     i, j = np.triu_indices(len(xyz), 1)
     step = xyz[i] - xyz[j]
     far = np.linalg.norm(step, axis=1)
-    fits = far >= LONG * far.max() if length is None else np.abs(far / length - 1) <= ALIKE
+    order = np.argsort(-far if length is None else np.abs(far - length), kind="stable")
+    if clear is not None:
+        order = order[:LOOKED_AT]
+        order = order[clear(i[order], j[order])]
+    i, j, step, far = i[order], j[order], step[order], far[order]
+    longest = float(far.max(initial=0.0))
+    fits = far >= LONG * longest if length is None else np.abs(far / length - 1) <= ALIKE
     if not fits.any():
         raise InputError(
-            f"no two points of the object are {length:g} m apart, as long as the scale bars are; the farthest are "
-            f"{far.max():.3g} m apart; take shorter bars, or more points"
+            f"no two points of the object between which a bar fits are {length or longest:g} m apart, as long as the "
+            f"scale bars are; the farthest are {longest:.3g} m apart; take shorter bars, or more points"
         )
     i, j, step, far = i[fits], j[fits], step[fits], far[fits]
     axis, middle = step / far[:, None], (xyz[i] + xyz[j]) / 2
@@ -125,3 +141,16 @@ def placed_bars(xyz: Array, count: int, sigma: float, length: float | None = Non
         worth[chosen] = -1
         chosen.append(int(worth.argmax()))
     return Bars(pairs=np.column_stack([i[chosen], j[chosen]]), sigma=np.full(len(chosen), sigma))
+
+
+def bars_on(site: Site, count: int, sigma: float, length: float | None = None) -> Bars:
+    """As `placed_bars`, between the points of a site, and not through its object: along a face, or over an edge."""
+    p, lift = site.points, LIFT * site.extent
+
+    def clear(i: Index, j: Index) -> Mask:
+        a, b = p.xyz[i], p.xyz[j]
+        seen = site.sight.visible(b + lift * p.normal[j], a, p.normal[i])
+        back = site.sight.visible(a + lift * p.normal[i], b, p.normal[j])
+        return np.asarray(seen & back)
+
+    return placed_bars(p.xyz, count, sigma, length, clear)

@@ -13,7 +13,7 @@ import numpy as np
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
 from raybundle.objects.surface import farthest_first
-from raybundle.planning.bars import Bars, placed_bars
+from raybundle.planning.bars import Bars, bars_on
 from raybundle.planning.configuration import Designer
 from raybundle.planning.expected import Expected, Networks, Part
 
@@ -62,7 +62,7 @@ def held(d: Designer, parts: Sequence[Part], wanted: Wanted) -> Held | None:
     if not wanted.control and not wanted.bars:
         return None
     xyz = d.site.points.xyz
-    bars = placed_bars(xyz, wanted.bars, wanted.bar_sigma, wanted.bar_length) if wanted.bars else None
+    bars = bars_on(d.site, wanted.bars, wanted.bar_sigma, wanted.bar_length) if wanted.bars else None
     least = d.networks.least_rays
     if not wanted.control:
         networks = Networks(d.site, None, least, bars=bars)

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from raybundle.block import Block, Distances, Images, Observations, Points, Role
+from raybundle.block.select import selected
 from raybundle.numerics.arrays import Array
 from raybundle.planning.bars import Bars
 from raybundle.planning.candidates import Stations
@@ -22,6 +23,7 @@ def planned_block(
     control_sigma, bars  as of `Networks`
     seed           of the errors of image points and control, and of what is found; None: without errors, all that is
                    seen, with variances divided by the share in which it is found: the covariances of `Networks`
+    Tie points that are then found once or never are left out.
     """
     rng = np.random.default_rng(seed)
     camera = replace(site.camera, id="1")
@@ -57,8 +59,15 @@ def planned_block(
         points=Points(ids=tuple(f"T{k + 1}" for k in range(t)), role=role, xyz=xyz, sigma=sigma),
     )  # fmt: skip
     if bars is None:
-        return block
+        return block if seed is None or site.found is None else _with_rays(block)
     start, end = bars.pairs.astype(np.int32).T
     length = bars.length(site.points.xyz)
     lengths = length if seed is None else rng.normal(length, bars.sigma)
-    return block.having(Distances(start=start, end=end, length=lengths, sigma=bars.sigma))
+    block = block.having(Distances(start=start, end=end, length=lengths, sigma=bars.sigma))
+    return block if seed is None or site.found is None else _with_rays(block)
+
+
+def _with_rays(block: Block) -> Block:
+    """Without tie points that were found once or never."""
+    rays = np.bincount(block.observations.point, minlength=len(block.points))
+    return selected(block, "point", (rays >= 2) | (np.asarray(block.points.role) == Role.CONTROL))

@@ -10,10 +10,12 @@ import click
 from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER, common_options, counted
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.planning.check import PlanCheckSettings, run_plan_check
+from raybundle.commands.planning.check_list import is_list, run_list_check
 from raybundle.settings import made
 
 if TYPE_CHECKING:
     from raybundle.commands.planning.check import CheckedFlight
+    from raybundle.commands.planning.check_list import CheckedList
     from raybundle.missions.check import FlightCheck
     from raybundle.missions.report import Spread
 
@@ -31,7 +33,9 @@ REFLY = 4
 def command(plan: Path, photos: tuple[Path, ...], progress: str, **given: Any) -> int:
     """Hold photographs that were flown against their plan, in the field: what is missing, blurred, tilted, too high.
 
-    PLAN is mission.toml or its folder.  Photographs that are blurred or tilted too far do not count; places that are
+    PLAN is mission.toml or its folder, or the folder of `raybundle plan list`, whose photographs are ticked off by
+    what they show: they are oriented first, or PHOTOS is a result of theirs.  Of a mission, photographs that are
+    blurred or tilted too far do not count; places that are
     then seen too rarely are gaps, and are written as areas that `raybundle plan mission` takes.  Blur is
     measured against the other photographs: what all of them share is not seen.  Exit status 4 where something is to
     be flown again.
@@ -40,11 +44,17 @@ def command(plan: Path, photos: tuple[Path, ...], progress: str, **given: Any) -
     Example:
       raybundle plan check plan/ flight/
       raybundle plan check plan/ flight/ --seen 4 --out check
+      raybundle plan check house/ photos/ --out house-ticked
     """  # noqa: D301
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
 
     values = values_of(PlanCheckSettings, given)
     settings = made(PlanCheckSettings, {"plan": plan, "photos": photos, **values})
+    if is_list(plan):
+        with reporting(progress) as tell:
+            listed = run_list_check(settings, tell)
+        click.echo("\n".join(list_lines(listed)))
+        return REFLY if len(listed.ticked.missing) else 0
     with reporting(progress) as tell:
         done = run_plan_check(settings, tell)
     click.echo("\n".join(lines(done)))
@@ -68,6 +78,31 @@ def lines(done: CheckedFlight) -> list[str]:
     text += [f" remark: {r}" for r in done.remarks]
     text += [f" left out: {path.name}: {why}" for path, why in done.refused]
     text += _gaps(c)
+    if done.files:
+        text.append(f" written: {done.files[0].parent}: {', '.join(p.name for p in done.files)}")
+    return text
+
+
+def list_lines(done: CheckedList) -> list[str]:
+    """What is told of a list."""
+    t = done.ticked
+    n = len(done.numbers)
+    beside = [done.names[k] for k in (t.of < 0).nonzero()[0]]
+    ticks = f"{n - len(t.missing)} ticked off, {len(t.missing)} missing, {len(beside)} beside the list"
+    text = [f" {counted(n, 'photograph')} listed, {len(done.names)} taken and oriented: {ticks}"]
+    text += [f" missing {done.numbers[k]}: {done.see[k]}" for k in t.missing[:NAMED].tolist()]
+    if len(t.missing) > NAMED:
+        text.append(f" ... and {len(t.missing) - NAMED} more")
+    if len(t.doubled):
+        text.append(f" taken more than once: {', '.join(done.numbers[k] for k in t.doubled[:NAMED].tolist())}")
+    if len(t.rolled):
+        words = ", ".join(f"{done.names[k]} ({done.numbers[t.of[k]]})" for k in t.rolled[:NAMED].tolist())
+        text.append(f" camera held otherwise than listed: {words}")
+    if beside:
+        text.append(f" beside the list: {', '.join(beside[:NAMED])}")
+    if done.left_out:
+        text.append(f" not oriented (blurred, or of something else): {', '.join(done.left_out[:NAMED])}")
+    text += [f" caution: {r}" for r in done.remarks]
     if done.files:
         text.append(f" written: {done.files[0].parent}: {', '.join(p.name for p in done.files)}")
     return text

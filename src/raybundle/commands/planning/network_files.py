@@ -15,10 +15,13 @@ if TYPE_CHECKING:
     from raybundle.planning.network_plan import NetworkPlan
 
 
-def write_network_plan(plan: NetworkPlan, name: str, out: Path, more: Callable[[Path], None] | None = None) -> None:
+def write_network_plan(
+    plan: NetworkPlan, name: str, out: Path, more: Callable[[Path], None] | None = None, kind: str = "",
+) -> None:  # fmt: skip
     """Write FOLDER/block, stations.csv, points.csv, plan.json and network.html, whole or not at all.
 
     more  writes further files into the folder
+    kind  of a list of photographs
     """
     import numpy as np  # noqa: PLC0415
 
@@ -35,8 +38,8 @@ def write_network_plan(plan: NetworkPlan, name: str, out: Path, more: Callable[[
     h = plan.held
     control, bars = (None, None) if h is None else (h.control_sigma, h.bars)
     block = planned_block(plan.site, s, control_sigma=control, bars=bars, name=f"plan of {name}")
-    names = block.points.ids
     exact = planned_block(plan.site, s, control_sigma=control, bars=bars, name=block.name, seed=None)
+    names = exact.points.ids
     inner = AdjustmentOptions(datum="inner", datum_points=names, threads=1)
     result = adjust_block(exact, inner if control is None else AdjustmentOptions(threads=1))
     seen = e if h is None else h.expected
@@ -73,7 +76,9 @@ def write_network_plan(plan: NetworkPlan, name: str, out: Path, more: Callable[[
                     "length_m": bars.length(plan.site.points.xyz), "sigma_mm": 1000 * bars.sigma,
                 },
             )  # fmt: skip
-        (folder / "plan.json").write_text(json.dumps(clean(told(plan)), indent=1) + "\n", encoding="utf-8")
+        (folder / "plan.json").write_text(
+            json.dumps(clean({**told(plan), **({"list": kind} if kind else {})}), indent=1) + "\n", encoding="utf-8"
+        )
         planned = Planned(
             corners=plan.corners, sigma=plan.map_sigma, covariance=seen.points,
             image_words=tuple(purpose_words(plan, k) for k in range(len(s))),

@@ -99,7 +99,7 @@ def run_plan_list(settings: ListSettings) -> NetworkPlan:
     def more(folder: Path) -> None:
         write_list(folder, printed, listed)
 
-    write_network_plan(plan, f"{settings.kind} of {settings.object}", settings.out, more)
+    write_network_plan(plan, f"{settings.kind} of {settings.object}", settings.out, more, settings.kind)
     return plan
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from raybundle.errors import InputError
@@ -12,7 +14,7 @@ from raybundle.settings import option
 PAIR = 1 / 5
 """Base by distance of the stereo pairs; the rules ask for 1:4 to 1:15"""
 DETAIL = 0.6
-"""Distance of the pairs by that of the ring"""
+"""Distance of the pairs by that of the ring, or as much more as the whole height needs with the camera upright"""
 CORNER_DEG = (22.5, 45.0, 67.5)
 """Of the views over a corner: with one alone, nothing gives the second facade the scale of the first"""
 RULES = (
@@ -71,9 +73,12 @@ class Cipa(Assistant):
                         see=f"{name} and {SIDES[(k + 1) % 4]} over their corner, from {turn:.0f} deg off the first",
                     )
                 )
-        near = DETAIL * distance
+        near = max(DETAIL * distance, _needed(height, eye, task.half_angles[0]))
+        task.check_sharp(near, "a facade for stereo pairs")
         for k, name in enumerate(SIDES):
-            _pairs(task, (corners[k], corners[(k + 1) % 4]), (near, level, z), name, rows, leaves)
+            for place, foot, word in _pairs(task, (corners[k], corners[(k + 1) % 4]), near, name):
+                rows.append((np.r_[place, z], np.r_[foot, aim], TURNED))
+                leaves.append(Leaf(group=f"stereo pair, {name}", see=f"{name}, {word}, camera upright, both alike"))
         return Shots(
             stations=made_stations(rows), leaves=tuple(leaves), site=task.site,
             rules=(
@@ -90,19 +95,20 @@ def _axes(a: Array, b: Array) -> tuple[Array, Array]:
     return along, np.array([along[1], -along[0]])
 
 
+def _needed(height: float, eye: float, half_angle: float) -> float:
+    """Distance from which ground and top are seen at an angle that fills the format."""
+    low, high = 1e-3, 1e5
+    for _ in range(60):
+        d = np.sqrt(low * high)
+        seen = np.arctan((height - eye) / d) + np.arctan(eye / d)
+        low, high = (d, high) if seen > 2 * FULL * half_angle else (low, d)
+    return float(high)
+
+
 def _stand_off(task: Task, height: float, eye: float) -> tuple[float, float]:
     """Least distance from which the whole height is shown, and the roll of the camera."""
     long, short = task.half_angles
-
-    def needed(half: float) -> float:
-        low, high = 1e-3, 1e5
-        for _ in range(60):
-            d = np.sqrt(low * high)
-            seen = np.arctan((height - eye) / d) + np.arctan(eye / d)
-            low, high = (d, high) if seen > 2 * FULL * half else (low, d)
-        return float(high)
-
-    level, upright = needed(short), needed(long)
+    level, upright = _needed(height, eye, short), _needed(height, eye, long)
     if level <= task.reach:
         return level, UPRIGHT
     if upright <= task.reach:
@@ -117,29 +123,17 @@ def _stand_off(task: Task, height: float, eye: float) -> tuple[float, float]:
     )
 
 
-def _pairs(
-    task: Task,
-    side: tuple[Array, Array],
-    how: tuple[float, float, float],
-    name: str,
-    rows: list[tuple[Array, Array, float]],
-    leaves: list[Leaf],
-) -> None:
-    """Square stereo pairs side by side along a facade."""
-    (a, b), (near, level, z) = side, how
+def _pairs(task: Task, side: tuple[Array, Array], near: float, name: str) -> Iterator[tuple[Array, Array, str]]:
+    """Stereo pairs side by side along a facade: place and what is looked at (2,), in words which one."""
+    a, b = side
     along, out = _axes(a, b)
     length, base = float(np.linalg.norm(b - a)), PAIR * near
-    shared = 2 * near * np.tan(level) * FULL - base
+    shared = 2 * near * np.tan(task.half_angles[1]) * FULL - base
     if shared <= 0:
         raise InputError(f"{name}: a pair from {near:.3g} m shows nothing twice; a wider lens is needed")
     n = max(1, int(np.ceil(length / shared)))
-    height = float(task.bounds[1][2] - task.bounds[0][2])
-    aim = task.bounds[0][2] + min(height / 2, z - task.bounds[0][2])
     for k in range(n):
         middle = length * (k + 0.5) / n
         for t, word in ((middle - base / 2, "left"), (middle + base / 2, "right")):
             foot = a + t * along
-            rows.append((np.r_[foot + near * out, z], np.r_[foot, aim], UPRIGHT))
-            leaves.append(
-                Leaf(group=f"stereo pair, {name}", see=f"{name}, pair {k + 1} of {n}, {word} photograph, square")
-            )
+            yield foot + near * out, foot, f"pair {k + 1} of {n}, {word} photograph"

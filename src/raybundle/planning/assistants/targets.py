@@ -10,7 +10,7 @@ from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
 from raybundle.objects.surface import SurfacePoints, farthest_first, spread
 from raybundle.planning.assistants.base import Assistant, Leaf, Shots, Task
-from raybundle.planning.bars import placed_bars
+from raybundle.planning.bars import bars_on
 from raybundle.settings import option
 
 DRAWN = 12
@@ -60,7 +60,7 @@ class TargetPlan(Assistant):
                 f"({option('targets')}), go nearer, or measure smaller dots ({option('across')})"
             )
         site = replace(site, points=points)
-        bars = placed_bars(points.xyz, BARS, 1.0)
+        bars = bars_on(site, BARS, 1.0)
         length = bars.length(points.xyz)
         station, point, _, _ = site.seen(s.centre, s.rotation)
         sigma = _bar_sigma(task, points, length)

@@ -1,0 +1,175 @@
+"""`raybundle plan check` of a list of photographs: ticked off by what the photographs show."""
+
+from __future__ import annotations
+
+import csv
+import io
+import tempfile
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from raybundle.commands.planning.photograph_list import LIST
+from raybundle.errors import InputError
+from raybundle.numerics.progress import Progress, silent
+
+if TYPE_CHECKING:
+    from raybundle.block import Block
+    from raybundle.commands.planning.check import PlanCheckSettings
+    from raybundle.numerics.arrays import Array
+    from raybundle.planning.ticked import Ticked
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CheckedList:
+    """A list, what came of it, and the files that tell."""
+
+    numbers: tuple[str, ...]
+    """Of the photographs of the list"""
+    see: tuple[str, ...]
+    """What each was to show"""
+    names: tuple[str, ...]
+    """Of the photographs that were oriented"""
+    left_out: tuple[str, ...]
+    """Photographs that could not be oriented: blurred, of something else, or without a partner"""
+    ticked: Ticked
+    remarks: tuple[str, ...]
+    files: tuple[Path, ...]
+
+
+def is_list(plan: Path) -> bool:
+    """Whether a folder holds a list of photographs."""
+    return (plan / LIST).is_file()
+
+
+def run_list_check(settings: PlanCheckSettings, progress: Progress = silent) -> CheckedList:
+    """Tick off what the settings name, and write what they ask for.
+
+    Photographs are oriented first, by targets for a calibration, else by what they show; a result is taken as it is.
+    """
+    from raybundle.commands.planning.objects import block_in  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.planning.of_result import stations_of_result  # noqa: PLC0415
+    from raybundle.planning.ticked import ticked  # noqa: PLC0415
+
+    if settings.out is not None and settings.out.exists():
+        message = "stands there already and is not overwritten; choose another folder or delete it"
+        raise InputError(message, file=settings.out)
+    rows = _rows(settings.plan / LIST)
+    planned = block_in(settings.plan)
+    if len(rows) != len(planned.images):
+        message = f"has {len(rows)} photographs, and the plan's block {len(planned.images)}; make the list again"
+        raise InputError(message, file=settings.plan / LIST)
+    taken, left_out = _taken(settings, progress)
+    remarks = list[str]()
+    wide = abs(_view(planned) / _view(taken) - 1)
+    if wide > 0.1:
+        remarks.append(
+            f"the camera is another one than planned: it sees {2 * _view(taken):.0f} degrees, planned were "
+            f"{2 * _view(planned):.0f}: another lens, zoom, or a part of the format"
+        )
+    found = ticked(stations_of_result(planned), stations_of_result(taken))
+    done = CheckedList(
+        numbers=tuple(r["image"] for r in rows), see=tuple(r["see"] for r in rows), names=taken.images.ids,
+        left_out=left_out, ticked=found, remarks=tuple(remarks), files=(),
+    )  # fmt: skip
+    return done if settings.out is None else _written(settings, done, rows)
+
+
+def _taken(settings: PlanCheckSettings, progress: Progress) -> tuple[Block, tuple[str, ...]]:
+    """The block of the photographs, without those that were not oriented, and their names."""
+    import numpy as np  # noqa: PLC0415
+
+    from raybundle.block.select import selected  # noqa: PLC0415
+    from raybundle.commands.planning.objects import block_in  # noqa: PLC0415
+
+    folder = settings.photos[0]
+    if len(settings.photos) == 1 and any((folder / p / "block.toml").is_file() for p in ("", "block", "result/block")):
+        block = block_in(folder)
+    else:
+        with tempfile.TemporaryDirectory(prefix="raybundle-") as place:
+            block = block_in(_oriented(settings, Path(place) / "project", progress))
+    placed = np.column_stack([block.images.centre, block.images.rotation.reshape(-1, 9)])
+    ok = np.asarray(np.isfinite(placed).all(axis=1))
+    left = tuple(n for n, good in zip(block.images.ids, ok, strict=True) if not good)
+    return (selected(block, "image", ok) if left else block), left
+
+
+def _oriented(settings: PlanCheckSettings, out: Path, progress: Progress) -> Path:
+    """The result of the photographs, by targets or by what they show."""
+    from raybundle.io.reading.trees import read_json  # noqa: PLC0415
+
+    told = read_json(settings.plan / "plan.json")
+    if told.has("list") and told.get("list").text() == "calibration":
+        from raybundle.commands.calibrate import calibrate  # noqa: PLC0415
+
+        calibrate(settings.photos, out, progress=progress)
+    else:
+        from raybundle.commands.orient import orient  # noqa: PLC0415
+
+        orient(settings.photos, out, progress=progress, precise=False, report=False)
+    return out
+
+
+def _view(block: Block) -> float:
+    """Half of what the camera sees along the longer side [deg]."""
+    import numpy as np  # noqa: PLC0415
+
+    camera = block.cameras[0]
+    c = camera.sensor.camera_constant(camera.parameters)
+    return float(np.degrees(np.arctan(np.abs(camera.size_mm).max() / 2 / c)))
+
+
+def _rows(path: Path) -> list[dict[str, str]]:
+    from raybundle.io.reading.files import read_text  # noqa: PLC0415
+
+    rows = list(csv.DictReader(io.StringIO(read_text(path))))
+    for k, row in enumerate(rows):
+        for name in ("image", "group", "see", "how"):
+            if row.get(name) is None:
+                raise InputError(f"has no column {name} here; make the list again", file=path, line=k + 2)
+    return rows
+
+
+def _written(settings: PlanCheckSettings, done: CheckedList, rows: Sequence[dict[str, str]]) -> CheckedList:
+    """list.pdf and list.csv with the names of the photographs that were taken."""
+    from dataclasses import replace  # noqa: PLC0415
+
+    import numpy as np  # noqa: PLC0415
+
+    from raybundle.commands.planning.objects import block_in  # noqa: PLC0415
+    from raybundle.commands.planning.photograph_list import write_list  # noqa: PLC0415
+    from raybundle.io.folders import new_folder  # noqa: PLC0415
+    from raybundle.planning.of_result import stations_of_result  # noqa: PLC0415
+    from raybundle.report.photograph_list import ListedPhotograph, PhotographList  # noqa: PLC0415
+
+    out = settings.out
+    assert out is not None
+    planned = block_in(settings.plan)
+    s, of = stations_of_result(planned), done.ticked.of
+    listed = tuple(
+        ListedPhotograph(
+            number=r["image"], group=r["group"], see=r["see"], how=r["how"], centre=s.centre[k], at=s.at[k],
+            ticked=", ".join(done.names[i] for i in np.flatnonzero(of == k)),
+        )
+        for k, r in enumerate(rows)
+    )  # fmt: skip
+    printed = PhotographList(
+        title=f"{len(rows) - len(done.ticked.missing)} of {len(rows)} photographs taken: {planned.name}",
+        facts=(f"Missing: {', '.join(done.numbers[k] for k in done.ticked.missing) or 'none'}",), rules=(),
+        photographs=listed, edges=_edges(planned),
+    )  # fmt: skip
+    with new_folder(out) as folder:
+        write_list(folder, printed, listed)
+    return replace(done, files=(out / "list.pdf", out / LIST))
+
+
+def _edges(block: Block) -> Array:
+    """(k, 2, 3) the box round the points."""
+    import numpy as np  # noqa: PLC0415
+
+    low, high = np.nanmin(block.points.xyz, axis=0), np.nanmax(block.points.xyz, axis=0)
+    corner = np.array([[i, j, k] for i in (0, 1) for j in (0, 1) for k in (0, 1)], float)
+    corners = low + corner * (high - low)
+    pairs = [(a, b) for a in range(8) for b in range(a + 1, 8) if np.abs(corner[a] - corner[b]).sum() == 1]
+    return np.array([(corners[a], corners[b]) for a, b in pairs])

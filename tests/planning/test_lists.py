@@ -1,0 +1,170 @@
+"""Lists of photographs: what they hold, what they promise, and how they are ticked off."""
+
+import csv
+import json
+import shutil
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import raybundle as rb
+from raybundle.block.select import selected
+from raybundle.cli.main import main
+from raybundle.commands.planning.photograph_list import ListSettings, task_of
+from raybundle.errors import InputError
+from raybundle.numerics.rotation import rotation_from_vector
+from raybundle.planning.assistants import assistants
+from raybundle.planning.candidates import Stations
+from raybundle.planning.of_result import stations_of_result
+from raybundle.planning.ticked import ticked
+
+PORTAL = Path(__file__).parents[2] / "demo_data" / "portal" / "photos"
+OBJECTS = {k: a.example for k, a in assistants.items()}
+
+
+def listed(tmp_path, kind, *words, name="list"):
+    if kind == "targets" and "--stations" not in words:
+        if not (tmp_path / "plan").exists():
+            plan = ["plan", "network", OBJECTS[kind], "--photographs", "10", "--rays", "2", "--points", "40"]
+            assert main([*plan, "--effort", "quick", "--progress", "none", "--out", str(tmp_path / "plan")]) == 0
+        words = (*words, "--stations", str(tmp_path / "plan/stations.csv"))
+    return main(["plan", "list", kind, OBJECTS[kind], *words, "--out", str(tmp_path / name)])
+
+
+def rows(path):
+    with path.open(encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+@pytest.mark.parametrize("kind", sorted(assistants))
+def test_every_list_is_written_and_keeps_its_promise(tmp_path, kind, capsys):
+    assert listed(tmp_path, kind, "--f-number", "16") == 0
+    assert "photographs listed" in capsys.readouterr().out
+    folder = tmp_path / "list"
+    table, block = rows(folder / "list.csv"), rb.read_block(folder / "block")
+    assert len(table) == len(block.images) == json.loads((folder / "plan.json").read_text())["photographs"]
+    assert all(r["see"] and r["how"] and r["group"] for r in table)
+    pdf = (folder / "list.pdf").read_bytes()
+    assert pdf.startswith(b"%PDF")
+    assert pdf.rstrip().endswith(b"%%EOF")
+    result = rb.adjust(block, rb.AdjustmentOptions(datum="inner", datum_points=block.points.ids, threads=1))
+    known = {r["point"]: [float(r[f"s{a}_mm"]) for a in "XYZ"] for r in rows(folder / "points.csv")}
+    promised = np.array([known[p] for p in block.points.ids]) / 1000
+    stated = result.precision.object_point_std / result.sigma0
+    good = np.isfinite(stated).all(axis=1) & (stated > 0).all(axis=1)
+    assert good.mean() > 0.9
+    # natural points are drawn: some are found less often than to be expected
+    assert np.median(stated[good] / promised[good]) == pytest.approx(1, abs=0.15)
+
+
+def turned(stations, rows_taken, rng, off=0.04):
+    """Stations as they are met, in a frame of their own."""
+    depth = np.linalg.norm(stations.at - stations.centre, axis=1, keepdims=True)
+    centre = stations.centre + rng.normal(0, off, stations.centre.shape) * depth
+    at = stations.at + rng.normal(0, off, stations.at.shape) * depth
+    met = Stations(centre=centre, at=at, roll=stations.roll).rows(rows_taken)
+    Q = rotation_from_vector(np.array([[0.3, 1.2, -2.0]]))[0]
+    block = rb.Block(
+        cameras=(), images=rb.Images(
+            ids=tuple(str(k) for k in range(len(met))), camera=np.zeros(len(met), np.int32), file=("",) * len(met),
+            centre=7.3 * met.centre @ Q.T + 5, rotation=met.rotation @ Q.T,
+        ),
+        observations=rb.Observations(
+            image=np.zeros(0, np.int32), point=np.zeros(0, np.int32), xy_px=np.zeros((0, 2)), cov_px2=np.zeros((0, 3))
+        ),
+        points=rb.Points(ids=(), role=np.zeros(0, np.int32), xyz=np.zeros((0, 3)), sigma=np.zeros((0, 3))),
+    )  # fmt: skip
+    return stations_of_result(block)
+
+
+@pytest.mark.parametrize("kind", ["calibration", "cipa", "turntable"])
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_what_was_left_out_is_missed_whatever_the_frame(kind, seed):
+    settings = ListSettings(kind=kind, object=OBJECTS[kind], out=Path("x"), f_number=16.0)
+    stations = assistants[kind].shots(task_of(settings)).stations
+    rng = np.random.default_rng(seed)
+    order = rng.permutation(len(stations))
+    kept, left = np.sort(order[3:]), np.sort(order[:3])
+    other = replace(stations, roll=stations.roll + np.where(np.arange(len(stations)) == kept[2], np.pi / 2, 0.0))
+    found = ticked(stations, turned(other, np.append(kept, kept[5]), rng))
+    assert found.missing.tolist() == left.tolist()
+    assert found.of[:-1].tolist() == kept.tolist()
+    assert found.doubled.tolist() == [kept[5]]
+    assert 2 in found.rolled
+
+
+def test_another_list_is_not_ticked_off():
+    settings = ListSettings(kind="cipa", object=OBJECTS["cipa"], out=Path("x"))
+    cipa = assistants["cipa"].shots(task_of(settings)).stations
+    rng = np.random.default_rng(1)
+    centre = rng.normal(0, 5, (20, 3))
+    others = Stations(centre=centre, at=centre + rng.normal(0, 5, (20, 3)), roll=rng.uniform(0, 6, 20))
+    with pytest.raises(InputError, match="are they of this list"):
+        ticked(cipa, turned(others, np.arange(20), rng))
+
+
+def test_a_result_is_ticked_off(tmp_path, capsys):
+    assert listed(tmp_path, "cipa") == 0
+    assert main(["simulate", str(tmp_path / "list"), "--out", str(tmp_path / "taken")]) == 0
+    assert main(["plan", "check", str(tmp_path / "list"), str(tmp_path / "taken"), "--progress", "none"]) == 0
+    block = rb.read_block(tmp_path / "taken/block")
+    some = np.arange(len(block.images)) != 4
+    rb.write_block(selected(block, "image", some), tmp_path / "some")
+    capsys.readouterr()
+    words = ["plan", "check", str(tmp_path / "list"), str(tmp_path / "some"), "--out", str(tmp_path / "checked")]
+    assert main([*words, "--progress", "none"]) == 4
+    said = capsys.readouterr().out
+    assert "1 missing" in said
+    assert "missing 05: front" in said
+    table = rows(tmp_path / "checked/list.csv")
+    assert [r["image"] for r in table if not r["taken"]] == ["05"]
+    assert (tmp_path / "checked/list.pdf").read_bytes().startswith(b"%PDF")
+
+
+@pytest.mark.long
+def test_photographs_are_ticked_off_by_what_they_show(tmp_path, capsys):
+    for name, count in (("first", 6), ("again", 5)):
+        (tmp_path / name).mkdir()
+        for photo in sorted(PORTAL.glob("*.jpg"))[:count]:
+            shutil.copy(photo, tmp_path / name)
+    rb.orient([tmp_path / "first"], tmp_path / "project", precise=False, report=False)
+    project = str(tmp_path / "project")
+    words = ["plan", "list", "targets", project, "--stations", project, "--targets", "12", "--across", "3"]
+    assert main([*words, "--out", str(tmp_path / "list")]) == 0
+    capsys.readouterr()
+    assert main(["plan", "check", str(tmp_path / "list"), str(tmp_path / "again"), "--progress", "none"]) == 4
+    said = capsys.readouterr().out
+    assert "6 photographs listed, 5 taken and oriented: 5 ticked off, 1 missing" in said
+    assert "missing 06" in said
+
+
+@pytest.mark.parametrize(
+    ("kind", "words", "said"),
+    [
+        ("cipa", ("--around", "2"), "a lens with c = "),
+        ("cipa", ("--focus", "2"), "is photographed from"),
+        ("calibration", ("--focus", "1", "--f-number", "4"), "the lens is sharp from"),
+        ("turntable", ("--steps", "5"), "at least 8 overlap"),
+        ("targets", ("--across", "200"), "take fewer targets"),
+        ("targets", ("--stations", "none.csv"), "none.csv"),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_listed_is_told(tmp_path, capsys, kind, words, said):
+    assert listed(tmp_path, kind, *words, name="x") == 2
+    told = capsys.readouterr().err
+    assert said in told
+    assert not (tmp_path / "x").exists()
+
+
+def test_damaged_lists_are_told(tmp_path, capsys):
+    assert listed(tmp_path, "calibration", "--f-number", "16") == 0
+    folder = tmp_path / "list"
+    text = (folder / "list.csv").read_text()
+    (folder / "list.csv").write_text("\n".join(text.splitlines()[:-2]) + "\n")
+    assert main(["plan", "check", str(folder), str(folder)]) == 2
+    assert "make the list again" in capsys.readouterr().err
+    (folder / "list.csv").write_text(text.replace("see", "seen", 1))
+    assert main(["plan", "check", str(folder), str(folder)]) == 2
+    assert "has no column see" in capsys.readouterr().err
