@@ -4,9 +4,10 @@ python benchmarks/plan_classes.py RESULT [RESULT ...]
 
 RESULTs are result folders of `raybundle orient` or `calibrate`.  Of each: the median standard deviation of an image
 coordinate of points with three rays or more, and the one that makes as precise points (median) where all image points
-have it, which is larger where precise and coarse ones are mixed; and of the photographs that show a point, by the surface that the points
-span and what stands before it, the share in which it was measured, by the angle of the ray to the surface.  The share
-is told as most / (1 + exp((angle - half) / width)), fitted to the observed shares of all sets, and of all but one each.
+have it, which is larger where precise and coarse ones are mixed; and of the photographs that show a point, by the
+surface that the points span and what stands before it, the share in which it was measured, by the angle of the ray to
+the surface.  The share is told as most / (1 + exp((angle - half) / width)), fitted to the observed shares of all sets,
+and of all but one each.
 """
 
 from __future__ import annotations
