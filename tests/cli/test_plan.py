@@ -1,5 +1,7 @@
 """`raybundle plan flight`: what a flight will not determine is said before it is flown, and what mends it."""
 
+import json
+
 import numpy as np
 import pytest
 
@@ -115,3 +117,17 @@ def test_control_by_number_and_place_is_told(capsys):
     assert "are enough; more bring less than 10 % of the worst height" in told
     assert "where five of 10 mm lie" in told
     assert " the same without RTK" in told
+
+
+def test_a_mission_tells_its_precision(capsys, tmp_path):
+    out = tmp_path / "plan"
+    area = "7.1 50.1, 7.102 50.1005, 7.1018 50.102, 7.0998 50.1015"
+    assert main(["plan", "mission", area, "--vehicle", "mavic-3e", "--predict", "--out", str(out)]) == 0
+    told = capsys.readouterr().out
+    assert "predicted without control" in told
+    assert "RTK: plan " in told
+    assert "caution: flown exactly as planned, c cannot be determined" in told
+    written = json.loads((out / "precision.json").read_text(encoding="utf-8"))
+    assert written["not_determinable_as_planned"] == ["c"]
+    assert written["rtk"]["not_determinable"] == []
+    assert 0 < written["rtk"]["plan_mm"] < written["rtk"]["height_mm"] < written["without_rtk"]["height_mm"]

@@ -4,15 +4,20 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from tests.missions.cases import LEVEL as LEVEL_GROUND
+from tests.missions.cases import PLACE
+from tests.missions.cases import mission as planned_mission
 
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.errors import InputError
 from raybundle.planning.aerial import LAYOUTS, NUMBERS, PLACES, SIGMAS_M, control_rows, open_in, precision
 from raybundle.planning.aerial_block import aerial_block
 from raybundle.planning.flight import flight_control, forecast, plan_flight
+from raybundle.planning.mission import MOST, Asked, mission_forecast
 from raybundle.planning.uav_networks import Flight, flight_aerial, flight_block
 
-LEVEL = Flight(points=12, alternating=True, height_jitter=0.0, angle_jitter_deg=0.0)
+LEVEL = Flight(points=10, alternating=True, height_jitter=0.0, angle_jitter_deg=0.0)
 ARM = replace(LEVEL, lever_arm=True)
 ACROSS = replace(ARM, cross_tilt_deg=30.0)
 RELIEF = 0.10
@@ -47,6 +52,7 @@ def test_relief_changes_the_verdict_as_it_should():
     assert not lost(replace(ACROSS, control=1))
 
 
+@pytest.mark.long
 def test_oblique_strips_are_the_remedy_and_what_they_bring_is_told():
     done = plan_flight(Flight(points=12, alternating=True, lever_arm=True))
     assert "az" in done.planned.lost
@@ -91,6 +97,7 @@ def test_a_rolling_shutter_is_estimated_and_costs_something():
     assert block.images.interior[0]["vy"] == pytest.approx(plan.speed)
 
 
+@pytest.mark.long
 def test_rtk_and_none():
     plan = Flight(points=12, alternating=True, control=5)
     done = plan_flight(plan)
@@ -128,3 +135,46 @@ def test_relief_is_what_it_says():
     plan = replace(LEVEL, relief=RELIEF)
     assert np.ptp(flight_aerial(plan).ground[:, 2]) == pytest.approx(8.0)
     assert forecast(replace(plan, control=5)).lost == ()
+
+
+@pytest.mark.parametrize("pattern", ["nadir", "double-grid", "corridor", "facade"])
+def test_missions_are_forecast_as_flights_are(pattern):
+    """The larger block of the same machinery: what stays open is told by how the photographs look."""
+    more = {"tilt": np.radians(20)} if pattern == "double-grid" else {}
+    f = mission_forecast(planned_mission(pattern, more=more), LEVEL_GROUND, Asked())
+    assert f.rtk.photographs <= MOST
+    assert f.thinned == (f.photographs > MOST)
+    assert set(f.lost_even) == ({"c"} if pattern in {"nadir", "corridor"} else set())
+    assert not f.rtk.lost
+    assert 0.002 < f.rtk.plan_m < 0.03
+    assert f.without_rtk.plan_m > 20 * f.rtk.plan_m
+
+
+def test_a_nadir_mission_with_a_free_lever_arm():
+    arm = mission_forecast(planned_mission("nadir"), LEVEL_GROUND, Asked(lever_arm=True))
+    assert {"c", "az"} <= set(arm.lost_even)
+    assert np.isnan(arm.rtk.sigma_m[2])
+
+
+@pytest.mark.long
+def test_relief_changes_the_verdict_of_a_mission():
+    """One tilt everywhere hides what of the lever arm is vertical; views straight down beside it and relief tell it."""
+    tilted = planned_mission("double-grid", more={"tilt": np.radians(30)})
+    assert {"c", "az"} <= set(mission_forecast(tilted, LEVEL_GROUND, Asked(lever_arm=True)).lost_even)
+    assert set(mission_forecast(tilted, HillGround(), Asked(lever_arm=True)).lost_even) == {"ay", "az"}
+    both = mission_forecast(planned_mission("oblique-grid"), HillGround(), Asked(lever_arm=True))
+    assert not both.lost_even
+    assert both.rtk.sigma_m[2] < 0.03
+
+
+class HillGround:
+    """10 % of 75 m of relief."""
+
+    def __call__(self, xy):
+        x, y = (xy - PLACE).T / 150
+        return 100 + 3.75 * np.sin(2 * np.pi * 1.3 * x) * np.cos(2 * np.pi * 1.1 * y)
+
+
+def test_an_orbit_is_not_forecast():
+    with pytest.raises(InputError, match="raybundle plan network"):
+        mission_forecast(planned_mission("orbit"), LEVEL_GROUND)

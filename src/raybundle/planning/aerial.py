@@ -10,15 +10,17 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from raybundle.block import Block
 from raybundle.errors import DatumDefect, NotSolvable
 from raybundle.numerics.arrays import Array, Index
+from raybundle.objects.surface import farthest_first
 from raybundle.planning.aerial_block import Aerial, aerial_block
 from raybundle.planning.predicted import Predicted, predicted
 
 UNSOLVED = "everything"
 """What is open where there is no solution at all and nothing is named"""
 LOOSE = 100.0
-"""Standard deviation [m] of a point that holds the block where nothing else does, to tell what is open"""
+"""Standard deviation [m] of points that hold the block where nothing else does, to tell what is open"""
 NO_RTK = (5.0, 5.0, 10.0)
 """Standard deviations of positions where photographs state none, as `raybundle orient` takes them [m]"""
 ENOUGH_GAIN = 0.1
@@ -37,7 +39,7 @@ class Precision:
     std: Mapping[str, float]
     """Standard deviations of what is free of camera and lever arm, in the units of their models"""
     lost: tuple[str, ...]
-    """What is not determinable; where that leaves the block without a place, one point is held loosely to tell it"""
+    """What is not determinable; where that leaves the block without a place, points are held loosely to tell it"""
     photographs: int
     points: int
 
@@ -47,8 +49,8 @@ class Precision:
         return float(np.sqrt(np.mean(self.sigma_m[:2] ** 2)))
 
 
-def precision(plan: Aerial) -> Precision:
-    """What a plan determines.
+def precision(plan: Aerial, least_rays: int = 2) -> Precision:
+    """What a plan determines; figures over the points of so many rays.
 
     raises  NotSolvable where photographs see too little in common
     What it does not tell: errors that all positions share, as of a wrong antenna height or geoid, are in no figure.
@@ -57,24 +59,26 @@ def precision(plan: Aerial) -> Precision:
     try:
         found = predicted(block)
     except DatumDefect:
-        # a lever arm or a shift leaves the block a place: what is open with it is told by holding one point loosely
-        middle = _at(plan.ground, plan.ground[:, :2].mean(axis=0)[None])
-        loose = replace(plan, control=middle, control_sigma=(LOOSE, LOOSE, LOOSE))
-        found = predicted(aerial_block(loose))
-    return _precision(found, len(block.images))
+        # a lever arm leaves the block without a place: what is open with it is told by holding three points loosely
+        far = farthest_first(plan.ground, 3)
+        loose = replace(plan, control=far, control_sigma=(LOOSE, LOOSE, LOOSE))
+        block = aerial_block(loose)
+        found = predicted(block)
+    return _precision(found, block, least_rays)
 
 
-def _precision(found: Predicted, photographs: int) -> Precision:
+def _precision(found: Predicted, block: Block, least_rays: int) -> Precision:
     lost = tuple(dict.fromkeys(symbol for _, symbol in found.lost))
     variance = np.diagonal(found.points, axis1=1, axis2=2)
-    free = np.isfinite(variance).all(axis=1)
+    rays = np.bincount(block.observations.point, minlength=len(block.points))
+    free = np.isfinite(variance).all(axis=1) & (rays >= least_rays)
     variance = variance[free]
     nothing = float("nan")
     return Precision(
         sigma_m=np.full(3, np.nan) if lost else np.sqrt(variance.mean(axis=0)),
         plan_worst_m=nothing if lost else float(np.sqrt(variance[:, :2].mean(axis=1).max())),
         height_worst_m=nothing if lost else float(np.sqrt(variance[:, 2].max())),
-        std={symbol: s for (_, symbol), s in found.std.items()}, lost=lost, photographs=photographs,
+        std={symbol: s for (_, symbol), s in found.std.items()}, lost=lost, photographs=len(block.images),
         points=int(free.sum()),
     )  # fmt: skip
 

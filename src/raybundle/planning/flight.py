@@ -76,9 +76,14 @@ def plan_flight(plan: Flight) -> FlightPlan:
     rtk = plan.station_sigma[2] < NO_RTK[2] / 10
     return FlightPlan(
         planned=forecast(plan),
-        without_rtk=forecast(replace(plan, station_sigma=NO_RTK), "the same without RTK") if rtk else None,
+        without_rtk=forecast(without_rtk(plan), "the same without RTK") if rtk else None,
         remedies=tuple(forecast(changed, name) for name, changed in changes),
     )
+
+
+def without_rtk(plan: Flight) -> Flight:
+    """The plan with positions of a plain receiver, beside whose errors a lever arm is of no account: it is held."""
+    return replace(plan, station_sigma=NO_RTK, lever_arm=False)
 
 
 def _changes(plan: Flight) -> list[tuple[str, Flight]]:

@@ -38,7 +38,7 @@ def command(**given: Any) -> None:
     plan, done, table = run_plan_flight(settings)
     click.echo("\n".join(_head(plan)))
     click.echo(
-        f" {'sigma [mm], rms; of c [px]':48}{'photos':>7}{'X':>7}{'Y':>7}{'Z':>7}{'c':>8}{'brings':>8}"
+        f" {'sigma [mm], rms; of c [px]':48}{'photos':>7}{'X':>7}{'Y':>7}{'Z':>7}{'c':>8}{'brings':>9}"
         "   not determinable (level)"
     )
     for f in (done.planned, *(() if done.without_rtk is None else (done.without_rtk,)), *done.remedies):
@@ -74,8 +74,8 @@ def _row(f: Forecast, done: FlightPlan) -> str:
     brings = "-"
     if f in done.remedies and math.isfinite(f.sigma_m[2]):
         gain = done.gain(f)
-        brings = f"Z x{gain:.1f}" if math.isfinite(gain) else "Z"
-    return f" {f.name:48}{f.photographs:7d}{sigma}{figure(f.sigma_c_px, 1):>8}{brings:>8}   {lost} ({level})"
+        brings = f"Z x{gain:.3g}" if math.isfinite(gain) else "Z"
+    return f" {f.name:48}{f.photographs:7d}{sigma}{figure(f.sigma_c_px, 1):>8}{brings:>9}   {lost} ({level})"
 
 
 def _verdict(done: FlightPlan) -> str:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from raybundle.planning.aerial import ControlRow, ControlTable, Precision
+    from raybundle.planning.mission import MissionForecast
 
 
 def figure(value: float, decimals: int) -> str:
@@ -25,6 +26,32 @@ def control_lines(table: ControlTable) -> list[str]:
     lines.append(f" {'where five of 10 mm lie':56}")
     lines += [_line(row.where, row.found) for row in table.layouts]
     return lines
+
+
+def forecast_lines(f: MissionForecast) -> list[str]:
+    """What a mission will determine without control."""
+    part = f"; {f.rtk.photographs} photographs in the middle stand for {f.photographs}" if f.thinned else ""
+    lines = [
+        f" predicted without control, root mean square{part}:",
+        _predicted("RTK", f.rtk, f.pixel_mm),
+        _predicted("no RTK (5, 5, 10 m)", f.without_rtk, f.pixel_mm),
+    ]
+    if f.lost_even:
+        what = ", ".join(f.lost_even)
+        arm = ", one control point the lever arm with them" if {"ax", "ay", "az"} & set(f.lost_even) else ""
+        mend = f"views straight down and oblique ones together (pattern oblique-grid) determine the camera{arm}"
+        lines.append(f" caution: flown exactly as planned, {what} cannot be determined; {mend}")
+    return lines
+
+
+def _predicted(name: str, p: Precision, pixel_mm: float) -> str:
+    lost = f"; not determinable: {', '.join(p.lost)}" if p.lost else ""
+    c = "-" if "c" in p.lost else figure(p.std["c"] / pixel_mm, 1)
+    return f"  {name}: plan {_mm(p.plan_m)}, height {_mm(float(p.sigma_m[2]))}, c {c} px{lost}"
+
+
+def _mm(metres: float) -> str:
+    return f"{1000 * metres:.3g} mm" if math.isfinite(metres) else "-"
 
 
 def _line(name: str, found: Precision) -> str:
