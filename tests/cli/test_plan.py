@@ -1,5 +1,7 @@
 """`raybundle plan flight`: what a flight will not determine is said before it is flown, and what mends it."""
 
+import json
+
 import numpy as np
 import pytest
 
@@ -35,7 +37,7 @@ def test_what_is_lost_is_no_figure(capsys):
     assert main(["plan", "flight", *PUBLISHED, "--jitter", "0", "0", "--alternate"]) == 0
     told = capsys.readouterr().out
     (planned,) = [line for line in told.splitlines() if line.startswith(" as planned")]
-    assert planned.split()[2:] == ["32", "-", "-", "-", "-", "c", "(c)"]
+    assert planned.split()[2:] == ["32", "-", "-", "-", "-", "-", "c", "(c)"]
     assert "fault: c cannot be determined by this flight; what mends it" in told
 
 
@@ -85,7 +87,9 @@ def test_the_forecast_is_that_of_the_adjustment_and_control_helps():
     assert one.sigma_c_px < free.sigma_c_px
     done = plan_flight(Flight(alternating=True, points=9, control=1))
     assert done.advised is None
-    assert [r.name for r in done.remedies] == ["lines across, tilted 30 deg"]
+    assert [r.name for r in done.remedies] == [
+        "five control points", "lines across, 1.3 times as high", "lines across, tilted 30 deg",
+    ]  # fmt: skip
 
 
 def test_control_of_a_simulated_flight():
@@ -99,3 +103,31 @@ def test_control_of_a_simulated_flight():
     assert 0 < np.abs(off).max() < 0.1
     assert plan.overlap == pytest.approx((0.7999, 0.5997), abs=1e-3)
     assert plan.pixel_on_ground == pytest.approx(80 / 3650)
+
+
+def test_control_that_has_no_layout_is_refused(capsys):
+    assert main(["plan", "flight", *PUBLISHED, "--control", "7"]) == 2
+    assert "7 control points: where they lie is known for 1, 2, 3, 4, 5, 9, 13 (--control)" in capsys.readouterr().err
+
+
+def test_control_by_number_and_place_is_told(capsys):
+    assert main(["plan", "flight", *PUBLISHED, "--alternate", "--hold-camera", "--control-table"]) == 0
+    told = capsys.readouterr().out
+    assert "5 of 10 mm: corners and middle" in told
+    assert "are enough; more bring less than 10 % of the worst height" in told
+    assert "where five of 10 mm lie" in told
+    assert " the same without RTK" in told
+
+
+def test_a_mission_tells_its_precision(capsys, tmp_path):
+    out = tmp_path / "plan"
+    area = "7.1 50.1, 7.102 50.1005, 7.1018 50.102, 7.0998 50.1015"
+    assert main(["plan", "mission", area, "--vehicle", "mavic-3e", "--predict", "--out", str(out)]) == 0
+    told = capsys.readouterr().out
+    assert "predicted without control" in told
+    assert "RTK: plan " in told
+    assert "caution: flown exactly as planned, c cannot be determined" in told
+    written = json.loads((out / "precision.json").read_text(encoding="utf-8"))
+    assert written["not_determinable_as_planned"] == ["c"]
+    assert written["rtk"]["not_determinable"] == []
+    assert 0 < written["rtk"]["plan_mm"] < written["rtk"]["height_mm"] < written["without_rtk"]["height_mm"]

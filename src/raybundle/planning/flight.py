@@ -6,19 +6,16 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.result import Adjustment
-from raybundle.errors import NotSolvable
 from raybundle.numerics.arrays import Array
-from raybundle.planning.uav_networks import Flight, flight_block
+from raybundle.planning.aerial import NO_RTK, ControlTable, control_table, open_in, precision
+from raybundle.planning.uav_networks import Flight, flight_aerial
 
 ENOUGH = 14
-"""Tie points along a side that tell what is determinable."""
-UNSOLVED = "everything"
-"""What an exactly level flight leaves open where it has no solution at all and nothing is named."""
+"""Tie points along a side that tell what is determinable, and what control brings."""
 TILT = 30.0
 """Tilt of lines across that are proposed [deg]."""
+HIGHER = 1.3
+"""Times the height, lines across at another height that are proposed."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -30,6 +27,8 @@ class Forecast:
     photographs: int
     sigma_m: Array
     """(3,) a-priori standard deviations of the ground points X, Y, Z, root mean square; NaN where not determinable"""
+    height_worst_m: float
+    """Largest standard deviation of a height; NaN where not determinable"""
     sigma_c_px: float
     """of the camera constant; NaN where it is held or not determinable"""
     lost: tuple[str, ...]
@@ -45,11 +44,13 @@ class Forecast:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FlightPlan:
-    """A plan and what would mend it."""
+    """A plan, what it would be without RTK, and what would mend it."""
 
     planned: Forecast
+    without_rtk: Forecast | None
+    """Where positions are as good as those of RTK: the plan with those that photographs have without"""
     remedies: tuple[Forecast, ...]
-    """changes of the plan, the fewest photographs first"""
+    """changes of the plan, those that cost nothing first"""
 
     @property
     def advised(self) -> Forecast | None:
@@ -57,25 +58,55 @@ class FlightPlan:
         good = [] if self.planned.sure else [r for r in self.remedies if r.sure]
         return min(good, key=lambda r: float(r.sigma_m[2])) if good else None
 
+    def gain(self, remedy: Forecast) -> float:
+        """Times that heights of a remedy are as precise as planned; infinite where they were not determinable."""
+        return (
+            float("inf")
+            if not np.isfinite(self.planned.sigma_m[2])
+            else float(self.planned.sigma_m[2] / remedy.sigma_m[2])
+        )
+
 
 def plan_flight(plan: Flight) -> FlightPlan:
     """The forecast of a plan, and of the changes that could mend what it leaves open.
 
     raises  NotSolvable as `forecast`
     """
-    changes = [
-        ("headings alternate", replace(plan, alternating=True), not plan.alternating and plan.lines > 1),
-        ("one control point in the middle", replace(plan, control=1), plan.control == 0),
-        (f"lines across, tilted {TILT:g} deg", replace(plan, cross_tilt_deg=TILT), not _tilted(plan)),
-        (
-            f"headings alternate, lines across tilted {TILT:g} deg",
-            replace(plan, alternating=True, cross_tilt_deg=TILT),
-            not _tilted(plan) and not plan.alternating and plan.lines > 1,
-        ),
-    ]
+    changes = _changes(plan)
+    rtk = plan.station_sigma[2] < NO_RTK[2] / 10
     return FlightPlan(
-        planned=forecast(plan), remedies=tuple(forecast(changed, name) for name, changed, asked in changes if asked)
+        planned=forecast(plan),
+        without_rtk=forecast(without_rtk(plan), "the same without RTK") if rtk else None,
+        remedies=tuple(forecast(changed, name) for name, changed in changes),
     )
+
+
+def without_rtk(plan: Flight) -> Flight:
+    """The plan with positions of a plain receiver, beside whose errors a lever arm is of no account: it is held."""
+    return replace(plan, station_sigma=NO_RTK, lever_arm=False)
+
+
+def _changes(plan: Flight) -> list[tuple[str, Flight]]:
+    turned = not plan.alternating and plan.lines > 1
+    across = replace(plan, cross_tilt_deg=TILT)
+    known = replace(plan, control=1 if plan.control == 0 else plan.control)
+    words = f"lines across tilted {TILT:g} deg"
+    changes = [
+        ("headings alternate", replace(plan, alternating=True), turned),
+        ("one control point in the middle", known, plan.control == 0),
+        ("five control points", replace(plan, control=5), plan.control < 5),
+        (
+            f"lines across, {HIGHER:g} times as high", replace(plan, cross_height=HIGHER * plan.height),
+            plan.cross_height is None and plan.cross_tilt_deg is None,
+        ),
+        (f"lines across, tilted {TILT:g} deg", across, not _tilted(plan)),
+        (f"headings alternate, {words}", replace(across, alternating=True), not _tilted(plan) and turned),
+        (
+            f"{words}, one control point", replace(across, control=known.control),
+            not _tilted(plan) and plan.control == 0 and plan.lever_arm,
+        ),
+    ]  # fmt: skip
+    return [(name, changed) for name, changed, asked in changes if asked]
 
 
 def _tilted(plan: Flight) -> bool:
@@ -83,34 +114,22 @@ def _tilted(plan: Flight) -> bool:
 
 
 def forecast(plan: Flight, name: str = "as planned") -> Forecast:
-    """Adjust a simulation of the plan twice: with the unevenness of a real flight, and exactly level at one height.
+    """What a plan determines with the unevenness of a real flight, and exactly level at one height.
 
     raises  NotSolvable where the photographs see too little in common
     What it does not tell: errors that all positions share, as of a wrong antenna height or geoid, are in no figure.
     """
-    options = AdjustmentOptions(threads=1)
-    result = adjust_block(flight_block(plan), options)
-    lost = _lost(result)
+    found = precision(flight_aerial(plan))
     even = replace(plan, height_jitter=0.0, angle_jitter_deg=0.0, points=min(plan.points, ENOUGH))
-    try:
-        level = _lost(adjust_block(flight_block(even), options))
-    except NotSolvable as error:
-        level = tuple(dict.fromkeys(u.symbol for u in error.undetermined if u.kind == "parameter")) or (UNSOLVED,)
-    precision = result.precision
-    assert precision is not None
-    c = result.interior[0].parameters.get("c")
-    std = None if c is None or "c" in lost else c.std
-    rms = np.sqrt(np.nanmean((precision.object_point_std / result.sigma0) ** 2, axis=0))
+    c = None if "c" in found.lost else found.std.get("c")
     return Forecast(
-        name=name,
-        plan=plan,
-        photographs=len(result.given.images),
-        sigma_m=np.full(3, np.nan) if lost else rms,
-        sigma_c_px=std / result.sigma0 / plan.camera.pixel_mm[0] if std else float("nan"),
-        lost=lost,
-        lost_level=level,
-    )
+        name=name, plan=plan, photographs=found.photographs, sigma_m=found.sigma_m,
+        height_worst_m=found.height_worst_m,
+        sigma_c_px=float("nan") if c is None else c / plan.camera.pixel_mm[0], lost=found.lost,
+        lost_level=open_in(flight_aerial(even)),
+    )  # fmt: skip
 
 
-def _lost(result: Adjustment) -> tuple[str, ...]:
-    return tuple(name.split()[0] for name in result.not_determinable)
+def flight_control(plan: Flight) -> ControlTable:
+    """What control points bring to a flight, by number, standard deviation and place; with fewer tie points."""
+    return control_table(flight_aerial(replace(plan, points=min(plan.points, ENOUGH), control=0)))

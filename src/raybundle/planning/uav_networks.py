@@ -1,4 +1,4 @@
-"""Flights with RTK positions over flat ground: to see what strips, headings and tilted cross strips determine."""
+"""Flights over a square of ground: to see what strips, headings and tilted cross strips determine."""
 
 from __future__ import annotations
 
@@ -6,13 +6,14 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from raybundle.block.block import Block, Camera, Images, Observations, Points, Role, Stations
+from raybundle.block.block import Block, Camera
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.attitude import rotation_from_gimbal
 from raybundle.numerics.rotation import rotation_from_vector
+from raybundle.planning.aerial import PLACES, control_rows
+from raybundle.planning.aerial_block import Aerial, aerial_block
 from raybundle.planning.scenes import Scene, brown_camera
-from raybundle.planning.simulate import measured
 from raybundle.settings import option
 
 FREE = ("c", "x0", "y0", "K1", "K2", "K3", "P1", "P2")
@@ -26,12 +27,14 @@ def uav_camera() -> Camera:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Flight:
-    """Lines of photographs over a square of flat ground, the longer side of the format across the flight."""
+    """Lines of photographs over a square of ground, the longer side of the format across the flight."""
 
     camera: Camera = field(default_factory=uav_camera)
     seed: int = 1
     height: float = 80.0
-    """Above ground [m]"""
+    """Above the middle of the ground [m]"""
+    relief: float = 0.0
+    """Between the lowest and the highest ground point, as a share of the height: hills nearly as large as the square"""
     lines: int = 4
     photographs: int = 8
     """In each line"""
@@ -47,6 +50,8 @@ class Flight:
     """Whether every second line is flown the other way, so that the heading differs by 180 degrees"""
     cross_tilt_deg: float | None = None
     """Tilt of as many photographs again in lines across, forward and backward by turns; None: no such lines"""
+    cross_height: float | None = None
+    """Of the lines across, above the middle of the ground [m]; None: as high as the others"""
     height_jitter: float = 0.5
     """Standard deviation of the flying height [m]"""
     angle_jitter_deg: float = 1.5
@@ -54,10 +59,16 @@ class Flight:
     image_sigma_px: float = 0.3
     station_sigma: tuple[float, float, float] = (0.02, 0.02, 0.03)
     """Standard deviations of the positions east, north, up [m]"""
+    lever_arm: bool = False
+    """Whether the lever arm from the projection centre to the antenna is free"""
+    read_out_s: float = 0.0
+    """Read-out time of a rolling shutter, free [s]; 0: there is none"""
+    speed: float = 10.0
+    """On the lines, for the rolling shutter [m/s]"""
     least_points: int = 4
     """Photographs that show fewer are left out"""
     control: int = 0
-    """Control points: the first in the middle, the others in the corners; at most 5"""
+    """Control points: as many as `raybundle.planning.aerial.PLACES` has"""
     control_sigma: tuple[float, float, float] = (0.01, 0.01, 0.02)
     """Their standard deviations [m]"""
 
@@ -88,28 +99,35 @@ def flight_scene(plan: Flight) -> Scene:
     forward = (along - (plan.photographs - 1) / 2) * plan.base
     heading = np.where(plan.alternating & (line % 2 == 1), 180.0, 0.0)
     parts = [np.stack([across, forward, heading, np.zeros(len(line))])]
-    if plan.cross_tilt_deg is not None:
+    if plan.cross_tilt_deg is not None or plan.cross_height is not None:
         turned = 90.0 + np.where(line % 2 == 1, 180.0, 0.0)
-        parts.append(np.stack([forward, across, turned, np.full(len(line), plan.cross_tilt_deg)]))
+        parts.append(np.stack([forward, across, turned, np.full(len(line), plan.cross_tilt_deg or 0.0)]))
     x, y, yaw, tilt = np.concatenate(parts, axis=1)
     n = len(x)
-    z = plan.height + rng.normal(0, plan.height_jitter, n)
+    high = np.where(np.arange(n) < len(line), plan.height, plan.cross_height or plan.height)
+    z = high + rng.normal(0, plan.height_jitter, n)
     jitter = np.radians(rng.normal(0, plan.angle_jitter_deg, (n, 3)))
     planned = rotation_from_gimbal(np.radians(np.stack([yaw, tilt - 90.0, np.zeros(n)], axis=1)))
-    g = np.linspace(-0.5, 0.5, plan.points) * plan.size
-    px, py = np.meshgrid(g, g)
+    g = np.linspace(-0.5, 0.5, plan.points)
+    px, py = (a.ravel() for a in np.meshgrid(g, g))
     return Scene(
         camera=plan.camera,
         centre=np.stack([x, y, z], axis=1),
         rotation=rotation_from_vector(jitter) @ planned,
-        xyz=np.stack([px.ravel(), py.ravel(), np.zeros(px.size)], axis=1),
+        xyz=np.stack([px * plan.size, py * plan.size, _hills(px, py) * plan.relief * plan.height], axis=1),
         name="flight",
     )
 
 
+def _hills(x: Array, y: Array) -> Array:
+    """Heights (p,) of hills over a square of side 1: 1 between the lowest and the highest, 0 in the mean of these."""
+    z = np.sin(2 * np.pi * 1.3 * x + 0.4) * np.cos(2 * np.pi * 1.1 * y)
+    return (z - (z.max() + z.min()) / 2) / np.ptp(z)
+
+
 def flight_block(plan: Flight) -> Block:
     """The block that a flight gives, with noise of the stated standard deviations and true approximate values."""
-    block = _exact(flight_scene(plan), plan)
+    block = aerial_block(flight_aerial(plan))
     rng = np.random.default_rng([plan.seed, 1])
     o, s, p = block.observations, block.stations, block.points
     image_noise = rng.normal(0, plan.image_sigma_px, o.xy_px.shape)
@@ -120,10 +138,26 @@ def flight_block(plan: Flight) -> Block:
     ).having(stations)
 
 
-def _exact(scene: Scene, plan: Flight) -> Block:
-    """Exact image points and positions; without the photographs that show too few points."""
-    block = measured(_empty(scene, plan), plan.image_sigma_px)
-    count = np.bincount(block.observations.image, minlength=len(block.images))
+def flight_aerial(plan: Flight) -> Aerial:
+    """The flight as stations over ground points; without the photographs that show too few points.
+
+    raises  InputError where less than two are left, or for a number of control points without a layout
+    """
+    scene = flight_scene(plan)
+    if plan.control and plan.control not in PLACES:
+        known = ", ".join(map(str, PLACES))
+        raise InputError(f"{plan.control} control points: where they lie is known for {known} ({option('control')})")
+    heading = scene.rotation[:, 1] * [1.0, 1.0, 0.0]  # upwards in the image is ahead
+    speed = plan.speed / np.linalg.norm(heading, axis=1, keepdims=True)
+    whole = Aerial(
+        camera=scene.camera, centre=scene.centre, rotation=scene.rotation, ground=scene.xyz,
+        image_sigma_px=plan.image_sigma_px, station_sigma=plan.station_sigma, lever_arm=plan.lever_arm,
+        read_out_s=plan.read_out_s, velocity=heading * speed, control_sigma=plan.control_sigma, name=scene.name,
+        control=control_rows(scene.xyz, PLACES[plan.control]) if plan.control else np.zeros(0, np.int64),
+        about=f"simulated flight: {plan.lines} lines of {plan.photographs} photographs at {plan.height:g} m",
+        source=f"raybundle simulation, seed {plan.seed}",
+    )  # fmt: skip
+    count = np.bincount(aerial_block(whole).observations.image, minlength=len(scene.centre))
     keep = np.flatnonzero(count >= plan.least_points)
     if len(keep) < 2:
         across = " x ".join(f"{side:.3g}" for side in plan.footprint)
@@ -134,48 +168,4 @@ def _exact(scene: Scene, plan: Flight) -> Block:
             f"these figures together ({option('height')}, {option('base')}, {option('spacing')}, {option('ground')}, "
             f"{option('points')}, {option('jitter')})"
         )
-    if len(keep) == len(count):
-        return block
-    part = replace(scene, centre=scene.centre[keep], rotation=scene.rotation[keep])
-    return measured(_empty(part, plan), plan.image_sigma_px)
-
-
-def _empty(scene: Scene, plan: Flight) -> Block:
-    """Stations and points without image points."""
-    n, p = len(scene.centre), len(scene.xyz)
-    role, sigma = np.full(p, Role.TIE, np.int32), np.full((p, 3), np.nan)
-    chosen = _control(scene.xyz, plan)
-    role[chosen], sigma[chosen] = Role.CONTROL, plan.control_sigma
-    none = np.zeros(0, np.int32)
-    return Block(
-        name=scene.name,
-        about=f"simulated flight: {plan.lines} lines of {plan.photographs} photographs at {plan.height:g} m",
-        source=f"raybundle simulation, seed {plan.seed}",
-        cameras=(scene.camera,),
-        images=Images(
-            ids=tuple(f"{k + 1:03d}" for k in range(n)),
-            camera=np.zeros(n, np.int32),
-            file=("",) * n,
-            centre=scene.centre,
-            rotation=scene.rotation,
-        ),
-        observations=Observations(image=none, point=none, xy_px=np.zeros((0, 2)), cov_px2=np.zeros((0, 3))),
-        points=Points(
-            ids=tuple(f"p{k + 1}" for k in range(p)),
-            role=role,
-            xyz=scene.xyz,
-            sigma=sigma,
-        ),
-    ).having(
-        Stations(
-            image=np.arange(n, dtype=np.int32),
-            xyz=scene.centre.copy(),
-            sigma=np.tile(np.array(plan.station_sigma), (n, 1)),
-        )
-    )
-
-
-def _control(xyz: Array, plan: Flight) -> list[int]:
-    """Rows of the tie points nearest to the middle and to the corners of the ground."""
-    places = np.array([[0, 0], [-1, -1], [1, 1], [-1, 1], [1, -1]]) * 0.4 * plan.size
-    return [int(np.linalg.norm(xyz[:, :2] - at, axis=1).argmin()) for at in places[: plan.control]]
+    return whole if len(keep) == len(count) else whole.part(keep)

@@ -8,12 +8,13 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from raybundle.cli.common import COMMAND_SETTINGS, NEW_FOLDER, TRACEBACK, counted
+from raybundle.cli.plan.precision import control_lines, figure
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.planning.flight import FlightSettings, run_plan_flight
 from raybundle.settings import made
 
 if TYPE_CHECKING:
-    from raybundle.planning.flight import Forecast
+    from raybundle.planning.flight import FlightPlan, Forecast
     from raybundle.planning.uav_networks import Flight
 
 
@@ -21,26 +22,30 @@ if TYPE_CHECKING:
 @options_of(FlightSettings, out=NEW_FOLDER)
 @TRACEBACK
 def command(**given: Any) -> None:
-    """Predicted precision of a flight with RTK over flat ground, what it does not determine and what would mend it.
+    """Predicted precision of a flight with or without RTK, what it does not determine and what would mend it.
 
-    The plan is simulated and adjusted, once with the unevenness of a real flight and once exactly level at one height:
-    what the second does not determine hangs on accident in the first.  The longer side of the format lies across
-    the flight; the camera's c, x0, y0, K1-K3, P1, P2 are free unless held.
+    The covariance of the plan is computed, once with the unevenness of a real flight and once exactly level at one
+    height: what the second does not determine hangs on accident in the first.  Without RTK positions have 5, 5, 10 m.
+    The longer side of the format lies across the flight; the camera's c, x0, y0, K1-K3, P1, P2 are free unless held.
 
     \b
     Example:
       raybundle plan flight --lines 4 --photos 8 --height 80 --rtk 0.02 0.02 0.03
       raybundle plan flight --alternate --cross 30 --overlap 0.8 0.7
+      raybundle plan flight --alternate --relief 10 --lever-arm --control-table
     """  # noqa: D301
     settings = made(FlightSettings, values_of(FlightSettings, given))
-    plan, done = run_plan_flight(settings)
+    plan, done, table = run_plan_flight(settings)
     click.echo("\n".join(_head(plan)))
     click.echo(
-        f" {'sigma [mm], rms; of c [px]':48}{'photos':>7}{'X':>7}{'Y':>7}{'Z':>7}{'c':>8}   not determinable (level)"
+        f" {'sigma [mm], rms; of c [px]':48}{'photos':>7}{'X':>7}{'Y':>7}{'Z':>7}{'c':>8}{'brings':>9}"
+        "   not determinable (level)"
     )
-    for f in (done.planned, *done.remedies):
-        click.echo(_row(f))
-    click.echo(_verdict(done.planned, done.advised))
+    for f in (done.planned, *(() if done.without_rtk is None else (done.without_rtk,)), *done.remedies):
+        click.echo(_row(f, done))
+    click.echo(_verdict(done))
+    if table is not None:
+        click.echo("\n".join(control_lines(table)))
     if settings.out is not None:
         click.echo(f" simulated block: {settings.out}")
 
@@ -63,23 +68,28 @@ def _head(plan: Flight) -> list[str]:
     return lines
 
 
-def _row(f: Forecast) -> str:
-    sigma = "".join(f"{_figure(1000 * v, 0):>7}" for v in f.sigma_m.tolist())
+def _row(f: Forecast, done: FlightPlan) -> str:
+    sigma = "".join(f"{figure(1000 * v, 0):>7}" for v in f.sigma_m.tolist())
     lost, level = ", ".join(f.lost) or "none", ", ".join(f.lost_level) or "none"
-    return f" {f.name:48}{f.photographs:7d}{sigma}{_figure(f.sigma_c_px, 1):>8}   {lost} ({level})"
+    brings = "-"
+    if f in done.remedies and math.isfinite(f.sigma_m[2]):
+        gain = done.gain(f)
+        brings = f"Z x{gain:.3g}" if math.isfinite(gain) else "Z"
+    return f" {f.name:48}{f.photographs:7d}{sigma}{figure(f.sigma_c_px, 1):>8}{brings:>9}   {lost} ({level})"
 
 
-def _figure(value: float, decimals: int) -> str:
-    return f"{value:.{decimals}f}" if math.isfinite(value) else "-"
-
-
-def _verdict(planned: Forecast, advised: Forecast | None) -> str:
+def _verdict(done: FlightPlan) -> str:
+    planned, advised = done.planned, done.advised
     if planned.sure:
         return " everything is determined by design"
     what = ", ".join(planned.lost_level or planned.lost)
     lead = f" caution: {what} hang{'s' if ',' not in what else ''} on the unevenness of the flight alone"
     if planned.lost:
         lead = f" fault: {', '.join(planned.lost)} cannot be determined by this flight"
+    if planned.lost and planned.lost_level and planned.lost != planned.lost_level:
+        lead += f", nor {', '.join(planned.lost_level)} where it is exactly level at one height"
     if advised is None:
         return f"{lead}; none of the changes above mends it: hold the camera as calibrated, or add control"
-    return f"{lead}; what mends it: {advised.name}, sigma Z {1000 * advised.sigma_m[2]:.0f} mm"
+    before = figure(1000 * float(planned.sigma_m[2]), 0)
+    before = "not determinable" if before == "-" else f"{before} mm"
+    return f"{lead}; what mends it: {advised.name}, sigma Z {1000 * advised.sigma_m[2]:.0f} mm ({before} as planned)"

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from raybundle.cli.common import COMMAND_SETTINGS, NEW_FOLDER, TRACEBACK, counted
+from raybundle.cli.plan.precision import forecast_lines
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.planning.mission import MissionSettings, run_plan_mission
 from raybundle.settings import made
@@ -31,6 +32,7 @@ def command(area: str, **given: Any) -> None:
     \b
     Example:
       raybundle plan mission field.geojson --vehicle mavic-3e --gsd 0.02 --format wpml,kml --out plan
+      raybundle plan mission field.geojson --vehicle mavic-3e --predict --lever-arm --out plan
       raybundle plan mission hill.kml --camera IMG_1.JPG --dsm dsm.tif --pattern double-grid --tilt 20 --out plan
       raybundle plan mission wall.geojson --vehicle mavic-3e --pattern facade --heights 0 18 --gsd 0.003 --out plan
     """  # noqa: D301
@@ -73,6 +75,8 @@ def lines(done: PlannedMission) -> list[str]:
             float(sorted(f.coverage.count.tolist())[len(f.coverage.count) // 2]),
         )
         text.append(f" a place of the area is seen by {least} photographs or more, in the middle by {middle:.0f}")
+    if done.forecast is not None:
+        text += forecast_lines(done.forecast)
     text += [f" remark: {r}" for r in done.remarks]
     text += [f" {'fault' if w.fault else 'caution'}: {w.words}" for w in done.warnings]
     text.append(f" written: {done.files[0].parent}: {', '.join(p.name for p in done.files)}")

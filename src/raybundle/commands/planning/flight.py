@@ -10,6 +10,7 @@ from raybundle.errors import InputError
 from raybundle.settings import METRES, PIXELS, Range, setting
 
 if TYPE_CHECKING:
+    from raybundle.planning.aerial import ControlTable
     from raybundle.planning.flight import FlightPlan
     from raybundle.planning.uav_networks import Flight
 
@@ -18,11 +19,14 @@ FORMAT, SHARE = Range(low=100, high=100_000), Range(low=0, high=0.95)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FlightSettings:
-    """A flight over flat ground as it is planned: by overlap, format and camera constant."""
+    """A flight over a square of ground as it is planned: by overlap, format and camera constant."""
 
     lines: int = setting(4, "Flight lines.", limits=Range(low=1, high=40))
     photos: int = setting(8, "Photographs of a line.", limits=Range(low=2, high=80))
     height: float = setting(80.0, "Above ground [m].", limits=METRES)
+    relief: float = setting(
+        0.0, "Between the lowest and the highest ground, in per cent of {height}.", limits=Range(low=0, high=60)
+    )
     base: float | None = setting(None, "Between photographs of a line [m].  [default: by {overlap}]", limits=METRES)
     spacing: float | None = setting(None, "Between lines [m].  [default: by {overlap}]", limits=METRES)
     overlap: tuple[float, float] = setting(
@@ -37,11 +41,20 @@ class FlightSettings:
         (0.02, 0.02, 0.03), "Standard deviations of the positions [m].", metavar="E N U",
         limits=(METRES, METRES, METRES),
     )  # fmt: skip
+    no_rtk: bool = setting(False, "Positions of 5, 5, 10 m in place of {rtk}, as photographs without RTK have them.")
+    lever_arm: bool = setting(False, "The lever arm of the antenna is free; else projection centres are observed.")
     alternate: bool = setting(False, "Every second line is flown the other way.")
     cross: float | None = setting(
         None, "As many lines across, the camera tilted so far [deg].", metavar="TILT", limits=Range(low=0, high=60)
     )
-    control: int = setting(0, "Control points.", limits=Range(low=0, high=5))
+    cross_height: float | None = setting(
+        None, "Of the lines across, above ground [m].  [default: {height}]", limits=METRES
+    )
+    read_out: float = setting(
+        0.0, "Read-out time of a rolling shutter, estimated [ms]; 0: none.", limits=Range(low=0, high=1000)
+    )
+    speed: float = setting(10.0, "On the lines, for {read-out} [m/s].", limits=Range(low=0, high=100, above=True))
+    control: int = setting(0, "Control points: 1 to 5, 9 or 13.", limits=Range(low=0, high=13))
     control_sigma: tuple[float, float] = setting(
         (0.01, 0.02), "Their standard deviations [m].", metavar="PLAN HEIGHT", limits=(METRES, METRES)
     )
@@ -54,10 +67,12 @@ class FlightSettings:
         None, "Side of the square of tie points [m].  [default: by lines and photos]", limits=METRES
     )
     points: int = setting(30, "Tie points along a side of it.", limits=Range(low=4, high=60))
+    control_table: bool = setting(False, "What control brings, by number, standard deviation and place.")
     out: Path | None = setting(None, "New folder for the simulated block of the plan.", metavar="FOLDER")
 
     def flight(self) -> Flight:
         """The flight with its camera, base and spacing."""
+        from raybundle.planning.aerial import NO_RTK  # noqa: PLC0415
         from raybundle.planning.uav_networks import FREE, Flight, uav_camera  # noqa: PLC0415
 
         width, height, c = self.camera
@@ -74,14 +89,17 @@ class FlightSettings:
             camera=camera, height=self.height, lines=self.lines, photographs=self.photos, spacing=spacing, base=base,
             points=self.points, size=self.ground or covered, alternating=self.alternate, cross_tilt_deg=self.cross,
             height_jitter=self.jitter[0], angle_jitter_deg=self.jitter[1], image_sigma_px=self.noise,
-            station_sigma=self.rtk, control=self.control, control_sigma=(self.control_sigma[0], *self.control_sigma),
+            station_sigma=NO_RTK if self.no_rtk else self.rtk, control=self.control,
+            relief=self.relief / 100, lever_arm=self.lever_arm, cross_height=self.cross_height,
+            read_out_s=self.read_out / 1000, speed=self.speed,
+            control_sigma=(self.control_sigma[0], *self.control_sigma),
         )  # fmt: skip
 
 
-def run_plan_flight(settings: FlightSettings) -> tuple[Flight, FlightPlan]:
-    """The flight and its forecast; its simulated block is written where that is asked for."""
+def run_plan_flight(settings: FlightSettings) -> tuple[Flight, FlightPlan, ControlTable | None]:
+    """The flight, its forecast, what control brings, and the simulated block as a folder, where they are asked for."""
     from raybundle.io.block.folder import write_block  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.planning.flight import plan_flight  # noqa: PLC0415
+    from raybundle.planning.flight import flight_control, plan_flight  # noqa: PLC0415
     from raybundle.planning.uav_networks import flight_block  # noqa: PLC0415
 
     out = settings.out
@@ -89,6 +107,7 @@ def run_plan_flight(settings: FlightSettings) -> tuple[Flight, FlightPlan]:
         raise InputError("stands there already and is not overwritten; choose another folder or delete it", file=out)
     plan = settings.flight()
     done = plan_flight(plan)
+    table = flight_control(plan) if settings.control_table else None
     if out is not None:
         write_block(flight_block(plan), out)
-    return plan, done
+    return plan, done, table

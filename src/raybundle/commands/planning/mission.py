@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 import re
 from collections.abc import Mapping
@@ -23,6 +24,8 @@ if TYPE_CHECKING:
     from raybundle.missions.vehicle import Vehicle
     from raybundle.numerics.arrays import Array
     from raybundle.objects.heights import HeightGrid
+    from raybundle.planning.aerial import Precision
+    from raybundle.planning.mission import MissionForecast
 
 PatternName = Literal["nadir", "double-grid", "oblique-grid", "corridor", "facade", "orbit"]
 SHARE, ANGLE, SECONDS = Range(low=0, high=0.95), Range(low=0, high=89), Range(low=0, high=3600, above=True)
@@ -109,6 +112,13 @@ class MissionSettings:
     format: tuple[str, ...] = setting(
         ("kml",), "Formats of the plan: qgc, wpl, wpml, litchi, kml.", metavar="A,B,...", joined=True, typed="kml"
     )
+    predict: bool = setting(False, "What precision it will have without control, and what it does not determine.")
+    rtk: tuple[float, float, float] = setting(
+        (0.02, 0.02, 0.03), "Standard deviations of positions, for {predict} [m].", metavar="E N U",
+        limits=(METRES, METRES, METRES),
+    )  # fmt: skip
+    lever_arm: bool = setting(False, "The lever arm of the antenna is free, for {predict}.")
+    noise: float = setting(0.3, "Sigma of an image coordinate, for {predict} [px].", limits=POSITIVE)
     name: str = setting("mission", "Of the mission, and of its files.")
     out: Path = setting(MISSING, "New folder for the plan.", metavar="FOLDER")
 
@@ -122,6 +132,8 @@ class PlannedMission:
     warnings: tuple[Doubt, ...]
     files: tuple[Path, ...]
     remarks: tuple[str, ...]
+    forecast: MissionForecast | None = None
+    """What it will determine, where that was asked for"""
 
 
 def plan_mission(area: str | Path, out: str | Path, **settings: Any) -> PlannedMission:
@@ -159,8 +171,36 @@ def run_plan_mission(settings: MissionSettings) -> PlannedMission:
     facts = mission_facts(mission, lenient)
     found = warnings(mission, facts, limit_m=s.height_limit, sight_m=s.sight)
     routes = routes_of(mission, lenient if s.dsm is not None else None)
-    files, told = _write(s, mission, facts, routes)
-    return PlannedMission(mission=mission, facts=facts, warnings=found, files=files, remarks=(*mission.remarks, *told))
+    forecast = _forecast(s, mission, lenient) if s.predict else None
+    files, told = _write(s, mission, facts, routes, forecast)
+    return PlannedMission(
+        mission=mission, facts=facts, warnings=found, files=files, remarks=(*mission.remarks, *told), forecast=forecast
+    )
+
+
+def _forecast(s: MissionSettings, mission: Mission, ground: Ground) -> MissionForecast:
+    from raybundle.planning.mission import Asked, mission_forecast  # noqa: PLC0415
+
+    asked = Asked(station_sigma=s.rtk, lever_arm=s.lever_arm, image_sigma_px=s.noise)
+    return mission_forecast(mission, ground, asked)
+
+
+def _figures(f: MissionForecast) -> dict[str, object]:
+    """What is written of a forecast; None where something is not determinable."""
+
+    def of(p: Precision) -> dict[str, object]:
+        mm = {
+            "plan_mm": p.plan_m, "plan_worst_mm": p.plan_worst_m, "height_mm": float(p.sigma_m[2]),
+            "height_worst_mm": p.height_worst_m,
+        }  # fmt: skip
+        c = None if "c" in p.lost else p.std["c"] / f.pixel_mm
+        figures = {k: round(1000 * v, 2) if math.isfinite(v) else None for k, v in mm.items()}
+        return {**figures, "c_px": c and round(c, 3), "not_determinable": list(p.lost)}
+
+    return {
+        "photographs": f.photographs, "computed_with": f.rtk.photographs, "points": f.rtk.points, "rtk": of(f.rtk),
+        "without_rtk": of(f.without_rtk), "not_determinable_as_planned": list(f.lost_even),
+    }  # fmt: skip
 
 
 def _task(s: MissionSettings) -> tuple[Any, Ground, tuple[str, ...]]:
@@ -300,7 +340,7 @@ def _holes(grid: HeightGrid, outline: Array, kind: str) -> tuple[str, ...]:
 
 
 def _write(
-    s: MissionSettings, mission: Mission, facts: MissionFacts, routes: Any
+    s: MissionSettings, mission: Mission, facts: MissionFacts, routes: Any, forecast: MissionForecast | None
 ) -> tuple[tuple[Path, ...], tuple[str, ...]]:
     """The folder of the plan, whole or not at all; its files, and what formats do not take."""
     from raybundle.io.folders import new_folder  # noqa: PLC0415
@@ -313,6 +353,10 @@ def _write(
     with new_folder(s.out) as folder:
         write_mission(mission, folder / NAME)
         (folder / "mission.svg").write_text(plan_view(mission, facts.coverage), encoding="utf-8", newline="\n")
+        if forecast is not None:
+            names.append("precision.json")
+            text = json.dumps(_figures(forecast), indent=1) + "\n"
+            (folder / names[-1]).write_text(text, encoding="utf-8", newline="\n")
         for chosen in dict.fromkeys(s.format):
             entry = mission_formats[chosen]
             for k, route in enumerate(routes):
