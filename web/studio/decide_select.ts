@@ -34,6 +34,7 @@ export class DecideSelect {
   constructor(private readonly model: Model, private readonly ways: Ways) {
     this.reject = button("Reject all of them", "One action, taken back with one undo", () => void this.rejectAll(), "main");
     this.reject.id = "select-reject";
+    this.slider.disabled = this.limit.disabled = true; // until the criteria are there
     this.shows = [
       button("Show in images", "Rings about what is beyond the limit", () => this.drawn(() => ways.images(beyond.worstImage))),
       button("Show in space", "The object points that are beyond the limit", () => this.drawn(() => ways.space())),
@@ -53,6 +54,7 @@ export class DecideSelect {
     this.criteria = (await ask<{ criteria: Criterion[] }>("/api/criteria")).criteria;
     if (this.kinds.childElementCount < 2) this.kinds.append(...this.criteria.map((c) => this.kind(c)));
     for (const c of this.criteria) if (!this.limits.has(c.name)) this.limits.set(c.name, Number(c.begin.toPrecision(3)));
+    this.slider.disabled = this.limit.disabled = false;
     this.take();
   }
 
