@@ -24,22 +24,11 @@ FORMAT = Range(low=100, high=100_000)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class NetworkSettings:
-    """An object, a camera, where one may stand, and what is wanted."""
+class PlannedCamera:
+    """An object and the camera that is to photograph it."""
 
     object: str
     """A kind with its size or line, a mesh, a raster or a result"""
-    out: Path = setting(MISSING, "New folder for the plan.", metavar="FOLDER")
-    sigma: float | None = setting(
-        None, "Wanted standard deviation of a coordinate [mm].", metavar="MM", limits=POSITIVE
-    )
-    photographs: int | None = setting(
-        None, "So many stations; without it the fewest that reach {sigma}.", limits=Range(low=3, high=200)
-    )
-    aim: Literal["worst", "mean", "calibration", "reliability"] = setting(
-        "worst", "What is made small: {sigma} of the worst point or of all in the mean, what the calibration leaves "
-        "uncertain, or how badly image points check each other."
-    )  # fmt: skip
     camera: Path | None = setting(
         None,
         "A photograph of the camera, its calibration, or a block or result.  [default: that of an object that is one]",
@@ -52,13 +41,31 @@ class NetworkSettings:
     pixel: float = setting(6.0, "Without {camera}: size of a pixel [um].", limits=Range(low=0.1, high=1000))
     hold_camera: bool = setting(False, "The camera is calibrated and held; else it is calibrated with the object.")
     f_number: float = setting(8.0, "Aperture, for the depth of field.", limits=Range(low=0.5, high=128))
+    noise: float | None = setting(None, "Sigma of an image coordinate [px].", limits=PIXELS)
+    unit: float = setting(1.0, "Metres of one unit of a mesh.", limits=Range(low=1e-9, high=1e6))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class NetworkSettings(PlannedCamera):
+    """An object, a camera, where one may stand, and what is wanted."""
+
+    out: Path = setting(MISSING, "New folder for the plan.", metavar="FOLDER")
+    sigma: float | None = setting(
+        None, "Wanted standard deviation of a coordinate [mm].", metavar="MM", limits=POSITIVE
+    )
+    photographs: int | None = setting(
+        None, "So many stations; without it the fewest that reach {sigma}.", limits=Range(low=3, high=200)
+    )
+    aim: Literal["worst", "mean", "calibration", "reliability"] = setting(
+        "worst", "What is made small: {sigma} of the worst point or of all in the mean, what the calibration leaves "
+        "uncertain, or how badly image points check each other."
+    )  # fmt: skip
     focus: float | None = setting(
         None, "Distance to which the lens is focused [m].  [default: so that most is sharp]", limits=METRES
     )
     measured: Literal["retro", "targets", "dots", "natural", "hand"] = setting(
         "targets", "What is measured; says how precisely where {noise} does not."
     )
-    noise: float | None = setting(None, "Sigma of an image coordinate [px].", limits=PIXELS)
     points: int = setting(120, "Points on the object by which the network is judged.", limits=Range(low=8, high=1000))
     rays: int = setting(3, "Photographs that each of them must be in, at least.", limits=Range(low=2, high=20))
     incidence: float = setting(65.0, "Largest angle of a ray to the normal [deg].", limits=Range(low=5, high=89))
@@ -72,7 +79,6 @@ class NetworkSettings:
         (), "A box in which no station may be; may be given again.", metavar="X0 Y0 Z0 X1 Y1 Z1",
         limits=(Range(low=-1e7, high=1e7),) * 6,
     )  # fmt: skip
-    unit: float = setting(1.0, "Metres of one unit of a mesh.", limits=Range(low=1e-9, high=1e6))
     crs: str = setting("", "Coordinate system of a raster or outline that is not in metres.", metavar="EPSG:CODE")
     everywhere: bool = setting(
         False, "Add stations until {sigma} is reached on all of the surface that can be seen, not at its points alone."
@@ -128,8 +134,13 @@ def run_plan_network(settings: NetworkSettings, progress: Progress = silent) -> 
             bar_sigma=settings.bar_sigma / 1000, bar_length=settings.bar_length,
         ),
     )  # fmt: skip
-    write_network_plan(plan, settings.object, settings.out)
+    write_network_plan(plan, title_of(settings.object), settings.out)
     return plan
+
+
+def title_of(text: str) -> str:
+    """What an object is called: a file or folder by its name, a kind as it is told."""
+    return Path(text).resolve().name if Path(text).exists() else text
 
 
 def site_of(settings: NetworkSettings) -> Site:

@@ -3,13 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import MISSING, dataclass, replace
+from dataclasses import MISSING, dataclass, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from raybundle.commands.planning.network import FORMAT, NetworkSettings, camera_of, site_of, stations_of
+from raybundle.commands.planning.network import (
+    NetworkSettings,
+    PlannedCamera,
+    camera_of,
+    site_of,
+    stations_of,
+    title_of,
+)
 from raybundle.errors import InputError
-from raybundle.settings import METRES, PIXELS, Range, made, setting
+from raybundle.settings import METRES, Range, made, setting
 
 if TYPE_CHECKING:
     from raybundle.planning.assistants import Shots, Task
@@ -25,32 +32,18 @@ LIST = "list.csv"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class ListSettings:
+class ListSettings(PlannedCamera):
     """An assistant, an object, a camera, and what they need."""
 
     kind: str
     """cipa, calibration, turntable or targets"""
-    object: str
-    """As of `plan network`"""
     out: Path = setting(MISSING, "New folder for the list.", metavar="FOLDER")
-    camera: Path | None = setting(
-        None, "A photograph of the camera, its calibration, or a block or result.", metavar="PHOTO|TOML|FOLDER"
-    )
-    format: tuple[int, int] = setting(
-        (6000, 4000), "Without {camera}: its format [px].", metavar="WIDTH HEIGHT", limits=(FORMAT, FORMAT)
-    )
-    c: float = setting(24.0, "Without {camera}: camera constant [mm].", limits=Range(low=0.1, high=1e4))
-    pixel: float = setting(6.0, "Without {camera}: size of a pixel [um].", limits=Range(low=0.1, high=1000))
-    hold_camera: bool = setting(False, "The camera is calibrated and held; else it is calibrated with the object.")
-    f_number: float = setting(8.0, "Aperture, for the depth of field.", limits=Range(low=0.5, high=128))
     focus: float | None = setting(
         None, "Distance to which the lens is focused [m].  [default: where the photographs need it]", limits=METRES
     )
     measured: MeasuredKind | None = setting(
         None, "What is measured.  [default: natural of a building, dots of a sheet, else targets]"
     )
-    noise: float | None = setting(None, "Sigma of an image coordinate [px].", limits=PIXELS)
-    unit: float = setting(1.0, "Metres of one unit of a mesh.", limits=Range(low=1e-9, high=1e6))
     around: float = setting(30.0, "cipa: how far one can go from the walls [m].", limits=METRES)
     eye: float = setting(1.7, "cipa: height of the camera above the ground [m].", limits=METRES)
     overlap: float = setting(0.6, "cipa: of neighbouring photographs of the ring.", limits=Range(low=0.5, high=0.95))
@@ -99,7 +92,7 @@ def run_plan_list(settings: ListSettings) -> NetworkPlan:
     def more(folder: Path) -> None:
         write_list(folder, printed, listed)
 
-    write_network_plan(plan, f"{settings.kind} of {settings.object}", settings.out, more, settings.kind)
+    write_network_plan(plan, f"{settings.kind} of {title_of(settings.object)}", settings.out, more, settings.kind)
     return plan
 
 
@@ -111,9 +104,9 @@ def task_of(settings: ListSettings) -> Task:
     s = settings
     usual: dict[str, MeasuredKind] = {"cipa": "natural", "calibration": "dots"}
     network = NetworkSettings(
-        object=s.object, out=s.out, camera=s.camera, format=s.format, c=s.c, pixel=s.pixel, hold_camera=s.hold_camera,
-        f_number=s.f_number, focus=s.focus, noise=s.noise, unit=s.unit, stations=s.stations or s.out,
-        measured=s.measured or usual.get(s.kind, "targets"), incidence=75.0, points=POINTS.get(s.kind, 100),
+        **{f.name: getattr(s, f.name) for f in fields(PlannedCamera)}, out=s.out, focus=s.focus,
+        stations=s.stations or s.out, measured=s.measured or usual.get(s.kind, "targets"), incidence=75.0,
+        points=POINTS.get(s.kind, 100),
     )  # fmt: skip
     camera = camera_of(network)
     site = site_of(network)
