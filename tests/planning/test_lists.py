@@ -140,6 +140,21 @@ def test_photographs_are_ticked_off_by_what_they_show(tmp_path, capsys):
     assert "missing 06" in said
 
 
+def test_a_ring_goes_round_any_footprint(tmp_path, capsys):
+    (tmp_path / "foot.csv").write_text("X,Y\n0,0\n14,0\n14,6\n8,6\n8,11\n0,11\n")
+    for name, text in (("l", f"building:{tmp_path / 'foot.csv'},6"), ("round", "cylinder:9,6")):
+        assert main(["plan", "list", "cipa", text, "--out", str(tmp_path / name)]) == 0
+        promised = [float(r["sX_mm"]) for r in rows(tmp_path / name / "points.csv")]
+        assert max(promised) < 3  # it hangs together
+    block = rb.read_block(tmp_path / "l/block")
+    inside = (block.images.centre[:, :2] > [0, 0]).all(axis=1) & (block.images.centre[:, :2] < [14, 6]).all(axis=1)
+    assert not inside.any()
+    (tmp_path / "bow.csv").write_text("0,0\n9,9\n9,0\n0,9\n")
+    capsys.readouterr()
+    assert main(["plan", "list", "cipa", f"building:{tmp_path / 'bow.csv'},6", "--out", str(tmp_path / "x")]) == 2
+    assert "its footprint crosses itself" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(
     ("kind", "words", "said"),
     [

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import numpy as np
+from scipy.spatial import ConvexHull, QhullError
 
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
+from raybundle.objects.surface import Surface
 from raybundle.planning.assistants.base import FULL, TURNED, UPRIGHT, Assistant, Leaf, Shots, Task, made_stations
 from raybundle.settings import option
 
@@ -15,8 +17,11 @@ PAIR = 1 / 5
 """Base by distance of the stereo pairs; the rules ask for 1:4 to 1:15"""
 DETAIL = 0.6
 """Distance of the pairs by that of the ring, or as much more as the whole height needs with the camera upright"""
-CORNER_DEG = (22.5, 45.0, 67.5)
-"""Of the views over a corner: with one alone, nothing gives the second facade the scale of the first"""
+CORNER_DEG = 30.0
+"""One view over a corner for each so many degrees by which the facades turn, three over a right angle: with one alone
+nothing gives the second facade the scale of the first"""
+ROUNDED = 0.1
+"""Part of the stand-off by which corners may be cut where the ring is planned"""
 RULES = (
     "1 Control: long distances between good points, at least one on every side; plumb lines and level lines.",
     "2 Ring: photographs all round that overlap by more than half, and views over every corner at 45 degrees.",
@@ -49,13 +54,13 @@ class Cipa(Assistant):
         task.check_sharp(distance, "the building")
         level = task.half_angles[0] if roll == UPRIGHT else task.half_angles[1]
         width = 2 * distance * np.tan(level)
-        corners = [
-            np.array([x, y]) for x, y in ((low[0], low[1]), (high[0], low[1]), (high[0], high[1]), (low[0], high[1]))
-        ]
+        corners = _footprint(task.site.surface, ROUNDED * distance)
+        count = len(corners)
+        names = [_named(corners, k) for k in range(count)]
         rows, leaves = list[tuple[Array, Array, float]](), list[Leaf]()
         z, aim = low[2] + eye, low[2] + height / 2
-        for k, name in enumerate(SIDES):
-            a, b = corners[k], corners[(k + 1) % 4]
+        for k, name in enumerate(names):
+            a, b = corners[k], corners[(k + 1) % count]
             along, out = _axes(a, b)
             length = float(np.linalg.norm(b - a))
             n = max(2, int(np.ceil(length / ((1 - task.overlap) * width))) + 1)
@@ -63,20 +68,23 @@ class Cipa(Assistant):
                 foot = a + t * along
                 rows.append((np.r_[foot + distance * out, z], np.r_[foot, aim], roll))
                 leaves.append(Leaf(group=f"ring, {name}", see=f"{name} {t:.1f} m from its left end, ground to top"))
-            following = _axes(b, corners[(k + 2) % 4])[1]
-            for turn in CORNER_DEG:
-                over = np.cos(np.radians(turn)) * out + np.sin(np.radians(turn)) * following
+            following = _axes(b, corners[(k + 2) % count])[1]
+            for turn in _turns(out, following):
+                over = np.array(
+                    [np.cos(turn) * out[0] - np.sin(turn) * out[1], np.sin(turn) * out[0] + np.cos(turn) * out[1]]
+                )
                 rows.append((np.r_[b + distance * over, z], np.r_[b, aim], roll))
                 leaves.append(
                     Leaf(
                         group="ring, corners",
-                        see=f"{name} and {SIDES[(k + 1) % 4]} over their corner, from {turn:.0f} deg off the first",
+                        see=f"{name} and {names[(k + 1) % count]} over their corner, "
+                        f"{np.degrees(turn):.0f} deg off the first",
                     )
                 )
         near = max(DETAIL * distance, _needed(height, eye, task.half_angles[0]))
         task.check_sharp(near, "a facade for stereo pairs")
-        for k, name in enumerate(SIDES):
-            for place, foot, word in _pairs(task, (corners[k], corners[(k + 1) % 4]), near, name):
+        for k, name in enumerate(names):
+            for place, foot, word in _pairs(task, (corners[k], corners[(k + 1) % count]), near, name):
                 rows.append((np.r_[place, z], np.r_[foot, aim], TURNED))
                 leaves.append(Leaf(group=f"stereo pair, {name}", see=f"{name}, {word}, camera upright, both alike"))
         return Shots(
@@ -87,6 +95,41 @@ class Cipa(Assistant):
                 f"{eye:.1f} m high; pairs from {near:.1f} m, their photographs {PAIR * near:.2f} m apart."),
             ),
         )  # fmt: skip
+
+
+def _footprint(surface: Surface, tolerance: float) -> Array:
+    """(k, 2) corners round what is to be measured, counterclockwise from in front on the left; notches closed."""
+    rows = surface.triangles if surface.wanted is None else surface.triangles[surface.wanted]
+    xy = surface.vertices[np.unique(rows), :2]
+    try:
+        corners = xy[ConvexHull(xy).vertices]
+    except QhullError:
+        raise InputError("the object has no footprint: it is a line or a point from above") from None
+    while len(corners) > 3:
+        before, after = np.roll(corners, 1, axis=0), np.roll(corners, -1, axis=0)
+        along = after - before
+        off = np.abs(along[:, 0] * (corners - before)[:, 1] - along[:, 1] * (corners - before)[:, 0])
+        off = off / np.linalg.norm(along, axis=1)
+        if off.min() > min(tolerance, 0.2 * float(np.ptp(xy, axis=0).min())):
+            break
+        corners = np.delete(corners, int(off.argmin()), axis=0)
+    return np.roll(corners, -int(np.argmin(corners @ [1.0, 1.0])), axis=0)
+
+
+def _named(corners: Array, k: int) -> str:
+    """What a side is called: by where it looks of a building along the axes, else by its number and direction."""
+    out = _axes(corners[k], corners[(k + 1) % len(corners)])[1]
+    turn = float(np.degrees(np.arctan2(out[0], -out[1]))) % 360
+    if len(corners) == 4 and min(turn % 90, 90 - turn % 90) < 1:
+        return SIDES[round(turn / 90) % 4]
+    return f"side {k + 1} ({SIDES[round(turn / 90) % 4]})"
+
+
+def _turns(out: Array, following: Array) -> Array:
+    """Angles [rad] of the views over a corner, off the normal (2,) of the side before it."""
+    angle = float(np.arccos(np.clip(out @ following, -1, 1)))
+    n = max(1, int(np.ceil(np.degrees(angle) / CORNER_DEG - 1e-9)))
+    return angle * np.arange(1, n + 1) / (n + 1)
 
 
 def _axes(a: Array, b: Array) -> tuple[Array, Array]:
