@@ -1,5 +1,7 @@
 """Networks of stations: expected covariances, the optimiser, plans."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -235,3 +237,32 @@ def test_photographs_are_added_where_they_help():
     everywhere = densified(designer, one.stations, 0.0002)
     assert everywhere.figures[0] > 0.0002 >= everywhere.figures[-1]
     assert everywhere.open_share == 0
+
+
+def test_photographs_from_one_place_give_no_depth_elsewhere():
+    networks, parts = parts_of(box_site(estimate=()), ring())
+    twice = [*parts, parts[0]]
+    e = networks.expected(twice)
+    assert isinstance(e, Expected)
+    # places that only the two from one place see: those of the other stations are turned away
+    away = [replace(p, rotation=-p.rotation) for p in parts[1:]]
+    some = SurfacePoints(
+        xyz=networks.site.points.xyz[parts[0].points], normal=networks.site.points.normal[parts[0].points]
+    )
+    assert np.isnan(networks.elsewhere([parts[0], *away, parts[0]], e, some)).all()
+    assert np.isfinite(networks.elsewhere(twice, e, some)).all()
+
+
+def test_points_that_are_not_always_found_count_as_often_as_they_are():
+    always, seldom = box_site(), box_site(found=lambda cosine: np.full(len(cosine), 0.5))
+    s = ring(24)
+    lacking = list[int]()
+    for site in (always, seldom):
+        e = Networks(site, least_rays=4).expected(Networks(site).parts(s.centre, s.rotation))
+        lacking.append(0 if isinstance(e, Expected) else int(e.unseen.sum()))
+    assert lacking[0] < lacking[1]
+    half = Networks(seldom, least_rays=1)
+    e = half.expected(half.parts(s.centre, s.rotation))
+    assert isinstance(e, Expected)
+    _, point, _, _ = always.seen(s.centre, s.rotation)
+    assert e.rays == pytest.approx(np.bincount(point, minlength=40) / 2)

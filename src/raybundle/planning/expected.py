@@ -18,6 +18,10 @@ from raybundle.objects.surface import SurfacePoints
 from raybundle.planning.bars import Bars, Scaled
 from raybundle.planning.site import Site
 
+SURE = 1e-9
+"""Part of a ray that may be missing: rounding"""
+FLAT = 1e-10
+"""Least part of a point's largest eigenvalue that is more than rounding: rays that meet at an angle of 1e-5"""
 WEAK = 1e-6
 """Least pivot of the scaled normal equations of the stations, squared 1e-12, from which on a network is determined"""
 
@@ -145,6 +149,8 @@ class Networks:
         rays = np.bincount(np.concatenate([p.points for p in mine]), minlength=len(points))
         m, t = len(points), len(self.site.points)
         V = np.sum([p.V for p in mine], axis=0)
+        size = np.linalg.eigvalsh(V)
+        rays[size[:, 0] <= FLAT * size[:, 2]] = 0  # from one place alone: no depth
         own = np.concatenate([*(p.W for p in mine), np.sum([p.WF for p in mine], axis=0)], axis=2)
         Q = np.full((m, 3, 3), np.nan)
         good = np.flatnonzero(rays >= 2)
@@ -213,9 +219,11 @@ class Networks:
         t, f, n = len(self.site.points), len(self.free), len(parts)
         if not n:
             return Short(unseen=np.full(t, self.least_rays))
-        rays = np.bincount(np.concatenate([p.points for p in parts]), minlength=t)
+        found = np.bincount(
+            np.concatenate([p.points for p in parts]), np.concatenate([p.share for p in parts]), minlength=t
+        )
         known = np.zeros(t, bool) if self.prior is None else (self.prior > 0).all(axis=1)
-        lacking = np.where(known, 0, np.maximum(self.least_rays - rays, 0))
+        lacking = np.where(known, 0, np.ceil(np.maximum(self.least_rays - found - SURE, 0))).astype(np.int64)
         if lacking.any():
             return Short(unseen=lacking)
         V = np.sum([p.V for p in parts], axis=0)
@@ -236,9 +244,6 @@ class Networks:
         iS = self._inverse(N - W.T @ M, np.diag(N), parts)
         if iS is None:
             return Short(unseen=lacking)
-        found = np.bincount(
-            np.concatenate([p.points for p in parts]), np.concatenate([p.share for p in parts]), minlength=t
-        )
         points, interior, scaled = self._points(iV, M, iS), iS[6 * n :, 6 * n :], None
         if self.bars is not None:
             datum = None if self.prior is not None else self._datum[:2]

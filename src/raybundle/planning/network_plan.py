@@ -16,7 +16,7 @@ from raybundle.planning.aims import Aim, AimName, aims
 from raybundle.planning.candidates import LEAST, Stations, standing_places
 from raybundle.planning.configuration import Design, Designer, Search, improved
 from raybundle.planning.densify import Densified, densified, repeated
-from raybundle.planning.expected import Expected, Networks, Part, Short
+from raybundle.planning.expected import SURE, Expected, Networks, Part, Short
 from raybundle.planning.held import Held, Wanted, held
 from raybundle.planning.reliability import redundancies
 from raybundle.planning.site import Site
@@ -188,9 +188,11 @@ def _reachable(site: Site, least_rays: int, only: Stations | None) -> tuple[Site
 
     raises  InputError where too few are left for a network
     """
-    point = site.faced(standing_places(site, PLACES))[1] if only is None else site.seen(only.centre, only.rotation)[1]
-    p, count = site.points, np.bincount(point, minlength=len(site.points))
-    good = count >= least_rays
+    places = standing_places(site, PLACES) if only is None else only.centre
+    station, point = site.faced(places) if only is None else site.seen(only.centre, only.rotation)[:2]
+    p = site.points
+    count = np.bincount(point, site.share(places[station], point), minlength=len(p))
+    good = count >= least_rays - SURE
     left_out = SurfacePoints(xyz=p.xyz[~good], normal=p.normal[~good])
     if good.sum() < LEAST:
         raise InputError(
@@ -252,7 +254,7 @@ def _beyond(d: Designer, wanted: float, reached: list[tuple[int, float]]) -> str
 def _not_determined(site: Site, design: Design, least: int) -> str:
     s = design.stations
     station, point, _, _ = site.seen(s.centre, s.rotation)
-    rays = np.bincount(point, minlength=len(site.points))
+    rays = np.bincount(point, site.share(s.centre[station], point), minlength=len(site.points))
     shown = np.bincount(station, minlength=len(s))
     if (shown < LEAST).any():
         k = int(shown.argmin())
@@ -261,10 +263,10 @@ def _not_determined(site: Site, design: Design, least: int) -> str:
             f"it ({int((shown < LEAST).sum())} of {len(s)} stations are such): are stations and object in one frame, "
             "and does the camera look at it?"
         )
-    few = int((rays < least).sum())
+    few = int((rays < least - SURE).sum())
     if few:
         return (
-            f"with {len(s)} stations {few} of {len(rays)} points of the object are not shown {least} times; take more "
+            f"with {len(s)} stations {few} of {len(rays)} points of the object are not found {least} times; take more "
             "stations, widen where one may stand, or a lens of wider angle"
         )
     return f"a network of {len(s)} stations does not determine all unknowns; take more stations, or hold the camera"

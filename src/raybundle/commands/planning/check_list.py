@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -121,14 +119,16 @@ def _view(block: Block) -> float:
 
 
 def _rows(path: Path) -> list[dict[str, str]]:
-    from raybundle.io.reading.files import read_text  # noqa: PLC0415
+    """The lines of a list."""
+    from raybundle.io.tables import Column, read_table  # noqa: PLC0415
 
-    rows = list(csv.DictReader(io.StringIO(read_text(path))))
-    for k, row in enumerate(rows):
-        for name in ("image", "group", "see", "how"):
-            if row.get(name) is None:
-                raise InputError(f"has no column {name} here; make the list again", file=path, line=k + 2)
-    return rows
+    names = ("group", "see", "how")
+    columns = [Column(name="image", kind="id"), *(Column(name=n, kind="text") for n in names)]
+    columns.append(Column(name="taken", kind="text", optional=True, empty=True))
+    table = read_table(path, columns, without="make the list again")
+    return [
+        {"image": table.text["image"][k], **{n: table.text[n][k] for n in names}} for k in range(table.rows)
+    ]  # fmt: skip
 
 
 def _written(settings: PlanCheckSettings, done: CheckedList, rows: Sequence[dict[str, str]]) -> CheckedList:

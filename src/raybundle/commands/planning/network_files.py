@@ -181,7 +181,8 @@ def purpose_words(plan: NetworkPlan, k: int) -> str:
     p = plan.purposes[k]
     where = plan.site.points
     if len(p.unseen):
-        return f"{len(p.unseen)} points {side_words(where.normal[p.unseen].mean(axis=0))} would be seen once without it"
+        side = side_words(where.normal[p.unseen].mean(axis=0))
+        return f"{len(p.unseen)} points {side} would be found less than twice without it"
     if not np.isfinite(p.ratio):
         return "without it the network is not determined"
     said = list[str]()
