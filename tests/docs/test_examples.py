@@ -37,7 +37,8 @@ PAGES = [
 
 
 LONG = {
-    "calibrate", "exchange", "line-scanner", "measure-by-hand", "next-photograph", "own-observation-kind", "rectify",
+    "calibrate", "exchange", "line-scanner", "measure-by-hand", "next-photograph", "own-observation-kind",
+    "photograph-lists", "plan-a-facade", "plan-a-flight", "plan-photographs", "rectify",
     "results-in-python", "satellite-pair", "satellite-rpc", "targets", "video", "without-a-compiler",
 }  # fmt: skip
 """Pages whose examples take more than five seconds"""
