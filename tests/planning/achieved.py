@@ -57,13 +57,13 @@ def achieved(folder: Path, name: str, scale: float) -> dict:
     good = rays >= 2
     told["seen_once_or_never"] = float(1 - good.mean())
     site = replace(site, points=SurfacePoints(xyz=site.points.xyz[good], normal=normal[good]))
-    networks = Networks(site)
+    networks = Networks(site, least_rays=0)  # points that are found less than twice on average were found none the less
     parts = networks.parts(block.images.centre, block.images.rotation)
     e = networks.expected(parts)
     if not isinstance(e, Expected):
         raise SystemExit(f"{folder}: a network of these stations and points does not hold together")
     for _ in range(3):  # inner constraints over points that are well determined, as the adjustment takes them
-        e = Networks(site, carriers=e.sigma < GOOD * np.median(e.sigma)).expected(parts)
+        e = Networks(site, least_rays=0, carriers=e.sigma < GOOD * np.median(e.sigma)).expected(parts)
         assert isinstance(e, Expected)
     rows = rows[good]
     ratio = e.sigma / stated[rows]
