@@ -173,6 +173,38 @@ def test_what_cannot_be_listed_is_told(tmp_path, capsys, kind, words, said):
     assert not (tmp_path / "x").exists()
 
 
+def test_folders_that_hold_something_are_left_alone(tmp_path, capsys):
+    kept = tmp_path / "photos"
+    (kept / "sub").mkdir(parents=True)
+    (kept / "IMG_1.JPG").write_bytes(b"a photograph")
+    (tmp_path / "link").symlink_to(kept)
+    (tmp_path / "empty").mkdir()
+    network = [
+        "plan",
+        "network",
+        "facade:6,4",
+        "--photographs",
+        "8",
+        "--rays",
+        "2",
+        "--points",
+        "40",
+        "--effort",
+        "quick",
+    ]
+    assert main([*network, "--progress", "none", "--out", str(tmp_path / "empty")]) == 0
+    block = str(tmp_path / "empty/block")
+    follow = ["plan", "next", block, "--photographs", "1", "--candidates", "50"]
+    ask = ["plan", "list", "calibration", "sheet:0.42,0.297", "--f-number", "16"]
+    capsys.readouterr()
+    for words in (network, follow, ask):
+        for out in (kept, tmp_path / "link"):
+            assert main([*words, "--progress", "none", "--out", str(out)]) == 2
+            assert "is not overwritten" in capsys.readouterr().err
+            assert (kept / "IMG_1.JPG").read_bytes() == b"a photograph"
+            assert (kept / "sub").is_dir()
+
+
 def test_damaged_lists_are_told(tmp_path, capsys):
     assert listed(tmp_path, "calibration", "--f-number", "16") == 0
     folder = tmp_path / "list"

@@ -81,6 +81,20 @@ def check_place(path: Path, wanted: Literal["file", "folder", "either"] = "eithe
         probe.rmdir()
 
 
+def check_new_folder(path: Path) -> None:
+    """Raise InputError where no new folder can be written under a name; one that holds nothing may stand there.
+
+    For what does not replace a folder of its own kind: nothing that stands there is lost.
+    """
+    check_place(path, "folder")
+    with _told(path):
+        place = place_of(path)
+        if place.exists() and any(place.iterdir()):
+            raise InputError(
+                "stands there already and is not overwritten; choose another folder or delete it", file=path
+            )
+
+
 def _check_kind(path: Path, place: Path, wanted: Literal["file", "folder", "either"]) -> None:
     if not (place.is_file() or place.is_dir()):
         raise InputError("is neither a file nor a folder; choose another name", file=path)

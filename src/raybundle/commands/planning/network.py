@@ -114,7 +114,7 @@ def plan_network(object: str, out: str | Path, *, progress: Progress = silent, *
 def run_plan_network(settings: NetworkSettings, progress: Progress = silent) -> NetworkPlan:
     """Plan what the settings ask for, and write it."""
     from raybundle.commands.planning.network_files import write_network_plan  # noqa: PLC0415  (loaded after the help)
-    from raybundle.io.folders import check_place  # noqa: PLC0415
+    from raybundle.io.folders import check_new_folder  # noqa: PLC0415
     from raybundle.planning import network_plan  # noqa: PLC0415
     from raybundle.planning.held import Wanted  # noqa: PLC0415
 
@@ -122,7 +122,7 @@ def run_plan_network(settings: NetworkSettings, progress: Progress = silent) -> 
         raise InputError(f"say what is wanted: {option('sigma', 'MM')}, or {option('photographs', 'N')}")
     if settings.everywhere and settings.sigma is None:
         raise InputError(f"{option('everywhere')} needs the standard deviation that is wanted: {option('sigma', 'MM')}")
-    check_place(settings.out, "folder")
+    check_new_folder(settings.out)
     plan = network_plan.plan_network(
         site_of(settings), wanted=None if settings.sigma is None else settings.sigma / 1000,
         stations=settings.photographs, aim=settings.aim, least_rays=settings.rays, progress=progress,

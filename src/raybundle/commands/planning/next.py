@@ -96,11 +96,11 @@ def run_plan_next(settings: NextSettings, progress: Progress = silent) -> NextPl
 
 
 def _run(s: NextSettings, given: Adjustment | None, *, write: bool, progress: Progress) -> NextPlan:
-    from raybundle.io.folders import check_place  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.io.folders import check_new_folder  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.planning import next_plan  # noqa: PLC0415
 
     if write:
-        check_place(s.out, "folder")
+        check_new_folder(s.out)
     if s.points and s.aim != "worst":
         raise InputError(f"{option('points')} goes with {option('aim', 'worst')}; leave one of the two away")
     adjusted = _adjusted(s.result, progress) if given is None else given

@@ -75,7 +75,7 @@ def plan_list(kind: str, object: str, out: str | Path, **settings: Any) -> Netwo
 def run_plan_list(settings: ListSettings) -> NetworkPlan:
     """List what the settings ask for, and write it."""
     from raybundle.commands.planning.network_files import write_network_plan  # noqa: PLC0415  (loaded after the help)
-    from raybundle.io.folders import check_place  # noqa: PLC0415
+    from raybundle.io.folders import check_new_folder  # noqa: PLC0415
     from raybundle.planning.assistants import assistants  # noqa: PLC0415
     from raybundle.planning.held import Wanted  # noqa: PLC0415
     from raybundle.planning.network_plan import plan_network  # noqa: PLC0415
@@ -83,7 +83,7 @@ def run_plan_list(settings: ListSettings) -> NetworkPlan:
     if settings.kind not in assistants:
         known = "; ".join(f"{a.name}: {a.about}" for a in sorted(assistants.values(), key=lambda a: a.order))
         raise InputError(f"{settings.kind}: no list of that kind; there are {known}")
-    check_place(settings.out, "folder")
+    check_new_folder(settings.out)
     shots = assistants[settings.kind].shots(task_of(settings))
     known = Wanted() if shots.bars is None else Wanted(bars=shots.bars[0], bar_sigma=shots.bars[1])
     plan = plan_network(shots.site, start=shots.stations, as_given=True, least_rays=2, known=known)
