@@ -12,7 +12,7 @@ from tests.missions.cases import CRS, LEVEL, mission
 
 from raybundle.errors import InputError
 from raybundle.io.missions import mission_formats, routes_of
-from raybundle.io.missions.areas import in_crs
+from raybundle.io.missions.areas import in_crs, read_shapes
 from raybundle.io.missions.mission_file import read_mission, write_mission
 from raybundle.missions.mission import Trigger, exposures
 from raybundle.missions.patterns import patterns
@@ -305,3 +305,23 @@ def test_a_damaged_mission_file_ends_in_a_message(tmp_path):
     path.write_text("name = 1\n")
     with pytest.raises(InputError, match=r"is no flight plan: it holds no \[way_points\]"):
         read_mission(path)
+
+
+def locked(path, name, method=0):
+    """An archive whose member is said to be encrypted, or packed by a method that nobody knows."""
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr(name, "<kml/>")
+    data = bytearray(path.read_bytes())
+    for start, flag, packed in ((data.find(b"PK\x03\x04"), 6, 8), (data.find(b"PK\x01\x02"), 8, 10)):
+        data[start + flag] |= 0 if method else 1
+        data[start + packed] = method
+    path.write_bytes(data)
+    return path
+
+
+@pytest.mark.parametrize("method", [0, 97], ids=["encrypted", "packed otherwise"])
+def test_archives_that_cannot_be_unpacked_are_told(tmp_path, method):
+    with pytest.raises(InputError, match="cannot be unpacked"):
+        read_shapes(str(locked(tmp_path / "area.kmz", "doc.kml", method)))
+    with pytest.raises(InputError, match="cannot be unpacked"):
+        mission_formats["wpml"].read(locked(tmp_path / "flight.kmz", "wpmz/waylines.wpml", method))

@@ -151,7 +151,7 @@ def _unpacked(path: Path) -> bytes:
             if inner[0].file_size > 1 << 26:
                 raise InputError(f"{inner[0].filename} has {inner[0].file_size} bytes, too many", file=path)
             return archive.read(inner[0])
-    except (zipfile.BadZipFile, NotImplementedError, EOFError) as error:
+    except (zipfile.BadZipFile, RuntimeError, EOFError) as error:
         raise InputError(f"cannot be unpacked: {error}", file=path) from None
 
 

@@ -245,7 +245,7 @@ def _member(path: Path) -> bytes:
             return archive.read(entry)
     except KeyError:
         raise InputError(f"holds no {WAYLINES}: this is no flight plan of DJI", file=path) from None
-    except (zipfile.BadZipFile, NotImplementedError, EOFError, ValueError) as error:
+    except (zipfile.BadZipFile, RuntimeError, EOFError, ValueError) as error:
         raise InputError(f"cannot be unpacked ({error}); a KMZ with {WAYLINES} is needed", file=path) from None
 
 
