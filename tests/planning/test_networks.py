@@ -216,10 +216,6 @@ def test_every_aim_is_brought_nearer(aim):
     start = ring(9)
     before, done = designer.design(start), improved(designer, start, QUICK)
     assert done.figure < 0.97 * before.figure
-    for other in aims.values():
-        if other is not aim:  # what is best for one is not what is best for another
-            judged = Designer(Networks(site), other.name)
-            assert judged.design(done.stations).figure > 0
     if aim.unit != "m":
         with pytest.raises(InputError, match="is no standard deviation"):
             plan_network(site, wanted=0.001, aim=aim.name)
@@ -232,8 +228,7 @@ def test_photographs_are_added_where_they_help():
     assert len(again.stations) == 14
     assert (np.diff(again.figures) < 0).all()
     assert designer.design(again.stations).figure == pytest.approx(again.figures[-1], rel=1e-9)
-    all_twice = repeated(designer, one.stations, 0)
-    assert all_twice.figures == pytest.approx([one.figure])
+    assert repeated(designer, one.stations, 0).figures == pytest.approx([one.figure])
     everywhere = densified(designer, one.stations, 0.0002)
     assert everywhere.figures[0] > 0.0002 >= everywhere.figures[-1]
     assert everywhere.open_share == 0

@@ -116,11 +116,10 @@ def scene_of(name: SceneName) -> Scene:
 def write_simulation(simulation: Simulation, out: Path) -> None:
     """Write FOLDER/block, FOLDER/truth and FOLDER/gross.csv, whole or not at all."""
     from raybundle.io.block.folder import named, write_block_files  # noqa: PLC0415
-    from raybundle.io.folders import new_folder  # noqa: PLC0415
+    from raybundle.io.folders import check_new_folder, new_folder  # noqa: PLC0415
     from raybundle.io.tables import write_table  # noqa: PLC0415
 
-    if out.exists() and (not out.is_dir() or any(out.iterdir())):
-        raise InputError("stands there already and is not overwritten; choose another folder or delete it", file=out)
+    check_new_folder(out)
     with new_folder(out) as folder:
         for name, block in (("block", simulation.observed), ("truth", simulation.truth)):
             (folder / name).mkdir()

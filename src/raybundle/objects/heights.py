@@ -9,6 +9,7 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Mask
+from raybundle.objects.kinds.base import grid_triangles
 from raybundle.objects.surface import Surface
 
 
@@ -143,13 +144,11 @@ def surface_of_heights(grid: HeightGrid, name: str = "ground") -> Surface:
     r, c = np.indices(h.shape)
     xy = grid.xy(np.stack([r.ravel() * step, c.ravel() * step], axis=1))
     vertices = np.column_stack([xy, h.ravel()])
-    k = np.arange(h.size).reshape(h.shape)
-    a, b, c, d = k[:-1, :-1].ravel(), k[:-1, 1:].ravel(), k[1:, 1:].ravel(), k[1:, :-1].ravel()
-    triangles = np.concatenate([np.stack([a, d, c], axis=1), np.stack([a, c, b], axis=1)])
+    triangles = grid_triangles(*h.shape)
     triangles = triangles[np.isfinite(vertices[triangles, 2]).all(axis=1)]
     if not len(triangles):
         raise InputError(f"{name}: no four neighbouring cells have heights")
-    if grid.column[0] * grid.row[1] - grid.column[1] * grid.row[0] > 0:
+    if grid.column[0] * grid.row[1] - grid.column[1] * grid.row[0] < 0:
         triangles = triangles[:, ::-1]
     used, triangles = np.unique(triangles, return_inverse=True)
     w, l = np.ptp(vertices[used, :2], axis=0)

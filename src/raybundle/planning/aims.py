@@ -9,7 +9,6 @@ from typing import Literal
 
 import numpy as np
 
-from raybundle.calibration.maps import projection_shifts
 from raybundle.planning.expected import Expected, Networks, Part
 from raybundle.planning.reliability import redundancies
 
@@ -46,11 +45,7 @@ def _mean(networks: Networks, parts: Sequence[Part], e: Expected) -> float:
 
 def _calibration(networks: Networks, parts: Sequence[Part], e: Expected) -> float:
     del parts
-    shifts = networks.kept.get("shifts")
-    if shifts is None:
-        shifts = projection_shifts(networks.site.camera, tuple(networks.free), columns=15, rows=10)
-        networks.kept["shifts"] = shifts
-    return shifts.uncertainty(e.interior).largest
+    return networks.shifts.uncertainty(e.interior).largest
 
 
 def _reliability(networks: Networks, parts: Sequence[Part], e: Expected) -> float:

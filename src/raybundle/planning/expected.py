@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
+from raybundle.calibration.maps import ProjectionShifts, projection_shifts
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.objects.surface import SurfacePoints
 from raybundle.planning.bars import Bars, Scaled
@@ -107,8 +107,6 @@ class Networks:
         bars           known distances between points; the scale is theirs then
         """
         self.carriers, self.bars = carriers, bars
-        self.kept = dict[str, Any]()
-        """What aims compute once"""
         self.least_rays = least_rays
         self.site = site
         xyz = site.points.xyz
@@ -123,6 +121,11 @@ class Networks:
         made = Networks(self.site, None, least_rays, self.carriers, self.bars)
         made.prior = self.prior
         return made
+
+    @cached_property
+    def shifts(self) -> ProjectionShifts:
+        """How image points move by the free parameters of the interior orientation."""
+        return projection_shifts(self.site.camera, tuple(self.free), columns=15, rows=10)
 
     @cached_property
     def _datum(self) -> tuple[Array, Array, Array]:

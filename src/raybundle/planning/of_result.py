@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from raybundle.block import Block
+from raybundle.block.rejection import known_wrong
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.objects.surface import Surface
@@ -25,9 +26,7 @@ def points_of_result(block: Block, used: Mask | None = None) -> tuple[Index, Arr
     """
     o = block.observations
     if used is None:
-        bad = set(block.rejected)
-        images, points = block.images.ids, block.points.ids
-        used = np.array([(images[i], points[p]) not in bad for i, p in zip(o.image, o.point, strict=True)], bool)
+        used = ~known_wrong(block)
     away = block.images.centre[o.image] - block.points.xyz[o.point]
     away = away / np.maximum(np.linalg.norm(away, axis=1, keepdims=True), 1e-300)
     good = used & np.isfinite(away).all(axis=1)

@@ -27,6 +27,7 @@ from raybundle.block.select import selected
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rotation import rotation_from_vector
+from raybundle.objects.surface import farthest_first
 from raybundle.planning.scenes import Scene
 from raybundle.sensors import SensorModel, sensor_models
 
@@ -168,21 +169,10 @@ def _visible(scene: Scene, survey: Survey) -> tuple[Scene, Index, Index, Array]:
 
 def _roles(scene: Scene, survey: Survey) -> Index:
     role = np.full(len(scene.xyz), Role.TIE, np.int32)
-    spread = _well_spread(scene.xyz, survey.control + survey.check)
+    spread = farthest_first(scene.xyz, survey.control + survey.check)
     role[spread[: survey.control]] = Role.CONTROL
     role[spread[survey.control :]] = Role.CHECK
     return role
-
-
-def _well_spread(xyz: Array, count: int) -> Index:
-    """Positions of points far from each other: each the farthest from those before (Gonzalez 1985)."""
-    chosen = np.zeros(count, np.int32)
-    distance = np.linalg.norm(xyz - xyz.mean(axis=0), axis=1)
-    for k in range(count):
-        chosen[k] = int(np.argmax(distance))
-        to_new = np.linalg.norm(xyz - xyz[chosen[k]], axis=1)
-        distance = to_new if k == 0 else np.minimum(distance, to_new)
-    return chosen
 
 
 def _truth(scene: Scene, survey: Survey, image: Index, point: Index, xy: Array, role: Index) -> Block:
@@ -219,7 +209,7 @@ def _scale_bars(scene: Scene, survey: Survey) -> Distances:
     """Distances between far points, no point twice."""
     if survey.scale_bars == 0:
         return Distances.empty()
-    ends = _well_spread(scene.xyz, 2 * survey.scale_bars).reshape(-1, 2)
+    ends = farthest_first(scene.xyz, 2 * survey.scale_bars).reshape(-1, 2)
     length = np.linalg.norm(scene.xyz[ends[:, 0]] - scene.xyz[ends[:, 1]], axis=1)
     sigma = np.full(len(ends), survey.scale_bar_sigma)
     return Distances(start=ends[:, 0].copy(), end=ends[:, 1].copy(), length=length, sigma=sigma)

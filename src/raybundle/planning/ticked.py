@@ -46,8 +46,6 @@ class Ticked:
     """Planned stations that were taken more than once"""
     rolled: Index
     """Taken stations at the right place whose camera was held otherwise"""
-    off: Array
-    """(t,) how far each is from its planned station, by the distance to what is looked at; NaN beside the list"""
 
 
 def ticked(planned: Stations, taken: Stations) -> Ticked:
@@ -60,7 +58,7 @@ def ticked(planned: Stations, taken: Stations) -> Ticked:
     """
     tried = list[tuple[float, Frame]]()
     for frame in _frames(planned, taken):
-        of, _ = _assigned(planned, taken, *frame)
+        of = _assigned(planned, taken, *frame)
         tried.append((_score(planned, taken, of, frame[0]), frame))
     tried.sort(key=lambda f: -f[0])
     best, at = 0.0, None
@@ -74,18 +72,17 @@ def ticked(planned: Stations, taken: Stations) -> Ticked:
             f"the stations of these photographs agree with the list in {int(best)} of {min(len(planned), len(taken))} "
             "places at most: are they of this list?"
         )
-    Q, s, t = at
-    of, off = _one_each(planned, taken, Q, s, t)
+    of = _one_each(planned, taken, *at)
     count = np.bincount(of[of >= 0], minlength=len(planned))
     return Ticked(
         of=of, missing=np.flatnonzero(count == 0), doubled=np.flatnonzero(count > 1),
-        rolled=np.flatnonzero((of >= 0) & (_rolls(planned, taken, of, Q) > ROLLED_DEG)), off=off,
+        rolled=np.flatnonzero((of >= 0) & (_rolls(planned, taken, of, at[0]) > ROLLED_DEG)),
     )  # fmt: skip
 
 
 def _fitted(planned: Stations, taken: Stations, frame: Frame) -> tuple[Frame, Index]:
     """The frame that fits best all that agree in this one, and what agrees in it."""
-    of, _ = _assigned(planned, taken, *frame)
+    of = _assigned(planned, taken, *frame)
     for _ in range(4):
         good = np.flatnonzero(of >= 0)
         if len(good) < 3:
@@ -95,8 +92,8 @@ def _fitted(planned: Stations, taken: Stations, frame: Frame) -> tuple[Frame, In
         except InputError:
             break  # in a line: the first frame stands
         frame = fit.rotation, fit.scale, fit.points(np.zeros((1, 3)))[0]
-        of, _ = _assigned(planned, taken, *frame)
-    return frame, _one_each(planned, taken, *frame)[0]
+        of = _assigned(planned, taken, *frame)
+    return frame, _one_each(planned, taken, *frame)
 
 
 def _rolls(planned: Stations, taken: Stations, of: Index, Q: Array) -> Array:
@@ -143,7 +140,7 @@ def _frames(planned: Stations, taken: Stations) -> list[tuple[Array, float, Arra
     return found[::step]
 
 
-def _one_each(planned: Stations, taken: Stations, Q: Array, s: float, t: Array) -> tuple[Index, Array]:
+def _one_each(planned: Stations, taken: Stations, Q: Array, s: float, t: Array) -> Index:
     """As `_assigned`, but stations near each other are told apart: each is taken once before one is taken twice."""
     off = _off(planned, taken, Q, s, t)
     of = np.full(len(off), -1)
@@ -154,15 +151,15 @@ def _one_each(planned: Stations, taken: Stations, Q: Array, s: float, t: Array) 
     of[rows[good]] = columns[good]
     again = (of < 0) & (off.min(axis=1) < NEAR)
     of[again] = off[again].argmin(axis=1)
-    return of, np.where(of >= 0, off[np.arange(len(of)), np.maximum(of, 0)], np.nan)
+    return of
 
 
-def _assigned(planned: Stations, taken: Stations, Q: Array, s: float, t: Array) -> tuple[Index, Array]:
-    """(t,) nearest planned station that looks alike, -1: none, and how far it is, by its distance to the object."""
+def _assigned(planned: Stations, taken: Stations, Q: Array, s: float, t: Array) -> Index:
+    """(t,) nearest planned station that looks alike; -1: none."""
     off = _off(planned, taken, Q, s, t)
     of = off.argmin(axis=1)
     least = off[np.arange(len(of)), of]
-    return np.where(least < NEAR, of, -1), np.where(least < NEAR, least, np.nan)
+    return np.where(least < NEAR, of, -1)
 
 
 def _off(planned: Stations, taken: Stations, Q: Array, s: float, t: Array) -> Array:

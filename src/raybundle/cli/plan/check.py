@@ -35,10 +35,9 @@ def command(plan: Path, photos: tuple[Path, ...], progress: str, **given: Any) -
 
     PLAN is mission.toml or its folder, or the folder of `raybundle plan list`, whose photographs are ticked off by
     what they show: they are oriented first, or PHOTOS is a result of theirs.  Of a mission, photographs that are
-    blurred or tilted too far do not count; places that are
-    then seen too rarely are gaps, and are written as areas that `raybundle plan mission` takes.  Blur is
-    measured against the other photographs: what all of them share is not seen.  Exit status 4 where something is to
-    be flown again.
+    blurred or tilted too far do not count; places that are then seen too rarely are gaps, and are written as areas
+    that `raybundle plan mission` takes.  Blur is measured against the other photographs: what all of them share is not
+    seen.  Exit status 4 where something is to be flown or taken again.
 
     \b
     Example:

@@ -77,15 +77,16 @@ def check_flight(
 
 def run_plan_check(settings: PlanCheckSettings, progress: Progress = silent) -> CheckedFlight:
     """Check what the settings name, and write what they ask for."""
-    from raybundle.io.missions.flown import flown_of  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.io.folders import check_new_folder  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.io.missions.flown import flown_of  # noqa: PLC0415
     from raybundle.io.missions.mission_file import read_mission  # noqa: PLC0415
     from raybundle.io.photos.photo import find_photos  # noqa: PLC0415
     from raybundle.missions.check import Limits  # noqa: PLC0415
     from raybundle.missions.check import check_flight as check  # noqa: PLC0415
 
     s = settings
-    if s.out is not None and s.out.exists():
-        raise InputError("stands there already and is not overwritten; choose another folder or delete it", file=s.out)
+    if s.out is not None:
+        check_new_folder(s.out)
     mission = read_mission(s.plan)
     if not mission.crs:
         raise InputError("the plan has local coordinates; photographs state theirs on the earth", file=s.plan)

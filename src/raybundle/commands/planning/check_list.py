@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from raybundle.block import Block
     from raybundle.commands.planning.check import PlanCheckSettings
     from raybundle.numerics.arrays import Array
+    from raybundle.planning.candidates import Stations
     from raybundle.planning.ticked import Ticked
 
 
@@ -47,12 +48,12 @@ def run_list_check(settings: PlanCheckSettings, progress: Progress = silent) -> 
     Photographs are oriented first, by targets for a calibration, else by what they show; a result is taken as it is.
     """
     from raybundle.commands.planning.objects import block_in  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.io.folders import check_new_folder  # noqa: PLC0415
     from raybundle.planning.of_result import stations_of_result  # noqa: PLC0415
     from raybundle.planning.ticked import ticked  # noqa: PLC0415
 
-    if settings.out is not None and settings.out.exists():
-        message = "stands there already and is not overwritten; choose another folder or delete it"
-        raise InputError(message, file=settings.out)
+    if settings.out is not None:
+        check_new_folder(settings.out)
     rows = _rows(settings.plan / LIST)
     planned = block_in(settings.plan)
     if len(rows) != len(planned.images):
@@ -66,12 +67,13 @@ def run_list_check(settings: PlanCheckSettings, progress: Progress = silent) -> 
             f"the camera is another one than planned: it sees {2 * _view(taken):.0f} degrees, planned were "
             f"{2 * _view(planned):.0f}: another lens, zoom, or a part of the format"
         )
-    found = ticked(stations_of_result(planned), stations_of_result(taken))
+    stations = stations_of_result(planned)
+    found = ticked(stations, stations_of_result(taken))
     done = CheckedList(
         numbers=tuple(r["image"] for r in rows), see=tuple(r["see"] for r in rows), names=taken.images.ids,
         left_out=left_out, ticked=found, remarks=tuple(remarks), files=(),
     )  # fmt: skip
-    return done if settings.out is None else _written(settings, done, rows)
+    return done if settings.out is None else _written(settings.out, done, rows, planned, stations)
 
 
 def _taken(settings: PlanCheckSettings, progress: Progress) -> tuple[Block, tuple[str, ...]]:
@@ -80,9 +82,10 @@ def _taken(settings: PlanCheckSettings, progress: Progress) -> tuple[Block, tupl
 
     from raybundle.block.select import selected  # noqa: PLC0415
     from raybundle.commands.planning.objects import block_in  # noqa: PLC0415
+    from raybundle.measuring.session import holds_block  # noqa: PLC0415
 
     folder = settings.photos[0]
-    if len(settings.photos) == 1 and any((folder / p / "block.toml").is_file() for p in ("", "block", "result/block")):
+    if len(settings.photos) == 1 and holds_block(folder):
         block = block_in(folder)
     else:
         with tempfile.TemporaryDirectory(prefix="raybundle-") as place:
@@ -131,22 +134,17 @@ def _rows(path: Path) -> list[dict[str, str]]:
     ]  # fmt: skip
 
 
-def _written(settings: PlanCheckSettings, done: CheckedList, rows: Sequence[dict[str, str]]) -> CheckedList:
+def _written(
+    out: Path, done: CheckedList, rows: Sequence[dict[str, str]], planned: Block, stations: Stations
+) -> CheckedList:
     """list.pdf and list.csv with the names of the photographs that were taken."""
-    from dataclasses import replace  # noqa: PLC0415
-
     import numpy as np  # noqa: PLC0415
 
-    from raybundle.commands.planning.objects import block_in  # noqa: PLC0415
     from raybundle.commands.planning.photograph_list import write_list  # noqa: PLC0415
     from raybundle.io.folders import new_folder  # noqa: PLC0415
-    from raybundle.planning.of_result import stations_of_result  # noqa: PLC0415
     from raybundle.report.photograph_list import ListedPhotograph, PhotographList  # noqa: PLC0415
 
-    out = settings.out
-    assert out is not None
-    planned = block_in(settings.plan)
-    s, of = stations_of_result(planned), done.ticked.of
+    s, of = stations, done.ticked.of
     listed = tuple(
         ListedPhotograph(
             number=r["image"], group=r["group"], see=r["see"], how=r["how"], centre=s.centre[k], at=s.at[k],

@@ -6,7 +6,6 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from raybundle.errors import InputError
 from raybundle.settings import METRES, PIXELS, Range, setting
 
 if TYPE_CHECKING:
@@ -99,12 +98,13 @@ class FlightSettings:
 def run_plan_flight(settings: FlightSettings) -> tuple[Flight, FlightPlan, ControlTable | None]:
     """The flight, its forecast, what control brings, and the simulated block as a folder, where they are asked for."""
     from raybundle.io.block.folder import write_block  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.io.folders import check_new_folder  # noqa: PLC0415
     from raybundle.planning.flight import flight_control, plan_flight  # noqa: PLC0415
     from raybundle.planning.uav_networks import flight_block  # noqa: PLC0415
 
     out = settings.out
-    if out is not None and out.exists():
-        raise InputError("stands there already and is not overwritten; choose another folder or delete it", file=out)
+    if out is not None:
+        check_new_folder(out)
     plan = settings.flight()
     done = plan_flight(plan)
     table = flight_control(plan) if settings.control_table else None

@@ -149,7 +149,8 @@ def plan_mission(area: str | Path, out: str | Path, **settings: Any) -> PlannedM
 
 def run_plan_mission(settings: MissionSettings) -> PlannedMission:
     """Plan the mission that the settings ask for, and write it."""
-    from raybundle.io.missions import mission_formats, routes_of  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.io.folders import check_new_folder  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.io.missions import mission_formats, routes_of  # noqa: PLC0415
     from raybundle.missions.build import plan_mission as build  # noqa: PLC0415
     from raybundle.missions.report import mission_facts, warnings  # noqa: PLC0415
 
@@ -163,8 +164,7 @@ def run_plan_mission(settings: MissionSettings) -> PlannedMission:
         raise InputError(
             f"{s.name[:60]!r} is no name for files: letters, digits, blanks, points, - and _ ({option('name')})"
         )
-    if s.out.exists():
-        raise InputError("stands there already and is not overwritten; choose another folder or delete it", file=s.out)
+    check_new_folder(s.out)
     task, lenient, remarks = _task(s)
     mission = build(task)
     mission = replace(mission, remarks=(*remarks, *mission.remarks))

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 REACH = 3.0
 """Without other words one may go so many extents of the object away"""
 FORMAT = Range(low=100, high=100_000)
+MeasuredName = Literal["retro", "targets", "dots", "natural", "hand"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -63,9 +64,7 @@ class NetworkSettings(PlannedCamera):
     focus: float | None = setting(
         None, "Distance to which the lens is focused [m].  [default: so that most is sharp]", limits=METRES
     )
-    measured: Literal["retro", "targets", "dots", "natural", "hand"] = setting(
-        "targets", "What is measured; says how precisely where {noise} does not."
-    )
+    measured: MeasuredName = setting("targets", "What is measured; says how precisely where {noise} does not.")
     points: int = setting(120, "Points on the object by which the network is judged.", limits=Range(low=8, high=1000))
     rays: int = setting(3, "Photographs that each of them must be in, at least.", limits=Range(low=2, high=20))
     incidence: float = setting(65.0, "Largest angle of a ray to the normal [deg].", limits=Range(low=5, high=89))
@@ -124,7 +123,8 @@ def run_plan_network(settings: NetworkSettings, progress: Progress = silent) -> 
         raise InputError(f"{option('everywhere')} needs the standard deviation that is wanted: {option('sigma', 'MM')}")
     check_new_folder(settings.out)
     plan = network_plan.plan_network(
-        site_of(settings), wanted=None if settings.sigma is None else settings.sigma / 1000,
+        site_of(settings, taken=settings.stations is not None),
+        wanted=None if settings.sigma is None else settings.sigma / 1000,
         stations=settings.photographs, aim=settings.aim, least_rays=settings.rays, progress=progress,
         search=network_plan.QUICK if settings.effort == "quick" else None,
         start=None if settings.stations is None else stations_of(settings.stations),
@@ -143,8 +143,11 @@ def title_of(text: str) -> str:
     return Path(text).resolve().name if Path(text).exists() else text
 
 
-def site_of(settings: NetworkSettings) -> Site:
-    """The object, the camera and where one may stand."""
+def site_of(settings: NetworkSettings, *, taken: bool = False) -> Site:
+    """The object, the camera and where one may stand.
+
+    taken  stations are given: without a focus that is told their photographs are sharp everywhere
+    """
     from raybundle.commands.planning.objects import surface_of  # noqa: PLC0415
     from raybundle.objects.surface import spread  # noqa: PLC0415
     from raybundle.planning.measured import measured_kinds  # noqa: PLC0415
@@ -158,8 +161,8 @@ def site_of(settings: NetworkSettings) -> Site:
     fitting = extent * c_mm / float(camera.size_mm.min())  # distance at which the object fills the shorter side
     focus = settings.focus or max(fitting, 2 * c_mm / 1000)
     depth = Optics(f_number=settings.f_number, focus=focus).depth_of_field(c_mm, camera.pixel_mm[0])
-    if settings.stations is not None and settings.focus is None:
-        depth = (0.0, float("inf"))  # photographs that were taken are sharp, or were not used
+    if taken and settings.focus is None:
+        depth = (0.0, float("inf"))
     access = _access(settings, surface, side, depth, fitting)
     kind = measured_kinds[settings.measured]
     return Site(

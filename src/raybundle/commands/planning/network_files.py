@@ -45,6 +45,7 @@ def write_network_plan(
     seen = e if h is None else h.expected
     std = np.sqrt(np.diagonal(seen.points, axis1=1, axis2=2))
     away = s.at - s.centre
+    what_for = [purpose_words(plan, k) for k in range(len(s))]
     with new_folder(out) as folder:
         (folder / "block").mkdir()
         write_block_files(block, folder / "block")
@@ -57,7 +58,7 @@ def write_network_plan(
                 "elevation_deg": np.degrees(np.arctan2(away[:, 2], np.hypot(away[:, 0], away[:, 1]))),
                 "roll_deg": np.degrees(np.arctan2(np.sin(s.roll), np.cos(s.roll))),
                 "points": np.bincount(block.observations.image, minlength=len(s)).astype(float),
-                "what_for": [purpose_words(plan, k) for k in range(len(s))],
+                "what_for": what_for,
             },
         )  # fmt: skip
         write_table(
@@ -81,7 +82,7 @@ def write_network_plan(
         )
         planned = Planned(
             corners=plan.corners, sigma=plan.map_sigma, covariance=seen.points,
-            image_words=tuple(purpose_words(plan, k) for k in range(len(s))),
+            image_words=tuple(what_for),
             remarks=(
                 f"Standard deviations that the plan promises, with {plan.site.sigma_px:g} px of image points, "
                 + frame_words(plan),

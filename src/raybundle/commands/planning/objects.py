@@ -61,11 +61,9 @@ def surface_of(text: str, unit: float = 1.0, crs: str = "") -> tuple[Surface, st
 def block_in(folder: Path) -> Block:
     """The block of a result, of a project's result, of a plan, or that folder itself."""
     from raybundle.io.block.folder import read_block  # noqa: PLC0415
+    from raybundle.measuring.session import block_folder  # noqa: PLC0415
 
-    for inner in ("result/block", "block"):
-        if (folder / inner / "block.toml").is_file():
-            return read_block(folder / inner)
-    return read_block(folder)
+    return read_block(block_folder(folder))
 
 
 def example(name: str) -> str:

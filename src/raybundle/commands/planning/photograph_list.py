@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.commands.planning.network import (
+    MeasuredName,
     NetworkSettings,
     PlannedCamera,
-    camera_of,
     site_of,
     stations_of,
     title_of,
@@ -21,10 +21,13 @@ from raybundle.settings import METRES, Range, made, setting
 if TYPE_CHECKING:
     from raybundle.planning.assistants import Shots, Task
     from raybundle.planning.network_plan import NetworkPlan
+    from raybundle.planning.site import Site
     from raybundle.report.photograph_list import ListedPhotograph, PhotographList
 
-MeasuredKind = Literal["retro", "targets", "dots", "natural", "hand"]
 ListKind = Literal["cipa", "calibration", "turntable", "targets"]
+NEAR = frozenset({"calibration", "turntable"})
+"""Lists whose photographs are taken from so near that not all is sharp: the lens is focused to where the object fills
+the format"""
 POINTS = {"cipa": 600}
 """Points by which a list is judged: natural ones are many"""
 LIST = "list.csv"
@@ -41,7 +44,7 @@ class ListSettings(PlannedCamera):
     focus: float | None = setting(
         None, "Distance to which the lens is focused [m].  [default: where the photographs need it]", limits=METRES
     )
-    measured: MeasuredKind | None = setting(
+    measured: MeasuredName | None = setting(
         None, "What is measured.  [default: natural of a building, dots of a sheet, else targets]"
     )
     around: float = setting(30.0, "cipa: how far one can go from the walls [m].", limits=METRES)
@@ -99,28 +102,37 @@ def run_plan_list(settings: ListSettings) -> NetworkPlan:
 def task_of(settings: ListSettings) -> Task:
     """What the assistant is given."""
     from raybundle.planning.assistants import Task  # noqa: PLC0415
-    from raybundle.planning.assistants.base import FULL  # noqa: PLC0415
 
     s = settings
-    usual: dict[str, MeasuredKind] = {"cipa": "natural", "calibration": "dots"}
-    network = NetworkSettings(
-        **{f.name: getattr(s, f.name) for f in fields(PlannedCamera)}, out=s.out, focus=s.focus,
-        stations=s.stations or s.out, measured=s.measured or usual.get(s.kind, "targets"), incidence=75.0,
-        points=POINTS.get(s.kind, 100),
+    usual: dict[str, MeasuredName] = {"cipa": "natural", "calibration": "dots"}
+    site = site_of(
+        NetworkSettings(
+            **{f.name: getattr(s, f.name) for f in fields(PlannedCamera)}, out=s.out, focus=s.focus,
+            measured=s.measured or usual.get(s.kind, "targets"), incidence=75.0, points=POINTS.get(s.kind, 100),
+        ),
+        taken=True,
     )  # fmt: skip
-    camera = camera_of(network)
-    site = site_of(network)
-    if s.focus is None and s.kind in {"calibration", "turntable"}:
-        import numpy as np  # noqa: PLC0415
-
-        low, high = site.surface.wanted_bounds
-        c = camera.sensor.camera_constant(camera.parameters)
-        distance = float(np.linalg.norm(high - low)) / 2 / np.tan(FULL * np.arctan(camera.size_mm.min() / 2 / c))
-        site = site_of(replace(network, focus=max(distance, 2 * c / 1000)))
+    if s.focus is None and s.kind in NEAR:
+        site = replace(site, depth=_focused(site, s.f_number))
     return Task(
         site=site, reach=s.around, eye=s.eye, overlap=s.overlap, steps=s.steps, elevations_deg=s.elevations,
         measured_by=None if s.stations is None else stations_of(s.stations), targets=s.targets, across_px=s.across,
     )  # fmt: skip
+
+
+def _focused(site: Site, f_number: float) -> tuple[float, float]:
+    """Depth of field of the lens, focused to where the object fills the shorter side of the format."""
+    import numpy as np  # noqa: PLC0415
+
+    from raybundle.planning.assistants.base import FULL  # noqa: PLC0415
+    from raybundle.planning.optics import Optics  # noqa: PLC0415
+
+    low, high = site.surface.wanted_bounds
+    c = site.camera.sensor.camera_constant(site.camera.parameters)
+    half = np.arctan(np.abs(site.camera.size_mm).min() / 2 / c)
+    distance = float(np.linalg.norm(high - low)) / 2 / np.tan(FULL * half)
+    focus = max(distance, 2 * c / 1000)
+    return Optics(f_number=f_number, focus=focus).depth_of_field(c, site.camera.pixel_mm[0])
 
 
 def printed_list(

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
 from raybundle.objects.kinds.base import ObjectKind
-from raybundle.objects.kinds.facade import crossing_sides
+from raybundle.objects.rings import ring_of, ring_triangles
 from raybundle.objects.surface import Surface
 
 
@@ -24,31 +23,12 @@ class Building(ObjectKind):
 
     def made(self, numbers: tuple[float, ...], line: Array | None) -> Surface:
         """A prism; the floor hides and is not measured."""
-        from mapbox_earcut import triangulate_float64  # noqa: PLC0415
-
         height = numbers[-1]
         if line is None:
             w, d = numbers[:2]
             line = np.array([[-w / 2, -d / 2], [w / 2, -d / 2], [w / 2, d / 2], [-w / 2, d / 2]])
-        if np.array_equal(line[0], line[-1]):
-            line = line[:-1]
-        crossing = crossing_sides(line)
-        if crossing:
-            a, b = crossing
-            raise InputError(
-                f"building: its footprint crosses itself: the sides from points {a + 1} and {b + 1}; give its corners "
-                "in the order in which one walks round it"
-            )
-        x, y = line.T
-        area = float(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y)) / 2
-        if len(line) < 3 or abs(area) < 1e-9 * float(np.ptp(line, axis=0).max()) ** 2:
-            raise InputError("building: its footprint encloses no area")
-        line = line if area > 0 else line[::-1]
-        n = len(line)
-        flat = triangulate_float64(np.ascontiguousarray(line), np.array([n], np.uint32)).reshape(-1, 3).astype(np.int64)
-        p, q, r = (line[flat[:, k]] for k in range(3))
-        turned = (q[:, 0] - p[:, 0]) * (r[:, 1] - p[:, 1]) < (q[:, 1] - p[:, 1]) * (r[:, 0] - p[:, 0])
-        flat[turned] = flat[turned][:, ::-1]
+        line = ring_of(line, "building: its footprint")
+        n, flat = len(line), ring_triangles(line)
         k = np.arange(n)
         after = (k + 1) % n
         walls = np.concatenate([np.stack([k, after, after + n], axis=1), np.stack([k, after + n, k + n], axis=1)])

@@ -5,7 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import ClassVar, Literal
+from typing import ClassVar
 
 import numpy as np
 
@@ -99,9 +99,8 @@ class Assistant(ABC):
     about: ClassVar[str]
     example: ClassVar[str]
     """An object as one may type it"""
-    frame: ClassVar[Literal["object", "table", "sheet"]] = "object"
-    """What the places of the stations are told in"""
     order: ClassVar[int] = 9
+    """Place where all are told"""
 
     def __init_subclass__(cls) -> None:
         """Register the assistant under its name."""

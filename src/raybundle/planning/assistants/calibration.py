@@ -27,7 +27,6 @@ class CalibrationNetwork(Assistant):
     name = "calibration"
     about = "a calibration network for this camera and this sheet"
     example = "sheet:0.42,0.297"
-    frame = "sheet"
     order = 2
 
     def shots(self, task: Task) -> Shots:

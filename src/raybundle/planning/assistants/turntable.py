@@ -15,7 +15,6 @@ class Turntable(Assistant):
     name = "turntable"
     about = "an object on a turntable: views at equal steps, from several heights, some with the camera turned"
     example = "cylinder:0.3,0.4"
-    frame = "table"
     order = 3
 
     def shots(self, task: Task) -> Shots:
