@@ -142,18 +142,24 @@ class Networks:
         p = (xyz - self.middle) / self.size
         return np.concatenate([np.tile(np.eye(3), (len(p), 1, 1)), -_crosses(p), p[:, :, None]], axis=2)
 
-    def elsewhere(self, parts: Sequence[Part], e: Expected, points: SurfacePoints) -> Array:
+    def at_places(self, parts: Sequence[Part], points: SurfacePoints) -> list[Part]:
+        """The parts of these stations for other points."""
+        there = Networks(replace(self.site, points=points))
+        return there.parts(np.array([p.centre for p in parts]), np.array([p.rotation for p in parts]))
+
+    def elsewhere(
+        self, parts: Sequence[Part], e: Expected, points: SurfacePoints, mine: Sequence[Part] | None = None
+    ) -> Array:
         """(m, 3, 3) covariances that other points would have, measured in a network without adding to it.
 
-        NaN where a point has less than two rays.
+        mine  their parts, as `at_places` gives them; None: they are made
+        NaN where a point has less than two rays, or rays from one place alone.
         """
-        there = Networks(replace(self.site, points=points))
-        mine = there.parts(np.array([p.centre for p in parts]), np.array([p.rotation for p in parts]))
+        mine = self.at_places(parts, points) if mine is None else mine
         rays = np.bincount(np.concatenate([p.points for p in mine]), minlength=len(points))
         m, t = len(points), len(self.site.points)
         V = np.sum([p.V for p in mine], axis=0)
-        size = np.linalg.eigvalsh(V)
-        rays[size[:, 0] <= FLAT * size[:, 2]] = 0  # from one place alone: no depth
+        rays[~has_depth(V)] = 0
         own = np.concatenate([*(p.W for p in mine), np.sum([p.WF for p in mine], axis=0)], axis=2)
         Q = np.full((m, 3, 3), np.nan)
         good = np.flatnonzero(rays >= 2)
@@ -196,16 +202,24 @@ class Networks:
         by_point = J[:, :, :3] @ rotation[station]
         by_station = np.concatenate([-by_point, J[:, :, :3] @ -_crosses(P)], axis=2)
         by_interior = J[:, :, [c - 2 for c in self.columns]]
-        first = np.searchsorted(station, np.arange(len(centre) + 1))
+        first, t = np.searchsorted(station, np.arange(len(centre) + 1)), len(site.points)
         return [
-            self._part(centre[i], rotation[i], point[s], share[s], by_point[s], by_station[s], by_interior[s])
+            self.part(centre[i], rotation[i], point[s], share[s], (by_point[s], by_station[s], by_interior[s]), t)
             for i in range(len(centre))
             for s in [slice(first[i], first[i + 1])]
         ]
 
-    def _part(self, centre: Array, rotation: Array, point: Index, share: Array, A: Array, B: Array, D: Array) -> Part:
-        t, f = len(self.site.points), len(self.free)
-        V, W, WF = np.zeros((t, 3, 3)), np.zeros((t, 3, 6)), np.zeros((t, 3, f))
+    def part(
+        self, centre: Array, rotation: Array, point: Index, share: Array, by: tuple[Array, Array, Array], count: int
+    ) -> Part:
+        """The part of one station.
+
+        by     derivatives A, B, D of the image points of points (k,), as of `Part`
+        count  how many points there are
+        """
+        A, B, D = by
+        f = len(self.free)
+        V, W, WF = np.zeros((count, 3, 3)), np.zeros((count, 3, 6)), np.zeros((count, 3, f))
         At = np.swapaxes(A, 1, 2)
         V[point], W[point], WF[point] = At @ A, At @ B, At @ D
         b, d = B.reshape(-1, 6), D.reshape(2 * len(point), f)
@@ -294,6 +308,12 @@ class Networks:
         HQH = flat.T @ QH
         cross = G @ np.swapaxes(QH.reshape(t, 3, 7), 1, 2)
         return Q - cross - np.swapaxes(cross, 1, 2) + G @ HQH @ np.swapaxes(G, 1, 2)
+
+
+def has_depth(V: Array) -> Mask:
+    """(n,) whether points with these normal equations (n, 3, 3) are not seen from one place alone."""
+    size = np.linalg.eigvalsh(V)
+    return size[:, 0] > FLAT * size[:, 2]
 
 
 def _crosses(v: Array) -> Array:

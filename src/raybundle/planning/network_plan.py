@@ -16,6 +16,7 @@ from raybundle.planning.aims import Aim, AimName, aims
 from raybundle.planning.candidates import LEAST, Stations, standing_places
 from raybundle.planning.configuration import Design, Designer, Search, improved
 from raybundle.planning.densify import Densified, densified, repeated
+from raybundle.planning.drawn import Promise, promised
 from raybundle.planning.expected import SURE, Expected, Networks, Part, Short
 from raybundle.planning.held import Held, Wanted, held
 from raybundle.planning.reliability import redundancies
@@ -27,6 +28,9 @@ QUICK = Search(places=250, beginnings=3, moved=1, moves=1200, together=0)
 MARGIN = 1.03
 """How far a quick search may miss what is wanted where a thorough one is still tried: what the second gains on average
 in benchmarks/design.py is more"""
+NEARLY = 0.1
+"""Part of its stations that a network of points that are not always found may have more than the fewest: quick searches
+are no better"""
 PLACES = 400
 """Places from which it is looked at what can be seen at all"""
 MAPPED = 1500
@@ -81,6 +85,10 @@ class NetworkPlan:
     """Their middles"""
     map_sigma: Array
     """(m,) standard deviation of the middles [m]; NaN where less than two stations see them"""
+    promise: Promise
+    """Of the points, relative to all of them"""
+    promise_known: Promise
+    """The same in the frame of the scale bars and control that were wanted; the same without any"""
     left_out: SurfacePoints
     """Points of the object that cannot be seen often enough from where one may stand; nothing is promised of them"""
     more: tuple[Densified, ...] = ()
@@ -93,7 +101,12 @@ class NetworkPlan:
     @property
     def reached(self) -> bool:
         """Whether what was wanted is promised."""
-        return self.wanted is None or self.design.figure <= self.wanted
+        return self.wanted is None or self.figure <= self.wanted
+
+    @property
+    def figure(self) -> float:
+        """What is made small, as it is promised: a standard deviation [m], pixels, or 1 by a redundancy number."""
+        return figure_of(self.aim, self.promise, self.design)
 
     @property
     def scale_number(self) -> float:
@@ -170,6 +183,8 @@ def plan_network(
         design = _fewest(designer, first, wanted, search, tried)
     if design.expected is None:
         raise InputError(_not_determined(site, design, least_rays))
+    if wanted is not None and not as_given:
+        design = _as_promised(designer, design, wanted, tried)
     more = list[Densified]()
     if everywhere and wanted is not None:
         more.append(densified(designer, design.stations, wanted))
@@ -223,6 +238,41 @@ def _fewest(
     if best is not None and not reached:
         return best
     raise InputError(_beyond(d, wanted, reached))
+
+
+def figure_of(aim: Aim, promise: Promise, design: Design) -> float:
+    """The figure of an aim, of standard deviations as they are promised."""
+    return {"worst": promise.worst, "mean": promise.mean}.get(aim.name, design.figure)
+
+
+def _as_promised(d: Designer, design: Design, wanted: float, tried: list[tuple[int, float]]) -> Design:
+    """The design with stations added until what is wanted is promised, of points that are not always found."""
+    if d.site.found is None:
+        return design
+
+    def reached(design: Design) -> bool:
+        s = design.stations
+        with threadpool_limits(1):
+            promise = promised(d.networks, d.networks.parts(s.centre, s.rotation))
+        tried.append((len(s), figure_of(d.aim, promise, design)))
+        figures.append(tried[-1])
+        return tried[-1][1] <= wanted
+
+    figures, short = list[tuple[int, float]](), design
+    if reached(design):
+        return design
+    while True:
+        n = len(short.stations) + _step(figures, wanted)
+        if n > MOST:
+            raise InputError(_beyond(d, wanted, figures))
+        design = improved(d, short.stations, QUICK, n)
+        if reached(design):
+            break
+        short = design
+    while len(design.stations) - len(short.stations) > max(1, NEARLY * len(design.stations)):
+        middle = improved(d, short.stations, QUICK, (len(design.stations) + len(short.stations)) // 2)
+        design, short = (middle, short) if reached(middle) else (design, middle)
+    return design
 
 
 def _step(figures: Sequence[tuple[int, float]], wanted: float) -> int:
@@ -286,8 +336,16 @@ def _told(
     e = d.networks.expected(parts)
     assert isinstance(e, Expected)
     known_there = held(d, parts, known)
-    networks, seen = (d.networks, e) if known_there is None else (known_there.networks, known_there.expected)
-    Q = networks.elsewhere(parts, seen, mapped)
+    networks = d.networks if known_there is None else known_there.networks
+    with_known = promised(networks, parts, mapped)
+    promise = with_known if known_there is None else promised(d.networks, parts)
+    for p in (with_known, promise):
+        if not np.isfinite(p.worst):
+            raise InputError(
+                f"points of this kind are found so seldom that the network of {len(parts)} stations falls apart in "
+                f"{100 * p.lost:.0f} % of drawings of what is found; take more stations or more points, or measure "
+                "targets"
+            )
     loose = d.networks.with_rays(2)
     path = float(np.linalg.norm(np.diff(design.stations.centre, axis=0), axis=1).sum())
     n = len(parts)
@@ -298,7 +356,7 @@ def _told(
         left_out=left_out, held=known_there, more=more, redundancy=redundancies(parts, e),
         calibration_px=aims["calibration"].figure(d.networks, parts, e) if d.networks.free else None,
         purposes=tuple(_purpose(d, loose, e, parts, k) for k in range(n)), corners=corners, mapped=mapped,
-        map_sigma=np.sqrt(np.trace(Q, axis1=1, axis2=2) / 3),
+        map_sigma=with_known.places, promise=promise, promise_known=with_known,
     )  # fmt: skip
 
 

@@ -11,6 +11,7 @@ from raybundle.block.select import selected
 from raybundle.numerics.arrays import Array
 from raybundle.planning.bars import Bars
 from raybundle.planning.candidates import Stations
+from raybundle.planning.expected import has_depth
 from raybundle.planning.site import Site
 
 
@@ -68,6 +69,12 @@ def planned_block(
 
 
 def _with_rays(block: Block) -> Block:
-    """Without tie points that were found once or never."""
-    rays = np.bincount(block.observations.point, minlength=len(block.points))
-    return selected(block, "point", (rays >= 2) | (np.asarray(block.points.role) == Role.CONTROL))
+    """Without tie points that were found once or never, or from one place alone."""
+    o = block.observations
+    rays = np.bincount(o.point, minlength=len(block.points))
+    to = block.images.centre[o.image] - block.points.xyz[o.point]
+    to = to / np.linalg.norm(to, axis=1, keepdims=True)
+    V = np.zeros((len(block.points), 3, 3))
+    np.add.at(V, o.point, np.eye(3) - to[:, :, None] * to[:, None])
+    good = (rays >= 2) & has_depth(V)
+    return selected(block, "point", good | (np.asarray(block.points.role) == Role.CONTROL))

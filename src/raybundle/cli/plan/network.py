@@ -63,12 +63,13 @@ def _lines(plan: NetworkPlan, settings: NetworkSettings) -> list[str]:
     near, far = plan.site.depth
     seen = f"{100 * o['seen_twice']:.0f} % of the object is seen twice or more, there median {_mm(o['median_m'])}"
     sharp = f"; sharp from {significant(near, 3)} " + (f"to {significant(far, 3)} m" if far < 1e6 else "m on")
+    frame = "" if t["known"] is None else " (of the object with what is known of it)"
     network = (
         f"B/D {t['base_to_depth']:.2f}, rays {t['rays_mean']:.1f}, S {t['image_scale_number']:.0f}, q {t['q']:.2f}"
     )
     lines = [
         f"{counted(n, 'photograph')} of {plan.site.surface.name} {plan.site.surface.about}: {reached}",
-        f"mean {_mm(t['mean_m'])}, worst {_mm(t['worst_m'])}; {seen}, largest {_mm(o['largest_m'])}",
+        f"mean {_mm(t['mean_m'])}, worst {_mm(t['worst_m'])}; {seen}, largest {_mm(o['largest_m'])}{frame}",
         f"{network}, image sigma {plan.site.sigma_px:g} px{sharp if near > 0 else ''}",
         f"about {t['minutes']:.0f} min on site, {t['path_m']:.0f} m to walk",
     ]
@@ -90,6 +91,7 @@ def _lines(plan: NetworkPlan, settings: NetworkSettings) -> list[str]:
     lines += [f"{k + 1:02d}  {purpose_words(plan, k)}" for k in range(min(n, SHOWN))]
     if n > SHOWN:
         lines.append(f"... {n - SHOWN} more in stations.csv")
+    lines += _seldom(plan)
     out = plan.left_out
     if len(out):
         sides = dict.fromkeys(side_words(n) for n in out.normal)
@@ -104,6 +106,21 @@ def _lines(plan: NetworkPlan, settings: NetworkSettings) -> list[str]:
             "with more --points it is less"
         )
     return [*lines, f"{settings.out}: network.html, stations.csv, points.csv, block"]
+
+
+def _seldom(plan: NetworkPlan) -> list[str]:
+    """Of points that are not always found."""
+    often = plan.promise.often
+    lines = list[str]()
+    if (often < 1).any():
+        lines.append(
+            "remark: these points are not found in every photograph that shows them, "
+            f"{100 * (1 - often.mean()):.1f} % of them less than twice; figures are medians over drawings of what is "
+            "found"
+        )
+    if plan.promise.lost > 0:
+        lines.append(f"caution: in {100 * plan.promise.lost:.0f} % of the drawings the network falls apart; take more")
+    return lines
 
 
 def _mm(metres: float) -> str:

@@ -42,7 +42,7 @@ def write_network_plan(
     names = exact.points.ids
     inner = AdjustmentOptions(datum="inner", datum_points=names, threads=1)
     result = adjust_block(exact, inner if control is None else AdjustmentOptions(threads=1))
-    seen = e if h is None else h.expected
+    seen = plan.promise_known
     std = np.sqrt(np.diagonal(seen.points, axis1=1, axis2=2))
     away = s.at - s.centre
     what_for = [purpose_words(plan, k) for k in range(len(s))]
@@ -66,6 +66,7 @@ def write_network_plan(
             {
                 "point": names, **{a: plan.site.points.xyz[:, k] for k, a in enumerate("XYZ")},
                 **{f"s{a}_mm": 1000 * std[:, k] for k, a in enumerate("XYZ")}, "rays": e.rays.astype(float),
+                "often": seen.often,
                 **({} if h is None else {"known": known_words(h, len(names))}),
             },
         )  # fmt: skip
@@ -106,17 +107,18 @@ def told(plan: NetworkPlan) -> dict[str, Any]:
 
     known = None if h is None else {
         "control": len(h.control), "scale_bars": 0 if h.bars is None else len(h.bars.sigma),
-        "worst_m": float(h.expected.sigma.max()), "mean_m": float(np.sqrt(np.mean(h.expected.sigma**2))),
+        "worst_m": plan.promise_known.worst, "mean_m": plan.promise_known.mean,
     }  # fmt: skip
     return {
         "photographs": len(plan.design.stations),
         "aim": plan.aim.name,
         "wanted_m": plan.wanted,
-        "reached_m": plan.design.figure if plan.aim.unit == "m" else None,
+        "reached_m": plan.figure if plan.aim.unit == "m" else None,
         "calibration_px": plan.calibration_px,
         "least_redundancy": float(plan.redundancy.min()),
-        "worst_m": float(e.sigma.max()),
-        "mean_m": float(np.sqrt(np.mean(e.sigma**2))),
+        "worst_m": plan.promise.worst,
+        "mean_m": plan.promise.mean,
+        "drawings_that_fall_apart": plan.promise.lost,
         "object": {
             "area_m2": plan.site.surface.wanted_area,
             "seen_twice": float(seen.mean()),

@@ -207,8 +207,7 @@ def facts_of(settings: ListSettings, plan: NetworkPlan) -> list[str]:
         f"f/{settings.f_number:g}{focus}" + (f"; sharp from {near:.3g}{sharp}" if near > 0 else ""),
         (
             f"Promised with {plan.site.sigma_px:g} px of image points: standard deviation of a coordinate "
-            f"{1000 * float(plan.expected.sigma.max()):.2g} mm at worst, "
-            f"{1000 * float((plan.expected.sigma**2).mean()) ** 0.5:.2g} mm in the mean"
+            f"{1000 * plan.promise.worst:.2g} mm at worst, {1000 * plan.promise.mean:.2g} mm in the mean"
         ),
     ]
     if plan.calibration_px is not None:
