@@ -95,6 +95,48 @@ def test_what_was_left_out_is_missed_whatever_the_frame(kind, seed):
     assert 2 in found.rolled
 
 
+def views(kind, text, **more):
+    return (
+        assistants[kind]
+        .shots(task_of(ListSettings(kind=kind, object=text, out=Path("x"), f_number=16.0, **more)))
+        .stations
+    )
+
+
+@pytest.mark.parametrize("missed", [(), (32,), (44, 45), (9, 19, 29)])
+@pytest.mark.parametrize("order", ["reversed", "any"])
+def test_a_list_that_looks_the_same_from_no_other_side_needs_no_order(tmp_path, missed, order):
+    (tmp_path / "l.csv").write_text("0,0\n12,0\n12,5\n6,5\n6,9\n0,9\n")
+    stations = views("cipa", f"building:{tmp_path / 'l.csv'},6", around=15.0)
+    rng = np.random.default_rng(4)
+    kept = np.setdiff1d(np.arange(len(stations)), missed)
+    taken = kept[::-1] if order == "reversed" else rng.permutation(kept)
+    found = ticked(stations, turned(stations, taken, rng, off=0.03))
+    assert found.missing.tolist() == list(missed)
+    assert found.of.tolist() == taken.tolist()
+    assert not found.alike
+
+
+def test_a_list_that_looks_the_same_after_a_turn_says_so():
+    stations = views("cipa", "box:12,8,6", around=15.0)
+    kept = np.setdiff1d(np.arange(len(stations)), [0, 5])
+    rng = np.random.default_rng(4)
+    follows = ticked(stations, turned(stations, kept, rng))
+    assert follows.missing.tolist() == [0, 5]
+    any_order = ticked(stations, turned(stations, rng.permutation(kept), rng))
+    assert len(any_order.missing) == 2
+    assert follows.alike
+    assert any_order.alike
+
+
+@pytest.mark.parametrize("other", [("turntable", "cylinder:0.3,0.4"), ("calibration", "sheet:0.42,0.297")])
+def test_photographs_of_another_list_are_refused(other):
+    house = views("cipa", "box:12,8,6", around=15.0)
+    stations = views(*other)
+    with pytest.raises(InputError, match="are they of this list"):
+        ticked(house, turned(stations, np.arange(len(stations)), np.random.default_rng(4)))
+
+
 def test_another_list_is_not_ticked_off():
     settings = ListSettings(kind="cipa", object=OBJECTS["cipa"], out=Path("x"))
     cipa = assistants["cipa"].shots(task_of(settings)).stations

@@ -52,7 +52,11 @@ def test_chessboard(board):
     assert a.sigma0 == pytest.approx(1.0, abs=0.05)  # weights come from the residuals
     (q,) = board.quality
     assert q.reach < 0.8
-    assert q.advice[0].words.startswith("4 photographs with the object in one corner")
+    # points reach three quarters of the way to the corners: photographs that fill them bring most
+    assert [a.ratio for a in q.advice] == sorted((a.ratio for a in q.advice), reverse=True)
+    assert q.advice[0].ratio < 0.25
+    assert "r5c8" in q.advice[0].words  # where to stand is told beside a photograph, what it must show by name
+    assert "left08.jpg" in q.advice[0].words
 
 
 @needs_board
@@ -150,7 +154,7 @@ def test_command_line(tmp_path, capsys):
     assert main(["calibrate", str(BOARD), "--target", "chessboard-9x6", "--out", str(out), "--progress", "none"]) == 0
     said = capsys.readouterr().out
     assert "13 of 13 photographs used" in said
-    assert "next: 4 photographs" in said
+    assert "what to photograph next, and the largest uncertainty then:\n   1. Stand " in said
     assert "seconds: photographs 0." in said
     told = json.loads((out / "result.json").read_text())
     (verdict,) = told["calibration"].values()

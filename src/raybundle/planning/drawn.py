@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.progress import Progress, silent
 from raybundle.objects.surface import SurfacePoints
 from raybundle.planning.bars import Bars
 from raybundle.planning.expected import Expected, Networks, Part, has_depth
@@ -41,7 +42,9 @@ class Promise:
     """Part of the drawings in which the network falls apart"""
 
 
-def promised(networks: Networks, parts: Sequence[Part], places: SurfacePoints | None = None) -> Promise:
+def promised(
+    networks: Networks, parts: Sequence[Part], places: SurfacePoints | None = None, progress: Progress = silent
+) -> Promise:
     """What a network of these stations promises of its points, and of places that are measured in it.
 
     Standard deviations are infinite where it falls apart in half of the drawings.
@@ -59,6 +62,7 @@ def promised(networks: Networks, parts: Sequence[Part], places: SurfacePoints | 
     total, count = np.zeros((t, 3, 3)), np.zeros(t)
     sigma, there_sigma = np.full((DRAWS, t), np.nan), np.full((DRAWS, m), np.nan)
     for k in range(DRAWS):
+        progress("precision over drawings", k / DRAWS)
         rng = np.random.default_rng([k, 17])
         drawn = _drawn(networks, parts, rng)
         e = None if drawn is None else drawn[0].expected(drawn[1])

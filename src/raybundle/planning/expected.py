@@ -165,21 +165,19 @@ class Networks:
         good = np.flatnonzero(rays >= 2)
         iV = np.linalg.inv(V[good])
         M = iV @ own[good]
-        MS = M @ e.inverse
+        MS = (M.reshape(-1, len(e.inverse)) @ e.inverse).reshape(M.shape)  # one product is faster than many small ones
         Q[good] = iV + MS @ np.swapaxes(M, 1, 2)
         if self.prior is not None:
             if e.scaled is not None:
                 Q[good] += e.scaled.change(MS.reshape(-1, MS.shape[2]) @ e.scaled.by_unknowns, None)
             return Q
         H, _, unit = self._datum
-        network_V = np.sum([p.V for p in parts], axis=0)
-        W = np.concatenate([*(p.W for p in parts), np.sum([p.WF for p in parts], axis=0)], axis=2)
-        network_M = (np.linalg.inv(network_V) @ W).reshape(3 * t, -1)
+        network_iV, network_M = e.eliminated
         flat = H.reshape(3 * t, 7)
         HM = flat.T @ network_M
-        inner = np.einsum("tia,tij,tjb->ab", H, np.linalg.inv(network_V), H) + HM @ e.inverse @ HM.T
+        inner = flat.T @ (network_iV @ H).reshape(3 * t, 7) + HM @ e.inverse @ HM.T
         G = self._directions(points.xyz[good]) @ unit
-        cross = G @ (HM @ np.swapaxes(MS, 1, 2))
+        cross = G @ np.swapaxes((MS.reshape(-1, MS.shape[2]) @ HM.T).reshape(-1, 3, 7), 1, 2)
         Q[good] += G @ inner @ np.swapaxes(G, 1, 2) - cross - np.swapaxes(cross, 1, 2)
         if e.scaled is not None:
             flat_G = G.reshape(-1, 7)

@@ -253,7 +253,7 @@ def _as_promised(d: Designer, design: Design, wanted: float, tried: list[tuple[i
     def reached(design: Design) -> bool:
         s = design.stations
         with threadpool_limits(1):
-            promise = promised(d.networks, d.networks.parts(s.centre, s.rotation))
+            promise = promised(d.networks, d.networks.parts(s.centre, s.rotation), progress=d.progress)
         tried.append((len(s), figure_of(d.aim, promise, design)))
         figures.append(tried[-1])
         return tried[-1][1] <= wanted
@@ -337,8 +337,8 @@ def _told(
     assert isinstance(e, Expected)
     known_there = held(d, parts, known)
     networks = d.networks if known_there is None else known_there.networks
-    with_known = promised(networks, parts, mapped)
-    promise = with_known if known_there is None else promised(d.networks, parts)
+    with_known = promised(networks, parts, mapped, d.progress)
+    promise = with_known if known_there is None else promised(d.networks, parts, progress=d.progress)
     for p in (with_known, promise):
         if not np.isfinite(p.worst):
             raise InputError(

@@ -209,7 +209,7 @@ def _scale_bars(scene: Scene, survey: Survey) -> Distances:
     """Distances between far points, no point twice."""
     if survey.scale_bars == 0:
         return Distances.empty()
-    ends = farthest_first(scene.xyz, 2 * survey.scale_bars).reshape(-1, 2)
+    ends = farthest_first(scene.xyz, 2 * survey.scale_bars).reshape(-1, 2).astype(np.int32)
     length = np.linalg.norm(scene.xyz[ends[:, 0]] - scene.xyz[ends[:, 1]], axis=1)
     sigma = np.full(len(ends), survey.scale_bar_sigma)
     return Distances(start=ends[:, 0].copy(), end=ends[:, 1].copy(), length=length, sigma=sigma)

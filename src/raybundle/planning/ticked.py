@@ -23,6 +23,11 @@ ROLLED_DEG = 45.0
 """Turn about the axis from which on the camera was held otherwise"""
 SHARE = 0.5
 """Of the photographs that must be on the list, or it is another one"""
+CLOSE = 0.5
+"""Mean nearness of stations that agree, half of the limit: those of another list lie anywhere within it"""
+SAME = 0.02
+"""Nearness for each place by which two ways of laying photographs onto a list differ no more than by chance: then that
+counts in which they follow each other as listed"""
 SEEDS, OTHERS = 10, 6
 """Stations taken from which the frame is tried, and others beside each of them"""
 AGREE_DEG = 15.0
@@ -46,43 +51,46 @@ class Ticked:
     """Planned stations that were taken more than once"""
     rolled: Index
     """Taken stations at the right place whose camera was held otherwise"""
+    alike: bool = False
+    """Whether another way of laying the photographs onto the list fits as well: which is which follows their order"""
 
 
 def ticked(planned: Stations, taken: Stations) -> Ticked:
     """Which of the planned stations were taken.
 
-    raises  InputError where fewer than three stations of the two agree in any frame
-    The frame of `taken` is arbitrary: that in which most agree with the list counts; where a list looks the same after
-    a turn, as a ring, the one in which cameras are held as listed and photographs follow each other as listed.  What it
-    does not tell: of a ring whose photographs come in another order, which of its stations is which.
+    raises  InputError where too few stations of the two agree in any frame, or badly: then they are of another list
+    The frame of `taken` is arbitrary: that in which they agree best with the list counts; where a list looks the same
+    after a turn, as a ring, the one in which photographs follow each other as listed.  What it does not tell: of such a
+    list whose photographs come in another order, which of its stations is which (`alike`).
     """
-    tried = list[tuple[float, Frame]]()
-    for frame in _frames(planned, taken):
-        of = _assigned(planned, taken, *frame)
-        tried.append((_score(planned, taken, of, frame[0]), frame))
-    tried.sort(key=lambda f: -f[0])
-    best, at = 0.0, None
-    for _, frame in tried[:REFINED]:
-        fitted, of = _fitted(planned, taken, frame)
-        score = _score(planned, taken, of, fitted[0])
-        if score > best:
-            best, at = score, fitted
-    if at is None or int(best) < max(min(3, len(planned)), SHARE * min(len(planned), len(taken))):
+    tried = [(_closeness(planned, taken, *_assigned(planned, taken, f), f), f) for f in _frames(planned, taken)]
+    tried.sort(key=lambda t: -t[0])
+    fits = [_fitted(planned, taken, frame) for _, frame in tried[:REFINED]]
+    worth = np.array([_closeness(planned, taken, of, off, frame) for frame, of, off in fits])
+    if not fits:
+        raise InputError("photographs of one place cannot be laid onto the list: are they of this list?")
+    fair = np.flatnonzero(worth > worth.max() - SAME * len(np.unique(fits[int(worth.argmax())][1])))
+    k = max(fair.tolist(), key=lambda i: (_order(fits[i][1]), worth[i]))
+    frame, of, off = fits[k]
+    agree, wanted = len(np.unique(of[of >= 0])), min(len(planned), len(taken))
+    close = _nearness(of, off).sum() / max(agree, 1)
+    if agree < max(min(3, len(planned)), SHARE * wanted) or close < CLOSE:
         raise InputError(
-            f"the stations of these photographs agree with the list in {int(best)} of {min(len(planned), len(taken))} "
-            "places at most: are they of this list?"
+            f"the stations of these photographs agree with the list in {agree} of {wanted} places at most, and are off "
+            f"by {NEAR * (1 - close):.2f} of the distance to the object there ({NEAR * (1 - CLOSE):.2f} are allowed in "
+            "the mean): are they of this list?"
         )
-    of = _one_each(planned, taken, *at)
     count = np.bincount(of[of >= 0], minlength=len(planned))
     return Ticked(
         of=of, missing=np.flatnonzero(count == 0), doubled=np.flatnonzero(count > 1),
-        rolled=np.flatnonzero((of >= 0) & (_rolls(planned, taken, of, at[0]) > ROLLED_DEG)),
+        rolled=np.flatnonzero((of >= 0) & (_rolls(planned, taken, of, frame[0]) > ROLLED_DEG)),
+        alike=any(np.mean(fits[i][1][of >= 0] != of[of >= 0]) > SHARE for i in fair),
     )  # fmt: skip
 
 
-def _fitted(planned: Stations, taken: Stations, frame: Frame) -> tuple[Frame, Index]:
-    """The frame that fits best all that agree in this one, and what agrees in it."""
-    of = _assigned(planned, taken, *frame)
+def _fitted(planned: Stations, taken: Stations, frame: Frame) -> tuple[Frame, Index, Array]:
+    """The frame that fits best all that agree in this one, what agrees in it, and how far everything is off."""
+    of, off = _assigned(planned, taken, frame)
     for _ in range(4):
         good = np.flatnonzero(of >= 0)
         if len(good) < 3:
@@ -92,8 +100,8 @@ def _fitted(planned: Stations, taken: Stations, frame: Frame) -> tuple[Frame, In
         except InputError:
             break  # in a line: the first frame stands
         frame = fit.rotation, fit.scale, fit.points(np.zeros((1, 3)))[0]
-        of = _assigned(planned, taken, *frame)
-    return frame, _one_each(planned, taken, *frame)
+        of, off = _assigned(planned, taken, frame)
+    return frame, _one_each(off), off
 
 
 def _rolls(planned: Stations, taken: Stations, of: Index, Q: Array) -> Array:
@@ -102,14 +110,27 @@ def _rolls(planned: Stations, taken: Stations, of: Index, Q: Array) -> Array:
     return np.abs(np.degrees(np.arctan2(turned[:, 1, 0], turned[:, 0, 0])))
 
 
-def _score(planned: Stations, taken: Stations, of: Index, Q: Array) -> float:
-    """How many places agree; among equal numbers those in which cameras are held and follow each other as listed."""
+def _nearness(of: Index, off: Array) -> Array:
+    """(p,) of each planned station how near the best photograph of it is: 1 at its place, 0 at the limit or without."""
+    mine = np.flatnonzero(of >= 0)
+    near = np.zeros(off.shape[1])
+    np.maximum.at(near, of[mine], 1 - off[mine, of[mine]] / NEAR)
+    return near
+
+
+def _closeness(planned: Stations, taken: Stations, of: Index, off: Array, frame: Frame) -> float:
+    """How well stations agree: near their places, and the camera held as listed."""
     mine = np.flatnonzero(of >= 0)
     if not len(mine):
         return 0.0
-    held = float(np.mean(_rolls(planned, taken, of, Q)[mine] < ROLLED_DEG))
-    onwards = float(np.mean(np.diff(of[mine]) > 0)) if len(mine) > 1 else 0.0
-    return len(np.unique(of[mine])) + 0.5 * held + 0.4 * onwards
+    held = float(np.mean(_rolls(planned, taken, of, frame[0])[mine] < ROLLED_DEG))
+    return float(_nearness(of, off).sum()) + 0.5 * held
+
+
+def _order(of: Index) -> float:
+    """Share of photographs that follow each other as listed."""
+    mine = of[of >= 0]
+    return float(np.mean(np.diff(mine) > 0)) if len(mine) > 1 else 0.0
 
 
 def _frames(planned: Stations, taken: Stations) -> list[tuple[Array, float, Array]]:
@@ -140,9 +161,8 @@ def _frames(planned: Stations, taken: Stations) -> list[tuple[Array, float, Arra
     return found[::step]
 
 
-def _one_each(planned: Stations, taken: Stations, Q: Array, s: float, t: Array) -> Index:
+def _one_each(off: Array) -> Index:
     """As `_assigned`, but stations near each other are told apart: each is taken once before one is taken twice."""
-    off = _off(planned, taken, Q, s, t)
     of = np.full(len(off), -1)
     near = off.min(axis=1, keepdims=True)
     fair = np.where(off <= 2 * near + BESIDE, off, np.inf)
@@ -154,12 +174,11 @@ def _one_each(planned: Stations, taken: Stations, Q: Array, s: float, t: Array) 
     return of
 
 
-def _assigned(planned: Stations, taken: Stations, Q: Array, s: float, t: Array) -> Index:
-    """(t,) nearest planned station that looks alike; -1: none."""
-    off = _off(planned, taken, Q, s, t)
+def _assigned(planned: Stations, taken: Stations, frame: Frame) -> tuple[Index, Array]:
+    """(t,) nearest planned station that looks alike, -1: none; and how far every two are off."""
+    off = _off(planned, taken, *frame)
     of = off.argmin(axis=1)
-    least = off[np.arange(len(of)), of]
-    return np.where(least < NEAR, of, -1)
+    return np.where(off[np.arange(len(of)), of] < NEAR, of, -1), off
 
 
 def _off(planned: Stations, taken: Stations, Q: Array, s: float, t: Array) -> Array:

@@ -101,6 +101,13 @@ def list_lines(done: CheckedList) -> list[str]:
         text.append(f" beside the list: {', '.join(beside[:NAMED])}")
     if done.left_out:
         text.append(f" not oriented (blurred, or of something else): {', '.join(done.left_out[:NAMED])}")
+    if t.alike:
+        text.append(
+            " caution: this list looks the same after a turn; which photograph is which follows their order. If they "
+            "were taken in another one, what is missing may be on another side"
+        )
+    if 2 * len(beside) > len(done.names):
+        text.append(" caution: most photographs are beside the list: are they of this list?")
     text += [f" caution: {r}" for r in done.remarks]
     if done.files:
         text.append(f" written: {done.files[0].parent}: {', '.join(p.name for p in done.files)}")

@@ -32,8 +32,10 @@ def command(kind: str, object: str, progress: str, **given: Any) -> None:  # noq
       raybundle plan list calibration sheet:0.42,0.297 --c 24 --out calibration-list
       raybundle plan list targets box:4,3,2.5 --stations plan/stations.csv --targets 50 --out targets-list
     """  # noqa: D301
-    del progress
+    from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
+
     settings = made(ListSettings, {"kind": kind, "object": object, **values_of(ListSettings, given)})
-    plan = run_plan_list(settings)
+    with reporting(progress) as tell:
+        plan = run_plan_list(settings, tell)
     lines = [f"{counted(len(plan.design.stations), 'photograph')} listed", *facts_of(settings, plan)]
     click.echo("\n".join(f" {line}" for line in [*lines, f"{settings.out}: list.pdf, list.csv, network.html, block"]))

@@ -16,6 +16,7 @@ from raybundle.commands.planning.network import (
     title_of,
 )
 from raybundle.errors import InputError
+from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import METRES, Range, made, setting
 
 if TYPE_CHECKING:
@@ -63,7 +64,14 @@ class ListSettings(PlannedCamera):
     )
 
 
-def plan_list(kind: str, object: str, out: str | Path, **settings: Any) -> NetworkPlan:  # noqa: A002
+def plan_list(
+    kind: str,
+    object: str,  # noqa: A002
+    out: str | Path,
+    *,
+    progress: Progress = silent,
+    **settings: Any,
+) -> NetworkPlan:
     """List photographs one by one, and write the list.
 
     kind      "cipa", "calibration", "turntable" or "targets"
@@ -72,10 +80,10 @@ def plan_list(kind: str, object: str, out: str | Path, **settings: Any) -> Netwo
     settings  as of the command line, by the names of `ListSettings`
     raises    InputError where the list cannot be made, with what would help
     """
-    return run_plan_list(made(ListSettings, {"kind": kind, "object": object, "out": Path(out), **settings}))
+    return run_plan_list(made(ListSettings, {"kind": kind, "object": object, "out": Path(out), **settings}), progress)
 
 
-def run_plan_list(settings: ListSettings) -> NetworkPlan:
+def run_plan_list(settings: ListSettings, progress: Progress = silent) -> NetworkPlan:
     """List what the settings ask for, and write it."""
     from raybundle.commands.planning.network_files import write_network_plan  # noqa: PLC0415  (loaded after the help)
     from raybundle.io.folders import check_new_folder  # noqa: PLC0415
@@ -89,7 +97,7 @@ def run_plan_list(settings: ListSettings) -> NetworkPlan:
     check_new_folder(settings.out)
     shots = assistants[settings.kind].shots(task_of(settings))
     known = Wanted() if shots.bars is None else Wanted(bars=shots.bars[0], bar_sigma=shots.bars[1])
-    plan = plan_network(shots.site, start=shots.stations, as_given=True, least_rays=2, known=known)
+    plan = plan_network(shots.site, start=shots.stations, as_given=True, least_rays=2, known=known, progress=progress)
     printed, listed = printed_list(settings, shots, plan)
 
     def more(folder: Path) -> None:
