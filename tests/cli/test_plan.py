@@ -7,6 +7,7 @@ import pytest
 
 from raybundle.block import Role
 from raybundle.cli.main import main
+from raybundle.commands.planning.flight import FlightSettings
 from raybundle.io.block.folder import read_block
 from raybundle.planning.flight import forecast, plan_flight
 from raybundle.planning.uav_networks import Flight, flight_block
@@ -103,6 +104,17 @@ def test_control_of_a_simulated_flight():
     assert 0 < np.abs(off).max() < 0.1
     assert plan.overlap == pytest.approx((0.7999, 0.5997), abs=1e-3)
     assert plan.pixel_on_ground == pytest.approx(80 / 3650)
+
+
+def test_flights_that_are_too_large_are_refused_at_once(capsys):
+    assert main(["plan", "flight", "--lines", "40", "--photos", "80"]) == 2
+    assert "40 lines of 80 photographs are 3200; forecasts are made for up to 1000" in capsys.readouterr().err
+
+
+def test_tie_points_are_as_dense_as_photographs_need_them():
+    large = FlightSettings(lines=30, photos=30).flight()
+    assert large.size / large.points < min(large.footprint) / 2
+    assert FlightSettings().flight().points == 30
 
 
 def test_control_that_has_no_layout_is_refused(capsys):

@@ -99,6 +99,23 @@ def test_bad_input_is_told_what_to_do(tmp_path, capsys, words, said):
     assert not (tmp_path / "plan").exists()
 
 
+LINES = '[cameras.{id}]\nmodel = "{model}"\nwidth_px = 600\nheight_px = 400\npixel_mm = [0.01, 0.01]\nc_mm = 4.0\n'
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("", "holds 0 cameras; a plan has one"),
+        (LINES.format(id="a", model="brown") + LINES.format(id="b", model="brown"), "holds 2 cameras (a, b); a plan"),
+        (LINES.format(id="a", model="brown_rolling") + "r = 0.005\n", "plans are made for frame cameras"),
+    ],
+)
+def test_cameras_of_a_calibration(tmp_path, capsys, text, said):
+    (tmp_path / "camera.toml").write_text(text)
+    assert plan(tmp_path, "box:4,3,2", "--photographs", "8", "--camera", str(tmp_path / "camera.toml")) == 2
+    assert said in capsys.readouterr().err
+
+
 def test_what_cannot_be_seen_is_told(tmp_path, capsys):
     assert plan(tmp_path, "box:4,3,2.5", "--photographs", "10", "--rays", "2", "--incidence", "60") == 0
     assert "(on top) cannot be seen 2 times from where one may stand" in capsys.readouterr().out

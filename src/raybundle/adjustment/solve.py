@@ -33,6 +33,8 @@ NOISE = 1e-11
 """Share of the square sum below which a difference of two of them says nothing."""
 NEARLY = 1e-3
 """Steps, in standard deviations, that are short enough where points run away whose rays diverge."""
+EXACT = 1e-5
+"""Smallest sigma0 by which steps are measured: below it observations are exact, and steps are rounding."""
 HUBER = 2.0
 """Whitened residual length beyond which the robust start weighs linearly."""
 
@@ -119,8 +121,12 @@ def _iterated(
             continue
         nodes, points, linear = trial
         predicted = cost - excess - linear
-        sigma0 = np.sqrt(2 * cost / redundancy) if cost > 0 else 1.0
-        length = float(np.sqrt(max(2 * predicted, 0.0) / unknowns) / max(sigma0, 1e-300))
+        sigma0 = max(np.sqrt(2 * cost / redundancy), EXACT)
+        length = float(np.sqrt(max(2 * predicted, 0.0) / unknowns) / sigma0)
+        if sigma0 == EXACT and length < limit and damping > FLOOR and not refused:
+            damping = FLOOR  # exact from the start: the full step tells whether that is all
+            normals.reduce(state, damping=damping, huber=huber)
+            continue
         new = system.updated(state, nodes, points, passing=passing)
         new_cost, new_behind = _cost(normals, new, huber)
         gain = _gain(cost, new_cost, predicted)

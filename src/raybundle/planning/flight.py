@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from raybundle.numerics.arrays import Array
+from raybundle.numerics.progress import Progress, silent
 from raybundle.planning.aerial import NO_RTK, ControlTable, control_table, open_in, precision
 from raybundle.planning.uav_networks import Flight, flight_aerial
 
 ENOUGH = 14
 """Tie points along a side that tell what is determinable, and what control brings."""
+SHOWN = 3.0
+"""Tie points along the shorter side of a photograph"""
 TILT = 30.0
 """Tilt of lines across that are proposed [deg]."""
 HIGHER = 1.3
@@ -67,18 +71,18 @@ class FlightPlan:
         )
 
 
-def plan_flight(plan: Flight) -> FlightPlan:
+def plan_flight(plan: Flight, progress: Progress = silent) -> FlightPlan:
     """The forecast of a plan, and of the changes that could mend what it leaves open.
 
     raises  NotSolvable as `forecast`
     """
-    changes = _changes(plan)
     rtk = plan.station_sigma[2] < NO_RTK[2] / 10
-    return FlightPlan(
-        planned=forecast(plan),
-        without_rtk=forecast(without_rtk(plan), "the same without RTK") if rtk else None,
-        remedies=tuple(forecast(changed, name) for name, changed in changes),
-    )
+    changes = [("as planned", plan), ("the same without RTK", without_rtk(plan))][: 1 + rtk] + _changes(plan)
+    told = list[Forecast]()
+    for k, (name, changed) in enumerate(changes):
+        progress(name, k / len(changes))
+        told.append(forecast(changed, name))
+    return FlightPlan(planned=told[0], without_rtk=told[1] if rtk else None, remedies=tuple(told[1 + rtk :]))
 
 
 def without_rtk(plan: Flight) -> Flight:
@@ -120,7 +124,7 @@ def forecast(plan: Flight, name: str = "as planned") -> Forecast:
     What it does not tell: errors that all positions share, as of a wrong antenna height or geoid, are in no figure.
     """
     found = precision(flight_aerial(plan))
-    even = replace(plan, height_jitter=0.0, angle_jitter_deg=0.0, points=min(plan.points, ENOUGH))
+    even = replace(plan, height_jitter=0.0, angle_jitter_deg=0.0, points=_enough(plan))
     c = None if "c" in found.lost else found.std.get("c")
     return Forecast(
         name=name, plan=plan, photographs=found.photographs, sigma_m=found.sigma_m,
@@ -130,6 +134,15 @@ def forecast(plan: Flight, name: str = "as planned") -> Forecast:
     )  # fmt: skip
 
 
+def points_of(plan: Flight) -> int:
+    """Tie points along a side of the ground of which each photograph shows some."""
+    return math.ceil(SHOWN * plan.size / min(plan.footprint))
+
+
+def _enough(plan: Flight) -> int:
+    return min(plan.points, max(ENOUGH, points_of(plan)))
+
+
 def flight_control(plan: Flight) -> ControlTable:
     """What control points bring to a flight, by number, standard deviation and place; with fewer tie points."""
-    return control_table(flight_aerial(replace(plan, points=min(plan.points, ENOUGH), control=0)))
+    return control_table(flight_aerial(replace(plan, points=_enough(plan), control=0)))

@@ -182,7 +182,7 @@ def plan_network(
     else:
         design = _fewest(designer, first, wanted, search, tried)
     if design.expected is None:
-        raise InputError(_not_determined(site, design, least_rays))
+        raise InputError(_not_determined(site, design, least_rays, as_given=as_given))
     if wanted is not None and not as_given:
         design = _as_promised(designer, design, wanted, tried)
     more = list[Densified]()
@@ -301,7 +301,7 @@ def _beyond(d: Designer, wanted: float, reached: list[tuple[int, float]]) -> str
     )
 
 
-def _not_determined(site: Site, design: Design, least: int) -> str:
+def _not_determined(site: Site, design: Design, least: int, *, as_given: bool) -> str:
     s = design.stations
     station, point, _, _ = site.seen(s.centre, s.rotation)
     rays = np.bincount(point, site.share(s.centre[station], point), minlength=len(site.points))
@@ -310,8 +310,12 @@ def _not_determined(site: Site, design: Design, least: int) -> str:
         k = int(shown.argmin())
         return (
             f"station {k + 1} shows {shown[k]} of {len(rays)} points of the object, fewer than the {LEAST} that orient "
-            f"it ({int((shown < LEAST).sum())} of {len(s)} stations are such): are stations and object in one frame, "
-            "and does the camera look at it?"
+            f"it ({int((shown < LEAST).sum())} of {len(s)} stations are such): "
+            + (
+                "are stations and object in one frame, and does the camera look at it?"
+                if as_given
+                else "judge the network by more points, widen where one may stand, or take a lens of wider angle"
+            )
         )
     few = int((rays < least - SURE).sum())
     if few:
@@ -319,7 +323,8 @@ def _not_determined(site: Site, design: Design, least: int) -> str:
             f"with {len(s)} stations {few} of {len(rays)} points of the object are not found {least} times; take more "
             "stations, widen where one may stand, or a lens of wider angle"
         )
-    return f"a network of {len(s)} stations does not determine all unknowns; take more stations, or hold the camera"
+    held = ", or hold the camera" if site.free else ""
+    return f"a network of {len(s)} stations does not determine all unknowns; take more stations{held}"
 
 
 def _told(

@@ -33,6 +33,9 @@ from raybundle.sensors import SensorModel, sensor_models
 
 Start = Literal["exact", "approximate", "absent"]
 
+NEWTON, SETTLED = 20, 1e-13
+"""Steps to an image point, and the step by which it has settled, as a share of it [or mm]"""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Survey:
@@ -106,12 +109,16 @@ def project(scene: Scene, image: int) -> tuple[Index, Array]:
 def _images_of(points: Array, model: SensorModel, values: Array) -> Array:
     """Image points (2, n) [mm]; NaN beyond the radius up to which the distortion is one-to-one."""
     image = model.start(points, values)
+    going = np.flatnonzero(np.isfinite(image).all(axis=0))
     with np.errstate(all="ignore"):
-        for _ in range(20):  # Newton for all at once; those that do not settle are not shown
-            g, jacobian = model.condition_and_jacobian(*image, *points, *values)
+        for _ in range(NEWTON):  # for all at once; those that do not settle are not shown
+            g, jacobian = model.condition_and_jacobian(*image[:, going], *points[:, going], *values)
             (a, b), (c, d) = jacobian[:, :2]
-            det = a * d - b * c
-            image = image - np.stack([d * g[0] - b * g[1], a * g[1] - c * g[0]]) / det
+            step = np.stack([d * g[0] - b * g[1], a * g[1] - c * g[0]]) / (a * d - b * c)
+            image[:, going] -= step
+            going = going[np.abs(step).max(axis=0) > SETTLED * (1 + np.abs(image[:, going]).max(axis=0))]
+            if not len(going):
+                break
         g, jacobian = model.condition_and_jacobian(*image, *points, *values)
         (a, b), (c, d) = jacobian[:, :2]
         good = (np.abs(g).max(axis=0) < 1e-9) & (a * d - b * c > 0)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, NEW_FOLDER, TRACEBACK, counted
+from raybundle.cli.common import COMMAND_SETTINGS, NEW_FOLDER, common_options, counted
 from raybundle.cli.plan.precision import control_lines, figure
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.planning.flight import FlightSettings, run_plan_flight
@@ -20,8 +20,8 @@ if TYPE_CHECKING:
 
 @click.command("flight", context_settings=COMMAND_SETTINGS)
 @options_of(FlightSettings, out=NEW_FOLDER)
-@TRACEBACK
-def command(**given: Any) -> None:
+@common_options
+def command(progress: str, **given: Any) -> None:
     """Predicted precision of a flight with or without RTK, what it does not determine and what would mend it.
 
     The covariance of the plan is computed, once with the unevenness of a real flight and once exactly level at one
@@ -34,8 +34,11 @@ def command(**given: Any) -> None:
       raybundle plan flight --alternate --cross 30 --overlap 0.8 0.7
       raybundle plan flight --alternate --relief 10 --lever-arm --control-table
     """  # noqa: D301
+    from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
+
     settings = made(FlightSettings, values_of(FlightSettings, given))
-    plan, done, table = run_plan_flight(settings)
+    with reporting(progress) as tell:
+        plan, done, table = run_plan_flight(settings, tell)
     click.echo("\n".join(_head(plan)))
     click.echo(
         f" {'sigma [mm], rms; of c [px]':48}{'photos':>7}{'X':>7}{'Y':>7}{'Z':>7}{'c':>8}{'brings':>9}"

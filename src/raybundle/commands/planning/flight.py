@@ -6,13 +6,17 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from raybundle.settings import METRES, PIXELS, Range, setting
+from raybundle.errors import InputError
+from raybundle.numerics.progress import Progress, silent
+from raybundle.settings import METRES, PIXELS, Range, option, setting
 
 if TYPE_CHECKING:
     from raybundle.planning.aerial import ControlTable
     from raybundle.planning.flight import FlightPlan
     from raybundle.planning.uav_networks import Flight
 
+MOST = 1000
+"""Photographs of a forecast, without those that changes of the plan add"""
 FORMAT, SHARE = Range(low=100, high=100_000), Range(low=0, high=0.95)
 
 
@@ -65,13 +69,17 @@ class FlightSettings:
     ground: float | None = setting(
         None, "Side of the square of tie points [m].  [default: by lines and photos]", limits=METRES
     )
-    points: int = setting(30, "Tie points along a side of it.", limits=Range(low=4, high=60))
+    points: int | None = setting(
+        None, "Tie points along a side of it.  [default: 30, or so many that each photograph shows some]",
+        limits=Range(low=4, high=200),
+    )  # fmt: skip
     control_table: bool = setting(False, "What control brings, by number, standard deviation and place.")
     out: Path | None = setting(None, "New folder for the simulated block of the plan.", metavar="FOLDER")
 
     def flight(self) -> Flight:
         """The flight with its camera, base and spacing."""
         from raybundle.planning.aerial import NO_RTK  # noqa: PLC0415
+        from raybundle.planning.flight import points_of  # noqa: PLC0415
         from raybundle.planning.uav_networks import FREE, Flight, uav_camera  # noqa: PLC0415
 
         width, height, c = self.camera
@@ -84,18 +92,21 @@ class FlightSettings:
         base = self.base or (1 - self.overlap[0]) * along
         spacing = self.spacing or (1 - self.overlap[1]) * across
         covered = ((self.photos - 1) * base * max((self.lines - 1) * spacing, across / 2)) ** 0.5
-        return Flight(
+        made = Flight(
             camera=camera, height=self.height, lines=self.lines, photographs=self.photos, spacing=spacing, base=base,
-            points=self.points, size=self.ground or covered, alternating=self.alternate, cross_tilt_deg=self.cross,
+            size=self.ground or covered, alternating=self.alternate, cross_tilt_deg=self.cross,
             height_jitter=self.jitter[0], angle_jitter_deg=self.jitter[1], image_sigma_px=self.noise,
             station_sigma=NO_RTK if self.no_rtk else self.rtk, control=self.control,
             relief=self.relief / 100, lever_arm=self.lever_arm, cross_height=self.cross_height,
             read_out_s=self.read_out / 1000, speed=self.speed,
             control_sigma=(self.control_sigma[0], *self.control_sigma),
         )  # fmt: skip
+        return replace(made, points=self.points or max(made.points, points_of(made)))
 
 
-def run_plan_flight(settings: FlightSettings) -> tuple[Flight, FlightPlan, ControlTable | None]:
+def run_plan_flight(
+    settings: FlightSettings, progress: Progress = silent
+) -> tuple[Flight, FlightPlan, ControlTable | None]:
     """The flight, its forecast, what control brings, and the simulated block as a folder, where they are asked for."""
     from raybundle.io.block.folder import write_block  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.io.folders import check_new_folder  # noqa: PLC0415
@@ -105,8 +116,14 @@ def run_plan_flight(settings: FlightSettings) -> tuple[Flight, FlightPlan, Contr
     out = settings.out
     if out is not None:
         check_new_folder(out)
+    if settings.lines * settings.photos > MOST:
+        raise InputError(
+            f"{settings.lines} lines of {settings.photos} photographs are {settings.lines * settings.photos}; "
+            f"forecasts are made for up to {MOST}: ask for a part of it with the same base and spacing "
+            f"({option('lines')}, {option('photos')})"
+        )
     plan = settings.flight()
-    done = plan_flight(plan)
+    done = plan_flight(plan, progress)
     table = flight_control(plan) if settings.control_table else None
     if out is not None:
         write_block(flight_block(plan), out)

@@ -206,20 +206,45 @@ def camera_of(settings: NetworkSettings) -> Camera:
         zero = dict.fromkeys(("x0", "y0", "K1", "K2", "K3", "P1", "P2"), 0.0)
         return brown_camera(values={**zero, "c": settings.c}, size_px=settings.format, pixel_mm=pixel, estimate=free)
     if settings.camera.suffix == ".toml" or settings.camera.is_dir():
-        from raybundle.commands.planning.objects import block_in  # noqa: PLC0415
-        from raybundle.io.block.toml import read_cameras  # noqa: PLC0415
-
-        is_block = settings.camera.is_dir()
-        camera = (block_in(settings.camera).cameras if is_block else read_cameras(settings.camera))[0]
+        camera = _calibrated(settings.camera)
         known = tuple(s for s in free if s in camera.sensor.symbols)
-        return replace(camera, id="1", estimate=known, sigma={}, relations=())
+        return replace(camera, estimate=known, sigma={}, relations=())
+    from raybundle.io.cameras.library import with_library  # noqa: PLC0415
     from raybundle.io.photos.cameras import camera_groups  # noqa: PLC0415
     from raybundle.io.photos.photo import read_photo  # noqa: PLC0415
 
-    (group,) = camera_groups([read_photo(settings.camera)])
+    photo = read_photo(settings.camera)
+    (group,) = with_library([photo], camera_groups([photo]))
     zero = dict.fromkeys(("x0", "y0", "K1", "K2", "K3", "P1", "P2"), 0.0)
     camera = brown_camera(values={**zero, "c": group.c_mm}, size_px=(group.width_px, group.height_px), estimate=free)
     return replace(camera, pixel_mm=group.pixel_mm)
+
+
+def _calibrated(path: Path) -> Camera:
+    """The camera of a calibration, or that of most photographs of a block; raises InputError for others than frames."""
+    import numpy as np  # noqa: PLC0415
+
+    from raybundle.commands.planning.objects import block_in  # noqa: PLC0415
+    from raybundle.io.block.toml import read_cameras  # noqa: PLC0415
+    from raybundle.platforms import Carried  # noqa: PLC0415
+
+    if path.is_dir():
+        block = block_in(path)
+        if not block.cameras:
+            raise InputError("has no camera; a plan needs one", file=path)
+        camera = block.cameras[int(np.bincount(block.images.camera, minlength=len(block.cameras)).argmax())]
+    else:
+        cameras = read_cameras(path)
+        if len(cameras) != 1:
+            ids = ", ".join(c.id for c in cameras[:10])
+            raise InputError(f"holds {len(cameras)} cameras{ids and f' ({ids})'}; a plan has one", file=path)
+        (camera,) = cameras
+    if camera.is_scene or isinstance(camera.sensor, Carried):
+        raise InputError(
+            f"camera {camera.id} is a {camera.model}; plans are made for frame cameras, not for scenes, line scanners "
+            "or rolling shutters", file=path,
+        )  # fmt: skip
+    return camera
 
 
 def _access(
