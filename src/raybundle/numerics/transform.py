@@ -138,9 +138,12 @@ def similarity(source: Array, target: Array, weights: Array | None = None, *, sc
     )
 
 
-def robust_similarity(source: Array, target: Array, tolerance: float) -> tuple[Similarity, Array]:
+def robust_similarity(
+    source: Array, target: Array, tolerance: float, *, scale: float | None = None
+) -> tuple[Similarity, Array]:
     """Similarity over the largest set of points (n, 3) that agree within a tolerance; also the mask (n,) of that set.
 
+    scale  a given scale is kept
     All triples where there are few points, else 500 drawn by a fixed seed (RANSAC, Fischler and Bolles 1981).
     """
     n = len(source)
@@ -155,7 +158,7 @@ def robust_similarity(source: Array, target: Array, tolerance: float) -> tuple[S
     best, best_mask = -1.0, np.ones(n, bool)
     for t in triples:
         try:
-            s = similarity(source[t], target[t])
+            s = similarity(source[t], target[t], scale=scale)
         except InputError:
             continue
         error = np.linalg.norm(s.points(source) - target, axis=1)
@@ -164,4 +167,4 @@ def robust_similarity(source: Array, target: Array, tolerance: float) -> tuple[S
             best, best_mask = score, error < tolerance
     if best_mask.sum() < 3:
         best_mask = np.ones(n, bool)
-    return similarity(source[best_mask], target[best_mask]), best_mask
+    return similarity(source[best_mask], target[best_mask], scale=scale), best_mask

@@ -1,0 +1,210 @@
+"""Measured points brought onto nominal coordinates: deviations, how sure they are, and whether tolerances are kept.
+
+Least squares with the joint covariance, or with all coordinates alike as metrology programs do it.  Verdicts on
+tolerances after ISO 14253-1: a deviation proves to be within or beyond its tolerance by its expanded uncertainty.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.metrology.point_set import PointSet, datum_directions
+from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.transform import SimilarityTransform, similarity
+
+Verdict = Literal["within", "beyond", "undecided", ""]
+Weighting = Literal["covariance", "equal"]
+LEAST = 3
+COVERAGE = 2.0
+"""Standard deviations of an expanded uncertainty: 95 %"""
+ROUNDS = 10
+STILL = 1e-12
+"""Change of coordinates, as a share of the size of all, by which a fit has come to its end"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Nominal:
+    """Coordinates that points are to have."""
+
+    ids: tuple[str, ...]
+    xyz: Array
+    """(n, 3) [m]"""
+    tolerance: Array
+    """(n,) largest length of a deviation [m]; NaN where none is asked for"""
+    sigma: Array
+    """(n, 3) standard deviations of the nominal coordinates themselves [m]; 0: they are exact"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BestFit:
+    """Measured points in the axes of the nominal ones; arrays over the points that both have."""
+
+    ids: tuple[str, ...]
+    fitted: Mask
+    """(n,) points by which the axes were fitted"""
+    xyz: Array
+    """(n, 3) measured, in nominal axes [m]"""
+    deviation: Array
+    """(n, 3) measured - nominal [m]"""
+    covariance: Array
+    """(n, 3, 3) of the deviations, the fit's errors included [m^2]"""
+    p_value: Array
+    """(n,) probability of a larger deviation by errors of measurement alone, of this point alone; NaN where the fit
+    leaves nothing to test"""
+    limit: float
+    """Probability below which a deviation is significant: family-wise over the points"""
+    tolerance: Array
+    """(n,) [m]"""
+    verdict: tuple[Verdict, ...]
+    transform: SimilarityTransform
+    """Of the measured axes into the nominal ones"""
+    scale_sigma: float
+    """Standard deviation of the scale, as a share of it; 0 where it was kept"""
+    rms: float
+    """Of the coordinates' deviations of the fitted points [m]"""
+    weighting: Weighting
+    missing: tuple[str, ...]
+    """Nominal points that were not measured"""
+    freedom: float
+
+    @property
+    def length(self) -> Array:
+        """(n,) of the deviations [m]."""
+        return np.linalg.norm(self.deviation, axis=1)
+
+    @property
+    def length_sigma(self) -> Array:
+        """(n,) their standard deviations along themselves [m]."""
+        u = self.deviation / np.maximum(self.length, 1e-300)[:, None]
+        return np.sqrt(np.maximum(np.einsum("ni,nij,nj->n", u, self.covariance, u), 0))
+
+    @property
+    def significant(self) -> Mask:
+        """(n,) deviations that errors of measurement do not explain."""
+        return self.p_value < self.limit
+
+
+def best_fit(
+    measured: PointSet, nominal: Nominal, *, by: Sequence[str] = (), scale: bool = False,
+    weighting: Weighting = "covariance", significance: float = 0.05,
+) -> BestFit:  # fmt: skip
+    """Fit measured points onto nominal ones.
+
+    by      points by which axes are fitted; (): all that both have
+    scale   whether the scale is fitted as well
+    raises  InputError for fewer than three points in common, or points in a line
+    What it does not tell: by which points axes ought to be fitted; a deviation of few fitted points spreads over all.
+    """
+    names = tuple(i for i in nominal.ids if i in set(measured.ids))
+    missing = tuple(i for i in nominal.ids if i not in set(measured.ids))
+    strange = [i for i in by if i not in names]
+    if strange:
+        raise InputError(
+            f"points of the fit are not among both the measured and the nominal: {', '.join(strange[:10])}"
+        )
+    fitted = np.isin(names, list(by)) if by else np.ones(len(names), bool)
+    if fitted.sum() < LEAST:
+        raise InputError(
+            f"{int(fitted.sum())} of {len(nominal.ids)} nominal points are measured under the same name; a fit needs "
+            f"{LEAST} (missing: {', '.join(missing[:5]) or 'none'})"
+        )
+    m = measured.named(names)
+    place = {name: k for k, name in enumerate(nominal.ids)}
+    at = np.array([place[i] for i in names])
+    target, own = nominal.xyz[at], nominal.sigma[at]
+    here, transform, gain, G = _fit(m, target, own, fitted, scale=scale or m.free_scale, weighting=weighting)
+    n = len(names)
+    deviation = here.xyz - target
+    Q = here.covariance + np.diag((own**2).ravel())
+    S = np.eye(3 * n)
+    S[:, np.repeat(fitted, 3)] -= G @ gain
+    C = (S @ Q @ S.T).reshape(n, 3, n, 3)[np.arange(n), :, np.arange(n), :]
+    p = np.array([_tail(d, c, m.freedom) for d, c in zip(deviation, C, strict=True)])
+    tolerance = nominal.tolerance[at]
+    of_scale = G.shape[1] == 7
+    size = float(np.sqrt(np.mean(np.sum((here.xyz[fitted] - here.xyz[fitted].mean(axis=0)) ** 2, axis=1))))
+    K = gain @ Q[np.ix_(np.repeat(fitted, 3), np.repeat(fitted, 3))] @ gain.T
+    found = BestFit(
+        ids=names, fitted=fitted, xyz=here.xyz, deviation=deviation, covariance=C, p_value=p,
+        limit=significance / max(int(np.isfinite(p).sum()), 1), tolerance=tolerance, verdict=(), transform=transform,
+        scale_sigma=float(np.sqrt(max(K[6, 6], 0.0))) / size if of_scale else 0.0,
+        rms=float(np.sqrt(np.mean(deviation[fitted] ** 2))), weighting=weighting, missing=missing, freedom=m.freedom,
+    )  # fmt: skip
+    return _judged(found)
+
+
+def _judged(found: BestFit) -> BestFit:
+    from dataclasses import replace  # noqa: PLC0415
+
+    uncertain = COVERAGE * found.length_sigma
+    words = tuple(
+        _verdict(*v) for v in zip(found.length.tolist(), uncertain.tolist(), found.tolerance.tolist(), strict=True)
+    )
+    return replace(found, verdict=words)
+
+
+def _verdict(length: float, uncertain: float, tolerance: float) -> Verdict:
+    if not np.isfinite(tolerance):
+        return ""
+    if length + uncertain <= tolerance:
+        return "within"
+    return "beyond" if length - uncertain > tolerance else "undecided"
+
+
+def _tail(d: Array, C: Array, freedom: float) -> float:
+    """Probability of a larger deviation; of the directions in which it is not zero by the fit itself."""
+    from scipy.special import chdtrc, fdtrc  # noqa: PLC0415
+
+    size, way = np.linalg.eigh(C)
+    good = size > 1e-9 * max(size[-1], 1e-300)
+    dof = int(good.sum())
+    if not dof or size[-1] <= 0:
+        return float("nan")
+    value = float(np.sum((way[:, good].T @ d) ** 2 / size[good]))
+    return float(chdtrc(dof, value)) if np.isinf(freedom) else float(fdtrc(dof, freedom, value / dof))
+
+
+def _fit(
+    m: PointSet, target: Array, own: Array, fitted: Mask, *, scale: bool, weighting: Weighting
+) -> tuple[PointSet, SimilarityTransform, Array, Array]:
+    """Points in nominal axes, how they came there, the parameters' gain (g, rows) and their directions (3 n, g)."""
+    start = similarity(m.xyz[fitted], target[fitted], scale=None if scale else 1.0)
+    transform = SimilarityTransform(scale=start.scale, rotation=start.rotation, translation=start.translation)
+    rows = np.repeat(fitted, 3)
+    here, gain, G = m, np.zeros((0, 0)), np.zeros((0, 0))
+    for _ in range(ROUNDS):
+        here = m.moved(transform)
+        size = float(np.sqrt(np.mean(np.sum((target - target.mean(axis=0)) ** 2, axis=1))))
+        G = datum_directions(here.xyz, scale=scale, about=fitted).reshape(len(rows), -1)
+        gain = _gain(here, own, G, rows, weighting)
+        if weighting == "equal":
+            break  # the closed form is the end
+        wanted = here.xyz.ravel() - G @ (gain @ (here.xyz - target).ravel()[rows])
+        step = similarity(here.xyz, wanted.reshape(-1, 3), scale=None if scale else 1.0)
+        transform = SimilarityTransform(
+            scale=step.scale * transform.scale, rotation=step.rotation @ transform.rotation,
+            translation=step.scale * step.rotation @ transform.translation + step.translation,
+        )  # fmt: skip
+        if np.abs(wanted - here.xyz.ravel()).max() < STILL * size:
+            break
+    return here, transform, gain, G
+
+
+def _gain(here: PointSet, own: Array, G: Array, rows: Mask, weighting: Weighting) -> Array:
+    Gf = G[rows]
+    if weighting == "equal":
+        return np.linalg.pinv(Gf)
+    Q = here.covariance[np.ix_(rows, rows)] + np.diag((own**2).ravel()[rows])
+    Q = Q + Gf @ Gf.T * (np.trace(Q) / max(float(np.trace(Gf @ Gf.T)), 1e-300))
+    try:
+        half = np.linalg.inv(np.linalg.cholesky(Q))
+    except np.linalg.LinAlgError:
+        raise InputError(
+            "the joint covariance of the fitted points is singular: some are held without error; fit by equal weights"
+        ) from None
+    return np.linalg.pinv(half @ Gf) @ half
