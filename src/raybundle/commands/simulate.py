@@ -11,6 +11,7 @@ from raybundle.errors import InputError
 from raybundle.settings import METRES, NOT_NEGATIVE, PIXELS, Range, option, setting
 
 if TYPE_CHECKING:
+    from raybundle.block import Block
     from raybundle.planning.scenes import Scene
     from raybundle.planning.simulate import Simulation, Survey
 
@@ -83,6 +84,7 @@ def run_simulate(settings: SimulateSettings) -> Simulation:
 
 def _of_plan(settings: SimulateSettings) -> Simulation:
     """What the photographs of a plan, or of a result once more, will measure."""
+    from raybundle.commands.planning.network_files import VISIBLE  # noqa: PLC0415
     from raybundle.commands.planning.objects import block_in  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.planning.simulate_again import simulate_again  # noqa: PLC0415
 
@@ -96,7 +98,40 @@ def _of_plan(settings: SimulateSettings) -> Simulation:
             raise InputError(
                 f"{option(name)}: {folder} has its own control and scale bars; plan it with them, or leave this out"
             )
-    return simulate_again(block_in(folder), settings.survey(), settings.noise)
+    block = block_in(folder)
+    if (folder / VISIBLE).is_file():
+        block = _found_again(folder, block, settings.seed)
+    return simulate_again(block, settings.survey(), settings.noise)
+
+
+def _found_again(plan: Path, block: Block, seed: int) -> Block:
+    """The block of a plan with what is found drawn by this seed; raises InputError where its tables do not fit."""
+    import numpy as np  # noqa: PLC0415
+
+    from raybundle.commands.planning.network_files import VISIBLE  # noqa: PLC0415
+    from raybundle.io.tables import Column, read_table  # noqa: PLC0415
+    from raybundle.planning.planned_block import redrawn  # noqa: PLC0415
+
+    numbers = [*"XYZ", *(f"s{a}_mm" for a in "XYZ"), "rays", "often"]
+    columns = [Column(name="point", kind="id"), *(Column(name=n, kind="number", empty=n not in "XYZ") for n in numbers)]
+    points = read_table(plan / "points.csv", [*columns, Column(name="known", kind="text", optional=True, empty=True)])
+    ids = points.text["point"]
+    missing = [i for i in block.points.ids if i not in set(ids)]
+    if missing:
+        raise InputError(f"lacks point {missing[0]} of the plan's block; plan it again", file=plan / "points.csv")
+    seen = read_table(
+        plan / VISIBLE,
+        [
+            Column(
+                name="image", kind="reference", known={i: k for k, i in enumerate(block.images.ids)}, where="images"
+            ),
+            Column(name="point", kind="reference", known={i: k for k, i in enumerate(ids)}, where="points.csv"),
+            Column(name="found", kind="number", limit="> 0"),
+        ],
+    )
+    sigma = float(np.sqrt(block.observations.cov_px2[:, 0].min()))
+    visible = seen.index["image"], seen.index["point"], seen.number["found"]
+    return redrawn(block, ids, points.numbers(*"XYZ"), visible, sigma, seed)
 
 
 def scene_of(name: SceneName) -> Scene:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from zlib import crc32
 
 import numpy as np
 
@@ -16,9 +17,12 @@ from raybundle.numerics.progress import Progress, silent
 from raybundle.objects.surface import SurfacePoints
 from raybundle.planning.bars import Bars
 from raybundle.planning.expected import Expected, Networks, Part, has_depth
+from raybundle.planning.reliability import redundancies
 
 DRAWS = 40
 """Drawings: the largest standard deviation of a network scatters by a quarter between them, the median of all by 5 %"""
+POINTS, PLACES = 17, 18
+"""What is drawn: whether points are found, or places beside them"""
 OFTEN = 0.5
 """Part of the drawings in which a point must be determined for something to be promised of it"""
 
@@ -38,6 +42,12 @@ class Promise:
     """(t,) part of the drawings in which a point is found so that it has a depth"""
     places: Array
     """(m,) standard deviations of other places of the surface [m]; NaN where they are seldom determined"""
+    interior: Array
+    """(f, f) covariance of the free parameters of the interior orientation: median variances, mean correlations"""
+    calibration_px: float | None
+    """Largest uncertainty of projection over the format by it, median of the drawings; None where it is held"""
+    least_redundancy: float
+    """Smallest redundancy number of an image coordinate, median of the drawings"""
     lost: float = 0.0
     """Part of the drawings in which the network falls apart"""
 
@@ -56,15 +66,16 @@ def promised(
         assert isinstance(e, Expected)
         return Promise(
             points=e.points, worst=float(e.sigma.max()), mean=float(np.sqrt(np.mean(e.sigma**2))),
-            often=np.ones(len(e.sigma)), places=_sigma(networks, parts, e, places, there),
+            often=np.ones(len(e.sigma)), places=_sigma(networks, parts, e, places, there), interior=e.interior,
+            calibration_px=_calibration(networks, e), least_redundancy=float(redundancies(parts, e).min()),
         )  # fmt: skip
     t, m = len(networks.site.points), 0 if places is None else len(places)
     total, count = np.zeros((t, 3, 3)), np.zeros(t)
     sigma, there_sigma = np.full((DRAWS, t), np.nan), np.full((DRAWS, m), np.nan)
+    interior, least = list[Array](), list[float]()
     for k in range(DRAWS):
         progress("precision over drawings", k / DRAWS)
-        rng = np.random.default_rng([k, 17])
-        drawn = _drawn(networks, parts, rng)
+        drawn = _drawn(networks, parts, k)
         e = None if drawn is None else drawn[0].expected(drawn[1])
         if drawn is None or not isinstance(e, Expected):
             continue
@@ -72,13 +83,16 @@ def promised(
         total[good] += e.points
         count[good] += 1
         sigma[k, good] = e.sigma
-        found = [_part(networks, p, _found(p, rng), m) for p in there]
+        interior.append(e.interior)
+        least.append(float(redundancies(mine, e).min()))
+        found = [_part(networks, p, _found(p, k, PLACES), m) for p in there]
         there_sigma[k] = _sigma(some, mine, e, places, found)
     held = np.isfinite(sigma).any(axis=1)
     if held.mean() < OFTEN:
         none = np.full((t, 3, 3), np.nan)
         return Promise(
             points=none, worst=np.inf, mean=np.inf, often=count / DRAWS, places=np.full(m, np.nan),
+            interior=np.full((len(networks.free),) * 2, np.nan), calibration_px=None, least_redundancy=0.0,
             lost=1 - float(held.mean()),
         )  # fmt: skip
     middle = _often(sigma)
@@ -86,11 +100,35 @@ def promised(
     own = np.trace(shape, axis1=1, axis2=2) / 3
     with np.errstate(invalid="ignore", divide="ignore"):
         points = shape * (middle**2 / own)[:, None, None]
+    inside = np.array(interior)
     return Promise(
+        interior=_middle(inside), calibration_px=_calibration_of(networks, inside),
+        least_redundancy=float(np.median(least)),
         points=points, worst=float(np.median(np.nanmax(sigma[held], axis=1))),
         mean=float(np.median(np.sqrt(np.nanmean(sigma[held] ** 2, axis=1)))), often=count / DRAWS,
         places=_often(there_sigma), lost=1 - float(held.mean()),
     )  # fmt: skip
+
+
+def _middle(covariances: Array) -> Array:
+    """Of covariances (d, f, f): median variances, and mean correlations."""
+    if not covariances.shape[1]:
+        return covariances[0]
+    std = np.sqrt(np.diagonal(covariances, axis1=1, axis2=2))
+    related = np.mean(covariances / (std[:, :, None] * std[:, None]), axis=0)
+    middle = np.median(std, axis=0)
+    return related * np.outer(middle, middle)
+
+
+def _calibration(networks: Networks, e: Expected) -> float | None:
+    return _calibration_of(networks, e.interior[None])
+
+
+def _calibration_of(networks: Networks, covariances: Array) -> float | None:
+    """Largest uncertainty of projection [px], median of drawings (d, f, f); None where the camera is held."""
+    if not networks.free:
+        return None
+    return float(np.median([networks.shifts.uncertainty(C).largest for C in covariances]))
 
 
 def _often(sigma: Array) -> Array:
@@ -111,8 +149,10 @@ def _sigma(
     return np.sqrt(np.trace(networks.elsewhere(parts, e, places, there), axis1=1, axis2=2) / 3)
 
 
-def _found(p: Part, rng: np.random.Generator) -> Mask:
-    return rng.random(len(p.share)) < p.share
+def _found(p: Part, drawing: int, of: int) -> Mask:
+    """(k,) which of a station's points are found in a drawing: the same wherever the station stands in the list."""
+    station = crc32(np.concatenate([p.centre, p.rotation.ravel()]).tobytes())
+    return np.random.default_rng([drawing, of, station]).random(len(p.share)) < p.share
 
 
 def _part(networks: Networks, p: Part, keep: Mask, count: int, place: Index | None = None) -> Part:
@@ -125,12 +165,10 @@ def _part(networks: Networks, p: Part, keep: Mask, count: int, place: Index | No
     )  # fmt: skip
 
 
-def _drawn(
-    networks: Networks, parts: Sequence[Part], rng: np.random.Generator
-) -> tuple[Networks, list[Part], Index] | None:
+def _drawn(networks: Networks, parts: Sequence[Part], drawing: int) -> tuple[Networks, list[Part], Index] | None:
     """One drawing: networks of the points that have a depth in it, the parts of the stations, and these points."""
     site, t = networks.site, len(networks.site.points)
-    keep = [_found(p, rng) for p in parts]
+    keep = [_found(p, drawing, POINTS) for p in parts]
     V, rays = np.zeros((t, 3, 3)), np.zeros(t)
     for p, k in zip(parts, keep, strict=True):
         A = p.A[k] / np.sqrt(p.share[k])[:, None, None]

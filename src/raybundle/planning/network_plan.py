@@ -19,7 +19,6 @@ from raybundle.planning.densify import Densified, densified, repeated
 from raybundle.planning.drawn import Promise, promised
 from raybundle.planning.expected import SURE, Expected, Networks, Part, Short
 from raybundle.planning.held import Held, Wanted, held
-from raybundle.planning.reliability import redundancies
 from raybundle.planning.site import Site
 
 FEWEST, MOST = 4, 60
@@ -119,11 +118,6 @@ class NetworkPlan:
         s = self.design.stations
         station, point, _, _ = self.site.seen(s.centre, s.rotation)
         return float(np.linalg.norm(s.centre[station] - self.site.points.xyz[point], axis=1).mean())
-
-    calibration_px: float | None = None
-    """Largest uncertainty of projection over the format by the interior orientation; None where it is held"""
-    redundancy: Array = field(default_factory=lambda: np.zeros((0, 2)))
-    """(m, 2) redundancy numbers of the image coordinates, as `reliability.redundancies` has them"""
 
     @property
     def base_to_depth(self) -> float:
@@ -242,7 +236,11 @@ def _fewest(
 
 def figure_of(aim: Aim, promise: Promise, design: Design) -> float:
     """The figure of an aim, of standard deviations as they are promised."""
-    return {"worst": promise.worst, "mean": promise.mean}.get(aim.name, design.figure)
+    if aim.name == "calibration":
+        return design.figure if promise.calibration_px is None else promise.calibration_px
+    if aim.name == "reliability":
+        return 1 / max(promise.least_redundancy, 1e-9)
+    return promise.worst if aim.name == "worst" else promise.mean
 
 
 def _as_promised(d: Designer, design: Design, wanted: float, tried: list[tuple[int, float]]) -> Design:
@@ -280,7 +278,8 @@ def _step(figures: Sequence[tuple[int, float]], wanted: float) -> int:
     n, figure = figures[-1]
     if not np.isfinite(figure):
         return 1
-    return max(1, int(n * (figure / wanted) ** 2 * 0.8) - n) if figure > 1.3 * wanted else 1
+    # a point that is hardly seen makes a figure worse than the number alone: no more than twice as many at once
+    return max(1, min(n, int(n * (figure / wanted) ** 2 * 0.8) - n)) if figure > 1.3 * wanted else 1
 
 
 def _beyond(d: Designer, wanted: float, reached: list[tuple[int, float]]) -> str:
@@ -358,8 +357,7 @@ def _told(
     cost = replace(cost, minutes=(n * cost.seconds_per_photograph + path / cost.metres_per_second) / 60)
     return NetworkPlan(
         site=site, design=replace(design, expected=e), expected=e, aim=d.aim, wanted=wanted, tried=tried, cost=cost,
-        left_out=left_out, held=known_there, more=more, redundancy=redundancies(parts, e),
-        calibration_px=aims["calibration"].figure(d.networks, parts, e) if d.networks.free else None,
+        left_out=left_out, held=known_there, more=more,
         purposes=tuple(_purpose(d, loose, e, parts, k) for k in range(n)), corners=corners, mapped=mapped,
         map_sigma=with_known.places, promise=promise, promise_known=with_known,
     )  # fmt: skip

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from raybundle.block import Block, Distances, Images, Observations, Points, Role
 from raybundle.block.select import selected
-from raybundle.numerics.arrays import Array
+from raybundle.numerics.arrays import Array, Index
 from raybundle.planning.bars import Bars
 from raybundle.planning.candidates import Stations
 from raybundle.planning.expected import has_depth
@@ -78,3 +79,32 @@ def _with_rays(block: Block) -> Block:
     np.add.at(V, o.point, np.eye(3) - to[:, :, None] * to[:, None])
     good = (rays >= 2) & has_depth(V)
     return selected(block, "point", good | (np.asarray(block.points.role) == Role.CONTROL))
+
+
+def redrawn(
+    block: Block, ids: Sequence[str], xyz: Array, visible: tuple[Index, Index, Array], sigma_px: float, seed: int
+) -> Block:
+    """The block of a plan whose points are not always found, with what is found drawn again.
+
+    ids, xyz  all points of the plan (t,), (t, 3)
+    visible   photograph and point of each image point (m,), and the probability that it is found
+    Tie points that are then found once or never are left out; image points have the standard deviation, and no place.
+    """
+    image, point, found = visible
+    drawn = np.random.default_rng([seed, 29]).random(len(found)) < found
+    place = {name: k for k, name in enumerate(ids)}
+    there = np.array([place[name] for name in block.points.ids])
+    role, sigma = np.full(len(ids), Role.TIE, np.int32), np.full((len(ids), 3), np.nan)
+    role[there], sigma[there] = block.points.role, block.points.sigma
+    bars = block.distances
+    m = int(drawn.sum())
+    whole = replace(
+        block, points=Points(ids=tuple(ids), role=role, xyz=xyz, sigma=sigma),
+        observations=Observations(
+            image=image[drawn].astype(np.int32), point=point[drawn].astype(np.int32), xy_px=np.zeros((m, 2)),
+            cov_px2=np.tile([sigma_px**2, sigma_px**2, 0.0], (m, 1)),
+        ),
+    ).having(
+        replace(bars, start=there[bars.start].astype(np.int32), end=there[bars.end].astype(np.int32))
+    )  # fmt: skip
+    return _with_rays(whole)

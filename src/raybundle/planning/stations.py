@@ -42,7 +42,8 @@ class Reach:
     around: float | None = None
     """Farthest from the box round the object points"""
     heights: tuple[float, float] | None = None
-    """Lowest and highest Z over the lowest object point"""
+    """Lowest and highest Z over the lowest object point; None: where the vertical is known, none below the lowest
+    station"""
     clearance: float | None = None
     """Least distance to any object point; None: a tenth of the median distance"""
     forbidden: Array = field(default_factory=lambda: np.zeros((0, 2, 3)))
@@ -92,6 +93,8 @@ def reachable(
     centre, towards = np.concatenate([centre, round_centre]), np.concatenate([towards, round_towards])
     like = np.concatenate([like, mine[nearest]])
     within = _within(centre, towards, images.centre[mine], xyz, reach, step, distance)
+    if up is not None and reach.heights is None:  # people stand on the ground
+        within &= centre @ up >= (images.centre[mine] @ up).min() - 1e-9 * distance
     if not within.any():
         raise InputError(
             f"none of {len(within)} stations is within what is allowed ({option('step')}, {option('around')}, "

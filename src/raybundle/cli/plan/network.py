@@ -53,7 +53,7 @@ def _lines(plan: NetworkPlan, settings: NetworkSettings) -> list[str]:
     t = told(plan)
     n = t["photographs"]
     reached = f"{plan.aim.words} " + (
-        f"{plan.design.figure:.3g} px" if plan.aim.unit == "px" else f"{t['least_redundancy']:.2f}"
+        f"{plan.figure:.3g} px" if plan.aim.unit == "px" else f"{t['least_redundancy']:.2f}"
     )
     if plan.aim.unit == "m":
         reached = f"sigma of a coordinate {_mm(t['reached_m'])} ({plan.aim.words})"
@@ -86,7 +86,8 @@ def _lines(plan: NetworkPlan, settings: NetworkSettings) -> list[str]:
     if plan.site.free:
         std, pixel = t["interior_mm"], plan.site.camera.pixel_mm[0]
         known = (f"{s} {std[s] / pixel:.2g} px" for s in ("c", "x0", "y0") if s in std)
-        whole = f"; image points to {t['calibration_px']:.2g} px at worst" if plan.calibration_px is not None else ""
+        px = t["calibration_px"]
+        whole = "" if px is None else f"; image points to {px:.2g} px at worst"
         lines.append(f"calibrated with it: {', '.join(known)}{whole}")
     lines += [f"{k + 1:02d}  {purpose_words(plan, k)}" for k in range(min(n, SHOWN))]
     if n > SHOWN:

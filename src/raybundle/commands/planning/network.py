@@ -12,7 +12,7 @@ from raybundle.settings import METRES, PIXELS, POSITIVE, Range, made, option, se
 
 if TYPE_CHECKING:
     from raybundle.block import Camera
-    from raybundle.numerics.arrays import Array
+    from raybundle.numerics.arrays import Array, Mask
     from raybundle.objects.surface import Surface
     from raybundle.planning.candidates import Stations
     from raybundle.planning.network_plan import NetworkPlan
@@ -276,4 +276,9 @@ def _access(
             f"({option('f_number')}), another focus ({option('focus')}) or more room ({option('around')}) is needed"
         )
     boxes: Array = np.array(settings.forbid, float).reshape(-1, 2, 3)
-    return Access(low=box_low, high=box_high, clearance=clearance, forbidden=np.sort(boxes, axis=1))
+
+    def near(centre: Array) -> Mask:
+        off = np.maximum(np.maximum(low - centre, centre - high), 0)[:, :2]
+        return np.asarray(np.linalg.norm(off, axis=1) <= around)
+
+    return Access(low=box_low, high=box_high, clearance=clearance, forbidden=np.sort(boxes, axis=1), allowed=near)

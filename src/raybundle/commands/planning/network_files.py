@@ -14,6 +14,11 @@ if TYPE_CHECKING:
     from raybundle.planning.held import Held
     from raybundle.planning.network_plan import NetworkPlan
 
+VISIBLE = "visible.csv"
+"""Where points are not always found: what each photograph shows, and the probability that it is found"""
+TIMES, HARDLY = 3.0, 100.0
+"""Ratios of standard deviations told in times rather than per cent, and as hardly determined"""
+
 
 def write_network_plan(
     plan: NetworkPlan, name: str, out: Path, more: Callable[[Path], None] | None = None, kind: str = "",
@@ -27,7 +32,7 @@ def write_network_plan(
 
     from raybundle.adjustment.engine import adjust_block  # noqa: PLC0415
     from raybundle.adjustment.options import AdjustmentOptions  # noqa: PLC0415
-    from raybundle.io.block.folder import write_block_files  # noqa: PLC0415
+    from raybundle.io.block.folder import named, write_block_files  # noqa: PLC0415
     from raybundle.io.folders import new_folder  # noqa: PLC0415
     from raybundle.io.tables import write_table  # noqa: PLC0415
     from raybundle.planning.planned_block import planned_block  # noqa: PLC0415
@@ -70,6 +75,15 @@ def write_network_plan(
                 **({} if h is None else {"known": known_words(h, len(names))}),
             },
         )  # fmt: skip
+        if plan.site.found is not None:
+            o = exact.observations
+            write_table(
+                folder / VISIBLE,
+                {
+                    "image": named(exact.images.ids, o.image), "point": named(names, o.point),
+                    "found": plan.site.sigma_px**2 / o.cov_px2[:, 0],
+                },
+            )  # fmt: skip
         if bars is not None:
             write_table(
                 folder / "scale_bars.csv",
@@ -114,8 +128,8 @@ def told(plan: NetworkPlan) -> dict[str, Any]:
         "aim": plan.aim.name,
         "wanted_m": plan.wanted,
         "reached_m": plan.figure if plan.aim.unit == "m" else None,
-        "calibration_px": plan.calibration_px,
-        "least_redundancy": float(plan.redundancy.min()),
+        "calibration_px": plan.promise.calibration_px,
+        "least_redundancy": plan.promise.least_redundancy,
         "worst_m": plan.promise.worst,
         "mean_m": plan.promise.mean,
         "drawings_that_fall_apart": plan.promise.lost,
@@ -125,7 +139,7 @@ def told(plan: NetworkPlan) -> dict[str, Any]:
             "largest_m": float(np.nanmax(plan.map_sigma)),
             "median_m": float(np.nanmedian(plan.map_sigma)),
         },
-        "interior_mm": {s: float(v) for s, v in zip(free, np.sqrt(np.diag(e.interior)), strict=True)},
+        "interior_mm": {s: float(v) for s, v in zip(free, np.sqrt(np.diag(plan.promise.interior)), strict=True)},
         "image_sigma_px": plan.site.sigma_px,
         "image_scale_number": plan.scale_number,
         "rays_mean": float(e.rays.mean()),
@@ -179,22 +193,28 @@ def known_words(h: Held, points: int) -> list[str]:
 
 def purpose_words(plan: NetworkPlan, k: int) -> str:
     """What a station is there for, in words."""
-    import numpy as np  # noqa: PLC0415
-
     p = plan.purposes[k]
     where = plan.site.points
     if len(p.unseen):
         side = side_words(where.normal[p.unseen].mean(axis=0))
         return f"{len(p.unseen)} points {side} would be found less than twice without it"
-    if not np.isfinite(p.ratio):
+    if not p.ratio < HARDLY:
         return "without it the network is not determined"
     said = list[str]()
     if p.ratio > 1.02:
-        said.append(f"{AIMED[plan.aim.name]} {100 * (p.ratio - 1):.0f} % larger without it")
-    said.append(f"{side_words(where.normal[p.worst])} up to {100 * (p.worst_ratio - 1):.0f} %")
+        said.append(f"{AIMED[plan.aim.name]} {_larger(p.ratio)} without it")
+    side = side_words(where.normal[p.worst])
+    said.append(f"{side} up to {_larger(p.worst_ratio)}" + ("" if said else " without it"))
     if p.parameters and p.parameters[0][1] > 1.05:
-        said.append(", ".join(f"{s} {100 * (r - 1):.0f} %" for s, r in p.parameters[:2]))
+        said.append(", ".join(f"{s} {_larger(r)}" for s, r in p.parameters[:2]))
     return "; ".join(said)
+
+
+def _larger(ratio: float) -> str:
+    """By how much a standard deviation is larger."""
+    if ratio > HARDLY:
+        return "hardly determined"
+    return f"{ratio:.0f} times as large" if ratio > TIMES else f"{100 * (ratio - 1):.0f} % larger"
 
 
 def side_words(normal: Array) -> str:

@@ -218,8 +218,8 @@ def facts_of(settings: ListSettings, plan: NetworkPlan) -> list[str]:
             f"{1000 * plan.promise.worst:.2g} mm at worst, {1000 * plan.promise.mean:.2g} mm in the mean"
         ),
     ]
-    if plan.calibration_px is not None:
-        lines.append(f"Calibrated with it: image points to {plan.calibration_px:.2g} px at worst")
+    if plan.promise.calibration_px is not None:
+        lines.append(f"Calibrated with it: image points to {plan.promise.calibration_px:.2g} px at worst")
     if len(plan.left_out):
         share = len(plan.left_out) / (len(plan.left_out) + len(plan.site.points))
         lines.append(f"{100 * share:.0f} % of the object is shown by less than two of the photographs (as roof or top)")

@@ -38,7 +38,7 @@ class CalibrationNetwork(Assistant):
         across = float(np.hypot(size[0], size[1]))
         near = across / 2 / np.tan(FULL * task.half_angles[1])
         sharp = _sharp_words(task, near, across)
-        sides = ("left", "front", "right", "back")
+        sides = ("front", "right", "back", "left")
         rows, leaves = list[tuple[Array, Array, float]](), list[Leaf]()
         for k in range(8):
             rows.append((middle + near * _away(TILT_DEG, 45.0 * k), middle, np.radians((0, 90, 180, 270)[k % 4])))
