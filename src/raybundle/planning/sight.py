@@ -8,7 +8,7 @@ Whoever has a surface gives a function that tells what hides what (`planning.obs
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -35,6 +35,10 @@ SEEN = 100
 coordinates, and make the variance of a ray larger by 3 % than if it showed any number."""
 WORST_SHARE = 0.25
 """Share of these that are the least determined ones; the others are evenly spread."""
+LIKELY = 0.5
+"""Of the photographs that should show a natural point, the share that measured it, from which on it counts as seen in
+another: it is found more likely than not.  The mean information of a ray that is found by chance would promise too much
+of the weakest points, which are those that are seldom found."""
 TOGETHER = 400_000
 """Pairs of photographs and points that are looked at together."""
 
@@ -60,6 +64,8 @@ class PointSight:
     """(t,) rank along a curve that fills space"""
     cov_px2: Array
     """(t, 3) of an image point of each: medians of the variances of its image points, and no covariance"""
+    share: Array
+    """(t,) of the photographs that should show each, the part that measured it; 1 of points with a name of their own"""
     depth: tuple[float, float] = (0.0, float("inf"))
     """Distances along the axis that are sharp [length unit of the block]"""
     incidence: float = GRAZING
@@ -93,11 +99,32 @@ class PointSight:
         mean = np.zeros((t, 3))
         np.add.at(mean, at, to)
         names = [block.points.ids[p] for p in points.tolist()]
-        return cls(
+        made = cls(
             points=points, xyz=xyz, normal=_normals(xyz, mean), rays=rays, nearest=near, farthest=far,
             natural=automatic(names), order=np.argsort(along_curve(xyz)),
-            cov_px2=_typical(o.cov_px2[rows], at, block.images.camera[image] == camera, t),
+            cov_px2=_typical(o.cov_px2[rows], at, block.images.camera[image] == camera, t), share=np.ones(t),
         )  # fmt: skip
+        return replace(made, share=made._found(block, image, at)) if made.natural.any() else made
+
+    def _found(self, block: Block, image: Index, at: Index) -> Array:
+        """(t,) of the photographs that should show each natural point, the part that measured it.
+
+        image, at  (k,) photograph and place of the point of each image point
+        """
+        t = len(self.points)
+        measured = np.unique(image.astype(np.int64) * t + at)
+        should = [measured]
+        step = max(1, TOGETHER // max(t, 1))
+        part = np.unique(image)
+        for k in np.unique(block.images.camera[part]):
+            mine = part[block.images.camera[part] == k]
+            for first in range(0, len(mine), step):
+                some = mine[first : first + step]
+                seen, of, _ = self._pairs(block, int(k), block.images.centre[some], block.images.rotation[some])
+                should.append(some[seen].astype(np.int64) * t + of)
+        whole = np.bincount(np.unique(np.concatenate(should)) % t, minlength=t)
+        share = np.bincount(measured % t, minlength=t) / np.maximum(whole, 1)
+        return np.where(self.natural & (whole > 0), share, 1.0)
 
     def shown(
         self, block: Block, camera: int, centre: Array, rotation: Array, least: Array | None = None
@@ -112,9 +139,10 @@ class PointSight:
         for first in range(0, len(centre), step):
             part = slice(first, first + step)
             image, at, xy = self._pairs(block, camera, centre[part], rotation[part])
-            images.append(image + first)
-            places.append(at)
-            image_xy.append(xy)
+            likely = self.share[at] > LIKELY
+            images.append(image[likely] + first)
+            places.append(at[likely])
+            image_xy.append(xy[likely])
         image, at, xy = (np.concatenate(a) for a in (images, places, image_xy))
         keep = np.bincount(image, minlength=len(centre))[image] >= FEWEST
         if least is not None:
