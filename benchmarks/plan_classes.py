@@ -1,13 +1,13 @@
 """What a plan counts with beforehand, learned from results: sigma of image points, and how often points are found.
 
-python benchmarks/plan_classes.py RESULT [RESULT ...]
+python benchmarks/plan_classes.py RESULT=CLASS [RESULT=CLASS ...]      as fountain=natural monstree=phone
 
-RESULTs are result folders of `raybundle orient` or `calibrate`.  Of each: the median standard deviation of an image
-coordinate of points with three rays or more, and the one that makes as precise points (median) where all image points
-have it, which is larger where precise and coarse ones are mixed; and of the photographs that show a point, by the
-surface that the points span and what stands before it, the share in which it was measured, by the angle of the ray to
-the surface.  The share is told as most / (1 + exp((angle - half) / width)), fitted to the observed shares of all sets,
-and of all but one each.
+RESULTs are result folders of `raybundle orient` or `calibrate`, CLASS what the photographs are.  Of each: the median
+standard deviation of an image coordinate of points with three rays or more, and the one that makes as precise points
+(median) where all image points have it, which is larger where precise and coarse ones are mixed; and of the photographs
+that show a point, by the surface that the points span and what stands before it, the share in which it was measured, by
+the angle of the ray to the surface.  The share is told as most / (1 + exp((angle - half) / width)), fitted to the
+observed shares of all sets of a class, and of all but one each.
 """
 
 from __future__ import annotations
@@ -120,15 +120,21 @@ def fitted(sets: list[dict]) -> dict[str, float]:
 def main() -> None:
     """Learn, print and write."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("results", nargs="+", type=Path)
-    args = parser.parse_args()
-    sets = {folder.name: of_result(folder / "result" if (folder / "result").is_dir() else folder)
-            for folder in args.results}  # fmt: skip
-    told = {"sets": sets, "all": fitted(list(sets.values()))}
-    if len(sets) > 1:
-        told["without"] = {name: fitted([s for n, s in sets.items() if n != name]) for name in sets}
-    sigma = [s["alike_sigma_px"] for s in sets.values()]
-    told["alike_sigma_px"] = {"median": float(np.median(sigma)), "least": min(sigma), "most": max(sigma)}
+    parser.add_argument("results", nargs="+")
+    sets, classes = {}, {}
+    for text in parser.parse_args().results:
+        path, _, name = text.partition("=")
+        folder = Path(path)
+        sets[folder.name] = of_result(folder / "result" if (folder / "result").is_dir() else folder)
+        classes.setdefault(name or "natural", []).append(folder.name)
+    told = {"sets": sets, "classes": {}}
+    for name, mine in classes.items():
+        sigma = [sets[n]["alike_sigma_px"] for n in mine]
+        told["classes"][name] = {
+            "sets": mine, **fitted([sets[n] for n in mine]),
+            "alike_sigma_px": {"median": float(np.median(sigma)), "least": min(sigma), "most": max(sigma)},
+            "without": {n: fitted([sets[m] for m in mine if m != n]) for n in mine if len(mine) > 1},
+        }  # fmt: skip
     print(json.dumps(told, indent=1))
     OUT.write_text(json.dumps(told, indent=1) + "\n")
 

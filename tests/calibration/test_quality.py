@@ -52,7 +52,7 @@ def test_a_narrow_network_is_not_and_what_helps_is_named_first(narrow):
     assert q.grade in {"usable", "weak"}
     assert any("hardly converge" in r for r in q.reasons)
     assert any("never rolled" in r for r in q.reasons)
-    assert any("turn the camera by 90 degrees" in p.words for p in q.advice)
+    assert any("roll the camera by 90 degrees" in p.words for p in q.advice)
     assert q.advice[-1].ratio < 0.35
     assert [p.ratio for p in q.advice] == sorted((p.ratio for p in q.advice), reverse=True)
 

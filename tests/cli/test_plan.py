@@ -106,6 +106,18 @@ def test_control_of_a_simulated_flight():
     assert plan.pixel_on_ground == pytest.approx(80 / 3650)
 
 
+def test_a_flight_is_surveyed_again_with_new_positions(tmp_path, capsys):
+    assert main(["plan", "flight", "--alternate", "--points", "9", "--lever-arm", "--out", str(tmp_path / "f")]) == 0
+    for seed in ("3", "4"):
+        assert main(["simulate", str(tmp_path / "f"), "--seed", seed, "--out", str(tmp_path / seed)]) == 0
+    three, four, truth = (read_block(tmp_path / name) for name in ("3/block", "4/block", "3/truth"))
+    np.testing.assert_allclose(truth.stations.xyz, truth.images.centre, rtol=0, atol=1e-9)
+    errors = [(b.stations.xyz - truth.images.centre) / b.stations.sigma for b in (three, four)]
+    assert np.std(errors) == pytest.approx(1, abs=0.15)
+    assert abs(np.corrcoef(errors[0].ravel(), errors[1].ravel())[0, 1]) < 0.3
+    capsys.readouterr()
+
+
 def test_flights_that_are_too_large_are_refused_at_once(capsys):
     assert main(["plan", "flight", "--lines", "40", "--photos", "80"]) == 2
     assert "40 lines of 80 photographs are 3200; forecasts are made for up to 1000" in capsys.readouterr().err

@@ -11,7 +11,7 @@ from scipy.spatial import KDTree
 
 from raybundle.adjustment.datum import GOOD
 from raybundle.objects.surface import SurfacePoints
-from raybundle.planning.expected import Expected, Networks
+from raybundle.planning.expected import Expected, Networks, has_depth
 from raybundle.planning.measured import measured_kinds
 from raybundle.planning.of_result import good_points, surface_of_result
 from raybundle.planning.site import Access, Site
@@ -21,6 +21,8 @@ POINTS = 4000
 PATCHES = 60
 """Of the map of a surface with many points; of others the map is that of the points"""
 IN_EACH = 10
+SELDOM = 0.5
+"""Photographs in which a point is to be found on average, below which a plan knows nothing of it"""
 
 
 def achieved(folder: Path, name: str, scale: float) -> dict:
@@ -53,8 +55,9 @@ def achieved(folder: Path, name: str, scale: float) -> dict:
     told = {"class": name, "image_sigma_px": site.sigma_px, "image_sigma_of_result_px": of_result, "free": free}
     networks = Networks(site, least_rays=0)
     parts = networks.parts(block.images.centre, block.images.rotation)
-    rays = np.bincount(np.concatenate([p.points for p in parts]), minlength=len(rows))
-    good = rays >= 2
+    seen = np.concatenate([p.points for p in parts])
+    found = np.bincount(seen, np.concatenate([p.share for p in parts]), minlength=len(rows))
+    good = (found >= SELDOM) & has_depth(np.sum([p.V for p in parts], axis=0))
     told["seen_once_or_never"] = float(1 - good.mean())
     site = replace(site, points=SurfacePoints(xyz=site.points.xyz[good], normal=normal[good]))
     networks = Networks(site, least_rays=0)  # points that are found less than twice on average were found none the less

@@ -204,7 +204,7 @@ def test_a_ring_goes_round_any_footprint(tmp_path, capsys):
         ("cipa", ("--focus", "2"), "is photographed from"),
         ("calibration", ("--focus", "1", "--f-number", "4"), "the lens is sharp from"),
         ("turntable", ("--steps", "5"), "at least 8 overlap"),
-        ("targets", ("--across", "200"), "take fewer targets"),
+        ("targets", ("--across", "200", "--targets", "400"), "take fewer targets"),
         ("targets", ("--stations", "none.csv"), "none.csv"),
     ],
 )  # fmt: skip

@@ -1,12 +1,14 @@
 """Networks of stations: expected covariances, the optimiser, plans."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.commands.planning.network import NetworkSettings, site_of
 from raybundle.errors import InputError
 from raybundle.objects.kinds import object_kinds
 from raybundle.objects.surface import SurfacePoints, spread
@@ -15,6 +17,7 @@ from raybundle.planning.bars import placed_bars
 from raybundle.planning.candidates import Stations
 from raybundle.planning.configuration import Designer, Search, improved
 from raybundle.planning.densify import densified, repeated
+from raybundle.planning.drawn import promised
 from raybundle.planning.expected import Expected, Networks, Short
 from raybundle.planning.held import Wanted
 from raybundle.planning.measured import measured_kinds
@@ -316,3 +319,33 @@ def test_what_is_wanted_is_promised_of_natural_points():
     assert plan.promise.worst <= 0.0008
     assert plan.tried[-1][0] > plan.tried[0][0]  # the mean information alone promised it too early
     assert plan.figure == plan.promise.worst
+
+
+def test_what_is_promised_hangs_on_no_order_and_redundancy_numbers_are_some():
+    site = box_site(found=seldom, sigma_px=0.24, points=spread(box_site().surface, 60))
+    networks = Networks(site, None, 2)
+    design = improved(
+        Designer(networks), Stations(centre=np.zeros((0, 3)), at=np.zeros((0, 3)), roll=np.zeros(0)), QUICK, 14
+    )
+    parts = networks.parts(design.stations.centre, design.stations.rotation)
+    first, turned = promised(networks, parts), promised(networks, parts[::-1])
+    for name in ("worst", "mean", "largest", "unlucky", "least_redundancy", "calibration_px"):
+        assert getattr(first, name) == pytest.approx(getattr(turned, name), rel=1e-6)
+    np.testing.assert_allclose(first.interior, turned.interior, rtol=1e-5, atol=1e-14)
+    assert first.worst <= first.unlucky
+    assert first.worst <= first.largest
+    r = redundancies(parts, networks.expected(parts))
+    assert (r > 0).all()
+    assert (r < 1).all()
+    # the mean information of rays that are found by chance makes the camera too precise
+    mean = networks.expected(parts).interior
+    assert np.median(np.sqrt(np.diag(first.interior) / np.diag(mean))) > 1
+
+
+@pytest.mark.parametrize(("size", "count"), [("2,2,2", 30), ("4,3,2.5", 24)])
+def test_more_photographs_than_are_needed_are_planned(size, count):
+    site = site_of(NetworkSettings(object=f"box:{size}", out=Path("x"), points=60))
+    plan = plan_network(site, stations=count, least_rays=2, search=QUICK)
+    shown = np.bincount(site.seen(plan.design.stations.centre, plan.design.stations.rotation)[0], minlength=count)
+    assert (shown >= 4).all()
+    assert plan.figure < np.inf

@@ -225,10 +225,10 @@ def test_words_of_the_place(levelled, right, up, nearer, said):
     [
         (0.0, "hold the camera upright"),
         (10.0, "hold the camera upright"),
-        (90.0, "turn the camera by 90 degrees clockwise, its right side down"),
-        (-85.0, "turn the camera by 90 degrees anticlockwise, its left side down"),
+        (90.0, "roll the camera by 90 degrees clockwise about its viewing axis, its right side down"),
+        (-85.0, "roll the camera by 90 degrees anticlockwise about its viewing axis, its left side down"),
         (180.0, "hold the camera upside down"),
-        (43.0, "turn the camera by 45 degrees clockwise, its right side down"),
+        (43.0, "roll the camera by 45 degrees clockwise about its viewing axis, its right side down"),
     ],
 )
 def test_words_of_the_roll(levelled, turn, said):
@@ -260,7 +260,8 @@ def test_words_without_a_vertical_are_of_the_picture():
     assert said.endswith(" towards its upper edge (1 is the distance from there to the object)")
     quarter = rotation_from_vector(np.array([[0.0, 0.0, np.pi / 2], [0.0, 0.0, -np.pi / 2]])) @ R
     both = {hold_words(plan, 2, q) for q in quarter}
-    assert both == {f"turn the camera by 90 degrees {w}clockwise against photograph {name}" for w in ("", "anti")}
+    words = "roll the camera by 90 degrees {}clockwise about its viewing axis, against photograph {}"
+    assert both == {words.format(w, name) for w in ("", "anti")}
     assert hold_words(plan, 2, R) == f"hold the camera as for photograph {name}"
 
 
@@ -389,8 +390,8 @@ def test_what_cannot_be_answered_is_told():
         plan_next(result, "worst", 1, Conditions(depth=(1e-3, 2e-3)))
     with pytest.raises(InputError, match="statistics"):
         plan_next(decide(result.given, replace(TIGHT, statistics=False)), "worst", 1)
-    with pytest.raises(InputError, match="heights.*which way is up"):
-        plan_next(adjusted(), "worst", 1, Conditions(reach=Reach(heights=(0.0, 2.0))))
+    low = plan_next(adjusted(), "worst", 1, Conditions(reach=Reach(heights=(0.0, 2.0))))
+    assert low.vertical == pytest.approx([0, 0, 1])  # who gives heights knows which way is up
     camera = replace(result.given.cameras[0], interior="per_image", estimate=())
     own = decide(replace(result.given, cameras=(camera,)), TIGHT)
     with pytest.raises(InputError, match="proposed for frame cameras"):

@@ -148,8 +148,6 @@ def test_blocks_that_cannot_be_asked(field, tmp_path, capsys):
     ):
         assert plan(source, tmp_path / "x") == 2
         assert word in capsys.readouterr().err
-    assert plan(field, tmp_path / "x", "--heights", "0", "2") == 2
-    assert "which way is up" in capsys.readouterr().err
     assert plan(field, tmp_path / "x", "--focus", "2", "--f-number", "8") == 2
     assert "nothing fixes the scale" in capsys.readouterr().err
 

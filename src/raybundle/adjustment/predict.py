@@ -6,9 +6,12 @@ from dataclasses import replace
 
 import numpy as np
 
+from raybundle.adjustment.assemble import assemble
+from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Block, Camera
 from raybundle.errors import NotSolvable
 from raybundle.numerics.arrays import Array, Mask
+from raybundle.observations.table import Table
 from raybundle.platforms.station import sensor_from_object
 
 
@@ -104,3 +107,25 @@ def projected(camera: Camera, points: Array, values: Array, start: Array) -> tup
         seen = np.isfinite(step).all(axis=0) & (np.abs(step).max(axis=0) < 1e-9 * c)
         front = np.asarray(model.in_front(points, image, values))
         return np.where(seen, image, start), seen & front
+
+
+def exact_tables(block: Block) -> tuple[Table, ...]:
+    """The observations outside the images as the block's values have them, without errors.
+
+    Values of points, images, cameras and instruments count as true.  What it does not tell: unknowns of a kind of its
+    own, as a total station's orientation, start where that kind starts them.
+    """
+    none = {owner.id: () for owner in block.parametrised}
+    system = assemble(block, AdjustmentOptions(threads=1), np.zeros(len(block.observations), bool), none)
+    state = system.initial_state()
+    found = list[Table]()
+    for part in system.extra.parts:
+        table = part.table
+        if not isinstance(table, Table) or not table.observed:
+            continue
+        value = np.array(getattr(table, table.observed), float)
+        flat = value.reshape(len(table), -1)
+        residual = part.kind.observed(table, part.rows, system.extra.scope, state).residual
+        flat[part.rows.item, part.rows.component if flat.shape[1] > 1 else 0] += residual
+        found.append(replace(table, **{table.observed: flat.reshape(value.shape)}))
+    return tuple(found)

@@ -114,6 +114,7 @@ def _found_again(plan: Path, block: Block, seed: int) -> Block:
 
     numbers = [*"XYZ", *(f"s{a}_mm" for a in "XYZ"), "rays", "often"]
     columns = [Column(name="point", kind="id"), *(Column(name=n, kind="number", empty=n not in "XYZ") for n in numbers)]
+    columns.append(Column(name="unlucky_mm", kind="number", optional=True, empty=True))
     points = read_table(plan / "points.csv", [*columns, Column(name="known", kind="text", optional=True, empty=True)])
     ids = points.text["point"]
     missing = [i for i in block.points.ids if i not in set(ids)]

@@ -13,6 +13,8 @@ from raybundle.planning.site import Site
 
 LEAST = 4
 """Points that a photograph must show: fewer do not orient it"""
+SEVERAL = 6
+"""Places from which each point should be seen: two or three of them are to be chosen"""
 TRIES = 60
 """Places drawn for each that is wanted, before it is said that there are none"""
 
@@ -94,10 +96,11 @@ def standing_places(site: Site, count: int) -> Array:
     return places[seen]
 
 
-def candidate_stations(site: Site, places: int = 400, aims: int = 3) -> Stations:
+def candidate_stations(site: Site, places: int = 400, aims: int = 3, *, straight: bool = True) -> Stations:
     """Stations at places where one may stand, upright and rolled by 90 degrees, that look at what they see best.
 
-    aims  at most so many directions from a place where not everything seen from there fits into the format
+    aims      at most so many directions from a place where not everything seen from there fits into the format
+    straight  with stations that look straight at points which few of the others show
     """
     centre = standing_places(site, places)
     station, point = site.faced(centre)
@@ -108,10 +111,58 @@ def candidate_stations(site: Site, places: int = 400, aims: int = 3) -> Stations
         if len(rows) < LEAST:
             continue
         found += [(centre[k], at) for at in _aims(centre[k], site.points.xyz[rows], float(half), aims)]
-    c, a = np.array([f[0] for f in found]), np.array([f[1] for f in found])
-    n = len(c)
-    roll = np.repeat([0.0, np.pi / 2], n)
-    return Stations(centre=np.tile(c, (2, 1)), at=np.tile(a, (2, 1)), roll=roll)
+    made = _both_rolls(np.array([f[0] for f in found]), np.array([f[1] for f in found]))
+    seldom = np.flatnonzero(places_of(site, made) < SEVERAL)
+    if len(seldom) and straight:
+        made = joined(made, _at_them(site, seldom, centre))
+    shown = np.bincount(site.seen(made.centre, made.rotation)[0], minlength=len(made))
+    return made if (shown >= LEAST).all() or not (shown >= LEAST).any() else made.rows(np.flatnonzero(shown >= LEAST))
+
+
+def places_of(site: Site, stations: Stations) -> Array:
+    """(t,) from how many places stations show each point; a place counts by the share in which it is found there."""
+    station, point = site.seen(stations.centre, stations.rotation)[:2]
+    place = np.unique(stations.centre, axis=0, return_inverse=True)[1].ravel()[station]
+    pairs, first = np.unique(place * len(site.points) + point, return_index=True)
+    share = site.share(stations.centre[station[first]], point[first])
+    return np.bincount(pairs % len(site.points), share, minlength=len(site.points))
+
+
+def _both_rolls(centre: Array, at: Array) -> Stations:
+    roll = np.repeat([0.0, np.pi / 2], len(centre))
+    return Stations(centre=np.tile(centre, (2, 1)), at=np.tile(at, (2, 1)), roll=roll)
+
+
+def _at_them(site: Site, points: Index, places: Array) -> Stations:
+    """Stations that look straight at points which few others show, from places that are there and some before them."""
+    places = np.concatenate([places, _before(site, points)])
+    station, point = site.faced(places)
+    enough = np.bincount(station, minlength=len(places)) >= LEAST
+    mine = np.flatnonzero(np.isin(point, points) & enough[station])
+    off = np.linalg.norm(places[station[mine]] - site.points.xyz[point[mine]], axis=1)
+    mine = mine[np.lexsort((off, point[mine]))]
+    rank = np.arange(len(mine)) - np.searchsorted(point[mine], point[mine])
+    mine = mine[rank < 2 * SEVERAL]
+    return _both_rolls(places[station[mine]], site.points.xyz[point[mine]])
+
+
+def _before(site: Site, points: Index) -> Array:
+    """(k, 3) places where one may stand before points that few other places see, along their normals."""
+    a, p = site.access, site.points
+    row = np.tile(points, 10 * TRIES)
+    u = _sequence(len(row), 4)
+    far = min(float(np.linalg.norm(a.high - a.low)), site.depth[1])
+    near = max(a.clearance, site.depth[0], 1e-3 * far)
+    aside = 2 * np.tan(np.radians(site.incidence_deg)) * (u[:, :3] - 0.5)
+    drawn = np.clip(p.xyz[row] + (near * (far / near) ** u[:, 3:]) * (p.normal[row] + aside), a.low, a.high)
+    allowed = np.flatnonzero(site.may_stand(drawn))
+    allowed = allowed[np.argsort(row[allowed], kind="stable")]
+    station, point = site.faced(drawn[allowed])
+    enough = np.bincount(station, minlength=len(allowed)) >= LEAST
+    mine = (point == row[allowed][station]) & enough[station]
+    good = allowed[np.unique(station[mine])]
+    rank = np.arange(len(good)) - np.searchsorted(row[good], row[good])  # of each point the first so many
+    return drawn[good[rank < SEVERAL]]
 
 
 def _aims(centre: Array, xyz: Array, half_angle: float, most: int) -> list[Array]:

@@ -185,8 +185,10 @@ def _exchanged(
     while still < count:
         others = mine[:k] + mine[k + 1 :]
         rough = _rough(d, np.sum([p.V for p in others], axis=0) + V)
+        # while points lack rays, those that show most of them come first
+        filled = _filled(d, others, parts) if value >= SHORT else np.zeros(len(parts))
         best, at = value, -1
-        for c in np.argsort(rough, kind="stable")[:TRIED].tolist():
+        for c in np.lexsort((rough, -filled))[:TRIED].tolist():
             tried = d.value([*mine[:k], parts[c], *mine[k + 1 :]])
             if tried < best - 1e-6:
                 best, at = tried, c
@@ -198,6 +200,14 @@ def _exchanged(
             still += 1
         k = (k + 1) % count
     return value, stations
+
+
+def _filled(d: Designer, mine: Sequence[Part], all_: Sequence[Part]) -> Array:
+    """(k,) of each candidate how many of the rays it has that points lack in a network."""
+    t = len(d.site.points)
+    found = np.bincount(np.concatenate([p.points for p in mine]), np.concatenate([p.share for p in mine]), minlength=t)
+    lacking = np.maximum(d.networks.least_rays - found, 0)
+    return np.array([np.minimum(lacking[p.points], p.share).sum() for p in all_])
 
 
 def _and_one(stations: Stations, all_: Stations, k: int) -> Stations:

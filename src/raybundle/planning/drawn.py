@@ -23,6 +23,8 @@ DRAWS = 40
 """Drawings: the largest standard deviation of a network scatters by a quarter between them, the median of all by 5 %"""
 POINTS, PLACES = 17, 18
 """What is drawn: whether points are found, or places beside them"""
+UNLUCKY = 0.9
+"""Part of the drawings that are as good as is told of an unlucky survey"""
 OFTEN = 0.5
 """Part of the drawings in which a point must be determined for something to be promised of it"""
 
@@ -35,7 +37,13 @@ class Promise:
     """(t, 3, 3) covariances [m^2]: the median variance of the drawings in which a point is determined, in the mean
     directions; NaN where that is seldom"""
     worst: float
-    """Largest standard deviation of a coordinate of a point, median of the drawings [m]"""
+    """Standard deviation of a coordinate of the worst point, root mean square of X, Y, Z, median of the drawings [m]"""
+    largest: float
+    """Largest standard deviation of a single coordinate of a point, median of the drawings [m]"""
+    unlucky: float
+    """As `worst`, but exceeded in one of ten drawings [m]"""
+    unlucky_points: Array
+    """(t,) of each point what its standard deviation exceeds in one of ten drawings that determine it [m]"""
     mean: float
     """Root mean square of all points, median of the drawings [m]"""
     often: Array
@@ -65,14 +73,15 @@ def promised(
         e = networks.expected(parts)
         assert isinstance(e, Expected)
         return Promise(
-            points=e.points, worst=float(e.sigma.max()), mean=float(np.sqrt(np.mean(e.sigma**2))),
+            points=e.points, worst=float(e.sigma.max()), largest=_largest(e.points), unlucky=float(e.sigma.max()),
+            unlucky_points=e.sigma, mean=float(np.sqrt(np.mean(e.sigma**2))),
             often=np.ones(len(e.sigma)), places=_sigma(networks, parts, e, places, there), interior=e.interior,
             calibration_px=_calibration(networks, e), least_redundancy=float(redundancies(parts, e).min()),
         )  # fmt: skip
     t, m = len(networks.site.points), 0 if places is None else len(places)
     total, count = np.zeros((t, 3, 3)), np.zeros(t)
     sigma, there_sigma = np.full((DRAWS, t), np.nan), np.full((DRAWS, m), np.nan)
-    interior, least = list[Array](), list[float]()
+    interior, least, largest = list[Array](), list[float](), list[float]()
     for k in range(DRAWS):
         progress("precision over drawings", k / DRAWS)
         drawn = _drawn(networks, parts, k)
@@ -84,6 +93,7 @@ def promised(
         count[good] += 1
         sigma[k, good] = e.sigma
         interior.append(e.interior)
+        largest.append(_largest(e.points))
         least.append(float(redundancies(mine, e).min()))
         found = [_part(networks, p, _found(p, k, PLACES), m) for p in there]
         there_sigma[k] = _sigma(some, mine, e, places, found)
@@ -91,7 +101,8 @@ def promised(
     if held.mean() < OFTEN:
         none = np.full((t, 3, 3), np.nan)
         return Promise(
-            points=none, worst=np.inf, mean=np.inf, often=count / DRAWS, places=np.full(m, np.nan),
+            points=none, worst=np.inf, largest=np.inf, unlucky=np.inf, unlucky_points=np.full(t, np.nan),
+            mean=np.inf, often=count / DRAWS, places=np.full(m, np.nan),
             interior=np.full((len(networks.free),) * 2, np.nan), calibration_px=None, least_redundancy=0.0,
             lost=1 - float(held.mean()),
         )  # fmt: skip
@@ -104,7 +115,8 @@ def promised(
     return Promise(
         interior=_middle(inside), calibration_px=_calibration_of(networks, inside),
         least_redundancy=float(np.median(least)),
-        points=points, worst=float(np.median(np.nanmax(sigma[held], axis=1))),
+        points=points, worst=float(np.median(np.nanmax(sigma[held], axis=1))), largest=float(np.median(largest)),
+        unlucky=float(np.quantile(np.nanmax(sigma[held], axis=1), UNLUCKY)), unlucky_points=_often(sigma, UNLUCKY),
         mean=float(np.median(np.sqrt(np.nanmean(sigma[held] ** 2, axis=1)))), often=count / DRAWS,
         places=_often(there_sigma), lost=1 - float(held.mean()),
     )  # fmt: skip
@@ -131,12 +143,16 @@ def _calibration_of(networks: Networks, covariances: Array) -> float | None:
     return float(np.median([networks.shifts.uncertainty(C).largest for C in covariances]))
 
 
-def _often(sigma: Array) -> Array:
-    """Medians (n,) of standard deviations (d, n) over the drawings that have one; NaN where those are few."""
+def _largest(points: Array) -> float:
+    return float(np.sqrt(np.diagonal(points, axis1=1, axis2=2).max()))
+
+
+def _often(sigma: Array, quantile: float = 0.5) -> Array:
+    """Quantiles (n,) of standard deviations (d, n) over the drawings that have one; NaN where those are few."""
     found = np.isfinite(sigma)
     enough = found.mean(axis=0) >= OFTEN
     middle = np.full(sigma.shape[1], np.nan)
-    middle[enough] = np.nanmedian(sigma[:, enough], axis=0)
+    middle[enough] = np.nanquantile(sigma[:, enough], quantile, axis=0)
     return middle
 
 

@@ -254,11 +254,11 @@ class Networks:
         try:
             iV = np.linalg.inv(V)
         except np.linalg.LinAlgError:
-            return Short(unseen=lacking)
+            return Short(unseen=_flat(V))
         M = (iV @ W.reshape(t, 3, u)).reshape(3 * t, u)
         iS = self._inverse(N - W.T @ M, np.diag(N), parts)
         if iS is None:
-            return Short(unseen=lacking)
+            return Short(unseen=_flat(V))
         points, interior, scaled = self._points(iV, M, iS), iS[6 * n :, 6 * n :], None
         if self.bars is not None:
             datum = None if self.prior is not None else self._datum[:2]
@@ -306,6 +306,11 @@ class Networks:
         HQH = flat.T @ QH
         cross = G @ np.swapaxes(QH.reshape(t, 3, 7), 1, 2)
         return Q - cross - np.swapaxes(cross, 1, 2) + G @ HQH @ np.swapaxes(G, 1, 2)
+
+
+def _flat(V: Array) -> Index:
+    """(t,) rays that points lack whose rays come from one place."""
+    return (~has_depth(V)).astype(np.int64)
 
 
 def has_depth(V: Array) -> Mask:

@@ -13,7 +13,7 @@ from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.progress import Progress, silent
 from raybundle.objects.surface import SurfacePoints, tiles
 from raybundle.planning.aims import Aim, AimName, aims
-from raybundle.planning.candidates import LEAST, Stations, standing_places
+from raybundle.planning.candidates import LEAST, Stations, candidate_stations, places_of
 from raybundle.planning.configuration import Design, Designer, Search, improved
 from raybundle.planning.densify import Densified, densified, repeated
 from raybundle.planning.drawn import Promise, promised
@@ -30,6 +30,8 @@ in benchmarks/design.py is more"""
 NEARLY = 0.1
 """Part of its stations that a network of points that are not always found may have more than the fewest: quick searches
 are no better"""
+GIVEN_UP, FEW = 3, 0.1
+"""How often points that a network does not show are left out of it, and at most what part of all at once"""
 PLACES = 400
 """Places from which it is looked at what can be seen at all"""
 MAPPED = 1500
@@ -172,6 +174,13 @@ def plan_network(
         design = designer.design(first)
     elif stations is not None or wanted is None:
         design = improved(designer, first, search, stations or len(first))
+        for _ in range(GIVEN_UP):  # few points that so many stations do not show are left out rather than all refused
+            seldom = _seldom_shown(designer, design)
+            if design.expected is not None or not 0 < len(seldom) <= FEW * len(site.points):
+                break
+            site, left_out = _without(site, seldom, left_out)
+            designer = Designer(Networks(site, None, least_rays), aim, progress)
+            design = improved(designer, design.stations, search, stations or len(first))
         tried.append((len(design.stations), design.figure))
     else:
         design = _fewest(designer, first, wanted, search, tried)
@@ -192,15 +201,33 @@ def plan_network(
         )
 
 
+def _seldom_shown(d: Designer, design: Design) -> Index:
+    """Points that a design does not show as often as they must be, or from one place alone."""
+    parts = d.networks.parts(design.stations.centre, design.stations.rotation)
+    e = d.networks.expected(parts)
+    return np.flatnonzero(e.unseen) if isinstance(e, Short) else np.zeros(0, np.int64)
+
+
+def _without(site: Site, points: Index, left_out: SurfacePoints) -> tuple[Site, SurfacePoints]:
+    p = site.points
+    kept = np.setdiff1d(np.arange(len(p)), points)
+    out = SurfacePoints(
+        xyz=np.concatenate([left_out.xyz, p.xyz[points]]), normal=np.concatenate([left_out.normal, p.normal[points]])
+    )
+    return replace(site, points=SurfacePoints(xyz=p.xyz[kept], normal=p.normal[kept])), out
+
+
 def _reachable(site: Site, least_rays: int, only: Stations | None) -> tuple[Site, SurfacePoints]:
     """The site with the points that can be seen from enough places, or by enough of these stations; the others.
 
     raises  InputError where too few are left for a network
     """
-    places = standing_places(site, PLACES) if only is None else only.centre
-    station, point = site.faced(places) if only is None else site.seen(only.centre, only.rotation)[:2]
     p = site.points
-    count = np.bincount(point, site.share(places[station], point), minlength=len(p))
+    if only is None:
+        count = places_of(site, candidate_stations(site, PLACES, straight=False))
+    else:
+        station, point = site.seen(only.centre, only.rotation)[:2]
+        count = np.bincount(point, site.share(only.centre[station], point), minlength=len(p))
     good = count >= least_rays - SURE
     left_out = SurfacePoints(xyz=p.xyz[~good], normal=p.normal[~good])
     if good.sum() < LEAST:
@@ -323,7 +350,10 @@ def _not_determined(site: Site, design: Design, least: int, *, as_given: bool) -
             "stations, widen where one may stand, or a lens of wider angle"
         )
     held = ", or hold the camera" if site.free else ""
-    return f"a network of {len(s)} stations does not determine all unknowns; take more stations{held}"
+    return (
+        f"a network of {len(s)} stations does not determine all unknowns; judge it by more points, or take more "
+        f"stations{held}"
+    )
 
 
 def _told(

@@ -147,12 +147,8 @@ def plan_next(
         hides = Obstacles.of(with_.surface, sight.xyz)
         sight = replace(sight, visible=hides.visible)
         reach = replace(reach, allowed=hides.allowed(reach.clearance or 0.0))
-    if reach.heights is not None and not frame_known(result):
-        raise InputError(
-            f"{option('heights')}: nothing tells which way is up, the rotation of the block is arbitrary; give control "
-            "or positions to the adjustment, or leave the heights away"
-        )
-    vertical = vertical_of(result)
+    # who gives heights knows that Z is up, though nothing in the adjustment may tell it
+    vertical = vertical_of(result) if reach.heights is None else np.array([0.0, 0.0, 1.0])
     found = reachable(block, used, k, least, vertical, reach, joint.points)
     shown = sight.shown(block, k, found.centre, found.rotation, least)
     enough = np.flatnonzero(np.bincount(shown.image, minlength=len(shown)) > 0)

@@ -22,6 +22,8 @@ ALONE = 0.1
 """Of the largest part of a shift, the part that is not said"""
 HELD = np.radians(20)
 """Turn about the axis that is as good as none"""
+TURNED_DEG = 10.0
+"""Between two viewing directions, what is told in degrees"""
 SHOWN = 3
 """Points that are named"""
 FALLS = 0.9
@@ -59,7 +61,7 @@ def instruction(plan: NextPlan, k: int) -> Instruction:
     near = nearest_photograph(plan, centre, rotation)
     return Instruction(
         where=where_words(plan, near, centre, plan.towards[k]), hold=hold_words(plan, near, rotation),
-        aim=_aim_words(plan, chosen), show=_show_words(plan, chosen), brings=brings_words(plan, chosen),
+        aim=_aim_words(plan, chosen, near, rotation), show=_show_words(plan, chosen), brings=brings_words(plan, chosen),
         frees=freed_by(plan, k),
     )  # fmt: skip
 
@@ -123,15 +125,17 @@ def hold_words(plan: NextPlan, near: int, rotation: Array) -> str:
             return "hold the camera upright"
         if abs(turn) > np.pi - HELD:
             return "hold the camera upside down"
-        return f"turn the camera {_turned(turn)}, its {'right' if turn > 0 else 'left'} side down"
+        return (
+            f"roll the camera {_turned(turn)} about its viewing axis, its {'right' if turn > 0 else 'left'} side down"
+        )
     R, name = plan.block.images.rotation[near], plan.block.images.ids[near]
     x = rotation[0]
     turn = float(np.arctan2(-(x @ R[1]), x @ R[0]))
     if abs(turn) < HELD:
         return f"hold the camera as for photograph {name}"
     if abs(turn) > np.pi - HELD:
-        return f"turn the camera upside down against photograph {name}"
-    return f"turn the camera {_turned(turn)} against photograph {name}"
+        return f"hold the camera upside down against photograph {name}"
+    return f"roll the camera {_turned(turn)} about its viewing axis, against photograph {name}"
 
 
 def _turned(turn: float) -> str:
@@ -140,13 +144,20 @@ def _turned(turn: float) -> str:
     return f"by {angle:.0f} degrees {'clockwise' if turn > 0 else 'anticlockwise'}"
 
 
-def _aim_words(plan: NextPlan, chosen: Chosen) -> str:
-    """What stands in the middle of the picture, or nearest to it."""
+def _aim_words(plan: NextPlan, chosen: Chosen, near: int, rotation: Array) -> str:
+    """Where to look, against a photograph, and what stands in the middle of the picture then, or nearest to it."""
     camera, seen = plan.block.cameras[plan.camera], chosen.photograph
     off = np.linalg.norm(seen.xy_px - np.array([camera.width_px, camera.height_px]) / 2, axis=1)
     k = int(off.argmin())
     place = "in the middle of the picture" if off[k] < 0.1 * camera.width_px else "near the middle of the picture"
-    return f"{_point(plan, int(seen.point[k]))} {place}"
+    middle = f"{_point(plan, int(seen.point[k]))} {place}"
+    x, y, z = plan.block.images.rotation[near] @ -rotation[2]
+    aside, up = np.degrees(np.arctan2(x, -z)), np.degrees(np.arctan2(y, np.hypot(x, z)))
+    ways = ((aside, "to the right", "to the left"), (up, "up", "down"))
+    said = [f"{abs(v):.0f} degrees {plus if v > 0 else minus}" for v, plus, minus in ways if abs(v) > TURNED_DEG]
+    if not said:
+        return middle
+    return f"look {' and '.join(said)} of where photograph {plan.block.images.ids[near]} looks: {middle}"
 
 
 def shown_points(plan: NextPlan, chosen: Chosen) -> Index:

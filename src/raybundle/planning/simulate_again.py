@@ -6,8 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.adjustment.predict import predicted_px
-from raybundle.block import Block, Distances, Role
+from raybundle.adjustment.predict import exact_tables, predicted_px
+from raybundle.block import Block, Role
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
 from raybundle.planning.simulate import Simulation, Survey, gross_errors, start_images, start_points
@@ -36,17 +36,16 @@ def simulate_again(block: Block, survey: Survey, image_sigma_px: float | None = 
             f"{points.ids[o.point[k]]} from where it stands, {int((~kept).sum())} of {len(kept)} image points are such"
         )
     cov = o.cov_px2 if image_sigma_px is None else np.tile([image_sigma_px**2, image_sigma_px**2, 0.0], (len(exact), 1))
-    bars = block.table(Distances)
-    true_bars = replace(bars, length=np.linalg.norm(points.xyz[bars.start] - points.xyz[bars.end], axis=1))
+    tables = exact_tables(block)
     truth = replace(block, observations=replace(o, xy_px=exact, cov_px2=cov), source=f"raybundle simulation, seed "
-                    f"{survey.seed}").having(true_bars)  # fmt: skip
+                    f"{survey.seed}").having(*tables)  # fmt: skip
     gross, error = gross_errors(len(exact), survey, rng)
     observed = replace(
         truth,
         images=start_images(block.images, points.xyz, survey, rng),
         observations=replace(truth.observations, xy_px=exact + _noise(cov, rng) + error),
         points=start_points(points, survey, rng),
-    ).having(true_bars.with_errors(rng))
+    ).having(*(t.with_errors(rng) for t in tables))
     return Simulation(truth=truth, observed=observed, gross=gross)
 
 

@@ -25,6 +25,8 @@ RING = (0.7, 1.0, 1.4)
 TURN = np.radians(15)
 """Between stations round the object: the photographs of a ring are as near as half of what points look alike from."""
 ROLLS = np.radians([0.0, 90.0, -90.0])
+SAME_PLACE, SAME_WAY = 0.02, np.radians(10)
+"""Of the distance to the object, and turn, below which a photograph is one that there is, once more"""
 WEAK = 3
 """Weak places that are looked at, besides the middle of the object."""
 FEW = 200
@@ -106,9 +108,16 @@ def reachable(
     level = looking(towards - centre, images.rotation[like], up)
     roll = rotation_from_vector(np.stack([np.zeros(3), np.zeros(3), ROLLS], axis=1))
     rotation = (roll[None] @ level[:, None]).reshape(-1, 3, 3)
-    return Reachable(
-        centre=np.repeat(centre, len(ROLLS), axis=0), rotation=rotation, towards=np.repeat(towards, len(ROLLS), axis=0)
-    )
+    centre, towards = np.repeat(centre, len(ROLLS), axis=0), np.repeat(towards, len(ROLLS), axis=0)
+    new = ~_again(centre, rotation, block, np.repeat(like, len(ROLLS)), distance)
+    return Reachable(centre=centre[new], rotation=rotation[new], towards=towards[new])
+
+
+def _again(centre: Array, rotation: Array, block: Block, like: Index, distance: float) -> Mask:
+    """(n,) whether a photograph would be an existing one once more: of that place, in that direction, held alike."""
+    near = np.linalg.norm(centre - block.images.centre[like], axis=1) < SAME_PLACE * distance
+    trace = np.einsum("nij,nij->n", rotation, block.images.rotation[like])
+    return near & (trace > 1 + 2 * np.cos(SAME_WAY))
 
 
 def looked_at(xyz: Array, least: Array) -> Array:

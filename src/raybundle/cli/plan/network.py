@@ -9,7 +9,7 @@ import click
 from raybundle.cli.common import COMMAND_SETTINGS, NEW_FOLDER, common_options, counted, significant
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.planning.network import NetworkSettings, run_plan_network
-from raybundle.commands.planning.network_files import purpose_words, side_words, told
+from raybundle.commands.planning.network_files import free_camera_words, purpose_words, side_words, told
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -69,7 +69,8 @@ def _lines(plan: NetworkPlan, settings: NetworkSettings) -> list[str]:
     )
     lines = [
         f"{counted(n, 'photograph')} of {plan.site.surface.name} {plan.site.surface.about}: {reached}",
-        f"mean {_mm(t['mean_m'])}, worst {_mm(t['worst_m'])}; {seen}, largest {_mm(o['largest_m'])}{frame}",
+        f"mean {_mm(t['mean_m'])}, worst {_mm(t['worst_m'])}, its largest coordinate {_mm(t['largest_coordinate_m'])}",
+        f"{seen}, largest {_mm(o['largest_m'])}{frame}",
         f"{network}, image sigma {plan.site.sigma_px:g} px{sharp if near > 0 else ''}",
         f"about {t['minutes']:.0f} min on site, {t['path_m']:.0f} m to walk",
     ]
@@ -117,10 +118,12 @@ def _seldom(plan: NetworkPlan) -> list[str]:
         lines.append(
             "remark: these points are not found in every photograph that shows them, "
             f"{100 * (1 - often.mean()):.1f} % of them less than twice; figures are medians over drawings of what is "
-            "found"
+            f"found; in one of ten surveys the worst point has {_mm(plan.promise.unlucky)}"
         )
     if plan.promise.lost > 0:
         lines.append(f"caution: in {100 * plan.promise.lost:.0f} % of the drawings the network falls apart; take more")
+    if words := free_camera_words(plan):
+        lines.append(f"caution: {words}")
     return lines
 
 

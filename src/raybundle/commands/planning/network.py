@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 REACH = 3.0
 """Without other words one may go so many extents of the object away"""
 FORMAT = Range(low=100, high=100_000)
-MeasuredName = Literal["retro", "targets", "dots", "natural", "hand"]
+MeasuredName = Literal["retro", "targets", "dots", "natural", "phone", "hand"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

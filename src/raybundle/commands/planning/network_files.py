@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from raybundle.numerics.counting import counted
+from raybundle.settings import option
 
 if TYPE_CHECKING:
     from raybundle.numerics.arrays import Array
@@ -72,6 +73,7 @@ def write_network_plan(
                 "point": names, **{a: plan.site.points.xyz[:, k] for k, a in enumerate("XYZ")},
                 **{f"s{a}_mm": 1000 * std[:, k] for k, a in enumerate("XYZ")}, "rays": e.rays.astype(float),
                 "often": seen.often,
+                **({} if plan.site.found is None else {"unlucky_mm": 1000 * seen.unlucky_points}),
                 **({} if h is None else {"known": known_words(h, len(names))}),
             },
         )  # fmt: skip
@@ -131,6 +133,8 @@ def told(plan: NetworkPlan) -> dict[str, Any]:
         "calibration_px": plan.promise.calibration_px,
         "least_redundancy": plan.promise.least_redundancy,
         "worst_m": plan.promise.worst,
+        "worst_in_one_of_ten_m": plan.promise.unlucky,
+        "largest_coordinate_m": plan.promise.largest,
         "mean_m": plan.promise.mean,
         "drawings_that_fall_apart": plan.promise.lost,
         "object": {
@@ -189,6 +193,20 @@ def known_words(h: Held, points: int) -> list[str]:
     for k in set() if h.bars is None else set(h.bars.pairs.ravel().tolist()):
         words[k] = (words[k] + ", " if words[k] else "") + "scale bar"
     return words
+
+
+def free_camera_words(plan: NetworkPlan) -> str:
+    """What a plan of natural points does not know where the camera is calibrated with the object; "" for others."""
+    from raybundle.planning.measured import FREE_CAMERA  # noqa: PLC0415
+
+    if plan.site.found is None or not plan.site.free:
+        return ""
+    low, high = FREE_CAMERA
+    return (
+        f"results of natural points stated {low:g} to {high:g} times what such plans promise, where the camera was "
+        f"calibrated with the object (four sets); hold a calibrated one ({option('hold_camera', True)}), or plan "
+        "with that margin"
+    )
 
 
 def purpose_words(plan: NetworkPlan, k: int) -> str:
