@@ -84,11 +84,13 @@ class Short:
 
     unseen: Index
     """(t,) rays that each point lacks of those that it must have"""
+    open: int = 0
+    """Unknowns of stations and camera that nothing determines: a network that falls apart has some"""
 
     @property
     def lack(self) -> int:
-        """Rays that are missing; at least 1."""
-        return max(1, int(self.unseen.sum()))
+        """Rays and unknowns that are missing; at least 1."""
+        return max(1, int(self.unseen.sum()) + self.open)
 
 
 class Networks:
@@ -257,8 +259,8 @@ class Networks:
             return Short(unseen=_flat(V))
         M = (iV @ W.reshape(t, 3, u)).reshape(3 * t, u)
         iS = self._inverse(N - W.T @ M, np.diag(N), parts)
-        if iS is None:
-            return Short(unseen=_flat(V))
+        if isinstance(iS, int):
+            return Short(unseen=_flat(V), open=iS)
         points, interior, scaled = self._points(iV, M, iS), iS[6 * n :, 6 * n :], None
         if self.bars is not None:
             datum = None if self.prior is not None else self._datum[:2]
@@ -267,10 +269,13 @@ class Networks:
             interior = interior + scaled.of_unknowns(iS[6 * n :] @ scaled.by_unknowns)
         return Expected(points=points, interior=interior, rays=found, inverse=iS, eliminated=(iV, M), scaled=scaled)
 
-    def _inverse(self, S: Array, diagonal: Array, parts: Sequence[Part]) -> Array | None:
-        """An inverse of the stations' normal equations, without the seven directions that change no image."""
+    def _inverse(self, S: Array, diagonal: Array, parts: Sequence[Part]) -> Array | int:
+        """An inverse of the stations' normal equations, without the seven directions that change no image.
+
+        Where there is none, how many unknowns nothing determines.
+        """
         if not (diagonal > 0).all():
-            return None
+            return int((diagonal <= 0).sum())
         scale = 1 / np.sqrt(diagonal)
         S = scale[:, None] * S * scale
         C = np.zeros((len(S), 0))
@@ -279,9 +284,9 @@ class Networks:
         try:
             L = np.linalg.cholesky(S + C @ C.T)
         except np.linalg.LinAlgError:
-            return None
+            L = np.zeros((1, 1))
         if L.diagonal().min() < WEAK:
-            return None
+            return max(1, int((np.linalg.eigvalsh(S + C @ C.T) < WEAK).sum()))
         half = np.linalg.inv(L)
         return scale[:, None] * (half.T @ half - C @ C.T) * scale
 
