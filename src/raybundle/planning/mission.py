@@ -13,8 +13,9 @@ from raybundle.missions.terrain import Ground
 from raybundle.missions.views import ground_points
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.rotation import rotation_from_vector
-from raybundle.planning.aerial import NO_RTK, Precision, open_in, precision
+from raybundle.planning.aerial import NO_RTK, Precision, is_rtk, open_in, precision
 from raybundle.planning.aerial_block import Aerial
+from raybundle.planning.mission_mends import Mend, mission_mends
 from raybundle.planning.uav_networks import FREE
 
 MOST = 150
@@ -44,10 +45,15 @@ class MissionForecast:
     """What a mission determines without control, its camera calibrated with it."""
 
     rtk: Precision
-    without_rtk: Precision
-    """With positions beside whose errors a lever arm is of no account: it is held"""
+    """With the positions that were asked for"""
+    without_rtk: Precision | None
+    """With positions beside whose errors a lever arm is of no account: it is held; None: those asked for are no better
+    than a plain receiver's"""
     lost_even: tuple[str, ...]
-    """What RTK leaves open where the mission is flown exactly as planned, so that no accident helps"""
+    """What the positions asked for leave open where the mission is flown exactly as planned, so that no accident helps"""
+    mends: tuple[Mend, ...]
+    """What would determine it"""
+    asked: Asked
     photographs: int
     """Of the mission; `rtk.photographs` of them were taken"""
     pixel_mm: float
@@ -81,10 +87,14 @@ def mission_forecast(mission: Mission, ground: Ground, asked: Asked | None = Non
     part = every.rows(chosen)
     plan = _aerial(mission, part, ground, asked)
     uneven = _uneven(plan, asked.seed)
+    plain = replace(uneven, station_sigma=NO_RTK, lever_arm=False)
+    lost, rtk = open_in(plan), precision(uneven, LEAST_RAYS)
+    accident = {symbol: s for symbol, s in rtk.std.items() if symbol not in rtk.lost}
     return MissionForecast(
-        rtk=precision(uneven, LEAST_RAYS),
-        without_rtk=precision(replace(uneven, station_sigma=NO_RTK, lever_arm=False), LEAST_RAYS),
-        lost_even=open_in(plan), photographs=len(every), pixel_mm=mission.camera.pixel_mm,
+        rtk=rtk,
+        without_rtk=precision(plain, LEAST_RAYS) if is_rtk(asked.station_sigma) else None,
+        lost_even=lost, asked=asked, photographs=len(every), pixel_mm=mission.camera.pixel_mm,
+        mends=mission_mends(plan, part, mission.camera, ground, patterns[mission.pattern], lost, accident),
     )  # fmt: skip
 
 
