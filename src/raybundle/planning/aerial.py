@@ -104,6 +104,18 @@ def by_design(plan: Aerial) -> tuple[tuple[str, ...], Mapping[str, float]]:
     return found.lost, {symbol: s for symbol, s in found.std.items() if symbol not in found.lost}
 
 
+def mended(before: float, design: float, after: float) -> bool:
+    """Whether a change of a plan mends a parameter that hung on the unevenness of the flight.
+
+    before, after  its standard deviations in an uneven flight, as planned (infinite: not determinable) and changed
+    design         the same where the changed flight is exactly level at one height
+
+    Either the design alone tells it better than the unevenness did, or more than half of what is known of it comes from
+    the change: information is the inverse of variance, which then falls to less than half.
+    """
+    return design < before or 2 * after**2 < before**2
+
+
 PLACES = {
     1: ((0, 0),),
     2: ((-1, -1), (1, 1)),

@@ -94,7 +94,10 @@ def mission_forecast(mission: Mission, ground: Ground, asked: Asked | None = Non
         rtk=rtk,
         without_rtk=precision(plain, LEAST_RAYS) if is_rtk(asked.station_sigma) else None,
         lost_even=lost, asked=asked, photographs=len(every), pixel_mm=mission.camera.pixel_mm,
-        mends=mission_mends(plan, part, mission.camera, ground, patterns[mission.pattern], lost, accident),
+        mends=mission_mends(
+            plan, part, mission.camera, ground, patterns[mission.pattern], lost, accident,
+            lambda changed: _uneven(changed, asked.seed),
+        ),
     )  # fmt: skip
 
 
