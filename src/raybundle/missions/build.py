@@ -10,10 +10,10 @@ import numpy as np
 from raybundle.errors import InputError
 from raybundle.missions.mission import NO_LINE, FlightLine, Mission, Trigger, TriggerBy, WayPoints
 from raybundle.missions.patterns import Line, Wish, patterns
+from raybundle.missions.places import places
 from raybundle.missions.polygons import checked_ring, inside
 from raybundle.missions.terrain import Climbing, Ground, profile
 from raybundle.missions.vehicle import Vehicle
-from raybundle.missions.places import places
 from raybundle.missions.zones import cut_lines, part_of, way_round
 from raybundle.numerics.arrays import Array
 from raybundle.settings import option

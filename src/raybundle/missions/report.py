@@ -271,9 +271,14 @@ def _more_photographs(mission: Mission, facts: MissionFacts) -> str:
 
 
 def _tell_overlap(tell: Callable[[str, str], None], mission: Mission, facts: MissionFacts) -> None:
-    pattern = patterns.get(mission.pattern)
-    advice = f"ask for more ({option('overlap')})" if pattern is None else pattern.more(bool(mission.terrain))
-    where = " over high ground" if mission.terrain and (pattern is None or pattern.ground) else ""
+    pattern = patterns[mission.pattern]
+    advice, where = pattern.more(), ""
+    if mission.terrain and pattern.ground:
+        where = " over high ground"
+        advice = (
+            "lines are followed by the heights below them alone, and ground that rises beside them is nearer: fly "
+            f"higher ({option('gsd')}, {option('height')}), or ask for more ({option('overlap')})"
+        )
     for what, found, asked in (
         ("along the lines", facts.along, mission.overlap[0]), ("across the lines", facts.across, mission.overlap[1]),
     ):  # fmt: skip

@@ -39,9 +39,7 @@ class Coverage:
         return float(part[self.count < number].sum() / part.sum())
 
 
-def coverage(
-    camera: MissionCamera, photographs: Exposures, where: Places, normals: Array | None = None
-) -> Coverage:
+def coverage(camera: MissionCamera, photographs: Exposures, where: Places, normals: Array | None = None) -> Coverage:
     """Count the photographs that show each place.
 
     normals  (n, 3) directions in which places face; one counts only from within `FACING` of it.  None: from anywhere

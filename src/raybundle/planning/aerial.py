@@ -24,7 +24,7 @@ LOOSE = 100.0
 NO_RTK = (5.0, 5.0, 10.0)
 """Standard deviations of positions where photographs state none, as `raybundle orient` takes them [m]"""
 RTK_SHARE = 0.1
-"""Of those standard deviations: carrier phases give centimetres to decimetres, codes metres; between lies their tenth"""
+"""Of those standard deviations: carrier phases give centimetres to decimetres, codes metres; a tenth parts them"""
 ENOUGH_GAIN = 0.1
 """Share of a standard deviation that more control must bring to be worth it"""
 

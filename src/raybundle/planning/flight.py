@@ -10,7 +10,16 @@ import numpy as np
 
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress, silent
-from raybundle.planning.aerial import NO_RTK, ControlTable, by_design, control_table, is_rtk, mended, precision
+from raybundle.planning.aerial import (
+    NO_RTK,
+    UNSOLVED,
+    ControlTable,
+    by_design,
+    control_table,
+    is_rtk,
+    mended,
+    precision,
+)
 from raybundle.planning.uav_networks import Flight, flight_aerial
 
 ENOUGH = 14
@@ -50,8 +59,8 @@ class Forecast:
 
     @property
     def hanging(self) -> tuple[str, ...]:
-        """What is not determinable, or by the unevenness of the flight alone."""
-        return tuple(dict.fromkeys((*self.lost_level, *self.lost)))
+        """Parameters that are not determinable, or by the unevenness of the flight alone."""
+        return tuple(p for p in dict.fromkeys((*self.lost_level, *self.lost)) if p != UNSOLVED)
 
     @property
     def sure(self) -> bool:
@@ -171,8 +180,8 @@ def forecast(plan: Flight, name: str = "as planned") -> Forecast:
 
 
 def points_of(plan: Flight) -> int:
-    """Tie points along a side of the ground of which each photograph shows some."""
-    return math.ceil(SHOWN * plan.size / min(plan.footprint))
+    """Tie points along the longer side of the ground of which each photograph shows some."""
+    return math.ceil(SHOWN * max(plan.sides) / min(plan.footprint))
 
 
 def _enough(plan: Flight) -> int:

@@ -50,7 +50,7 @@ class MissionForecast:
     """With positions beside whose errors a lever arm is of no account: it is held; None: those asked for are no better
     than a plain receiver's"""
     lost_even: tuple[str, ...]
-    """What the positions asked for leave open where the mission is flown exactly as planned, so that no accident helps"""
+    """What these positions leave open where the mission is flown exactly as planned, so that no accident helps"""
     mends: tuple[Mend, ...]
     """What would determine it"""
     asked: Asked

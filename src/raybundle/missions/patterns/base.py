@@ -113,14 +113,9 @@ class Line:
         )
 
 
-def more_over_ground(relief: bool) -> str:  # noqa: FBT001  (one fact of the ground, always named by its caller)
-    """What mends an overlap over the ground that stays below what was asked for; relief: whether heights are known."""
-    if relief:
-        return (
-            "photographs show less of ground that rises between the lines, which are followed by their own heights "
-            f"alone; fly higher ({option('gsd')}, {option('height')}), or ask for more ({option('overlap')})"
-        )
-    return f"the ground is taken as level, so that it is the lines that lie so; ask for more ({option('overlap')})"
+def more_over_ground() -> str:
+    """What mends an overlap over level ground that stays below what was asked for: it is the lines that lie so."""
+    return f"ask for more ({option('overlap')})"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -137,8 +132,8 @@ class Pattern:
     """base and spacing [m], as they are told"""
     ground: bool = True
     """whether it photographs the ground, so that heights follow it"""
-    more: Callable[[bool], str] = more_over_ground
-    """words for what mends an overlap that stays below what was asked for; of whether heights of the ground are known"""
+    more: Callable[[], str] = more_over_ground
+    """words for what mends an overlap that stays below what was asked for, where relief is not the cause"""
 
 
 patterns: dict[str, Pattern] = {}

@@ -62,7 +62,7 @@ def lines(outline: Array, wish: Wish) -> list[Line]:
     return found
 
 
-def more(_: bool) -> str:
+def more() -> str:
     """What mends an overlap in front of a facade: neither heights of the ground nor the distance change it."""
     return f"rows and photographs lie so in front of the facade; ask for more ({option('overlap')})"
 

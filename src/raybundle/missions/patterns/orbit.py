@@ -64,7 +64,7 @@ def lines(outline: Array, wish: Wish) -> list[Line]:
     return found
 
 
-def more(_: bool) -> str:
+def more() -> str:
     """What mends an overlap round an object: photographs of a ring and rings have each their own number."""
     return f"photographs and rings lie so round the object; ask for more ({option('overlap')}, {option('rings')})"
 
