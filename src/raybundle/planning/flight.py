@@ -108,7 +108,7 @@ class FlightPlan:
 
 
 def _times(before: float, after: float) -> float:
-    return before / after if np.isfinite(before) else float("inf")
+    return float(before / after) if np.isfinite(before) else float("inf")
 
 
 def plan_flight(plan: Flight, progress: Progress = silent) -> FlightPlan:
