@@ -1,14 +1,20 @@
 """`raybundle plan flight` by area and pixel, what it calls things, and in which units it tells them."""
 
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
+from tests.missions.cases import CAMERA, mission
 
 from raybundle.cli.main import main
+from raybundle.cli.plan.flight import _verdict
 from raybundle.cli.plan.precision import cell, length
 from raybundle.commands.planning.flight import FlightSettings
 from raybundle.errors import InputError
+from raybundle.missions.mission import exposures
+from raybundle.planning.flight import FlightPlan, forecast
+from raybundle.planning.uav_networks import Flight
 
 FAST = ("--points", "8", "--hold-camera")
 
@@ -39,6 +45,28 @@ def test_lines_cover_the_area_with_the_overlap_asked_for_and_no_line_too_many(ar
     assert (plan.lines - 1) * plan.spacing < wide <= plan.lines * plan.spacing * (1 + 1e-9)
     assert (plan.photographs - 2) * plan.base < long <= (plan.photographs - 1) * plan.base * (1 + 1e-9)
     assert plan.sides == area
+
+
+def test_lines_and_photographs_are_those_of_a_mission_over_the_same_area():
+    sides = (200.0, 300.0)
+    settings = FlightSettings(area=sides, gsd=0.02, camera=(CAMERA.width_px, CAMERA.height_px, CAMERA.c_px))
+    flight = settings.flight()
+    ring = np.array([[0.0, 0], [sides[0], 0], sides, [0, sides[1]]])
+    m = mission("nadir", outline=ring, more={"direction": 0.0}, take_off=(0.0, 0.0))
+    assert (flight.lines, flight.lines * flight.photographs) == (len(m.lines), len(exposures(m)))
+    assert (flight.base, flight.spacing) == pytest.approx((m.base, m.spacing))
+
+
+def test_what_no_change_mends_is_to_be_known_from_elsewhere():
+    plan = Flight(points=9, alternating=True)
+    planned = forecast(plan)
+    told = _verdict(FlightPlan(planned=planned, without_rtk=None, remedies=()))
+    assert told.endswith("c hangs on the unevenness of the flight alone; none of the changes above mends it: hold the "
+                         "camera as calibrated (--hold-camera)")  # fmt: skip
+    arm = replace(planned, lost_level=("c", "az"))
+    assert "(--hold-camera), and measure the lever arm" in _verdict(
+        FlightPlan(planned=arm, without_rtk=None, remedies=())
+    )
 
 
 def test_an_area_without_a_pixel_and_a_pixel_without_an_area():

@@ -61,9 +61,9 @@ def test_the_picture_is_cut_to_the_outline_and_nothing_in_it_looks_like_paper():
 
 
 def test_what_no_outline_bounds_is_not_cut():
+    from raybundle.missions.mission import exposures
     from raybundle.missions.places import free_places
     from raybundle.missions.views import coverage
-    from raybundle.missions.mission import exposures
 
     m = mission("corridor")
     where = free_places(np.column_stack([OUTLINES["line"], np.full(3, 100.0)]), 5.0)

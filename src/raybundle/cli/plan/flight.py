@@ -43,7 +43,7 @@ def command(progress: str, **given: Any) -> None:
         plan, done, table = run_plan_flight(settings, tell)
     click.echo("\n".join(_head(plan)))
     click.echo(
-        f" {'sigma [mm], rms; of c [px]':50}{'photos':>7}{'X':>8}{'Y':>8}{'Z':>8}{'c':>7}{'brings':>17}"
+        f" {'sigma [mm], rms; of c [px]':50}{'photos':>7}{'X':>8}{'Y':>8}{'Z':>8}{'c':>7}{'brings':>20}"
         "   not determinable (level)"
     )
     for f in (done.planned, *(() if done.without_rtk is None else (done.without_rtk,)), *done.remedies):
@@ -81,7 +81,7 @@ def _row(f: Forecast, done: FlightPlan) -> str:
     sigma = "".join(f"{cell(v, 0):>8}" for v in f.sigma_m.tolist())
     lost, level = ", ".join(f.lost) or "none", ", ".join(f.lost_level) or "none"
     brings = _brings(f, done) if f in done.remedies else "-"
-    return f" {f.name:50}{f.photographs:7d}{sigma}{figure(f.sigma_c_px, 1):>7}{brings:>17}   {lost} ({level})"
+    return f" {f.name:50}{f.photographs:7d}{sigma}{figure(f.sigma_c_px, 1):>7}{brings:>20}   {lost} ({level})"
 
 
 def _brings(f: Forecast, done: FlightPlan) -> str:
@@ -109,10 +109,18 @@ def _verdict(done: FlightPlan) -> str:
     if planned.lost and planned.lost_level and planned.lost != planned.lost_level:
         lead += f", nor {', '.join(planned.lost_level)} where it is exactly level at one height"
     if advised is None:
-        return f"{lead}; none of the changes above mends it: hold the camera as calibrated, or add control"
+        return f"{lead}; none of the changes above mends it: {_held(planned)}"
     figures = [f"Z {_change(length, float(planned.sigma_m[2]), float(advised.sigma_m[2]))}"]
     figures += [_parameter(p, done, advised) for p in planned.hanging]
     return f"{lead}; what mends it: {advised.name}; sigma {', '.join(figures)}"
+
+
+def _held(planned: Forecast) -> str:
+    """What is left where no change of the flight mends what hangs: to know it from elsewhere."""
+    arm = {"ax", "ay", "az"} & set(planned.hanging)
+    known = ["hold the camera as calibrated (--hold-camera)"] if set(planned.hanging) - arm or not arm else []
+    known += ["measure the lever arm and hold it (without --lever-arm)"] if arm else []
+    return ", and ".join(known)
 
 
 def _change(words: Callable[[float], str], before: float, after: float) -> str:
