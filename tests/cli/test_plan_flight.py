@@ -152,9 +152,9 @@ def test_a_mission_tells_metres_and_its_positions(capsys, tmp_path):
     told = capsys.readouterr().out
     assert told.count("RTK") == 1
     assert "  no RTK (5, 5, 10 m): plan " in told
-    assert main([*words, "--overlap", "0.3", "0.1", "--out", str(tmp_path / "c")]) == 0
+    assert main([*words, "--overlap", "0.3", "0.02", "--out", str(tmp_path / "c")]) == 0
     told = capsys.readouterr().out
-    assert "the photographs do not hold together: neighbours have too few places in common. Ask for more" in told
+    assert "what neighbours have in common is too narrow; ask for more overlap (--overlap)" in told
     assert "everything cannot" not in told
 
 

@@ -101,10 +101,16 @@ def test_what_the_pattern_that_is_named_determines_is_what_was_promised():
     assert not mission_forecast(mission("oblique-grid"), LEVEL, Asked(lever_arm=True)).lost_even
 
 
-def test_photographs_that_hold_together_badly_are_told_to_overlap_more():
-    thin = mission_forecast(mission("nadir", more={"overlap": (0.3, 0.1)}), LEVEL)
+@pytest.mark.parametrize("pattern", ["nadir", "facade"])
+def test_photographs_that_hold_together_badly_are_told_to_overlap_more(pattern):
+    outline = WALL if pattern == "facade" else None
+    more = {"heights": (0.0, 18.0), "distance": CAMERA.distance(0.003)} if pattern == "facade" else {}
+    thin = mission_forecast(mission(pattern, outline=outline, more={**more, "overlap": (0.3, 0.02)}), LEVEL)
     assert thin.lost_even == (UNSOLVED,)
     assert thin.mends == (Mend(kind="overlap"),)
+    thick = mission_forecast(mission(pattern, outline=outline, more={**more, "overlap": (0.3, 0.1)}), LEVEL)
+    assert UNSOLVED not in thick.lost_even
+    assert "overlap" not in {m.kind for m in thick.mends}
 
 
 def test_poor_positions_are_forecast_once():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -22,6 +23,9 @@ MOST = 150
 """Photographs in the middle of a mission that stand for all: their block takes seconds, and is the weaker one"""
 RASTER = (5, 6)
 """Rays of a photograph, rows and columns, that meet the ground in tie points; of neighbours one in a cell is kept"""
+FILLED, FINEST = 0.95, 30
+"""Share of height and width over which they are spread; the most along either: strips of 7 % and less have fewer than
+two, where photographs are hardly joined"""
 LEAST_RAYS = 3
 """Of the points that are judged: those at the edge of a block with two are as bad in every plan"""
 UNEVEN = (0.5, 1.5)
@@ -119,9 +123,22 @@ def _aerial(mission: Mission, part: Exposures, ground: Ground, asked: Asked) -> 
     )  # fmt: skip
 
 
+def _raster(mission: Mission) -> tuple[int, int]:
+    """Rows and columns of rays: so many that two lie in the strip that neighbours of either kind have in common."""
+    along, across = mission.overlap
+    common = (along, across) if patterns[mission.pattern].ground else (across, along)  # of height and width
+    return (_rays(RASTER[0], common[0]), _rays(RASTER[1], common[1]))
+
+
+def _rays(usual: int, common: float) -> int:
+    """The second of n rays lies (1 - f) / 2 + 1.5 f / n of a side inside the edge, f the share that they fill."""
+    room = common - (1 - FILLED) / 2
+    return max(usual, min(FINEST, math.ceil(1.5 * FILLED / room))) if room > 0 else FINEST
+
+
 def _tie_points(mission: Mission, part: Exposures, ground: Ground) -> Array:
     """(p, 3) where rays of the photographs meet what is photographed, one in each cell of their mean distance."""
-    met = ground_points(mission.camera, part, ground, RASTER, (0.95, 0.95))
+    met = ground_points(mission.camera, part, ground, _raster(mission), (FILLED, FILLED))
     step = np.linalg.norm(np.diff(met, axis=2), axis=3)
     cell = float(np.nanmedian(step))
     xyz = met.reshape(-1, 3)

@@ -75,8 +75,8 @@ def _left_open(f: MissionForecast) -> str:
 
     if f.lost_even == (UNSOLVED,):
         return (
-            "flown exactly as planned, the photographs do not hold together: neighbours have too few places in common. "
-            "Ask for more overlap (--overlap); from 50 % along on a place lies in three photographs of a line"
+            "flown exactly as planned, the photographs do not hold together: what neighbours have in common is too "
+            "narrow; ask for more overlap (--overlap)"
         )
     told = f"flown exactly as planned, {', '.join(f.lost_even)} cannot be determined"
     if not f.mends:
