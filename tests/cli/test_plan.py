@@ -149,7 +149,7 @@ def test_a_mission_tells_its_precision(capsys, tmp_path):
     assert main(["plan", "mission", area, "--vehicle", "mavic-3e", "--predict", "--out", str(out)]) == 0
     told = capsys.readouterr().out
     assert "predicted without control" in told
-    assert "RTK: plan " in told
+    assert "  RTK (0.02, 0.02, 0.03 m): plan " in told
     assert "caution: flown exactly as planned, c cannot be determined" in told
     written = json.loads((out / "precision.json").read_text(encoding="utf-8"))
     assert written["not_determinable_as_planned"] == ["c"]

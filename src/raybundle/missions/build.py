@@ -10,10 +10,10 @@ import numpy as np
 from raybundle.errors import InputError
 from raybundle.missions.mission import NO_LINE, FlightLine, Mission, Trigger, TriggerBy, WayPoints
 from raybundle.missions.patterns import Line, Wish, patterns
+from raybundle.missions.places import places
 from raybundle.missions.polygons import checked_ring, inside
 from raybundle.missions.terrain import Climbing, Ground, profile
 from raybundle.missions.vehicle import Vehicle
-from raybundle.missions.views import places
 from raybundle.missions.zones import cut_lines, part_of, way_round
 from raybundle.numerics.arrays import Array
 from raybundle.settings import option
@@ -128,7 +128,7 @@ def _covered(outline: Array, zones: Sequence[Array]) -> bool:
     """Whether zones leave nothing of an area."""
     if not zones:
         return False
-    xyz, _ = places(outline, 1.0, lambda xy: np.zeros(len(xy)))
+    xyz = places(outline, 1.0, lambda xy: np.zeros(len(xy))).xyz
     return bool(np.all(np.any([inside(z, xyz[:, :2]) for z in zones], axis=0)))
 
 

@@ -9,10 +9,11 @@ import numpy as np
 from raybundle.errors import InputError
 from raybundle.missions.camera import MissionCamera
 from raybundle.missions.mission import Exposures, Mission, exposures
+from raybundle.missions.places import Places, free_places, places
 from raybundle.missions.polygons import widened
 from raybundle.missions.report import Spread, beside, spread
 from raybundle.missions.terrain import Ground
-from raybundle.missions.views import Coverage, coverage, ground_points, overlap, places
+from raybundle.missions.views import Coverage, coverage, ground_points, overlap
 from raybundle.numerics.arrays import Array, Mask
 
 NEAREST_M = 10.0
@@ -129,11 +130,11 @@ def check_flight(mission: Mission, flown: Flown, ground: Ground, limits: Limits 
     blurred = flown.blurred & (flown.blur_px > limits.blur_px)
     counted = np.isfinite(flown.xyz[:, :2]).all(axis=1) & ~blurred & ~(tilt > limits.tilt)
     good = actual.rows(np.flatnonzero(counted))
-    xyz, step, normals = _places(mission, planned, ground)
-    expected = coverage(mission.camera, planned, xyz, step, normals).count
-    seen = coverage(mission.camera, good, xyz, step, normals)
+    where, normals = _places(mission, planned, ground)
+    expected = coverage(mission.camera, planned, where, normals).count
+    seen = coverage(mission.camera, good, where, normals)
     wanted = (
-        np.maximum(np.ceil(SEEN_SHARE * expected), LEAST) if limits.seen is None else np.full(len(xyz), limits.seen)
+        np.maximum(np.ceil(SEEN_SHARE * expected), LEAST) if limits.seen is None else np.full(len(where), limits.seen)
     )
     wanted = np.minimum(wanted, expected).astype(int)
     along, across = _overlaps(mission, planned, actual, match, counted, ground)
@@ -141,7 +142,7 @@ def check_flight(mission: Mission, flown: Flown, ground: Ground, limits: Limits 
         planned=planned, flown=flown, match=match, missing=np.setdiff1d(np.arange(len(planned)), match[taken]),
         off_plan_m=_off_plan(planned, flown, match), off_height_m=off_height, height_offset_m=offset, tilt=tilt,
         motion_px=_motion(mission.camera, actual, flown, ground), counted=counted, along=along, across=across,
-        coverage=seen, expected=expected, gaps=_gaps(mission, xyz, step, seen.count, wanted),
+        coverage=seen, expected=expected, gaps=_gaps(mission, where, seen.count, wanted),
     )  # fmt: skip
 
 
@@ -240,15 +241,16 @@ def _motion(camera: MissionCamera, actual: Exposures, flown: Flown, ground: Grou
     return speed * flown.exposure_s * camera.c_px / away
 
 
-def _places(mission: Mission, planned: Exposures, ground: Ground) -> tuple[Array, float, Array | None]:
+def _places(mission: Mission, planned: Exposures, ground: Ground) -> tuple[Places, Array | None]:
     """Places that are to be seen, and where they face: a grid over an area, else where planned photographs look."""
     footprint = min(mission.camera.footprint(mission.camera.distance(mission.gsd)))
     if mission.closed and np.isnan(planned.distance).any():
-        return *places(mission.outline, footprint / 12, ground), None
+        return places(mission.outline, footprint / 12, ground), None
     met = ground_points(mission.camera, planned, ground, (1, 1), (1.0, 1.0)).reshape(-1, 3)
     good = np.isfinite(met).all(axis=1)
     walls = np.isfinite(planned.distance).all()
-    return met[good], max(mission.base, footprint / 12), planned.rotation[good][:, 2] if walls else None
+    where = free_places(met[good], max(mission.base, footprint / 12))
+    return where, planned.rotation[good][:, 2] if walls else None
 
 
 def _overlaps(
@@ -262,13 +264,13 @@ def _overlaps(
     same = planned.line[taken[1:]] == planned.line[taken[:-1]]
     first, second = row[taken[:-1][same]], row[taken[1:][same]]
     along = overlap(mission.camera, actual, ground, first, second, abreast=False) if len(first) else None
-    a, b = beside(mission, planned)
+    a, b = beside(mission, planned, ground)
     keep = (row[a] >= 0) & (row[b] >= 0) if len(a) else np.zeros(0, bool)
     across = overlap(mission.camera, actual, ground, row[a][keep], row[b][keep], abreast=True) if keep.any() else None
     return None if along is None else spread(along), None if across is None else spread(across)
 
 
-def _gaps(mission: Mission, xyz: Array, step: float, seen: Array, wanted: Array) -> tuple[Gap, ...]:
+def _gaps(mission: Mission, where: Places, seen: Array, wanted: Array) -> tuple[Gap, ...]:
     """Places that lack photographs, those nearer to each other than photographs together.
 
     An area that a single photograph adds to the plan, base by spacing, is no reason to fly again while `LEAST`
@@ -281,19 +283,20 @@ def _gaps(mission: Mission, xyz: Array, step: float, seen: Array, wanted: Array)
     rows = np.flatnonzero(seen < wanted)
     if not len(rows):
         return ()
-    pairs = KDTree(xyz[rows]).query_pairs(max(1.5 * step, mission.base), output_type="ndarray")
+    pairs = KDTree(where.xyz[rows]).query_pairs(max(1.5 * where.step, mission.base), output_type="ndarray")
     graph = coo_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), shape=(len(rows), len(rows)))
     _, label = connected_components(graph, directed=False)
     found: list[Gap] = []
     for k in range(int(label.max()) + 1):
         own = rows[label == k]
         worst = own[np.argmin(seen[own] - wanted[own])]
-        if len(own) * step * step < mission.base * mission.spacing and (seen[own] >= LEAST).all():
+        area = where.area_m2(own)
+        if area < mission.base * mission.spacing and (seen[own] >= LEAST).all():
             continue
         found.append(
             Gap(
-                outline=widened(xyz[own, :2], step / 2),
-                area_m2=len(own) * step * step,
+                outline=widened(where.middle[own], where.step / 2),
+                area_m2=area,
                 seen=int(seen[worst]),
                 wanted=int(wanted[worst]),
             )

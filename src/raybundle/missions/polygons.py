@@ -53,6 +53,38 @@ def signed_area(ring: Array) -> float:
     return float(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y) / 2)
 
 
+def part_in_box(ring: Array, low: Array, high: Array) -> tuple[float, Array]:
+    """Area of what a box with sides along the axes has of a polygon (n, 2), and its centre of gravity (2,).
+
+    The polygon is cut at one side after the other (Sutherland and Hodgman 1974); where that leaves several pieces,
+    the edges that join them run to and fro along the box and add nothing.  Without an area, the centre of the box.
+    """
+    middle = (low + high) / 2
+    part = ring - middle
+    for axis in (0, 1):
+        for sign in (1.0, -1.0):
+            part = _cut_at(part, axis, sign, float(high[axis] - middle[axis]))
+    u, v = part, np.roll(part, -1, axis=0)
+    cross = u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
+    twice = float(cross.sum())
+    if not abs(twice) > 1e-12 * float(np.prod(high - low)):
+        return 0.0, middle
+    return abs(twice) / 2, middle + np.sum((u + v) * cross[:, None], axis=0) / (3 * twice)
+
+
+def _cut_at(ring: Array, axis: int, sign: float, limit: float) -> Array:
+    """What a polygon (n, 2) has where sign * coordinate <= limit."""
+    if not len(ring):
+        return ring
+    over = sign * ring[:, axis] - limit
+    after, next_over = np.roll(ring, -1, axis=0), np.roll(over, -1)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        met = ring + (over / (over - next_over))[:, None] * (after - ring)
+    both = np.stack([ring, met], axis=1).reshape(-1, 2)
+    keep = np.stack([over <= 0, (over <= 0) != (next_over <= 0)], axis=1).ravel()
+    return both[keep]
+
+
 def _crossing(ring: Array) -> tuple[int, int, Array] | None:
     """Two edges that meet elsewhere than at a common corner, and where."""
     a, b = ring, np.roll(ring, -1, axis=0)

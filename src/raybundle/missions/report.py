@@ -8,9 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from raybundle.missions.mission import Exposures, Mission, exposures
+from raybundle.missions.patterns import patterns
+from raybundle.missions.places import places
+from raybundle.missions.polygons import distance_to, inside
 from raybundle.missions.terrain import Ground
 from raybundle.missions.vehicle import HEIGHT_LIMIT_M, SIGHT_M
-from raybundle.missions.views import Coverage, coverage, ground_points, overlap, places
+from raybundle.missions.views import Coverage, aimed_at, coverage, ground_points, overlap
 from raybundle.numerics.arrays import Array
 from raybundle.settings import option
 
@@ -18,8 +21,9 @@ OVERLAP_LOST = 0.05
 """By which the least overlap may stay below what was asked for without a word."""
 PARALLEL = 0.2
 """Sine of the angle between lines up to which they lie beside each other."""
-BESIDE = 0.5
-"""By which the distance to the next line may differ from the spacing, as a share of it."""
+SAME, FARTHEST = 1e-3, 1.5
+"""Distances to another line, as shares of the spacing, between which it is the next one: parts of one line, which a
+zone or a battery divides, lie on one; rows of a facade lie nearer where the ground does not let them lie lower."""
 SEEN = 3
 """Photographs in which a place is to be seen at least: with two, a blunder along the epipolar line stays unseen."""
 
@@ -63,6 +67,10 @@ class MissionFacts:
     """of an area; None: no ground is photographed"""
     seen_rarely: float
     """share of the area that fewer than `SEEN` photographs show"""
+    rarely_inside: float = 0.0
+    """share of the area that is seen so rarely farther inside than a photograph beyond its edge could reach"""
+    rarely_at_zones: float = 0.0
+    """the same, but so near to a no-go zone that a photograph from there would show it"""
 
 
 def mission_facts(mission: Mission, ground: Ground) -> MissionFacts:
@@ -80,11 +88,11 @@ def mission_facts(mission: Mission, ground: Ground) -> MissionFacts:
     on_line = w.line >= 0
     lined = on_line & np.isfinite(w.base)
     speed = w.speed[lined]
-    area = None
+    area, deep, at_zones = None, 0.0, 0.0
     if mission.closed and np.isnan(e.distance).any():
-        footprint = min(mission.camera.footprint(float(np.nanmedian(away))))
-        xyz, step = places(mission.outline, footprint / 20, ground)
-        area = coverage(mission.camera, e, xyz, step)
+        sides = mission.camera.footprint(float(np.nanmedian(away)))
+        area = coverage(mission.camera, e, places(mission.outline, min(sides) / 20, ground))
+        deep, at_zones = _rarely(mission, area, max(sides) / 2)
     readout = mission.camera.read_out_s
     fastest = float(speed.max(initial=0.0))
     finest = float(np.nanmin(gsd))
@@ -97,8 +105,19 @@ def mission_facts(mission: Mission, ground: Ground) -> MissionFacts:
         length_m=sum(_length(w.of_flight(f).xyz) for f in range(mission.flights)),
         minutes=tuple(seconds_of(mission, f) / 60 for f in range(mission.flights)),
         farthest_m=float(np.linalg.norm(w.xyz[:, :2] - np.array(mission.take_off[:2]), axis=1).max()),
-        coverage=area, seen_rarely=0.0 if area is None else float((area.count < SEEN).mean()),
+        coverage=area, seen_rarely=0.0 if area is None else area.share_below(SEEN),
+        rarely_inside=deep, rarely_at_zones=at_zones,
     )  # fmt: skip
+
+
+def _rarely(mission: Mission, area: Coverage, reach: float) -> tuple[float, float]:
+    """Shares of the area that are seen rarely beyond the reach of its edge: far from no-go zones, and near them."""
+    at, part = area.places.xyz[:, :2], area.places.part
+    few = (area.count < SEEN) & (distance_to(mission.outline, at) > reach)
+    near = np.zeros(len(at), bool)
+    for zone in mission.no_go:
+        near |= inside(zone, at) | (distance_to(zone, at) <= reach)
+    return float(part[few & ~near].sum() / part.sum()), float(part[few & near].sum() / part.sum())
 
 
 def spread(values: Array) -> Spread:
@@ -114,15 +133,16 @@ def overlaps(mission: Mission, e: Exposures, ground: Ground) -> tuple[Spread | N
     """Overlaps of neighbours along lines, and of each photograph with the nearest one of the next line of its group."""
     follow = np.flatnonzero((e.line[1:] == e.line[:-1]) & (e.flight[1:] == e.flight[:-1]))
     along = overlap(mission.camera, e, ground, follow, follow + 1, abreast=False) if len(follow) else None
-    first, second = beside(mission, e)
+    first, second = beside(mission, e, ground)
     across = overlap(mission.camera, e, ground, first, second, abreast=True) if len(first) else None
     return None if along is None else spread(along), None if across is None else spread(across)
 
 
-def beside(mission: Mission, e: Exposures) -> tuple[Array, Array]:
-    """Photographs, and the nearest one of the nearest line beside theirs.
+def beside(mission: Mission, e: Exposures, ground: Ground) -> tuple[Array, Array]:
+    """Photographs, and the one of the nearest line beside theirs that is aimed nearest to what they are aimed at.
 
-    Those at the ends of lines, to which the next line has nobody beside, are left out: nearer than half a base along.
+    Lines of one group run the same way at one tilt, to and fro.  Those at the ends of lines, to which the next line
+    has nobody beside, are left out: nearer than half a base along.
     """
     from scipy.spatial import KDTree  # noqa: PLC0415  (SciPy is loaded only where it is used)
 
@@ -131,24 +151,25 @@ def beside(mission: Mission, e: Exposures) -> tuple[Array, Array]:
     groups: dict[str, list[int]] = {}
     for k, line in enumerate(mission.lines):
         groups.setdefault(line.group, []).append(k)
+    aim = aimed_at(mission.camera, e, ground)
     for members in groups.values():
         rows = np.flatnonzero(np.isin(e.line, members))
         walls = np.isfinite(e.distance[rows]).any()
-        places = e.xyz[rows] if walls else e.xyz[rows, :2]
-        reach = float(np.hypot((1 + BESIDE) * mission.spacing, mission.base))
-        for i, near in zip(rows.tolist(), KDTree(places).query_ball_point(places, reach), strict=True):
+        at = aim[rows] if walls else aim[rows, :2]
+        reach = float(np.hypot(FARTHEST * mission.spacing, mission.base))
+        for i, near in zip(rows.tolist(), KDTree(at).query_ball_point(at, reach), strict=True):
             others = rows[near]
-            j = _nearest_beside(e, i, others[e.line[others] != e.line[i]], mission)
+            j = _nearest_beside(e, aim, i, others[e.line[others] != e.line[i]], mission)
             if j is not None:
                 first.append(i)
                 second.append(j)
     return np.array(first, int), np.array(second, int)
 
 
-def _nearest_beside(e: Exposures, i: int, others: Array, mission: Mission) -> int | None:
+def _nearest_beside(e: Exposures, aim: Array, i: int, others: Array, mission: Mission) -> int | None:
     if not len(others):
         return None
-    d = e.xyz[others] - e.xyz[i]
+    d = aim[others] - aim[i]
     ahead = np.array([np.sin(e.heading[i]), np.cos(e.heading[i])])
     if np.isfinite(e.distance[i]):  # a facade or ring: rows lie above each other
         along = np.abs(d[:, :2] @ np.array([ahead[1], -ahead[0]]))
@@ -157,7 +178,8 @@ def _nearest_beside(e: Exposures, i: int, others: Array, mission: Mission) -> in
         along = np.abs(d[:, :2] @ ahead)
         away = np.abs(d[:, :2] @ np.array([ahead[1], -ahead[0]]))
     turn = np.abs(np.sin(e.heading[others] - e.heading[i])) < PARALLEL  # in a bend nobody flies beside
-    good = np.flatnonzero(turn & (along <= mission.base / 2 + 1e-6) & (np.abs(away / mission.spacing - 1) < BESIDE))
+    apart = away / mission.spacing
+    good = np.flatnonzero(turn & (along <= mission.base / 2 + 1e-6) & (apart > SAME) & (apart < FARTHEST))
     if not len(good):
         return None
     return int(others[good[np.lexsort((along[good], np.round(away[good], 3)))[0]]])
@@ -231,20 +253,35 @@ def warnings(
         )
     if facts.seen_rarely > 0:
         tell(
-            "rare", f"{100 * facts.seen_rarely:.1f} % of the area is seen by fewer than {SEEN} photographs; "
-            f"widen it ({option('margin')}) or raise the overlap",
-        )  # fmt: skip
+            "rare",
+            f"{100 * facts.seen_rarely:.1f} % of the area is seen by fewer than {SEEN} photographs; "
+            f"{_more_photographs(mission, facts)}",
+        )
     return tuple(found)
 
 
+def _more_photographs(mission: Mission, facts: MissionFacts) -> str:
+    """What shows places of an area in more photographs: it goes by where they lie."""
+    if facts.rarely_inside > 0:
+        along, across = (f"{100 * v:.0f} %" for v in mission.overlap)
+        return f"{along} along and {across} across show no more of its middle: raise the overlap ({option('overlap')})"
+    if facts.rarely_at_zones > 0:
+        return f"that is at no-go zones: let views tilted towards them show it ({option('tilt')}), or make them smaller"
+    return f"that is at its edges: widen it ({option('margin')})"
+
+
 def _tell_overlap(tell: Callable[[str, str], None], mission: Mission, facts: MissionFacts) -> None:
-    where = " over high ground" if mission.terrain else ""
+    pattern = patterns[mission.pattern]
+    advice, where = pattern.more(), ""
+    if mission.terrain and pattern.ground:
+        where = " over high ground"
+        advice = (
+            "lines are followed by the heights below them alone, and ground that rises beside them is nearer: fly "
+            f"higher ({option('gsd')}, {option('height')}), or ask for more ({option('overlap')})"
+        )
     for what, found, asked in (
         ("along the lines", facts.along, mission.overlap[0]), ("across the lines", facts.across, mission.overlap[1]),
     ):  # fmt: skip
         if found is not None and found.low < asked - OVERLAP_LOST:
-            tell(
-                "overlap",
-                f"the overlap {what} falls to {100 * found.low:.0f} %{where}, {100 * asked:.0f} % were asked "
-                "for; follow the terrain, fly higher, or ask for more",
-            )
+            told = f"the overlap {what} falls to {100 * found.low:.0f} %{where}, {100 * asked:.0f} % were asked for"
+            tell("overlap", f"{told}; {advice}")

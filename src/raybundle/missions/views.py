@@ -8,7 +8,7 @@ import numpy as np
 
 from raybundle.missions.camera import MissionCamera
 from raybundle.missions.mission import Exposures
-from raybundle.missions.polygons import inside
+from raybundle.missions.places import Places
 from raybundle.missions.terrain import Ground
 from raybundle.numerics.arrays import Array, Mask
 
@@ -21,45 +21,32 @@ MIDDLE = 0.5
 be holds for its middle row and column."""
 FACING = np.radians(60)
 """From the normal of a wall, beyond which a photograph shows it too slantingly to be measured in."""
-MOST_PLACES = 20_000
-"""Of the ground at which photographs are counted."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Coverage:
     """Places of the ground and what is seen of them; trees and walls that hide a place are not known."""
 
-    xyz: Array
-    """(n, 3) [m]"""
-    step: float
-    """between places [m]"""
+    places: Places
     count: Array
     """(n,) photographs that show the place"""
     gsd: Array
     """(n,) of the photograph that shows it most finely [m]; NaN where none does"""
 
-
-def places(outline: Array, step: float, ground: Ground) -> tuple[Array, float]:
-    """Places (n, 3) of the ground within an outline, on a grid; and its step, enlarged where they would be too many."""
-    low, size = outline.min(axis=0), np.ptp(outline, axis=0)
-    step = max(step, float(np.sqrt(size[0] * size[1] / MOST_PLACES)))
-    sides = [lo + step / 2 + step * np.arange(max(1, int(np.ceil(s / step)))) for lo, s in zip(low, size, strict=True)]
-    xy = np.stack([g.ravel() for g in np.meshgrid(*sides)], axis=1)
-    xy = xy[inside(outline, xy)]
-    if not len(xy):
-        xy = outline.mean(axis=0)[None]
-    return np.column_stack([xy, ground(xy)]), step
+    def share_below(self, number: int) -> float:
+        """Share of the area that fewer photographs show."""
+        part = self.places.part
+        return float(part[self.count < number].sum() / part.sum())
 
 
-def coverage(
-    camera: MissionCamera, photographs: Exposures, xyz: Array, step: float, normals: Array | None = None
-) -> Coverage:
-    """Count the photographs that show each place (n, 3).
+def coverage(camera: MissionCamera, photographs: Exposures, where: Places, normals: Array | None = None) -> Coverage:
+    """Count the photographs that show each place.
 
     normals  (n, 3) directions in which places face; one counts only from within `FACING` of it.  None: from anywhere
     """
     from scipy.spatial import KDTree  # noqa: PLC0415  (SciPy is loaded only where it is used)
 
+    xyz = where.xyz
     count, gsd = np.zeros(len(xyz), int), np.full(len(xyz), np.inf)
     rotation = photographs.rotation
     tree = KDTree(xyz[:, :2])
@@ -72,7 +59,7 @@ def coverage(
             shown &= facing > np.cos(FACING) * np.linalg.norm(away, axis=1)
         count[near] += shown
         gsd[near] = np.where(shown, np.minimum(gsd[near], depth / camera.c_px), gsd[near])
-    return Coverage(xyz=xyz, step=step, count=count, gsd=np.where(count > 0, gsd, np.nan))
+    return Coverage(places=where, count=count, gsd=np.where(count > 0, gsd, np.nan))
 
 
 def _reach(camera: MissionCamera, rotation: Array, centre: Array, xyz: Array) -> float:
@@ -130,13 +117,24 @@ def _heights(ground: Ground, met: Array, below: Array) -> Array:
     return np.where(np.isnan(z), np.broadcast_to(below, z.shape), z)
 
 
+def aimed_at(camera: MissionCamera, photographs: Exposures, ground: Ground) -> Array:
+    """(m, 3) where viewing axes meet the ground; before a wall, where the photographs stand.
+
+    By these photographs of neighbouring lines stand beside each other: a tilted view sees ahead of its station, and
+    the line flown back looks the other way.  Beyond the horizon, the station.
+    """
+    met = ground_points(camera, photographs, ground, (1, 1))[:, 0, 0]
+    walls = np.isfinite(photographs.distance) | ~np.isfinite(met).all(axis=1)
+    return np.where(walls[:, None], photographs.xyz, met)
+
+
 def overlap(
     camera: MissionCamera, photographs: Exposures, ground: Ground, first: Array, second: Array, *, abreast: bool
 ) -> Array:
     """(k,) share of the surface that each first photograph (k,) shows which the second shows as well.
 
-    abreast  the second is moved along the view of the first until it stands beside it: what counts is the overlap
-             across the lines, whatever the photographs' places on theirs
+    abreast  the second is moved along the view of the first until what it is aimed at lies beside what the first is
+             aimed at: what counts is the overlap across the lines, whatever the photographs' places on theirs
     """
     found: list[Array] = []
     for part in np.array_split(np.arange(len(first)), max(1, len(first) // 200)):
@@ -150,7 +148,8 @@ def overlap(
             ahead = np.column_stack([np.sin(one.heading), np.cos(one.heading), np.zeros(len(part))])
             side = np.column_stack([ahead[:, 1], -ahead[:, 0], np.zeros(len(part))])
             off = np.where(np.isfinite(one.distance)[:, None], side, ahead)
-            d = d - np.sum(d * off, axis=1)[:, None] * off
+            apart = aimed_at(camera, two, ground) - aimed_at(camera, one, ground)
+            d = d - np.sum(apart * off, axis=1)[:, None] * off
         _, depth = in_format(camera, one.rotation[:, None], met - one.xyz[:, None, None])
         shown, _ = in_format(camera, two.rotation[:, None], met - (one.xyz + d)[:, None, None])
         # a step in the image is one on the ground that goes with the depth across the view, with its square along it

@@ -23,8 +23,15 @@ LOOSE = 100.0
 """Standard deviation [m] of points that hold the block where nothing else does, to tell what is open"""
 NO_RTK = (5.0, 5.0, 10.0)
 """Standard deviations of positions where photographs state none, as `raybundle orient` takes them [m]"""
+RTK_SHARE = 0.1
+"""Of those standard deviations: carrier phases give centimetres to decimetres, codes metres; a tenth parts them"""
 ENOUGH_GAIN = 0.1
 """Share of a standard deviation that more control must bring to be worth it"""
+
+
+def is_rtk(sigma: tuple[float, float, float]) -> bool:
+    """Whether positions of these standard deviations (east, north, up) [m] are those of carrier phases."""
+    return all(own < RTK_SHARE * plain for own, plain in zip(sigma, NO_RTK, strict=True))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -85,10 +92,28 @@ def _precision(found: Predicted, block: Block, least_rays: int) -> Precision:
 
 def open_in(plan: Aerial) -> tuple[str, ...]:
     """What a plan leaves open, in a network so weak that there may be no solution."""
+    return by_design(plan)[0]
+
+
+def by_design(plan: Aerial) -> tuple[tuple[str, ...], Mapping[str, float]]:
+    """What a plan leaves open, as `open_in`, and the standard deviations of all other parameters."""
     try:
-        return precision(plan).lost
+        found = precision(plan)
     except NotSolvable as error:
-        return tuple(dict.fromkeys(u.symbol for u in error.undetermined if u.kind == "parameter")) or (UNSOLVED,)
+        return tuple(dict.fromkeys(u.symbol for u in error.undetermined if u.kind == "parameter")) or (UNSOLVED,), {}
+    return found.lost, {symbol: s for symbol, s in found.std.items() if symbol not in found.lost}
+
+
+def mended(before: float, design: float, after: float) -> bool:
+    """Whether a change of a plan mends a parameter that hung on the unevenness of the flight.
+
+    before, after  its standard deviations in an uneven flight, as planned (infinite: not determinable) and changed
+    design         the same where the changed flight is exactly level at one height
+
+    Either the design alone tells it better than the unevenness did, or more than half of what is known of it comes from
+    the change: information is the inverse of variance, which then falls to less than half.
+    """
+    return design < before or 2 * after**2 < before**2
 
 
 PLACES = {

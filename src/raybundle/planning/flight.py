@@ -3,13 +3,23 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress, silent
-from raybundle.planning.aerial import NO_RTK, ControlTable, control_table, open_in, precision
+from raybundle.planning.aerial import (
+    NO_RTK,
+    UNSOLVED,
+    ControlTable,
+    by_design,
+    control_table,
+    is_rtk,
+    mended,
+    precision,
+)
 from raybundle.planning.uav_networks import Flight, flight_aerial
 
 ENOUGH = 14
@@ -33,12 +43,24 @@ class Forecast:
     """(3,) a-priori standard deviations of the ground points X, Y, Z, root mean square; NaN where not determinable"""
     height_worst_m: float
     """Largest standard deviation of a height; NaN where not determinable"""
-    sigma_c_px: float
-    """of the camera constant; NaN where it is held or not determinable"""
+    std: Mapping[str, float]
+    """Standard deviations of the free parameters that are determinable, in the units of their models"""
+    std_level: Mapping[str, float]
+    """The same where the flight is exactly level at one height"""
     lost: tuple[str, ...]
     """parameters that are not determinable"""
     lost_level: tuple[str, ...]
     """the same where the flight is exactly level at one height, so that no accident helps"""
+
+    @property
+    def sigma_c_px(self) -> float:
+        """Of the camera constant; NaN where it is held or not determinable."""
+        return self.std.get("c", float("nan")) / self.plan.camera.pixel_mm[0]
+
+    @property
+    def hanging(self) -> tuple[str, ...]:
+        """Parameters that are not determinable, or by the unevenness of the flight alone."""
+        return tuple(p for p in dict.fromkeys((*self.lost_level, *self.lost)) if p != UNSOLVED)
 
     @property
     def sure(self) -> bool:
@@ -52,23 +74,41 @@ class FlightPlan:
 
     planned: Forecast
     without_rtk: Forecast | None
-    """Where positions are as good as those of RTK: the plan with those that photographs have without"""
+    """Where positions are those of RTK: the plan with those that photographs have without; a lever arm is held"""
     remedies: tuple[Forecast, ...]
     """changes of the plan, those that cost nothing first"""
 
     @property
     def advised(self) -> Forecast | None:
-        """The remedy that determines everything by design with the best heights; None: there is none, or no need."""
-        good = [] if self.planned.sure else [r for r in self.remedies if r.sure]
-        return min(good, key=lambda r: float(r.sigma_m[2])) if good else None
+        """The remedy that mends all that hangs, and keeps nearest to the best; None: there is none, or no need.
+
+        Heights and each parameter that hangs count by how far a remedy's standard deviation stays behind the least
+        that any such remedy gives; that remedy is taken whose farthest is nearest.
+        """
+        good = [] if self.planned.sure else [r for r in self.remedies if self.mends(r)]
+        figures = np.array([[float(r.sigma_m[2]), *(r.std[p] for p in self.planned.hanging)] for r in good])
+        return good[int((figures / figures.min(axis=0)).max(axis=1).argmin())] if good else None
+
+    def mends(self, remedy: Forecast) -> bool:
+        """Whether a remedy determines everything by design, and mends all that hangs (`aerial.mended`)."""
+        before = {p: self.planned.std.get(p, float("inf")) for p in self.planned.hanging}
+        return remedy.sure and all(mended(s, remedy.std_level[p], remedy.std[p]) for p, s in before.items())
 
     def gain(self, remedy: Forecast) -> float:
         """Times that heights of a remedy are as precise as planned; infinite where they were not determinable."""
-        return (
-            float("inf")
-            if not np.isfinite(self.planned.sigma_m[2])
-            else float(self.planned.sigma_m[2] / remedy.sigma_m[2])
-        )
+        return _times(float(self.planned.sigma_m[2]), float(remedy.sigma_m[2]))
+
+    def gains(self, remedy: Forecast) -> dict[str, float]:
+        """The same of each parameter that hangs and that the remedy determines."""
+        return {
+            p: _times(self.planned.std.get(p, float("nan")), remedy.std[p])
+            for p in self.planned.hanging
+            if p in remedy.std
+        }
+
+
+def _times(before: float, after: float) -> float:
+    return float(before / after) if np.isfinite(before) else float("inf")
 
 
 def plan_flight(plan: Flight, progress: Progress = silent) -> FlightPlan:
@@ -76,8 +116,9 @@ def plan_flight(plan: Flight, progress: Progress = silent) -> FlightPlan:
 
     raises  NotSolvable as `forecast`
     """
-    rtk = plan.station_sigma[2] < NO_RTK[2] / 10
-    changes = [("as planned", plan), ("the same without RTK", without_rtk(plan))][: 1 + rtk] + _changes(plan)
+    rtk = is_rtk(plan.station_sigma)
+    plain = "the same without RTK" + (", lever arm held" if plan.lever_arm else "")
+    changes = [("as planned", plan), (plain, without_rtk(plan))][: 1 + rtk] + _changes(plan)
     told = list[Forecast]()
     for k, (name, changed) in enumerate(changes):
         progress(name, k / len(changes))
@@ -109,6 +150,10 @@ def _changes(plan: Flight) -> list[tuple[str, Flight]]:
             f"{words}, one control point", replace(across, control=known.control),
             not _tilted(plan) and plan.control == 0 and plan.lever_arm,
         ),
+        (
+            f"{words}, five control points", replace(across, control=5),
+            not _tilted(plan) and plan.control < 5 and not is_rtk(plan.station_sigma),
+        ),
     ]  # fmt: skip
     return [(name, changed) for name, changed, asked in changes if asked]
 
@@ -124,19 +169,19 @@ def forecast(plan: Flight, name: str = "as planned") -> Forecast:
     What it does not tell: errors that all positions share, as of a wrong antenna height or geoid, are in no figure.
     """
     found = precision(flight_aerial(plan))
-    even = replace(plan, height_jitter=0.0, angle_jitter_deg=0.0, points=_enough(plan))
-    c = None if "c" in found.lost else found.std.get("c")
+    even = replace(plan, height_jitter=0.0, angle_jitter_deg=0.0)
+    lost_level, std_level = by_design(flight_aerial(even))
     return Forecast(
         name=name, plan=plan, photographs=found.photographs, sigma_m=found.sigma_m,
         height_worst_m=found.height_worst_m,
-        sigma_c_px=float("nan") if c is None else c / plan.camera.pixel_mm[0], lost=found.lost,
-        lost_level=open_in(flight_aerial(even)),
+        std={p: s for p, s in found.std.items() if p not in found.lost}, lost=found.lost,
+        std_level=std_level, lost_level=lost_level,
     )  # fmt: skip
 
 
 def points_of(plan: Flight) -> int:
-    """Tie points along a side of the ground of which each photograph shows some."""
-    return math.ceil(SHOWN * plan.size / min(plan.footprint))
+    """Tie points along the longer side of the ground of which each photograph shows some."""
+    return math.ceil(SHOWN * max(plan.sides) / min(plan.footprint))
 
 
 def _enough(plan: Flight) -> int:

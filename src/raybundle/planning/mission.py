@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -13,14 +14,18 @@ from raybundle.missions.terrain import Ground
 from raybundle.missions.views import ground_points
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.rotation import rotation_from_vector
-from raybundle.planning.aerial import NO_RTK, Precision, open_in, precision
+from raybundle.planning.aerial import NO_RTK, Precision, is_rtk, open_in, precision
 from raybundle.planning.aerial_block import Aerial
+from raybundle.planning.mission_mends import Mend, mission_mends
 from raybundle.planning.uav_networks import FREE
 
 MOST = 150
 """Photographs in the middle of a mission that stand for all: their block takes seconds, and is the weaker one"""
 RASTER = (5, 6)
 """Rays of a photograph, rows and columns, that meet the ground in tie points; of neighbours one in a cell is kept"""
+FILLED, FINEST = 0.95, 30
+"""Share of height and width over which they are spread; the most along either: strips of 7 % and less have fewer than
+two, where photographs are hardly joined"""
 LEAST_RAYS = 3
 """Of the points that are judged: those at the edge of a block with two are as bad in every plan"""
 UNEVEN = (0.5, 1.5)
@@ -44,10 +49,15 @@ class MissionForecast:
     """What a mission determines without control, its camera calibrated with it."""
 
     rtk: Precision
-    without_rtk: Precision
-    """With positions beside whose errors a lever arm is of no account: it is held"""
+    """With the positions that were asked for"""
+    without_rtk: Precision | None
+    """With positions beside whose errors a lever arm is of no account: it is held; None: those asked for are no better
+    than a plain receiver's"""
     lost_even: tuple[str, ...]
-    """What RTK leaves open where the mission is flown exactly as planned, so that no accident helps"""
+    """What these positions leave open where the mission is flown exactly as planned, so that no accident helps"""
+    mends: tuple[Mend, ...]
+    """What would determine it"""
+    asked: Asked
     photographs: int
     """Of the mission; `rtk.photographs` of them were taken"""
     pixel_mm: float
@@ -81,10 +91,17 @@ def mission_forecast(mission: Mission, ground: Ground, asked: Asked | None = Non
     part = every.rows(chosen)
     plan = _aerial(mission, part, ground, asked)
     uneven = _uneven(plan, asked.seed)
+    plain = replace(uneven, station_sigma=NO_RTK, lever_arm=False)
+    lost, rtk = open_in(plan), precision(uneven, LEAST_RAYS)
+    accident = {symbol: s for symbol, s in rtk.std.items() if symbol not in rtk.lost}
     return MissionForecast(
-        rtk=precision(uneven, LEAST_RAYS),
-        without_rtk=precision(replace(uneven, station_sigma=NO_RTK, lever_arm=False), LEAST_RAYS),
-        lost_even=open_in(plan), photographs=len(every), pixel_mm=mission.camera.pixel_mm,
+        rtk=rtk,
+        without_rtk=precision(plain, LEAST_RAYS) if is_rtk(asked.station_sigma) else None,
+        lost_even=lost, asked=asked, photographs=len(every), pixel_mm=mission.camera.pixel_mm,
+        mends=mission_mends(
+            plan, part, mission.camera, ground, patterns[mission.pattern], lost, accident,
+            lambda changed: _uneven(changed, asked.seed),
+        ),
     )  # fmt: skip
 
 
@@ -106,9 +123,22 @@ def _aerial(mission: Mission, part: Exposures, ground: Ground, asked: Asked) -> 
     )  # fmt: skip
 
 
+def _raster(mission: Mission) -> tuple[int, int]:
+    """Rows and columns of rays: so many that two lie in the strip that neighbours of either kind have in common."""
+    along, across = mission.overlap
+    common = (along, across) if patterns[mission.pattern].ground else (across, along)  # of height and width
+    return (_rays(RASTER[0], common[0]), _rays(RASTER[1], common[1]))
+
+
+def _rays(usual: int, common: float) -> int:
+    """The second of n rays lies (1 - f) / 2 + 1.5 f / n of a side inside the edge, f the share that they fill."""
+    room = common - (1 - FILLED) / 2
+    return max(usual, min(FINEST, math.ceil(1.5 * FILLED / room))) if room > 0 else FINEST
+
+
 def _tie_points(mission: Mission, part: Exposures, ground: Ground) -> Array:
     """(p, 3) where rays of the photographs meet what is photographed, one in each cell of their mean distance."""
-    met = ground_points(mission.camera, part, ground, RASTER, (0.95, 0.95))
+    met = ground_points(mission.camera, part, ground, _raster(mission), (FILLED, FILLED))
     step = np.linalg.norm(np.diff(met, axis=2), axis=3)
     cell = float(np.nanmedian(step))
     xyz = met.reshape(-1, 3)

@@ -1,7 +1,8 @@
-"""Flights over a square of ground: to see what strips, headings and tilted cross strips determine."""
+"""Flights over a rectangle of ground: to see what strips, headings and tilted cross strips determine."""
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -16,6 +17,10 @@ from raybundle.planning.aerial_block import Aerial, aerial_block
 from raybundle.planning.scenes import Scene, brown_camera
 from raybundle.settings import option
 
+LEAST_POINTS = 4
+"""Tie points along the shorter side of the ground"""
+ROUNDING = 1e-9
+"""Of a number of lines or photographs: ground of whole ones asks for no further one"""
 FREE = ("c", "x0", "y0", "K1", "K2", "K3", "P1", "P2")
 
 
@@ -27,14 +32,14 @@ def uav_camera() -> Camera:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Flight:
-    """Lines of photographs over a square of ground, the longer side of the format across the flight."""
+    """Lines of photographs over a rectangle of ground, the longer side of the format across the flight."""
 
     camera: Camera = field(default_factory=uav_camera)
     seed: int = 1
     height: float = 80.0
     """Above the middle of the ground [m]"""
     relief: float = 0.0
-    """Between the lowest and the highest ground point, as a share of the height: hills nearly as large as the square"""
+    """Between the lowest and the highest ground point, as a share of the height: hills nearly as large as the ground"""
     lines: int = 4
     photographs: int = 8
     """In each line"""
@@ -43,9 +48,11 @@ class Flight:
     base: float = 16.0
     """Between photographs of a line [m]"""
     size: float = 120.0
-    """Side of the square [m]"""
+    """Side of the ground across the lines [m]"""
+    length: float | None = None
+    """Its side along the lines [m]; None: it is a square"""
     points: int = 30
-    """Tie points along a side of the square"""
+    """Tie points along its longer side"""
     alternating: bool = False
     """Whether every second line is flown the other way, so that the heading differs by 180 degrees"""
     cross_tilt_deg: float | None = None
@@ -86,6 +93,11 @@ class Flight:
         return 1 - self.base / along, 1 - self.spacing / across
 
     @property
+    def sides(self) -> tuple[float, float]:
+        """Of the ground, across and along the lines [m]."""
+        return self.size, self.length or self.size
+
+    @property
     def pixel_on_ground(self) -> float:
         """Side of a pixel on level ground [m]."""
         return self.height * self.camera.pixel_mm[0] / self.camera.values["c"]
@@ -94,33 +106,56 @@ class Flight:
 def flight_scene(plan: Flight) -> Scene:
     """Stations and tie points of a flight, without errors of measurement."""
     rng = np.random.default_rng(plan.seed)
-    line, along = np.divmod(np.arange(plan.lines * plan.photographs), plan.photographs)
-    across = (line - (plan.lines - 1) / 2) * plan.spacing
-    forward = (along - (plan.photographs - 1) / 2) * plan.base
+    across, forward, line = _grid(plan, plan.lines, plan.photographs)
     heading = np.where(plan.alternating & (line % 2 == 1), 180.0, 0.0)
     parts = [np.stack([across, forward, heading, np.zeros(len(line))])]
     if plan.cross_tilt_deg is not None or plan.cross_height is not None:
-        turned = 90.0 + np.where(line % 2 == 1, 180.0, 0.0)
-        parts.append(np.stack([forward, across, turned, np.full(len(line), plan.cross_tilt_deg or 0.0)]))
+        across, forward, number = _grid(plan, *_lines_across(plan))
+        turned = 90.0 + np.where(number % 2 == 1, 180.0, 0.0)
+        parts.append(np.stack([forward, across, turned, np.full(len(number), plan.cross_tilt_deg or 0.0)]))
     x, y, yaw, tilt = np.concatenate(parts, axis=1)
     n = len(x)
     high = np.where(np.arange(n) < len(line), plan.height, plan.cross_height or plan.height)
     z = high + rng.normal(0, plan.height_jitter, n)
     jitter = np.radians(rng.normal(0, plan.angle_jitter_deg, (n, 3)))
     planned = rotation_from_gimbal(np.radians(np.stack([yaw, tilt - 90.0, np.zeros(n)], axis=1)))
-    g = np.linspace(-0.5, 0.5, plan.points)
-    px, py = (a.ravel() for a in np.meshgrid(g, g))
+    wide, long = plan.sides
+    count = (max(LEAST_POINTS, round(plan.points * side / max(wide, long))) for side in (wide, long))
+    px, py = (a.ravel() for a in np.meshgrid(*(np.linspace(-0.5, 0.5, n) for n in count)))
     return Scene(
         camera=plan.camera,
         centre=np.stack([x, y, z], axis=1),
         rotation=rotation_from_vector(jitter) @ planned,
-        xyz=np.stack([px * plan.size, py * plan.size, _hills(px, py) * plan.relief * plan.height], axis=1),
+        xyz=np.stack([px * wide, py * long, _hills(px, py) * plan.relief * plan.height], axis=1),
         name="flight",
     )
 
 
+def _grid(plan: Flight, lines: int, photographs: int) -> tuple[Array, Array, Array]:
+    """Places (n,) of photographs across their lines and along them [m], and the numbers of the lines."""
+    line, along = np.divmod(np.arange(lines * photographs), photographs)
+    return (line - (lines - 1) / 2) * plan.spacing, (along - (photographs - 1) / 2) * plan.base, line
+
+
+def _lines_across(plan: Flight) -> tuple[int, int]:
+    """Lines across and photographs of each: as many as along over a square, else as many as cover the ground."""
+    if plan.length is None:
+        return plan.lines, plan.photographs
+    return covering((plan.length, plan.size), plan.spacing, plan.base)
+
+
+def covering(sides: tuple[float, float], spacing: float, base: float) -> tuple[int, int]:
+    """Lines, and photographs of each, over ground of two sides, across the lines and along them [m].
+
+    They reach half a spacing beyond its edges, as those of a mission (`raybundle.missions.patterns`): an edge is seen
+    from two lines.
+    """
+    wide, long = (side + spacing for side in sides)
+    return math.ceil(wide / spacing - ROUNDING), math.ceil(long / base - ROUNDING) + 1
+
+
 def _hills(x: Array, y: Array) -> Array:
-    """Heights (p,) of hills over a square of side 1: 1 between the lowest and the highest, 0 in the mean of these."""
+    """Heights (p,) of hills over ground of sides 1: 1 between the lowest and the highest, 0 in the mean of these."""
     z = np.sin(2 * np.pi * 1.3 * x + 0.4) * np.cos(2 * np.pi * 1.1 * y)
     return (z - (z.max() + z.min()) / 2) / np.ptp(z)
 
@@ -161,10 +196,12 @@ def flight_aerial(plan: Flight) -> Aerial:
     keep = np.flatnonzero(count >= plan.least_points)
     if len(keep) < 2:
         across = " x ".join(f"{side:.3g}" for side in plan.footprint)
+        wide, long = plan.sides
+        dense = max(plan.sides) / (plan.points - 1)
         raise InputError(
             f"flight: {len(keep)} of {len(count)} photographs show {plan.least_points} tie points or more, two are "
-            f"needed. A photograph covers {across} m, tie points lie {plan.size / (plan.points - 1):.3g} m apart over "
-            f"{plan.size:.3g} x {plan.size:.3g} m, photographs {plan.base:.3g} m and lines {plan.spacing:.3g} m: bring "
+            f"needed. A photograph covers {across} m, tie points lie {dense:.3g} m apart over {wide:.3g} x {long:.3g} "
+            f"m, photographs {plan.base:.3g} m and lines {plan.spacing:.3g} m: bring "
             f"these figures together ({option('height')}, {option('base')}, {option('spacing')}, {option('ground')}, "
             f"{option('points')}, {option('jitter')})"
         )

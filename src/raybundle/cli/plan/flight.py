@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from raybundle.cli.common import COMMAND_SETTINGS, NEW_FOLDER, common_options, counted
-from raybundle.cli.plan.precision import control_lines, figure
+from raybundle.cli.plan.precision import cell, control_lines, figure, length, positions
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.planning.flight import FlightSettings, run_plan_flight
 from raybundle.settings import made
@@ -30,6 +31,7 @@ def command(progress: str, **given: Any) -> None:
 
     \b
     Example:
+      raybundle plan flight --area 200 300 --gsd 0.02 --alternate
       raybundle plan flight --lines 4 --photos 8 --height 80 --rtk 0.02 0.02 0.03
       raybundle plan flight --alternate --cross 30 --overlap 0.8 0.7
       raybundle plan flight --alternate --relief 10 --lever-arm --control-table
@@ -41,7 +43,7 @@ def command(progress: str, **given: Any) -> None:
         plan, done, table = run_plan_flight(settings, tell)
     click.echo("\n".join(_head(plan)))
     click.echo(
-        f" {'sigma [mm], rms; of c [px]':48}{'photos':>7}{'X':>7}{'Y':>7}{'Z':>7}{'c':>8}{'brings':>9}"
+        f" {'sigma [mm], rms; of c [px]':50}{'photos':>7}{'X':>8}{'Y':>8}{'Z':>8}{'c':>7}{'brings':>20}"
         "   not determinable (level)"
     )
     for f in (done.planned, *(() if done.without_rtk is None else (done.without_rtk,)), *done.remedies):
@@ -54,16 +56,20 @@ def command(progress: str, **given: Any) -> None:
 
 
 def _head(plan: Flight) -> list[str]:
+    from raybundle.planning.aerial import is_rtk  # noqa: PLC0415
+
     along, across = plan.overlap
-    size = f"{plan.size:.3g} m"
     flown = (
-        f" {counted(plan.lines, 'line')} of {counted(plan.photographs, 'photograph')}, {plan.height:g} m above ground; "
+        f"{counted(plan.lines, 'line')} of {counted(plan.photographs, 'photograph')}, {plan.height:.4g} m above ground"
     )
-    flown += (
-        f"base {plan.base:.3g} m, lines {plan.spacing:.3g} m apart; a pixel is {1000 * plan.pixel_on_ground:.3g} mm"
-    )
-    seen = f" overlap {100 * along:.0f} % along, {100 * across:.0f} % across; tie points over {size} x {size}"
-    lines = [flown, seen]
+    apart = f"base {plan.base:.3g} m, lines {plan.spacing:.3g} m apart"
+    kind = "RTK" if is_rtk(plan.station_sigma) else "no RTK"
+    ground = " x ".join(f"{side:.3g} m" for side in plan.sides)
+    lines = [
+        f" {flown}; {apart}; a pixel is {1000 * plan.pixel_on_ground:.3g} mm",
+        f" overlap {100 * along:.0f} % along, {100 * across:.0f} % across; tie points over {ground}",
+        f" positions of {positions(plan.station_sigma)} ({kind})",
+    ]
     if along < 0.5:
         lines.append(" caution: below 50 % along, points between the photographs of a line are seen once")
     if across < 0:
@@ -72,13 +78,24 @@ def _head(plan: Flight) -> list[str]:
 
 
 def _row(f: Forecast, done: FlightPlan) -> str:
-    sigma = "".join(f"{figure(1000 * v, 0):>7}" for v in f.sigma_m.tolist())
+    sigma = "".join(f"{cell(v, 0):>8}" for v in f.sigma_m.tolist())
     lost, level = ", ".join(f.lost) or "none", ", ".join(f.lost_level) or "none"
-    brings = "-"
-    if f in done.remedies and math.isfinite(f.sigma_m[2]):
-        gain = done.gain(f)
-        brings = f"Z x{gain:.3g}" if math.isfinite(gain) else "Z"
-    return f" {f.name:48}{f.photographs:7d}{sigma}{figure(f.sigma_c_px, 1):>8}{brings:>9}   {lost} ({level})"
+    brings = _brings(f, done) if f in done.remedies else "-"
+    return f" {f.name:50}{f.photographs:7d}{sigma}{figure(f.sigma_c_px, 1):>7}{brings:>20}   {lost} ({level})"
+
+
+def _brings(f: Forecast, done: FlightPlan) -> str:
+    """How many times as precise heights are, and the parameter that hangs and gains least."""
+    if not math.isfinite(f.sigma_m[2]):
+        return "-"
+    gains = done.gains(f)
+    least = min(gains, key=lambda p: gains[p]) if gains else None
+    told = [_times("Z", done.gain(f)), *([] if least is None else [_times(least, gains[least])])]
+    return ", ".join(told)
+
+
+def _times(what: str, gain: float) -> str:
+    return f"{what} x{gain:.3g}" if math.isfinite(gain) else what
 
 
 def _verdict(done: FlightPlan) -> str:
@@ -92,7 +109,30 @@ def _verdict(done: FlightPlan) -> str:
     if planned.lost and planned.lost_level and planned.lost != planned.lost_level:
         lead += f", nor {', '.join(planned.lost_level)} where it is exactly level at one height"
     if advised is None:
-        return f"{lead}; none of the changes above mends it: hold the camera as calibrated, or add control"
-    before = figure(1000 * float(planned.sigma_m[2]), 0)
-    before = "not determinable" if before == "-" else f"{before} mm"
-    return f"{lead}; what mends it: {advised.name}, sigma Z {1000 * advised.sigma_m[2]:.0f} mm ({before} as planned)"
+        return f"{lead}; none of the changes above mends it: {_held(planned)}"
+    figures = [f"Z {_change(length, float(planned.sigma_m[2]), float(advised.sigma_m[2]))}"]
+    figures += [_parameter(p, done, advised) for p in planned.hanging]
+    return f"{lead}; what mends it: {advised.name}; sigma {', '.join(figures)}"
+
+
+def _held(planned: Forecast) -> str:
+    """What is left where no change of the flight mends what hangs: to know it from elsewhere."""
+    arm = {"ax", "ay", "az"} & set(planned.hanging)
+    known = ["hold the camera as calibrated (--hold-camera)"] if set(planned.hanging) - arm or not arm else []
+    known += ["measure the lever arm and hold it (without --lever-arm)"] if arm else []
+    return ", and ".join(known)
+
+
+def _change(words: Callable[[float], str], before: float, after: float) -> str:
+    return f"{words(before) if math.isfinite(before) else 'not determinable'} to {words(after)}"
+
+
+def _parameter(symbol: str, done: FlightPlan, advised: Forecast) -> str:
+    """What a parameter gains: in px where it is a length in the image, in mm where it is one outside it."""
+    before, after = done.planned.std.get(symbol, math.nan), advised.std[symbol]
+    pixel = advised.plan.camera.pixel_mm[0]
+    if symbol in {"c", "x0", "y0"}:
+        return f"{symbol} {_change(lambda v: f'{v / pixel:.2g} px', before, after)}"
+    if symbol in {"ax", "ay", "az"}:
+        return f"{symbol} {_change(length, before, after)}"
+    return f"{symbol} {_times('', before / after).strip()}" if math.isfinite(before) else f"{symbol} determinable"

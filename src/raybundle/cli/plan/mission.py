@@ -50,7 +50,7 @@ def lines(done: PlannedMission) -> list[str]:
     along, across = _share(f.along, m.overlap[0]), _share(f.across, m.overlap[1])
     text = [
         f" {m.pattern}: {flown}; {m.vehicle.name}, {camera}",
-        f" a pixel is {_mm(f.gsd)} mm ({1000 * m.gsd:.3g} asked for); {_metres(f.above)} m above the ground",
+        f" a pixel is {_mm(f.gsd)} mm ({_in_mm(m.gsd)} asked for); {_metres(f.above)} m above the ground",
         f" base {m.base:.2f} m, lines {m.spacing:.2f} m apart; overlap {along} along, {across} across",
     ]
     on_lines = m.way_points.speed[m.way_points.base == m.way_points.base]
@@ -70,11 +70,9 @@ def lines(done: PlannedMission) -> list[str]:
         f"used); farthest {f.farthest_m:.0f} m from the take-off"
     )
     if f.coverage is not None:
-        least, middle = (
-            int(f.coverage.count.min()),
-            float(sorted(f.coverage.count.tolist())[len(f.coverage.count) // 2]),
-        )
-        text.append(f" a place of the area is seen by {least} photographs or more, in the middle by {middle:.0f}")
+        count = sorted(f.coverage.count.tolist())
+        least = counted(count[0], "photograph")
+        text.append(f" a place of the area is seen by {least} or more, in the middle by {count[len(count) // 2]}")
     if done.forecast is not None:
         text += forecast_lines(done.forecast)
     text += [f" remark: {r}" for r in done.remarks]
@@ -85,8 +83,12 @@ def lines(done: PlannedMission) -> list[str]:
 
 def _mm(s: Spread) -> str:
     if s.high - s.low < 0.01 * s.middle:
-        return f"{1000 * s.middle:.3g}"
-    return f"{1000 * s.low:.3g} to {1000 * s.high:.3g}"
+        return _in_mm(s.middle)
+    return f"{_in_mm(s.low)} to {_in_mm(s.high)}"
+
+
+def _in_mm(metres: float) -> str:
+    return f"{1000 * metres:.3g}" if metres < 0.9995 else f"{1000 * metres:.0f}"
 
 
 def _metres(s: Spread) -> str:

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from raybundle.errors import InputError
+from raybundle.missions.defaults import OVERLAP
 from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import METRES, PIXELS, Range, option, setting
 
@@ -17,23 +18,32 @@ if TYPE_CHECKING:
 
 MOST = 1000
 """Photographs of a forecast, without those that changes of the plan add"""
+LINES, PHOTOS, HEIGHT = 4, 8, 80.0
+"""Of a flight of which neither these nor area and pixel are given"""
 FORMAT, SHARE = Range(low=100, high=100_000), Range(low=0, high=0.95)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FlightSettings:
-    """A flight over a square of ground as it is planned: by overlap, format and camera constant."""
+    """A flight over level ground or hills as it is planned: by area or lines, overlap, format and camera constant."""
 
-    lines: int = setting(4, "Flight lines.", limits=Range(low=1, high=40))
-    photos: int = setting(8, "Photographs of a line.", limits=Range(low=2, high=80))
-    height: float = setting(80.0, "Above ground [m].", limits=METRES)
+    area: tuple[float, float] | None = setting(
+        None, "To be photographed, across the lines and along them [m]; in place of {lines}, {photos} and {ground}.",
+        metavar="WIDTH LENGTH", limits=(METRES, METRES),
+    )  # fmt: skip
+    lines: int | None = setting(None, "Flight lines.  [default: 4, or by {area}]", limits=Range(low=1, high=40))
+    photos: int | None = setting(
+        None, "Photographs of a line.  [default: 8, or by {area}]", limits=Range(low=2, high=80)
+    )
+    gsd: float | None = setting(None, "Side of a pixel on the ground [m]; in place of {height}.", limits=METRES)
+    height: float | None = setting(None, "Above ground [m].  [default: 80, or by {gsd}]", limits=METRES)
     relief: float = setting(
         0.0, "Between the lowest and the highest ground, in per cent of {height}.", limits=Range(low=0, high=60)
     )
     base: float | None = setting(None, "Between photographs of a line [m].  [default: by {overlap}]", limits=METRES)
     spacing: float | None = setting(None, "Between lines [m].  [default: by {overlap}]", limits=METRES)
     overlap: tuple[float, float] = setting(
-        (0.8, 0.6), "Of photographs along a line, and of lines.", metavar="ALONG ACROSS", limits=(SHARE, SHARE)
+        OVERLAP, "Of photographs along a line, and of lines.", metavar="ALONG ACROSS", limits=(SHARE, SHARE)
     )
     camera: tuple[int, int, float] = setting(
         (5472, 3648, 3650.0), "Format and camera constant [px].", metavar="WIDTH HEIGHT C",
@@ -67,34 +77,41 @@ class FlightSettings:
     )  # fmt: skip
     noise: float = setting(0.3, "Sigma of an image coordinate [px].", limits=PIXELS)
     ground: float | None = setting(
-        None, "Side of the square of tie points [m].  [default: by lines and photos]", limits=METRES
+        None, "Side of a square of tie points [m].  [default: by {area}, or {lines} and {photos}]", limits=METRES
     )
     points: int | None = setting(
-        None, "Tie points along a side of it.  [default: 30, or so many that each photograph shows some]",
+        None, "Tie points along its longer side.  [default: 30, or so many that each photograph shows some]",
         limits=Range(low=4, high=200),
     )  # fmt: skip
     control_table: bool = setting(False, "What control brings, by number, standard deviation and place.")
     out: Path | None = setting(None, "New folder for the simulated block of the plan.", metavar="FOLDER")
 
     def flight(self) -> Flight:
-        """The flight with its camera, base and spacing."""
+        """The flight with its camera, height, lines and photographs.
+
+        raises  InputError for settings that contradict each other, and for more photographs than are forecast
+        """
         from raybundle.planning.aerial import NO_RTK  # noqa: PLC0415
         from raybundle.planning.flight import points_of  # noqa: PLC0415
         from raybundle.planning.uav_networks import FREE, Flight, uav_camera  # noqa: PLC0415
 
+        self._checked()
         width, height, c = self.camera
         usual = uav_camera()
         camera = replace(
             usual, width_px=width, height_px=height, values={**usual.values, "c": c * usual.pixel_mm[0]},
             estimate=() if self.hold_camera else FREE,
         )  # fmt: skip
-        along, across = self.height * height / c, self.height * width / c
+        above = (self.height or HEIGHT) if self.gsd is None else self.gsd * c
+        along, across = above * height / c, above * width / c
         base = self.base or (1 - self.overlap[0]) * along
         spacing = self.spacing or (1 - self.overlap[1]) * across
-        covered = ((self.photos - 1) * base * max((self.lines - 1) * spacing, across / 2)) ** 0.5
+        lines, photos = self._numbers(base, spacing)
+        covered = ((photos - 1) * base * max((lines - 1) * spacing, across / 2)) ** 0.5
+        size, length = (self.ground or covered, None) if self.area is None else self.area
         made = Flight(
-            camera=camera, height=self.height, lines=self.lines, photographs=self.photos, spacing=spacing, base=base,
-            size=self.ground or covered, alternating=self.alternate, cross_tilt_deg=self.cross,
+            camera=camera, height=above, lines=lines, photographs=photos, spacing=spacing, base=base,
+            size=size, length=length, alternating=self.alternate, cross_tilt_deg=self.cross,
             height_jitter=self.jitter[0], angle_jitter_deg=self.jitter[1], image_sigma_px=self.noise,
             station_sigma=NO_RTK if self.no_rtk else self.rtk, control=self.control,
             relief=self.relief / 100, lever_arm=self.lever_arm, cross_height=self.cross_height,
@@ -102,6 +119,34 @@ class FlightSettings:
             control_sigma=(self.control_sigma[0], *self.control_sigma),
         )  # fmt: skip
         return replace(made, points=self.points or max(made.points, points_of(made)))
+
+    def _checked(self) -> None:
+        """Refuse two settings that say the same."""
+        for given, others in (("area", ("lines", "photos", "ground")), ("gsd", ("height",))):
+            twice = [other for other in others if getattr(self, other) is not None]
+            if getattr(self, given) is not None and twice:
+                told = " and ".join(option(other) for other in twice)
+                raise InputError(f"give {option(given)} or {told}, not both: {told} would follow from {option(given)}")
+
+    def _numbers(self, base: float, spacing: float) -> tuple[int, int]:
+        """Lines, and photographs of each: over an area as `plan mission` lays them, half a spacing beyond its edges."""
+        from raybundle.planning.uav_networks import covering  # noqa: PLC0415
+
+        if self.area is None:
+            lines, photos = self.lines or LINES, self.photos or PHOTOS
+            what, mend = f"{lines} lines of {photos} photographs are", f"{option('lines')}, {option('photos')}"
+        else:
+            wide, long = self.area
+            lines, photos = covering(self.area, spacing, base)
+            what = f"{wide:g} x {long:g} m ask for {lines} lines of {photos} photographs, base {base:.3g} m, lines "
+            what += f"{spacing:.3g} m apart, which are"
+            mend = f"{option('area')}, {option('gsd')}, {option('overlap')}"
+        if lines * photos > MOST:
+            raise InputError(
+                f"{what} {lines * photos}; forecasts are made for up to {MOST}: ask for a part of it with the same "
+                f"base and spacing ({mend})"
+            )
+        return lines, photos
 
 
 def run_plan_flight(
@@ -116,12 +161,6 @@ def run_plan_flight(
     out = settings.out
     if out is not None:
         check_new_folder(out)
-    if settings.lines * settings.photos > MOST:
-        raise InputError(
-            f"{settings.lines} lines of {settings.photos} photographs are {settings.lines * settings.photos}; "
-            f"forecasts are made for up to {MOST}: ask for a part of it with the same base and spacing "
-            f"({option('lines')}, {option('photos')})"
-        )
     plan = settings.flight()
     done = plan_flight(plan, progress)
     table = flight_control(plan) if settings.control_table else None

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.errors import InputError
+from raybundle.missions.defaults import OVERLAP
 from raybundle.numerics.counting import counted
 from raybundle.settings import ANY, METRES, POSITIVE, Range, made, option, setting, settings_of
 
@@ -52,7 +53,7 @@ class MissionSettings:
         None, "Above the ground, or distance from a facade or object [m]; in place of {gsd}.", limits=METRES
     )
     overlap: tuple[float, float] = setting(
-        (0.8, 0.7), "Of photographs along a line, and of lines.", metavar="ALONG ACROSS", limits=(SHARE, SHARE)
+        OVERLAP, "Of photographs along a line, and of lines.", metavar="ALONG ACROSS", limits=(SHARE, SHARE)
     )
     direction: float | None = setting(
         None, "Azimuth of the lines from grid north [deg].  [default: that of the fewest lines]",
@@ -199,7 +200,9 @@ def _figures(f: MissionForecast) -> dict[str, object]:
 
     return {
         "photographs": f.photographs, "computed_with": f.rtk.photographs, "points": f.rtk.points, "rtk": of(f.rtk),
-        "without_rtk": of(f.without_rtk), "not_determinable_as_planned": list(f.lost_even),
+        "without_rtk": None if f.without_rtk is None else of(f.without_rtk),
+        "not_determinable_as_planned": list(f.lost_even),
+        "what_determines_it": [{"change": m.kind, "control_points": m.control} for m in f.mends],
     }  # fmt: skip
 
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.missions.camera import MissionCamera
+from raybundle.missions.defaults import OVERLAP
 from raybundle.missions.polygons import along
 from raybundle.numerics.arrays import Array
 from raybundle.settings import option
@@ -29,7 +30,7 @@ class Wish:
     camera: MissionCamera
     distance: float
     """along the viewing axis to what is photographed [m]"""
-    overlap: tuple[float, float] = (0.8, 0.7)
+    overlap: tuple[float, float] = OVERLAP
     """along and across lines"""
     direction: float | None = None
     """azimuth of the lines [rad]; None: that of the fewest lines"""
@@ -112,6 +113,11 @@ class Line:
         )
 
 
+def more_over_ground() -> str:
+    """What mends an overlap over level ground that stays below what was asked for: it is the lines that lie so."""
+    return f"ask for more ({option('overlap')})"
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Pattern:
     """One way to fly."""
@@ -126,6 +132,8 @@ class Pattern:
     """base and spacing [m], as they are told"""
     ground: bool = True
     """whether it photographs the ground, so that heights follow it"""
+    more: Callable[[], str] = more_over_ground
+    """words for what mends an overlap that stays below what was asked for, where relief is not the cause"""
 
 
 patterns: dict[str, Pattern] = {}

@@ -62,6 +62,11 @@ def lines(outline: Array, wish: Wish) -> list[Line]:
     return found
 
 
+def more() -> str:
+    """What mends an overlap in front of a facade: neither heights of the ground nor the distance change it."""
+    return f"rows and photographs lie so in front of the facade; ask for more ({option('overlap')})"
+
+
 register(
     Pattern(
         name="facade",
@@ -70,5 +75,6 @@ register(
         lines=lines,
         steps=steps,
         ground=False,
+        more=more,
     )
 )

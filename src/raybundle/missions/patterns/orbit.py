@@ -10,6 +10,7 @@ from raybundle.missions.patterns.base import LOWEST_M, Line, Pattern, Wish, regi
 from raybundle.missions.patterns.facade import levels, steps
 from raybundle.missions.polygons import hull
 from raybundle.numerics.arrays import Array
+from raybundle.settings import option
 
 WIDEST = math.radians(15)
 """Between neighbouring photographs of a ring: descriptors of features that are not flat are found again up to some 25
@@ -63,6 +64,11 @@ def lines(outline: Array, wish: Wish) -> list[Line]:
     return found
 
 
+def more() -> str:
+    """What mends an overlap round an object: photographs of a ring and rings have each their own number."""
+    return f"photographs and rings lie so round the object; ask for more ({option('overlap')}, {option('rings')})"
+
+
 register(
     Pattern(
         name="orbit",
@@ -71,5 +77,6 @@ register(
         lines=lines,
         steps=steps,
         ground=False,
+        more=more,
     )
 )

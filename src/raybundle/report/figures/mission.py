@@ -15,7 +15,7 @@ from raybundle.report.figures.svg import Plot, coordinates, round_below, span
 SIZE = 900.0
 WAYS = ("#c2410c", "#1d4ed8", "#15803d", "#7e22ce", "#0e7490", "#b91c1c")
 """Colours of the batteries, one after the other."""
-SEEN = ((0, "#ffffff"), (1, "#f6d5d5"), (2, "#fae8c8"), (3, "#e4f0dc"), (5, "#c9e3c4"), (9, "#a7d3a6"))
+SEEN = ((0, "#e58a8a"), (1, "#f6d5d5"), (2, "#fae8c8"), (3, "#e4f0dc"), (5, "#c9e3c4"), (9, "#a7d3a6"))
 """Photographs from which on a place has a colour."""
 STYLE = (
     "text{font:12px sans-serif;fill:#222}.small{font-size:11px}.area{fill:none;stroke:#222;stroke-width:1.5}"
@@ -91,18 +91,23 @@ def _photographs(plot: Plot, e: Exposures, colour: str) -> list[str]:
 
 
 def _seen(plot: Plot, coverage: Coverage) -> list[str]:
-    side = abs(float(plot.x(coverage.step) - plot.x(0.0))) + 0.3
+    """Squares in the colours of their counts, cut to the area; they overlap by a hair, so that no seam shows."""
+    where = coverage.places
+    side = abs(float(plot.x(where.step) - plot.x(0.0))) + 0.3
     level = np.searchsorted([n for n, _ in SEEN], coverage.count, side="right") - 1
     found: list[str] = []
     for k, (_, colour) in enumerate(SEEN):
-        rows = coverage.xyz[level == k]
+        rows = where.middle[level == k]
         d = "".join(
             f"M{x - side / 2:.1f} {y - side / 2:.1f}h{side:.1f}v{side:.1f}h-{side:.1f}z"
             for x, y in zip(plot.x(rows[:, 0]).tolist(), plot.y(rows[:, 1]).tolist(), strict=True)
         )
         if d:
             found.append(f'<path fill="{colour}" d="{d}"/>')
-    return found
+    if where.outline is None:
+        return found
+    edge = f'<clipPath id="outline"><path d="{_way(plot, where.outline)}Z"/></clipPath>'
+    return [edge, '<g clip-path="url(#outline)">', *found, "</g>"]
 
 
 def _home(plot: Plot, home: Array) -> list[str]:
