@@ -108,6 +108,11 @@ def list_lines(done: CheckedList) -> list[str]:
         )
     if 2 * len(beside) > len(done.names):
         text.append(" caution: most photographs are beside the list: are they of this list?")
+    elif 2 * len(t.missing) > n:
+        text.append(
+            " caution: most of the list is missing; few photographs agree with many places by chance: are they of this "
+            "list?"
+        )
     text += [f" caution: {r}" for r in done.remarks]
     if done.files:
         text.append(f" written: {done.files[0].parent}: {', '.join(p.name for p in done.files)}")

@@ -83,6 +83,8 @@ def _lines(plan: NetworkPlan, settings: NetworkSettings) -> list[str]:
     if t["known"] is not None:
         k = t["known"]
         parts = [counted(k[n], w) for n, w in (("control", "control point"), ("scale_bars", "scale bar")) if k[n]]
+        if k["bar_lengths_m"]:
+            parts[-1] += f" ({', '.join(f'{v:.3g}' for v in k['bar_lengths_m'])} m long)"
         lines.append(f"with {' and '.join(parts)}: worst {_mm(k['worst_m'])}, mean {_mm(k['mean_m'])}")
     if plan.site.free:
         std, pixel = t["interior_mm"], plan.site.camera.pixel_mm[0]

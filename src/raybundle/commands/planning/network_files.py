@@ -123,6 +123,7 @@ def told(plan: NetworkPlan) -> dict[str, Any]:
 
     known = None if h is None else {
         "control": len(h.control), "scale_bars": 0 if h.bars is None else len(h.bars.sigma),
+        "bar_lengths_m": [] if h.bars is None else h.bars.length(plan.site.points.xyz).tolist(),
         "worst_m": plan.promise_known.worst, "mean_m": plan.promise_known.mean,
     }  # fmt: skip
     return {
